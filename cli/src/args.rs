@@ -59,7 +59,7 @@ pub struct Common {
     /// Print machine-readable JSON on standard output
     #[arg(long, global = true)]
     pub json: bool,
-    /// Print nothing but errors
+    /// Print only errors
     #[arg(long, short, global = true)]
     pub quiet: bool,
     /// Number of threads [default: all cores]; the result does not depend on it
@@ -77,7 +77,7 @@ pub enum Command {
         asperity run - < demo/case.toml"
     )]
     Run(RunArgs),
-    /// Redraw the page of a result: report.html beside its result.json
+    /// Redraw the page of a result: report.html next to its result.json
     #[command(after_help = "Examples:\n  asperity report results/e-drive\n  \
         asperity report results/e-drive/result.json --position 3")]
     Report(ReportArgs),
@@ -85,7 +85,7 @@ pub enum Command {
     #[command(after_help = "Examples:\n  asperity check demo/case.toml\n  \
         asperity check demo/case.toml --set operation.torque=\"200 N m\"")]
     Check(CheckArgs),
-    /// List what differs between two results: inputs, losses, positions
+    /// List the differences between two results: inputs, losses, positions
     #[command(after_help = "Example:\n  asperity diff results/before results/after")]
     Diff(DiffArgs),
     /// List the oils of the library, any of which a case can name in lubricant.oil
@@ -119,7 +119,7 @@ pub enum Command {
         --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \
         --finish superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv \\\n    \
         --export vecto,modelica,fmu\n\n\
-        The losses are those of the mesh alone: no bearings, seals or churning. Every point is that of\n\
+        The losses are of the mesh only, without bearings, seals and churning. Every point is that of\n\
         asperity run at this torque, speed and temperature.")]
     Map(MapArgs),
     /// Energy lost over a driving cycle, from a map
@@ -128,7 +128,7 @@ pub enum Command {
         asperity cycle results/case-map trace.csv --set vehicle.mass=\"1600 kg\" --temperature 90"
     )]
     Cycle(CycleArgs),
-    /// What the loss does when one thing changes: heights, wavelengths, boundary layer, oil, tip relief
+    /// Sensitivity of the loss to single changes: heights, wavelengths, boundary layer, oil, tip relief
     #[command(after_help = "Example:\n  asperity sensitivity demo/case.toml\n\n\
         Each row is a run of the model with one thing changed, at the same windows of the traces. To vary\n\
         keys of your own choice, with distributions, see asperity sweep.")]
@@ -141,7 +141,7 @@ pub enum Command {
         after_help = "Examples:\n  asperity calibrate rig.csv case.toml -o results/rig\n  \
         asperity calibrate rig.csv case.toml --hold boundary-layer\n  \
         asperity calibrate --design case.toml --hours 8 --torque 60,180 --speed 30..3000:8:log\n\n\
-        The table has a row for each measured point: torque_nm, speed_rpm, temperature_c, loss_w (or\n\
+        The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or\n\
         torque_loss_nm), sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order,\n\
         flank_state, case. What the points can find is printed before the fit. calibration.toml in the result\n\
         holds the table [calibration] for the case."
@@ -165,7 +165,7 @@ pub enum Command {
     Regime(CaseArgs),
     /// Geometry, stiffness, transmission error, and the loss factor of every load distribution law
     Gear(CaseArgs),
-    /// Rough contact alone: of a case at one position, of a gap file, or of two profiles
+    /// Only the rough contact: of a case at one position, of a gap file, or of two profiles
     #[command(after_help = "Examples:\n  asperity contact case.toml\n  \
         asperity contact --gap gap.csv --e-star \"115.4 GPa\" --load \"300000 N/m\" -o out.csv\n  \
         asperity contact --gap wave.csv --e-star \"115.4 GPa\" --approach \"1 um\" --kernel spectral\n  \
@@ -204,7 +204,7 @@ pub enum Command {
         after_help = "Examples:\n  asperity demo\n  asperity demo --gears fzg-c my-first-case"
     )]
     Demo {
-        /// The folder to make [default: demo; with --paper: table2; with --gears: the name of the gears]
+        /// Folder to create [default: demo; with --paper: table2; with --gears: the name of the gears]
         folder: Option<PathBuf>,
         /// Write Table 2 of the 2022 paper on a synthetic damaged flank instead
         #[arg(long)]
@@ -215,10 +215,10 @@ pub enum Command {
     },
 }
 
-/// A list of presets, or one of them.
+/// List of presets, or one of them.
 #[derive(Debug, Args)]
 pub struct PresetArgs {
-    /// Name of one, to show every number with its certainty and source [default: a table of all]
+    /// Name of one preset, to show all numbers with certainty and source [default: a table of all]
     pub name: Option<String>,
 }
 
@@ -241,7 +241,7 @@ pub struct DiffArgs {
     pub second: PathBuf,
 }
 
-/// A case and where its result goes.
+/// Case, and target of its result.
 #[derive(Debug, Args)]
 pub struct RunArgs {
     /// Case file, TOML (or JSON with the same keys); - reads standard input
@@ -258,26 +258,26 @@ pub struct RunArgs {
     /// Result folder [default: results/<name of the case>]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
-    /// Reading of the model, overriding that of the case
+    /// Formulation of the model, overriding the case
     #[arg(long, value_enum)]
     pub formulation: Option<FormulationArg>,
-    /// List every default that was used
+    /// List all defaults used
     #[arg(long)]
     pub explain_defaults: bool,
-    /// Write every point of the load map into the result folder, as map.csv
+    /// Write all points of the load map into the result folder, as map.csv
     #[arg(long, conflicts_with = "no_output")]
     pub load_map: bool,
-    /// Also print the published friction laws, each applied on its own in place of the model
+    /// Also print the published friction laws, each in place of the model
     #[arg(long)]
     pub laws: bool,
-    /// Leave the band of the loss out, which costs 24 evaluations of the laws by the contacts of the run
+    /// Omit the band of the loss, which takes 24 evaluations of the laws with the contacts of the run
     #[arg(long)]
     pub no_band: bool,
     /// Do not write a result folder
     #[arg(long, conflicts_with = "output")]
     pub no_output: bool,
-    /// Keep the fields along the contact of these positions as tables: all, or numbers, e.g. 1,5
-    /// [default: those of the position with the highest pressure, thinned, in the page only]
+    /// Write the fields along the contact of these positions as tables: all, or numbers, e.g. 1,5
+    /// [default: only thinned fields of the position with the highest pressure, in the page]
     #[arg(long, value_name = "all|N,N", conflicts_with = "no_output")]
     pub fields: Option<String>,
     /// Limits of time and memory.
@@ -285,7 +285,7 @@ pub struct RunArgs {
     pub work: WorkArgs,
 }
 
-/// A result and what to show of it.
+/// Result, and position to show.
 #[derive(Debug, Args)]
 pub struct ReportArgs {
     /// Result folder, or the result.json in it
@@ -298,7 +298,7 @@ pub struct ReportArgs {
 /// A case and the finishes to compare on it.
 #[derive(Debug, Args)]
 pub struct CompareArgs {
-    /// Case file, whose traces are replaced by those of each finish; - reads standard input
+    /// Case file, whose traces are replaced by the traces of each finish; - reads standard input
     pub case: PathBuf,
     /// Keys of the case set on the command line.
     #[command(flatten)]
@@ -310,7 +310,7 @@ pub struct CompareArgs {
         value_name = "NAME=PINION.csv[,WHEEL.csv]"
     )]
     pub finishes: Vec<FinishArg>,
-    /// Number of offsets along the traces at which the flanks meet
+    /// Number of offsets along the traces at which the flanks are paired
     #[arg(long, default_value_t = 32)]
     pub offsets: usize,
     /// Folder of the comparison [default: results/<name of the case>-compare]
@@ -321,7 +321,7 @@ pub struct CompareArgs {
     pub work: WorkArgs,
 }
 
-/// A case whose loss is looked at.
+/// Case of a sensitivity study.
 #[derive(Debug, Args)]
 pub struct SensitivityArgs {
     /// Case file; - reads standard input
@@ -350,7 +350,7 @@ pub enum CompletionKind {
     Powershell,
     /// zsh
     Zsh,
-    /// The man page, for man itself
+    /// man page
     Man,
 }
 
@@ -376,12 +376,12 @@ pub struct CaseArgs {
     /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
-    /// Reading of the model, overriding that of the case
+    /// Formulation of the model, overriding the case
     #[arg(long, value_enum)]
     pub formulation: Option<FormulationArg>,
 }
 
-/// A case and a place on its path of contact.
+/// Case, and position on its path of contact.
 #[derive(Debug, Args)]
 pub struct FilmArgs {
     /// Case file, TOML (or JSON with the same keys); - reads standard input
@@ -394,12 +394,12 @@ pub struct FilmArgs {
     pub position: Option<PathPoint>,
 }
 
-/// Reading of the model.
+/// Formulation of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum FormulationArg {
     /// Dimensionally and physically consistent
     Corrected,
-    /// The paper's reading, with only its misprints corrected
+    /// The paper's formulation, with only its misprints corrected
     Paper,
 }
 
@@ -421,7 +421,7 @@ pub struct ContactArgs {
     /// Gap of the undeformed bodies: CSV with columns x and h, units in the header
     #[arg(long, group = "bare", requires = "e_star")]
     pub gap: Option<PathBuf>,
-    /// Two profiles face to face: each a CSV with columns x and z, heights positive out of the material
+    /// Two profiles: each a CSV with columns x and z, heights positive out of the material
     #[arg(long, group = "bare", num_args = 2, value_names = ["FIRST", "SECOND"],
           requires = "e_star", requires = "radius", requires = "load")]
     pub flanks: Option<Vec<PathBuf>>,
@@ -452,13 +452,13 @@ pub struct ContactArgs {
     /// The gap is periodic: short for --kernel periodised
     #[arg(long, requires = "gap", conflicts_with = "kernel")]
     pub periodic: bool,
-    /// Further pressure on both bodies in addition to the load, e.g. of a fluid: CSV with columns x and p
+    /// Additional pressure on both bodies besides the load, e.g. of a fluid: CSV with columns x and p
     #[arg(long, requires = "gap")]
     pub prescribed: Option<PathBuf>,
     /// Pressure at which the surface flows plastically, e.g. "3 GPa"
     #[arg(long, requires = "bare", allow_hyphen_values = true)]
     pub pressure_limit: Option<Pressure>,
-    /// Run the two profiles in, with this many evenly shifted passes per cycle, until they stay elastic
+    /// Run the two profiles in, with this number of evenly shifted passes per cycle, until they stay elastic
     #[arg(
         long,
         value_name = "PASSES",
@@ -493,7 +493,7 @@ pub struct ContactArgs {
         allow_hyphen_values = true
     )]
     pub poisson: f64,
-    /// Elastic limit, to show where the stress exceeds it
+    /// Elastic limit, to report the zone in which the stress exceeds it
     #[arg(long, requires = "stress", allow_hyphen_values = true)]
     pub elastic_limit: Option<Pressure>,
     /// Tolerance of the certificate: duality gap, penetration and load error; at most 1e-4

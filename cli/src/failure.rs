@@ -1,4 +1,4 @@
-//! Errors as the user sees them: a code, a place, what to do; a picture of the line on a terminal.
+//! Errors of the command: code, position in the case file, remedy; with the line of the file on a terminal.
 
 use std::io::{IsTerminal, Write};
 use std::path::Path;
@@ -12,7 +12,7 @@ use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, Na
 
 use crate::words;
 
-/// An error with its stable code.
+/// Error with its stable code.
 #[derive(Debug, thiserror::Error)]
 #[error("{code} {message}")]
 pub struct Failure {
@@ -21,8 +21,8 @@ pub struct Failure {
     place: Option<Place>,
     remedy: Remedy,
     snippet: Option<Box<Snippet>>,
-    /// Advice of its own, in place of that of its code.
-    own_advice: Option<&'static str>,
+    /// Specific advice, in place of the general advice of the code.
+    specific_advice: Option<&'static str>,
     is_told: bool,
 }
 
@@ -33,7 +33,7 @@ struct Snippet {
 }
 
 impl Failure {
-    /// An error of this code.
+    /// Makes an error with a code.
     pub fn new(code: &'static str, message: impl Into<String>) -> Self {
         Self {
             code,
@@ -41,29 +41,29 @@ impl Failure {
             place: None,
             remedy: Remedy::none(),
             snippet: None,
-            own_advice: None,
+            specific_advice: None,
             is_told: false,
         }
     }
 
-    /// The same error with advice that fits its command better than that of its code.
+    /// Sets specific advice, in place of the general advice of the code.
     pub fn advising(mut self, advice: &'static str) -> Self {
-        self.own_advice = Some(advice);
+        self.specific_advice = Some(advice);
         self
     }
 
-    /// The same error, already printed, for its exit status alone.
-    pub fn told(mut self) -> Self {
+    /// Marks the error as printed; only its exit status is used.
+    pub fn printed(mut self) -> Self {
         self.is_told = true;
         self
     }
 
-    /// An error of the orchestrator, in the words of the case file.
+    /// Makes an error from an error of the library, with keys of the case file.
     pub fn of(error: &Error) -> Self {
         Self::saying(error, &error.to_string())
     }
 
-    /// An error of the orchestrator about the case in `file`.
+    /// Makes an error from an error of the library about the case in `file`.
     pub fn about(file: &Path, error: &Error) -> Self {
         Self::saying(error, &format!("{}: {error}", file.display()))
     }
@@ -85,12 +85,12 @@ impl Failure {
             place: place.cloned(),
             remedy,
             snippet: snippet(),
-            own_advice: None,
+            specific_advice: None,
             is_told: false,
         }
     }
 
-    /// The same error with text appended.
+    /// Appends text to the message.
     pub fn adding(mut self, more: &str) -> Self {
         self.message.push_str(&asperity_storage::one_line(more));
         self
@@ -106,24 +106,24 @@ impl Failure {
         }
     }
 
-    /// Prints the error and gives the exit status.
+    /// Prints the error and returns the exit status.
     pub fn report(&self, json: bool) -> ExitCode {
         if json && !self.is_told {
-            // Whoever reads may have gone away; the exit status still tells.
+            // The reader may have closed the pipe; the exit status still reports the error.
             let _ = writeln!(std::io::stdout(), "{:#}", self.json());
         }
         if !self.is_told {
-            self.tell();
+            self.print();
         }
         ExitCode::from(self.status())
     }
 
-    /// Prints the error for reading.
-    pub fn tell(&self) {
+    /// Prints the error as text.
+    pub fn print(&self) {
         let _ = writeln!(std::io::stderr(), "{}", self.rendered());
     }
 
-    /// The error for programs.
+    /// The error as JSON.
     pub fn json(&self) -> serde_json::Value {
         serde_json::json!({
             "error": {
@@ -137,13 +137,13 @@ impl Failure {
         })
     }
 
-    /// The advice of its own, or the general advice of its code.
+    /// The specific advice, or the general advice of the code.
     fn advice(&self) -> Option<String> {
-        let own = self.own_advice.map(str::to_owned);
-        own.or_else(|| words::advice(self.code))
+        let specific = self.specific_advice.map(str::to_owned);
+        specific.or_else(|| words::advice(self.code))
     }
 
-    /// With the line of the case file on a terminal, plain otherwise.
+    /// The error with the line of the case file on a terminal, otherwise as plain text.
     fn rendered(&self) -> String {
         let plain = match self.advice() {
             Some(remedy) => format!("{self}\n  help: {remedy}"),

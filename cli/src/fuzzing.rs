@@ -1,5 +1,5 @@
-//! Parsers of the command, for fuzz targets and their deterministic twins in the tests: whatever they are given, they
-//! return. Also the list of all paths on the command line. Not part of the interface.
+//! Parsers of the command for fuzz targets and the corresponding deterministic tests: they must return for any input.
+//! Also the list of all paths on the command line. Not part of the interface.
 
 use asperity_calibration::{RigRow, RigTable};
 use asperity_rexs::{Flanks, Model, RexsError, case_text, stages};
@@ -8,10 +8,10 @@ use clap::{Command, CommandFactory, Parser, ValueHint};
 use crate::args::Cli;
 use crate::commands::contact::column_file;
 
-/// Reads a gap file; every number of one that is read is finite.
+/// Reads a gap file and checks that its numbers are finite.
 ///
 /// # Panics
-/// When a number is not.
+/// When a number is not finite.
 pub fn gap(bytes: &[u8]) -> bool {
     match column_file::of_bytes("gap.csv", bytes, column_file::GAP) {
         Ok(file) => {
@@ -25,67 +25,71 @@ pub fn gap(bytes: &[u8]) -> bool {
     }
 }
 
-/// Reads a command line, one argument a line: finishes to compare, keys to set, quantities, positions.
+/// Reads a command line with one argument per line: finishes to compare, keys to set, quantities, positions.
 pub fn arguments(text: &str) -> bool {
     let arguments = std::iter::once("asperity").chain(text.lines());
     Cli::try_parse_from(arguments).is_ok()
 }
 
-/// Every argument that is a path or, as its name of a value shows, holds one: the names of its command and of itself.
+/// Command and name of all arguments that are paths or, by their value name, include one.
 pub fn paths() -> Vec<(String, String)> {
-    fn collect(command: &Command, name: &str, found: &mut Vec<(String, String)>) {
+    fn collect(command: &Command, name: &str, paths_of: &mut Vec<(String, String)>) {
         let paths = command.get_arguments().filter(|argument| {
             let names = argument.get_value_names().unwrap_or_default();
             argument.get_value_hint() == ValueHint::AnyPath
                 || names.iter().any(|name| name.contains(".csv"))
         });
-        found.extend(paths.map(|argument| (name.to_owned(), argument.get_id().to_string())));
+        paths_of.extend(paths.map(|argument| (name.to_owned(), argument.get_id().to_string())));
         for inner in command.get_subcommands() {
-            collect(inner, format!("{name} {}", inner.get_name()).trim(), found);
+            collect(
+                inner,
+                format!("{name} {}", inner.get_name()).trim(),
+                paths_of,
+            );
         }
     }
-    let mut found = Vec::new();
-    collect(&Cli::command(), "", &mut found);
-    found
+    let mut paths = Vec::new();
+    collect(&Cli::command(), "", &mut paths);
+    paths
 }
 
-/// Reads a gearbox file: lists its stages, and writes a case for each; every case is text or refused.
+/// Reads a gearbox file, lists its stages, and writes a case for each; a stage without a case must have an error.
 ///
 /// # Panics
-/// When a refusal says nothing, or a case is empty.
+/// When an error has no message, or a case is empty.
 pub fn rexs(bytes: &[u8]) -> bool {
-    let told = |error: &RexsError| assert!(!error.to_string().is_empty());
+    let check_message = |error: &RexsError| assert!(!error.to_string().is_empty());
     let model = match Model::read(bytes) {
         Ok(model) => model,
         Err(error) => {
-            told(&error);
+            check_message(&error);
             return false;
         }
     };
-    let found = match stages(&model) {
-        Ok(found) => found,
+    let stages = match stages(&model) {
+        Ok(stages) => stages,
         Err(error) => {
-            told(&error);
+            check_message(&error);
             return false;
         }
     };
     let mut is_written = false;
-    for number in 1..=found.len() {
+    for number in 1..=stages.len() {
         match case_text(&model, "box.rexs", number, 1, &Flanks::default()) {
             Ok(case) => {
                 assert!(!case.toml.is_empty());
                 is_written = true;
             }
-            Err(error) => told(&error),
+            Err(error) => check_message(&error),
         }
     }
     is_written
 }
 
-/// Reads the table of a rig; every number of one that is read is finite, and every loss has its weight.
+/// Reads a rig table and checks that its numbers are finite and every loss has its weight.
 ///
 /// # Panics
-/// When a number is not, or a refusal says nothing.
+/// When a number is not finite, or an error has no message.
 pub fn rig_table(text: &str) -> bool {
     match RigTable::read("rig.csv", text) {
         Ok(table) => {

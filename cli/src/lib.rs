@@ -21,12 +21,12 @@ const INTERRUPTED: i32 = 130;
 /// Runs the command line of this process and returns its exit status.
 pub fn main() -> ExitCode {
     let cli = Cli::parse();
-    // Ctrl-C and SIGTERM leave nothing behind. Without the handler the next start would clear up.
+    // Temporary files are removed on Ctrl-C and SIGTERM. Without the handler the next start would remove them.
     let _ = ctrlc::set_handler(|| {
         asperity_storage::abandon();
         std::process::exit(INTERRUPTED);
     });
-    // A panic unwinds to here, so that drafts of files are removed on the way.
+    // A panic unwinds to here, so that temporary files are removed.
     let done = std::panic::catch_unwind(AssertUnwindSafe(|| {
         start_threads(&cli.common).and_then(|()| dispatch(&cli))
     }));
@@ -38,16 +38,16 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// Starts as many threads as asked for, at most one for each core: the result does not depend on it.
+/// Starts the requested number of threads, at most one per core. The result does not depend on it.
 fn start_threads(common: &Common) -> Result<(), Failure> {
-    let Some(wanted) = common.threads.map(usize::from) else {
+    let Some(requested) = common.threads.map(usize::from) else {
         return Ok(());
     };
-    let cores = std::thread::available_parallelism().map_or(wanted, usize::from);
-    let threads = wanted.min(cores);
-    if threads < wanted && !common.quiet {
+    let cores = std::thread::available_parallelism().map_or(requested, usize::from);
+    let threads = requested.min(cores);
+    if threads < requested && !common.quiet {
         output::note(&format!(
-            "--threads {wanted}: this machine has {cores} cores; {threads} threads are used"
+            "--threads {requested}: this machine has {cores} cores; {threads} threads are used"
         ));
     }
     rayon::ThreadPoolBuilder::new()

@@ -20,7 +20,7 @@ pub fn print_json<T: Serialize + ?Sized>(value: &T) -> Result<(), Failure> {
     write(&format!("{text}\n"))
 }
 
-/// Prints text unless it is to be quiet.
+/// Prints text unless the command is quiet.
 pub fn print_text(common: &Common, text: &str) -> Result<(), Failure> {
     if common.quiet {
         return Ok(());
@@ -28,18 +28,18 @@ pub fn print_text(common: &Common, text: &str) -> Result<(), Failure> {
     write(&asperity_storage::printable(text))
 }
 
-/// A file or folder for a line of text.
+/// Path of a file or folder as one line of text.
 pub fn shown(path: &Path) -> String {
     asperity_storage::one_line(&path.display().to_string()).into_owned()
 }
 
-/// Prints a remark beside the result.
+/// Prints a note on standard error.
 pub fn note(text: &str) {
-    // Whoever reads may have gone away.
+    // The reader may have closed the pipe.
     let _ = writeln!(std::io::stderr(), "{}", asperity_storage::printable(text));
 }
 
-/// Writes a file whole or not at all; `-` is standard output.
+/// Writes a file completely or not at all; `-` is standard output.
 pub fn save(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if is_standard_output(file) {
         return write_bytes(bytes);
@@ -47,18 +47,18 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     asperity_storage::save(file, bytes).map_err(|error| Failure::new("E401", error.to_string()))
 }
 
-/// Writes a file whose name the user did not choose: never over another.
+/// Writes a file with a default name, and never replaces an existing one.
 pub fn save_new(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
     asperity_storage::save_new(file, bytes).map_err(|error| Failure::new("E401", error.to_string()))
 }
 
-/// Options for what is printed beside a file: nothing where the file itself goes to standard output.
-pub fn beside(file: &Path, common: &Common) -> Result<Common, Failure> {
+/// Options for printing in addition to a file: quiet if the file itself is written to standard output.
+pub fn besides_file(file: &Path, common: &Common) -> Result<Common, Failure> {
     if !is_standard_output(file) {
         return Ok(common.clone());
     }
     if common.json {
-        let text = "-o - and --json both write to standard output; leave one out";
+        let text = "-o - and --json both write to standard output; omit one";
         return Err(Failure::new("E205", text));
     }
     Ok(Common {
@@ -75,7 +75,7 @@ fn write(text: &str) -> Result<(), Failure> {
     write_bytes(text.as_bytes())
 }
 
-/// A reader that has gone away is not an error.
+/// A closed pipe is not an error.
 fn write_bytes(bytes: &[u8]) -> Result<(), Failure> {
     match std::io::stdout().write_all(bytes) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::new(
@@ -86,33 +86,33 @@ fn write_bytes(bytes: &[u8]) -> Result<(), Failure> {
     }
 }
 
-/// Work shorter than this shows no progress.
-const PATIENCE: Duration = Duration::from_secs(1);
-/// Time between two drawings of work that counts nothing.
+/// Time before progress is shown.
+const PROGRESS_DELAY: Duration = Duration::from_secs(1);
+/// Interval between drawings of uncounted work.
 const TICK: Duration = Duration::from_millis(200);
 
-/// Work of a command before anything is counted.
+/// Name of the uncounted work before a computation.
 pub const READING: &str = "reading the traces";
-/// Work of a command after its result is known.
+/// Name of the uncounted work after a computation.
 pub const WRITING: &str = "writing the result";
 
-/// Progress of a command on standard error, from a second after its start on and only on a terminal: the kind of work with
-/// its count and the time left, or with the time spent where nothing is counted.
+/// Progress of a command on standard error, on a terminal and after the first second: name of the work with its count and
+/// the remaining time, or with the elapsed time for uncounted work.
 pub struct Progress {
     bar: ProgressBar,
-    /// Closed at the end: no bar is drawn from then on.
+    /// Set at the end: no bar is drawn any more.
     _end: Sender<()>,
 }
 
 impl Progress {
-    /// Progress of a command that begins with `work`.
+    /// Starts the progress of a command with `work`.
     pub fn of(quiet: bool, work: &'static str) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         let (end, ended) = channel();
         if !quiet && std::io::stderr().is_terminal() {
             let bar = bar.clone();
             std::thread::spawn(move || {
-                if ended.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                if ended.recv_timeout(PROGRESS_DELAY) == Err(RecvTimeoutError::Timeout) {
                     bar.set_draw_target(ProgressDrawTarget::stderr());
                     bar.enable_steady_tick(TICK);
                 }
@@ -123,7 +123,7 @@ impl Progress {
         progress
     }
 
-    /// Goes on to other work, of which nothing is counted yet.
+    /// Starts other work, not counted yet.
     pub fn begin(&self, work: &'static str) {
         self.bar.unset_length();
         self.bar.set_position(0);
@@ -131,7 +131,7 @@ impl Progress {
         self.bar.set_message(work);
     }
 
-    /// Counts `done` of an unknown number.
+    /// Shows the count `done` of an unknown total.
     pub fn count(&self, done: usize) {
         if done == 1 {
             self.style("{spinner} {msg} {pos}  {elapsed}");
@@ -139,7 +139,7 @@ impl Progress {
         self.bar.set_position(done as u64);
     }
 
-    /// Counts `done` of `total`.
+    /// Shows the count `done` of `total`.
     pub fn at(&self, done: usize, total: usize) {
         if self.bar.length() != Some(total as u64) {
             self.style("{msg} {bar:30} {pos}/{len}  {per_sec}  {eta} left");
@@ -148,7 +148,7 @@ impl Progress {
         self.bar.set_position(done as u64);
     }
 
-    /// Prints a remark above the progress.
+    /// Prints a note above the progress.
     pub fn note(&self, text: &str) {
         self.bar.suspend(|| note(text));
     }

@@ -1,11 +1,11 @@
-//! Words of the terminal for the remedies and explanations of the libraries: settings by their options. Where a case
-//! file is to be changed the library tells its keys.
+//! Remedies and explanations of the libraries in terms of the command line: settings by their options. For changes of a
+//! case file the library names the keys.
 
 use asperity::key_words::{ended, explained, table};
 use asperity::message::explain;
 use asperity::remedy::{Action, Remedy, Setting, Value};
 
-/// The option for `setting`; a key of a case is its own name.
+/// Option of `setting`, or its name for a key of a case.
 fn option(setting: Setting) -> &'static str {
     match setting {
         Setting::XUnit => "--x-unit",
@@ -46,7 +46,7 @@ fn in_options(action: &Action) -> String {
             } else {
                 "set"
             };
-            let told = match to {
+            let instruction = match to {
                 Value::This(value) | Value::OneOf(value) => {
                     format!("{verb} {names} {}", argument(settings, value))
                 }
@@ -55,13 +55,13 @@ fn in_options(action: &Action) -> String {
                 }
                 _ => format!("{verb} {names}"),
             };
-            explained(told, why)
+            explained(instruction, why)
         }
         _ => String::new(),
     }
 }
 
-/// A value as an argument: no cut-off is called none, and a quantity needs no blank.
+/// A value as an argument: a cut-off of zero is `none`, and a quantity has no space.
 fn argument(settings: &[Setting], value: &str) -> String {
     match (settings, value) {
         ([Setting::Cutoff | Setting::NoiseCutoff], "0 mm") => "none".to_owned(),
@@ -107,8 +107,8 @@ fn command(code: &str) -> Option<&'static str> {
             "asperity profile info shows the profile; the gap of the unsolved contact is saved in the folder \"failed\" beside the results."
         }
         "E212" | "E308" | "W201" => "asperity check lists every unusual number of a case.",
-        "E401" => "Most commands take another place with -o.",
-        "W435" => "asperity ehl takes it as --pressure-limit where there is no case.",
+        "E401" => "Most commands take another target with -o.",
+        "W435" => "asperity ehl takes it as --pressure-limit without a case.",
         "W401" => "asperity run --laws prints the published friction laws.",
         _ => return None,
     })

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::{CaseInput, FlankInput, load_with};
-use asperity_studies::compare::{Comparison, Finish, compare, write};
+use asperity_report::StudyResult;
+use asperity_studies::compare::{Comparison, Finish, compare};
 
 use crate::chromium::{self, Look};
 use crate::looks::assert_sound;
@@ -72,9 +73,9 @@ fn the_page_of_a_comparison_draws_and_zooms_and_its_tables_are_there() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("compared");
     let found = ground_and_superfinished();
-    write(&found, &folder).unwrap();
+    found.write((), &folder).unwrap();
     // An older comparison is replaced as a whole.
-    write(&found, &folder).unwrap();
+    found.write((), &folder).unwrap();
     let page = std::fs::read_to_string(folder.join("compare.html")).unwrap();
     for rest in page.split("data: <code>").skip(1) {
         assert!(folder.join(&rest[..rest.find('<').unwrap()]).is_file());

@@ -81,10 +81,10 @@ fn a_design_is_rehearsed_and_its_calibration_narrows_the_band_of_a_run() {
     ]);
     let text = said.well().out;
     assert!(
-        text.contains("W431 the gearbox of the case is left aside"),
+        text.contains("W431 the gearbox of the case is ignored"),
         "{text}"
     );
-    let before = text.find("operating points can find").unwrap();
+    let before = text.find("identifiability by").unwrap();
     assert!(before < text.find("95 % band").unwrap(), "{text}");
     assert!(
         text.contains("would help most") && text.contains("SIMULATED"),
@@ -204,7 +204,7 @@ fn an_outlier_is_named_and_scatter_beyond_sigma_is_told() {
         .run(&["calibrate", "scatter.csv", "case.toml", "-o", "s"])
         .well();
     assert!(
-        said.unwrapped().contains("W419 the points scatter"),
+        said.unwrapped().contains("W419 the residuals are"),
         "{}",
         said.out
     );

@@ -184,7 +184,7 @@ fn the_cut_offs_of_a_file_are_the_default_and_an_override_is_said() {
             .contains("cut-offs as the file states them")
     );
     let overridden = said(&["--lambda-c", "0.5mm"]).unwrapped();
-    let says = "the file's own cut-offs are overridden; to filter as the instrument did, pass --lambda-c \"250 um\" --lambda-s \"8 um\"";
+    let says = "the cut-offs of the file are overridden; to filter like the instrument, pass --lambda-c \"250 um\" --lambda-s \"8 um\"";
     assert!(overridden.contains(says), "{overridden}");
 }
 

@@ -113,14 +113,14 @@ fn the_summary_names_both_efficiencies_and_whose_the_parts_are() {
         .lines()
         .find(|line| line.starts_with("efficiency (gearbox)"));
     assert!(line.is_some_and(|line| line.contains("..")), "{text}");
-    let says = "beside the mesh 111 W, stated by the user and without a band: seal 1 111 W";
+    let says = "besides the mesh 111 W, from the input and without a band: seal 1 111 W";
     assert!(text.contains(says), "{text}");
     coarse(&bench, &["run", "-o", "out"], &[SEAL]).well();
     let page = std::fs::read_to_string(bench.path("out/report.html")).unwrap();
     for says in [
         "efficiency (gearbox)",
-        "Beside the mesh, stated by the user",
-        "they have no band",
+        "Besides the mesh, from the input",
+        "without an uncertainty",
         "data-key=\"summary.scope\"",
     ] {
         assert!(page.contains(says), "{says}");
@@ -301,7 +301,7 @@ fn a_comparison_says_what_it_covers() {
     }
     let text = of(&[SEAL], &[]).unwrapped();
     assert!(
-        text.contains("scope gearbox: all above is of the mesh; with 111 W beside it"),
+        text.contains("scope gearbox: the values above are of the mesh; with 111 W"),
         "{text}"
     );
     let table =
@@ -325,7 +325,7 @@ fn a_map_leaves_the_gearbox_aside_says_so_and_exports_it_as_a_part_of_its_own() 
         coarse(&bench, &[&["map"][..], &axes, more].concat(), settings)
     };
     let text = map(&["--export", "csv"], &[SEAL]).well().unwrapped();
-    assert!(text.contains("W431 losses are those of the mesh"), "{text}");
+    assert!(text.contains("W431 losses are of the mesh"), "{text}");
     let page = std::fs::read_to_string(bench.path("m/map.html")).unwrap();
     assert!(page.contains("W431"));
     let name = std::fs::read_dir(bench.path("m/export"))
@@ -354,8 +354,7 @@ fn a_map_leaves_the_gearbox_aside_says_so_and_exports_it_as_a_part_of_its_own() 
         .run(&["cycle", "m", "drive.csv", "--no-output"])
         .well();
     assert!(
-        said.unwrapped()
-            .contains("W431 energies are those of the mesh"),
+        said.unwrapped().contains("W431 energies are of the mesh"),
         "{said:?}"
     );
     bench.write("added.csv", "speed_rpm,loss_torque_nm\n0,0.1\n9000,0.1\n");
@@ -403,6 +402,6 @@ fn a_sensitivity_study_leaves_the_gearbox_aside_and_says_so() {
     let table = format!("gearbox.loss_table={}", bench.path("t.csv").display());
     let said = coarse(&bench, &["sensitivity", "-o", "s"], &[&table]).well();
     let text = said.unwrapped();
-    assert!(text.contains("W431 losses are those of the mesh"), "{text}");
+    assert!(text.contains("W431 losses are of the mesh"), "{text}");
     assert!(!text.contains("E313"), "{text}");
 }

@@ -386,7 +386,7 @@ fn a_cycle_beyond_the_map_is_refused_unless_that_is_accepted() {
         .well()
         .out;
     assert!(
-        said.contains("1.5 % of the energy (0.5 % of the moving time) is outside the map"),
+        said.contains("1.5 % of the energy (0.5 % of the moving time) is outside of the map"),
         "{said}"
     );
 }

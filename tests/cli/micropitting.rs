@@ -135,7 +135,7 @@ fn the_page_has_a_row_of_every_place() {
     for says in [
         "Micropitting: specific film",
         "partly from memory",
-        "not one score",
+        "do not combine to one rating",
     ] {
         assert!(page.contains(says), "{says}");
     }

@@ -159,7 +159,7 @@ fn the_text_fits_on_a_screen_of_eighty_columns() {
     }
     assert!(said.lines().count() <= 40, "{said}");
     for part in [
-        "open: over ends",
+        "open = range over permitted choices: ends",
         "Hurst exponent",
         "summits",
         "half of m0",
@@ -347,7 +347,7 @@ fn a_roughness_profile_taken_as_it_is_is_not_warned_of() {
     assert!(codes(&["--lambda-c", "0.25mm"]).contains("W118"));
     assert!(!codes(&["--as-is"]).contains("W118"));
     let said = bench.run(&["profile", "info", "r.csv", "--lambda-c", "0.25mm"]);
-    let hint = "to take it as the instrument filtered it, pass --as-is";
+    let hint = "to use the filtering of the instrument, pass --as-is";
     assert!(said.well().unwrapped().contains(hint));
 }
 

@@ -8,47 +8,47 @@ use clap::{Args, ValueEnum};
 
 use super::SetArgs;
 
-/// A rig's table, or the limits of a rig.
+/// Rig table, or limits of a rig.
 #[derive(Debug, Args)]
 pub struct CalibrateArgs {
-    /// The rig's table; with --design the case alone
+    /// Rig table; with --design only the case
     #[arg(value_name = "RIG.csv")]
     pub file: PathBuf,
-    /// The case of the rows that name none
+    /// Case of the rows without a case
     #[arg(value_name = "CASE.toml")]
     pub case: Option<PathBuf>,
-    /// Keys set past the case.
+    /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
     /// Hold a parameter at the value of the case instead of fitting it; repeat for several
     #[arg(long, value_enum, value_name = "PARAMETER")]
     pub hold: Vec<ParameterArg>,
-    /// Propose the points to measure: those of the axes below that find the parameters best
+    /// Choose the points to measure: the points of the axes below with the best information on the parameters
     #[arg(long)]
     pub design: bool,
-    /// Torques of the rig in N m: a..b:n, a..b:n:log or a list [default: a third and all of that of the case]
+    /// Torques of the rig in N m: a..b:n, a..b:n:log or a list [default: a third of the torque of the case, and that torque]
     #[arg(long, value_name = "AXIS", requires = "design")]
     pub torque: Option<String>,
-    /// Speeds of the rig in 1/min [default: 8 up to that of the case, from a fiftieth of it]
+    /// Speeds of the rig in 1/min [default: 8 speeds from a fiftieth of the speed of the case up to it]
     #[arg(long, value_name = "AXIS", requires = "design")]
     pub speed: Option<String>,
     /// Oil temperatures of the rig in °C [default: 40,65,90]
     #[arg(long, value_name = "AXIS", requires = "design")]
     pub temperature: Option<String>,
-    /// Hours of measuring, heating left out
+    /// Measuring time in hours, without heating
     #[arg(long, default_value_t = 8.0, value_name = "H")]
     pub hours: f64,
-    /// Minutes of a point
+    /// Minutes per point
     #[arg(long, default_value_t = 15.0, value_name = "MIN")]
     pub minutes: f64,
-    /// Standard deviation of a point over its loss
+    /// Standard deviation of a point relative to its loss
     #[arg(long, default_value = "3 %", value_name = "SHARE")]
     pub sigma: Ratio,
-    /// Assemblies, which all measure the same points
+    /// Number of assemblies; each measures all points
     #[arg(long, default_value_t = 2, value_name = "N")]
     pub assemblies: usize,
-    /// Also write simulated.csv: losses that a rig might measure at these points, simulated with the case and
-    /// random errors of this seed, to rehearse a calibration
+    /// Also write simulated.csv: losses at these points, simulated with the case and random errors of this seed, to
+    /// test a calibration
     #[arg(long, requires = "design", value_name = "SEED")]
     pub simulate: Option<u64>,
     /// Folder of the result [default: results/<name of the table>-calibration, or results/<name of the
@@ -57,14 +57,14 @@ pub struct CalibrateArgs {
     pub output: Option<PathBuf>,
 }
 
-/// Parameters that can be held.
+/// Parameters that can be held constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ParameterArg {
     /// Coefficient of boundary friction
     BoundaryFriction,
-    /// Thickness of the boundary layer, which decides the share of boundary friction
+    /// Thickness of the boundary layer, which determines the share of boundary friction
     BoundaryLayer,
-    /// Limiting shear stress over pressure
+    /// Ratio of limiting shear stress to pressure
     LimitingShear,
     /// Eyring stress
     EyringStress,

@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 
 use super::set::SetArgs;
 
-/// A lubricated line contact: of a case, or from numbers alone.
+/// Lubricated line contact: of a case, or from numbers only.
 #[derive(Debug, Args)]
 pub struct EhlArgs {
     /// Case file, TOML (or JSON with the same keys)
@@ -19,7 +19,7 @@ pub struct EhlArgs {
     /// Position along the path of contact: A, B, C, D, E, or 0 (A) to 1 (E) [default: the case's]
     #[arg(long, conflicts_with = "radius", allow_hyphen_values = true)]
     pub position: Option<PathPoint>,
-    /// Print the load-sharing laws beside the solution
+    /// Print the load-sharing laws next to the solution
     #[arg(long, requires = "case")]
     pub compare: bool,
     /// Keys of the case set on the command line.
@@ -31,11 +31,10 @@ pub struct EhlArgs {
     /// Solve the smooth contact of the case, without its traces
     #[arg(long, requires = "case")]
     pub smooth: bool,
-    /// Eyring stress of the film, e.g. "5 MPa" [default: that of the base oil; bare: Newtonian]
+    /// Eyring stress of the film, e.g. "5 MPa" [default: the value of the base oil; without a case Newtonian]
     #[arg(long, allow_hyphen_values = true)]
     pub eyring_stress: Option<Pressure>,
-    /// Number of records, each from another pair of places on the profiles, run in parallel; their mean
-    /// is printed
+    /// Number of records, each at other positions on the profiles, run in parallel; their mean is printed
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
     pub records: u16,
     /// Number of cells along the contact, a multiple of 64; at least 8 per shortest wave of the profiles
@@ -57,7 +56,7 @@ pub struct EhlArgs {
         allow_hyphen_values = true
     )]
     pub start: f64,
-    /// Film thickness below which load counts as carried by the solids
+    /// Film thickness below which load is attributed to the solids
     #[arg(long, default_value = "20 nm", allow_hyphen_values = true)]
     pub solid_film: Length,
     /// Film thickness at which a point counts as in contact
@@ -66,7 +65,7 @@ pub struct EhlArgs {
     /// Write pressure and film at every point; for two rough surfaces at several times
     #[arg(long, short)]
     pub output: Option<PathBuf>,
-    /// Write an HTML page with film and pressure; for two rough surfaces with frames that can be played
+    /// Write an HTML page with film and pressure; for two rough surfaces with an animation
     #[arg(long, value_name = "FILE")]
     pub report: Option<PathBuf>,
     /// Travel between the times written, in half-widths [default: 5; in a page 0.1]
@@ -109,7 +108,7 @@ pub struct BareArgs {
     /// Pressure-viscosity coefficient, e.g. "18 1/GPa"
     #[arg(long, requires = "viscosity", allow_hyphen_values = true)]
     pub pressure_viscosity: Option<PressureViscosity>,
-    /// Law of viscosity against pressure; barus goes with a constant density
+    /// Law of viscosity against pressure; barus has a constant density
     #[arg(long, value_enum, requires = "radius", default_value = "roelands")]
     pub viscosity_law: ViscosityLawArg,
     /// Roelands' exponent
@@ -132,7 +131,7 @@ pub struct BareArgs {
     /// Pressure at which the surfaces flow plastically, e.g. "7 GPa"
     #[arg(long, requires = "radius", allow_hyphen_values = true)]
     pub pressure_limit: Option<Pressure>,
-    /// Ratio of the film's limiting shear stress to its pressure
+    /// Ratio of the limiting shear stress of the film to its pressure
     #[arg(
         long,
         requires = "radius",
@@ -157,6 +156,6 @@ pub enum ViscosityLawArg {
     Roelands,
     /// Barus, incompressible
     Barus,
-    /// No change with pressure, incompressible
+    /// Constant viscosity, incompressible
     Isoviscous,
 }

@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-/// A finish with its name and trace files.
+/// Finish with its name and trace files.
 #[derive(Debug, Clone)]
 pub struct FinishArg {
-    /// Its name.
+    /// Name.
     pub name: String,
     /// Trace of the pinion.
     pub pinion: PathBuf,
-    /// Trace of the wheel, where it has its own.
+    /// Trace of the wheel, if it is a separate file.
     pub wheel: Option<PathBuf>,
 }
 

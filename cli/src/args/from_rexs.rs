@@ -11,7 +11,7 @@ pub enum CaseCommand {
     #[command(after_help = "Examples:\n  asperity case from-rexs gearbox.rexs\n  \
         asperity case from-rexs gearbox.rexs --stage 2 --pinion pinion.csv --wheel wheel.csv -o case.toml\n\n\
         REXS 1.0 to 2.0 as .rexs, .rexsj or zip. Stages count from 1 in the order of the file; a planetary set\n\
-        counts as one. A comment beside every number in the case names the attribute it came from.")]
+        counts as one. A comment next to every number in the case names its attribute.")]
     FromRexs(FromRexsArgs),
 }
 
@@ -26,10 +26,10 @@ pub struct FromRexsArgs {
     /// Number of the load case to take the operating point from, in the order of the file
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub load_case: usize,
-    /// Trace of the pinion's flank, or of the sun's
+    /// Trace of the flank of the pinion or sun
     #[arg(long, value_name = "FILE")]
     pub pinion: Option<PathBuf>,
-    /// Trace of the wheel's flank, or of a planet's
+    /// Trace of the flank of the wheel or planet
     #[arg(long, value_name = "FILE")]
     pub wheel: Option<PathBuf>,
     /// Case file to write [default: standard output]

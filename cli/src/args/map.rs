@@ -13,33 +13,33 @@ use super::{FinishArg, SetArgs, WorkArgs};
 pub struct MapArgs {
     /// Case file, TOML (or JSON with the same keys); - reads standard input
     pub case: PathBuf,
-    /// Keys set past the case.
+    /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
     /// Torques at the pinion in N m: a..b:n, a..b:n:log or a list [default: 0 and 12 from 1 % of the largest,
     /// both signs]; 0 is added between both signs
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub torque: Option<String>,
-    /// Speeds of the pinion in 1/min: a..b:n, a..b:n:log or a list [default: 0, 1 and 16 closer at low speed]; 0
+    /// Speeds of the pinion in 1/min: a..b:n, a..b:n:log or a list [default: 0, 1 and 16 more, closer at low speed]; 0
     /// is added
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub speed: Option<String>,
-    /// Temperatures of the flanks in °C: a..b:n or a list [default: that of the case]
+    /// Temperatures of the flanks in °C: a..b:n or a list [default: the temperature of the case]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub temperature: Option<String>,
     /// A finish and its traces; give several to see their difference [default: the flanks of the case]
     #[arg(long = "finish", value_name = "NAME=PINION.csv[,WHEEL.csv]")]
     pub finishes: Vec<FinishArg>,
-    /// Points whose loss torque has a 5-95 % band over parameters and sampling, as that of asperity run
+    /// Points whose loss torque has a 5-95 % band over parameters and sampling, as in asperity run
     #[arg(long, value_enum, default_value_t, value_name = "POINTS")]
     pub band: BandArg,
-    /// Cycle whose points are drawn over the map, as asperity cycle takes it
+    /// Cycle whose points are drawn over the map, in the format of asperity cycle
     #[arg(long, value_name = "TRACE.csv")]
     pub cycle: Option<PathBuf>,
     /// Also write the map for these programs, into the folder of the map
     #[arg(long, value_enum, value_name = "FORMAT", value_delimiter = ',')]
     pub export: Vec<ExportArg>,
-    /// Table with the loss torque of bearings, seals and churning, added to the exports as a part of its own:
+    /// Table with the loss torque of bearings, seals and churning, added to the exports as a separate part:
     /// columns torque_nm, speed_rpm, loss_torque_nm (and temperature_c)
     #[arg(long, value_name = "TABLE.csv", requires = "export")]
     pub add_loss: Option<PathBuf>,
@@ -59,12 +59,12 @@ pub enum BandArg {
     /// Lowest, middle and highest torque and speed at every temperature
     #[default]
     Nodes,
-    /// All whose contacts the traces resolve: some twenty times the work
+    /// All points whose contacts the traces resolve: about twenty times the work
     Full,
 }
 
 impl BandArg {
-    /// The same for the library.
+    /// The points for the library.
     pub fn points(self) -> MapBand {
         match self {
             Self::None => MapBand::None,
@@ -74,7 +74,7 @@ impl BandArg {
     }
 }
 
-/// Programs that a map is written for.
+/// Formats of map exports.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ExportArg {
     /// Long table with the parts of the loss
@@ -85,7 +85,7 @@ pub enum ExportArg {
     Modelica,
     /// MATLAB, Octave, scipy, Modelica: MAT-file level 4
     Matlab,
-    /// FMI 2.0 model exchange and co-simulation, sources and, where cc is, the library of this machine
+    /// FMI 2.0 model exchange and co-simulation, sources and, if cc is available, the library of this machine
     Fmu,
     /// CO2MPAS gear box efficiency parameters, fitted
     Co2mpas,
@@ -119,13 +119,14 @@ pub struct CycleArgs {
     /// Cycle: CSV with time_s and torque_nm, speed_rpm at the pinion, or speed_km_h (and grade_percent) with
     /// [vehicle] in the case of the map
     pub trace: PathBuf,
-    /// Keys set past the case of the map, as vehicle.mass="1600 kg"
+    /// Keys of the case of the map to set, e.g. vehicle.mass="1600 kg"
     #[command(flatten)]
     pub set: SetArgs,
-    /// Temperature of the flanks in °C, one of the map [default: its first]
+    /// Temperature of the flanks in °C, one of the map [default: the first]
     #[arg(long, value_name = "°C", allow_hyphen_values = true)]
     pub temperature: Option<f64>,
-    /// Take a cycle with more than 5 % of its energy outside the map; loss over torque is held there
+    /// Permit more than 5 % of the energy of the cycle outside of the map, where the ratio of loss to torque is
+    /// constant
     #[arg(long)]
     pub allow_outside: bool,
     /// Folder of the result [default: results/<name of the map>-<name of the cycle>]
@@ -139,23 +140,23 @@ pub struct CycleArgs {
 /// Runs of many cases.
 #[derive(Debug, Subcommand)]
 pub enum SweepCommand {
-    /// Run a study, or a shard of it; finished parts are kept and never run again
+    /// Run a study, or a shard of it; finished parts are stored and not run again
     #[command(after_help = "Examples:\n  asperity sweep run study.toml\n  \
         asperity sweep run study.toml --plan\n  \
         asperity sweep run study.toml --shard 3/64 --parts /scratch/parts")]
     Run(SweepRunArgs),
-    /// What of a study is done, what is missing, what failed; exit status 3 while cases are missing
+    /// Completed, missing and failed cases of a study; exit status 3 while cases are missing
     Status(SweepArgs),
-    /// Put the parts of a study together: table, sum, effects of the inputs, page
+    /// Merge the parts of a study: table, checksum, effects of the inputs, page
     Merge(SweepMergeArgs),
 }
 
-/// A study and where its parts are.
+/// Study, and folder of its parts.
 #[derive(Debug, Args)]
 pub struct SweepArgs {
     /// Study file, TOML
     pub study: PathBuf,
-    /// Folder of the parts [default: parts beside the study]
+    /// Folder of the parts [default: parts next to the study]
     #[arg(long)]
     pub parts: Option<PathBuf>,
 }
@@ -169,12 +170,12 @@ pub struct SweepRunArgs {
     /// The K-th of N shards: cases K-1, K-1+N, ...
     #[arg(long, value_name = "K/N", default_value = "1/1")]
     pub shard: String,
-    /// Check every case and tell count, errors, time and bytes; run nothing
+    /// Check every case and print count, errors, time and bytes; run nothing
     #[arg(long)]
     pub plan: bool,
 }
 
-/// Parts to put together.
+/// Parts to merge.
 #[derive(Debug, Args)]
 pub struct SweepMergeArgs {
     /// The study.

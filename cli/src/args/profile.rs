@@ -141,7 +141,7 @@ pub struct ProfileGenerateArgs {
     pub seed: u64,
 }
 
-/// Profiles, and their reading and preparation.
+/// Profiles, with options for reading and preparation.
 #[derive(Debug, Args)]
 pub struct ProfileInfoArgs {
     /// Profile files; - is standard input
@@ -242,7 +242,7 @@ impl std::str::FromStr for Ratios {
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Preparing the profile")]
 pub struct PreparingArgs {
-    /// Take the heights as they are: no form removal, and no filter unless its option is given
+    /// Use the heights unchanged: no form removal, and no filter unless its option is given
     #[arg(long, conflicts_with_all = ["level", "form"])]
     pub as_is: bool,
     /// Remove a straight line, with no filter unless its option is given
@@ -295,7 +295,7 @@ pub struct ReadingArgs {
     /// Spacing of the points, e.g. "0.5 um"
     #[arg(long, allow_hyphen_values = true)]
     pub dx: Option<Length>,
-    /// Columns of position and height, counted from 1: "1,2", or the height alone: "2"
+    /// Columns of position and height, counted from 1: "1,2", or only the height: "2"
     #[arg(long)]
     pub columns: Option<Columns>,
     /// Decimal sign: point or comma

@@ -1,4 +1,4 @@
-//! Limits of the work.
+//! Limits of estimated time and memory.
 
 use clap::Args;
 

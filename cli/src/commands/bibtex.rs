@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use asperity::result::RunResult;
 
-/// An entry for each source that the equations of `result` cite, with their tags as its note.
+/// One entry per source cited by the equations of `result`, with their tags as note.
 pub fn bibtex(result: &RunResult) -> String {
     let mut text = String::new();
     for source in &result.references {
@@ -37,7 +37,7 @@ pub fn bibtex(result: &RunResult) -> String {
     text
 }
 
-/// The authors, each written as "A. B. Name", and what follows them.
+/// Splits a reference into the authors, each "A. B. Name", and the rest.
 fn parts(text: &str) -> (Vec<&str>, &str) {
     let mut authors = Vec::new();
     let mut rest = text;

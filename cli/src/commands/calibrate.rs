@@ -1,20 +1,19 @@
-//! `asperity calibrate`: boundary layer and film traction from a rig's table, and the points to measure.
+//! `asperity calibrate`: boundary layer and film traction from a rig table, and the design of measurements.
 
-use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity_calibration::{
-    CalibrationError, Identifiability, Limits, RigFiles, Watch, before_the_fit, check_place,
-    design_summary, plan, summary, write, write_design,
+    Calibration, CalibrationError, Design, Identifiability, Limits, RigFiles, Watch,
+    before_the_fit, plan,
 };
 use asperity_studies::map::axis;
 
-use super::{load_case, stem};
+use super::{load_case, stem, study};
 use crate::args::{CalibrateArgs, Common};
 use crate::failure::Failure;
-use crate::output::{Progress, print_json, print_text, shown};
+use crate::output::{Progress, print_text};
 
 /// `asperity calibrate`
 pub fn calibrate(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
@@ -37,64 +36,55 @@ fn held(args: &CalibrateArgs) -> Vec<CalibratedName> {
 fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let (file, case) = (&args.file, args.case.as_deref());
-    let folder = folder(args, stem(file), "calibration");
-    place_is_free(&folder)?;
+    let folder = study::folder(args.output.as_deref(), stem(file), "calibration");
+    study::check_target::<Calibration>(&folder)?;
     let rig = RigFiles::read(file, case, |path| load_case(path, &args.set, None))?;
     let progress = Progress::of(common.quiet, "evaluations");
-    let tell = |found: &Identifiability| {
+    let tell = |result: &Identifiability| {
         if !common.json {
-            // A reader that has gone away is told by the end of the command.
-            let _ = print_text(common, &before_the_fit(found));
+            // An error of standard output is reported at the end of the command.
+            let _ = print_text(common, &before_the_fit(result));
         }
     };
     let watch = Watch {
         progress: &|done, total| progress.at(done, total),
         before_the_fit: &tell,
     };
-    let found = rig.calibrate(&held(args), &watch);
+    let result = rig.calibrate(&held(args), &watch);
     drop(progress);
-    let found = found?;
-    write(&found, &folder).map_err(|error| Failure::new("E401", error.to_string()))?;
-    if common.json {
-        return print_json(&found);
-    }
-    finish(common, summary(&found), &folder, begin)
+    let result = result?;
+    study::write(&result, (), &folder)?;
+    study::print(&result, (), Some(&folder), Some(begin), common)
 }
 
 fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     if args.case.is_some() {
-        let message = "--design takes the case alone; leave the table out";
+        let message = "--design takes only the case; omit the table";
         return Err(Failure::new("E205", message));
     }
     let file = &args.file;
-    let folder = folder(args, stem(file), "design");
-    place_is_free(&folder)?;
+    let folder = study::folder(args.output.as_deref(), stem(file), "design");
+    study::check_target::<Design>(&folder)?;
     let case = load_case(file, &args.set, None)?;
     let limits = limits(args, &case)?;
     let progress = Progress::of(common.quiet, "evaluations");
-    let found = plan(&case, &limits, &held(args), &|done| progress.count(done));
+    let result = plan(&case, &limits, &held(args), &|done| progress.count(done));
     drop(progress);
-    let found = found?;
+    let result = result?;
     let simulated = args
         .simulate
-        .map(|seed| asperity_calibration::design::simulated(&case, &found, seed));
+        .map(|seed| asperity_calibration::design::simulated(&case, &result, seed));
     let simulated = simulated.transpose()?;
-    write_design(&found, simulated.as_deref(), &folder)
-        .map_err(|error| Failure::new("E401", error.to_string()))?;
-    if common.json {
-        return print_json(&found);
-    }
-    let mut text = design_summary(&found);
-    if simulated.is_some() {
-        text.push_str("simulated.csv holds SIMULATED losses at these points\n");
-    }
-    finish(common, text, &folder, begin)
+    let simulated = simulated.as_deref();
+    study::write(&result, simulated, &folder)?;
+    study::print(&result, simulated, Some(&folder), Some(begin), common)
 }
 
 fn limits(args: &CalibrateArgs, case: &LoadedCase) -> Result<Limits, Failure> {
-    /// Speeds where none are given, and the part of the largest that they begin at.
+    /// Default number of speeds.
     const SPEEDS: usize = 8;
+    /// Lowest default speed relative to the highest.
     const SLOWEST: f64 = 0.02;
     let torque = case.case.torque.si();
     let speed = case.case.speed.si() * 30.0 / std::f64::consts::PI;
@@ -122,20 +112,4 @@ fn limits(args: &CalibrateArgs, case: &LoadedCase) -> Result<Limits, Failure> {
         sigma: args.sigma.value(),
         assemblies: args.assemblies,
     })
-}
-
-fn folder(args: &CalibrateArgs, name: &std::ffi::OsStr, kind: &str) -> PathBuf {
-    let default = || Path::new("results").join(format!("{}-{kind}", name.to_string_lossy()));
-    args.output.clone().unwrap_or_else(default)
-}
-
-/// Told before the work, not after it.
-fn place_is_free(folder: &Path) -> Result<(), Failure> {
-    check_place(folder).map_err(|error| Failure::new("E401", error.to_string()))
-}
-
-fn finish(common: &Common, mut text: String, folder: &Path, begin: Instant) -> Result<(), Failure> {
-    let seconds = begin.elapsed().as_secs_f64();
-    text.push_str(&format!("wrote {} in {seconds:.1} s\n", shown(folder)));
-    print_text(common, &text)
 }

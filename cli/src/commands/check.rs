@@ -1,4 +1,4 @@
-//! `asperity check`: a case looked at without running it.
+//! `asperity check`: checks of a case without running it.
 
 use asperity::Error;
 use asperity::case::planetary::{self, LoadedPlanetary};
@@ -19,7 +19,7 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     let shown = Progress::of(common.quiet, READING);
     let (source, folder) = source(&args.case)?;
     let name = source.name().to_owned();
-    let (mut failures, sound) = match planetary::is_planetary(&source) {
+    let (mut failures, valid) = match planetary::is_planetary(&source) {
         true => {
             let findings = planetary::check(source, folder, &keys(&args.set));
             (failures(&findings.errors), findings.case.map(of_set))
@@ -29,9 +29,9 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
             (failures(&findings.errors), findings.case.map(of_pair))
         }
     };
-    // What a run refuses after the case was read.
-    let sound = match sound.transpose() {
-        Ok(sound) => sound,
+    // Errors that a run would report after reading the case.
+    let valid = match valid.transpose() {
+        Ok(valid) => valid,
         Err(error) => {
             failures.push(Failure::about(&args.case, &error));
             None
@@ -39,12 +39,12 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     };
     drop(shown);
     if common.json {
-        print_json(&report(&failures, sound.as_ref()))?;
+        print_json(&report(&failures, valid.as_ref()))?;
     }
-    let Some(sound) = &sound else {
+    let Some(valid) = &valid else {
         for failure in &failures {
             if !common.json {
-                failure.tell();
+                failure.print();
             }
         }
         let count = failures.len();
@@ -53,7 +53,7 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
             crate::output::note(&format!("{name}: {count} error{plural}"));
         }
         return match failures.into_iter().next() {
-            Some(first) => Err(first.told()),
+            Some(first) => Err(first.printed()),
             None => Err(Failure::new(
                 "E501",
                 format!("{name}: no case and no error"),
@@ -63,15 +63,15 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     if common.json {
         return Ok(());
     }
-    print_text(common, &text(&name, sound))
+    print_text(common, &text(&name, valid))
 }
 
 /// Report on a case without errors.
-struct Sound {
+struct ValidCase {
     warnings: Vec<Warning>,
     defaults: Vec<DefaultUsed>,
     work: Estimate,
-    /// The meshes in which a flank has several traces.
+    /// Meshes in which a flank has several traces.
     traced: Vec<Traced>,
 }
 
@@ -80,7 +80,7 @@ struct Sound {
 struct Traced {
     /// Traces of pinion and wheel.
     traces: [usize; 2],
-    /// Teeth that they are of.
+    /// Number of teeth with a trace.
     teeth: [usize; 2],
 }
 
@@ -100,9 +100,9 @@ fn failures(errors: &[Error]) -> Vec<Failure> {
     errors.iter().map(Failure::of).collect()
 }
 
-fn of_pair(loaded: LoadedCase) -> Result<Sound, Error> {
+fn of_pair(loaded: LoadedCase) -> Result<ValidCase, Error> {
     pipeline::check(&loaded)?;
-    Ok(Sound {
+    Ok(ValidCase {
         work: measured(&loaded, &KeptFields::Highest)
             .or_else(|_| estimate(&loaded, &KeptFields::Highest))?,
         traced: traced(&loaded).into_iter().collect(),
@@ -111,11 +111,11 @@ fn of_pair(loaded: LoadedCase) -> Result<Sound, Error> {
     })
 }
 
-fn of_set(set: LoadedPlanetary) -> Result<Sound, Error> {
+fn of_set(set: LoadedPlanetary) -> Result<ValidCase, Error> {
     set.meshes.iter().try_for_each(pipeline::check)?;
-    let kept = KeptFields::Highest;
-    let work = measured_of_set(&set, &kept).or_else(|_| estimate_of_set(&set, &kept))?;
-    let mut sound = Sound {
+    let fields = KeptFields::Highest;
+    let work = measured_of_set(&set, &fields).or_else(|_| estimate_of_set(&set, &fields))?;
+    let mut valid = ValidCase {
         warnings: Vec::new(),
         defaults: set.defaults,
         work,
@@ -123,54 +123,54 @@ fn of_set(set: LoadedPlanetary) -> Result<Sound, Error> {
     };
     for mesh in set.meshes {
         for warning in mesh.warnings {
-            if !sound.warnings.contains(&warning) {
-                sound.warnings.push(warning);
+            if !valid.warnings.contains(&warning) {
+                valid.warnings.push(warning);
             }
         }
     }
-    Ok(sound)
+    Ok(valid)
 }
 
-fn report(failures: &[Failure], sound: Option<&Sound>) -> Value {
+fn report(failures: &[Failure], valid: Option<&ValidCase>) -> Value {
     let error = |failure: &Failure| failure.json()["error"].take();
     let errors: Vec<Value> = failures.iter().map(error).collect();
     json!({
         "errors": errors,
-        "warnings": sound.map(|sound| &sound.warnings),
-        "defaults": sound.map(|sound| &sound.defaults),
-        "estimate": sound.map(|sound| &sound.work),
-        "traced": sound.map(|sound| &sound.traced),
+        "warnings": valid.map(|valid| &valid.warnings),
+        "defaults": valid.map(|valid| &valid.defaults),
+        "estimate": valid.map(|valid| &valid.work),
+        "traced": valid.map(|valid| &valid.traced),
     })
 }
 
-fn text(name: &str, sound: &Sound) -> String {
+fn text(name: &str, valid: &ValidCase) -> String {
     let mut text = format!("{name}: no errors\n");
-    for warning in &sound.warnings {
+    for warning in &valid.warnings {
         text.push_str(&asperity_report::wrapped(&warning.to_string(), "     "));
         text.push('\n');
     }
-    for found in &sound.traced {
+    for mesh in &valid.traced {
         let of = |body: usize| {
-            let traces = counted(found.traces[body], "trace", "traces");
+            let traces = counted(mesh.traces[body], "trace", "traces");
             format!(
                 "{traces} of {}",
-                counted(found.teeth[body], "tooth", "teeth")
+                counted(mesh.teeth[body], "tooth", "teeth")
             )
         };
-        let pairs = counted(found.teeth[0] * found.teeth[1], "pair", "pairs");
+        let pairs = counted(mesh.teeth[0] * mesh.teeth[1], "pair", "pairs");
         text.push_str(&format!("pinion {}, wheel {}: {pairs}\n", of(0), of(1)));
     }
     text.push_str("defaults that a run uses\n");
-    for default in &sound.defaults {
+    for default in &valid.defaults {
         let source = default.source.as_deref();
         let source = source.map(|s| format!("  ({s})")).unwrap_or_default();
         text.push_str(&format!("  {} = {}{source}\n", default.key, default.value));
     }
     text.push_str(&format!(
         "a run takes {} and {}: {} rough contacts\n",
-        duration(sound.work.seconds),
-        memory(sound.work.bytes),
-        sound.work.contacts
+        duration(valid.work.seconds),
+        memory(valid.work.bytes),
+        valid.work.contacts
     ));
     text
 }

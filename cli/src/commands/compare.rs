@@ -4,14 +4,14 @@ use std::path::Path;
 
 use asperity::case::{self, CaseInput, LoadedCase, Source};
 use asperity::pipeline::KeptFields;
-use asperity_studies::compare::{self, Finish};
+use asperity_studies::compare::{self, Comparison, Finish};
 
 use super::finish::{Traces, check_names};
 use super::work::check_work;
-use super::{keys, pair_only, source, stem};
+use super::{keys, pair_only, source, stem, study};
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
+use crate::output::{Progress, READING, WRITING};
 
 /// `asperity compare`
 pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
@@ -26,7 +26,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         return Err(Failure::new("E209", message));
     }
     let progress = Progress::of(common.quiet, READING);
-    // Once for all finishes: standard input is read but once.
+    // Read once for all finishes, since standard input can be read only once.
     let (text, folder) = source(&args.case)?;
     pair_only(&text)?;
     let finishes = args
@@ -47,26 +47,18 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
             finishes.len(),
         )?;
     }
-    let folder = args.output.clone().unwrap_or_else(|| {
-        let stem = stem(&args.case).to_string_lossy();
-        Path::new("results").join(format!("{stem}-compare"))
-    });
-    // Told before the work, not after it.
-    compare::check_place(&folder)?;
+    let folder = study::folder(args.output.as_deref(), stem(&args.case), "compare");
+    study::check_target::<Comparison>(&folder)?;
     progress.begin("finishes");
-    let found = compare::compare(&finishes, &|done, total| progress.at(done, total))
+    let comparison = compare::compare(&finishes, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);
-    compare::write(&found, &folder)?;
+    study::write(&comparison, (), &folder)?;
     drop(progress);
-    if common.json {
-        return print_json(&found);
-    }
-    let text = compare::summary(&found);
-    print_text(common, &format!("{text}wrote {}\n", shown(&folder)))
+    study::print(&comparison, (), Some(&folder), None, common)
 }
 
-/// The case with the traces of a finish; a single one serves both flanks, mirrored for the wheel.
+/// Loads the case with the traces of a finish; a single trace is used for both flanks, mirrored for the wheel.
 fn load(
     args: &CompareArgs,
     (text, folder): (&Source, &Path),

@@ -1,4 +1,4 @@
-//! `asperity completions`: what shells and man need to know of the command.
+//! `asperity completions`: completions for shells, and the man page.
 
 use clap::CommandFactory;
 use clap_complete::{Shell, generate};
@@ -28,7 +28,7 @@ pub fn completions(kind: CompletionKind, common: &Common) -> Result<(), Failure>
     print_text(common, &String::from_utf8_lossy(&text))
 }
 
-/// One page for the command and all that it does: the commands follow the options.
+/// One man page for the program and all its commands; the commands follow the options.
 fn man_page(text: &mut Vec<u8>) -> std::io::Result<()> {
     let mut command = Cli::command();
     command.build();

@@ -4,15 +4,14 @@ use std::path::Path;
 
 use asperity::case::VehicleInput;
 use asperity_storage::whole_text;
-use asperity_studies::cycle::{self, Cycle, EnergyError};
+use asperity_studies::cycle::{self, Cycle, CycleResult, EnergyError};
 use asperity_studies::map::{self, Map, MapError};
 
-use super::keys;
+use super::{keys, study};
 use crate::args::{Common, CycleArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text, shown};
 
-/// Bytes of the largest cycle, and of the largest table of losses.
+/// Largest size of a cycle or a loss table in bytes.
 pub const LARGEST_TABLE: u64 = 100_000_000;
 
 /// `asperity cycle`
@@ -25,43 +24,34 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
     let temperature = temperature(args, &map)?;
     let trace = read_cycle(&args.trace, map.input.vehicle.as_ref())?;
     let name = stem(&args.trace);
-    let found = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
-    let found = found.map_err(|error| refused(args, &error))?;
-    let folder = args
-        .output
-        .clone()
-        .unwrap_or_else(|| Path::new("results").join(format!("{}-{name}", stem(&args.map))));
-    if !args.no_output {
-        cycle::check_place(&folder)?;
-        cycle::write(&found, &map, &folder)?;
+    let energies = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
+    let energies = energies.map_err(|error| refused(args, &error))?;
+    let folder = study::folder(args.output.as_deref(), stem(&args.map).as_ref(), &name);
+    let folder = (!args.no_output).then_some(folder.as_path());
+    if let Some(folder) = folder {
+        study::check_target::<CycleResult>(folder)?;
+        study::write(&energies, &map, folder)?;
     }
-    if common.json {
-        return print_json(&found);
-    }
-    let mut text = cycle::summary(&found);
-    if !args.no_output {
-        text.push_str(&format!("wrote {}\n", shown(&folder)));
-    }
-    print_text(common, &text)
+    study::print(&energies, &map, folder, None, common)
 }
 
 fn refused(args: &CycleArgs, error: &EnergyError) -> Failure {
     let (map, cycle) = (args.map.display(), args.trace.display());
     match error {
         EnergyError::Uncovered(_) => Failure::new("E314", format!("{cycle} on {map}: {error}"))
-            .advising("Make the map up to these torques and speeds, or pass --allow-outside: loss over torque is then held beyond its edge."),
+            .advising("Compute the map up to these torques and speeds, or pass --allow-outside: the ratio of loss to torque is then constant beyond its edge."),
         EnergyError::Unbalanced(error) => {
             Failure::new(error.code(), format!("{cycle} on {map}: {error}"))
         }
         _ => Failure::new("E402", format!("{map}: {error}"))
-            .advising("Make the map anew with axes that the case can be run on."),
+            .advising("Compute the map again with axes on which the case has results."),
     }
 }
 
-/// The map in a folder.
+/// Reads the map in a folder.
 pub fn read_map(folder: &Path) -> Result<Map, Failure> {
     map::read(folder).map_err(|error| {
-        let advice = "Name the folder that asperity map wrote, as results/case-map.";
+        let advice = "Name the folder that asperity map wrote, e.g. results/case-map.";
         match error {
             MapError::Open { path, source } => {
                 Failure::new("E402", format!("{}: not a map: {source}", path.display()))
@@ -72,7 +62,7 @@ pub fn read_map(folder: &Path) -> Result<Map, Failure> {
     })
 }
 
-/// The cycle in a file.
+/// Reads the cycle in a file.
 pub fn read_cycle(file: &Path, vehicle: Option<&VehicleInput>) -> Result<Cycle, Failure> {
     let name = file.display();
     let text = whole_text(file, LARGEST_TABLE)
@@ -86,16 +76,16 @@ pub fn read_cycle(file: &Path, vehicle: Option<&VehicleInput>) -> Result<Cycle, 
 
 fn temperature(args: &CycleArgs, map: &Map) -> Result<usize, Failure> {
     let nodes = &map.axes.temperature_c;
-    let Some(wanted) = args.temperature else {
+    let Some(celsius) = args.temperature else {
         return Ok(0);
     };
-    let at = nodes.iter().position(|node| *node == wanted);
+    let at = nodes.iter().position(|node| *node == celsius);
     at.ok_or_else(|| {
         let known: Vec<String> = nodes.iter().map(f64::to_string).collect();
         let known = known.join(", ");
         Failure::new(
             "E209",
-            format!("--temperature {wanted}: the map has {known} °C"),
+            format!("--temperature {celsius}: the map has {known} °C"),
         )
     })
 }

@@ -14,8 +14,8 @@ use crate::output::{print_json, print_text, shown};
 
 /// `asperity demo`
 pub fn demo(folder: Option<&Path>, paper: bool, common: &Common) -> Result<(), Failure> {
-    let usual = if paper { "table2" } else { "demo" };
-    let folder = folder.unwrap_or(Path::new(usual));
+    let default = if paper { "table2" } else { "demo" };
+    let folder = folder.unwrap_or(Path::new(default));
     refuse_existing(folder)?;
     let files = match paper {
         true => asperity_fixtures::demo::table_2().map(paper_files),
@@ -42,7 +42,7 @@ pub fn preset(name: &str, folder: Option<&Path>, common: &Common) -> Result<(), 
     refuse_existing(folder)?;
     let files = asperity_fixtures::preset::files(&gears, &sources);
     let what = format!(
-        "{}, two pairs of flanks (synthetic), a README; case.toml tells the source of every number",
+        "{}, two pairs of flanks (synthetic), a README; case.toml states the source of every number",
         gears.title
     );
     finish(files, folder, &what, "", common)
@@ -61,7 +61,7 @@ fn refuse_existing(folder: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Writes the files and tells so.
+/// Writes the files and reports them.
 fn finish(
     files: Result<Vec<TextFile>, DomainError>,
     folder: &Path,
@@ -83,7 +83,7 @@ fn finish(
     )
 }
 
-/// The case beside its flank.
+/// The case with its flank in the same folder.
 fn paper_files((case, flank): (TextFile, TextFile)) -> Vec<TextFile> {
     let content = case.content.replace("../profiles/", "");
     let case = TextFile {

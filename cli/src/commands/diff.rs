@@ -1,7 +1,7 @@
-//! `asperity diff`: what differs between two results.
+//! `asperity diff`: differences between two results.
 
 use asperity_report::read_result;
-use asperity_studies::diff::{Change, ResultDiff, diff as differences};
+use asperity_studies::diff::{Change, ResultDiff, diff as compare};
 use serde_json::Value;
 
 use crate::args::{Common, DiffArgs};
@@ -13,24 +13,24 @@ pub fn diff(args: &DiffArgs, common: &Common) -> Result<(), Failure> {
     let read = |path| read_result(path).map_err(|error| Failure::new("E402", error.to_string()));
     let (_, first) = read(&args.first)?;
     let (_, second) = read(&args.second)?;
-    let found = differences(&first, &second)
+    let differences = compare(&first, &second)
         .map_err(|error| Failure::new("E501", format!("cannot be compared: {error}")))?;
     if common.json {
-        return print_json(&found);
+        return print_json(&differences);
     }
-    print_text(common, &text(&found))
+    print_text(common, &text(&differences))
 }
 
-fn text(found: &ResultDiff) -> String {
-    if found.is_empty() {
+fn text(differences: &ResultDiff) -> String {
+    if differences.is_empty() {
         return "no difference\n".to_owned();
     }
     let mut text = String::new();
-    section(&mut text, "inputs and defaults", &found.inputs);
-    section(&mut text, "summary", &found.summary);
-    if !found.path.is_empty() {
+    section(&mut text, "inputs and defaults", &differences.inputs);
+    section(&mut text, "summary", &differences.summary);
+    if !differences.path.is_empty() {
         text.push_str("largest difference along the path\n");
-        for change in &found.path {
+        for change in &differences.path {
             let position = change.position;
             text.push_str(&format!(
                 "  {:24} {:>14} -> {:>14}  at position {position}\n",
@@ -41,8 +41,8 @@ fn text(found: &ResultDiff) -> String {
         }
     }
     for (name, lists) in [
-        ("warnings", &found.warnings),
-        ("equations", &found.equations),
+        ("warnings", &differences.warnings),
+        ("equations", &differences.equations),
     ] {
         for (list, whose) in lists.iter().zip(["first", "second"]) {
             if !list.is_empty() {
@@ -86,7 +86,7 @@ fn shown(value: Option<&Value>) -> String {
     }
 }
 
-/// Six digits that mean something.
+/// Value with six significant digits.
 fn digits(value: f64) -> String {
     let size = value.abs();
     if size != 0.0 && !(1e-3..1e7).contains(&size) {

@@ -25,7 +25,7 @@ pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
     print_text(common, &list)
 }
 
-/// Table 2 of the paper on a synthetic flank, which comes with the program.
+/// Table 2 of the paper on the synthetic flank of the program.
 fn table_2(set: &SetArgs) -> Result<LoadedCase, Failure> {
     let (case, flank) = asperity_fixtures::demo::table_2()
         .map_err(|error| Failure::new("E501", format!("the case cannot be made: {error}")))?;

@@ -1,4 +1,4 @@
-//! `asperity film`: fluid pressure across the film against its thickness, the paper's Fig. 8.
+//! `asperity film`: fluid pressure across the film over its thickness, Fig. 8 of the paper.
 
 use asperity::pipeline::{FilmSurvey, film as survey};
 
@@ -10,28 +10,28 @@ use crate::output::{print_json, print_text};
 /// `asperity film`
 pub fn film(args: &FilmArgs, common: &Common) -> Result<(), Failure> {
     let loaded = load_case(&args.case, &args.set, None)?;
-    let place = on_the_path(&loaded, args.position)?;
-    let found = survey(&loaded, place).map_err(|error| Failure::about(&args.case, &error))?;
+    let position = on_the_path(&loaded, args.position)?;
+    let survey = survey(&loaded, position).map_err(|error| Failure::about(&args.case, &error))?;
     if common.json {
-        return print_json(&found);
+        return print_json(&survey);
     }
-    print_text(common, &table(&found))
+    print_text(common, &table(&survey))
 }
 
-fn table(found: &FilmSurvey) -> String {
+fn table(survey: &FilmSurvey) -> String {
     let mut text = format!(
         "pressure difference across the film at {:.4} of the path (p0 {:.0} MPa, central film {:.3} um)\n\
          {:>12} {:>20} {:>12} {:>14} {:>10}\n",
-        found.path_fraction,
-        found.hertz_pressure_pa * 1e-6,
-        found.film_central_m * 1e6,
+        survey.path_fraction,
+        survey.hertz_pressure_pa * 1e-6,
+        survey.film_central_m * 1e6,
         "film um",
         "reynolds-cross Pa",
         "paper Pa",
         "ratio to p0",
         "h/R"
     );
-    for row in &found.rows {
+    for row in &survey.rows {
         text.push_str(&format!(
             "{:>12.4} {:>20.4e} {:>12.4e} {:>14.2e} {:>10.1e}\n",
             row.thickness_m * 1e6,

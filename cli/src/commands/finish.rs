@@ -9,7 +9,7 @@ use asperity_storage::regular_file;
 use crate::args::FinishArg;
 use crate::failure::Failure;
 
-/// Refuses two finishes of one name.
+/// Rejects finishes with equal names.
 pub fn check_names(finishes: &[FinishArg]) -> Result<(), Failure> {
     for (index, finish) in finishes.iter().enumerate() {
         let before = &finishes[..index];
@@ -22,7 +22,7 @@ pub fn check_names(finishes: &[FinishArg]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Traces of a finish by their whole paths.
+/// Traces of a finish by absolute path.
 pub struct Traces {
     pinion: PathBuf,
     wheel: Option<PathBuf>,
@@ -33,7 +33,7 @@ impl Traces {
     pub fn of(finish: &FinishArg) -> Result<Self, Failure> {
         let name = &finish.name;
         let whole = |file: &PathBuf| {
-            // Told here: the case does not name this file.
+            // Reported here, because the case does not name this file.
             if let Err(error) = regular_file(file) {
                 let reason = match error.kind() {
                     ErrorKind::NotFound => "there is no such file".to_owned(),
@@ -51,7 +51,7 @@ impl Traces {
         })
     }
 
-    /// Puts the traces in place of those of the case; a single one serves both flanks, mirrored for the wheel.
+    /// Replaces the traces of the case; a single trace is used for both flanks, mirrored for the wheel.
     pub fn put_into(&self, input: &mut CaseInput) {
         input
             .surface

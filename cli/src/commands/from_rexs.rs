@@ -12,9 +12,9 @@ use serde_json::{Value, json};
 
 use crate::args::{Common, FromRexsArgs};
 use crate::failure::Failure;
-use crate::output::{beside, note, print_json, print_text, save, shown};
+use crate::output::{besides_file, note, print_json, print_text, save, shown};
 
-/// Bytes of the largest gearbox file that is read.
+/// Largest size of a gearbox file in bytes.
 const LARGEST: u64 = 100_000_000;
 
 /// `asperity case from-rexs`
@@ -48,7 +48,7 @@ pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn written(case: &CaseText, output: &Path, number: usize, common: &Common) -> Result<(), Failure> {
-    let quiet = beside(output, common)?;
+    let quiet = besides_file(output, common)?;
     save(output, case.toml.as_bytes())?;
     if !common.quiet {
         for text in &case.notes {
@@ -65,7 +65,7 @@ fn written(case: &CaseText, output: &Path, number: usize, common: &Common) -> Re
     )
 }
 
-/// A flank as the case in `output` shall name it: by its path where the case lies elsewhere.
+/// Name of a flank in the case `output`: relative in the same folder, otherwise its path.
 fn named_from(output: &Path, flank: &Path) -> String {
     let beside = output
         .parent()
@@ -112,7 +112,7 @@ fn list(model: &Model, common: &Common) -> Result<(), Listing> {
         let kind = described(model, stage);
         let _ = writeln!(text, "stage {}: {}", stage.number, one_line(&kind));
         for point in &points {
-            let _ = writeln!(text, "  {}", one_line(&told(point)));
+            let _ = writeln!(text, "  {}", one_line(&point_text(point)));
         }
         rows.push(row(model, stage, &points));
     }
@@ -183,16 +183,16 @@ fn described(model: &Model, stage: &Stage) -> String {
     }
 }
 
-fn told(point: &OperatingPoint) -> String {
+fn point_text(point: &OperatingPoint) -> String {
     let name = match &point.load_case {
         Some(id) => format!("load case {id}"),
         None => "operating point".to_owned(),
     };
     let values = [
         (point.share, "% of the time"),
-        (point.torque.as_ref().map(|found| found.0), "N m"),
-        (point.speed.as_ref().map(|found| found.0), "1/min"),
-        (point.temperature.as_ref().map(|found| found.0), "°C"),
+        (point.torque.as_ref().map(|value| value.0), "N m"),
+        (point.speed.as_ref().map(|value| value.0), "1/min"),
+        (point.temperature.as_ref().map(|value| value.0), "°C"),
     ];
     let values: Vec<String> = values
         .iter()
@@ -216,7 +216,7 @@ fn row(model: &Model, stage: &Stage, points: &[OperatingPoint]) -> Value {
         .iter()
         .map(|text| text.parse().ok())
         .collect();
-    let value = |found: &Option<(f64, String)>| found.as_ref().map(|found| found.0);
+    let value = |number: &Option<(f64, String)>| number.as_ref().map(|value| value.0);
     let points: Vec<Value> = points
         .iter()
         .map(|point| {

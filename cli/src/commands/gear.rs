@@ -18,34 +18,34 @@ pub fn gear(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
     };
     match load_any(&args.case, &args.set, args.formulation)? {
         AnyCase::Pair(pair) => {
-            let found = report(&pair)?;
+            let report = report(&pair)?;
             if common.json {
-                return print_json(&found);
+                return print_json(&report);
             }
-            print_text(common, &text(&found))
+            print_text(common, &text(&report))
         }
         AnyCase::Set(set) => {
             let [first, second] = &set.meshes;
-            let found = [report(first)?, report(second)?];
+            let reports = [report(first)?, report(second)?];
             if common.json {
-                return print_json(&json!({ "title": set.title, "meshes": found }));
+                return print_json(&json!({ "title": set.title, "meshes": reports }));
             }
-            print_text(common, &found.each_ref().map(text).join("\n"))
+            print_text(common, &reports.each_ref().map(text).join("\n"))
         }
     }
 }
 
-fn text(found: &GearReport) -> String {
-    let mut text = format!("{}\n", asperity_storage::one_line(&found.title));
+fn text(report: &GearReport) -> String {
+    let mut text = format!("{}\n", asperity_storage::one_line(&report.title));
     // Writing into a string cannot fail.
-    let _ = write_geometry(&mut text, found);
-    let _ = write_mesh(&mut text, found);
-    let _ = write_factors(&mut text, found);
+    let _ = write_geometry(&mut text, report);
+    let _ = write_mesh(&mut text, report);
+    let _ = write_factors(&mut text, report);
     text
 }
 
-fn write_geometry(text: &mut String, found: &GearReport) -> std::fmt::Result {
-    let gears = &found.gears;
+fn write_geometry(text: &mut String, report: &GearReport) -> std::fmt::Result {
+    let gears = &report.gears;
     let path = gears.path();
     let [z1, z2] = gears.teeth;
     let sign = if gears.internal { "-" } else { "" };
@@ -79,15 +79,15 @@ fn write_geometry(text: &mut String, found: &GearReport) -> std::fmt::Result {
     )
 }
 
-fn write_mesh(text: &mut String, found: &GearReport) -> std::fmt::Result {
+fn write_mesh(text: &mut String, report: &GearReport) -> std::fmt::Result {
     writeln!(
         text,
         "torque {} N m   normal force {:.1} N   K_Hbeta {:.3}",
-        (found.torque_nm * 1e3).round() / 1e3,
-        found.normal_force_n,
-        found.face_load_factor
+        (report.torque_nm * 1e3).round() / 1e3,
+        report.normal_force_n,
+        report.face_load_factor
     )?;
-    if let Some(error) = &found.transmission_error {
+    if let Some(error) = &report.transmission_error {
         writeln!(
             text,
             "transmission error  mean {:.2} um   peak to peak {:.2} um",
@@ -99,7 +99,7 @@ fn write_mesh(text: &mut String, found: &GearReport) -> std::fmt::Result {
             "mesh stiffness c_gamma  {:.2} N/(mm um)",
             error.mesh_stiffness * 1e-9
         )?;
-        if let Some(iso) = found.iso_mesh_stiffness_n_per_mm_um {
+        if let Some(iso) = report.iso_mesh_stiffness_n_per_mm_um {
             write!(text, "   by ISO 6336-1 {iso:.2}")?;
         }
         writeln!(text)?;
@@ -107,16 +107,16 @@ fn write_mesh(text: &mut String, found: &GearReport) -> std::fmt::Result {
     Ok(())
 }
 
-fn write_factors(text: &mut String, found: &GearReport) -> std::fmt::Result {
+fn write_factors(text: &mut String, report: &GearReport) -> std::fmt::Result {
     writeln!(
         text,
         "loss factor H_V  {:.4} ({})",
-        found.loss_factor, found.law
+        report.loss_factor, report.law
     )?;
-    if let Some(band) = &found.band {
+    if let Some(band) = &report.band {
         writeln!(text, "  band {:.4} to {:.4}", band.low, band.high)?;
     }
-    if let Some(note) = &found.edge_contact {
+    if let Some(note) = &report.edge_contact {
         writeln!(
             text,
             "  tips are not relieved and the teeth approach by {:.1} um: {:.4} with tip edge contact",
@@ -125,8 +125,8 @@ fn write_factors(text: &mut String, found: &GearReport) -> std::fmt::Result {
         )?;
     }
     writeln!(text, "loss factor by law")?;
-    writeln!(text, "  {:<14} {:.4}", "Ohlendorf", found.ohlendorf)?;
-    for row in &found.loss_factors {
+    writeln!(text, "  {:<14} {:.4}", "Ohlendorf", report.ohlendorf)?;
+    for row in &report.loss_factors {
         match (row.loss_factor, &row.refused) {
             (Some(factor), _) => writeln!(text, "  {:<14} {factor:.4}", row.law)?,
             (None, Some(why)) => writeln!(text, "  {:<14} -  {why}", row.law)?,

@@ -28,7 +28,7 @@ pub fn gears(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
     print_text(common, &text)
 }
 
-/// Centre distance and transverse contact ratio, as they follow from the numbers.
+/// Centre distance and transverse contact ratio computed from the numbers.
 fn derived(preset: &GearPreset) -> Result<(Length, f64), Failure> {
     let gears = &preset.gears;
     let tip = gears.tip_diameter.as_ref();
@@ -80,7 +80,7 @@ fn table(gears: &[GearPreset]) -> Result<String, Failure> {
         text.push('\n');
     }
     text.push_str(&wrapped(
-        "least: the least certain of the numbers of the geometry. The centre distance follows from the profile shifts.",
+        "least: the lowest certainty of the geometry. The centre distance follows from the profile shifts.",
         "",
     ));
     Ok(format!(

@@ -9,15 +9,15 @@ use asperity_storage::whole_text;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::Cycle;
 use asperity_studies::export::{self, AddedLoss, With};
-use asperity_studies::map::{self, Axes, AxisError, Map};
+use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 
 use super::cycle::{LARGEST_TABLE, read_cycle};
 use super::finish::{Traces, check_names};
 use super::work::check_work;
-use super::{keys, pair_only, source, stem};
+use super::{keys, pair_only, source, stem, study};
 use crate::args::{Common, ExportArg, MapArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
+use crate::output::{Progress, READING, WRITING};
 
 /// `asperity map`
 pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
@@ -34,7 +34,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         None => None,
     };
     if args.export.contains(&ExportArg::Fastsim) && cycle.is_none() {
-        let message = "--export fastsim takes one number, weighted by a cycle; pass --cycle";
+        let message = "--export fastsim writes one number, weighted by a cycle; pass --cycle";
         return Err(Failure::new("E205", message));
     }
     let visited: Vec<[f64; 2]> = cycle
@@ -42,32 +42,26 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         .flat_map(|cycle| &cycle.points)
         .map(|point| [point.torque_nm, point.speed_rpm.abs()])
         .collect();
-    let folder = args.output.clone().unwrap_or_else(|| {
-        let stem = stem(&args.case).to_string_lossy();
-        Path::new("results").join(format!("{stem}-map"))
-    });
-    // Told before the work, not after it.
-    map::check_place(&folder)?;
+    let folder = study::folder(args.output.as_deref(), stem(&args.case), "map");
+    study::check_target::<Map>(&folder)?;
     let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
     check_work(&args.work, &first.case, &KeptFields::Highest, torques)?;
     progress.begin("points");
     let watch = |done, total| progress.at(done, total);
-    let found = map::map(&finishes, &axes, args.band.points(), &watch)
+    let map = map::map(&finishes, &axes, args.band.points(), &watch)
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);
-    let exports = exports(args, &found, cycle.as_ref())?;
-    map::write(&found, &visited, &exports, &folder)?;
+    let exports = exports(args, &map, cycle.as_ref())?;
+    let extras = MapExtras {
+        visited: &visited,
+        exports: &exports,
+    };
+    study::write(&map, extras, &folder)?;
     drop(progress);
-    if common.json {
-        return print_json(&found);
-    }
-    let mut text = map::summary(&found);
-    let seconds = begin.elapsed().as_secs_f64();
-    text.push_str(&format!("wrote {} in {seconds:.1} s\n", shown(&folder)));
-    print_text(common, &text)
+    study::print(&map, extras, Some(&folder), Some(begin), common)
 }
 
-/// The files of every format that was asked for.
+/// Files of all requested formats.
 fn exports(
     args: &MapArgs,
     map: &Map,
@@ -80,11 +74,16 @@ fn exports(
     };
     let mut files = Vec::new();
     for format in &args.export {
-        let found = export::export(map, format.format(), with).map_err(|error| {
-            Failure::new("E205", format!("--export {}: {error}", name_of_value(*format)))
-                .advising("The map itself can be made without --export; its axes decide what a format can hold.")
+        let exported = export::export(map, format.format(), with).map_err(|error| {
+            Failure::new(
+                "E205",
+                format!("--export {}: {error}", name_of_value(*format)),
+            )
+            .advising(
+                "The map itself can be computed without --export; a format may need other axes.",
+            )
         })?;
-        files.extend(found.into_iter().map(|file| (file.name, file.bytes)));
+        files.extend(exported.into_iter().map(|file| (file.name, file.bytes)));
     }
     Ok(files)
 }
@@ -101,13 +100,13 @@ fn added_loss(file: &Path) -> Result<AddedLoss, Failure> {
     })
 }
 
-/// The name of a format as it is typed.
+/// Name of a format on the command line.
 fn name_of_value(format: ExportArg) -> String {
     let value = clap::ValueEnum::to_possible_value(&format);
     value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
-/// The case on the traces of each finish, or on its own.
+/// The case with the traces of each finish, or with its own traces.
 fn finishes(args: &MapArgs) -> Result<Vec<Finish>, Failure> {
     let (text, folder) = source(&args.case)?;
     pair_only(&text)?;

@@ -26,6 +26,7 @@ pub mod report;
 pub mod run;
 pub mod sensitivity;
 pub mod steels;
+mod study;
 pub mod sweep;
 mod work;
 
@@ -38,9 +39,9 @@ use asperity::case::{self, CaseInput, Formulation, LoadedCase, PathPoint, Source
 use crate::args::{FormulationArg, SetArgs};
 use crate::failure::Failure;
 
-/// The text of a case and the folder that its files are relative to; `-` is standard input.
+/// Text of a case, and the folder of its relative file names; `-` is standard input.
 fn source(path: &Path) -> Result<(Source, &Path), Failure> {
-    /// No case is longer.
+    /// Largest size of a case in bytes.
     const LONGEST: u64 = 10_000_000;
     if path != Path::new("-") {
         let source = case::open_source(path).map_err(|error| Failure::of(&error))?;
@@ -59,7 +60,7 @@ fn source(path: &Path) -> Result<(Source, &Path), Failure> {
     Ok((source, Path::new(".")))
 }
 
-/// The keys to set, as the library takes them.
+/// Keys to set, in the form of the library.
 fn keys(set: &SetArgs) -> Vec<(String, String)> {
     let pairs = set.keys.iter();
     pairs
@@ -67,7 +68,7 @@ fn keys(set: &SetArgs) -> Vec<(String, String)> {
         .collect()
 }
 
-/// Reads a case with its traces, its keys set and changed.
+/// Reads a case with its traces, with keys set and further changes.
 fn load_changed(
     path: &Path,
     set: &SetArgs,
@@ -78,7 +79,7 @@ fn load_changed(
     case::load_set(source, folder, &keys(set), change).map_err(|error| Failure::of(&error))
 }
 
-/// Refuses a planetary set where a command takes two gears.
+/// Rejects a planetary set for a command that needs a pair of gears.
 fn pair_only(source: &Source) -> Result<(), Failure> {
     if !planetary::is_planetary(source) {
         return Ok(());
@@ -90,7 +91,7 @@ fn pair_only(source: &Source) -> Result<(), Failure> {
     ))
 }
 
-/// Name of a case for its results.
+/// Name of the results of a case.
 fn stem(path: &Path) -> &std::ffi::OsStr {
     match path == Path::new("-") {
         true => std::ffi::OsStr::new("stdin"),
@@ -104,7 +105,7 @@ fn load_case(
     set: &SetArgs,
     formulation: Option<FormulationArg>,
 ) -> Result<LoadedCase, Failure> {
-    let formulation = formulation.map(reading);
+    let formulation = formulation.map(self::formulation);
     load_changed(path, set, &|input| {
         if formulation.is_some() {
             input.formulation = formulation;
@@ -112,11 +113,11 @@ fn load_case(
     })
 }
 
-/// A case of either kind.
+/// Case of either kind.
 pub enum AnyCase {
-    /// Two gears.
+    /// Pair of gears.
     Pair(Box<LoadedCase>),
-    /// A planetary set.
+    /// Planetary set.
     Set(Box<LoadedPlanetary>),
 }
 
@@ -126,7 +127,7 @@ fn load_any(
     set: &SetArgs,
     formulation: Option<FormulationArg>,
 ) -> Result<AnyCase, Failure> {
-    let formulation = formulation.map(reading);
+    let formulation = formulation.map(self::formulation);
     let (source, folder) = source(path)?;
     let loaded = match planetary::is_planetary(&source) {
         true => planetary::load_set(source, folder, &keys(set), formulation)
@@ -141,20 +142,20 @@ fn load_any(
     loaded.map_err(|error| Failure::of(&error))
 }
 
-/// The reading of the model that was asked for.
-fn reading(choice: FormulationArg) -> Formulation {
+/// Formulation of the model that was requested.
+fn formulation(choice: FormulationArg) -> Formulation {
     match choice {
         FormulationArg::Corrected => Formulation::Corrected,
         FormulationArg::Paper => Formulation::Paper,
     }
 }
 
-/// A place on the path of contact as the user gave it, 0 at A and 1 at E, checked.
-fn on_the_path(loaded: &LoadedCase, place: Option<PathPoint>) -> Result<Option<f64>, Failure> {
-    let Some(place) = place else {
+/// Checks a position on the path of contact, 0 at A and 1 at E.
+fn on_the_path(loaded: &LoadedCase, position: Option<PathPoint>) -> Result<Option<f64>, Failure> {
+    let Some(position) = position else {
         return Ok(None);
     };
-    let fraction = place.fraction_of(loaded.case.gears.path());
+    let fraction = position.fraction_of(loaded.case.gears.path());
     if (0.0..=1.0).contains(&fraction) {
         return Ok(Some(fraction));
     }

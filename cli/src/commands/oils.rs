@@ -11,7 +11,7 @@ use crate::args::{Common, PresetArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
-/// Temperatures \[°C\] at which the viscosities are shown.
+/// Temperatures \[°C\] of the viscosities in the table.
 const SHOWN: [f64; 2] = [40.0, 100.0];
 
 /// `asperity oils`
@@ -68,7 +68,7 @@ pub fn oils(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
     )
 }
 
-/// A line per number of an oil, with its certainty.
+/// One line per number of an oil, with its certainty.
 fn numbers(oil: &LibraryOil) -> String {
     let values = serde_json::to_value(&oil.lubricant).unwrap_or_default();
     let line = |(key, certainty): (&String, &Certainty)| {
@@ -78,7 +78,7 @@ fn numbers(oil: &LibraryOil) -> String {
     oil.certainty.iter().map(line).collect()
 }
 
-/// Viscosity \[mPa s\] and α \[1/GPa\] of an oil at the temperatures shown.
+/// Viscosity \[mPa s\] and α \[1/GPa\] of an oil at the temperatures of the table.
 fn states(name: &str) -> Result<[(f64, f64); 2], LubricantError> {
     let input = LubricantInput {
         oil: Some(name.to_owned()),
@@ -86,7 +86,7 @@ fn states(name: &str) -> Result<[(f64, f64); 2], LubricantError> {
     };
     let at = |celsius: f64| -> Result<(f64, f64), LubricantError> {
         let temperature = Temperature::from_celsius(celsius);
-        // A viscosity without a temperature holds at that of the case.
+        // A viscosity without a temperature applies at the temperature of the case.
         let state = input.resolve(temperature)?.at(temperature)?.value;
         let alpha = state.pressure_viscosity.si() / 1e-9;
         Ok((state.dynamic_viscosity.si() / 1e-3, alpha))

@@ -9,10 +9,10 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 
-/// What the letters stand for.
+/// Legend of the certainty letters.
 pub const LETTERS: &str = "Certainty: A read in the source, B quoted by others, C derived; assumed: not\nknown of this one.";
 
-/// A preset that cannot be had.
+/// Error of a preset.
 pub fn refused(error: &PresetError) -> Failure {
     match error {
         PresetError::Unknown { kind, name, known } => {
@@ -22,18 +22,18 @@ pub fn refused(error: &PresetError) -> Failure {
     }
 }
 
-/// A name that no preset has, with the one most like it.
+/// Error of an unknown name, with the most similar known name.
 pub fn unknown(kind: &str, name: &str, known: &[String]) -> Failure {
-    let nearest = nearest_name(name, known);
-    let meant = nearest.map_or(".".to_owned(), |name| format!(". Did you mean \"{name}\"?"));
+    let similar = nearest_name(name, known);
+    let suggestion = similar.map_or(".".to_owned(), |name| format!(". Did you mean \"{name}\"?"));
     let known = known.join(", ");
     Failure::new(
         "E220",
-        format!("the library has no {kind} named \"{name}\"{meant} It has: {known}"),
+        format!("the library has no {kind} named \"{name}\"{suggestion} It has: {known}"),
     )
 }
 
-/// A line per number, then the sources in full.
+/// One line per number, then the full sources.
 pub fn figures(rows: &[FigureRow<'_>]) -> Result<String, Failure> {
     let mut text = String::new();
     for row in rows {
@@ -56,7 +56,7 @@ pub fn figures(rows: &[FigureRow<'_>]) -> Result<String, Failure> {
     Ok(text)
 }
 
-/// The sources that the numbers name.
+/// Sources of the numbers.
 pub fn used(rows: &[FigureRow<'_>]) -> Result<Vec<PresetSource>, Failure> {
     let keys: BTreeSet<&str> = rows.iter().map(|row| row.source).collect();
     let all = sources().map_err(|error| refused(&error))?;
@@ -64,24 +64,24 @@ pub fn used(rows: &[FigureRow<'_>]) -> Result<Vec<PresetSource>, Failure> {
     Ok(all.into_iter().filter(is_used).collect())
 }
 
-/// The numbers and their sources for programs.
+/// Numbers and sources as JSON.
 pub fn figures_json(rows: &[FigureRow<'_>]) -> Result<(Value, Value), Failure> {
     Ok((json!(rows), json!(used(rows)?)))
 }
 
-/// The least certain of numbers, as their listing shows it.
+/// Lowest certainty of the numbers.
 pub fn least(rows: &[FigureRow<'_>]) -> &'static str {
     let least = rows.iter().map(|row| row.certainty).max();
     least.map_or("", |certainty| certainty.text())
 }
 
-/// Keys of the sources, each once, in the order of the numbers.
+/// Distinct keys of the sources, in the order of the numbers.
 pub fn keys<'a>(rows: &[FigureRow<'a>]) -> String {
-    let mut seen: Vec<&str> = Vec::new();
+    let mut sources: Vec<&str> = Vec::new();
     for row in rows {
-        if !seen.contains(&row.source) {
-            seen.push(row.source);
+        if !sources.contains(&row.source) {
+            sources.push(row.source);
         }
     }
-    seen.join(", ")
+    sources.join(", ")
 }

@@ -1,4 +1,4 @@
-//! `equations`, `explain` and `schema`: what the program knows about itself.
+//! `equations`, `explain` and `schema`: reference information of the program.
 
 use asperity::equations::{self, Equation};
 use asperity::message;

@@ -23,13 +23,13 @@ pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
         }
         AnyCase::Set(set) => {
             let [first, second] = &set.meshes;
-            let found = [(first, rows(first)?), (second, rows(second)?)];
+            let rows_of_meshes = [(first, rows(first)?), (second, rows(second)?)];
             if common.json {
-                let meshes =
-                    found.map(|(mesh, rows)| json!({ "title": mesh.case.title, "rows": rows }));
+                let meshes = rows_of_meshes
+                    .map(|(mesh, rows)| json!({ "title": mesh.case.title, "rows": rows }));
                 return print_json(&json!({ "title": set.title, "meshes": meshes }));
             }
-            let tables = found.map(|(mesh, rows)| {
+            let tables = rows_of_meshes.map(|(mesh, rows)| {
                 let title = asperity_storage::one_line(&mesh.case.title).into_owned();
                 format!("{title}\n{}", table(&rows))
             });

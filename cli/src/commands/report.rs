@@ -1,4 +1,4 @@
-//! `asperity report`: the page of a result, redrawn.
+//! `asperity report`: redraws the page of a result.
 
 use asperity_report::redraw;
 

@@ -1,4 +1,4 @@
-//! `asperity run`: the main job.
+//! `asperity run`: runs a case.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -16,7 +16,7 @@ use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
 
-/// Work of a run that is counted.
+/// Counted work of a run.
 const POSITIONS: &str = "mesh positions";
 
 /// `asperity run`
@@ -62,7 +62,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     )
 }
 
-/// Both kinds of meshes of a planetary set.
+/// Runs both kinds of meshes of a planetary set.
 fn run_set(
     set: &LoadedPlanetary,
     args: &RunArgs,
@@ -179,7 +179,7 @@ fn fields(args: &RunArgs) -> Result<Fields, Failure> {
     }
 }
 
-/// The error of a run; a contact without solution is saved beside the result folders.
+/// Error of a run; a contact without solution is saved next to the result folders.
 fn failed(error: &Error, args: &RunArgs, folder: Option<&Path>) -> Failure {
     let failure = Failure::about(&args.case, error);
     if let (Some(contact), Some(folder)) = (error.unsolved(), folder) {
@@ -190,7 +190,7 @@ fn failed(error: &Error, args: &RunArgs, folder: Option<&Path>) -> Failure {
             .with_extension("csv");
         return match report::write_unsolved(contact, &file) {
             Ok(()) => failure.adding(&format!(
-                ". Fields saved in {}; asperity contact --gap solves the contact alone",
+                ". Fields saved in {}; asperity contact --gap solves only the contact",
                 file.display()
             )),
             Err(error) => failure.adding(&format!(". Its fields could not be saved: {error}")),

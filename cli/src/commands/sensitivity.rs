@@ -1,36 +1,26 @@
-//! `asperity sensitivity`: what the loss does when one thing changes.
-
-use std::path::Path;
+//! `asperity sensitivity`: sensitivity of the loss to single changes.
 
 use asperity::pipeline::KeptFields;
-use asperity_studies::sensitivity::{self, CHANGES};
+use asperity_studies::sensitivity::{self, CHANGES, Sensitivity};
 
 use super::work::check_work;
-use super::{load_case, stem};
+use super::{load_case, stem, study};
 use crate::args::{Common, SensitivityArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
+use crate::output::{Progress, READING, WRITING};
 
 /// `asperity sensitivity`
 pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failure> {
     let progress = Progress::of(common.quiet, READING);
     let loaded = load_case(&args.case, &args.set, None)?;
     check_work(&args.work, &loaded, &KeptFields::Highest, 1 + CHANGES)?;
-    let folder = args.output.clone().unwrap_or_else(|| {
-        let stem = stem(&args.case).to_string_lossy();
-        Path::new("results").join(format!("{stem}-sensitivity"))
-    });
-    // Told before the work, not after it.
-    sensitivity::check_place(&folder)?;
+    let folder = study::folder(args.output.as_deref(), stem(&args.case), "sensitivity");
+    study::check_target::<Sensitivity>(&folder)?;
     progress.begin("changes");
-    let found = sensitivity::sensitivity(&loaded, &|done, total| progress.at(done, total))
+    let changes = sensitivity::sensitivity(&loaded, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);
-    sensitivity::write(&found, &folder)?;
+    study::write(&changes, (), &folder)?;
     drop(progress);
-    if common.json {
-        return print_json(&found);
-    }
-    let text = sensitivity::summary(&found);
-    print_text(common, &format!("{text}wrote {}\n", shown(&folder)))
+    study::print(&changes, (), Some(&folder), None, common)
 }

@@ -68,7 +68,7 @@ fn table(steels: &[SteelPreset]) -> Result<String, Failure> {
     }
     text.push_str(&wrapped(
         "p_f: flow pressure in GPa, 9.80665 MPa per HV. limit: elastic limit in MPa, 2.876 HV - 90.7 (Pavlina and Van \
-         Tyne 2008; fitted up to 632 HV). least: the least certain of the numbers.",
+         Tyne 2008; fitted up to 632 HV). least: the lowest certainty of the numbers.",
         "",
     ));
     Ok(format!(

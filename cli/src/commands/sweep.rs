@@ -1,11 +1,12 @@
 //! `asperity sweep`: many cases, in shards.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use asperity::message::Warning;
 use asperity_studies::sweep::{self, Event, Plan, Refused, Shard, Status, Study, SweepError};
 
+use super::study;
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, print_json, print_text, shown};
@@ -26,8 +27,8 @@ fn load(args: &SweepArgs) -> Result<Study, Failure> {
 
 /// Folder of the parts.
 fn parts(args: &SweepArgs, study: &Study) -> PathBuf {
-    let beside = || study.folder.join("parts");
-    args.parts.clone().unwrap_or_else(beside)
+    let default = || study.folder.join("parts");
+    args.parts.clone().unwrap_or_else(default)
 }
 
 fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
@@ -45,7 +46,7 @@ fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
             Failure::new("E309", format!("{study}: {error}"))
         }
         _ => Failure::new("E402", error.to_string())
-            .advising("Remove the part that is named; its cases are then run again."),
+            .advising("Remove this part; its cases are then run again."),
     }
 }
 
@@ -72,7 +73,7 @@ fn text_of_plan(plan: &Plan) -> String {
     text
 }
 
-/// A line on the cases that are refused by a code.
+/// Line about the cases that cannot be resolved, by error code.
 fn line_of((code, refused): (&String, &Refused)) -> String {
     let Refused {
         count,
@@ -95,7 +96,7 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
             let count: usize = refused.values().map(|refused| refused.count).sum();
             if count > 0 && !common.quiet {
                 let lines: String = refused.iter().map(line_of).collect();
-                let rows = "cases cannot be run and will be rows with their code";
+                let rows = "cases cannot be run; their rows hold only the error code";
                 let warning = Warning::new("W430", format!("{count} of {of} {rows}"));
                 progress.note(&format!("{warning}\n{}", lines.trim_end()));
             }
@@ -148,10 +149,10 @@ fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
         status.cases, status.missing
     );
     let failure = Failure::new("E309", message);
-    // Standard output holds the status already.
+    // The status is already on standard output.
     if common.json {
-        failure.tell();
-        return Err(failure.told());
+        failure.print();
+        return Err(failure.printed());
     }
     Err(failure)
 }
@@ -159,47 +160,8 @@ fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
 fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
-    let target = args
-        .output
-        .clone()
-        .unwrap_or_else(|| Path::new("results").join(format!("{}-sweep", study.name)));
+    let target = study::folder(args.output.as_deref(), study.name.as_ref(), "sweep");
     let merged = sweep::merge(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
-    sweep::write(&merged, &target)?;
-    if common.json {
-        return print_json(&merged);
-    }
-    let mut text = format!(
-        "{}\n{} cases, {} without a result\n",
-        asperity_storage::one_line(&merged.title),
-        merged.cases,
-        merged.failed
-    );
-    if merged.effects.iter().any(|row| row.effect.is_some()) {
-        text.push_str(&format!(
-            "{:<16} {:<36} {:>22} {:>22} {:>22}\n",
-            "result", "input", "change", "first index", "total index"
-        ));
-    }
-    for row in &merged.effects {
-        let Some(effect) = row.effect else { continue };
-        let of = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
-        let (first, total) = match row.indices {
-            Some(found) => (
-                of(found.first, found.first_interval),
-                of(found.total, found.total_interval),
-            ),
-            None => ("-".to_owned(), "-".to_owned()),
-        };
-        let change = format!("{:+.3e} ± {:.1e}", effect.difference, effect.half_width);
-        text.push_str(&format!(
-            "{:<16} {:<36} {change:>22} {first:>22} {total:>22}\n",
-            row.output, row.input
-        ));
-    }
-    text.push_str(&format!(
-        "SHA-256 {}\nwrote {}\n",
-        merged.sha256,
-        shown(&target)
-    ));
-    print_text(common, &text)
+    study::write(&merged, (), &target)?;
+    study::print(&merged, (), Some(&target), None, common)
 }

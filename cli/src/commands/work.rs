@@ -1,4 +1,4 @@
-//! Estimate of the work before it is done, and its limit.
+//! Limits of the estimated time and memory.
 
 use asperity::case::LoadedCase;
 use asperity::case::planetary::LoadedPlanetary;
@@ -8,38 +8,38 @@ use asperity_studies::estimate::{Estimate, estimate, estimate_of_set};
 use crate::args::WorkArgs;
 use crate::failure::Failure;
 
-/// Refuses `runs` runs of a case whose time or memory is estimated above the limits.
+/// Rejects `runs` runs of a case with an estimated time or memory above the limits.
 pub fn check_work(
     limits: &WorkArgs,
     loaded: &LoadedCase,
-    kept: &KeptFields,
+    fields: &KeptFields,
     runs: usize,
 ) -> Result<(), Failure> {
-    // A case that has no estimate has no run, which says why.
-    match estimate(loaded, kept) {
-        Ok(found) => check(limits, &found, runs),
+    // A case without an estimate has no result either; the run reports the error.
+    match estimate(loaded, fields) {
+        Ok(estimate) => check(limits, &estimate, runs),
         Err(_) => Ok(()),
     }
 }
 
-/// The same for both meshes of a planetary set.
+/// Rejects the run of a planetary set with an estimated time or memory above the limits.
 pub fn check_work_of_set(
     limits: &WorkArgs,
     set: &LoadedPlanetary,
-    kept: &KeptFields,
+    fields: &KeptFields,
 ) -> Result<(), Failure> {
-    match estimate_of_set(set, kept) {
-        Ok(found) => check(limits, &found, 1),
+    match estimate_of_set(set, fields) {
+        Ok(estimate) => check(limits, &estimate, 1),
         Err(_) => Ok(()),
     }
 }
 
-fn check(limits: &WorkArgs, found: &Estimate, runs: usize) -> Result<(), Failure> {
+fn check(limits: &WorkArgs, estimate: &Estimate, runs: usize) -> Result<(), Failure> {
     const HOUR: f64 = 3600.0;
     const GIGABYTE: f64 = 1e9;
-    let hours = found.seconds * runs as f64 / HOUR;
-    let gigabytes = found.bytes / GIGABYTE;
-    let contacts = found.contacts * runs;
+    let hours = estimate.seconds * runs as f64 / HOUR;
+    let gigabytes = estimate.bytes / GIGABYTE;
+    let contacts = estimate.contacts * runs;
     let refused = |much: String, option: &str, limit: f64, least: f64| {
         Err(Failure::new(
             "E209",

@@ -1,9 +1,8 @@
 //! A simulated rig, designed and calibrated: nothing of it was measured.
 
 use asperity_calibration::rig_table::RigRow;
-use asperity_calibration::{
-    Limits, RigCase, RigTable, Watch, calibrate, design, design_summary, plan, summary,
-};
+use asperity_calibration::{Limits, RigCase, RigTable, Watch, calibrate, design, plan};
+use asperity_report::StudyResult;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let file = std::path::Path::new("fixtures/cases/fzg-c.toml");
@@ -20,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         assemblies: 2,
     };
     let found = plan(&case, &limits, &[], &|_| {})?;
-    print!("{}", design_summary(&found));
+    print!("{}", found.summary(None));
     // A rig whose oil and flanks are not those of the defaults.
     let truth = case.with_key("model.boundary_friction", "0.095")?;
     let losses = design::simulated(&truth, &found, 1)?;
@@ -36,6 +35,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let table = RigTable::of_rows("SIMULATED", rows.collect(), true);
     let cases = [RigCase { name: None, case }];
     let found = calibrate(table, "", &cases, &[], &Watch::SILENT)?;
-    print!("{}", summary(&found));
+    print!("{}", found.summary(()));
     Ok(())
 }

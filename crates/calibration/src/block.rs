@@ -1,4 +1,4 @@
-//! The table `calibration` of a case, as text to paste.
+//! The table `calibration` of a case file, as text.
 
 use std::fmt::Write as _;
 
@@ -7,19 +7,19 @@ use nalgebra::DMatrix;
 
 use crate::result::{FittedParameter, Verdict};
 
-/// Factors on the correlations, the first of which that leaves a distribution after rounding is taken: a case refuses
-/// correlations that contradict each other.
+/// Factors on the correlations. The first one is used for which the rounded correlations are positive definite: a case
+/// rejects contradictory correlations.
 const FACTORS: [f64; 5] = [1.0, 0.995, 0.99, 0.97, 0.9];
 /// Square of the smallest pivot of such correlations.
 const LEAST_PIVOT: f64 = 1e-3;
 
-/// The block of the parameters that were found; `correlations` are those of all `parameters`.
+/// Writes the block of the identified parameters; `correlations` are between all `parameters`.
 #[must_use]
 pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f64>]) -> String {
-    let found: Vec<(usize, &FittedParameter)> = parameters
+    let included: Vec<(usize, &FittedParameter)> = parameters
         .iter()
         .enumerate()
-        .filter(|(_, parameter)| is_told(parameter))
+        .filter(|(_, parameter)| is_identified(parameter))
         .collect();
     let mut text = String::from("[calibration]\n");
     let plain = |letter: char| match letter {
@@ -31,7 +31,7 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
     let quoted: String = source.chars().map(plain).collect();
     // Writing into a string cannot fail.
     let _ = writeln!(text, "source = \"{quoted}\"");
-    for (_, parameter) in &found {
+    for (_, parameter) in &included {
         let [value, low, high] = [parameter.value, parameter.band[0], parameter.band[1]]
             .map(|value| quantity(&parameter.key, value));
         let _ = writeln!(
@@ -40,12 +40,12 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
             parameter.key
         );
     }
-    let numbers: Vec<usize> = found.iter().map(|(number, _)| *number).collect();
+    let numbers: Vec<usize> = included.iter().map(|(number, _)| *number).collect();
     let written = rounded(&numbers, correlations);
-    if found.len() > 1 {
+    if included.len() > 1 {
         text.push_str("correlations = [\n");
-        for (i, (_, first)) in found.iter().enumerate() {
-            for (j, (_, other)) in found.iter().enumerate().skip(i + 1) {
+        for (i, (_, first)) in included.iter().enumerate() {
+            for (j, (_, other)) in included.iter().enumerate().skip(i + 1) {
                 let value = written[(i, j)];
                 let _ = writeln!(
                     text,
@@ -59,9 +59,9 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
     text
 }
 
-/// Correlations of the parameters numbered, with the digits that are written.
+/// Correlations of the parameters `numbers`, rounded as in the block.
 fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f64> {
-    /// Steps of a correlation as written.
+    /// Steps per unit of a written correlation.
     const STEPS: f64 = 1000.0;
     let count = numbers.len();
     let scaled = |factor: f64| {
@@ -74,7 +74,7 @@ fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f64> {
         let pivots = matrix
             .clone()
             .cholesky()
-            .map(|found| found.l().diagonal().map(|d| d * d).min());
+            .map(|factor| factor.l().diagonal().map(|d| d * d).min());
         pivots.is_some_and(|least| least > LEAST_PIVOT)
     };
     let mut tried = FACTORS.into_iter().map(scaled);
@@ -83,8 +83,8 @@ fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f64> {
         .unwrap_or_else(|| DMatrix::identity(count, count))
 }
 
-/// Whether a parameter goes into the block: the points find it, or leave less of its range than a case has without.
-fn is_told(parameter: &FittedParameter) -> bool {
+/// Whether a parameter is written: the points identify it, or narrow its range of a case without calibration.
+fn is_identified(parameter: &FittedParameter) -> bool {
     let width = |[low, high]: [f64; 2]| (high / low).ln();
     match parameter.verdict {
         Verdict::Found => true,
@@ -93,7 +93,7 @@ fn is_told(parameter: &FittedParameter) -> bool {
     }
 }
 
-/// A value as a case has it.
+/// A value in the unit of a case file.
 fn quantity(key: &str, value: f64) -> String {
     match key {
         key if key == CalibratedName::BoundaryLayer.key() => {
@@ -106,7 +106,7 @@ fn quantity(key: &str, value: f64) -> String {
     }
 }
 
-/// Four digits.
+/// A number with four digits.
 fn digits(value: f64) -> String {
     let decimals = (3 - value.abs().log10().floor() as i32).clamp(0, 12);
     format!("{value:.*}", decimals as usize)
@@ -117,7 +117,7 @@ mod tests {
     use super::*;
     use asperity::case::CalibrationInput;
 
-    fn found(key: &str, value: f64, verdict: Verdict) -> FittedParameter {
+    fn fitted(key: &str, value: f64, verdict: Verdict) -> FittedParameter {
         FittedParameter {
             key: key.to_owned(),
             name: key.to_owned(),
@@ -137,10 +137,10 @@ mod tests {
     #[test]
     fn the_block_reads_back_as_the_table_of_a_case() {
         let all = [
-            found("boundary_friction", 0.083_21, Verdict::Found),
-            found("boundary_layer", 11.234e-9, Verdict::Partly),
-            found("limiting_shear", 0.04, Verdict::NotFound),
-            found("eyring_stress", 4.321e6, Verdict::Found),
+            fitted("boundary_friction", 0.083_21, Verdict::Found),
+            fitted("boundary_layer", 11.234e-9, Verdict::Partly),
+            fitted("limiting_shear", 0.04, Verdict::NotFound),
+            fitted("eyring_stress", 4.321e6, Verdict::Found),
         ];
         let correlations = vec![vec![-0.3; 4]; 4];
         let text = block("rig.csv \"first\"", &all, &correlations);

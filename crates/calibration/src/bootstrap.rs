@@ -1,17 +1,17 @@
-//! Bootstrap over groups: how much an estimate moves when whole assemblies are drawn anew.
+//! Bootstrap over groups: scatter of an estimate when whole assemblies are resampled.
 
 use asperity_core::cite;
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
-/// Estimates of `draws` samples of `groups` groups, each drawn with replacement; samples without an estimate are
-/// left out.
+/// Estimates from `draws` samples of `groups` groups, drawn with replacement. Samples without an estimate are
+/// omitted.
 ///
 /// ```text
 /// θ*_b = θ(g_1 .. g_G),  g_k even over 1 .. G                                  [Group-bootstrap]
 /// ```
 ///
-/// The same seed gives the same samples. With few groups there are few different samples, three of two.
+/// The same seed gives the same samples. Few groups have few distinct samples: two groups have three.
 #[must_use]
 pub fn bootstrap<T>(
     groups: usize,
@@ -22,33 +22,33 @@ pub fn bootstrap<T>(
     cite!("Group-bootstrap");
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut sample = vec![0; groups];
-    let mut found = Vec::with_capacity(draws);
+    let mut estimates = Vec::with_capacity(draws);
     for _ in 0..draws {
         for group in &mut sample {
             *group = below(&mut random, groups);
         }
-        found.extend(estimate(&sample));
+        estimates.extend(estimate(&sample));
     }
-    found
+    estimates
 }
 
-/// A number below `count`, even.
+/// A uniform random number below `count`.
 fn below(random: &mut ChaCha8Rng, count: usize) -> usize {
     const STEPS: f64 = (1_u64 << 53) as f64;
     let even = (random.next_u64() >> 11) as f64 / STEPS;
     ((even * count as f64) as usize).min(count.saturating_sub(1))
 }
 
-/// The 2.5 % and 97.5 % quantiles, interpolated; none of no values.
+/// Interpolated 2.5 % and 97.5 % quantiles; `None` without values.
 #[must_use]
 pub fn middle_95(values: &[f64]) -> Option<[f64; 2]> {
     let mut values = values.to_vec();
     values.sort_by(f64::total_cmp);
     let last = values.len().checked_sub(1)?;
     let quantile = |p: f64| {
-        let place = p * last as f64;
-        let k = (place as usize).min(last.saturating_sub(1));
-        values[k] + (place - k as f64) * (values[(k + 1).min(last)] - values[k])
+        let position = p * last as f64;
+        let k = (position as usize).min(last.saturating_sub(1));
+        values[k] + (position - k as f64) * (values[(k + 1).min(last)] - values[k])
     };
     Some([quantile(0.025), quantile(0.975)])
 }
@@ -67,12 +67,17 @@ mod tests {
             Some(sample.iter().map(|k| values[*k]).sum::<f64>() / n)
         });
         let count = means.len() as f64;
-        let found = means.iter().sum::<f64>() / count;
-        let spread = (means.iter().map(|m| (m - found) * (m - found)).sum::<f64>() / count).sqrt();
+        let estimates = means.iter().sum::<f64>() / count;
+        let spread = (means
+            .iter()
+            .map(|m| (m - estimates) * (m - estimates))
+            .sum::<f64>()
+            / count)
+            .sqrt();
         // s/√n; 4000 draws know it to 1/√8000 = 1.1 %, three times that is allowed.
         let error = (variance / n).sqrt();
         assert!((spread / error - 1.0).abs() < 0.034, "{spread} {error}");
-        assert!((found - mean).abs() < 4.0 * error / count.sqrt());
+        assert!((estimates - mean).abs() < 4.0 * error / count.sqrt());
         let [low, high] = middle_95(&means).unwrap();
         assert!(((high - low) / (2.0 * 1.96 * error) - 1.0).abs() < 0.06);
     }

@@ -1,4 +1,4 @@
-//! The order of a calibration.
+//! The steps of a calibration.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -22,39 +22,39 @@ use crate::result::{
 use crate::rig::{Rig, RigCase};
 use crate::rig_table::{RigTable, Scope};
 
-/// Told on the way.
+/// Callbacks of a calibration.
 pub struct Watch<'a> {
-    /// Evaluations made, and a guess of how many there will be.
+    /// Called with the number of evaluations so far and an estimate of their total.
     pub progress: &'a (dyn Fn(usize, usize) + Sync),
-    /// What the points can find, before the fit.
+    /// Called before the fit with the identifiability of the parameters.
     pub before_the_fit: &'a dyn Fn(&Identifiability),
 }
 
 impl Watch<'_> {
-    /// Tells nobody.
+    /// No callbacks.
     pub const SILENT: Watch<'static> = Watch {
         progress: &|_, _| {},
         before_the_fit: &|_| {},
     };
 }
 
-/// Samples of the bootstrap.
+/// Number of bootstrap samples.
 const SAMPLES: usize = 200;
-/// Seed of its samples.
+/// Seed of the bootstrap samples.
 const SEED: u64 = 18;
-/// Assemblies from which on a bootstrap may widen a band: of fewer there are too few different samples.
+/// Number of assemblies from which the bootstrap may widen a band: fewer have too few distinct samples.
 const FEW_ASSEMBLIES: usize = 5;
 
-/// Calibrates the parameters of boundary layer and film that are not `held` on the measurements of `table`, whose
-/// content `text` is signed for the record.
+/// Fits the parameters of boundary layer and film that are not `held` to the measurements of `table`. The result holds
+/// the hash of its `text`.
 ///
 /// ```text
 /// read, check -> contacts of every torque -> share refused? -> outliers -> information -> stages, fit -> bands
 /// ```
 ///
 /// # Errors
-/// When the table and the cases do not go together, the points cannot find the share, rows are outliers, or the model
-/// has no solution.
+/// When a row has no case, the points do not identify the boundary share, rows are outliers, or the model has no
+/// solution.
 pub fn calibrate(
     table: RigTable,
     text: &str,
@@ -63,35 +63,35 @@ pub fn calibrate(
     watch: &Watch<'_>,
 ) -> Result<Calibration, CalibrationError> {
     let done = AtomicUsize::new(0);
-    let guess = AtomicUsize::new(0);
-    let told = |_: usize| {
+    let estimated_total = AtomicUsize::new(0);
+    let progress = |_: usize| {
         let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-        // Before the points are known there is nothing to guess from.
-        match guess.load(Ordering::Relaxed) {
+        // The total cannot be estimated before the operating points are known.
+        match estimated_total.load(Ordering::Relaxed) {
             0 => {}
-            guess => (watch.progress)(count, guess.max(count)),
+            total => (watch.progress)(count, total.max(count)),
         }
     };
-    let rig = Rig::new(table, cases, held, &told)?;
-    // Surfaces of two to three rounds, and the further points of the information.
+    let rig = Rig::new(table, cases, held, &progress)?;
+    // Response surfaces of three rounds, and the candidates for further measurements.
     let axes = rig.parameters.len() + 1;
     let settings = 1 + 2 * axes + axes * (axes - 1) / 2;
-    guess.store(
-        3 * settings * rig.wanted.len() + 36 * (1 + axes),
+    estimated_total.store(
+        3 * settings * rig.operating_points.len() + 36 * (1 + axes),
         Ordering::Relaxed,
     );
     rig.check_share()?;
     rig.check_size()?;
-    let first = rig.first_surfaces(&told)?;
+    let first = rig.first_surfaces(&progress)?;
     let observations = rig.observations(&rig.table.rows);
     let priors = rig.priors();
     let problem = Problem::new(&first.1, &first.0, &priors, observations.clone());
     rig.check_outliers(&problem)?;
-    let found = rig.identifiability(&problem, &told)?;
-    (watch.before_the_fit)(&found);
-    let fit = rig.fit(observations, first, &told)?;
+    let identifiability = rig.identifiability(&problem, &progress)?;
+    (watch.before_the_fit)(&identifiability);
+    let fit = rig.fit(observations, first, &progress)?;
     let evaluations = done.load(Ordering::Relaxed);
-    report(&rig, &fit, found, text, evaluations)
+    report(&rig, &fit, identifiability, text, evaluations)
 }
 
 fn report(
@@ -164,7 +164,7 @@ fn report(
     })
 }
 
-/// Parameters of fits to assemblies drawn anew; none of a single assembly.
+/// Parameters of the fits to resampled assemblies; empty for a single assembly.
 fn samples(rig: &Rig, fit: &Fit) -> Vec<Vec<f64>> {
     let problem = fit.problem();
     if problem.assemblies < 2 {
@@ -172,15 +172,15 @@ fn samples(rig: &Rig, fit: &Fit) -> Vec<Vec<f64>> {
     }
     let n = rig.parameters.len();
     bootstrap(problem.assemblies, SAMPLES, SEED, |sample| {
-        // An assembly drawn twice is two assemblies, each with a scale of its own.
+        // An assembly drawn twice counts as two assemblies with separate scales.
         let drawn = sample.iter().enumerate().flat_map(|(number, group)| {
             let of_group = problem
                 .observations
                 .iter()
-                .filter(move |seen| seen.assembly == *group);
-            of_group.map(move |seen| Observation {
+                .filter(move |observation| observation.assembly == *group);
+            of_group.map(move |observation| Observation {
                 assembly: number,
-                ..*seen
+                ..*observation
             })
         });
         let mut part = problem.with(drawn.collect());
@@ -190,16 +190,16 @@ fn samples(rig: &Rig, fit: &Fit) -> Vec<Vec<f64>> {
             start[part.scale(number)] = fit.minimum.x[problem.scale(*group)];
         }
         let all: Vec<usize> = (0..part.variables()).collect();
-        let found = minimum(&part, &start, &all).ok()?;
-        Some(found.x.iter().take(n).copied().collect())
+        let minimum = minimum(&part, &start, &all).ok()?;
+        Some(minimum.x.iter().take(n).copied().collect())
     })
 }
 
 impl Rig {
-    /// The parameters of a fit with their bands; `samples` are those of a bootstrap.
+    /// The parameters of a fit with their bands; `samples` are the bootstrap estimates.
     ///
     /// # Errors
-    /// When a fit of a profile does not converge.
+    /// When a fit of a profile likelihood does not converge.
     pub fn fitted(
         &self,
         fit: &Fit,
@@ -239,36 +239,36 @@ impl Rig {
                 verdict: identifiability
                     .parameters
                     .get(k)
-                    .map_or(Verdict::Found, |found| found.verdict),
+                    .map_or(Verdict::Found, |parameter| parameter.verdict),
             })
         };
         (0..self.parameters.len()).map(one).collect()
     }
 }
 
-/// Measurements less what the variables took from them: the trace of the influence of the measurements.
+/// Degrees of freedom: number of measurements minus the trace of the hat matrix.
 fn freedom(problem: &Problem<'_>, fit: &Fit) -> f64 {
     let count = problem.observations.len();
     let slopes: DMatrix<f64> = problem.slopes(&fit.minimum.x).rows(0, count).into_owned();
-    let taken = (&slopes * &fit.covariance).component_mul(&slopes).sum();
-    count as f64 - taken
+    let trace = (&slopes * &fit.covariance).component_mul(&slopes).sum();
+    count as f64 - trace
 }
 
-/// Largest difference of the surfaces from the model at the fit: in logarithms, and in standard deviations.
+/// Largest difference between the response surfaces and the model at the fit, in logarithms and in standard deviations.
 fn surface_error(rig: &Rig, fit: &Fit) -> Result<(f64, f64), CalibrationError> {
     let n = rig.parameters.len();
     let mut setting: Vec<f64> = fit.minimum.x.iter().take(n).copied().collect();
     setting.push(TEMPERATURE * fit.minimum.x[n]);
-    let u = fit.region.place(&setting);
+    let u = fit.region.normalised(&setting);
     let exact = rig.model.evaluate(&[setting], &|_| {})?;
     let (mut largest, mut in_sigma) = (0.0_f64, 0.0_f64);
-    for seen in &fit.observations {
-        let parts = &exact[seen.point][0];
-        let surfaces = &fit.surfaces[seen.point];
+    for observation in &fit.observations {
+        let parts = &exact[observation.point][0];
+        let surfaces = &fit.surfaces[observation.point];
         let loss = surfaces.sliding.at(&u).0.exp() + surfaces.rolling.at(&u).0.exp();
         let error = (loss / (parts.sliding_w + parts.rolling_w)).ln().abs();
         largest = largest.max(error);
-        in_sigma = in_sigma.max(error / seen.sigma);
+        in_sigma = in_sigma.max(error / observation.sigma);
     }
     Ok((largest, in_sigma))
 }
@@ -336,26 +336,27 @@ fn points(rig: &Rig, problem: &Problem<'_>, fit: &Fit, residuals: &[f64]) -> Vec
         .iter()
         .zip(&problem.observations)
         .zip(residuals);
-    let point = |((row, seen), residual): ((&crate::rig_table::RigRow, &Observation), &f64)| {
-        let nominal = &rig.nominal[seen.point];
-        FittedPoint {
-            line: row.line,
-            assembly: row.assembly.clone(),
-            torque_nm: row.torque_nm,
-            speed_rpm: row.speed_rpm,
-            temperature_c: row.temperature_c,
-            measured_w: row.loss_w,
-            sigma_w: row.sigma_w,
-            fitted_w: problem.predicted(&fit.minimum.x, seen).0.exp(),
-            residual_sigma: *residual,
-            lambda_star: nominal.lambda_star,
-            boundary_share: nominal.boundary_share,
-        }
-    };
+    let point =
+        |((row, observation), residual): ((&crate::rig_table::RigRow, &Observation), &f64)| {
+            let nominal = &rig.nominal[observation.point];
+            FittedPoint {
+                line: row.line,
+                assembly: row.assembly.clone(),
+                torque_nm: row.torque_nm,
+                speed_rpm: row.speed_rpm,
+                temperature_c: row.temperature_c,
+                measured_w: row.loss_w,
+                sigma_w: row.sigma_w,
+                fitted_w: problem.predicted(&fit.minimum.x, observation).0.exp(),
+                residual_sigma: *residual,
+                lambda_star: nominal.lambda_star,
+                boundary_share: nominal.boundary_share,
+            }
+        };
     rows.map(point).collect()
 }
 
-/// Share of a normal distribution's chi square that few fits exceed: mean and three standard deviations.
+/// Standard deviations above the mean of chi squared at which the scatter is reported.
 const WIDE: f64 = 3.0;
 
 fn warnings(
@@ -364,35 +365,35 @@ fn warnings(
     [chi_squared, freedom]: [f64; 2],
     residuals: &[f64],
 ) -> Vec<Warning> {
-    let mut found = Vec::new();
+    let mut warnings = Vec::new();
     if !fit.is_settled {
         let text = "the optimum lies far outside the usual ranges of the parameters and was not reached; check case, scope and units";
-        found.push(Warning::new("W419", text));
+        warnings.push(Warning::new("W419", text));
     }
     let ratio = chi_squared / freedom;
     if freedom > 0.0 && ratio > 1.0 + WIDE * (2.0 / freedom).sqrt() {
         let factor = ratio.sqrt();
-        found.push(Warning::new(
+        warnings.push(Warning::new(
             "W419",
-            format!("the points scatter {factor:.1} times as much about the fit as their sigma says; the bands are too narrow by about that"),
+            format!("the residuals are {factor:.1} times the stated sigma; the bands are too narrow by about this factor"),
         ));
     }
     if let Some(drift) = drift(rig, residuals) {
-        found.push(Warning::new(
+        warnings.push(Warning::new(
             "W419",
             format!("the residuals drift with the order of measurement (correlation {drift:+.2})"),
         ));
     }
     if rig.has_gearbox {
-        let text = "the gearbox of the case is left aside: the column includes tells what the measured losses hold";
-        found.push(Warning::new("W431", text));
+        let text = "the gearbox of the case is ignored: the column includes states the scope of the measured losses";
+        warnings.push(Warning::new("W431", text));
     }
     let assemblies = rig.table.assemblies().len();
     if assemblies < 3 {
-        found.push(Warning::new(
+        warnings.push(Warning::new(
             "W420",
             format!(
-                "{assemblies} {}: the scatter of assemblies is taken from the prior, {:.0} %, and a bootstrap of so few says little",
+                "{assemblies} {}: too few for a bootstrap; the scatter of assemblies is the prior, {:.0} %",
                 if assemblies == 1 { "assembly" } else { "assemblies" },
                 100.0 * ASSEMBLY
             ),
@@ -407,20 +408,20 @@ fn warnings(
     states.sort_unstable();
     states.dedup();
     if states.len() > 1 {
-        found.push(Warning::new(
+        warnings.push(Warning::new(
             "W420",
             format!(
-                "flanks of several states in one fit ({}); the traces are those of one",
+                "several flank states in one fit ({}), but the traces are of one state",
                 states.join(", ")
             ),
         ));
     }
-    found
+    warnings
 }
 
-/// Correlation of the residuals with the order of measurement, where it is no accident.
+/// Correlation of the residuals with the order of measurement, if it is significant.
 fn drift(rig: &Rig, residuals: &[f64]) -> Option<f64> {
-    /// Standard errors of a correlation that few series without a drift reach.
+    /// Standard errors above which a correlation is significant.
     const LEAST: f64 = 3.0;
     let rows = rig.table.rows.iter().zip(residuals);
     let pairs: Vec<(f64, f64)> = rows

@@ -1,4 +1,4 @@
-//! Points that find the parameters best, within the limits of a rig.
+//! Optimal design of a calibration within the limits of a rig.
 
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
@@ -6,59 +6,59 @@ use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
 use crate::error::CalibrationError;
-use crate::identifiability::{check_share, swept};
+use crate::identifiability::{check_share, lambda_star_range};
 use crate::information::{covariance, deviation_without_prior, information};
 use crate::optimal_design::d_optimal;
 use crate::parameters::Parameter;
 use crate::problem::{Observation, Problem};
 use crate::result::{IdentifiedParameter, SCHEMA_VERSION};
 use crate::rig::parameters;
-use crate::rig_model::{Parts, RigModel, Told, Wanted};
+use crate::rig_model::{OperatingPoint, PointLosses, Progress, RigModel};
 use crate::simulate::{Simulated, losses};
 use crate::surfaces::{slope_region, tangents};
 
 /// Limits of a rig.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
-    /// Torques that may be set \[N m\].
+    /// Available torques \[N m\].
     pub torques_nm: Vec<f64>,
-    /// Speeds that may be set \[1/min\].
+    /// Available speeds \[1/min\].
     pub speeds_rpm: Vec<f64>,
-    /// Temperatures that may be set \[°C\].
+    /// Available temperatures \[°C\].
     pub temperatures_c: Vec<f64>,
-    /// Hours of measuring, heating left out.
+    /// Measuring time in hours, without heating.
     pub hours: f64,
-    /// Minutes of a point.
+    /// Minutes per point.
     pub minutes_per_point: f64,
-    /// Standard deviation of a point over its loss.
+    /// Standard deviation of a point relative to its loss.
     pub sigma: f64,
-    /// Assemblies, which all measure the same points.
+    /// Number of assemblies; each measures all points.
     pub assemblies: usize,
 }
 
-/// A design.
+/// Design of a calibration.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Design {
     /// Version of this structure.
     pub schema_version: u32,
-    /// The program and its version.
+    /// Program and version.
     pub program: String,
     /// Title of the case.
     pub title: String,
     /// The limits.
     pub limits: Limits,
-    /// Points of each assembly, temperature by temperature.
+    /// Points of each assembly, by temperature.
     pub points: Vec<DesignPoint>,
     /// Smallest and largest Λ* of the points.
     pub lambda_star: Option<[f64; 2]>,
-    /// What they would find, with their priors.
+    /// Expected result for the parameters, with their priors.
     pub parameters: Vec<ExpectedParameter>,
-    /// Measurements that were chosen from.
+    /// Number of candidate points.
     pub candidates: usize,
 }
 
-/// A point to measure.
+/// Point to measure.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct DesignPoint {
@@ -68,19 +68,19 @@ pub struct DesignPoint {
     pub speed_rpm: f64,
     /// Temperature \[°C\].
     pub temperature_c: f64,
-    /// How often each assembly measures it.
+    /// Number of measurements by each assembly.
     pub repeats: usize,
     /// Loss of the mesh by the model \[W\].
     pub loss_w: f64,
-    /// Λ*, median over the path.
+    /// Median of Λ* over the path.
     pub lambda_star: Option<f64>,
 }
 
-/// What a design would find.
+/// Expected result for a parameter.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct ExpectedParameter {
-    /// Key, standard deviation without its own prior, verdict.
+    /// Key, standard deviation without its prior, verdict.
     #[serde(flatten)]
     pub identified: IdentifiedParameter,
     /// Value of the case in SI units.
@@ -91,59 +91,60 @@ pub struct ExpectedParameter {
     pub default_range: [f64; 2],
 }
 
-/// z of a 95 % band.
+/// Standard deviations of a 95 % band.
 const BAND: f64 = 1.959_963_984_540_054;
 
-/// Proposes the points for `case` that find the parameters which are not `held` best within `limits` (D-optimal),
-/// those of least and largest Λ* among them.
+/// Chooses the D-optimal points within `limits` for the parameters of `case` that are not `held`. The points of the
+/// smallest and the largest Λ* are always included.
 ///
 /// # Errors
-/// When the limits leave nothing to choose from or cannot find the share, or the model has no solution at a point.
+/// When the limits leave no candidates or do not identify the boundary share, or the model has no solution at a point.
 pub fn plan(
     case: &LoadedCase,
     limits: &Limits,
     held: &[CalibratedName],
-    told: Told<'_>,
+    progress: Progress<'_>,
 ) -> Result<Design, CalibrationError> {
-    let count = points_of(limits)?;
+    let count = points_per_assembly(limits)?;
     let parameters = parameters(case, held)?;
-    let wanted = grid(limits);
-    let model = RigModel::new(std::slice::from_ref(case), &parameters, &wanted)?;
+    let operating_points = grid(limits);
+    let model = RigModel::new(std::slice::from_ref(case), &parameters, &operating_points)?;
     let centre = vec![0.0; parameters.len() + 1];
-    let nominal: Vec<Parts> = model
-        .evaluate(&[centre], told)?
+    let nominal: Vec<PointLosses> = model
+        .evaluate(&[centre], progress)?
         .into_iter()
         .flatten()
         .collect();
-    let reach: Vec<_> = wanted
+    let lambda_stars: Vec<_> = operating_points
         .iter()
         .zip(&nominal)
         .map(|(point, parts)| (point.at, parts.lambda_star))
         .collect();
-    check_share(&case.case.title, &parameters, &reach)?;
+    check_share(&case.case.title, &parameters, &lambda_stars)?;
     let region = slope_region(&parameters);
-    let planes = tangents(&model, &region, told)?;
+    let planes = tangents(&model, &region, progress)?;
     let priors: Vec<f64> = parameters.iter().map(Parameter::prior).collect();
-    let seen = |point: usize, assembly: usize| Observation {
+    let observation = |point: usize, assembly: usize| Observation {
         point,
         assembly,
         log_loss: (nominal[point].sliding_w + nominal[point].rolling_w).ln(),
         sigma: limits.sigma,
-        omega: wanted[point].at[1] * std::f64::consts::PI / 30.0,
+        omega: operating_points[point].at[1] * std::f64::consts::PI / 30.0,
         bearing_torque: 0.0,
     };
-    let all = (0..limits.assemblies)
-        .flat_map(|assembly| (0..wanted.len()).map(move |point| seen(point, assembly)));
+    let all = (0..limits.assemblies).flat_map(|assembly| {
+        (0..operating_points.len()).map(move |point| observation(point, assembly))
+    });
     let problem = Problem::new(&planes, &region, &priors, all.collect());
-    let chosen = chosen(&problem, wanted.len(), count, &nominal);
+    let chosen = chosen(&problem, operating_points.len(), count, &nominal);
     let measured: Vec<Observation> = (0..limits.assemblies)
         .flat_map(|assembly| chosen.iter().map(move |point| (*point, assembly)))
-        .map(|(point, assembly)| seen(point, assembly))
+        .map(|(point, assembly)| observation(point, assembly))
         .collect();
     let expected = expected(&parameters, &problem, measured);
     let mut numbers: Vec<usize> = chosen.clone();
     let order = |point: usize| {
-        let [torque, speed, temperature] = wanted[point].at;
+        let [torque, speed, temperature] = operating_points[point].at;
         [temperature, torque, speed]
     };
     numbers.sort_by(|a, b| {
@@ -153,7 +154,7 @@ pub fn plan(
     });
     numbers.dedup();
     let point = |number: &usize| {
-        let [torque_nm, speed_rpm, temperature_c] = wanted[*number].at;
+        let [torque_nm, speed_rpm, temperature_c] = operating_points[*number].at;
         let parts = &nominal[*number];
         DesignPoint {
             torque_nm,
@@ -169,15 +170,15 @@ pub fn plan(
         program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
         title: case.case.title.clone(),
         limits: limits.clone(),
-        lambda_star: swept(numbers.iter().map(|number| nominal[*number].lambda_star)),
+        lambda_star: lambda_star_range(numbers.iter().map(|number| nominal[*number].lambda_star)),
         points: numbers.iter().map(point).collect(),
         parameters: expected,
-        candidates: wanted.len(),
+        candidates: operating_points.len(),
     })
 }
 
-/// Points of an assembly in the hours of a rig.
-fn points_of(limits: &Limits) -> Result<usize, CalibrationError> {
+/// Number of points per assembly in the measuring time.
+fn points_per_assembly(limits: &Limits) -> Result<usize, CalibrationError> {
     let refuse = |name, value, rule| Err(CalibrationError::Limit { name, value, rule });
     for (name, value) in [
         ("hours", limits.hours),
@@ -199,7 +200,7 @@ fn points_of(limits: &Limits) -> Result<usize, CalibrationError> {
         ("temperatures", &limits.temperatures_c),
     ] {
         if values.is_empty() {
-            return refuse(name, 0.0, "at least one is needed");
+            return refuse(name, 0.0, "at least one is required");
         }
     }
     if let Some(speed) = limits.speeds_rpm.iter().find(|speed| **speed <= 0.0) {
@@ -208,7 +209,7 @@ fn points_of(limits: &Limits) -> Result<usize, CalibrationError> {
     if let Some(torque) = limits.torques_nm.iter().find(|torque| **torque == 0.0) {
         return refuse("torques", *torque, "must not be 0");
     }
-    /// Fewest and most points of an assembly.
+    /// Least and largest number of points per assembly.
     const POINTS: [f64; 2] = [5.0, 500.0];
     let points =
         (60.0 * limits.hours / limits.minutes_per_point / limits.assemblies as f64).floor();
@@ -216,39 +217,44 @@ fn points_of(limits: &Limits) -> Result<usize, CalibrationError> {
         return refuse(
             "points of an assembly",
             points,
-            "5 or more are needed; give more hours, or fewer minutes a point",
+            "5 or more are required; give more hours or fewer minutes per point",
         );
     }
     Ok(points.min(POINTS[1]) as usize)
 }
 
-fn grid(limits: &Limits) -> Vec<Wanted> {
-    let mut found = Vec::new();
+fn grid(limits: &Limits) -> Vec<OperatingPoint> {
+    let mut points = Vec::new();
     for torque in &limits.torques_nm {
         for speed in &limits.speeds_rpm {
-            found.extend(limits.temperatures_c.iter().map(|temperature| Wanted {
-                case: 0,
-                at: [*torque, *speed, *temperature],
-            }));
+            points.extend(
+                limits
+                    .temperatures_c
+                    .iter()
+                    .map(|temperature| OperatingPoint {
+                        case: 0,
+                        at: [*torque, *speed, *temperature],
+                    }),
+            );
         }
     }
-    found
+    points
 }
 
-/// The slopes of a measurement by every assembly, in standard deviations.
+/// Derivatives of the measurements of a point by all assemblies, in standard deviations.
 fn slopes(problem: &Problem<'_>, point: usize) -> DMatrix<f64> {
     let x = DVector::zeros(problem.variables());
     let of_point = problem
         .observations
         .iter()
-        .filter(|seen| seen.point == point);
+        .filter(|observation| observation.point == point);
     let rows: Vec<_> = of_point
-        .map(|seen| (problem.predicted(&x, seen).1 / seen.sigma).transpose())
+        .map(|observation| (problem.predicted(&x, observation).1 / observation.sigma).transpose())
         .collect();
     DMatrix::from_rows(&rows)
 }
 
-/// Information of the priors alone.
+/// Information of the priors only.
 fn of_priors(problem: &Problem<'_>) -> DMatrix<f64> {
     let none = problem.with(Vec::new());
     let none = Problem {
@@ -258,8 +264,13 @@ fn of_priors(problem: &Problem<'_>) -> DMatrix<f64> {
     information(&none.slopes(&DVector::zeros(problem.variables())))
 }
 
-fn chosen(problem: &Problem<'_>, candidates: usize, count: usize, nominal: &[Parts]) -> Vec<usize> {
-    let each: Vec<DMatrix<f64>> = (0..candidates)
+fn chosen(
+    problem: &Problem<'_>,
+    candidates: usize,
+    count: usize,
+    nominal: &[PointLosses],
+) -> Vec<usize> {
+    let information_of: Vec<DMatrix<f64>> = (0..candidates)
         .map(|point| slopes(problem, point))
         .collect();
     let ratio = |point: &usize| nominal[*point].lambda_star.unwrap_or(f64::NAN);
@@ -268,15 +279,18 @@ fn chosen(problem: &Problem<'_>, candidates: usize, count: usize, nominal: &[Par
     let mut ends: Vec<usize> = least.into_iter().chain(most).collect();
     ends.dedup();
     let of_ends: DMatrix<f64> = ends.iter().fold(of_priors(problem), |sum, point| {
-        sum + information(&each[*point])
+        sum + information(&information_of[*point])
     });
-    // Points that lie apart also tell whether the model holds, which repeats do not: a point is repeated only where
-    // there are fewer candidates than points.
+    // Distinct points also test the model, repeated points do not: a point is repeated only if there are fewer
+    // candidates than points.
     let repeats = count.div_ceil(candidates.max(1));
     let others: Vec<usize> = (0..candidates)
         .filter(|point| !ends.contains(point))
         .collect();
-    let of_others: Vec<DMatrix<f64>> = others.iter().map(|point| each[*point].clone()).collect();
+    let of_others: Vec<DMatrix<f64>> = others
+        .iter()
+        .map(|point| information_of[*point].clone())
+        .collect();
     let rest = count.saturating_sub(ends.len());
     let best = d_optimal(&of_others, (rest, repeats), problem.parameters(), &of_ends);
     ends.extend(best.into_iter().map(|k| others[k]));
@@ -295,7 +309,7 @@ fn expected(
         let deviation = deviation_without_prior(&whole, k, parameter.prior());
         let width = spread
             .as_ref()
-            .map_or(parameter.prior(), |found| found[(k, k)].sqrt());
+            .map_or(parameter.prior(), |covariance| covariance[(k, k)].sqrt());
         ExpectedParameter {
             identified: IdentifiedParameter {
                 key: parameter.name.key().to_owned(),
@@ -312,8 +326,8 @@ fn expected(
     parameters.iter().enumerate().map(one).collect()
 }
 
-/// Losses \[W\] that a rig might measure at the points of `design` with `case`: assembly by assembly, a point as often
-/// as it is repeated. Simulated, with the errors of [`losses`].
+/// Simulated losses \[W\] at the points of `design` with `case` and the errors of [`losses`], by assembly; a repeated
+/// point has several losses.
 ///
 /// # Errors
 /// When the model has no solution at a point.
@@ -323,15 +337,15 @@ pub fn simulated(
     seed: u64,
 ) -> Result<Vec<f64>, CalibrationError> {
     let at = |point: &DesignPoint| [point.torque_nm, point.speed_rpm, point.temperature_c];
-    let wanted: Vec<Wanted> = design
+    let operating_points: Vec<OperatingPoint> = design
         .points
         .iter()
-        .map(|point| Wanted {
+        .map(|point| OperatingPoint {
             case: 0,
             at: at(point),
         })
         .collect();
-    let model = RigModel::new(std::slice::from_ref(case), &[], &wanted)?;
+    let model = RigModel::new(std::slice::from_ref(case), &[], &operating_points)?;
     let measured: Vec<Simulated> = design
         .rows()
         .map(|(point, assembly)| Simulated {
@@ -344,7 +358,7 @@ pub fn simulated(
 }
 
 impl Design {
-    /// Number of the point and of the assembly of every row to measure.
+    /// Index of the point and of the assembly of every row to measure.
     pub fn rows(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         (0..self.limits.assemblies).flat_map(move |assembly| {
             self.points
@@ -356,7 +370,7 @@ impl Design {
         })
     }
 
-    /// Measurements of all assemblies.
+    /// Number of measurements of all assemblies.
     #[must_use]
     pub fn size(&self) -> usize {
         self.points.iter().map(|point| point.repeats).sum::<usize>() * self.limits.assemblies

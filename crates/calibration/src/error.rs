@@ -1,6 +1,6 @@
 //! Errors of a calibration, each with a code.
 
-/// A row that cannot be used.
+/// Invalid row.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{line}: {column}: {rule}")]
 pub struct RowFault {
@@ -8,15 +8,15 @@ pub struct RowFault {
     pub line: usize,
     /// Its column.
     pub column: &'static str,
-    /// Seen and expected.
+    /// The value and the rule that it violates.
     pub rule: String,
 }
 
-/// Why there is no calibration, or no design.
+/// Error of a calibration or a design.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CalibrationError {
-    /// The table cannot be read as a table.
+    /// The table cannot be parsed.
     #[error("{file}: {source}")]
     Csv {
         /// Name of the table.
@@ -37,25 +37,25 @@ pub enum CalibrationError {
     Column {
         /// Name of the table.
         file: String,
-        /// Which column, and what is needed.
+        /// The column and the rule that it violates.
         rule: String,
     },
-    /// Rows that cannot be used.
-    #[error("{}", told(file, faults))]
+    /// Rows are not valid.
+    #[error("{}", listed_faults(file, faults))]
     Rows {
         /// Name of the table.
         file: String,
-        /// All of them.
+        /// The rows.
         faults: Vec<RowFault>,
     },
-    /// A row names no case and there is none beside the table.
-    #[error("{file}: names no case; give one beside the table, or a column case")]
+    /// A row names no case, and none is given for the table.
+    #[error("{file}: names no case; give one for the table, or a column case")]
     NoCase {
         /// Name of the table.
         file: String,
     },
-    /// Rows off the fit by more than ten times their standard deviation.
-    #[error("{}", told_outliers(file, outliers, *rows))]
+    /// Rows deviate from the fit by more than ten standard deviations.
+    #[error("{}", listed_outliers(file, outliers, *rows))]
     Outliers {
         /// Name of the table.
         file: String,
@@ -64,17 +64,17 @@ pub enum CalibrationError {
         /// Rows of the table.
         rows: usize,
     },
-    /// The measurements cannot find the boundary layer, which decides the share of boundary friction.
-    #[error("{file}: the boundary layer (its share of the load) cannot be found from these {points} points: {}", missing.join("; "))]
+    /// The measurements do not identify the boundary layer, which determines the share of boundary friction.
+    #[error("{file}: these {points} points do not identify the boundary layer (its share of the load): {}", missing.join("; "))]
     Share {
         /// Name of the table, or of the case of a design.
         file: String,
         /// Distinct operating points.
         points: usize,
-        /// What is missing, each with what there is.
+        /// The missing ranges, each with the available one.
         missing: Vec<String>,
     },
-    /// The model has none of the parameters.
+    /// The loss depends on none of the parameters.
     #[error(
         "{case}: no parameter to calibrate acts on the loss; the corrected formulation with film_friction = \"eyring\" and load_share = \"solved\" has four"
     )]
@@ -82,7 +82,7 @@ pub enum CalibrationError {
         /// Name of the case.
         case: String,
     },
-    /// Limits of a rig that leave nothing to choose from.
+    /// A limit of the rig leaves no candidates.
     #[error("{name} = {value}: {rule}")]
     Limit {
         /// The limit.
@@ -92,7 +92,7 @@ pub enum CalibrationError {
         /// Rule.
         rule: &'static str,
     },
-    /// The case or the model at a point.
+    /// The case is not valid, or the model has no solution at a point.
     #[error("{place}: {source}")]
     Model {
         /// The row or point.
@@ -100,10 +100,10 @@ pub enum CalibrationError {
         /// Cause.
         source: Box<asperity::Error>,
     },
-    /// A least squares fit did not end.
+    /// A least squares fit did not converge.
     #[error("the fit did not converge: {reason}")]
     NotConverged {
-        /// What the method says.
+        /// Termination reason of the method.
         reason: String,
     },
 }
@@ -127,10 +127,10 @@ impl CalibrationError {
     }
 }
 
-/// Rows that a message names; the others are counted.
+/// Rows listed in a message; the others are counted.
 const NAMED: usize = 8;
 
-fn told(file: &str, faults: &[RowFault]) -> String {
+fn listed_faults(file: &str, faults: &[RowFault]) -> String {
     let named = faults.iter().take(NAMED);
     let lines: Vec<String> = named.map(|fault| format!("{file}:{fault}")).collect();
     let more = faults.len().saturating_sub(NAMED);
@@ -140,7 +140,7 @@ fn told(file: &str, faults: &[RowFault]) -> String {
     }
 }
 
-fn told_outliers(file: &str, outliers: &[(usize, f64)], rows: usize) -> String {
+fn listed_outliers(file: &str, outliers: &[(usize, f64)], rows: usize) -> String {
     let named = outliers.iter().take(NAMED);
     let lines: Vec<String> = named
         .map(|(line, residual)| format!("{file}:{line} by {residual:+.0} sigma"))
@@ -150,7 +150,7 @@ fn told_outliers(file: &str, outliers: &[(usize, f64)], rows: usize) -> String {
         more => format!(" and {more} more"),
     };
     format!(
-        "{} of {rows} rows are off the fit by more than ten sigma: {}{more}",
+        "{} of {rows} rows deviate from the fit by more than ten sigma: {}{more}",
         outliers.len(),
         lines.join(", ")
     )

@@ -1,4 +1,4 @@
-//! A rig's table with its cases, from files.
+//! Rig table and its cases from files.
 
 use std::path::Path;
 
@@ -12,22 +12,22 @@ use crate::result::Calibration;
 use crate::rig::RigCase;
 use crate::rig_table::RigTable;
 
-/// Bytes of the largest table: a rig measures no more.
+/// Largest size of a table in bytes.
 const LARGEST_TABLE: u64 = 10_000_000;
 
-/// A table with its text and the cases of its rows.
+/// Rig table with its text and the cases of its rows.
 pub struct RigFiles {
     /// The table.
     pub table: RigTable,
-    /// The text that it was read from.
+    /// Its text.
     pub text: String,
     /// Its cases.
     pub cases: Vec<RigCase>,
 }
 
 impl RigFiles {
-    /// Reads the table in the file `rig` and the cases of its rows by `load`: those that it names, relative to it,
-    /// and `case` for rows that name none.
+    /// Reads the table in the file `rig` and loads the cases of its rows with `load`: the cases that it names, relative
+    /// to it, and `case` for rows without a case.
     ///
     /// # Errors
     /// When a file cannot be read.
@@ -45,11 +45,11 @@ impl RigFiles {
         Self::of_text(&file, table_text(rig)?, named)
     }
 
-    /// Reads the table in `text`, called `name` in messages, and the case of every name in it by `case`; none is
-    /// that of rows which name none.
+    /// Reads the table in `text`, named `name` in messages, and loads the case of every name in it with `case`; rows
+    /// without a name have the name `None`.
     ///
     /// # Errors
-    /// When the table says something that cannot be, or `case` fails.
+    /// When the table is not valid, or `case` fails.
     pub fn of_text<E: From<CalibrationError>>(
         name: &str,
         text: String,
@@ -77,7 +77,7 @@ impl RigFiles {
     }
 }
 
-/// The text of the table in `file`.
+/// Text of the table in `file`.
 ///
 /// # Errors
 /// When it cannot be read, is larger than 10 MB or is not text.
@@ -88,7 +88,7 @@ pub fn table_text(file: &Path) -> Result<String, CalibrationError> {
     })
 }
 
-/// Calibrates on the table in the file `rig`; `case` is that of rows which name none.
+/// Calibrates on the table in the file `rig`; `case` applies to rows without a case.
 ///
 /// # Errors
 /// As [`calibrate`], and when a file cannot be read.

@@ -1,4 +1,5 @@
-//! The fit: stages, then all together, on response surfaces that are made anew about the optimum until it stays.
+//! The fit: in stages, then of all parameters, on response surfaces that are recomputed about the optimum until it is
+//! stationary.
 
 use asperity::case::CalibratedName;
 use nalgebra::{DMatrix, DVector};
@@ -12,15 +13,15 @@ use crate::profile_likelihood::{ProfileBand, profile_band};
 use crate::response::Region;
 use crate::result::StageRow;
 use crate::rig::Rig;
-use crate::rig_model::Told;
+use crate::rig_model::Progress;
 use crate::surfaces::surfaces;
 
-/// Share of the load on the boundary layer below which a point is of the film.
+/// Share of the load on the boundary layer below which film friction dominates a point.
 const FILM: f64 = 0.02;
-/// Part of the largest such share from which a point is of the boundary layer.
+/// Fraction of the largest such share from which boundary friction dominates a point.
 const PLATEAU: f64 = 0.5;
 
-/// A fit with the surfaces that it was made on.
+/// Fit with its response surfaces.
 #[derive(Debug, Clone)]
 pub struct Fit {
     /// Box of the surfaces.
@@ -31,20 +32,20 @@ pub struct Fit {
     pub priors: Vec<f64>,
     /// The measurements.
     pub observations: Vec<Observation>,
-    /// The variables: logarithms of the parameters over their centres, then nuisance terms.
+    /// Minimum over the variables: logarithms of the parameters relative to their centres, then nuisance terms.
     pub minimum: Minimum,
-    /// Their covariance.
+    /// Covariance of the variables.
     pub covariance: DMatrix<f64>,
-    /// Fits before the last one.
+    /// Stages before the last fit.
     pub stages: Vec<StageRow>,
-    /// Surfaces made one after the other.
+    /// Number of rounds of response surfaces.
     pub rounds: usize,
-    /// Whether the optimum stayed well inside the last of them.
+    /// Whether the optimum is well inside the last box.
     pub is_settled: bool,
 }
 
 impl Fit {
-    /// The residuals that were minimised.
+    /// The least squares problem of the fit.
     #[must_use]
     pub fn problem(&self) -> Problem<'_> {
         Problem::new(
@@ -61,16 +62,16 @@ impl Fit {
         self.covariance[(k, k)].sqrt()
     }
 
-    /// The band of parameter `k` by its profile likelihood, in logarithms over its centre.
+    /// Band of parameter `k` by its profile likelihood, in logarithms relative to its centre.
     ///
     /// # Errors
-    /// When a fit on the way does not converge.
+    /// When a fit of the profile does not converge.
     pub fn band(&self, k: usize) -> Result<ProfileBand, CalibrationError> {
         let problem = self.problem();
         let free: Vec<usize> = (0..problem.variables()).filter(|j| *j != k).collect();
         profile_band(self.minimum.x[k], self.deviation(k), |value| {
             let mut start = self.minimum.x.clone();
-            // The others follow along the covariance, which is nearly where they end.
+            // The other variables start at their conditional means, close to their optimum.
             let step = value - start[k];
             let along = self.covariance.column(k) * (step / self.covariance[(k, k)]);
             start += along;
@@ -81,7 +82,7 @@ impl Fit {
 }
 
 impl Rig {
-    /// Fits the measurements, beginning on `first` surfaces.
+    /// Fits the measurements, starting with the surfaces `first`.
     ///
     /// # Errors
     /// When a fit does not converge, or the model has no solution at a point.
@@ -89,9 +90,9 @@ impl Rig {
         &self,
         observations: Vec<Observation>,
         first: (Region, Vec<PointSurfaces>),
-        told: Told<'_>,
+        progress: Progress<'_>,
     ) -> Result<Fit, CalibrationError> {
-        /// Surfaces that are made at most.
+        /// Largest number of rounds.
         const MOST_ROUNDS: usize = 8;
         let priors = self.priors();
         let (mut region, mut made) = first;
@@ -108,46 +109,46 @@ impl Rig {
                 }
             };
             let all: Vec<usize> = (0..problem.variables()).collect();
-            let found = minimum(&problem, &begin, &all)?;
-            let covariance = spread(&problem, &found)?;
-            let is_settled = rounds > 1 && is_settled(&region, &found.x, &covariance);
+            let minimum = minimum(&problem, &begin, &all)?;
+            let covariance = spread(&problem, &minimum)?;
+            let is_settled = rounds > 1 && is_settled(&region, &minimum.x, &covariance);
             if is_settled || rounds == MOST_ROUNDS {
                 return Ok(Fit {
                     region,
                     surfaces: made,
                     priors,
                     observations,
-                    minimum: found,
+                    minimum,
                     covariance,
                     stages,
                     rounds,
                     is_settled,
                 });
             }
-            let next = next_region(&region, &found.x, &covariance);
+            let next = next_region(&region, &minimum.x, &covariance);
             region = next;
-            made = surfaces(&self.model, &region, told)?;
-            start = Some(found.x);
+            made = surfaces(&self.model, &region, progress)?;
+            start = Some(minimum.x);
             rounds += 1;
         }
     }
 
-    /// Film traction from points without asperities, boundary friction from those where it has most of the load,
-    /// the boundary layer from all: the start of the whole fit.
+    /// Start of the fit, in stages: film traction from points without asperity contact, boundary friction from points
+    /// where it dominates, the boundary layer from all points.
     fn staged(
         &self,
         problem: &Problem<'_>,
     ) -> Result<(DVector<f64>, Vec<StageRow>), CalibrationError> {
         use CalibratedName::{BoundaryFriction, BoundaryLayer, EyringStress, LimitingShear};
-        let share = |seen: &Observation| self.nominal[seen.point].boundary_share;
+        let share = |observation: &Observation| self.nominal[observation.point].boundary_share;
         let most = problem.observations.iter().map(share).fold(0.0, f64::max);
-        let film = |seen: &Observation| share(seen) < FILM;
-        let plateau = |seen: &Observation| share(seen) >= PLATEAU * most;
+        let film = |observation: &Observation| share(observation) < FILM;
+        let plateau = |observation: &Observation| share(observation) >= PLATEAU * most;
         let every = |_: &Observation| true;
-        type Kept<'a> = &'a dyn Fn(&Observation) -> bool;
-        let plan: [(&str, Kept<'_>, &[CalibratedName]); 3] = [
+        type Selected<'a> = &'a dyn Fn(&Observation) -> bool;
+        let plan: [(&str, Selected<'_>, &[CalibratedName]); 3] = [
             (
-                "film traction, from points without asperities",
+                "film traction, from points without asperity contact",
                 &film,
                 &[LimitingShear, EyringStress],
             ),
@@ -160,13 +161,13 @@ impl Rig {
         ];
         let mut x = DVector::zeros(problem.variables());
         let mut stages = Vec::new();
-        for (name, kept, names) in plan {
+        for (name, selected, names) in plan {
             let of_stage = |k: &usize| names.contains(&self.parameters[*k].name);
             let free: Vec<usize> = (0..self.parameters.len()).filter(of_stage).collect();
             let taken: Vec<Observation> = problem
                 .observations
                 .iter()
-                .filter(|seen| kept(seen))
+                .filter(|observation| selected(observation))
                 .copied()
                 .collect();
             if free.is_empty() || taken.len() <= free.len() {
@@ -174,7 +175,7 @@ impl Rig {
             }
             let points = taken.len();
             let mut part = problem.with(taken);
-            // Assemblies keep their numbers.
+            // Keeps the indices of the assemblies.
             part.assemblies = problem.assemblies;
             x = minimum(&part, &x, &free)?.x;
             let value = |k: &usize| {
@@ -194,35 +195,36 @@ impl Rig {
 /// Covariance at a minimum, priors included.
 pub(crate) fn spread(
     problem: &Problem<'_>,
-    found: &Minimum,
+    minimum: &Minimum,
 ) -> Result<DMatrix<f64>, CalibrationError> {
-    // Every variable has a prior, so that only rounding could make this singular.
-    covariance(&information(&problem.slopes(&found.x))).ok_or_else(|| {
+    // Every variable has a prior, so only round-off can make the information singular.
+    covariance(&information(&problem.slopes(&minimum.x))).ok_or_else(|| {
         CalibrationError::NotConverged {
             reason: "the information of the fit is singular".to_owned(),
         }
     })
 }
 
-/// The parameters and the offset of the temperature, as the surfaces take them, with their standard deviations.
-fn places(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> Vec<[f64; 2]> {
+/// The coordinates of the surfaces at `x`, the parameters and the temperature offset, with their standard deviations.
+fn coordinates(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> Vec<[f64; 2]> {
     let n = region.centre.len() - 1;
-    let place = |k: usize| {
+    let coordinate = |k: usize| {
         let unit = if k < n { 1.0 } else { TEMPERATURE };
         [unit * x[k], unit * covariance[(k, k)].sqrt()]
     };
-    (0..=n).map(place).collect()
+    (0..=n).map(coordinate).collect()
 }
 
-/// The box about the optimum, as wide as its uncertainty; where the optimum lies beyond the last box, a step towards
-/// it as wide as that.
+/// Box about the optimum, as wide as its uncertainty. If the optimum is outside of the last box, a box of the last
+/// width, moved towards the optimum.
 fn next_region(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> Region {
-    /// Standard deviations of half a box, and its least share of the last.
+    /// Half width of a box in standard deviations.
     const WIDTH: f64 = 2.5;
+    /// Least width of a box relative to the last one.
     const LEAST: f64 = 0.2;
-    let found = places(region, x, covariance);
+    let coordinates = coordinates(region, x, covariance);
     let axes = || {
-        found
+        coordinates
             .iter()
             .zip(region.centre.iter().zip(&region.half_width))
     };
@@ -241,11 +243,11 @@ fn next_region(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> 
     }
 }
 
-/// Whether the optimum lies well inside its box.
+/// Whether the optimum is well inside its box.
 fn is_settled(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> bool {
-    /// Half-widths that the optimum may lie off the middle.
+    /// Distance of the optimum from the centre, in half widths.
     const OFF: f64 = 0.5;
-    let found = places(region, x, covariance);
-    let at: Vec<f64> = found.iter().map(|[at, _]| *at).collect();
-    region.place(&at).iter().all(|u| u.abs() <= OFF)
+    let coordinates = coordinates(region, x, covariance);
+    let at: Vec<f64> = coordinates.iter().map(|[at, _]| *at).collect();
+    region.normalised(&at).iter().all(|u| u.abs() <= OFF)
 }

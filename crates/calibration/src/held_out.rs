@@ -1,4 +1,4 @@
-//! Every temperature predicted from the others.
+//! Cross-validation: every temperature predicted from the others.
 
 use crate::error::CalibrationError;
 use crate::fit::{Fit, spread};
@@ -9,39 +9,40 @@ use crate::result::HeldOut;
 use crate::rig::Rig;
 
 impl Rig {
-    /// Fits the measurements of all temperatures but one and predicts that one, for each of three or more.
+    /// Fits the measurements of all temperatures except one and predicts that one, for each of three or more
+    /// temperatures.
     ///
     /// # Errors
     /// When a fit does not converge.
     pub fn held_out(&self, fit: &Fit) -> Result<Vec<HeldOut>, CalibrationError> {
-        let groups = temperatures(self.wanted.iter().map(|point| point.at[2]));
+        let groups = temperatures(self.operating_points.iter().map(|point| point.at[2]));
         if groups.len() < 3 {
             return Ok(Vec::new());
         }
-        let group_of = |seen: &Observation| {
-            let temperature = self.wanted[seen.point].at[2];
+        let group_of = |observation: &Observation| {
+            let temperature = self.operating_points[observation.point].at[2];
             let far = |k: &usize| (groups[*k] - temperature).abs();
             (0..groups.len()).min_by(|a, b| far(a).total_cmp(&far(b)))
         };
         let problem = fit.problem();
         let all: Vec<usize> = (0..problem.variables()).collect();
         let one = |k: usize| -> Result<HeldOut, CalibrationError> {
-            let (held, kept): (Vec<Observation>, Vec<Observation>) = problem
+            let (held, fitted): (Vec<Observation>, Vec<Observation>) = problem
                 .observations
                 .iter()
-                .partition(|seen| group_of(seen) == Some(k));
-            let mut part = problem.with(kept);
+                .partition(|observation| group_of(observation) == Some(k));
+            let mut part = problem.with(fitted);
             part.assemblies = problem.assemblies;
-            let found = minimum(&part, &fit.minimum.x, &all)?;
-            let covariance = spread(&part, &found)?;
+            let minimum = minimum(&part, &fit.minimum.x, &all)?;
+            let covariance = spread(&part, &minimum)?;
             let (mut sum, mut squares, mut expected) = (0.0, 0.0, 0.0);
-            for seen in &held {
-                let (log_loss, slope) = problem.predicted(&found.x, seen);
-                let error = seen.log_loss - log_loss;
+            for observation in &held {
+                let (log_loss, slope) = problem.predicted(&minimum.x, observation);
+                let error = observation.log_loss - log_loss;
                 sum += error;
                 squares += error * error;
-                expected +=
-                    seen.sigma * seen.sigma + (slope.transpose() * &covariance * &slope)[(0, 0)];
+                expected += observation.sigma * observation.sigma
+                    + (slope.transpose() * &covariance * &slope)[(0, 0)];
             }
             let count = held.len() as f64;
             Ok(HeldOut {

@@ -1,4 +1,4 @@
-//! What the points of a rig can find, and which measurement would help most, before any fit.
+//! Identifiability of the parameters by the points of a rig, and the most useful further measurements, before the fit.
 
 use asperity::case::CalibratedName;
 use nalgebra::{DMatrix, DVector};
@@ -9,19 +9,19 @@ use crate::parameters::Parameter;
 use crate::problem::{Observation, Problem};
 use crate::result::{HelpfulPoint, Identifiability, IdentifiedParameter, Verdict};
 use crate::rig::Rig;
-use crate::rig_model::{Told, Wanted};
+use crate::rig_model::{OperatingPoint, Progress};
 use crate::surfaces::{slope_region, tangents};
 
-/// Λ* that the speeds must sweep before a share is fitted: from below the first to above the second.
+/// Range of Λ* that the speeds must exceed at both ends for a fit of the boundary share.
 pub const SWEEP: [f64; 2] = [0.3, 1.5];
-/// Temperatures closer than this are one \[K\].
+/// Difference below which temperatures are grouped \[K\].
 const SAME_TEMPERATURE: f64 = 5.0;
-/// Least span of the temperatures of a fit of the share \[K\].
+/// Least temperature range for a fit of the boundary share \[K\].
 const LEAST_SPAN: f64 = 10.0;
-/// Fewest operating points of a fit of the share: those of the parameters, and one to judge by.
+/// Fewest operating points for a fit of the boundary share: one per parameter, and one to test the fit.
 const FEWEST_POINTS: usize = 5;
 
-/// Temperatures \[°C\], those close together as their mean, rising.
+/// Distinct temperatures \[°C\] in ascending order; close temperatures are replaced by their mean.
 #[must_use]
 pub fn temperatures(all: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut values: Vec<f64> = all.collect();
@@ -39,11 +39,11 @@ pub fn temperatures(all: impl Iterator<Item = f64>) -> Vec<f64> {
         .collect()
 }
 
-/// Refuses a fit of the boundary layer, which decides the share, where the points cannot tell it: a single
-/// temperature, a few points, or speeds that do not sweep Λ* from below 0.3 to above 1.5.
+/// Rejects a fit of the boundary layer, which determines the boundary share, if the points do not identify it: one
+/// temperature, few points, or speeds without Λ* below 0.3 and above 1.5.
 ///
 /// # Errors
-/// With everything that is missing.
+/// Lists all missing conditions.
 pub fn check_share(
     name: &str,
     parameters: &[Parameter],
@@ -58,25 +58,28 @@ pub fn check_share(
     let mut missing = Vec::new();
     if points.len() < FEWEST_POINTS {
         missing.push(format!(
-            "{FEWEST_POINTS} operating points or more are needed"
+            "{FEWEST_POINTS} operating points or more are required"
         ));
     }
-    let found = temperatures(points.iter().map(|(at, _)| at[2]));
-    let span = found
+    let temperatures = temperatures(points.iter().map(|(at, _)| at[2]));
+    let span = temperatures
         .last()
-        .zip(found.first())
+        .zip(temperatures.first())
         .map_or(0.0, |(high, low)| high - low);
     if span < LEAST_SPAN {
-        let seen: Vec<String> = found.iter().map(|value| format!("{value:.0} °C")).collect();
+        let listed: Vec<String> = temperatures
+            .iter()
+            .map(|value| format!("{value:.0} °C"))
+            .collect();
         missing.push(format!(
-            "temperature: {} only; two that lie {LEAST_SPAN:.0} K apart are needed, three are better",
-            seen.join(", ")
+            "temperature: only {}; two temperatures {LEAST_SPAN:.0} K apart are required, three are better",
+            listed.join(", ")
         ));
     }
-    match swept(points.iter().map(|(_, ratio)| *ratio)) {
+    match lambda_star_range(points.iter().map(|(_, ratio)| *ratio)) {
         None => missing.push("Lambda* is not known, because the flanks have no peaks".to_owned()),
         Some([low, high]) if low > SWEEP[0] || high < SWEEP[1] => missing.push(format!(
-            "speed range: Lambda* from {low:.2} to {high:.2}; from below {} (slow, hot) to above {} (fast, cold) is needed",
+            "speed range: Lambda* from {low:.2} to {high:.2}; from below {} (slow, hot) to above {} (fast, cold) is required",
             SWEEP[0], SWEEP[1]
         )),
         Some(_) => {}
@@ -91,8 +94,8 @@ pub fn check_share(
     })
 }
 
-/// Smallest and largest Λ*; none where one is not known.
-pub(crate) fn swept(all: impl Iterator<Item = Option<f64>>) -> Option<[f64; 2]> {
+/// Smallest and largest Λ*; `None` if one is not known.
+pub(crate) fn lambda_star_range(all: impl Iterator<Item = Option<f64>>) -> Option<[f64; 2]> {
     let known: Option<Vec<f64>> = all.collect();
     let known = known.filter(|values| !values.is_empty())?;
     let ends = known
@@ -104,26 +107,26 @@ pub(crate) fn swept(all: impl Iterator<Item = Option<f64>>) -> Option<[f64; 2]> 
 }
 
 impl Rig {
-    /// Refuses what [`check_share`] refuses.
+    /// Checks the points by [`check_share`].
     ///
     /// # Errors
-    /// With everything that is missing.
+    /// Lists all missing conditions.
     pub fn check_share(&self) -> Result<(), CalibrationError> {
-        let points = self.wanted.iter().zip(&self.nominal);
+        let points = self.operating_points.iter().zip(&self.nominal);
         let points: Vec<_> = points
             .map(|(point, parts)| (point.at, parts.lambda_star))
             .collect();
         check_share(&self.table.name, &self.parameters, &points)
     }
 
-    /// What the points of `problem` can find with the parameters at their centres.
+    /// Identifiability by the points of `problem` with the parameters at their centres.
     ///
     /// # Errors
     /// When the model has no solution at a further point.
     pub fn identifiability(
         &self,
         problem: &Problem<'_>,
-        told: Told<'_>,
+        progress: Progress<'_>,
     ) -> Result<Identifiability, CalibrationError> {
         let start = DVector::zeros(problem.variables());
         let whole = information(&problem.slopes(&start));
@@ -139,29 +142,35 @@ impl Rig {
         };
         let named = self.parameters.iter().enumerate();
         Ok(Identifiability {
-            points: self.wanted.len(),
-            temperatures_c: temperatures(self.wanted.iter().map(|point| point.at[2])),
-            lambda_star: swept(self.nominal.iter().map(|parts| parts.lambda_star)),
+            points: self.operating_points.len(),
+            temperatures_c: temperatures(self.operating_points.iter().map(|point| point.at[2])),
+            lambda_star: lambda_star_range(self.nominal.iter().map(|parts| parts.lambda_star)),
             parameters: named.map(|(k, parameter)| verdict(k, parameter)).collect(),
             worst_correlation: worst_correlation(&self.parameters, &whole),
-            helpful: self.helpful(problem, &whole, told)?,
+            helpful: self.helpful(problem, &whole, progress)?,
         })
     }
 
-    /// Further points and what they would bring, the best first.
+    /// Further points with their gain, best first.
     fn helpful(
         &self,
         problem: &Problem<'_>,
         whole: &DMatrix<f64>,
-        told: Told<'_>,
+        progress: Progress<'_>,
     ) -> Result<Vec<HelpfulPoint>, CalibrationError> {
-        /// Points that are told.
-        const TOLD: usize = 3;
+        /// Number of points reported.
+        const REPORTED: usize = 3;
         let candidates = self.candidates();
         let model = self.model.at_points(&candidates);
         let region = slope_region(&self.parameters);
-        let planes = tangents(&model, &region, told)?;
-        let sigma = median(problem.observations.iter().map(|seen| seen.sigma).collect());
+        let planes = tangents(&model, &region, progress)?;
+        let sigma = median(
+            problem
+                .observations
+                .iter()
+                .map(|observation| observation.sigma)
+                .collect(),
+        );
         let Some(before) = covariance(whole) else {
             return Ok(Vec::new());
         };
@@ -172,9 +181,9 @@ impl Rig {
         };
         let start = DVector::zeros(problem.variables());
         let mut gains: Vec<(f64, HelpfulPoint)> = Vec::new();
-        for (point, wanted) in candidates.iter().enumerate() {
-            let [torque_nm, speed_rpm, temperature_c] = wanted.at;
-            let seen = Observation {
+        for (point, operating_points) in candidates.iter().enumerate() {
+            let [torque_nm, speed_rpm, temperature_c] = operating_points.at;
+            let observation = Observation {
                 point,
                 assembly: 0,
                 log_loss: 0.0,
@@ -182,7 +191,7 @@ impl Rig {
                 omega: speed_rpm * std::f64::consts::PI / 30.0,
                 bearing_torque: 0.0,
             };
-            let slope = other.predicted(&start, &seen).1 / sigma;
+            let slope = other.predicted(&start, &observation).1 / sigma;
             let Some(after) = covariance(&(whole + &slope * slope.transpose())) else {
                 continue;
             };
@@ -202,17 +211,17 @@ impl Rig {
         gains.sort_by(|a, b| b.0.total_cmp(&a.0));
         Ok(gains
             .into_iter()
-            .take(TOLD)
+            .take(REPORTED)
             .map(|(_, helpful)| helpful)
             .collect())
     }
 
-    /// Points about those of the table: its least and largest torque, speeds of half to twice its own, three
-    /// temperatures.
-    fn candidates(&self) -> Vec<Wanted> {
+    /// Candidates around the points of the table: its least and largest torque, speeds from half its least to twice its
+    /// largest, three temperatures.
+    fn candidates(&self) -> Vec<OperatingPoint> {
         const SPEEDS: usize = 6;
         const TEMPERATURES: [f64; 3] = [40.0, 70.0, 100.0];
-        let speeds = self.wanted.iter().map(|point| point.at[1]);
+        let speeds = self.operating_points.iter().map(|point| point.at[1]);
         let [low, high] = speeds.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], speed| {
             [low.min(speed), high.max(speed)]
         });
@@ -225,23 +234,23 @@ impl Rig {
             .copied()
             .collect();
         ends.dedup();
-        let mut found = Vec::new();
+        let mut candidates = Vec::new();
         for torque in ends {
             for temperature in TEMPERATURES {
                 for k in 0..SPEEDS {
                     let speed = low * (high / low).powf(k as f64 / (SPEEDS - 1) as f64);
-                    found.push(Wanted {
+                    candidates.push(OperatingPoint {
                         case: 0,
                         at: [torque, rounded(speed), temperature],
                     });
                 }
             }
         }
-        found
+        candidates
     }
 }
 
-/// Two digits, as one sets a rig.
+/// Rounds to two digits, as a rig is set.
 pub(crate) fn rounded(value: f64) -> f64 {
     let power = 10f64.powf(value.abs().log10().floor() - 1.0);
     (value / power).round() * power
@@ -259,12 +268,12 @@ fn worst_correlation(
     parameters: &[Parameter],
     whole: &DMatrix<f64>,
 ) -> Option<(String, String, f64)> {
-    let found = correlations(&covariance(whole)?);
+    let correlations = correlations(&covariance(whole)?);
     let n = parameters.len();
     let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
-    let worst = pairs.max_by(|a, b| found[*a].abs().total_cmp(&found[*b].abs()))?;
+    let worst = pairs.max_by(|a, b| correlations[*a].abs().total_cmp(&correlations[*b].abs()))?;
     let name = |k: usize| parameters[k].words().to_owned();
-    Some((name(worst.0), name(worst.1), found[worst]))
+    Some((name(worst.0), name(worst.1), correlations[worst]))
 }
 
 pub(crate) fn median(mut values: Vec<f64>) -> f64 {
@@ -298,7 +307,7 @@ mod tests {
         let ratios = [0.2, 0.6, 1.0, 1.6];
         let error = check_share("rig.csv", &all, &points(&[89.0, 91.0], &ratios)).unwrap_err();
         assert!(
-            error.to_string().contains("temperature: 90 °C only"),
+            error.to_string().contains("temperature: only 90 °C"),
             "{error}"
         );
         assert!(!error.to_string().contains("speed range"), "{error}");
@@ -312,7 +321,7 @@ mod tests {
         let text = check_share("rig.csv", &all, &few).unwrap_err().to_string();
         for part in [
             "5 operating points",
-            "temperature: 90 °C",
+            "temperature: only 90 °C",
             "Lambda* from 0.40 to 1.00",
         ] {
             assert!(text.contains(part), "{part}: {text}");

@@ -1,15 +1,15 @@
-//! Fisher's information of a design: what its points can find before any is measured.
+//! Fisher's information of a design: the expected covariance of the parameters before any measurement.
 
 use asperity_core::cite;
 use nalgebra::{DMatrix, DVector};
 
-/// Information on variables whose residuals have the derivatives `slopes`, a row a point in standard deviations:
+/// Information on the variables from the derivatives `slopes` of the residuals, one row per point in standard deviations:
 ///
 /// ```text
 /// I = Σ j jᵀ,  C = I⁻¹                                                        [Fisher-information]
 /// ```
 ///
-/// Rows of priors are among the points.
+/// Priors are rows like points.
 ///
 /// ```
 /// use asperity_calibration::information::{covariance, information};
@@ -26,20 +26,23 @@ pub fn information(slopes: &DMatrix<f64>) -> DMatrix<f64> {
     slopes.transpose() * slopes
 }
 
-/// Covariance of the variables; none where a combination of them is not found at all.
+/// Covariance of the variables; `None` if a combination of them is not identified.
 #[must_use]
 pub fn covariance(information: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    information.clone().cholesky().map(|found| found.inverse())
+    information
+        .clone()
+        .cholesky()
+        .map(|factor| factor.inverse())
 }
 
-/// Standard deviation of variable `k` without its own prior of width `prior`; none where nothing else tells it.
+/// Standard deviation of variable `k` without its own prior of width `prior`; `None` if only the prior determines it.
 #[must_use]
 pub fn deviation_without_prior(information: &DMatrix<f64>, k: usize, prior: f64) -> Option<f64> {
-    /// Information below which rounding has the say.
+    /// Information that is only round-off.
     const LEAST: f64 = 1e-9;
     let variance = covariance(information)?[(k, k)];
-    let own = 1.0 / variance - 1.0 / (prior * prior);
-    (own > LEAST).then(|| own.sqrt().recip())
+    let without_prior = 1.0 / variance - 1.0 / (prior * prior);
+    (without_prior > LEAST).then(|| without_prior.sqrt().recip())
 }
 
 /// Correlations of a covariance.
@@ -47,7 +50,7 @@ pub fn deviation_without_prior(information: &DMatrix<f64>, k: usize, prior: f64)
 pub fn correlations(covariance: &DMatrix<f64>) -> DMatrix<f64> {
     let deviations: DVector<f64> = covariance.diagonal().map(f64::sqrt);
     DMatrix::from_fn(covariance.nrows(), covariance.ncols(), |i, j| {
-        // Rounding would leave the last digit of the diagonal to chance.
+        // The diagonal is exactly one, without round-off.
         match i == j {
             true => 1.0,
             false => covariance[(i, j)] / (deviations[i] * deviations[j]),

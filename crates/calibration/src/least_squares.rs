@@ -1,24 +1,24 @@
-//! Least squares by the method of Levenberg and Marquardt, over some or all of the variables.
+//! Least squares by the method of Levenberg and Marquardt, over some or all variables.
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
 use crate::error::CalibrationError;
 
-/// Residuals of many variables.
+/// Residuals as a function of the variables.
 pub trait Residuals {
-    /// The residuals at `x`, and their derivatives: a row a residual.
+    /// Residuals at `x` and their derivatives, one row per residual.
     fn at(&self, x: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>);
 }
 
-/// The minimum of a sum of squares.
+/// Minimum of a sum of squares.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Minimum {
     /// The variables.
     pub x: DVector<f64>,
     /// Sum of the squared residuals.
     pub squares: f64,
-    /// Evaluations of the residuals.
+    /// Number of evaluations of the residuals.
     pub evaluations: usize,
 }
 
@@ -27,13 +27,14 @@ struct Free<'a> {
     residuals: &'a dyn Residuals,
     whole: DVector<f64>,
     free: &'a [usize],
-    found: (DVector<f64>, DMatrix<f64>),
+    /// Residuals and their derivatives by the free variables.
+    value: (DVector<f64>, DMatrix<f64>),
 }
 
 impl Free<'_> {
     fn evaluate(&mut self) {
         let (residuals, slopes) = self.residuals.at(&self.whole);
-        self.found = (residuals, slopes.select_columns(self.free));
+        self.value = (residuals, slopes.select_columns(self.free));
     }
 }
 
@@ -54,34 +55,34 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Free<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        Some(self.found.0.clone())
+        Some(self.value.0.clone())
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        Some(self.found.1.clone())
+        Some(self.value.1.clone())
     }
 }
 
-/// The least sum of squares from `start` over the variables `free`; the others stay.
+/// Minimises the sum of squares over the variables `free`, from `start`; the other variables are constant.
 ///
 /// # Errors
-/// When the method does not end at a minimum.
+/// When the method does not converge to a minimum.
 pub fn minimum(
     residuals: &dyn Residuals,
     start: &DVector<f64>,
     free: &[usize],
 ) -> Result<Minimum, CalibrationError> {
-    /// Relative change of sum and variables at which a fit ends: far below what a band shows.
+    /// Relative change of sum and variables at which a fit ends, far below the digits of a band.
     const TOLERANCE: f64 = 1e-10;
     let mut problem = Free {
         residuals,
         whole: start.clone(),
         free,
-        found: (DVector::zeros(0), DMatrix::zeros(0, 0)),
+        value: (DVector::zeros(0), DMatrix::zeros(0, 0)),
     };
     problem.evaluate();
     if free.is_empty() {
-        let squares = problem.found.0.norm_squared();
+        let squares = problem.value.0.norm_squared();
         return Ok(Minimum {
             x: problem.whole,
             squares,
@@ -93,7 +94,7 @@ pub fn minimum(
         .with_xtol(TOLERANCE)
         .with_gtol(TOLERANCE);
     let (problem, report) = method.minimize(problem);
-    // At the last digits no step improves any more: that is a minimum too.
+    // Within round-off no step improves the sum: also a minimum.
     let is_at_round_off = matches!(
         report.termination,
         TerminationReason::NoImprovementPossible(_)

@@ -1,18 +1,18 @@
-//! From losses measured on a rig to boundary friction, boundary layer and film traction with their bands.
+//! Calibration of boundary friction, boundary layer and film traction, with their bands, on losses measured on a rig.
 //!
-//! [`calibrate()`] fits four constants that no data sheet holds to the points of a [`RigTable`]; what it finds goes into
-//! the table `calibration` of a case, and its bands into the band of every later loss. [`plan`] proposes the points
-//! that find them best.
+//! [`calibrate()`] fits four constants that are in no data sheet to the points of a [`RigTable`]. Its result is the table
+//! `calibration` of a case, whose bands are part of the band of every later loss. [`plan`] chooses the points with the
+//! best information on the constants.
 //!
 //! | step | file |
 //! |---|---|
 //! | the table and its checks | [`rig_table`] |
-//! | the model at the points, by kept contacts | [`rig_model`] |
+//! | the model at the points, with stored contacts | [`rig_model`] |
 //! | response surfaces in place of the model | [`response`], [`surfaces`] |
-//! | what the points can find | [`information`], [`identifiability`] |
+//! | identifiability | [`information`], [`identifiability`] |
 //! | stages and the fit | [`least_squares`], [`problem`], [`fit`] |
 //! | bands | [`profile_likelihood`], [`bootstrap`](mod@bootstrap) |
-//! | a design | [`optimal_design`], [`design`] |
+//! | optimal design | [`optimal_design`], [`design`] |
 
 mod block;
 pub mod bootstrap;
@@ -52,5 +52,4 @@ pub use result::{
 };
 pub use rig::{Rig, RigCase};
 pub use rig_table::{RigRow, RigTable, Scope};
-pub use summary::{before_the_fit, design_summary, summary};
-pub use write::{check_place, write, write_design};
+pub use summary::before_the_fit;

@@ -1,19 +1,19 @@
-//! D-optimal choice of points by exchange.
+//! D-optimal choice of points by exchange (Fedorov).
 
 use asperity_core::cite;
 use nalgebra::DMatrix;
 
 use crate::information::information;
 
-/// Numbers of the `count` candidates that find the first `interest` variables best, each at most `repeats` times.
+/// Indices of `count` candidates that are D-optimal for the first `interest` variables, each at most `repeats` times.
 ///
 /// ```text
 /// max ln det (I_11 − I_12 I_22⁻¹ I_21),  I = I_prior + Σ J_kᵀ J_k             [D-optimal]
 /// ```
 ///
-/// A candidate is the derivatives of what it would measure in standard deviations, a row a measurement; the other
-/// variables are nuisance terms. Points are put in one by one and then exchanged as long as that pays (Fedorov), which
-/// ends at a design that no exchange of one point improves.
+/// A candidate holds the derivatives of its measurements in standard deviations, one row per measurement; the other
+/// variables are nuisance terms. Points are added one by one and then exchanged until no exchange of a single point
+/// improves the design (Fedorov).
 ///
 /// ```
 /// use asperity_calibration::optimal_design::d_optimal;
@@ -33,49 +33,49 @@ pub fn d_optimal(
     prior: &DMatrix<f64>,
 ) -> Vec<usize> {
     cite!("D-optimal");
-    /// Gain below which an exchange is rounding.
+    /// Gain of an exchange that is only round-off.
     const LEAST_GAIN: f64 = 1e-9;
-    /// Rounds of exchanges: a handful is usual.
+    /// Largest number of rounds of exchanges; a few are usual.
     const MOST_ROUNDS: usize = 50;
     if candidates.is_empty() {
         return Vec::new();
     }
-    let each: Vec<DMatrix<f64>> = candidates.iter().map(information).collect();
+    let information_of: Vec<DMatrix<f64>> = candidates.iter().map(information).collect();
     let size = prior.nrows();
-    // Before enough points are in, nothing is found: a whiff of a prior ranks them.
+    // The first points leave variables undetermined: a weak prior makes the determinant finite and ranks them.
     let whiff = 1e-9
-        * each
+        * information_of
             .iter()
             .map(DMatrix::trace)
             .fold(f64::MIN_POSITIVE, f64::max);
     let base = prior + DMatrix::identity(size, size) * whiff;
     let value = |whole: &DMatrix<f64>| log_determinant(whole, interest);
-    let best = |whole: &DMatrix<f64>, taken: &[usize]| {
-        let free = (0..each.len()).filter(|k| taken[*k] < repeats);
-        let ranked = free.map(|k| (k, value(&(whole + &each[k]))));
+    let best = |whole: &DMatrix<f64>, uses: &[usize]| {
+        let free = (0..information_of.len()).filter(|k| uses[*k] < repeats);
+        let ranked = free.map(|k| (k, value(&(whole + &information_of[k]))));
         ranked.max_by(|a, b| a.1.total_cmp(&b.1))
     };
     let mut whole = base;
     let mut chosen = Vec::with_capacity(count);
-    let mut taken = vec![0; each.len()];
-    while let Some((k, _)) = best(&whole, &taken).filter(|_| chosen.len() < count) {
-        whole += &each[k];
-        taken[k] += 1;
+    let mut uses = vec![0; information_of.len()];
+    while let Some((k, _)) = best(&whole, &uses).filter(|_| chosen.len() < count) {
+        whole += &information_of[k];
+        uses[k] += 1;
         chosen.push(k);
     }
     for _ in 0..MOST_ROUNDS {
         let mut has_changed = false;
-        for place in &mut chosen {
+        for slot in &mut chosen {
             let before = value(&whole);
-            let without = &whole - &each[*place];
-            taken[*place] -= 1;
-            let better = best(&without, &taken).filter(|(_, after)| *after > before + LEAST_GAIN);
+            let without = &whole - &information_of[*slot];
+            uses[*slot] -= 1;
+            let better = best(&without, &uses).filter(|(_, after)| *after > before + LEAST_GAIN);
             if let Some((k, _)) = better {
-                whole = without + &each[k];
-                *place = k;
+                whole = without + &information_of[k];
+                *slot = k;
                 has_changed = true;
             }
-            taken[*place] += 1;
+            uses[*slot] += 1;
         }
         if !has_changed {
             break;
@@ -84,12 +84,12 @@ pub fn d_optimal(
     chosen
 }
 
-/// ln det of the information on the first `interest` variables, the others unknown.
+/// ln det of the information on the first `interest` variables, with the others unknown.
 #[must_use]
 pub fn log_determinant(whole: &DMatrix<f64>, interest: usize) -> f64 {
     let log = |matrix: DMatrix<f64>| {
-        matrix.cholesky().map(|found| {
-            2.0 * found
+        matrix.cholesky().map(|factor| {
+            2.0 * factor
                 .l_dirty()
                 .diagonal()
                 .iter()
@@ -97,11 +97,17 @@ pub fn log_determinant(whole: &DMatrix<f64>, interest: usize) -> f64 {
                 .sum::<f64>()
         })
     };
-    let rest = whole.nrows() - interest;
-    let nuisance = whole.view((interest, interest), (rest, rest)).into_owned();
-    let of_rest = if rest == 0 { Some(0.0) } else { log(nuisance) };
-    match (log(whole.clone()), of_rest) {
-        (Some(all), Some(rest)) => all - rest,
+    let others = whole.nrows() - interest;
+    let nuisance = whole
+        .view((interest, interest), (others, others))
+        .into_owned();
+    let of_nuisance = if others == 0 {
+        Some(0.0)
+    } else {
+        log(nuisance)
+    };
+    match (log(whole.clone()), of_nuisance) {
+        (Some(all), Some(nuisance)) => all - nuisance,
         _ => f64::NEG_INFINITY,
     }
 }

@@ -1,4 +1,4 @@
-//! The page of a calibration, and that of a design.
+//! Pages of a calibration and of a design.
 
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
@@ -8,38 +8,41 @@ use crate::design::Design;
 use crate::result::{Calibration, FittedParameter, FittedPoint};
 use crate::summary::{percent, range, shown};
 
-/// Table that the points are in.
+/// Table of the points.
 const POINTS: &str = "points.csv";
 
-pub(crate) fn render(found: &Calibration) -> String {
+pub(crate) fn render(calibration: &Calibration) -> String {
     let sections = [
-        ("Parameters", parameters(found)),
-        ("Measured and fitted", measured(found)),
-        ("Residuals", residuals(found)),
-        ("Profiles", profiles(found)),
-        ("What the points can find", identifiability(found)),
-        ("Nuisance terms", nuisance(found)),
-        ("For the case", html! { pre { code { (found.block) } } }),
-        ("Provenance", provenance(found)),
+        ("Parameters", parameters(calibration)),
+        ("Measured and fitted", measured(calibration)),
+        ("Residuals", residuals(calibration)),
+        ("Profiles", profiles(calibration)),
+        ("Identifiability", identifiability(calibration)),
+        ("Nuisance terms", nuisance(calibration)),
+        (
+            "For the case",
+            html! { pre { code { (calibration.block) } } },
+        ),
+        ("Provenance", provenance(calibration)),
     ];
-    let kind = if found.is_simulated {
+    let kind = if calibration.is_simulated {
         "calibration on SIMULATED losses"
     } else {
         "calibration"
     };
-    let subtitle = format!("{} · {kind}, {}", found.program, found.table);
-    page(&found.title, &subtitle, &sections)
+    let subtitle = format!("{} · {kind}, {}", calibration.program, calibration.table);
+    page(&calibration.title, &subtitle, &sections)
 }
 
-fn parameters(found: &Calibration) -> Markup {
+fn parameters(calibration: &Calibration) -> Markup {
     html! {
-        @if found.is_simulated {
+        @if calibration.is_simulated {
             p { strong { "The losses of this table are simulated: " } "a rehearsal of a rig, not a measurement." }
         }
         div.scroll { table {
             thead { tr { th { "parameter" } th.number { "value" } th.number { "95 % band" } th.number { "profile likelihood" }
                 th.number { "bootstrap over assemblies" } th.number { "default" } th.number { "range without calibration" } th { "by the points" } } }
-            tbody { @for one in &found.parameters { tr {
+            tbody { @for one in &calibration.parameters { tr {
                 th scope="row" { (one.name) }
                 td.number { (shown(&one.key, one.value)) }
                 td.number { (range(&one.key, one.band)) }
@@ -50,22 +53,22 @@ fn parameters(found: &Calibration) -> Markup {
                 td { (one.verdict.text()) }
             } } }
         } }
-        p { "Chi squared " (format!("{:.1}", found.chi_squared)) " of " (format!("{:.1}", found.freedom)) " expected. "
-            "The bands hold scatter and nuisance terms, not the structure of the model: other readings of it stand beside the band of a run." }
-        (correlations(found))
-        (held_out(found))
-        @if !found.warnings.is_empty() {
-            ul { @for warning in &found.warnings { li { (warning.to_string()) } } }
+        p { "Chi squared " (format!("{:.1}", calibration.chi_squared)) " of " (format!("{:.1}", calibration.freedom)) " expected. "
+            "The bands include scatter and nuisance terms, but not the structure of the model: alternative models are listed with a run." }
+        (correlations(calibration))
+        (held_out(calibration))
+        @if !calibration.warnings.is_empty() {
+            ul { @for warning in &calibration.warnings { li { (warning.to_string()) } } }
         }
     }
 }
 
-fn correlations(found: &Calibration) -> Markup {
+fn correlations(calibration: &Calibration) -> Markup {
     html! {
         h3 { "Correlations of the logarithms" }
         div.scroll { table {
-            thead { tr { th {} @for one in &found.parameters { th.number { (one.name) } } } }
-            tbody { @for (one, row) in found.parameters.iter().zip(&found.correlations) { tr {
+            thead { tr { th {} @for one in &calibration.parameters { th.number { (one.name) } } } }
+            tbody { @for (one, row) in calibration.parameters.iter().zip(&calibration.correlations) { tr {
                 th scope="row" { (one.name) }
                 @for value in row { td.number { (format!("{value:+.2}")) } }
             } } }
@@ -73,13 +76,13 @@ fn correlations(found: &Calibration) -> Markup {
     }
 }
 
-fn held_out(found: &Calibration) -> Markup {
+fn held_out(calibration: &Calibration) -> Markup {
     let share = |value: f64| format!("{:.1} %", 100.0 * value);
-    html! { @if !found.held_out.is_empty() {
+    html! { @if !calibration.held_out.is_empty() {
         h3 { "Every temperature predicted from the others" }
         div.scroll { table {
-            thead { tr { th.number { "temperature" } th.number { "points" } th.number { "off by (rms)" } th.number { "expected" } th.number { "mean" } } }
-            tbody { @for one in &found.held_out { tr {
+            thead { tr { th.number { "temperature" } th.number { "points" } th.number { "deviation (rms)" } th.number { "expected" } th.number { "mean" } } }
+            tbody { @for one in &calibration.held_out { tr {
                 td.number { (format!("{:.0} °C", one.temperature_c)) } td.number { (one.points) }
                 td.number { (share(one.rms_error)) } td.number { (share(one.expected_error)) } td.number { (share(one.mean_error)) }
             } } }
@@ -87,23 +90,23 @@ fn held_out(found: &Calibration) -> Markup {
     } }
 }
 
-/// Points by their temperature.
-fn by_temperature<'a>(found: &'a Calibration) -> Vec<(f64, Vec<&'a FittedPoint>)> {
+/// Points grouped by temperature.
+fn by_temperature<'a>(calibration: &'a Calibration) -> Vec<(f64, Vec<&'a FittedPoint>)> {
     let of = |at: f64| {
         let nearest = |point: &&FittedPoint| {
-            let all = found.identifiability.temperatures_c.iter().copied();
+            let all = calibration.identifiability.temperatures_c.iter().copied();
             let far = |other: f64| (other - point.temperature_c).abs();
             all.fold(f64::INFINITY, |best, other| {
                 if far(other) < far(best) { other } else { best }
             }) == at
         };
-        found
+        calibration
             .points
             .iter()
             .filter(nearest)
             .collect::<Vec<&'a FittedPoint>>()
     };
-    found
+    calibration
         .identifiability
         .temperatures_c
         .iter()
@@ -111,8 +114,8 @@ fn by_temperature<'a>(found: &'a Calibration) -> Vec<(f64, Vec<&'a FittedPoint>)
         .collect()
 }
 
-fn series(found: &Calibration, of: impl Fn(&FittedPoint) -> [f64; 2]) -> Vec<Series> {
-    by_temperature(found)
+fn series(calibration: &Calibration, of: impl Fn(&FittedPoint) -> [f64; 2]) -> Vec<Series> {
+    by_temperature(calibration)
         .into_iter()
         .map(|(at, points)| {
             let points = points.into_iter().map(&of);
@@ -121,20 +124,20 @@ fn series(found: &Calibration, of: impl Fn(&FittedPoint) -> [f64; 2]) -> Vec<Ser
         .collect()
 }
 
-fn charted(mut chart: Chart, all: Vec<Series>) -> Markup {
-    chart.series = all;
+fn charted(mut chart: Chart, series: Vec<Series>) -> Markup {
+    chart.series = series;
     figure(&Drawing::Curves(chart))
 }
 
-fn measured(found: &Calibration) -> Markup {
-    let losses = found
+fn measured(calibration: &Calibration) -> Markup {
+    let losses = calibration
         .points
         .iter()
         .flat_map(|point| [point.measured_w, point.fitted_w]);
     let [low, high] = losses.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], loss| {
         [low.min(loss), high.max(loss)]
     });
-    let mut all = series(found, |point| [point.fitted_w, point.measured_w]);
+    let mut all = series(calibration, |point| [point.fitted_w, point.measured_w]);
     all.push(Series::new(
         "equal",
         Line::Dashed,
@@ -151,13 +154,13 @@ fn measured(found: &Calibration) -> Markup {
     html! { div.charts { (charted(chart, all)) } }
 }
 
-fn residuals(found: &Calibration) -> Markup {
+fn residuals(calibration: &Calibration) -> Markup {
     let over = |id: &str, title: &str, x: Axis, of: fn(&FittedPoint) -> f64| {
         let y = Axis::new("ln(measured/fitted)", "sigma");
         let chart = Chart::new(id, title, POINTS, x, y).level(0.0, "");
         charted(
             chart,
-            series(found, |point| [of(point), point.residual_sigma]),
+            series(calibration, |point| [of(point), point.residual_sigma]),
         )
     };
     html! { div.charts {
@@ -167,7 +170,7 @@ fn residuals(found: &Calibration) -> Markup {
     } }
 }
 
-fn profiles(found: &Calibration) -> Markup {
+fn profiles(calibration: &Calibration) -> Markup {
     let drawn = |one: &FittedParameter| {
         let factor = match one.key.as_str() {
             "boundary_layer" => 1e9,
@@ -191,15 +194,15 @@ fn profiles(found: &Calibration) -> Markup {
         let chart = chart.level(crate::profile_likelihood::RISE, "95 %");
         charted(chart, vec![Series::new(&one.name, Line::Dots, &x, &y)])
     };
-    html! { div.charts { @for one in &found.parameters { (drawn(one)) } } }
+    html! { div.charts { @for one in &calibration.parameters { (drawn(one)) } } }
 }
 
-fn identifiability(found: &Calibration) -> Markup {
-    let design = &found.identifiability;
+fn identifiability(calibration: &Calibration) -> Markup {
+    let design = &calibration.identifiability;
     html! {
         p { (design.points) " operating points"
             @if let Some([low, high]) = design.lambda_star { (format!(", Lambda* from {low:.2} to {high:.2}")) }
-            ". Before the fit, from the slopes of the model alone; each without its own prior." }
+            ". Before the fit, from the derivatives of the model; each parameter without its own prior." }
         div.scroll { table {
             thead { tr { th { "parameter" } th.number { "by the points" } th.number { "prior" } th { "verdict" } } }
             tbody { @for one in &design.parameters { tr {
@@ -220,25 +223,25 @@ fn identifiability(found: &Calibration) -> Markup {
     }
 }
 
-fn nuisance(found: &Calibration) -> Markup {
+fn nuisance(calibration: &Calibration) -> Markup {
     html! { div.scroll { table {
         thead { tr { th { "term" } th.number { "value" } th.number { "±" } th.number { "prior ±" } th { "unit" } } }
-        tbody { @for row in &found.nuisance { tr {
+        tbody { @for row in &calibration.nuisance { tr {
             th scope="row" { (row.name) } td.number { (format!("{:.3}", row.value)) } td.number { (format!("{:.3}", row.deviation)) }
             td.number { (format!("{:.3}", row.prior)) } td { (row.unit) }
         } } }
     } } }
 }
 
-fn provenance(found: &Calibration) -> Markup {
-    let evidence = &found.evidence;
+fn provenance(calibration: &Calibration) -> Markup {
+    let evidence = &calibration.evidence;
     html! {
-        p { "Table " code { (found.table) } ", SHA-256 " code { (found.sha256) } "." }
-        p { (evidence.evaluations) " evaluations of the model by kept contacts, " (evidence.rounds) " response surfaces; the last one is off the model by "
+        p { "Table " code { (calibration.table) } ", SHA-256 " code { (calibration.sha256) } "." }
+        p { (evidence.evaluations) " evaluations of the model with stored contacts, " (evidence.rounds) " response surfaces; the last one differs from the model by "
             (format!("{:.3} %", 100.0 * evidence.largest_surface_error)) " at most, "
             (format!("{:.2} sigma", evidence.largest_surface_error_sigma)) ". "
             (evidence.bootstrap_samples) " samples of the bootstrap." }
-        @for stage in &found.stages {
+        @for stage in &calibration.stages {
             p { "Stage: " (stage.name) " (" (stage.points) " points)." }
         }
     }
@@ -250,9 +253,9 @@ pub(crate) fn render_design(design: &Design) -> String {
     temperatures.sort_by(f64::total_cmp);
     temperatures.dedup();
     let of = |at: f64| {
-        let kept = points.iter().filter(move |point| point.temperature_c == at);
-        let places = kept.map(|point| [point.speed_rpm, point.torque_nm]);
-        Series::through(&format!("{at:.0} °C"), Line::Scatter, places)
+        let at_temperature = points.iter().filter(move |point| point.temperature_c == at);
+        let coordinates = at_temperature.map(|point| [point.speed_rpm, point.torque_nm]);
+        Series::through(&format!("{at:.0} °C"), Line::Scatter, coordinates)
     };
     let chart = Chart::new(
         "design",

@@ -1,9 +1,9 @@
-//! What a calibration fits: four constants of boundary layer and oil, and nuisance terms with priors.
+//! Parameters of a calibration: four constants of boundary layer and oil, and nuisance terms with priors.
 //!
 //! | symbol | parameter | prior of its logarithm (standard deviation) |
 //! |---|---|---|
 //! | μ_b | boundary friction | 0.5 |
-//! | h_b | boundary layer, which decides the share of the load that rubs on it | 0.7 |
+//! | h_b | boundary layer, which determines the boundary share of the load | 0.7 |
 //! | Λ | limiting shear stress over pressure | 0.3 |
 //! | τ₀ | Eyring stress | 0.4 |
 //!
@@ -11,28 +11,28 @@
 //! |---|---|
 //! | scale of each assembly | ± 3 % |
 //! | rolling loss | ± 30 % |
-//! | oil temperature, the same offset everywhere | ± 3 K |
-//! | loss torque without load that is left in the measurements | ± 2 % of the median loss torque |
-//! | loss torque of the bearings over the torque, of rows that include them | 0.002 ± 0.001 |
+//! | oil temperature, one offset for all points | ± 3 K |
+//! | residual loss torque without load | ± 2 % of the median loss torque |
+//! | loss torque of the bearings relative to the torque, for rows that include it | 0.002 ± 0.001 |
 //!
-//! The priors of the parameters are about twice as wide as the ranges of a case without calibration: they only
-//! hold what a design cannot find. Those of scale, rolling and temperature are those of back-to-back rigs; the last
-//! two are judgement.
+//! The priors of the parameters are about twice as wide as the ranges of a case without calibration: they determine only
+//! what the points do not identify. The priors of scale, rolling and temperature are typical of back-to-back rigs; the last
+//! two are estimates.
 
 use asperity::LoadedCase;
 use asperity::PositionError;
 use asperity::case::CalibratedName;
 use asperity::uncertainty::UncertainParameter;
 
-/// A parameter of the fit with its default.
+/// Parameter of the fit with its default.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Parameter {
-    /// Its name in the case.
+    /// Name in the case.
     pub name: CalibratedName,
-    /// Value about which its prior lies, in SI units: that of the case.
+    /// Centre of its prior in SI units: the value of the case.
     pub centre: f64,
-    /// Range from which the band of a case draws it.
+    /// Range in the band of a case without calibration.
     pub range: [f64; 2],
 }
 
@@ -52,17 +52,17 @@ impl Parameter {
     /// # Errors
     /// When the family of the oil is not known.
     pub fn of(case: &LoadedCase) -> Result<Vec<Self>, PositionError> {
-        let mut found = Vec::new();
+        let mut parameters = Vec::new();
         for name in CalibratedName::ALL {
             if let Some((centre, range)) = UncertainParameter::from(name).range(case)? {
-                found.push(Self {
+                parameters.push(Self {
                     name,
                     centre,
                     range,
                 });
             }
         }
-        Ok(found)
+        Ok(parameters)
     }
 
     /// Standard deviation of the prior of its logarithm.
@@ -71,13 +71,13 @@ impl Parameter {
         prior(self.name)
     }
 
-    /// Its name in words.
+    /// Name in words.
     #[must_use]
     pub fn words(&self) -> &'static str {
         UncertainParameter::from(self.name).name()
     }
 
-    /// Its value in the unit that it is shown in.
+    /// A value in the display unit.
     #[must_use]
     pub fn shown(&self, value: f64) -> f64 {
         value * self.factor()
@@ -91,7 +91,7 @@ impl Parameter {
         }
     }
 
-    /// The unit that it is shown in; empty for a number.
+    /// Display unit; empty for a number.
     #[must_use]
     pub const fn unit(&self) -> &'static str {
         match self.name {
@@ -104,11 +104,11 @@ impl Parameter {
 
 /// Standard deviation of the scale of an assembly.
 pub const ASSEMBLY: f64 = 0.03;
-/// Standard deviation of the logarithm of the rolling loss over that of the model.
+/// Standard deviation of the logarithm of the rolling loss relative to the model.
 pub const ROLLING: f64 = 0.30;
 /// Standard deviation of the oil temperature \[K\].
 pub const TEMPERATURE: f64 = 3.0;
-/// Standard deviation of the loss torque without load over the median loss torque.
+/// Standard deviation of the loss torque without load, relative to the median loss torque.
 pub const NO_LOAD: f64 = 0.02;
-/// Loss torque of the bearings over the torque of the pinion, and its standard deviation.
+/// Loss torque of the bearings relative to the torque of the pinion, and its standard deviation.
 pub const BEARINGS: [f64; 2] = [0.002, 0.001];

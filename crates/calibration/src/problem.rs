@@ -1,4 +1,4 @@
-//! Residuals of a rig's points and of the priors, by response surfaces.
+//! Residuals of the measurements and of the priors, with response surfaces.
 //!
 //! ```text
 //! L = s_a (S(θ, δT) + ρ R(δT)) + q ω + c |M| ω
@@ -8,14 +8,14 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | S, R | sliding and rolling loss of the model | W |
-//! | θ | logarithms of the parameters over their centres | - |
+//! | θ | logarithms of the parameters relative to their centres | - |
 //! | δT | offset of the oil temperature | K |
 //! | s_a | scale of assembly a | - |
-//! | ρ | rolling loss over that of the model | - |
+//! | ρ | rolling loss relative to the model | - |
 //! | q | loss torque without load | N m |
-//! | c | loss torque of the bearings over the torque M, where the point includes them | - |
+//! | c | loss torque of the bearings relative to the torque M, if the point includes it | - |
 //!
-//! The nuisance terms are counted in standard deviations of their priors; every prior adds a residual.
+//! The nuisance terms are in standard deviations of their priors; every prior adds a residual.
 
 use asperity_core::cite;
 use nalgebra::{DMatrix, DVector};
@@ -25,22 +25,22 @@ use crate::parameters::{ASSEMBLY, BEARINGS, NO_LOAD, ROLLING, TEMPERATURE};
 use crate::response::{Region, Response};
 use crate::rig_table::{RigRow, Scope};
 
-/// Surfaces of the logarithms of both losses at an operating point.
+/// Response surfaces of the logarithms of both losses at an operating point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointSurfaces {
-    /// Of the sliding loss, over the parameters and the temperature.
+    /// Sliding loss as a function of the parameters and the temperature.
     pub sliding: Response,
-    /// Of the rolling loss, over the same.
+    /// Rolling loss as a function of the same.
     pub rolling: Response,
 }
 
-/// A measurement as the residuals take it.
+/// Measurement in the form of the residuals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Observation {
-    /// Number of its operating point.
+    /// Index of its operating point.
     pub point: usize,
-    /// Number of its assembly.
+    /// Index of its assembly.
     pub assembly: usize,
     /// Logarithm of the measured loss \[W\].
     pub log_loss: f64,
@@ -48,12 +48,12 @@ pub struct Observation {
     pub sigma: f64,
     /// Speed \[rad/s\].
     pub omega: f64,
-    /// Torque, without sign, of points whose loss includes the bearings \[N m\]; 0 otherwise.
+    /// Absolute torque of a point whose loss includes the bearings \[N m\]; otherwise 0.
     pub bearing_torque: f64,
 }
 
 impl Observation {
-    /// A row of a table at the operating point and assembly numbered.
+    /// Makes the measurement of a table row at an operating point and assembly.
     #[must_use]
     pub fn of(row: &RigRow, point: usize, assembly: usize) -> Self {
         Self {
@@ -69,19 +69,19 @@ impl Observation {
         }
     }
 
-    /// Loss torque over the speed \[N m\].
+    /// Loss torque \[N m\].
     #[must_use]
     pub fn loss_torque(&self) -> f64 {
         self.log_loss.exp() / self.omega
     }
 }
 
-/// The residuals of a fit.
+/// Least squares problem of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem<'a> {
-    /// Surfaces of every operating point.
+    /// Response surfaces by operating point.
     pub surfaces: &'a [PointSurfaces],
-    /// Their box: the parameters, and last the temperature \[K\].
+    /// Box of the surfaces: the parameters, then the temperature \[K\].
     pub region: &'a Region,
     /// Standard deviations of the priors of the parameters.
     pub priors: &'a [f64],
@@ -93,11 +93,11 @@ pub struct Problem<'a> {
     pub no_load: f64,
 }
 
-/// Nuisance terms beside the scales of the assemblies: temperature, rolling, no load, bearings.
+/// Number of nuisance terms besides the scales of the assemblies: temperature, rolling, no load, bearings.
 pub const COMMON: usize = 4;
 
 impl<'a> Problem<'a> {
-    /// The fit of `observations`, which are of the points of `surfaces`.
+    /// Makes the problem of `observations`, which are at the points of `surfaces`.
     #[must_use]
     pub fn new(
         surfaces: &'a [PointSurfaces],
@@ -105,7 +105,10 @@ impl<'a> Problem<'a> {
         priors: &'a [f64],
         observations: Vec<Observation>,
     ) -> Self {
-        let assemblies = observations.iter().map(|seen| seen.assembly + 1).max();
+        let assemblies = observations
+            .iter()
+            .map(|observation| observation.assembly + 1)
+            .max();
         let mut torques: Vec<f64> = observations.iter().map(Observation::loss_torque).collect();
         torques.sort_by(f64::total_cmp);
         Self {
@@ -118,10 +121,13 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// The same with other measurements of the same operating points, the prior of the loss without load as it was.
+    /// The problem with other measurements of the same operating points, and the same prior of the loss without load.
     #[must_use]
     pub fn with(&self, observations: Vec<Observation>) -> Self {
-        let assemblies = observations.iter().map(|seen| seen.assembly + 1).max();
+        let assemblies = observations
+            .iter()
+            .map(|observation| observation.assembly + 1)
+            .max();
         Self {
             observations,
             assemblies: assemblies.unwrap_or(0),
@@ -141,55 +147,57 @@ impl<'a> Problem<'a> {
         self.parameters() + COMMON + self.assemblies
     }
 
-    /// Number of the variable that scales an assembly.
+    /// Index of the variable that scales an assembly.
     #[must_use]
     pub fn scale(&self, assembly: usize) -> usize {
         self.parameters() + COMMON + assembly
     }
 
-    /// Logarithm of the loss that the model gives for a measurement, and its derivatives by every variable.
+    /// Logarithm of the predicted loss of a measurement, and its derivatives by all variables.
     #[must_use]
-    pub fn predicted(&self, x: &DVector<f64>, seen: &Observation) -> (f64, DVector<f64>) {
+    pub fn predicted(&self, x: &DVector<f64>, observation: &Observation) -> (f64, DVector<f64>) {
         let n = self.parameters();
         let mut at: Vec<f64> = x.iter().take(n).copied().collect();
         at.push(TEMPERATURE * x[n]);
-        let u = self.region.place(&at);
-        let surfaces = &self.surfaces[seen.point];
+        let u = self.region.normalised(&at);
+        let surfaces = &self.surfaces[observation.point];
         let (log_sliding, sliding_slope) = surfaces.sliding.at(&u);
         let (log_rolling, rolling_slope) = surfaces.rolling.at(&u);
-        let scale_at = self.scale(seen.assembly);
+        let scale_at = self.scale(observation.assembly);
         let scale = (ASSEMBLY * x[scale_at]).exp();
         let sliding = scale * log_sliding.exp();
         let rolling = scale * (ROLLING * x[n + 1]).exp() * log_rolling.exp();
         let bearings = BEARINGS[0] + BEARINGS[1] * x[n + 3];
         let least = f64::MIN_POSITIVE;
-        let rest =
-            self.no_load * x[n + 2] * seen.omega + bearings * seen.bearing_torque * seen.omega;
-        let loss = (sliding + rolling + rest).max(least);
+        let additional = self.no_load * x[n + 2] * observation.omega
+            + bearings * observation.bearing_torque * observation.omega;
+        let loss = (sliding + rolling + additional).max(least);
         let mut slope = DVector::zeros(self.variables());
         for (k, width) in self.region.half_width.iter().enumerate() {
             let by = (sliding * sliding_slope[k] + rolling * rolling_slope[k]) / width;
             slope[k] = if k < n { by } else { TEMPERATURE * by };
         }
         slope[n + 1] = ROLLING * rolling;
-        slope[n + 2] = self.no_load * seen.omega;
-        slope[n + 3] = BEARINGS[1] * seen.bearing_torque * seen.omega;
+        slope[n + 2] = self.no_load * observation.omega;
+        slope[n + 3] = BEARINGS[1] * observation.bearing_torque * observation.omega;
         slope[scale_at] = ASSEMBLY * (sliding + rolling);
         (loss.ln(), slope / loss)
     }
 
-    /// Derivatives of the residuals of measurements and priors, a row each, without what holds a fit near its box.
+    /// Derivatives of the residuals of measurements and priors, one row each, without the residuals that keep a fit near
+    /// its box.
     #[must_use]
     pub fn slopes(&self, x: &DVector<f64>) -> DMatrix<f64> {
         let rows = self.observations.len() + self.variables();
         self.at(x).1.rows(0, rows).into_owned()
     }
 
-    /// Residuals of the measurements alone.
+    /// Residuals of the measurements only.
     #[must_use]
     pub fn of_measurements(&self, x: &DVector<f64>) -> Vec<f64> {
-        let residual =
-            |seen: &Observation| (seen.log_loss - self.predicted(x, seen).0) / seen.sigma;
+        let residual = |observation: &Observation| {
+            (observation.log_loss - self.predicted(x, observation).0) / observation.sigma
+        };
         self.observations.iter().map(residual).collect()
     }
 }
@@ -200,20 +208,21 @@ impl Residuals for Problem<'_> {
         let (points, variables, n) = (self.observations.len(), self.variables(), self.parameters());
         let mut residuals = DVector::zeros(points + variables + n);
         let mut slopes = DMatrix::zeros(points + variables + n, variables);
-        for (k, seen) in self.observations.iter().enumerate() {
-            let (log_loss, slope) = self.predicted(x, seen);
-            residuals[k] = (seen.log_loss - log_loss) / seen.sigma;
-            slopes.set_row(k, &(slope.transpose() * (-1.0 / seen.sigma)));
+        for (k, observation) in self.observations.iter().enumerate() {
+            let (log_loss, slope) = self.predicted(x, observation);
+            residuals[k] = (observation.log_loss - log_loss) / observation.sigma;
+            slopes.set_row(k, &(slope.transpose() * (-1.0 / observation.sigma)));
         }
         for j in 0..variables {
             let width = self.priors.get(j).copied().unwrap_or(1.0);
             residuals[points + j] = x[j] / width;
             slopes[(points + j, j)] = 1.0 / width;
         }
-        // A quadratic surface says nothing far outside its box.
+        // A quadratic surface is not valid far outside of its box.
         for j in 0..n {
-            /// Places beyond which a fit is held back, and how firmly: by standard deviations a half-width.
+            /// Distance from the centre in half widths above which a residual is added.
             const REACH: f64 = 1.5;
+            /// This residual in standard deviations per half width.
             const FIRMNESS: f64 = 20.0;
             let (centre, width) = (self.region.centre[j], self.region.half_width[j]);
             let beyond = (x[j] - centre) / width;
@@ -248,7 +257,7 @@ mod tests {
             sliding: surface(3, seed),
             rolling: surface(3, 10.0 * seed),
         });
-        let seen = |point, assembly, bearing_torque| Observation {
+        let observation = |point, assembly, bearing_torque| Observation {
             point,
             assembly,
             log_loss: 3.4,
@@ -256,7 +265,11 @@ mod tests {
             omega: 120.0,
             bearing_torque,
         };
-        let observations = vec![seen(0, 0, 0.0), seen(1, 1, 60.0), seen(0, 1, 60.0)];
+        let observations = vec![
+            observation(0, 0, 0.0),
+            observation(1, 1, 60.0),
+            observation(0, 1, 60.0),
+        ];
         let problem = Problem::new(&surfaces, &region, &[0.5, 0.3], observations);
         // Inside the box, and one parameter beyond the reach of its surface.
         for first in [0.2, 0.95] {
@@ -288,7 +301,7 @@ mod tests {
             sliding: surface(2, 1.0),
             rolling: surface(2, 5.0),
         }];
-        let mut seen = Observation {
+        let mut observation = Observation {
             point: 0,
             assembly: 0,
             log_loss: 0.0,
@@ -296,10 +309,10 @@ mod tests {
             omega: 100.0,
             bearing_torque: 0.0,
         };
-        let problem = Problem::new(&surfaces, &region, &[0.5], vec![seen]);
+        let problem = Problem::new(&surfaces, &region, &[0.5], vec![observation]);
         let x = DVector::zeros(problem.variables());
-        seen.log_loss = problem.predicted(&x, &seen).0;
-        let problem = problem.with(vec![seen]);
+        observation.log_loss = problem.predicted(&x, &observation).0;
+        let problem = problem.with(vec![observation]);
         assert_eq!(problem.of_measurements(&x), [0.0]);
         assert_eq!(problem.at(&x).0.amax(), 0.0);
     }

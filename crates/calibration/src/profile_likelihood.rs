@@ -1,34 +1,33 @@
-//! Profile likelihood: the band of one parameter while all others follow.
+//! Profile likelihood: band of one parameter with all others refitted.
 
 use asperity_core::cite;
 use asperity_core::numerics::find_root;
 
-/// Rise of the sum of squares at the ends of a 95 % band: chi square of one degree of freedom.
+/// Rise of the sum of squares at the ends of a 95 % band: the quantile of chi squared with one degree of freedom.
 pub const RISE: f64 = 3.841_458_820_694_124;
 
-/// A band by the profile likelihood.
+/// Band by the profile likelihood.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProfileBand {
     /// Lower and upper end.
     pub ends: [f64; 2],
-    /// Whether an end was not reached within six standard deviations: the band goes on beyond it.
+    /// Whether an end was not reached within six standard deviations: the band is open there.
     pub is_open: [bool; 2],
-    /// Values and the rise of the least sum of squares there.
+    /// Values with the rise of the minimised sum of squares.
     pub curve: Vec<[f64; 2]>,
 }
 
-/// The values about `best` at which the least sum of squares over all other variables, `rise` above its minimum, has
-/// risen by 3.84.
+/// Computes the values about `best` at which `rise`, the rise of the sum of squares minimised over all other variables,
+/// is 3.84.
 ///
 /// ```text
 /// { θ : min χ²(θ, ·) − min χ² ≤ 3.84 }                                         [Profile-likelihood]
 /// ```
 ///
-/// `deviation` is the standard deviation by the curvature, from which the ends are looked for. The rise fails where
-/// there is no fit.
+/// `deviation` is the standard deviation by the curvature, the scale of the search. `rise` fails if there is no fit.
 ///
 /// # Errors
-/// That of `rise`.
+/// The error of `rise`.
 ///
 /// ```
 /// use asperity_calibration::profile_likelihood::profile_band;
@@ -43,10 +42,11 @@ pub fn profile_band<E>(
     mut rise: impl FnMut(f64) -> Result<f64, E>,
 ) -> Result<ProfileBand, E> {
     cite!("Profile-likelihood");
-    /// Points of the curve to either side, over this many standard deviations.
+    /// Points of the curve on either side.
     const POINTS: i32 = 4;
+    /// Standard deviations that the curve covers on either side.
     const SHOWN: f64 = 2.5;
-    /// Standard deviations within which an end is looked for.
+    /// Standard deviations within which an end is searched.
     const REACH: f64 = 6.0;
     let mut curve = Vec::new();
     for k in -POINTS..=POINTS {
@@ -57,7 +57,7 @@ pub fn profile_band<E>(
     let mut fault = None;
     let (mut ends, mut is_open) = ([0.0; 2], [false; 2]);
     for (side, sign) in [-1.0, 1.0].into_iter().enumerate() {
-        // The root of a parabola's rise is a straight line, which the search likes.
+        // The square root of a parabola is linear, so the search converges quickly.
         let mut above = |steps: f64| match rise(best + sign * steps * deviation) {
             Ok(value) => value.max(0.0).sqrt() - RISE.sqrt(),
             Err(error) => {
@@ -68,7 +68,7 @@ pub fn profile_band<E>(
         let reached = above(REACH) > 0.0;
         is_open[side] = !reached;
         let steps = match reached {
-            true => find_root(above, 0.0, REACH, 1e-6).map_or(REACH, |found| found.value),
+            true => find_root(above, 0.0, REACH, 1e-6).map_or(REACH, |root| root.value),
             false => REACH,
         };
         ends[side] = best + sign * steps * deviation;

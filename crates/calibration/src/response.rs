@@ -1,6 +1,6 @@
-//! A response surface: a function of few variables in place of the model, exact along the axes.
+//! Response surface: a quadratic function of few variables that replaces the model and is exact along the axes.
 //!
-//! f over a box about its centre, u_j = (y_j − c_j)/w_j:
+//! The function f on a box with centre c and half widths w, u_j = (y_j − c_j)/w_j:
 //!
 //! ```text
 //! f = f₀ + Σ g_j u_j + ½ Σ h_jj u_j² + Σ_{i<j} h_ij u_i u_j
@@ -8,26 +8,26 @@
 //!
 //! from 1 + 2 n + n (n − 1)/2 evaluations: the centre, both ends of every axis, one corner of every pair of axes.
 
-/// The box in which a surface stands for the model.
+/// Box in which a surface replaces the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
-    /// Its middle.
+    /// Centre.
     pub centre: Vec<f64>,
-    /// Half its width along every axis.
+    /// Half width along every axis.
     pub half_width: Vec<f64>,
 }
 
-/// A quadratic surface.
+/// Quadratic surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Response {
     value: f64,
     slope: Vec<f64>,
-    /// Second derivatives, whole matrix.
+    /// Full matrix of second derivatives.
     curvature: Vec<Vec<f64>>,
 }
 
 impl Region {
-    /// Points at which a function is wanted for its surface.
+    /// Points at which a function is evaluated for its surface.
     #[must_use]
     pub fn settings(&self) -> Vec<Vec<f64>> {
         let n = self.centre.len();
@@ -48,7 +48,7 @@ impl Region {
         settings
     }
 
-    /// Points at which a function is wanted for its [`tangent`](Response::tangent): the centre and the upper end of
+    /// Points at which a function is evaluated for its [`tangent`](Response::tangent): the centre and the upper end of
     /// every axis.
     #[must_use]
     pub fn forward_settings(&self) -> Vec<Vec<f64>> {
@@ -58,9 +58,9 @@ impl Region {
         std::iter::once(self.centre.clone()).chain(upper).collect()
     }
 
-    /// Place of `at` in the box: -1 to 1 along every axis.
+    /// Normalised coordinates of `at`: −1 to 1 along every axis of the box.
     #[must_use]
-    pub fn place(&self, at: &[f64]) -> Vec<f64> {
+    pub fn normalised(&self, at: &[f64]) -> Vec<f64> {
         let axes = at.iter().zip(&self.centre).zip(&self.half_width);
         axes.map(|((value, centre), width)| (value - centre) / width)
             .collect()
@@ -77,7 +77,7 @@ impl Response {
     /// let values: Vec<f64> = region.settings().iter().map(|y| f(y)).collect();
     /// let surface = Response::through(2, &values);
     /// let at = [1.3, 1.95];
-    /// let (value, slope) = surface.at(&region.place(&at));
+    /// let (value, slope) = surface.at(&region.normalised(&at));
     /// assert!((value - f(&at)).abs() < 1e-12);
     /// // The slope is per half-width.
     /// assert!((slope[0] - 0.5 * (2.0 * at[0] - 2.0 * at[1])).abs() < 1e-12);
@@ -118,7 +118,7 @@ impl Response {
         }
     }
 
-    /// Value and slope at a place of the box.
+    /// Value and slope at normalised coordinates.
     #[must_use]
     pub fn at(&self, u: &[f64]) -> (f64, Vec<f64>) {
         let bent: Vec<f64> = self

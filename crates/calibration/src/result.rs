@@ -1,4 +1,4 @@
-//! A calibration as data.
+//! Data of a calibration.
 
 use asperity::message::Warning;
 use serde::{Deserialize, Serialize};
@@ -6,15 +6,15 @@ use serde::{Deserialize, Serialize};
 /// Version of the structure of `calibration.json`.
 pub const SCHEMA_VERSION: u32 = 1;
 
-/// Whether a design finds a parameter.
+/// Identification of a parameter by a design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
-    /// Its points tell it to better than half the prior.
+    /// The points determine it to better than half its prior.
     Found,
-    /// Its points and the prior have about the same say.
+    /// Points and prior have similar weight.
     Partly,
-    /// The prior has the say; the parameter keeps its default and its range.
+    /// The prior dominates; the parameter keeps its default and its range.
     NotFound,
 }
 
@@ -30,25 +30,25 @@ impl Verdict {
     }
 }
 
-/// What a design can find, told before the fit.
+/// Identifiability of the parameters, reported before the fit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Identifiability {
     /// Distinct operating points.
     pub points: usize,
-    /// Temperatures \[°C\], those within 5 K as one.
+    /// Temperatures \[°C\], grouped within 5 K.
     pub temperatures_c: Vec<f64>,
-    /// Smallest and largest Λ* of the points, each the median over the path.
+    /// Smallest and largest Λ* of the points, as median over the path.
     pub lambda_star: Option<[f64; 2]>,
     /// The parameters.
     pub parameters: Vec<IdentifiedParameter>,
-    /// The two parameters that are told apart worst, and their correlation.
+    /// The two parameters that are hardest to separate, and their correlation.
     pub worst_correlation: Option<(String, String, f64)>,
-    /// The further measurements that would help most, the best first.
+    /// Most useful further measurements, best first.
     pub helpful: Vec<HelpfulPoint>,
 }
 
-/// How well a design finds a parameter.
+/// Identification of one parameter.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct IdentifiedParameter {
@@ -56,7 +56,7 @@ pub struct IdentifiedParameter {
     pub key: String,
     /// Name in words.
     pub name: String,
-    /// Standard deviation of its logarithm by the points, its own prior left out; none where they do not tell it.
+    /// Standard deviation of its logarithm by the points, without its own prior; `None` if they do not determine it.
     pub deviation: Option<f64>,
     /// Standard deviation of the prior.
     pub prior: f64,
@@ -64,7 +64,7 @@ pub struct IdentifiedParameter {
     pub verdict: Verdict,
 }
 
-/// A further measurement, and what it would make of each standard deviation.
+/// Further measurement and its gain.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct HelpfulPoint {
@@ -74,19 +74,19 @@ pub struct HelpfulPoint {
     pub speed_rpm: f64,
     /// Temperature \[°C\].
     pub temperature_c: f64,
-    /// Name of the parameter that gains most.
+    /// Name of the parameter with the largest gain.
     pub gains_most: String,
     /// Standard deviation of its logarithm without and with the point, priors included.
     pub deviation: [f64; 2],
 }
 
-/// A calibration.
+/// Result of a calibration.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Calibration {
     /// Version of this structure.
     pub schema_version: u32,
-    /// The program and its version.
+    /// Program and version.
     pub program: String,
     /// Title of the case.
     pub title: String,
@@ -94,13 +94,13 @@ pub struct Calibration {
     pub table: String,
     /// Its SHA-256.
     pub sha256: String,
-    /// Whether the table says that its losses are simulated.
+    /// Whether the losses of the table are simulated.
     pub is_simulated: bool,
     /// Assemblies in the table.
     pub assemblies: Vec<String>,
-    /// What the design can find.
+    /// Identifiability of the parameters.
     pub identifiability: Identifiability,
-    /// The fits before the last one.
+    /// Stages before the last fit.
     pub stages: Vec<StageRow>,
     /// The parameters with their bands.
     pub parameters: Vec<FittedParameter>,
@@ -110,13 +110,13 @@ pub struct Calibration {
     pub nuisance: Vec<NuisanceRow>,
     /// Sum of the squared residuals of the measurements in standard deviations.
     pub chi_squared: f64,
-    /// Measurements less what the fit took from them.
+    /// Degrees of freedom of the fit.
     pub freedom: f64,
-    /// Every temperature predicted from the others.
+    /// Cross-validation: every temperature predicted from the others.
     pub held_out: Vec<HeldOut>,
-    /// Evidence that the fit is that of the model.
+    /// Accuracy of the response surfaces.
     pub evidence: Evidence,
-    /// The measurements beside the fit.
+    /// Measurements with their fitted values.
     pub points: Vec<FittedPoint>,
     /// Warnings.
     pub warnings: Vec<Warning>,
@@ -130,9 +130,9 @@ pub struct Calibration {
 pub struct StageRow {
     /// Its purpose.
     pub name: String,
-    /// Measurements that it took.
+    /// Number of measurements.
     pub points: usize,
-    /// Names and values in SI units of the parameters that it moved.
+    /// Names and values in SI units of the fitted parameters.
     pub values: Vec<(String, f64)>,
 }
 
@@ -146,15 +146,15 @@ pub struct FittedParameter {
     pub name: String,
     /// Value.
     pub value: f64,
-    /// 95 % band that goes into the block.
+    /// 95 % band in the block.
     pub band: [f64; 2],
     /// 95 % band by the profile likelihood.
     pub profile_band: [f64; 2],
-    /// Whether an end of that was not reached.
+    /// Whether an end of that band was not reached.
     pub is_open: [bool; 2],
-    /// Values and the rise of the sum of squares there.
+    /// Values with the rise of the sum of squares.
     pub profile: Vec<[f64; 2]>,
-    /// Middle 95 % of the bootstrap over assemblies; none with a single one.
+    /// Middle 95 % of the bootstrap over assemblies; `None` with a single assembly.
     pub bootstrap: Option<[f64; 2]>,
     /// Default of the case.
     pub default: f64,
@@ -162,7 +162,7 @@ pub struct FittedParameter {
     pub default_range: [f64; 2],
     /// Standard deviation of its logarithm, prior included.
     pub deviation: f64,
-    /// Whether the design finds it; what it does not find is left out of the block.
+    /// Identification by the design; a parameter that is not found is omitted from the block.
     pub verdict: Verdict,
 }
 
@@ -182,7 +182,7 @@ pub struct NuisanceRow {
     pub unit: String,
 }
 
-/// A temperature that was predicted from the others.
+/// Prediction of one temperature from the others.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct HeldOut {
@@ -192,29 +192,29 @@ pub struct HeldOut {
     pub points: usize,
     /// Mean of ln(measured/predicted).
     pub mean_error: f64,
-    /// Root of its mean square.
+    /// Root mean square of ln(measured/predicted).
     pub rms_error: f64,
-    /// What measurements and parameters lead one to expect of that.
+    /// Expected root mean square from the uncertainty of measurements and parameters.
     pub expected_error: f64,
 }
 
-/// Evidence of a fit.
+/// Accuracy of the response surfaces of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Evidence {
-    /// Response surfaces made one after the other.
+    /// Number of rounds of response surfaces.
     pub rounds: usize,
-    /// Evaluations of the model.
+    /// Number of evaluations of the model.
     pub evaluations: usize,
-    /// Largest difference of surface and model at the fit, in logarithms.
+    /// Largest difference between surface and model at the fit, in logarithms.
     pub largest_surface_error: f64,
-    /// The same in standard deviations of the measurement.
+    /// The same difference in standard deviations of the measurement.
     pub largest_surface_error_sigma: f64,
-    /// Samples of the bootstrap.
+    /// Number of bootstrap samples.
     pub bootstrap_samples: usize,
 }
 
-/// A measurement beside the fit.
+/// Measurement with its fitted value.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct FittedPoint {

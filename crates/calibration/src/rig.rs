@@ -1,4 +1,4 @@
-//! A rig's table made ready: its operating points, their assemblies, and the model at them.
+//! Rig table prepared for the fit: operating points, assemblies, and the model at the points.
 
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
@@ -7,77 +7,77 @@ use crate::error::{CalibrationError, RowFault};
 use crate::parameters::Parameter;
 use crate::problem::{Observation, PointSurfaces};
 use crate::response::Region;
-use crate::rig_model::{Parts, RigModel, Told, Wanted};
+use crate::rig_model::{OperatingPoint, PointLosses, Progress, RigModel};
 use crate::rig_table::{RigRow, RigTable};
 use crate::surfaces::{first_region, surfaces};
 
-/// Cases of a table: one for every name in its column `case`.
+/// Case of a name in the column `case` of a table.
 #[derive(Debug, Clone)]
 pub struct RigCase {
-    /// Name as in the table; none for the case beside it.
+    /// Name in the table; `None` for the case of rows without a name.
     pub name: Option<String>,
     /// The case.
     pub case: LoadedCase,
 }
 
-/// A table made ready for its fit.
+/// Table prepared for its fit.
 pub struct Rig {
     /// The table.
     pub table: RigTable,
-    /// The parameters that are fitted.
+    /// The fitted parameters.
     pub parameters: Vec<Parameter>,
     /// The model at every operating point.
     pub model: RigModel,
     /// The operating points.
-    pub wanted: Vec<Wanted>,
-    /// Number of the operating point of every row.
+    pub operating_points: Vec<OperatingPoint>,
+    /// Index of the operating point of every row.
     pub point_of: Vec<usize>,
     /// The model with the parameters at their centres, at every operating point.
-    pub nominal: Vec<Parts>,
+    pub nominal: Vec<PointLosses>,
     /// Title of the first case.
     pub title: String,
-    /// Whether a case states losses beside its mesh, which are left aside.
+    /// Whether a case states losses of a gearbox, which are ignored.
     pub has_gearbox: bool,
 }
 
 impl Rig {
     /// Solves the contacts of every torque of `table` and evaluates the model once at every operating point.
-    /// `held` are parameters that stay at the values of the case.
+    /// The parameters `held` keep the values of the case.
     ///
     /// # Errors
-    /// When a row has no case, or the model no solution at a point.
+    /// When a row has no case, or the model has no solution at a point.
     pub fn new(
         table: RigTable,
         cases: &[RigCase],
         held: &[CalibratedName],
-        told: Told<'_>,
+        progress: Progress<'_>,
     ) -> Result<Self, CalibrationError> {
         let first = cases.first().ok_or_else(|| CalibrationError::NoCase {
             file: table.name.clone(),
         })?;
         let parameters = parameters(&first.case, held)?;
-        let mut wanted: Vec<Wanted> = Vec::new();
+        let mut operating_points: Vec<OperatingPoint> = Vec::new();
         let mut point_of = Vec::with_capacity(table.rows.len());
         for row in &table.rows {
             let case = cases.iter().position(|case| case.name == row.case);
             let case = case.ok_or_else(|| CalibrationError::NoCase {
                 file: table.name.clone(),
             })?;
-            let point = Wanted {
+            let point = OperatingPoint {
                 case,
                 at: [row.torque_nm, row.speed_rpm, row.temperature_c],
             };
-            let known = wanted.iter().position(|other| *other == point);
-            point_of.push(known.unwrap_or(wanted.len()));
+            let known = operating_points.iter().position(|other| *other == point);
+            point_of.push(known.unwrap_or(operating_points.len()));
             if known.is_none() {
-                wanted.push(point);
+                operating_points.push(point);
             }
         }
         let all: Vec<LoadedCase> = cases.iter().map(|case| case.case.clone()).collect();
-        let model = RigModel::new(&all, &parameters, &wanted)?;
+        let model = RigModel::new(&all, &parameters, &operating_points)?;
         let centre = vec![0.0; parameters.len() + 1];
         let nominal = model
-            .evaluate(&[centre], told)?
+            .evaluate(&[centre], progress)?
             .into_iter()
             .flatten()
             .collect();
@@ -86,7 +86,7 @@ impl Rig {
             table,
             parameters,
             model,
-            wanted,
+            operating_points,
             point_of,
             nominal,
             title,
@@ -100,14 +100,14 @@ impl Rig {
     /// When the model has no solution at a point.
     pub fn first_surfaces(
         &self,
-        told: Told<'_>,
+        progress: Progress<'_>,
     ) -> Result<(Region, Vec<PointSurfaces>), CalibrationError> {
         let region = first_region(&self.parameters);
-        let made = surfaces(&self.model, &region, told)?;
+        let made = surfaces(&self.model, &region, progress)?;
         Ok((region, made))
     }
 
-    /// The measurements of `rows`, which are those of the table but for their losses.
+    /// Measurements of `rows`: rows of the table, possibly with other losses.
     #[must_use]
     pub fn observations(&self, rows: &[RigRow]) -> Vec<Observation> {
         let assemblies = self.table.assemblies();
@@ -124,12 +124,12 @@ impl Rig {
         self.parameters.iter().map(Parameter::prior).collect()
     }
 
-    /// Refuses rows whose loss is several times that of the model, or a small part of it.
+    /// Rejects rows whose loss is several times the loss of the model, or a small part of it.
     ///
     /// # Errors
     /// When there are such rows.
     pub fn check_size(&self) -> Result<(), CalibrationError> {
-        /// Beyond it a unit is wrong: no set of parameters moves a loss as far.
+        /// Ratio that no set of parameters reaches; the unit of the loss must be wrong.
         const FACTOR: f64 = 5.0;
         let rows = self.table.rows.iter().zip(&self.point_of);
         let faults: Vec<RowFault> = rows
@@ -142,7 +142,7 @@ impl Rig {
                     line: row.line,
                     column: "loss_w",
                     rule: format!(
-                        "{:.4} W is {ratio:.2} times the {model:.1} W of the model; a unit, the scope or the case is wrong",
+                        "{:.4} W is {ratio:.2} times the {model:.1} W predicted by the model; a unit, the scope or the case is wrong",
                         row.loss_w
                     ),
                 })
@@ -158,10 +158,10 @@ impl Rig {
     }
 }
 
-/// The parameters of a case that are not held.
+/// Parameters of a case that are not held.
 ///
 /// # Errors
-/// When there is none.
+/// When there is no such parameter.
 pub fn parameters(
     case: &LoadedCase,
     held: &[CalibratedName],

@@ -1,4 +1,4 @@
-//! The model at the points of a rig, by kept contacts.
+//! The model at the points of a rig, with stored contacts.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -13,48 +13,48 @@ use rayon::prelude::*;
 use crate::error::CalibrationError;
 use crate::parameters::Parameter;
 
-/// Torques that lie within this share of each other take one contact, and the sliding loss is scaled with the torque.
+/// Relative difference within which torques share one contact solution; the sliding loss is scaled with the torque.
 const SAME_TORQUE: f64 = 0.02;
-/// Told after each evaluation: how many were made.
-pub type Told<'a> = &'a (dyn Fn(usize) + Sync);
+/// Progress callback, called with the number of evaluations so far.
+pub type Progress<'a> = &'a (dyn Fn(usize) + Sync);
 
-/// An operating point of a case.
+/// Operating point of a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wanted {
-    /// Number of the case.
+pub struct OperatingPoint {
+    /// Index of the case.
     pub case: usize,
     /// Torque \[N m\], speed \[1/min\], temperature \[°C\].
     pub at: [f64; 3],
 }
 
-/// What the mesh loses at a point.
+/// Mesh losses at an operating point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct Parts {
+pub struct PointLosses {
     /// Sliding loss \[W\].
     pub sliding_w: f64,
     /// Rolling loss \[W\].
     pub rolling_w: f64,
     /// Share of the load on the boundary layer.
     pub boundary_share: f64,
-    /// Median of Λ* over the path; none where the flanks have no peaks.
+    /// Median of Λ* over the path; `None` if the flanks have no peaks.
     pub lambda_star: Option<f64>,
 }
 
-/// A gear pair at one torque with its contacts.
+/// Gear pair at one torque with its stored contacts.
 struct Group {
-    /// Number of the case.
+    /// Index of the case.
     of: usize,
     case: LoadedCase,
     tables: Contacts,
     torque: f64,
 }
 
-/// A point with the group whose contacts it takes.
+/// Operating point with the contact solution that it uses.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct PointContacts {
     group: usize,
-    /// Torque of the point over that of its group.
+    /// Torque of the point relative to the torque of its group.
     torque_factor: f64,
     speed: AngularSpeed,
     temperature_c: f64,
@@ -63,7 +63,7 @@ struct Place {
 /// The model at a list of operating points.
 pub struct RigModel {
     groups: Arc<[Group]>,
-    places: Vec<Place>,
+    points: Vec<PointContacts>,
     parameters: Vec<Parameter>,
     evaluations: AtomicUsize,
 }
@@ -76,14 +76,14 @@ impl RigModel {
     pub fn new(
         cases: &[LoadedCase],
         parameters: &[Parameter],
-        points: &[Wanted],
+        points: &[OperatingPoint],
     ) -> Result<Self, CalibrationError> {
         let nodes = torque_nodes(points);
         let groups = nodes.iter().map(|(case_number, torque)| {
             let changed = cases[*case_number].with(|input| {
                 input.operation.torque = Torque::from_si(*torque);
                 input.model.run_in = None;
-                // What the measured losses hold is told by their table.
+                // The table states the scope of the measured losses.
                 input.gearbox = None;
             });
             let made = changed.and_then(|case| Ok((contacts(&case)?, case)));
@@ -97,25 +97,25 @@ impl RigModel {
         });
         let groups = groups.collect::<Result<Vec<Group>, CalibrationError>>()?;
         Ok(Self {
-            places: places(&groups, points),
+            points: assign_contacts(&groups, points),
             groups: groups.into(),
             parameters: parameters.to_vec(),
             evaluations: AtomicUsize::new(0),
         })
     }
 
-    /// The same contacts at other points; each takes those of the nearest torque of its case.
+    /// The model at other points, with the stored contacts of the nearest torque of each case.
     #[must_use]
-    pub fn at_points(&self, points: &[Wanted]) -> Self {
+    pub fn at_points(&self, points: &[OperatingPoint]) -> Self {
         Self {
-            places: places(&self.groups, points),
+            points: assign_contacts(&self.groups, points),
             groups: Arc::clone(&self.groups),
             parameters: self.parameters.clone(),
             evaluations: AtomicUsize::new(0),
         }
     }
 
-    /// Torques of the contacts of a case \[N m\], rising.
+    /// Torques of the stored contacts of a case \[N m\], in ascending order.
     #[must_use]
     pub fn torques(&self, case: usize) -> Vec<f64> {
         let of_case = self.groups.iter().filter(|group| group.of == case);
@@ -125,53 +125,56 @@ impl RigModel {
     /// Number of points.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.places.len()
+        self.points.len()
     }
 
-    /// Whether there is no point.
+    /// Whether there are no points.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.places.is_empty()
+        self.points.is_empty()
     }
 
-    /// The parameters, in the order in which values are taken.
+    /// The parameters, in the order of a setting.
     #[must_use]
     pub fn parameters(&self) -> &[Parameter] {
         &self.parameters
     }
 
-    /// Evaluations of the model so far.
+    /// Number of evaluations so far.
     #[must_use]
     pub fn evaluations(&self) -> usize {
         self.evaluations.load(Ordering::Relaxed)
     }
 
-    /// Every point at every one of `settings`: the parameters' logarithms over their centres, and last an offset of
-    /// the temperature \[K\]. Point by point.
+    /// Evaluates all points at all `settings`: the logarithms of the parameters relative to their centres, then an offset
+    /// of the temperature \[K\]. Returns the losses by point.
     ///
     /// # Errors
     /// When the model has no solution at a point.
     pub fn evaluate(
         &self,
         settings: &[Vec<f64>],
-        told: Told<'_>,
-    ) -> Result<Vec<Vec<Parts>>, CalibrationError> {
+        progress: Progress<'_>,
+    ) -> Result<Vec<Vec<PointLosses>>, CalibrationError> {
         let count = settings.len();
-        let all: Vec<Result<Parts, CalibrationError>> = (0..self.places.len() * count)
+        let all: Vec<Result<PointLosses, CalibrationError>> = (0..self.points.len() * count)
             .into_par_iter()
             .map(|k| {
-                let found = self.at(&self.places[k / count], &settings[k % count]);
-                told(self.evaluations.fetch_add(1, Ordering::Relaxed) + 1);
-                found
+                let losses = self.at(&self.points[k / count], &settings[k % count]);
+                progress(self.evaluations.fetch_add(1, Ordering::Relaxed) + 1);
+                losses
             })
             .collect();
         let all = all
             .into_iter()
-            .collect::<Result<Vec<Parts>, CalibrationError>>()?;
-        Ok(all.chunks(count.max(1)).map(<[Parts]>::to_vec).collect())
+            .collect::<Result<Vec<PointLosses>, CalibrationError>>()?;
+        Ok(all
+            .chunks(count.max(1))
+            .map(<[PointLosses]>::to_vec)
+            .collect())
     }
 
-    fn at(&self, place: &Place, setting: &[f64]) -> Result<Parts, CalibrationError> {
+    fn at(&self, place: &PointContacts, setting: &[f64]) -> Result<PointLosses, CalibrationError> {
         let group = &self.groups[place.group];
         let named = |source: asperity::Error| {
             let text = format!(
@@ -184,7 +187,7 @@ impl RigModel {
         };
         let (offset, logarithms) = setting
             .split_last()
-            .map_or((0.0, setting), |(last, rest)| (*last, rest));
+            .map_or((0.0, setting), |(offset, parameters)| (*offset, parameters));
         let changed = group.case.with(|input| {
             input.operation.speed = place.speed;
             input.operation.temperature = Temperature::from_celsius(place.temperature_c + offset);
@@ -195,30 +198,30 @@ impl RigModel {
             let set = UncertainParameter::from(parameter.name).set(&mut case, value);
             set.map_err(|error| named(asperity::Error::Whole(Box::new(error))))?;
         }
-        let found = losses_with(&group.tables, &case).map_err(named)?;
-        let mut ratios: Vec<f64> = found
+        let result = losses_with(&group.tables, &case).map_err(named)?;
+        let mut ratios: Vec<f64> = result
             .path
             .iter()
             .filter_map(|row| row.lambda_star)
             .collect();
         ratios.sort_by(f64::total_cmp);
-        Ok(Parts {
-            sliding_w: found.summary.sliding_w * place.torque_factor,
-            rolling_w: found.summary.rolling_w,
-            boundary_share: found.summary.boundary_share,
+        Ok(PointLosses {
+            sliding_w: result.summary.sliding_w * place.torque_factor,
+            rolling_w: result.summary.rolling_w,
+            boundary_share: result.summary.boundary_share,
             lambda_star: ratios.get(ratios.len() / 2).copied(),
         })
     }
 }
 
-fn places(groups: &[Group], points: &[Wanted]) -> Vec<Place> {
-    let place = |point: &Wanted| {
+fn assign_contacts(groups: &[Group], points: &[OperatingPoint]) -> Vec<PointContacts> {
+    let place = |point: &OperatingPoint| {
         let [torque, speed_rpm, temperature_c] = point.at;
         let far = |k: &usize| (groups[*k].torque - torque).abs();
         let of_case = (0..groups.len()).filter(|k| groups[*k].of == point.case);
         let group = of_case.min_by(|a, b| far(a).total_cmp(&far(b)));
         let group = group.unwrap_or_default();
-        Place {
+        PointContacts {
             group,
             torque_factor: torque / groups[group].torque,
             speed: AngularSpeed::from_si(speed_rpm * std::f64::consts::PI / 30.0),
@@ -235,16 +238,16 @@ fn at(place: &str, source: asperity::Error) -> CalibrationError {
     }
 }
 
-/// Cases and torques of which contacts are made: the mean of those that lie close together.
-fn torque_nodes(points: &[Wanted]) -> Vec<(usize, f64)> {
-    let mut wanted: Vec<(usize, f64)> = points
+/// Cases and torques of the contacts that are solved; close torques are replaced by their mean.
+fn torque_nodes(points: &[OperatingPoint]) -> Vec<(usize, f64)> {
+    let mut torques_of_points: Vec<(usize, f64)> = points
         .iter()
         .map(|point| (point.case, point.at[0]))
         .collect();
-    wanted.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    wanted.dedup();
+    torques_of_points.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    torques_of_points.dedup();
     let mut nodes: Vec<(usize, Vec<f64>)> = Vec::new();
-    for (case, torque) in wanted {
+    for (case, torque) in torques_of_points {
         match nodes.last_mut() {
             Some((of, torques))
                 if *of == case && (torque - torques[0]).abs() <= SAME_TORQUE * torque.abs() =>
@@ -267,7 +270,7 @@ mod tests {
 
     #[test]
     fn torques_close_together_share_their_contacts() {
-        let point = |case, torque| Wanted {
+        let point = |case, torque| OperatingPoint {
             case,
             at: [torque, 100.0, 90.0],
         };

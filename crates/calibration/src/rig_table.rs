@@ -1,17 +1,17 @@
-//! The table of a rig: one row a measured point.
+//! Table of a rig: one row per measured point.
 //!
 //! | column | meaning |
 //! |---|---|
 //! | `torque_nm`, `speed_rpm` | torque and speed of the pinion |
 //! | `temperature_c` | temperature of the oil at the mesh |
-//! | `loss_w` or `torque_loss_nm` | what was lost, as power or as torque at the pinion |
-//! | `sigma_w` | standard deviation of that power |
+//! | `loss_w` or `torque_loss_nm` | measured loss, as power or as torque at the pinion |
+//! | `sigma_w` | standard deviation of the loss as power |
 //! | `includes` | `mesh`, `mesh+bearings` or `all` |
-//! | `assembly`, `run`, `order` | which assembly of the rig, which run, in which order |
+//! | `assembly`, `run`, `order` | assembly of the rig, run, order of measurement |
 //! | `flank_state` | state of the flanks in words |
 //! | `case` | case file of the row, relative to the table |
 //!
-//! The header is read without regard to case; other columns are left aside. Lines that begin with `#` are comments.
+//! The header is not case-sensitive; other columns are ignored. Lines that begin with `#` are comments.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -20,21 +20,21 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{CalibrationError, RowFault};
 
-/// What a measured loss includes.
+/// Scope of a measured loss.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scope {
-    /// The mesh alone: losses of bearings, seals and churning were taken off.
+    /// Only the mesh: losses of bearings, seals and churning were subtracted.
     Mesh,
     /// Mesh and the load-dependent losses of the bearings.
     MeshAndBearings,
 }
 
-/// A measured point.
+/// Measured point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct RigRow {
-    /// Line in the table, the first one 1.
+    /// Line in the table, counted from 1.
     pub line: usize,
     /// Torque of the pinion \[N m\].
     pub torque_nm: f64,
@@ -46,22 +46,22 @@ pub struct RigRow {
     pub loss_w: f64,
     /// Its standard deviation \[W\].
     pub sigma_w: f64,
-    /// What it includes.
+    /// Scope of the loss.
     pub includes: Scope,
     /// Name of the assembly.
     pub assembly: String,
     /// Name of the run.
     pub run: Option<String>,
-    /// Place in the order of measurement.
+    /// Order of measurement.
     pub order: Option<f64>,
     /// State of the flanks.
     pub flank_state: Option<String>,
-    /// Case file, as it stands in the table.
+    /// Case file, as written in the table.
     pub case: Option<String>,
 }
 
 impl RigRow {
-    /// A point of the mesh alone, of assembly `1`.
+    /// Makes a point with mesh losses only, of assembly `1`.
     #[must_use]
     pub fn of_mesh(
         line: usize,
@@ -85,7 +85,7 @@ impl RigRow {
         }
     }
 
-    /// The same in another assembly.
+    /// Changes the assembly.
     #[must_use]
     pub fn in_assembly(mut self, assembly: &str) -> Self {
         assembly.clone_into(&mut self.assembly);
@@ -98,28 +98,28 @@ impl RigRow {
         self.speed_rpm * PI / 30.0
     }
 
-    /// Standard deviation over the loss.
+    /// Standard deviation relative to the loss.
     #[must_use]
     pub fn relative_sigma(&self) -> f64 {
         self.sigma_w / self.loss_w
     }
 }
 
-/// A table of measured points.
+/// Table of measured points.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct RigTable {
-    /// Its name in messages.
+    /// Name in messages.
     pub name: String,
-    /// Its rows.
+    /// Rows.
     pub rows: Vec<RigRow>,
-    /// Whether a comment says that the losses are simulated.
+    /// Whether a comment declares the losses as simulated.
     pub is_simulated: bool,
-    /// Columns that were left aside.
+    /// Ignored columns.
     pub unused: Vec<String>,
 }
 
-/// Columns that the table knows.
+/// Known columns.
 const KNOWN: [&str; 12] = [
     "torque_nm",
     "speed_rpm",
@@ -134,7 +134,7 @@ const KNOWN: [&str; 12] = [
     "flank_state",
     "case",
 ];
-/// Stems of a quantity and the column that it must be.
+/// Prefixes of column names, with the known column of the quantity.
 const STEMS: [(&str, &str); 6] = [
     ("torque_loss", "torque_loss_nm"),
     ("torque", "torque_nm"),
@@ -143,14 +143,14 @@ const STEMS: [(&str, &str); 6] = [
     ("loss", "loss_w"),
     ("sigma", "sigma_w"),
 ];
-/// Word by which a comment says that losses are simulated.
+/// Word in a comment that declares the losses as simulated.
 pub const SIMULATED: &str = "SIMULATED";
 
 impl RigTable {
-    /// Reads the table in `text`, with commas, semicolons (decimal commas are then read) or tabs between its cells.
+    /// Reads the table in `text`, separated by commas, semicolons (with decimal commas) or tabs.
     ///
     /// # Errors
-    /// When a column is missing or a row cannot be used; every such row is named.
+    /// When a column is missing or a row is not valid; lists all such rows.
     ///
     /// ```
     /// use asperity_calibration::RigTable;
@@ -225,7 +225,7 @@ impl RigTable {
         })
     }
 
-    /// A table of rows that are no file.
+    /// Makes a table of rows that are not from a file.
     #[must_use]
     pub fn of_rows(name: &str, rows: Vec<RigRow>, is_simulated: bool) -> Self {
         Self {
@@ -236,7 +236,7 @@ impl RigTable {
         }
     }
 
-    /// Names of the cases that rows name, each once; none for rows that name none.
+    /// Distinct case names of the rows; `None` for rows without a case.
     #[must_use]
     pub fn case_names(&self) -> Vec<Option<String>> {
         let mut names: Vec<Option<String>> = self.rows.iter().map(|row| row.case.clone()).collect();
@@ -248,17 +248,17 @@ impl RigTable {
     /// Names of the assemblies, in the order of their first rows.
     #[must_use]
     pub fn assemblies(&self) -> Vec<String> {
-        let mut found: Vec<String> = Vec::new();
+        let mut assemblies: Vec<String> = Vec::new();
         for row in &self.rows {
-            if !found.contains(&row.assembly) {
-                found.push(row.assembly.clone());
+            if !assemblies.contains(&row.assembly) {
+                assemblies.push(row.assembly.clone());
             }
         }
-        found
+        assemblies
     }
 }
 
-/// Where each column is.
+/// Index of each column.
 fn columns(
     file: &str,
     names: &[String],
@@ -269,14 +269,15 @@ fn columns(
     };
     for name in names {
         let stem = STEMS.iter().find(|(stem, _)| name.starts_with(stem));
-        if let (Some((_, known)), false) = (stem, KNOWN.contains(&name.as_str())) {
+        if let (Some((_, column)), false) = (stem, KNOWN.contains(&name.as_str())) {
             return Err(refuse(format!(
-                "column {name} is not known; give {known} in that unit"
+                "column {name} is not known; give {column} in this unit"
             )));
         }
     }
-    let place = |known: &'static str| Some((known, names.iter().position(|name| name == known)?));
-    let found: BTreeMap<&'static str, usize> = KNOWN.into_iter().filter_map(place).collect();
+    let index_of =
+        |known: &'static str| Some((known, names.iter().position(|name| name == known)?));
+    let columns: BTreeMap<&'static str, usize> = KNOWN.into_iter().filter_map(index_of).collect();
     for needed in [
         "torque_nm",
         "speed_rpm",
@@ -284,11 +285,11 @@ fn columns(
         "sigma_w",
         "includes",
     ] {
-        if !found.contains_key(needed) {
+        if !columns.contains_key(needed) {
             return Err(refuse(format!("column {needed} is missing")));
         }
     }
-    let losses = ["loss_w", "torque_loss_nm"].map(|name| found.contains_key(name));
+    let losses = ["loss_w", "torque_loss_nm"].map(|name| columns.contains_key(name));
     match losses {
         [false, false] => Err(refuse(
             "column loss_w (or torque_loss_nm) is missing".to_owned(),
@@ -296,11 +297,11 @@ fn columns(
         [true, true] => Err(refuse(
             "loss_w and torque_loss_nm exclude each other".to_owned(),
         )),
-        _ => Ok(found),
+        _ => Ok(columns),
     }
 }
 
-/// Begin and text of every line.
+/// Byte offset and text of every line.
 struct Lines<'a>(Vec<(usize, &'a str)>);
 
 impl<'a> Lines<'a> {
@@ -314,7 +315,7 @@ impl<'a> Lines<'a> {
         Self(text.split_inclusive('\n').map(line).collect())
     }
 
-    /// Number of the line of a row that a reader found at `byte`, which may be that of a blank line before it.
+    /// Line number of a row whose reader position is `byte`, possibly at a blank line before the row.
     fn of(&self, byte: usize) -> usize {
         let first = self
             .0
@@ -346,26 +347,26 @@ impl Cells<'_> {
         };
         let fault = |column, rule: String| RowFault { line, column, rule };
         let number = |column: &'static str| -> Result<f64, RowFault> {
-            let seen = text(column).ok_or_else(|| fault(column, "is missing".to_owned()))?;
+            let cell = text(column).ok_or_else(|| fault(column, "is missing".to_owned()))?;
             let plain = if self.has_decimal_comma {
-                seen.replace(',', ".")
+                cell.replace(',', ".")
             } else {
-                seen.clone()
+                cell.clone()
             };
             let value = plain.parse::<f64>().ok().filter(|value| value.is_finite());
-            value.ok_or_else(|| fault(column, format!("{seen:?} is no finite number")))
+            value.ok_or_else(|| fault(column, format!("{cell:?} is not a finite number")))
         };
         let includes = text("includes").ok_or_else(|| {
             fault(
                 "includes",
-                "is missing; mesh or mesh+bearings tells what the loss includes".to_owned(),
+                "is missing; write mesh or mesh+bearings, the scope of the loss".to_owned(),
             )
         })?;
         let includes = match includes.to_lowercase().replace(' ', "").as_str() {
             "mesh" => Scope::Mesh,
             "mesh+bearings" => Scope::MeshAndBearings,
             "all" => {
-                let rule = "all holds churning and seals, which no point tells from film friction; subtract the loss \
+                let rule = "all includes churning and seals, which cannot be separated from film friction; subtract the loss \
                             measured without load at the same speed and temperature, and write mesh+bearings";
                 return Err(fault("includes", rule.to_owned()));
             }
@@ -405,14 +406,14 @@ impl Cells<'_> {
     }
 }
 
-/// Ranges outside of which a unit is wrong: choices of this program, wide of every rig.
+/// Checks a row for wrong units, by ranges far wider than any rig needs.
 fn plausible(row: &RigRow, loss: &'static str) -> Result<(), (&'static str, String)> {
     const SPEED: [f64; 2] = [0.1, 100_000.0];
     const TORQUE: [f64; 2] = [0.01, 1e6];
     const TEMPERATURE: [f64; 2] = [-60.0, 200.0];
-    /// Loss over the power, from a very good mesh to a worm gear.
+    /// Loss relative to the power, from a very good mesh to a worm gear.
     const SHARE: [f64; 2] = [3e-4, 0.3];
-    /// Standard deviation over the loss.
+    /// Standard deviation relative to the loss.
     const SIGMA: [f64; 2] = [5e-4, 0.5];
     let within = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
     if !within(row.torque_nm.abs(), TORQUE) {

@@ -1,4 +1,4 @@
-//! Simulated rigs: losses of the model with the errors of a rig. Said to be simulated wherever they are written.
+//! Simulated rigs: losses of the model with the errors of a rig. All files that hold them declare them as simulated.
 
 use asperity_core::numerics::standard_normal_quantile;
 use rand_chacha::ChaCha8Rng;
@@ -8,27 +8,27 @@ use crate::error::CalibrationError;
 use crate::parameters::{ASSEMBLY, NO_LOAD, ROLLING, TEMPERATURE};
 use crate::rig_model::RigModel;
 
-/// A measurement that is to be simulated.
+/// Measurement to simulate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Simulated {
-    /// Number of its operating point.
+    /// Index of its operating point.
     pub point: usize,
-    /// Number of its assembly.
+    /// Index of its assembly.
     pub assembly: usize,
     /// Speed \[rad/s\].
     pub omega: f64,
 }
 
-/// Losses \[W\] of `wanted`, by the model with the logarithms `truth` of its parameters over their centres. Each
-/// has a normal error of its own of `sigma`; scales of the assemblies, rolling loss, oil temperature and loss without
-/// load are off by draws from their priors.
+/// Simulates the losses \[W\] of `measurements` by the model with the true parameters `truth`, as logarithms relative to
+/// their centres. Each loss has an independent normal error of `sigma`; the errors of assembly scales, rolling loss, oil
+/// temperature and loss without load are drawn from their priors.
 ///
 /// # Errors
 /// When the model has no solution at a point.
 pub fn losses(
     model: &RigModel,
     truth: &[f64],
-    wanted: &[Simulated],
+    measurements: &[Simulated],
     sigma: f64,
     seed: u64,
 ) -> Result<Vec<f64>, CalibrationError> {
@@ -37,7 +37,11 @@ pub fn losses(
         const STEPS: f64 = (1_u64 << 53) as f64;
         standard_normal_quantile(((random.next_u64() >> 11) as f64 + 0.5) / STEPS)
     };
-    let assemblies = wanted.iter().map(|one| one.assembly + 1).max().unwrap_or(0);
+    let assemblies = measurements
+        .iter()
+        .map(|one| one.assembly + 1)
+        .max()
+        .unwrap_or(0);
     let mut setting = truth.to_vec();
     setting.push(TEMPERATURE * normal());
     let rolling = (ROLLING * normal()).exp();
@@ -46,7 +50,7 @@ pub fn losses(
         .map(|_| (ASSEMBLY * normal()).exp())
         .collect();
     let parts = model.evaluate(&[setting], &|_| {})?;
-    let clean: Vec<f64> = wanted
+    let clean: Vec<f64> = measurements
         .iter()
         .map(|one| {
             let parts = &parts[one.point][0];
@@ -55,14 +59,14 @@ pub fn losses(
         .collect();
     let mut torques: Vec<f64> = clean
         .iter()
-        .zip(wanted)
+        .zip(measurements)
         .map(|(loss, one)| loss / one.omega)
         .collect();
     torques.sort_by(f64::total_cmp);
     let offset = without_load * torques.get(torques.len() / 2).copied().unwrap_or(0.0);
     let measured = clean
         .iter()
-        .zip(wanted)
+        .zip(measurements)
         .map(|(loss, one)| (loss + offset * one.omega) * (sigma * normal()).exp());
     Ok(measured.collect())
 }

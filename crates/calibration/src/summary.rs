@@ -1,4 +1,4 @@
-//! A calibration and a design on a terminal.
+//! Summaries of a calibration and a design for a terminal.
 
 use std::fmt::Write as _;
 
@@ -7,7 +7,7 @@ use asperity_report::wrapped;
 use crate::design::Design;
 use crate::result::{Calibration, FittedParameter, Identifiability, IdentifiedParameter};
 
-/// A value in the unit that it is shown in.
+/// A value with its display unit.
 pub(crate) fn shown(key: &str, value: f64) -> String {
     match key {
         "boundary_layer" => format!("{:.2} nm", 1e9 * value),
@@ -16,7 +16,7 @@ pub(crate) fn shown(key: &str, value: f64) -> String {
     }
 }
 
-/// The same without its unit, which the first one has.
+/// A value in its display unit, without the unit.
 fn bare(key: &str, value: f64) -> String {
     let text = shown(key, value);
     text.split(' ').next().unwrap_or_default().to_owned()
@@ -30,16 +30,16 @@ pub(crate) fn percent(deviation: Option<f64>) -> String {
     deviation.map_or("-".to_owned(), |value| format!("±{:.0} %", 100.0 * value))
 }
 
-/// What the points can find, for the moment before the fit.
+/// Summary of the identifiability, printed before the fit.
 #[must_use]
-pub fn before_the_fit(found: &Identifiability) -> String {
+pub fn before_the_fit(identifiability: &Identifiability) -> String {
     let mut text = String::new();
-    let temperatures: Vec<String> = found
+    let temperatures: Vec<String> = identifiability
         .temperatures_c
         .iter()
         .map(|value| format!("{value:.0}"))
         .collect();
-    let swept = found
+    let lambda_star = identifiability
         .lambda_star
         .map_or("unknown".to_owned(), |[low, high]| {
             format!("{low:.2} to {high:.2}")
@@ -47,20 +47,20 @@ pub fn before_the_fit(found: &Identifiability) -> String {
     // Writing into a string cannot fail.
     let _ = writeln!(
         text,
-        "what {} operating points can find (temperatures {} °C, Lambda* {swept})",
-        found.points,
+        "identifiability by {} operating points (temperatures {} °C, Lambda* {lambda_star})",
+        identifiability.points,
         temperatures.join(", ")
     );
-    for parameter in &found.parameters {
+    for parameter in &identifiability.parameters {
         text.push_str(&identified(parameter));
     }
-    if let Some((first, other, value)) = &found.worst_correlation {
+    if let Some((first, other, value)) = &identifiability.worst_correlation {
         let _ = writeln!(
             text,
-            "  told apart worst: {first} and {other}, correlation {value:+.2}"
+            "  hardest to separate: {first} and {other}, correlation {value:+.2}"
         );
     }
-    if let Some(best) = found.helpful.first() {
+    if let Some(best) = identifiability.helpful.first() {
         let line = format!(
             "  would help most: {:.0} N m, {:.0} 1/min, {:.0} °C ({} {} instead of {})",
             best.torque_nm,
@@ -85,49 +85,48 @@ fn identified(parameter: &IdentifiedParameter) -> String {
     )
 }
 
-/// The parameters with their bands, how well the fit holds, and the block.
-#[must_use]
-pub fn summary(found: &Calibration) -> String {
+/// Summary of a calibration: parameters with bands, quality of the fit, and the block.
+pub(crate) fn summary(calibration: &Calibration) -> String {
     let mut text = String::new();
-    if found.is_simulated {
+    if calibration.is_simulated {
         text.push_str("SIMULATED losses: a rehearsal, not a measurement\n");
     }
     let _ = writeln!(
         text,
         "parameter                value   95 % band          default range"
     );
-    for parameter in &found.parameters {
+    for parameter in &calibration.parameters {
         text.push_str(&row(parameter));
     }
     let _ = writeln!(
         text,
         "fit  chi squared {:.1} of {:.1} expected ({} points, {} {})",
-        found.chi_squared,
-        found.freedom,
-        found.points.len(),
-        found.assemblies.len(),
-        if found.assemblies.len() == 1 {
+        calibration.chi_squared,
+        calibration.freedom,
+        calibration.points.len(),
+        calibration.assemblies.len(),
+        if calibration.assemblies.len() == 1 {
             "assembly"
         } else {
             "assemblies"
         }
     );
-    for held in &found.held_out {
+    for held in &calibration.held_out {
         let _ = writeln!(
             text,
-            "held out  {:.0} °C: {:.1} % off the others' prediction ({:.1} % expected, mean {:+.1} %)",
+            "held out  {:.0} °C: {:.1} % from the prediction by the others ({:.1} % expected, mean {:+.1} %)",
             held.temperature_c,
             100.0 * held.rms_error,
             100.0 * held.expected_error,
             100.0 * held.mean_error,
         );
     }
-    for warning in &found.warnings {
+    for warning in &calibration.warnings {
         text.push_str(&wrapped(&warning.to_string(), "     "));
         text.push('\n');
     }
     text.push_str("for the case:\n");
-    text.push_str(&found.block);
+    text.push_str(&calibration.block);
     text
 }
 
@@ -152,9 +151,8 @@ fn row(parameter: &FittedParameter) -> String {
     format!("{}\n", text.trim_end())
 }
 
-/// The points of a design and what they would find.
-#[must_use]
-pub fn design_summary(design: &Design) -> String {
+/// Summary of a design: points and expected bands.
+pub(crate) fn design_summary(design: &Design) -> String {
     let mut text = format!(
         "{} points for each of {} assemblies, of {} candidates (D-optimal)\n",
         design.size() / design.limits.assemblies.max(1),
@@ -177,19 +175,19 @@ pub fn design_summary(design: &Design) -> String {
     }
     let _ = writeln!(
         text,
-        "expected with {:.1} % a point     95 % band          default range",
+        "expected with {:.1} % per point   95 % band          default range",
         100.0 * design.limits.sigma
     );
     for parameter in &design.parameters {
-        let found = &parameter.identified;
+        let identified = &parameter.identified;
         let _ = writeln!(
             text,
             "{:<18} {:>9}   {:<16}   {:<13}   {}",
-            found.name,
-            percent(found.deviation),
-            range(&found.key, parameter.band),
-            range(&found.key, parameter.default_range),
-            found.verdict.text(),
+            identified.name,
+            percent(identified.deviation),
+            range(&identified.key, parameter.band),
+            range(&identified.key, parameter.default_range),
+            identified.verdict.text(),
         );
     }
     text

@@ -1,13 +1,13 @@
-//! Response surfaces of a rig's points, made from the model.
+//! Response surfaces of the model at the points of a rig.
 
 use crate::error::CalibrationError;
 use crate::parameters::Parameter;
 use crate::problem::PointSurfaces;
 use crate::response::{Region, Response};
-use crate::rig_model::{Parts, RigModel, Told};
+use crate::rig_model::{PointLosses, Progress, RigModel};
 use asperity::case::CalibratedName;
 
-/// Half-width of the first box along the logarithm of a parameter: its range in a case, roughly.
+/// Half width of the first box along the logarithm of a parameter: about its range in a case.
 const fn first_half_width(name: CalibratedName) -> f64 {
     match name {
         CalibratedName::BoundaryFriction | CalibratedName::EyringStress => 0.35,
@@ -15,13 +15,14 @@ const fn first_half_width(name: CalibratedName) -> f64 {
         CalibratedName::LimitingShear => 0.2,
     }
 }
-/// The same along the temperature \[K\].
+/// Half width of the first box along the temperature \[K\].
 const FIRST_TEMPERATURE: f64 = 4.0;
-/// Steps of the slopes of a design: logarithms, and temperature \[K\].
+/// Step of the derivatives of a design by the logarithm of a parameter.
 const STEP: f64 = 0.1;
+/// Step of the derivatives of a design by the temperature \[K\].
 const TEMPERATURE_STEP: f64 = 1.0;
 
-/// The first box: about the centres of the parameters.
+/// First box, about the centres of the parameters.
 #[must_use]
 pub fn first_region(parameters: &[Parameter]) -> Region {
     let widths = parameters
@@ -33,7 +34,7 @@ pub fn first_region(parameters: &[Parameter]) -> Region {
     }
 }
 
-/// A box for slopes about the centres.
+/// Box about the centres for derivatives.
 #[must_use]
 pub fn slope_region(parameters: &[Parameter]) -> Region {
     let mut half_width = vec![STEP; parameters.len()];
@@ -51,9 +52,15 @@ pub fn slope_region(parameters: &[Parameter]) -> Region {
 pub fn surfaces(
     model: &RigModel,
     region: &Region,
-    told: Told<'_>,
+    progress: Progress<'_>,
 ) -> Result<Vec<PointSurfaces>, CalibrationError> {
-    made(model, region, &region.settings(), Response::through, told)
+    made(
+        model,
+        region,
+        &region.settings(),
+        Response::through,
+        progress,
+    )
 }
 
 /// Planes of every point of `model` about the centre of `region`.
@@ -63,14 +70,14 @@ pub fn surfaces(
 pub fn tangents(
     model: &RigModel,
     region: &Region,
-    told: Told<'_>,
+    progress: Progress<'_>,
 ) -> Result<Vec<PointSurfaces>, CalibrationError> {
     made(
         model,
         region,
         &region.forward_settings(),
         Response::tangent,
-        told,
+        progress,
     )
 }
 
@@ -79,15 +86,15 @@ fn made(
     region: &Region,
     settings: &[Vec<f64>],
     through: fn(usize, &[f64]) -> Response,
-    told: Told<'_>,
+    progress: Progress<'_>,
 ) -> Result<Vec<PointSurfaces>, CalibrationError> {
     let axes = region.centre.len();
-    let surface = |parts: &[Parts], of: fn(&Parts) -> f64| {
+    let surface = |parts: &[PointLosses], of: fn(&PointLosses) -> f64| {
         let logarithms: Vec<f64> = parts.iter().map(|parts| of(parts).ln()).collect();
         through(axes, &logarithms)
     };
-    let found = model.evaluate(settings, told)?;
-    let points = found.iter().map(|parts| PointSurfaces {
+    let losses = model.evaluate(settings, progress)?;
+    let points = losses.iter().map(|parts| PointSurfaces {
         sliding: surface(parts, |parts| parts.sliding_w),
         rolling: surface(parts, |parts| parts.rolling_w),
     });

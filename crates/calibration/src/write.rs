@@ -1,61 +1,67 @@
-//! The folder of a calibration: `calibration.json`, `calibration.toml` (the block), `points.csv`, `calibration.html`; that
-//! of a design: `design.json`, `design.csv` to fill in, `design.html`, and `simulated.csv` where that is asked for.
+//! Folder of a calibration: `calibration.json`, `calibration.toml` (the block), `points.csv`, `calibration.html`. Folder of
+//! a design: `design.json`, `design.csv` to fill in, `design.html`, and on request `simulated.csv`.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
-use asperity_report::{ReportError, tables, write_json, write_text};
-use asperity_storage::{check_folder, replace_folder};
+use asperity_report::{ReportError, StudyResult, tables, write_text};
 
 use crate::design::Design;
 use crate::page;
 use crate::result::Calibration;
 use crate::rig_table::SIMULATED;
+use crate::summary::{design_summary, summary};
 
-/// Kind of the folder in messages.
+/// Kind of both folders in messages.
 const KIND: &str = "calibration";
 
-/// Whether a calibration or a design may be written as folder `target`.
-///
-/// # Errors
-/// When something else than an older one is there.
-pub fn check_place(target: &Path) -> Result<(), ReportError> {
-    Ok(check_folder(target, KIND)?)
+impl StudyResult for Calibration {
+    const KIND: &'static str = KIND;
+    const NAME: &'static str = "calibration";
+    type Context<'a> = ();
+
+    fn summary(&self, (): ()) -> String {
+        summary(self)
+    }
+
+    fn page(&self, (): ()) -> String {
+        page::render(self)
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        write_text(&folder.join("calibration.toml"), &self.block)?;
+        tables::write(&folder.join("points.csv"), self.points.iter())
+    }
 }
 
-/// Writes `found` as folder `target`, whole or not at all; an older one there is replaced.
-///
-/// # Errors
-/// When the system refuses, or `target` holds something else.
-pub fn write(found: &Calibration, target: &Path) -> Result<(), ReportError> {
-    replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("calibration.json"), found)?;
-        write_text(&folder.join("calibration.toml"), &found.block)?;
-        tables::write(&folder.join("points.csv"), found.points.iter())?;
-        write_text(&folder.join("calibration.html"), &page::render(found))
-    })
-}
+impl StudyResult for Design {
+    const KIND: &'static str = KIND;
+    const NAME: &'static str = "design";
+    /// Simulated losses at the points \[W\].
+    type Context<'a> = Option<&'a [f64]>;
 
-/// Writes `design` as folder `target`, with simulated losses as a table beside it where there are any.
-///
-/// # Errors
-/// When the system refuses, or `target` holds something else.
-pub fn write_design(
-    design: &Design,
-    simulated: Option<&[f64]>,
-    target: &Path,
-) -> Result<(), ReportError> {
-    replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("design.json"), design)?;
-        write_text(&folder.join("design.csv"), &table(design, None))?;
-        if let Some(losses) = simulated {
-            write_text(&folder.join("simulated.csv"), &table(design, Some(losses)))?;
+    fn summary(&self, simulated: Option<&[f64]>) -> String {
+        let mut text = design_summary(self);
+        if simulated.is_some() {
+            text.push_str("simulated.csv holds SIMULATED losses at these points\n");
         }
-        write_text(&folder.join("design.html"), &page::render_design(design))
-    })
+        text
+    }
+
+    fn page(&self, _: Option<&[f64]>) -> String {
+        page::render_design(self)
+    }
+
+    fn write_tables(&self, simulated: Option<&[f64]>, folder: &Path) -> Result<(), ReportError> {
+        write_text(&folder.join("design.csv"), &table(self, None))?;
+        match simulated {
+            Some(losses) => write_text(&folder.join("simulated.csv"), &table(self, Some(losses))),
+            None => Ok(()),
+        }
+    }
 }
 
-/// The table of a rig for `design`, its losses to be measured or simulated.
+/// Rig table for `design`, with empty or simulated losses.
 fn table(design: &Design, simulated: Option<&[f64]>) -> String {
     let mut text = String::new();
     if simulated.is_some() {

@@ -74,7 +74,7 @@ fn wrong_units_are_named() {
         ),
         (
             "183,2166,90,300,9,all",
-            ["includes: all holds churning", "subtract"],
+            ["includes: all includes churning", "subtract"],
         ),
     ] {
         let text = refused(row);

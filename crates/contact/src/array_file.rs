@@ -1,4 +1,4 @@
-//! Arrays as text (`.csv`) and in the binary format of NumPy (`.npy`), to any writer.
+//! Writers of arrays as text (`.csv`) and in the binary format of NumPy (`.npy`).
 //!
 //! Source: the NPY format, version 1.0, of NumPy's documentation: a magic string, a header that is
 //! a Python dictionary padded to a multiple of 64 bytes, and the values in little-endian order.
@@ -13,10 +13,10 @@ const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
 /// The header ends at a multiple of this many bytes.
 const ALIGNMENT: usize = 64;
 
-/// Writes `parts`, one after the other, as one array of 64-bit numbers in C order.
+/// Writes the concatenated `parts` as one array of 64-bit numbers in C order.
 ///
 /// # Errors
-/// When the shape does not have as many elements as there are values, or the writer fails.
+/// When the number of elements of the shape is not the number of values, or the writer fails.
 ///
 /// ```
 /// use asperity_contact::array_file::write_npy;
@@ -53,7 +53,7 @@ pub fn write_npy(out: &mut impl Write, shape: &[usize], parts: &[&[f64]]) -> io:
     Ok(())
 }
 
-/// Writes named columns of one length, with all their digits.
+/// Writes named columns of equal length with all digits.
 ///
 /// # Errors
 /// When the columns differ in length, or the writer fails.
@@ -89,7 +89,7 @@ pub fn write_csv(out: &mut impl Write, columns: &[(&str, &[f64])]) -> io::Result
 }
 
 impl ContactSolution {
-    /// Pressure, displacement, gap and plastic displacement as text, one row per point.
+    /// Writes pressure, displacement, gap and plastic displacement as text, one row per point.
     ///
     /// # Errors
     /// When the writer fails.
@@ -104,7 +104,7 @@ impl ContactSolution {
         write_csv(out, &columns)
     }
 
-    /// Pressure, displacement, gap and plastic displacement as an array of shape (4, points).
+    /// Writes pressure, displacement, gap and plastic displacement as an array of shape (4, points).
     ///
     /// # Errors
     /// When the writer fails.
@@ -123,18 +123,19 @@ impl ContactSolution {
 }
 
 impl StressField {
-    /// Position from the first point, depth and the three stresses as text, one row per point.
+    /// Writes the position from the first point, the depth and the three stresses as text, one row per
+    /// point.
     ///
     /// # Errors
     /// When the writer fails.
     pub fn write_csv(&self, out: &mut impl Write) -> io::Result<()> {
         let dx = self.spacing.si();
-        let places = 0..self.sigma_xx.len();
-        let x: Vec<f64> = places
+        let indices = 0..self.sigma_xx.len();
+        let x: Vec<f64> = indices
             .clone()
             .map(|i| (i % self.points) as f64 * dx)
             .collect();
-        let z: Vec<f64> = places.map(|i| self.depths[i / self.points]).collect();
+        let z: Vec<f64> = indices.map(|i| self.depths[i / self.points]).collect();
         let columns = [
             ("x_m", &x[..]),
             ("z_m", &z),
@@ -145,7 +146,7 @@ impl StressField {
         write_csv(out, &columns)
     }
 
-    /// σ_xx, σ_zz and τ_xz as an array of shape (3, depths, points).
+    /// Writes σ_xx, σ_zz and τ_xz as an array of shape (3, depths, points).
     ///
     /// # Errors
     /// When the writer fails.
@@ -161,7 +162,7 @@ mod tests {
 
     #[test]
     fn the_array_is_what_numpy_writes() {
-        // numpy.save of arange(3.0), NumPy 1.26, but for the padding, which differs by version.
+        // numpy.save of arange(3.0), NumPy 1.26, except for the padding, which depends on the version.
         let mut file = vec![];
         write_npy(&mut file, &[3], &[&[0.0, 1.0, 2.0]]).unwrap();
         let header =

@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Boundary {
-    /// Nothing outside the window is loaded: a single line contact.
+    /// No load outside of the window: a single line contact.
     #[default]
     FreeEnds,
-    /// Window and pressure are periodic; the mean displacement is taken as zero.
+    /// Window and pressure are periodic; the displacement has no mean.
     Periodic(PeriodicKernel),
 }
 
@@ -25,8 +25,8 @@ impl std::fmt::Display for Boundary {
     }
 }
 
-/// Load of a cell of a periodic contact; the difference is of the order of the
-/// discretisation error.
+/// Pressure between the points of a periodic contact. The kernels differ by about the discretisation
+/// error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -34,6 +34,6 @@ pub enum PeriodicKernel {
     /// Constant pressure over each cell, summed over all periods.
     #[default]
     Strip,
-    /// The band-limited pressure through the points, 2/(E*·|q|) per wave.
+    /// Band-limited pressure through the points, 2/(E*·|q|) per wave.
     Spectral,
 }

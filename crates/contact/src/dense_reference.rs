@@ -2,9 +2,9 @@
 //!
 //! Built with the feature `oracle`; the tests of the fast solver compare with it.
 //!
-//! Every point is apart, touching or flowing. With these sets given the problem is linear and is
-//! solved by Cholesky factors; points whose pressure or gap has the wrong sign then change sets
-//! until none does. Three to fifteen steps of O(n³).
+//! Every point is apart, touching or flowing. With these sets known the problem is linear and is
+//! solved by a Cholesky factorisation; points whose pressure or gap has the wrong sign then change
+//! sets until none does. This takes three to fifteen steps of O(n³).
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -25,20 +25,20 @@ use crate::half_plane::cell_compliance;
 use crate::problem::{ContactProblem, Control};
 use crate::strip_kernel::{column_of_period, spectral_symbol, strip, strip_column};
 
-/// Most points: a matrix of 18 MB.
+/// Largest number of points: a matrix of 18 MB.
 pub const MAX_POINTS: usize = 1500;
-/// Steps after which a set that still changes is taken to cycle.
+/// Steps after which sets that still change are assumed to cycle.
 const MAX_SET_UPDATES: usize = 100;
-/// Overlap over the range of the gap that counts as round-off and keeps a point in its set.
+/// Overlap, relative to the range of the gap, that counts as round-off and leaves a point in its set.
 const ROUND_OFF: f64 = 1e-12;
 
-/// A solution to round-off.
+/// Solution that is exact except for round-off.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct DenseSolution {
     /// Pressure between the solids in Pa.
     pub pressure: Vec<f64>,
-    /// Approach, from the same datum as that of [`ContactSolution`](crate::ContactSolution).
+    /// Approach, relative to the same datum as in [`ContactSolution`](crate::ContactSolution).
     pub approach: Length,
     /// Linear systems solved.
     pub steps: usize,
@@ -52,17 +52,17 @@ enum State {
 }
 
 /// The problem in the units of the matrix.
-struct Dense {
+struct DenseProblem {
     /// First column of A.
     column: Vec<f64>,
-    /// h, with the displacement by prescribed pressures, minus a controlled approach in m.
+    /// h plus the displacement by the prescribed pressure, minus a controlled approach, in m.
     gap: Vec<f64>,
-    /// Σy when the load is controlled.
+    /// Σy if the load is controlled.
     sum: Option<f64>,
     limit: f64,
 }
 
-/// Solves a problem of at most [`MAX_POINTS`] points to round-off; its start is not used.
+/// Solves a problem of at most [`MAX_POINTS`] points to round-off. Its start is ignored.
 ///
 /// # Errors
 /// When the problem is not well posed or too large, or its active set does not settle.
@@ -88,7 +88,7 @@ pub fn solve_dense(problem: &ContactProblem) -> Result<DenseSolution, ContactErr
         });
     }
     let compliance = cell_compliance(problem.spacing, problem.modulus)?;
-    let dense = Dense::new(problem, compliance);
+    let dense = DenseProblem::new(problem, compliance);
     let mut states = dense.first_states();
     let mut changes = points;
     for steps in 1..=MAX_SET_UPDATES {
@@ -110,7 +110,7 @@ pub fn solve_dense(problem: &ContactProblem) -> Result<DenseSolution, ContactErr
     })
 }
 
-impl Dense {
+impl DenseProblem {
     fn new(problem: &ContactProblem, compliance: f64) -> Self {
         let points = problem.gap.len();
         let datum = datum_term(problem);
@@ -146,7 +146,7 @@ impl Dense {
         dense
     }
 
-    /// All points touching, or those that overlap before deformation.
+    /// First sets: all points touching under a load, or the points that overlap before deformation.
     fn first_states(&self) -> Vec<State> {
         let first = |&h: &f64| {
             if self.sum.is_some() || h < 0.0 {
@@ -158,7 +158,7 @@ impl Dense {
         self.gap.iter().map(first).collect()
     }
 
-    /// Moves points whose pressure or gap has the wrong sign to another set; returns how many.
+    /// Moves points whose pressure or gap has the wrong sign to another set and returns their number.
     fn update(&self, states: &mut [State], y: &[f64], alpha: f64) -> usize {
         let displaced = self.displacement(y);
         let range = |m: f64, h: &f64| m.max((h - self.gap[0]).abs());
@@ -192,8 +192,8 @@ impl Dense {
 
     /// p = π·E*·C⁻¹·(δ − h)                                                                 `[P3]`
     ///
-    /// Pressures and approach that close the gap of the touching points; none when no point
-    /// touches that could carry the rest of the load.
+    /// Pressures and approach that close the gap of the touching points; `None` if no touching point is
+    /// left to carry the rest of the load.
     fn pressures(&self, states: &[State]) -> Option<(Vec<f64>, f64)> {
         asperity_core::cite!("P3");
         let touching: Vec<usize> = (0..states.len())
@@ -217,7 +217,7 @@ impl Dense {
         let matrix = Mat::from_fn(size, size, |i, j| {
             self.column[touching[i].abs_diff(touching[j])]
         });
-        // Second column: the pressures of a unit approach.
+        // The pressures are those at zero approach (first column) plus α times those of a unit approach (second).
         let right = Mat::from_fn(size, 2, |i, k| {
             let i = touching[i];
             if k == 0 {
@@ -237,7 +237,7 @@ impl Dense {
         Some((y, alpha))
     }
 
-    /// The approach from the datum of the problem, which for periodic ends has no mean.
+    /// Approach relative to the datum of the problem; for periodic ends, to a displacement without mean.
     fn approach(&self, problem: &ContactProblem, compliance: f64, alpha: f64) -> Length {
         match (problem.control, problem.boundary) {
             (Control::Approach { approach, .. }, _) => approach,
@@ -251,8 +251,8 @@ impl Dense {
     }
 }
 
-/// Constant added to every element of the matrix: C₀/a, or for the load of periodic ends, where it
-/// does not matter, one.
+/// Constant added to every element of the matrix: C₀/a, or one for periodic ends under a load, where any
+/// value gives the same pressures and a positive one makes the matrix positive definite.
 fn datum_term(problem: &ContactProblem) -> f64 {
     match (problem.boundary, problem.control) {
         (Boundary::FreeEnds, _) => -strip(2.0 * problem.datum().si() / problem.spacing.si()),
@@ -261,7 +261,7 @@ fn datum_term(problem: &ContactProblem) -> f64 {
     }
 }
 
-/// The kernel of the spectral symbol, by direct summation of its waves.
+/// Kernel of the spectral symbol, by direct summation of its waves.
 fn spectral_column(points: usize) -> Vec<f64> {
     let n = points as f64;
     let element = |k: usize| {

@@ -1,4 +1,4 @@
-//! Errors of contact problems.
+//! Errors of contact computations.
 
 use asperity_core::DomainError;
 use asperity_core::cancel::Cancelled;
@@ -17,35 +17,35 @@ pub enum ContactError {
     /// The work was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
-    /// Not enough points for a contact.
+    /// Too few points for a contact.
     #[error("{points} points are too few for a contact: give at least {least}")]
     TooFewPoints {
-        /// Points given.
+        /// Number of points.
         points: usize,
-        /// Points needed.
+        /// Least number of points.
         least: usize,
     },
-    /// More points than a dense matrix is meant for.
+    /// Too many points for a dense matrix.
     #[error(
         "{points} points are too many for the dense solution (at most {most}): use the solver with transforms"
     )]
     TooManyPoints {
-        /// Points given.
+        /// Number of points.
         points: usize,
-        /// Points accepted.
+        /// Largest number of points.
         most: usize,
     },
-    /// Two arrays that belong together differ in length.
+    /// An array does not have one value per point.
     #[error("{name} has {got} values where {need} are needed: one per point of the gap")]
     WrongLength {
         /// The array.
         name: &'static str,
-        /// Values needed.
+        /// Number of values required.
         need: usize,
-        /// Values given.
+        /// Number of values of the array.
         got: usize,
     },
-    /// An array holds a value that it may not hold.
+    /// An array has an invalid value.
     #[error("{name}[{index}] = {value} {unit}: {rule}")]
     BadElement {
         /// The array.
@@ -56,10 +56,10 @@ pub enum ContactError {
         value: f64,
         /// Its unit.
         unit: &'static str,
-        /// Rule that it breaks.
+        /// Rule that it violates.
         rule: &'static str,
     },
-    /// The pressure limit on every point together is below the load.
+    /// At the pressure limit the whole window carries less than the load.
     #[error(
         "the pressure limit {limit} carries at most {capacity} on this window, the load is {load}: raise the limit, widen the window or lower the load"
     )]
@@ -68,7 +68,7 @@ pub enum ContactError {
         limit: Pressure,
         /// Load that the whole window carries at the limit.
         capacity: LineLoad,
-        /// Load asked for.
+        /// Load of the problem.
         load: LineLoad,
     },
     /// The datum distance is too small for the approach to fix the load.
@@ -76,117 +76,117 @@ pub enum ContactError {
         "the approach is measured from a datum at {datum}, which must lie farther than {least} (a quarter of the window): choose a larger datum distance"
     )]
     DatumTooNear {
-        /// Datum distance given.
+        /// Datum distance of the problem.
         datum: Length,
-        /// Distance it must exceed.
+        /// Distance that it must exceed.
         least: Length,
     },
-    /// A periodic contact closed beyond its mean gap, where no finite load holds it.
+    /// The approach of a periodic contact is beyond its mean gap, where no finite load holds it.
     #[error(
-        "a periodic contact is closed altogether at an approach of {mean_gap}, so {approach} has no finite load: lower the approach or control the load"
+        "a periodic contact is fully closed at an approach of {mean_gap}, so {approach} needs an infinite load: lower the approach or control the load"
     )]
     ApproachBeyondMeanGap {
-        /// Approach asked for.
+        /// Approach of the problem.
         approach: Length,
         /// Approach at which the whole period is in contact.
         mean_gap: Length,
     },
-    /// A problem given to a solver made for another number of points or another boundary.
+    /// The problem has another number of points or another boundary than the solver.
     #[error("the solver was made for {solver} and the problem has {problem}: make a new solver")]
     SolverMismatch {
-        /// Shape the solver was made for.
+        /// Shape of the solver.
         solver: SolverShape,
         /// Shape of the problem.
         problem: SolverShape,
     },
-    /// The iterations allowed were used up, or no further progress was possible.
+    /// The largest number of iterations was reached, or no progress was possible.
     #[error(
         "not converged to {tolerance:e} after {iterations} iterations (duality gap {:e}, penetration {:e}, load error {:e}): allow more iterations or a larger tolerance",
         certificate.duality_gap, certificate.penetration, certificate.load_error
     )]
     NotConverged {
-        /// Iterations used on the finest grid.
+        /// Iterations on the finest grid.
         iterations: usize,
         /// Certificate of the last iterate.
         certificate: Certificate,
-        /// Tolerance asked for.
+        /// Tolerance of the settings.
         tolerance: f64,
     },
-    /// A tolerance at which any answer would pass.
+    /// The tolerance would accept useless solutions.
     #[error(
-        "the tolerance {tolerance:e} is too large: the pressures would be uselessly wrong; give at most {most:e}"
+        "the tolerance {tolerance:e} is too large: pressures could be wrong by more than half; give at most {most:e}"
     )]
     ToleranceTooLarge {
-        /// Tolerance asked for.
+        /// Tolerance of the settings.
         tolerance: f64,
         /// Largest tolerance accepted.
         most: f64,
     },
-    /// Something that is only defined under a given load was asked of a controlled approach.
+    /// A computation that needs a load was requested for a controlled approach.
     #[error("{purpose} needs a load and the problem controls the approach: control the load")]
     LoadControlNeeded {
-        /// Computation asked for.
+        /// The computation requested.
         purpose: &'static str,
     },
-    /// Something that holds for elastic contacts only was asked of one with a pressure limit.
+    /// A computation for elastic contacts was requested for a problem with a pressure limit.
     #[error("{purpose} is elastic and the problem has a pressure limit: remove the limit")]
     ElasticOnly {
-        /// Computation asked for.
+        /// The computation requested.
         purpose: &'static str,
     },
-    /// Something that needs flow was asked of a contact without pressure limit.
+    /// A computation that needs plastic flow was requested without a pressure limit.
     #[error("{purpose} needs a pressure at which the softer body flows: give a pressure limit")]
     LimitNeeded {
-        /// Computation asked for.
+        /// The computation requested.
         purpose: &'static str,
     },
     /// The flanks still flow after all cycles.
     #[error(
-        "after {cycles} cycles the flanks still dissipate {left:e} of the first cycle's energy where {shakedown:e} was asked for: allow more cycles or a tighter tolerance of the contacts"
+        "after {cycles} cycles the flanks still dissipate {left:e} of the first cycle's energy, more than the required {shakedown:e}: allow more cycles or a tighter tolerance of the contacts"
     )]
     NotRunIn {
-        /// Cycles used.
+        /// Number of cycles.
         cycles: usize,
-        /// Energy of the last cycle over that of the first.
+        /// Dissipated energy of the last cycle relative to the first.
         left: f64,
-        /// Ratio asked for.
+        /// Ratio required.
         shakedown: f64,
     },
-    /// Something that is only defined for free ends was asked of a periodic contact.
+    /// A computation for free ends was requested for a periodic contact.
     #[error("{purpose} is defined for free ends and the problem is periodic: widen the window")]
     FreeEndsNeeded {
-        /// Computation asked for.
+        /// The computation requested.
         purpose: &'static str,
     },
     /// A fixed point was not reached.
     #[error(
-        "the pressure still changed by {residual:e} of its largest value after {steps} steps where {tolerance:e} was asked for: allow more steps or a larger tolerance"
+        "the pressure still changed by {residual:e} of its largest value after {steps} steps, more than the required {tolerance:e}: allow more steps or a larger tolerance"
     )]
     NoFixedPoint {
-        /// Steps used.
+        /// Number of steps.
         steps: usize,
-        /// Change in the last one over the largest pressure.
+        /// Change in the last step relative to the largest pressure.
         residual: f64,
-        /// Change asked for.
+        /// Change required.
         tolerance: f64,
     },
-    /// The dense active set did not settle.
+    /// The active set of the dense solver did not settle.
     #[error("the active set still changed at {changes} points after {steps} steps")]
     ActiveSetUnsettled {
-        /// Steps used.
+        /// Number of steps.
         steps: usize,
-        /// Points that changed in the last one.
+        /// Points that changed in the last step.
         changes: usize,
     },
 }
 
-/// Points and ends that a [`Solver`](crate::Solver) is made for.
+/// Number of points and boundary of a [`Solver`](crate::Solver).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SolverShape {
     /// Number of points.
     pub points: usize,
-    /// Ends of the window.
+    /// Boundary of the window.
     pub boundary: Boundary,
 }
 

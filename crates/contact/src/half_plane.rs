@@ -45,7 +45,7 @@ pub struct HalfPlane {
 }
 
 impl HalfPlane {
-    /// The operator of `points` cells.
+    /// Makes the operator of `points` cells.
     ///
     /// # Errors
     /// When there are fewer than two points, or spacing or modulus is not positive.
@@ -80,7 +80,7 @@ impl HalfPlane {
     /// [`datum_constant`](crate::strip_kernel::datum_constant)) and without mean for periodic ends.
     ///
     /// # Errors
-    /// When an array has not one value per cell.
+    /// When an array does not have one value per cell.
     pub fn displacement(
         &mut self,
         pressure: &[f64],
@@ -106,7 +106,7 @@ impl HalfPlane {
 
 /// g = h + u − δ,  u(x) = −(2/(π·E*))·∫ p(s)·ln|x − s| ds + const                         `[Gap-deformed]`
 ///
-/// Gap in m at each point from undeformed gap h and displacement u in m; the shorter array counts.
+/// Gap in m at each point from undeformed gap h and displacement u in m, up to the shorter array.
 ///
 /// ```
 /// use asperity_contact::half_plane::deformed_gap;
@@ -136,15 +136,15 @@ pub fn line_load(pressure: &[f64], spacing: Length) -> LineLoad {
     LineLoad::from_si(pressure.iter().sum::<f64>() * spacing.si())
 }
 
-/// a/(π·E*) in m/Pa: what a dimensionless kernel is multiplied by.
+/// a/(π·E*) in m/Pa, the factor of a dimensionless kernel.
 pub(crate) fn cell_compliance(spacing: Length, modulus: Pressure) -> Result<f64, ContactError> {
     let dx = DomainError::positive("spacing", spacing)?;
     let e = DomainError::positive("reduced modulus", modulus)?;
     Ok(0.5 * dx / (PI * e))
 }
 
-/// Notes the equation of the kernel that displacements with these ends rest on, which a kept operator
-/// does not evaluate again:
+/// Records the equation of the displacement kernel of a boundary, which a cached operator does not
+/// evaluate again:
 ///
 /// free ends: C(x) of a strip                                                            `[P2]`
 /// periodic ends: C(x) of a strip and all its images                                     `[Periodic-1]`
@@ -157,8 +157,8 @@ pub(crate) fn cite_kernel(boundary: Boundary) {
     }
 }
 
-/// The filter C/a. `column` holds the kernel of free ends at the first cells, which is that of every grid; made longer
-/// where it is too short.
+/// The filter C/a. `column` caches the kernel of free ends, which is the same at the first cells of every
+/// grid, and is extended if it is too short.
 pub(crate) fn displacement_filter(
     planner: &mut FftPlanner<f64>,
     points: usize,
@@ -183,9 +183,9 @@ pub(crate) fn displacement_filter(
     }
 }
 
-/// The filter |q|·E*/2 in units of π·E*/(2a): nearly the inverse of the displacement, so that single
-/// precision is enough. Its zero mode is half its first, which the mean of a masked signal needs to
-/// be neither lost nor amplified.
+/// The filter |q|·E*/2 in units of π·E*/(2a): nearly the inverse of the displacement, used as a
+/// preconditioner, for which single precision is enough. Its zero mode, which the displacement does not
+/// determine, is half of its first: a masked signal has a mean, which must be neither lost nor amplified.
 pub(crate) fn inverse_filter(planner: &mut FftPlanner<f32>, points: usize) -> EvenFilter<f32> {
     let length = fast_length(points);
     let symbol = |wave: usize| if wave == 0 { 0.5 } else { wave as f64 } / length as f64;

@@ -12,7 +12,7 @@
 //! | b | half width of the contact | m |
 //! | p₀ | largest pressure | Pa |
 //! | p̄ | mean pressure over the contact | Pa |
-//! | D | distance of the datum that the approach is measured against | m |
+//! | D | distance of the datum of the approach | m |
 //! | δ | approach of the two bodies | m |
 
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -118,7 +118,7 @@ fn domain(
     ))
 }
 
-/// A Hertz line contact: the two numbers that fix its pressure and its stresses.
+/// Hertz line contact: the two numbers that determine its pressure and its stresses.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct HertzLine {
     /// Half width b.
@@ -128,7 +128,7 @@ pub struct HertzLine {
 }
 
 impl HertzLine {
-    /// The contact of a line load on a relative radius: [`half_width`] and [`max_pressure`].
+    /// Computes the contact of a line load and a relative radius: [`half_width`] and [`max_pressure`].
     ///
     /// # Errors
     /// When the load is negative, or the radius or the modulus is not positive.
@@ -164,7 +164,7 @@ impl HertzLine {
         let x = DomainError::finite("position", position)?;
         let b = self.half_width.si();
         let ordinate = if x.abs() < b {
-            // (b − x)(b + x) keeps its digits towards the edge, b² − x² does not.
+            // Near the edge (b − x)(b + x) is accurate, b² − x² is not.
             ((b - x) * (b + x)).sqrt() / b
         } else {
             0.0
@@ -177,7 +177,7 @@ impl HertzLine {
         self.max_pressure * FRAC_PI_4
     }
 
-    /// w = (π/2)·p₀·b, the load that the pressure carries.
+    /// w = (π/2)·p₀·b, the integral of the pressure.
     pub fn load(&self) -> LineLoad {
         LineLoad::from_si(0.5 * PI * self.max_pressure.si() * self.half_width.si())
     }

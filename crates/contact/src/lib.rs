@@ -1,13 +1,13 @@
 //! Rough line contact of elastic half-planes: boundary elements, plasticity, subsurface stress.
 //!
-//! Plane strain, pressures and loads per metre of face width. Give [`solve`] a gap and a load, keep a
-//! [`Solver`] for many problems of one size, follow a [`Path`] of loads or positions, or solve many
-//! paths at once with [`solve_paths`]. Every solution comes with a [`Certificate`]; what is not
-//! solved to its tolerance is a [`ContactError`] with evidence.
+//! Plane strain, pressures and loads per metre of face width. [`solve`] solves one problem, a [`Solver`]
+//! many problems of one size, a [`Path`] a series of loads or positions, [`solve_paths`] many series in
+//! parallel. Every solution has a [`Certificate`]; a solution outside of its tolerance is a
+//! [`ContactError`] that holds the certificate reached.
 //!
 //! | for | see |
 //! |---|---|
-//! | two profiles face to face | [`two_flanks`] |
+//! | two measured profiles | [`two_flanks`] |
 //! | plastic flow of the surface, running-in | [`plasticity`], [`running_in`] |
 //! | stress below the surface | [`subsurface`] |
 //! | closed forms | [`hertz_line`], [`westergaard`], [`flat_punch`] |

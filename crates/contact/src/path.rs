@@ -1,7 +1,7 @@
-//! Contacts along a path of loads, positions or offsets, and many such paths at once.
+//! Contacts along a path of loads, positions or offsets, and many such paths in parallel.
 //!
-//! Along a path every contact starts from the one before, so it is solved in order; paths do not
-//! know each other and are solved in parallel, with the same result on any number of threads.
+//! Along a path every contact starts from the one before, so the contacts are solved in order. Paths are
+//! independent and are solved in parallel, with the same result on any number of threads.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -17,7 +17,7 @@ use crate::problem::{ContactProblem, ContactSolution, Control, SolverSettings};
 use crate::solver::Solver;
 use crate::two_flanks::TwoFlanks;
 
-/// Contacts one after the other, on one thread.
+/// Series of contacts, solved in order on one thread.
 ///
 /// ```
 /// use asperity_contact::{Boundary, ContactProblem, Control, Path, SolverSettings};
@@ -50,7 +50,7 @@ struct Step {
 }
 
 impl Path {
-    /// A path of contacts with this many points and these ends.
+    /// Makes a path of contacts with this number of points and this boundary.
     ///
     /// # Errors
     /// When there are fewer than two points.
@@ -67,8 +67,8 @@ impl Path {
         })
     }
 
-    /// Solves the next contact, from its own start or else from the last contact, carried on to the
-    /// new load as from the last but one.
+    /// Solves the next contact from its own start, or else from the last two contacts, extrapolated to
+    /// the new load.
     ///
     /// # Errors
     /// As [`Solver::solve`].
@@ -87,7 +87,7 @@ impl Path {
         Ok(solution)
     }
 
-    /// Moves what is known by so many points, as when the rougher body has moved against the window.
+    /// Rotates the last pressure by `points`, for a rough body that has moved relative to the window.
     pub fn shift(&mut self, points: isize) {
         self.before = None;
         if let Some(step) = &mut self.last {
@@ -96,7 +96,7 @@ impl Path {
         }
     }
 
-    /// p₁ + (p₁ − p₀)·(W − W₁)/(W₁ − W₀) within the bounds, or p₁ when the load does not grow on.
+    /// p₁ + (p₁ − p₀)·(W − W₁)/(W₁ − W₀) within the bounds, or p₁ if the load changes its direction.
     fn start(&self, problem: &ContactProblem) -> Option<Vec<f64>> {
         let last = self.last.as_ref()?;
         if last.pressure.len() != problem.gap.len() {
@@ -108,7 +108,7 @@ impl Path {
         let along = match (problem.control, &self.before) {
             (Control::Load(load), Some(before)) => {
                 let ratio = (load.si() - last.load) / (last.load - before.load);
-                // Twice the last step is as far as a straight line is trusted.
+                // Beyond twice the last step a straight line is a worse start than p₁.
                 (ratio > 0.0 && ratio <= 2.0).then_some((before, ratio))
             }
             _ => None,
@@ -122,12 +122,12 @@ impl Path {
     }
 }
 
-/// Solves many paths of problems in parallel: the result of each in the order given.
+/// Solves many paths of problems in parallel and returns the results in the order of the paths.
 ///
-/// The problems of a path must agree in their number of points and their ends.
+/// The problems of a path must have the same number of points and the same boundary.
 ///
 /// # Errors
-/// Of each path the first problem that is not valid or not solved.
+/// For each path, the error of the first problem that is not valid or not solved.
 ///
 /// ```
 /// use asperity_contact::{Boundary, ContactProblem, Control, SolverSettings, solve_paths};
@@ -157,10 +157,10 @@ pub fn solve_paths(
 }
 
 /// Presses many paths of pairs of flanks together in parallel, as [`solve_paths`]: a path may be the
-/// offsets of one line, the positions of a mesh or a row of loads.
+/// offsets of one pair of traces, the positions of a mesh or a series of loads.
 ///
 /// # Errors
-/// Of each path the first pair that is not valid or not solved.
+/// For each path, the error of the first pair that is not valid or not solved.
 ///
 /// ```
 /// use asperity_contact::{SolverSettings, press_paths, two_flanks::TwoFlanks};

@@ -1,10 +1,10 @@
 //! Plastic flow of the surface at a limit of the pressure.
 //!
-//! Source: perfect plasticity of the surface as in Almqvist et al. 2007; the paper's eq. 6 with the
-//! reading that makes sense. Where the pressure has reached the flow pressure the bodies would
-//! overlap; that overlap is the plastic displacement. Loading in one step or in many gives the same
-//! displacement as long as the load grows, and loading the residual profiles again in the same
-//! place is elastic. Flow below the surface is not modelled here.
+//! Source: perfect plasticity of the surface as in Almqvist et al. 2007; the paper's eq. 6, with its
+//! circular definition of the elastic stress corrected. Where the pressure is at the flow pressure the
+//! bodies would overlap; the overlap is the plastic displacement. While the load grows, loading in one
+//! step or in many gives the same displacement, and loading the residual profiles again in the same
+//! position is elastic. Flow below the surface is not modelled here.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -25,7 +25,7 @@ use crate::error::ContactError;
 /// (Tabor 1951).
 pub const FLOW_OVER_YIELD: f64 = 3.0;
 
-/// Largest pressure of a Hertz line contact at its first yield, over the elastic limit in tension
+/// Largest pressure of a Hertz line contact at first yield, relative to the elastic limit in tension
 /// (Johnson 1985, von Mises, ν = 0.3).
 pub const FIRST_YIELD: f64 = 1.79;
 
@@ -65,7 +65,7 @@ pub fn flow_pressure(first: &Material, second: &Material) -> Result<Pressure, Do
 
 /// p_flow = min(p_flow,1, p_flow,2)                                                      [Tabor-2]
 ///
-/// Pressure at which a contact of two bodies flows: that of the softer one.
+/// Flow pressure of a contact of two bodies: the flow pressure of the softer body.
 ///
 /// # Errors
 /// When a flow pressure is not positive.
@@ -98,7 +98,8 @@ pub fn first_yield_pressure(first: &Material, second: &Material) -> Result<Press
 
 /// w = max(−g, 0) where p = p_flow, else 0                                             [Plastic-1]
 ///
-/// `pressure` in Pa and `gap` in m belong together; the gap is that of the elastic displacement.
+/// `pressure` in Pa and `gap` in m belong to one solution; the gap includes only the elastic
+/// displacement.
 ///
 /// ```
 /// use asperity_contact::plasticity::plastic_displacement;
@@ -139,7 +140,7 @@ pub fn dissipated_energy(
 
 /// sᵢ = cᵢ/(c₁ + c₂),  c = (1 − ν²)/E                                                    [Share-1]
 ///
-/// Shares of the elastic displacement that each body takes; they sum to one.
+/// Share of each body in the elastic displacement; the shares sum to one.
 ///
 /// # Errors
 /// When a modulus is not positive or a Poisson's ratio is outside −1 < ν ≤ 0.5.
@@ -151,9 +152,9 @@ pub fn elastic_shares(first: &Material, second: &Material) -> Result<[f64; 2], C
 
 /// s₁ = σ_y2/(σ_y1 + σ_y2),  s₂ = 1 − s₁                                                 [Share-2]
 ///
-/// Shares of the plastic displacement that each body takes: in inverse proportion to the elastic
-/// limits, so that the softer body takes more and equal bodies take half each. A convention, since
-/// a surface model does not resolve which of the two flows.
+/// Share of each body in the plastic displacement, in inverse proportion to the elastic limits: the
+/// softer body has the larger share, equal bodies have half each. This is a convention, because a
+/// surface model does not resolve which of the two bodies flows.
 ///
 /// # Errors
 /// When an elastic limit is not positive.
@@ -166,8 +167,8 @@ pub fn plastic_shares(first: &Material, second: &Material) -> Result<[f64; 2], C
 
 /// z − s·w                                                                             [Plastic-3]
 ///
-/// The profile in m of a body after it took the share s of a displacement in m, elastic or plastic;
-/// the shorter array counts.
+/// Profile in m of a body after its share s of an elastic or plastic displacement in m, up to the
+/// shorter array.
 ///
 /// ```
 /// use asperity_contact::plasticity::displaced_profile;

@@ -11,10 +11,10 @@ use crate::error::ContactError;
 
 /// Fewest points of a contact problem.
 pub const LEAST_POINTS: usize = 2;
-/// Largest tolerance accepted: at 1e-2 pressures were found more than half off, and a looser solution
-/// hardly takes less time.
+/// Largest tolerance accepted. At 1e-2 some pressures are wrong by more than half, and a looser solution
+/// takes hardly less time.
 pub const MAX_TOLERANCE: f64 = 1e-4;
-/// Range of the gap over that of the deformation beyond which the gap is suspected of an outlier.
+/// Range of the gap over the range of the deformation above which an outlier in the gap is suspected.
 pub const SUSPECT_GAP: f64 = 1e3;
 
 /// Load or approach that presses the bodies together.
@@ -22,14 +22,14 @@ pub const SUSPECT_GAP: f64 = 1e3;
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Control {
-    /// This load, per metre of face width (periodic: per metre and period).
+    /// Load per metre of face width (periodic: per metre and period).
     Load(LineLoad),
-    /// This approach of the bodies; what touches, if anything, follows.
+    /// Approach of the bodies; the load follows, and may be zero.
     Approach {
         /// δ in g = h + u − δ.
         approach: Length,
         /// Distance at which the displacement by a cell is zero; more than a quarter of the window.
-        /// Without meaning for periodic ends.
+        /// Ignored for periodic ends.
         datum: Length,
     },
 }
@@ -47,31 +47,31 @@ pub struct ContactProblem<'a> {
     pub boundary: Boundary,
     /// Load or approach.
     pub control: Control,
-    /// A further pressure in Pa on both bodies (a fluid's), which deforms them but is neither part
-    /// of the pressure solved for nor of the load.
+    /// Additional pressure in Pa on both bodies, such as a fluid pressure. It deforms them but is not part of
+    /// the contact pressure or of the load.
     pub prescribed_pressure: Option<&'a [f64]>,
-    /// Pressure at which the softer body flows: the limit of the pressure solved for.
+    /// Pressure at which the softer body flows: the limit of the contact pressure.
     pub pressure_limit: Option<Pressure>,
     /// Pressure in Pa to start from: the solution of a neighbouring problem.
     pub start: Option<&'a [f64]>,
 }
 
-/// Tolerance and means of the solver.
+/// Tolerance and method of the solver.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, rename_all = "kebab-case", deny_unknown_fields)]
 pub struct SolverSettings {
-    /// Largest duality gap, penetration and load error accepted; at most [`MAX_TOLERANCE`].
+    /// Largest accepted duality gap, penetration and load error; at most [`MAX_TOLERANCE`].
     pub tolerance: f64,
     /// Most iterations on the finest grid.
     pub max_iterations: usize,
     /// Solve coarser grids first, unless a start is given.
     pub cascade: bool,
-    /// Solve on the part of a window with free ends that touches, then verify on all of it.
+    /// With free ends, solve only where the bodies are in contact, then certify on the whole grid.
     pub window: bool,
 }
 
 impl Default for SolverSettings {
-    /// At 1e-8 the contact set was exact in all of eight rough and smooth reference problems.
+    /// Tolerance 1e-8: the contact set is exact in all of eight rough and smooth reference problems.
     fn default() -> Self {
         Self {
             tolerance: 1e-8,
@@ -88,18 +88,18 @@ impl Default for SolverSettings {
 pub struct ContactSolution {
     /// Pressure between the solids in Pa.
     pub pressure: Vec<f64>,
-    /// Displacement u in m of both bodies together under pressure and prescribed pressure,
-    /// zero at `datum` from each loaded cell; free of its mean when periodic.
+    /// Displacement u in m of both bodies together under pressure and prescribed pressure. Zero at
+    /// `datum` from each loaded cell; for periodic ends without mean.
     pub displacement: Vec<f64>,
-    /// Gap in m after elastic and plastic displacement, not negative but for the tolerance.
+    /// Gap in m after elastic and plastic displacement, not negative except within the tolerance.
     pub gap: Vec<f64>,
     /// Load Σ p·dx, without the prescribed pressure.
     pub load: LineLoad,
     /// δ in g = h + u − δ.
     pub approach: Length,
-    /// Datum distance of `displacement` and `approach`; zero for periodic ends, which have none.
+    /// Datum distance of `displacement` and `approach`; zero for periodic ends, which have no datum.
     pub datum: Length,
-    /// Share of the points that carries pressure.
+    /// Share of the points with pressure.
     pub contact_fraction: f64,
     /// Largest pressure.
     pub max_pressure: Pressure,
@@ -107,14 +107,14 @@ pub struct ContactSolution {
     pub plastic_displacement: Vec<f64>,
     /// Energy dissipated by the plastic displacement.
     pub dissipated: LineEnergy,
-    /// Elastic energy ½ ∫ (p + prescribed)·u dx, of `displacement` and thus of its datum.
+    /// Elastic energy ½ ∫ (p + prescribed)·u dx with u from `displacement`; depends on its datum.
     pub elastic_energy: LineEnergy,
     /// Largest pressure at an end of a window with free ends; zero for periodic ends.
     pub end_pressure: Pressure,
-    /// Range of the undeformed gap, with the displacement by a prescribed pressure.
+    /// Range of the undeformed gap, including the displacement by a prescribed pressure.
     pub gap_range: Length,
-    /// Range of the deformation about the contact: from half a contact width before the first
-    /// touching point to as much behind the last.
+    /// Range of the deformation about the contact: from half a contact width before the first point in
+    /// contact to half a contact width behind the last.
     pub deformation: Length,
     /// Iterations on the finest grid.
     pub iterations: usize,
@@ -122,19 +122,19 @@ pub struct ContactSolution {
     pub certificate: Certificate,
 }
 
-/// Doubt about a solution that is correct for the numbers given.
+/// Warning about a converged solution whose input may be wrong.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub enum ContactWarning {
-    /// The contact runs into a free end of the window, and would go on beyond it.
+    /// The contact reaches a free end of the window and would extend beyond it.
     PressureAtEnd {
         /// Largest pressure at an end.
         end_pressure: Pressure,
         /// Largest pressure.
         max_pressure: Pressure,
     },
-    /// The gap spans more than [`SUSPECT_GAP`] times the deformation, as with an outlier or a wrong
-    /// unit.
+    /// The range of the gap is more than [`SUSPECT_GAP`] times the deformation, as with an outlier or a
+    /// wrong unit.
     GapBeyondDeformation {
         /// Range of the gap.
         gap_range: Length,
@@ -165,11 +165,11 @@ impl std::fmt::Display for ContactWarning {
 }
 
 impl ContactSolution {
-    /// Doubts about the solution, none as a rule.
+    /// Warnings about the solution; usually empty.
     ///
     /// ```
     /// use asperity_contact::{ContactProblem, ContactWarning, SolverSettings, solve};
-    /// // A window that is narrower than the contact.
+    /// // The window is narrower than the contact.
     /// let gap: Vec<f64> = (0..100).map(|i| (1e-6 * (f64::from(i) - 49.5)).powi(2) / 6e-3).collect();
     /// let problem = ContactProblem::new(&gap, "1 um".parse()?, "115.4 GPa".parse()?, "300 N/mm".parse()?);
     /// let warnings = solve(&problem, &SolverSettings::default())?.warnings();
@@ -197,8 +197,8 @@ impl ContactSolution {
 }
 
 impl<'a> ContactProblem<'a> {
-    /// An elastic contact with free ends over `gap` in m under a load: the common case, whose other
-    /// fields are set as in any struct.
+    /// Makes the problem of an elastic contact with free ends over `gap` in m under a load. Set other
+    /// fields with the struct update syntax.
     ///
     /// ```
     /// use asperity_contact::{ContactProblem, SolverSettings, solve};
@@ -224,12 +224,12 @@ impl<'a> ContactProblem<'a> {
 }
 
 impl ContactProblem<'_> {
-    /// Length of the window, all its cells.
+    /// Length of the window, including half a cell beyond the first and the last point.
     pub fn window_length(&self) -> Length {
         self.spacing * self.gap.len() as f64
     }
 
-    /// Datum distance of the solution: as controlled, or twice the window.
+    /// Datum distance of the solution: the one of a controlled approach, or twice the window.
     pub(crate) fn datum(&self) -> Length {
         match (self.boundary, self.control) {
             (Boundary::Periodic(_), _) => Length::from_si(0.0),
@@ -238,7 +238,7 @@ impl ContactProblem<'_> {
         }
     }
 
-    /// Checks of everything known before solving.
+    /// Checks the problem.
     pub(crate) fn validate(&self) -> Result<(), ContactError> {
         let points = self.gap.len();
         if points < LEAST_POINTS {
@@ -311,7 +311,7 @@ impl ContactProblem<'_> {
             }
             return Ok(());
         }
-        // Displacements of a period have no mean, so the mean gap closes with the approach alone.
+        // Displacements of a period have no mean, so the mean gap depends only on the approach.
         let mean_gap = Length::from_si(self.gap.iter().sum::<f64>() / self.gap.len() as f64);
         if approach >= mean_gap {
             return Err(ContactError::ApproachBeyondMeanGap { approach, mean_gap });

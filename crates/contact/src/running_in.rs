@@ -1,9 +1,10 @@
-//! Running-in: flanks that meet again and again flow less every time, until they are elastic.
+//! Running-in: repeated contact of two flanks with less plastic flow in every cycle, until the contact
+//! is elastic.
 //!
-//! In a cycle the second flank passes the first at a number of relative shifts. At each the flanks
-//! are pressed together, and each loses its share of the plastic displacement. The energy of a
-//! cycle decays geometrically once the first few cycles have flattened the highest points:
-//! shakedown. The profiles are taken as periodic when they are shifted.
+//! In a cycle the second flank passes the first at a number of relative shifts. At each shift the flanks
+//! are pressed together, and each profile is lowered by its share of the plastic displacement. After the
+//! first few cycles, which flatten the highest points, the energy per cycle decays geometrically:
+//! shakedown. Shifted profiles are treated as periodic.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -22,29 +23,29 @@ use crate::plasticity::displaced_profile;
 use crate::problem::{ContactProblem, ContactSolution, SolverSettings};
 use crate::two_flanks::TwoFlanks;
 
-/// Plan of a running-in: passes, shares of the flow, and when it is over.
+/// Settings of a running-in: shifts, shares of the plastic displacement, and end of the cycles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunningIn {
-    /// Shifts of the second flank in points, one pass each in every cycle.
+    /// Shifts of the second flank in points; every cycle has one pass per shift.
     pub shifts: Vec<usize>,
     /// Shares of the plastic displacement
     /// ([`plastic_shares`](crate::plasticity::plastic_shares)).
     pub shares: [f64; 2],
-    /// Energy of a cycle over that of the first below which the flanks have run in.
+    /// Dissipated energy of a cycle, relative to the first cycle, at which the running-in ends.
     pub shakedown: f64,
-    /// Most cycles.
+    /// Largest number of cycles.
     pub max_cycles: usize,
 }
 
-/// Record of one cycle.
+/// Results of one cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Cycle {
-    /// Energy dissipated, all passes together.
+    /// Energy dissipated in all passes.
     pub dissipated: LineEnergy,
-    /// Largest plastic displacement of a pass.
+    /// Largest plastic displacement in a pass.
     pub largest_flow: Length,
-    /// Number of points that flowed, all passes together.
+    /// Number of points that flowed, summed over the passes.
     pub flowing_points: usize,
     /// Mean share of the points in contact.
     pub contact_fraction: f64,
@@ -54,19 +55,19 @@ pub struct Cycle {
     pub peak: [Length; 2],
 }
 
-/// Flanks that have run in.
+/// Result of a running-in.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct RanIn {
-    /// Every cycle, the first first.
+    /// All cycles in order.
     pub cycles: Vec<Cycle>,
     /// The flanks after the last cycle.
     pub flanks: [Profile; 2],
 }
 
 impl RunningIn {
-    /// `passes` shifts spread evenly over a profile of `points` points, displacement shared evenly, until a cycle
-    /// dissipates a millionth of the first.
+    /// Settings with `passes` evenly spaced shifts over a profile of `points` points and equal shares,
+    /// until a cycle dissipates a millionth of the first.
     ///
     /// # Errors
     /// When there is no pass, or there are more passes than points.
@@ -83,7 +84,7 @@ impl RunningIn {
         })
     }
 
-    /// Runs the flanks in, under their load and with their pressure limit.
+    /// Runs the flanks in under their load and pressure limit.
     ///
     /// # Errors
     /// When there is no shift or no pressure limit, the shares are negative or do not sum to one,
@@ -110,8 +111,8 @@ impl RunningIn {
         self.run_watched(flanks, settings, |_, _| {})
     }
 
-    /// Runs the flanks in as [`run`](Self::run); `watch` sees every cycle and the flanks after it, to
-    /// follow quantities that this crate does not know, such as the reduced peak height Rpk.
+    /// Runs the flanks in as [`run`](Self::run) and calls `watch` with every cycle and the flanks after
+    /// it, for example to record the reduced peak height Rpk.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -140,45 +141,48 @@ impl RunningIn {
         mut watch: impl FnMut(&Cycle, &[Profile; 2]),
     ) -> Result<RanIn, ContactError> {
         self.validate(flanks)?;
-        let mut flanks_now = [flanks.first.clone(), flanks.second.clone()];
+        let mut profiles = [flanks.first.clone(), flanks.second.clone()];
         let mut starts: Vec<Option<Vec<f64>>> = vec![None; self.shifts.len()];
         let mut path = Path::new(flanks.first.len(), Boundary::FreeEnds, *settings)?;
         let mut cycles: Vec<Cycle> = vec![];
-        let mut left = f64::INFINITY;
-        while left > self.shakedown {
+        // Dissipated energy of the last cycle relative to the first.
+        let mut energy_ratio = f64::INFINITY;
+        while energy_ratio > self.shakedown {
             if cycles.len() == self.max_cycles {
                 return Err(ContactError::NotRunIn {
                     cycles: self.max_cycles,
-                    left,
+                    left: energy_ratio,
                     shakedown: self.shakedown,
                 });
             }
             let mut passes = vec![];
             for (&shift, start) in self.shifts.iter().zip(&mut starts) {
-                let solution = pass(&flanks_now, flanks, shift, start.as_deref(), &mut path)?;
+                let solution =
+                    press_shifted(&profiles, flanks, shift, start.as_deref(), &mut path)?;
                 let flow = &solution.plastic_displacement;
-                let second = turned(flow, flow.len() - shift % flow.len());
+                let second_flow = rotated(flow, flow.len() - shift % flow.len());
                 let [first_share, second_share] = self.shares;
-                flanks_now = [
-                    worn(&flanks_now[0], flow, first_share)?,
-                    worn(&flanks_now[1], &second, second_share)?,
+                profiles = [
+                    lowered(&profiles[0], flow, first_share)?,
+                    lowered(&profiles[1], &second_flow, second_share)?,
                 ];
                 passes.push(Pass::of(&solution));
+                // The same shift has nearly the same pressure in the next cycle.
                 *start = Some(solution.pressure);
             }
-            let cycle = Cycle::of(&passes, &flanks_now);
+            let cycle = Cycle::of(&passes, &profiles);
             let first = cycles.first().unwrap_or(&cycle).dissipated.si();
-            left = if first > 0.0 {
+            energy_ratio = if first > 0.0 {
                 cycle.dissipated.si() / first
             } else {
                 0.0
             };
-            watch(&cycle, &flanks_now);
+            watch(&cycle, &profiles);
             cycles.push(cycle);
         }
         Ok(RanIn {
             cycles,
-            flanks: flanks_now,
+            flanks: profiles,
         })
     }
 
@@ -193,11 +197,11 @@ impl RunningIn {
         )?;
         let [one, other] = self.shares;
         let rule = "must not be negative, and the two must sum to one";
-        let sensible = one >= 0.0 && other >= 0.0 && (one + other - 1.0).abs() < SHARES;
-        DomainError::require(sensible, "share of the first flank", one, "-", rule)?;
+        let valid = one >= 0.0 && other >= 0.0 && (one + other - 1.0).abs() < SHARE_ROUND_OFF;
+        DomainError::require(valid, "share of the first flank", one, "-", rule)?;
         let rule = "must lie between zero and one";
-        let sensible = self.shakedown > 0.0 && self.shakedown < 1.0;
-        DomainError::require(sensible, "shakedown", self.shakedown, "-", rule)?;
+        let valid = self.shakedown > 0.0 && self.shakedown < 1.0;
+        DomainError::require(valid, "shakedown", self.shakedown, "-", rule)?;
         if flanks.pressure_limit.is_none() {
             return Err(ContactError::LimitNeeded {
                 purpose: "running-in",
@@ -208,18 +212,18 @@ impl RunningIn {
 }
 
 /// Round-off of the sum of two shares.
-const SHARES: f64 = 1e-12;
+const SHARE_ROUND_OFF: f64 = 1e-12;
 
-/// One contact at a shift.
-fn pass(
-    now: &[Profile; 2],
+/// Presses the present profiles together at a shift of the second.
+fn press_shifted(
+    profiles: &[Profile; 2],
     flanks: &TwoFlanks,
     shift: usize,
     start: Option<&[f64]>,
     path: &mut Path,
 ) -> Result<ContactSolution, ContactError> {
-    let [first, second] = now;
-    let second = Profile::new(second.spacing(), turned(second.heights(), shift))?;
+    let [first, second] = profiles;
+    let second = Profile::new(second.spacing(), rotated(second.heights(), shift))?;
     let pair = TwoFlanks {
         first,
         second: &second,
@@ -232,21 +236,22 @@ fn pass(
     })
 }
 
-/// The values moved on by so many points, those from the end to the front.
-fn turned(values: &[f64], points: usize) -> Vec<f64> {
-    let mut turned = values.to_vec();
-    turned.rotate_right(points % values.len());
-    turned
+/// The values rotated by `shift` points towards the end.
+fn rotated(values: &[f64], shift: usize) -> Vec<f64> {
+    let mut rotated = values.to_vec();
+    rotated.rotate_right(shift % values.len());
+    rotated
 }
 
-fn worn(flank: &Profile, flow: &[f64], share: f64) -> Result<Profile, DomainError> {
+/// The profile lowered by its share of the plastic displacement.
+fn lowered(flank: &Profile, flow: &[f64], share: f64) -> Result<Profile, DomainError> {
     Profile::new(
         flank.spacing(),
         displaced_profile(flank.heights(), flow, share),
     )
 }
 
-/// Record of one pass.
+/// Results of one pass.
 struct Pass {
     dissipated: f64,
     largest_flow: f64,

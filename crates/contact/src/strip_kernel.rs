@@ -8,12 +8,12 @@
 //! | a | half width of the strip (half a cell) | m |
 //! | C | kernel: u = C·p/(π·E*) is the displacement of both bodies together | m |
 //! | C₀ | constant of the datum | m |
-//! | D | datum distance: where the displacement by one strip is zero | m |
+//! | D | datum distance, at which the displacement by one strip is zero | m |
 //! | r = x/a, n, L | distance in half cells, cells in a period, period | -, -, m |
 //!
 //! The textbook form is a difference of two large numbers and loses log₁₀ r digits; the forms here
-//! lose none at any distance. C is determined but for the constant C₀: without a datum only
-//! differences of displacement mean anything.
+//! are accurate at any distance. C is determined up to the constant C₀: without a datum only
+//! differences of displacement are defined.
 
 use std::f64::consts::{LN_2, PI};
 
@@ -22,9 +22,9 @@ use asperity_core::{DomainError, cite};
 
 use crate::error::ContactError;
 
-/// Below this distance in half cells the textbook form loses nothing.
+/// Distance in half cells below which the textbook form is accurate.
 const NEAR: f64 = 1.5;
-/// From this distance in half cells four terms of the series are exact: the fifth is 64⁻¹⁰/55.
+/// Distance in half cells from which four terms of the series are exact: the fifth is 64⁻¹⁰/55.
 const FAR: f64 = 64.0;
 
 /// C(x) = (x−a)·ln[((x−a)/a)²] − (x+a)·ln[((x+a)/a)²] + C₀, here with C₀ = C(0) = 0      `[P2]`
@@ -47,7 +47,9 @@ pub fn strip_kernel(position: Length, half_cell: Length) -> Result<Length, Conta
     Ok(Length::from_si(a * strip(x.abs() / a)))
 }
 
-/// C₀ = −C(D): the kernel that is zero at the distance D                              [Datum-1]
+/// C₀ = −C(D)                                                                          [Datum-1]
+///
+/// Constant with which the kernel is zero at the distance D.
 ///
 /// # Errors
 /// When the datum distance or the half cell is not positive.
@@ -78,22 +80,22 @@ pub(crate) fn strip(r: f64) -> f64 {
     }
 }
 
-/// The same from `FAR` half cells on; `ln` is the logarithm of r.
+/// C/a at r ≥ `FAR` half cells; `ln` is the logarithm of r.
 fn far_strip(r: f64, ln: f64) -> f64 {
-    // The bracket above is −2 + Σ r^(−2k)/(k·(2k+1)).
+    // The bracket in `strip` is −2 + Σ r^(−2k)/(k·(2k+1)).
     let q = 1.0 / (r * r);
     let series = q * (1.0 / 3.0 + q * (1.0 / 10.0 + q * (1.0 / 21.0 + q / 36.0)));
     -4.0 * ln - 4.0 + 2.0 * series
 }
 
-/// C/a of the cells at 0, 1, … `points` − 1 cells, with C(0) = 0.
+/// C/a at distances of 0, 1, … `points` − 1 cells, with C(0) = 0.
 pub(crate) fn strip_column(points: usize) -> Vec<f64> {
     cite!("P2");
     strips(points)
 }
 
 fn strips(points: usize) -> Vec<f64> {
-    // Half of the logarithms are those of half the distance and ln 2.
+    // The logarithm of an even distance is the logarithm of half the distance plus ln 2.
     let mut logarithms = Vec::with_capacity(points / 2 + 1);
     let value = |k: usize| {
         let r = 2.0 * k as f64;
@@ -109,30 +111,31 @@ fn strips(points: usize) -> Vec<f64> {
     (0..points).map(value).collect()
 }
 
-/// Nodes and weights of the Gauss-Legendre rules of two and of five points on −1..1, nodes ≥ 0
-/// (Abramowitz and Stegun 1964, table 25.4).
+/// Nodes ≥ 0 and weights of the Gauss-Legendre rule of two points on −1..1 (Abramowitz and Stegun 1964,
+/// table 25.4).
 const GAUSS_2: &[(f64, f64)] = &[(0.577_350_269_189_625_8, 1.0)];
+/// Nodes ≥ 0 and weights of the rule of five points.
 const GAUSS_5: &[(f64, f64)] = &[
     (0.0, 0.568_888_888_888_888_9),
     (0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
     (0.906_179_845_938_664, 0.236_926_885_056_189_08),
 ];
 
-/// Points of a period from which on five points of Gauss's rule are exact over a whole cell, and two:
-/// with the half cell ε = π/(2n) of the argument they leave ε⁴/135 times a fourth derivative of at
-/// most 2, below 1e-18.
+/// Points of a period from which Gauss's rule of five points is exact over a whole cell.
 const EXACT_PERIOD: usize = 16;
+/// Points of a period from which Gauss's rule of two points is exact: with the half cell ε = π/(2n) of
+/// the argument its error is ε⁴/135 times a fourth derivative of at most 2, below 1e-18.
 const FINE_PERIOD: usize = 1 << 14;
-/// Most points of a column: their values fill 800 MB.
+/// Largest number of points of a column: 800 MB.
 const MOST_POINTS: usize = 100_000_000;
 
 /// C(x) = (L/π)·[Cl₂(2π(x+a)/L) − Cl₂(2π(x−a)/L)] at x = k·2a, in units of a       [Periodic-1]
 ///
-/// Cl₂ is Clausen's function; the kernel is that of a strip and all its images with period
-/// L = `points`·2a and has no mean. It equals −2·∫ ln|2 sin(πs/L)| ds over the cell, evaluated as
-/// the single strip plus the smooth rest −2·∫ ln[sin(πs/L)/(πs/L)] ds by Gauss's rule, which
-/// avoids the difference of two nearly equal values of Cl₂ and is exact but for round-off: over each
-/// cell from 16 points on, over parts of it for shorter periods.
+/// Kernel of a strip and all its images with period L = `points`·2a, without mean; Cl₂ is Clausen's
+/// function. The kernel equals −2·∫ ln|2 sin(πs/L)| ds over the cell. It is evaluated as the kernel of
+/// the single strip plus the smooth remainder −2·∫ ln[sin(πs/L)/(πs/L)] ds by Gauss's rule, which
+/// avoids the difference of two nearly equal values of Cl₂ and is exact except for round-off: over
+/// whole cells from 16 points, over parts of them for shorter periods.
 ///
 /// ```
 /// use asperity_contact::strip_kernel::periodic_column;
@@ -152,7 +155,7 @@ pub fn periodic_column(points: usize) -> Result<Vec<f64>, ContactError> {
     Ok(column_of_period(points))
 }
 
-/// The column of [`periodic_column`] for a number of points that is known to be possible.
+/// The column of [`periodic_column`] for a valid number of points.
 pub(crate) fn column_of_period(points: usize) -> Vec<f64> {
     cite!("Periodic-1");
     let mut column = strips(points / 2 + 1);
@@ -164,10 +167,10 @@ pub(crate) fn column_of_period(points: usize) -> Vec<f64> {
     column
 }
 
-/// Contribution of the images of a period of `points` cells at a distance of `cells` from a strip.
+/// Contribution of the images to the kernel at a distance of `cells`, in a period of `points` cells.
 pub(crate) fn periodic_rest(cells: f64, points: usize) -> f64 {
     let (n, r) = (points as f64, 2.0 * cells);
-    // Short periods see the images near: panels of a 32nd of the period leave no error but round-off.
+    // In short periods the images are near: panels of a 32nd of the period are exact except for round-off.
     let panels = if points < EXACT_PERIOD {
         (2 * EXACT_PERIOD).div_ceil(points)
     } else {
@@ -191,7 +194,7 @@ pub(crate) fn periodic_rest(cells: f64, points: usize) -> f64 {
     4.0 - 4.0 * (PI / n).ln() - 2.0 * rest
 }
 
-/// ∫ f over −1..1 by the nodes and weights of a rule.
+/// ∫ f over −1..1 by a Gauss rule.
 fn gauss(rule: &[(f64, f64)], f: impl Fn(f64) -> f64) -> f64 {
     let term = |&(node, weight): &(f64, f64)| {
         weight

@@ -17,7 +17,7 @@ use crate::plasticity::displaced_profile;
 use crate::problem::{ContactProblem, ContactSolution, Control, SolverSettings};
 use crate::solver::solve;
 
-/// Two profiles face to face, and what presses them together.
+/// Two profiles and the conditions of their contact.
 ///
 /// ```
 /// use asperity_contact::{SolverSettings, two_flanks::TwoFlanks};
@@ -35,7 +35,7 @@ use crate::solver::solve;
 pub struct TwoFlanks<'a> {
     /// One flank.
     pub first: &'a Profile,
-    /// The other flank, already running the same way: point i of one faces point i of the other.
+    /// The other flank, in the direction of the first: point i faces point i of the first.
     pub second: &'a Profile,
     /// Relative radius of curvature R.
     pub radius: Length,
@@ -112,7 +112,7 @@ impl TwoFlanks<'_> {
         })
     }
 
-    /// The flanks after unloading: each has taken its share of the plastic displacement
+    /// The flanks after unloading, each lowered by its share of the plastic displacement
     /// ([`plastic_shares`](crate::plasticity::plastic_shares)).
     ///
     /// # Errors

@@ -17,7 +17,7 @@ use asperity_core::{DomainError, cite};
 
 use crate::error::ContactError;
 
-/// A wave on a half-plane, or on two together.
+/// Wave on one half-plane, or on both together.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wave {
     /// Amplitude Δ.

@@ -1,4 +1,4 @@
-//! The losses of a mesh part by part, and the balance that holds them together.
+//! Losses of a mesh by kind, and the balance of its power.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -6,7 +6,7 @@
 //! | E_k | its energy per engagement, P_k·T_z | J |
 //! | T_z | time between two engagements | s |
 //!
-//! Power and energy are both kept, so that a balance can be drawn over a second and over a tooth.
+//! Both power and energy are stored, for balances per second and per tooth.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Energy, Power, Time};
@@ -28,9 +28,9 @@ pub enum LossKind {
     DeformationPinion,
     /// Deformation of flank 2, in the paper's formulation.
     DeformationWheel,
-    /// Elastic energy that is not given back.
+    /// Elastic energy that is not recovered.
     Hysteresis,
-    /// Plastic work while the flanks run in.
+    /// Plastic work during running-in.
     RunningIn,
 }
 
@@ -43,14 +43,14 @@ pub struct LossComponent {
     pub power: Power,
     /// Energy per engagement.
     pub energy_per_engagement: Energy,
-    /// Share of all losses of the breakdown \[%\]; 0 when nothing is lost.
+    /// Share of the total of the breakdown \[%\]; 0 without losses.
     pub share_percent: f64,
 }
 
-/// All parts of the losses.
+/// Losses by kind.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Breakdown {
-    /// The parts, in the order given.
+    /// The losses, in the order of the input.
     pub components: Vec<LossComponent>,
     /// Sum of their powers.
     pub total: Power,
@@ -101,7 +101,7 @@ impl Breakdown {
         })
     }
 
-    /// Power of all parts of this kind; zero when there is none.
+    /// Power of all losses of a kind; zero without such losses.
     pub fn power(&self, kind: LossKind) -> Power {
         let same = self.components.iter().filter(|part| part.kind == kind);
         Power::from_si(same.map(|part| part.power.si()).sum())
@@ -109,8 +109,8 @@ impl Breakdown {
 
     /// |P_in − P_out − Σ P_k|/P_in                                             `[Breakdown-2]`
     ///
-    /// The share of the input that the parts leave unexplained: rounding, when all is well. The
-    /// output is taken from the output torque, not from the loss, so this is a check.
+    /// Share of the input power that the losses do not explain; only round-off in a correct result. The
+    /// output power is computed from the output torque and not from the losses, so this is a check.
     ///
     /// ```
     /// use asperity_efficiency::{LossKind, MeshOperation, mesh_efficiency};
@@ -136,25 +136,25 @@ impl Breakdown {
     }
 }
 
-/// The efficiency of a mesh with all that belongs to it.
+/// Efficiency, power flow and losses of a mesh.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MeshEfficiency {
     /// Powers and torques.
     pub flow: PowerFlow,
-    /// The losses that the efficiency counts.
+    /// Losses that the efficiency includes.
     pub breakdown: Breakdown,
-    /// Running-in work that the efficiency does not count; empty when it does.
+    /// Running-in work that the efficiency does not include; empty if it is included.
     pub apart: Breakdown,
     /// Time between two engagements.
     pub engagement_period: Time,
 }
 
-/// Efficiency, output torque and breakdown from the losses.
+/// Computes efficiency, output torque and breakdown from the losses.
 ///
-/// [`LossKind::RunningIn`] is set apart unless `include_running_in`.
+/// [`LossKind::RunningIn`] is excluded from the efficiency unless `include_running_in`.
 ///
 /// # Errors
-/// When a loss is negative, the losses are not below the input, or the operation is not one.
+/// When a loss is negative, the losses are not below the input, or the operation is not valid.
 ///
 /// ```
 /// use asperity_efficiency::{LossKind, MeshOperation, mesh_efficiency};

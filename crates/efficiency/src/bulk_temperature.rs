@@ -5,31 +5,31 @@
 //! | ϑ_oil, ϑ_M | temperatures of the oil and of the gear bodies | K |
 //! | P | loss of the mesh | W |
 //! | a, b | centre distance, face width | m |
-//! | X_S | factor of the lubrication: how the oil reaches the mesh | - |
+//! | X_S | lubrication factor, by the oil supply of the mesh | - |
 //! | G₁, G₂, G₁₂ | conductances from the gears to the oil, and between the gears | W/K |
 //! | β | share of the frictional heat that goes into gear 1 | - |
 //!
-//! The rise after Oster, as in ISO/TR 15144-1, is from memory, source not reached. ISO's X_Ca is 1 here: it repairs a
-//! loss without tip relief, and P already knows the relief. Heat transfer in print differs by factors, so the
-//! conductances of the network are the user's.
+//! The rise after Oster, as in ISO/TR 15144-1, is from memory, source not reached. ISO's X_Ca is 1 here: it corrects a
+//! loss computed without tip relief, and P includes the relief. Published heat transfer coefficients differ by
+//! factors, so the conductances of the network are inputs.
 
 use asperity_core::quantity::{Length, Power, Temperature, ThermalConductance};
 use asperity_core::{DomainError, cite};
 
 use crate::error::EfficiencyError;
 
-/// Change of the temperature at which the fixed point ends \[K\].
+/// Change of the temperature at which the fixed-point iteration ends \[K\].
 pub const SETTLED: f64 = 0.01;
-/// Most steps of the fixed point.
+/// Largest number of steps of the fixed-point iteration.
 pub const MOST_STEPS: usize = 50;
-/// Hotter start \[K\] from which a second solution is looked for.
+/// Temperature above the oil \[K\] from which a second equilibrium is searched.
 pub const HOTTER_START: f64 = 60.0;
 
 /// Factor of Oster's rise (from memory, source not reached) \[K\] for P in kW, a and b in mm.
 const OSTER: f64 = 7400.0;
-/// Its exponent (from memory, source not reached).
+/// Exponent of Oster's rise (from memory, source not reached).
 const OSTER_EXPONENT: f64 = 0.72;
-/// Factor of the lubrication that the rise is divided by (from memory, source not reached).
+/// Lubrication factor of the jet lubrication of Oster's tests (from memory, source not reached).
 const OSTER_JET: f64 = 1.2;
 
 /// Rise of the bulk temperature over the oil \[K\].
@@ -76,16 +76,16 @@ pub struct Network {
 }
 
 impl Network {
-    /// Rises of pinion and wheel over the oil \[K\], of the heat `loss` of which the share `first` goes into the
-    /// pinion.
+    /// Temperature rises of pinion and wheel over the oil \[K\]. The share `first` of the heat `loss` goes into
+    /// the pinion.
     ///
     /// ```text
     /// (G₁ + G₁₂) Δϑ₁ − G₁₂ Δϑ₂ = β P,  (G₂ + G₁₂) Δϑ₂ − G₁₂ Δϑ₁ = (1 − β) P      [Bulk-network]
     /// ```
     ///
     /// # Errors
-    /// When a conductance to the oil is not positive, that between the gears or the loss is negative, or the
-    /// share is not within 0..1.
+    /// When a conductance to the oil is not positive, the conductance between the gears or the loss is negative,
+    /// or the share is not within 0..1.
     ///
     /// ```
     /// use asperity_efficiency::bulk_temperature::Network;
@@ -113,42 +113,43 @@ impl Network {
     }
 }
 
-/// A bulk temperature that the loss at it keeps up.
+/// Equilibrium bulk temperature.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BulkTemperature {
     /// The temperature.
     pub temperature: Temperature,
-    /// How far the next step would move it \[K\].
+    /// Change of the temperature in one more step \[K\].
     pub residual: f64,
-    /// Steps taken.
+    /// Number of steps.
     pub steps: usize,
-    /// Where a start 60 K above the oil ends.
+    /// Result of a start 60 K above the oil.
     pub hotter: HotterStart,
 }
 
-/// Where a hot start of the fixed point ends.
+/// Result of a hot start of the fixed-point iteration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum HotterStart {
-    /// At the same temperature.
+    /// The same temperature.
     Same,
-    /// At a hotter one, which keeps itself up too.
+    /// A second, hotter equilibrium.
     Elsewhere(Temperature),
-    /// Nowhere: the loss heats the gears on, or the laws refuse the state.
+    /// No equilibrium: the loss heats the gears further, or the laws reject the state.
     Nowhere,
 }
 
-/// The bulk temperature above that of the oil at which `made`, the temperature that the loss there makes, is the
-/// temperature itself.
+/// Computes the bulk temperature at which `made` returns its argument: the bulk temperature that results from the
+/// loss at a bulk temperature.
 ///
 /// ```text
 /// ϑ ← (ϑ + g(ϑ))/2 until |g(ϑ) − ϑ| < 0.01 K                              [Bulk-fixed-point]
 /// ```
 ///
-/// The lowest is given; a start 60 K above the oil tells whether there is another, or none.
+/// Returns the lowest equilibrium. A second iteration starts 60 K above the oil and shows whether there is another
+/// equilibrium, or none from there.
 ///
 /// # Errors
-/// What `made` refuses at the temperature of the oil, and that the temperature did not settle in 50 steps or left
-/// what `made` accepts.
+/// The error of `made` at the temperature of the oil, and an error if the temperature did not settle in 50 steps
+/// or left the domain of `made`.
 pub fn fixed_point<E: From<EfficiencyError>>(
     oil: Temperature,
     mut made: impl FnMut(Temperature) -> Result<Temperature, E>,
@@ -166,7 +167,7 @@ pub fn fixed_point<E: From<EfficiencyError>>(
         for steps in 1..=MOST_STEPS {
             residual = match made(Temperature::from_si(at)) {
                 Ok(next) => next.si() - at,
-                // A state refused on the way: the temperature before was still moving.
+                // `made` rejects the state of this step: report the last temperature and its change.
                 Err(_) if steps > 1 => {
                     return Err(not_settled(at - 0.5 * residual, residual, steps - 1));
                 }
@@ -187,10 +188,10 @@ pub fn fixed_point<E: From<EfficiencyError>>(
     let lowest = settle(oil.si())?;
     let hotter = match settle(oil.si() + HOTTER_START) {
         Err(_) => HotterStart::Nowhere,
-        Ok(found) => {
-            let away = (found.temperature - lowest.temperature).si().abs();
-            match away > 10.0 * SETTLED {
-                true => HotterStart::Elsewhere(found.temperature),
+        Ok(equilibrium) => {
+            let difference = (equilibrium.temperature - lowest.temperature).si().abs();
+            match difference > 10.0 * SETTLED {
+                true => HotterStart::Elsewhere(equilibrium.temperature),
                 false => HotterStart::Same,
             }
         }

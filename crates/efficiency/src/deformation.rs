@@ -11,11 +11,11 @@
 //! | T_z | time between two engagements, 2π/(z₁ω₁) | s |
 //! | T | time of one revolution | s |
 //! | b | face width | m |
-//! | α_h | share of the elastic energy that is not given back | - |
+//! | α_h | share of the elastic energy that is not recovered | - |
 //!
-//! Limits: eq. 19 counts one a × a patch once per revolution, too little by b z₁/a; it is kept for
-//! comparison with the paper. Plastic work is done while running in: it decays over the passes and
-//! is no part of the steady efficiency.
+//! Limits: eq. 19 counts one a × a patch once per revolution, which is too small by b z₁/a; it serves
+//! for comparison with the paper. Plastic work is part of running-in: it decays over the passes and is
+//! not part of the steady efficiency.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{AngularSpeed, Energy, Length, LineEnergy, Power, Pressure, Time};
@@ -25,8 +25,8 @@ use crate::error::EfficiencyError;
 
 /// P = σ δ a²/T                                                                `[P19]`
 ///
-/// As printed in the 2022 paper: σ von Mises stress, δ deformation, a half-width of the contact, T the time
-/// of one revolution.
+/// as printed in the 2022 paper, with the von Mises stress σ, the deformation δ, the half width a of the contact and
+/// the time T of one revolution.
 ///
 /// # Errors
 /// When stress or deformation is negative, width or period not positive, or one not finite.
@@ -56,7 +56,7 @@ pub fn printed_deformation_power(
 /// Deformation of one surface, for the paper's formulation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SurfaceDeformation {
-    /// Stress σ: the von Mises stress, as the paper says beside its eq. 19, not the contact pressure.
+    /// Von Mises stress σ, as in the text of the paper next to eq. 19, not the contact pressure.
     pub stress: Pressure,
     /// Elastic deformation.
     pub elastic: Length,
@@ -73,7 +73,7 @@ pub struct SurfaceDeformationPower {
     pub after_contact: Power,
 }
 
-/// The two instants at which the 2022 paper takes `[P19]`: in contact with δ = δ_el + δ_pl, after
+/// Evaluates `[P19]` at the two instants of the 2022 paper: in contact with δ = δ_el + δ_pl, and after
 /// contact with δ = δ_pl.
 ///
 /// # Errors
@@ -178,7 +178,7 @@ fn work(
 
 /// T_z = 2π/(z₁ω₁)                                                             `[Deformation-3]`
 ///
-/// The time between two engagements; in other words z₁n₁/60 engagements a second with n₁ in 1/min.
+/// Time between two engagements, equivalent to z₁n₁/60 engagements per second with n₁ in 1/min.
 ///
 /// # Errors
 /// When there is no tooth or the speed is not positive.
@@ -197,7 +197,7 @@ pub fn engagement_period(teeth: u32, speed: AngularSpeed) -> Result<Time, Effici
     Ok(Time::from_si(std::f64::consts::TAU / (z * omega)))
 }
 
-/// Work of running in, pass by pass.
+/// Plastic work of running-in by pass.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RunningIn {
     /// Plastic work at one tooth pair in each pass.
@@ -210,8 +210,8 @@ pub struct RunningIn {
 
 /// E_z = E_pl·b, P = E_z/T_z = E_pl·b·z₁n₁/60                                  `[Deformation-4]`
 ///
-/// `passes` holds the plastic work per engagement and metre of each pass over the flank; it falls
-/// to zero as the surface shakes down.
+/// `passes` holds the plastic work per engagement and metre of each pass over the flank, which falls
+/// to zero during shakedown.
 ///
 /// # Errors
 /// When an energy is negative, or face width or period are not positive.

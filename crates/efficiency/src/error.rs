@@ -10,20 +10,20 @@ pub enum EfficiencyError {
     /// A single number outside its domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
-    /// A mean over no places.
+    /// A mean without positions.
     #[error("a mesh loss needs at least one position")]
     NoPositions,
-    /// Arrays that should go together do not.
+    /// Two arrays of a sum differ in length.
     #[error("{name} has {found} points where {expected} are needed")]
     LengthMismatch {
         /// The array.
         name: &'static str,
         /// Its length.
         found: usize,
-        /// The length of the array it goes with.
+        /// Length of the other array.
         expected: usize,
     },
-    /// The mesh loses all that is put in, or more.
+    /// The losses are not below the input power.
     #[error("the losses, {loss}, are not below the input power, {input}")]
     LossExceedsInput {
         /// Sum of the losses.
@@ -31,7 +31,7 @@ pub enum EfficiencyError {
         /// Input power.
         input: Power,
     },
-    /// A deformation that gives energy back.
+    /// The energy of a deformation is negative.
     #[error("{name} = {energy}: a deformation cannot release more than it took")]
     NegativeEnergy {
         /// The energy.
@@ -39,7 +39,7 @@ pub enum EfficiencyError {
         /// Its value.
         energy: LineEnergy,
     },
-    /// A bulk temperature that does not settle.
+    /// The bulk temperature does not converge.
     #[error(
         "the bulk temperature did not settle in {steps} steps (last {:.0} °C, still moving by {residual:.2} K)",
         temperature.celsius()
@@ -49,28 +49,28 @@ pub enum EfficiencyError {
         temperature: Temperature,
         /// Change that the next step would make \[K\].
         residual: f64,
-        /// Steps taken.
+        /// Number of steps.
         steps: usize,
     },
-    /// Rows of a table of losses that do not form a grid.
-    #[error("{rows} rows are no grid of {torques} torques and {speeds} speeds")]
+    /// The rows of a loss table do not form a grid.
+    #[error("{rows} rows do not form a grid of {torques} torques and {speeds} speeds")]
     NoGrid {
-        /// Rows, at one temperature where there are several.
+        /// Number of rows, of one temperature if there are several.
         rows: usize,
-        /// Different torques among them.
+        /// Number of distinct torques.
         torques: usize,
-        /// Different speeds among them.
+        /// Number of distinct speeds.
         speeds: usize,
     },
-    /// A row of a table of losses with a number that cannot be.
+    /// A row of a loss table has an invalid number.
     #[error("{rule}, and is {value} in a row")]
     TableRow {
         /// Rule.
         rule: &'static str,
-        /// The value; the speed of the row where it is about its place.
+        /// The value; the speed of the row if the rule is about torque, speed or temperature.
         value: f64,
     },
-    /// A table of losses does not reach the operating point.
+    /// The operating point is outside of the loss table.
     #[error(
         "the table has no loss at {torque_nm} N m, {speed_rpm} 1/min, {temperature_c} °C; nothing is extrapolated"
     )]

@@ -1,7 +1,7 @@
 //! Power losses of a gear mesh, their breakdown, its efficiency, and losses of the gearbox around it.
 //!
-//! The crate needs no gear geometry: it takes forces per metre of contact line and speeds at weighted
-//! places of a mesh cycle, and makes powers, energies per engagement and an efficiency of them.
+//! The crate needs no gear geometry. From forces per metre of contact line and speeds at weighted
+//! positions of a mesh cycle it computes powers, energies per engagement and the efficiency.
 //!
 //! ```
 //! use asperity_core::quantity::Length;
@@ -9,14 +9,14 @@
 //!     LossKind, MeshOperation, PositionLoss, RollingSurfaces, mesh_efficiency, mesh_loss,
 //! };
 //!
-//! let place = PositionLoss {
+//! let position = PositionLoss {
 //!     weight: "80 mm".parse()?,
 //!     sliding_force: "5 N/mm".parse()?,
 //!     sliding_speed: "-0.7 m/s".parse()?,
 //!     rolling_force: "160 N/m".parse()?,
 //!     entrainment_speed: "4.5 m/s".parse()?,
 //! };
-//! let loss = mesh_loss(&[place], RollingSurfaces::Both)?;
+//! let loss = mesh_loss(&[position], RollingSurfaces::Both)?;
 //! let operation = MeshOperation {
 //!     pinion_torque: "285 N m".parse()?,
 //!     pinion_speed: "3000 1/min".parse()?,

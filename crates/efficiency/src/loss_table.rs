@@ -1,7 +1,7 @@
-//! Loss torque from a table of the user's, over torque, speed and temperature.
+//! Loss torque from a user's table, over torque, speed and temperature.
 //!
-//! A table is a grid of nodes, or one grid of each of several temperatures. In between the loss torque is linear along
-//! each of the axes; beyond them there is none.
+//! A table is one grid of nodes, or one grid per temperature. The loss torque is interpolated linearly along each axis and
+//! not extrapolated.
 
 use asperity_core::cite;
 
@@ -10,11 +10,11 @@ use crate::error::EfficiencyError;
 /// A row of a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LossRow {
-    /// Torque \[N m\]; none where the loss does not depend on it.
+    /// Torque \[N m\]; `None` if the loss does not depend on it.
     pub torque_nm: Option<f64>,
     /// Speed \[1/min\].
     pub speed_rpm: f64,
-    /// Temperature \[°C\]; none where the loss does not depend on it.
+    /// Temperature \[°C\]; `None` if the loss does not depend on it.
     pub temperature_c: Option<f64>,
     /// Loss torque \[N m\].
     pub loss_torque_nm: f64,
@@ -23,16 +23,16 @@ pub struct LossRow {
 /// Loss torque over torque, speed and temperature.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LossTable {
-    /// Temperatures \[°C\], rising; empty where the loss does not depend on them.
+    /// Temperatures \[°C\], rising; empty if the loss does not depend on them.
     temperatures: Vec<f64>,
-    /// A grid of each temperature, or the only one.
+    /// One grid per temperature, or a single grid.
     grids: Vec<Grid>,
 }
 
 /// Loss torques of one temperature.
 #[derive(Debug, Clone, PartialEq)]
 struct Grid {
-    /// Torques \[N m\], rising; empty where the loss does not depend on them.
+    /// Torques \[N m\], rising; empty if the loss does not depend on them.
     torques: Vec<f64>,
     /// Speeds \[1/min\], rising.
     speeds: Vec<f64>,
@@ -41,11 +41,11 @@ struct Grid {
 }
 
 impl LossTable {
-    /// The table of these rows, in any order.
+    /// Makes the table from rows in any order.
     ///
     /// # Errors
-    /// When a number is not finite or a loss negative, some rows have a torque or a temperature and others none, or the
-    /// rows of a temperature form no grid.
+    /// When a number is not finite, a loss is negative, only some rows have a torque or a temperature, or the rows of a
+    /// temperature do not form a grid.
     ///
     /// ```
     /// use asperity_efficiency::loss_table::{LossRow, LossTable};
@@ -59,8 +59,8 @@ impl LossTable {
     /// ```
     pub fn new(rows: &[LossRow]) -> Result<Self, EfficiencyError> {
         for row in rows {
-            let places = [row.torque_nm, Some(row.speed_rpm), row.temperature_c];
-            if !places.into_iter().flatten().all(f64::is_finite) {
+            let coordinates = [row.torque_nm, Some(row.speed_rpm), row.temperature_c];
+            if !coordinates.into_iter().flatten().all(f64::is_finite) {
                 return Err(EfficiencyError::TableRow {
                     rule: "torque_nm, speed_rpm and temperature_c must be finite",
                     value: row.speed_rpm,
@@ -95,15 +95,14 @@ impl LossTable {
         })
     }
 
-    /// The loss torque \[N m\] at a torque \[N m\], a speed \[1/min\], whose sign does not count, and a temperature
-    /// \[°C\].
+    /// Loss torque \[N m\] at a torque \[N m\], a speed \[1/min\] of either sign, and a temperature \[°C\].
     ///
     /// ```text
     /// M = Σ_k Π_i w_ik M_k over the corners k of the cell,  w_i = (1 − a_i, a_i) along axis i     [Loss-table]
     /// ```
     ///
     /// # Errors
-    /// When the place is beyond the nodes of an axis.
+    /// When the point is beyond the nodes of an axis.
     pub fn loss_torque(
         &self,
         torque_nm: f64,
@@ -194,7 +193,7 @@ fn rising(values: impl Iterator<Item = f64>) -> Vec<f64> {
     values
 }
 
-/// The node at or below `value`, and how far it is to the next, below 1; none beyond the nodes.
+/// Index of the node at or below `value`, and the fraction of the interval to the next; `None` beyond the nodes.
 fn cell(nodes: &[f64], value: f64) -> Option<(usize, f64)> {
     let i = nodes
         .partition_point(|node| *node <= value)

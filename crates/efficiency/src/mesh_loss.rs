@@ -11,7 +11,7 @@
 //! | w | weight of a position: the length of contact line it represents | m |
 //!
 //! The weights of all positions sum to the mean length of the contact lines. In mixed lubrication
-//! F_s is the whole friction force, ∫(μ_m p_solid + μ p_fluid) dx; nothing else changes.
+//! F_s is the total friction force ∫(μ_m p_solid + μ p_fluid) dx; nothing else changes.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad, Power, Speed};
@@ -35,7 +35,7 @@ pub struct PositionLoss {
     pub entrainment_speed: Speed,
 }
 
-/// On how many surfaces rolling friction is counted.
+/// Number of surfaces with rolling friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum RollingSurfaces {
@@ -57,7 +57,7 @@ impl RollingSurfaces {
     }
 }
 
-/// Losses of a mesh by friction.
+/// Friction losses of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MeshLoss {
     /// Sliding loss.
@@ -83,9 +83,9 @@ pub struct MeshLoss {
 /// ```
 pub fn sliding_power(positions: &[PositionLoss]) -> Result<Power, EfficiencyError> {
     asperity_core::cite!("P17");
-    mean(positions, |place| {
-        let f_s = DomainError::non_negative("sliding force", place.sliding_force)?;
-        let v_s = DomainError::finite("sliding speed", place.sliding_speed)?;
+    mean(positions, |position| {
+        let f_s = DomainError::non_negative("sliding force", position.sliding_force)?;
+        let v_s = DomainError::finite("sliding speed", position.sliding_speed)?;
         Ok(f_s * v_s.abs())
     })
 }
@@ -109,14 +109,14 @@ pub fn rolling_power(
     surfaces: RollingSurfaces,
 ) -> Result<Power, EfficiencyError> {
     asperity_core::cite!("P18");
-    mean(positions, |place| {
-        let f_r = DomainError::non_negative("rolling force", place.rolling_force)?;
-        let v_e = DomainError::non_negative("entrainment speed", place.entrainment_speed)?;
+    mean(positions, |position| {
+        let f_r = DomainError::non_negative("rolling force", position.rolling_force)?;
+        let v_e = DomainError::non_negative("entrainment speed", position.entrainment_speed)?;
         Ok(surfaces.count() * f_r * v_e)
     })
 }
 
-/// Sliding loss `[P17]` and rolling loss `[P18]` together.
+/// Sliding loss `[P17]` and rolling loss `[P18]`.
 ///
 /// # Errors
 /// As [`sliding_power`].
@@ -150,8 +150,8 @@ fn mean(
         return Err(EfficiencyError::NoPositions);
     }
     let mut sum = 0.0;
-    for place in positions {
-        sum += DomainError::non_negative("weight", place.weight)? * per_metre(place)?;
+    for position in positions {
+        sum += DomainError::non_negative("weight", position.weight)? * per_metre(position)?;
     }
     Ok(Power::from_si(DomainError::finite(
         "loss",

@@ -6,15 +6,16 @@
 //! | Q | flow of the jet | m³/s |
 //! | v_t, v_j | speeds of the pitch circle and of the jet | m/s |
 //!
-//! Source: Ariura, Ueno, Sunaga and Sunamoto 1973, as it is quoted in later papers; the text itself was not reached. The
-//! jet is met head on, which is the most that its momentum costs. Oil that is squeezed out of the mesh is no part of it.
+//! Source: Ariura, Ueno, Sunaga and Sunamoto 1973, as quoted in later papers; the text itself was not reached. The jet
+//! is directed against the motion of the teeth, which is the upper bound of its momentum loss. Oil squeezed out of the
+//! mesh is not included.
 
 use asperity_core::quantity::{Density, Power, Speed, VolumeFlow};
 use asperity_core::{DomainError, cite};
 
 use crate::error::EfficiencyError;
 
-/// Power that turns a jet round.
+/// Power that accelerates the oil of a jet to the pitch circle speed.
 ///
 /// ```text
 /// P = ρ Q v_t (v_t + v_j)                                                             [Jet-1]

@@ -1,15 +1,15 @@
-//! From losses to the efficiency and the torque that comes out.
+//! Efficiency and output torque from the losses.
 //!
 //! Source: Rodríguez 2022, eqs 16 and 20.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | M₁, M₂ | torque of the driving, the driven gear | N m |
-//! | ω₁, ω₂ | their speeds | rad/s |
+//! | ω₁, ω₂ | speeds of the driving, the driven gear | rad/s |
 //! | ΣP | sum of the losses | W |
 //! | η | efficiency of the mesh | - |
 //!
-//! Limits: the losses of the mesh only, none of bearings, seals, churning or windage.
+//! Limits: only losses of the mesh, without bearings, seals, churning and windage.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{AngularSpeed, Power, Torque};
@@ -71,7 +71,7 @@ pub fn output_torque(
 /// Operating point of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct MeshOperation {
-    /// Torque at gear 1; negative when gear 2 drives and gear 1 gives the torque out.
+    /// Torque of gear 1; negative when gear 2 drives and gear 1 is the output.
     pub pinion_torque: Torque,
     /// Speed of gear 1.
     pub pinion_speed: AngularSpeed,
@@ -98,10 +98,10 @@ pub struct PowerFlow {
     pub output_torque: Torque,
 }
 
-/// The power flow of a mesh with a known loss.
+/// Power flow of a mesh with a known loss.
 ///
-/// When gear 1 drives, M₁ω₁ is the input. When gear 2 drives, the torque known at gear 1 is that
-/// given out, and the input is the output and the loss together.
+/// When gear 1 drives, M₁ω₁ is the input. When gear 2 drives, the torque of gear 1 is the output
+/// torque, and the input is the output plus the loss.
 ///
 /// # Errors
 /// When torque or speed is zero or not finite, a tooth number is zero, the loss is negative, or

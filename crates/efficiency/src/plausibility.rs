@@ -4,14 +4,14 @@
 //! |---|---|---|
 //! | η | efficiency of the mesh | - |
 //! | H_V | local loss factor of the gear pair | - |
-//! | μ_eq | constant friction coefficient that would lose the same | - |
+//! | μ_eq | constant friction coefficient with the same loss | - |
 
 use asperity_core::{Checked, DomainError, FittedRange};
 
 use crate::error::EfficiencyError;
 
-/// Where the mean friction coefficient of a lubricated steel gear mesh lies, from full films on
-/// superfinished flanks to boundary lubrication on ground ones: a band for doubt, not a fit.
+/// Usual range of the mean friction coefficient of a lubricated steel gear mesh, from full films on
+/// superfinished flanks to boundary lubrication on ground flanks. A plausibility range, not a fit.
 pub const LUBRICATED_STEEL: FittedRange = FittedRange {
     name: "mu_eq",
     low: 0.01,

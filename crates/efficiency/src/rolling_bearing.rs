@@ -1,4 +1,4 @@
-//! Friction torque of a rolling bearing in the form of SKF's catalogue, with constants from the user's catalogue.
+//! Friction torque of a rolling bearing by SKF's model, with constants from the bearing's catalogue.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -9,20 +9,20 @@
 //! | n, ν | speed; viscosity of the oil at its temperature | 1/min, mm²/s |
 //! | R₁, R₂, S₁, S₂, K_z | constants of the series, from the catalogue | SKF's |
 //! | K_rs | replenishment: 6e-8 with grease, 3e-8 with a jet or a low oil level, 0 in a bath | - |
-//! | μ_bl, μ_EHL | coefficients of sliding with broken and with whole film | - |
+//! | μ_bl, μ_EHL | sliding friction coefficients in boundary and in full-film lubrication | - |
 //! | M | friction torque | N mm |
 //!
 //! Source: SKF, Rolling Bearings (catalogue, 2012), "The SKF model for calculating the frictional moment", table 2a. The
-//! variables G_rr and G_sl, φ_bl and the values of μ_EHL were read there; φ_ish and φ_rs are as independent programs have
-//! them. Drag in an oil bath and contact seals of the bearing are not included. The catalogue asks for at least the
-//! least load of the bearing, and F_a ≤ 0.5 C₀ of deep groove ball and F_a ≤ 0.5 F_r of cylindrical roller bearings.
+//! variables G_rr and G_sl, φ_bl and the values of μ_EHL were read there; φ_ish and φ_rs are taken from independent programs.
+//! Drag in an oil bath and contact seals of the bearing are not included. The catalogue requires the minimum load of the
+//! bearing, F_a ≤ 0.5 C₀ for deep groove ball bearings and F_a ≤ 0.5 F_r for cylindrical roller bearings.
 
 use asperity_core::quantity::{AngularSpeed, Force, KinematicViscosity, Length, Torque};
 use asperity_core::{Checked, DomainError, FittedRange, cite};
 
 use crate::error::EfficiencyError;
 
-/// Shape of the rolling bodies, with what only this shape needs.
+/// Type of the rolling elements, with the constants of that type.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BearingForm {
     /// Deep groove ball bearing.
@@ -39,12 +39,12 @@ pub enum BearingForm {
     },
 }
 
-/// Constants of a bearing series from its catalogue, in the units that it prints them for.
+/// Constants of a bearing series, in the units of its catalogue.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BearingConstants {
     /// R₁ of the rolling torque.
     pub r1: f64,
-    /// R₂ of the rolling torque; cylindrical roller bearings have none.
+    /// R₂ of the rolling torque; not used for cylindrical roller bearings.
     pub r2: f64,
     /// S₁ of the sliding torque.
     pub s1: f64,
@@ -54,16 +54,16 @@ pub struct BearingConstants {
     pub k_z: f64,
     /// K_rs of the lubrication.
     pub k_rs: f64,
-    /// Coefficient of sliding where the film breaks down, μ_bl.
+    /// Sliding friction coefficient in boundary lubrication, μ_bl.
     pub mu_bl: f64,
-    /// Coefficient of sliding on a whole film, μ_EHL.
+    /// Sliding friction coefficient in full-film lubrication, μ_EHL.
     pub mu_ehl: f64,
 }
 
 /// A rolling bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingBearing {
-    /// Shape of the rolling bodies.
+    /// Type of the rolling elements.
     pub form: BearingForm,
     /// Bore d.
     pub bore: Length,
@@ -83,7 +83,7 @@ pub struct BearingTorque {
 }
 
 impl BearingTorque {
-    /// Both together.
+    /// Sum of both.
     #[must_use]
     pub fn total(self) -> Torque {
         self.rolling + self.sliding
@@ -94,7 +94,7 @@ impl BearingTorque {
 const BROKEN_FILM: f64 = 2.6e-8;
 /// Factor of φ_ish (SKF).
 const SHEAR_HEATING: f64 = 1.84e-9;
-/// Axial over radial load that a cylindrical roller bearing takes.
+/// Permitted ratio of axial to radial load of a cylindrical roller bearing.
 const AXIAL_OVER_RADIAL: FittedRange = FittedRange {
     name: "axial over radial load",
     low: 0.0,
@@ -102,7 +102,7 @@ const AXIAL_OVER_RADIAL: FittedRange = FittedRange {
     unit: "-",
     correlation: "SKF's torque of a cylindrical roller bearing",
 };
-/// Axial load over C₀ that a deep groove ball bearing takes.
+/// Permitted ratio of the axial load to C₀ of a deep groove ball bearing.
 const AXIAL_OVER_RATING: FittedRange = FittedRange {
     name: "axial load over static rating",
     low: 0.0,
@@ -112,11 +112,11 @@ const AXIAL_OVER_RATING: FittedRange = FittedRange {
 };
 
 impl RollingBearing {
-    /// Checks that the numbers can be those of a bearing.
+    /// Checks the dimensions and constants.
     ///
     /// # Errors
-    /// When a length, C₀, Y or a constant is not positive (K_rs and coefficients: negative), or the outside diameter is
-    /// not above the bore.
+    /// When a length, C₀, Y or a constant is not positive (K_rs and coefficients: negative), or the outside diameter
+    /// is not larger than the bore.
     pub fn check(&self) -> Result<(), EfficiencyError> {
         let d = DomainError::positive("bore", self.bore)?;
         let outside = DomainError::positive("outside diameter", self.outside_diameter)?;

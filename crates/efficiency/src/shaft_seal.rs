@@ -6,8 +6,8 @@
 //! | n | rotational speed | 1/min |
 //! | P | loss | W |
 //!
-//! Source: ISO/TR 14179-2, as it is quoted in open programs; the text itself was not reached. Its lip, oil, temperature
-//! and fitted range are not told there, and measured seals scatter widely about it.
+//! Source: ISO/TR 14179-2, as quoted in open programs; the text itself was not reached. They state neither lip, oil and
+//! temperature nor the fitted range, and measured seals scatter widely about the formula.
 
 use asperity_core::quantity::{Length, Torque};
 use asperity_core::{DomainError, cite};
@@ -17,7 +17,7 @@ use crate::error::EfficiencyError;
 /// Loss over d² n \[W min/mm²\] (ISO/TR 14179-2, quoted).
 const SEAL: f64 = 7.69e-6;
 
-/// Friction torque of a lip seal, whatever the speed.
+/// Friction torque of a lip seal at any speed.
 ///
 /// ```text
 /// P = 7.69e-6 d² n, d in mm and n in 1/min; M = P/ω                                  [Seal-1]

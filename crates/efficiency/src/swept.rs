@@ -1,21 +1,21 @@
-//! Elastic, hysteretic and plastic work of a contact that sweeps over the flank.
+//! Elastic, hysteresis and plastic work of a contact that sweeps over the flank.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | f, R, a | line load, relative radius, Hertz half width at a place of the contact line | N/m, m, m |
+//! | f, R, a | line load, relative radius, Hertz half width at a position of the contact line | N/m, m, m |
 //! | V_e | mean surface speed, at which the contact sweeps the flanks | m/s |
-//! | dl | length of contact line that a place represents | m |
+//! | dl | length of contact line that a position represents | m |
 //! | D | energy that plastic flow dissipates in a window of width 2a, per metre of face | J/m |
 //! | α_h | share of the cycled energy lost to hysteresis | - |
 //!
-//! A point of the flank is loaded once an engagement, everywhere along its arc: energies are per area swept,
-//! not per contact patch. The front half of the pressure works on the approaching surface; per metre of
-//! face and metre rolled that is ∫₀ᵃ p x/R dx = 2 f a/(3πR) (Johnson 1985, 9.1). With sliding each body has
-//! half the normal velocity, so the speed is V_e.
+//! Every point of the flank is loaded once per engagement, so energies are per swept area, not per contact
+//! patch. The front half of the pressure does work on the approaching surface, per metre of face and metre
+//! rolled ∫₀ᵃ p x/R dx = 2 f a/(3πR) (Johnson 1985, 9.1). With sliding each body has half the normal
+//! velocity, so the speed is V_e.
 //!
-//! Cycled energy is given back but for α_h, about 0.01 for steel, 0.004 to 0.03 (from memory, source not
-//! reached); what is
-//! lost belongs to the rolling loss. First-pass plastic work is running-in and no steady loss.
+//! The cycled energy is recovered except for the share α_h, about 0.01 for steel, 0.004 to 0.03 (from memory,
+//! source not reached). The hysteresis loss is part of the rolling loss. Plastic work in the first pass is
+//! running-in and not a steady loss.
 
 use std::f64::consts::PI;
 
@@ -27,13 +27,13 @@ use crate::error::EfficiencyError;
 
 /// Default share of the cycled energy lost to hysteresis in steel (from memory, source not reached).
 pub const HYSTERESIS: f64 = 0.01;
-/// Band of the hysteresis share (from memory, source not reached).
+/// Range of the hysteresis share (from memory, source not reached).
 pub const HYSTERESIS_BAND: [f64; 2] = [0.004, 0.03];
 
-/// A place in a mesh cycle, with the inputs of the deformation losses.
+/// Position in a mesh cycle, with the inputs of the deformation losses.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SweptPosition {
-    /// Mean length of contact line that the place represents.
+    /// Mean length of contact line that the position represents.
     pub weight: Length,
     /// Load per length of contact line f.
     pub load: LineLoad,
@@ -50,11 +50,11 @@ pub struct SweptPosition {
 /// Powers of deformation over a mesh cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SweptDeformation {
-    /// Elastic energy put into the flanks and given back.
+    /// Elastic energy stored in the flanks and recovered.
     pub elastic_cycling: Power,
-    /// The part of it that is lost.
+    /// Hysteresis loss, the part of it that is not recovered.
     pub hysteresis: Power,
-    /// Plastic work in a pass with the plastic work given.
+    /// Plastic work in a pass.
     pub plastic: Power,
 }
 
@@ -67,8 +67,8 @@ pub struct SweptDeformation {
 /// ```
 ///
 /// # Errors
-/// When there is no place, a load, radius, half width or speed is not positive, a weight or plastic work
-/// negative, or α_h not within 0..1.
+/// When there is no position, a load, radius, half width or speed is not positive, a weight or plastic work is
+/// negative, or α_h is not within 0..1.
 ///
 /// ```
 /// use asperity_core::quantity::LineEnergy;
@@ -96,14 +96,14 @@ pub fn swept_deformation(
     let fits = (0.0..=1.0).contains(&hysteresis);
     DomainError::require(fits, "hysteresis fraction", hysteresis, "-", rule)?;
     let (mut elastic, mut plastic) = (0.0, 0.0);
-    for place in positions {
-        let dl = DomainError::non_negative("weight", place.weight)?;
-        let f = DomainError::positive("line load", place.load)?;
-        let r = DomainError::positive("radius", place.radius)?;
-        let a = DomainError::positive("half width", place.half_width)?;
-        let v = DomainError::positive("entrainment speed", place.entrainment)?;
+    for position in positions {
+        let dl = DomainError::non_negative("weight", position.weight)?;
+        let f = DomainError::positive("line load", position.load)?;
+        let r = DomainError::positive("radius", position.radius)?;
+        let a = DomainError::positive("half width", position.half_width)?;
+        let v = DomainError::positive("entrainment speed", position.entrainment)?;
         elastic += 2.0 * f * a / (3.0 * PI * r) * v * dl;
-        plastic += run_in_energy(place.plastic_work, place.half_width)? * v * dl;
+        plastic += run_in_energy(position.plastic_work, position.half_width)? * v * dl;
     }
     Ok(SweptDeformation {
         elastic_cycling: Power::from_si(elastic),

@@ -1,4 +1,4 @@
-//! Errors of a film.
+//! Errors of film computations.
 
 use asperity_core::DomainError;
 
@@ -9,25 +9,25 @@ pub enum FilmError {
     /// An input outside its domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
-    /// Not enough points along the film.
+    /// Too few points along the film.
     #[error("{points} points are too few for a film: give at least {least}")]
     TooFewPoints {
-        /// Points given.
+        /// Number of points.
         points: usize,
-        /// Points needed.
+        /// Least number of points.
         least: usize,
     },
-    /// Two arrays that belong together differ in length.
+    /// An array does not have one value per point.
     #[error("{name} has {got} values where {need} are needed")]
     WrongLength {
         /// The array.
         name: &'static str,
-        /// Values needed.
+        /// Number of values required.
         need: usize,
-        /// Values given.
+        /// Number of values of the array.
         got: usize,
     },
-    /// An array holds a value that it may not hold.
+    /// An array has an invalid value.
     #[error("{name}[{index}] = {value} {unit}: {rule}")]
     BadElement {
         /// The array.
@@ -38,7 +38,7 @@ pub enum FilmError {
         value: f64,
         /// Its unit.
         unit: &'static str,
-        /// Expectation.
+        /// Rule that it violates.
         rule: &'static str,
     },
 }

@@ -1,9 +1,9 @@
 //! Pressure along the film of any gap, from Reynolds' equation at constant viscosity.
 //!
-//! Finite volumes between the points: the flow through the middle of each interval balances. Where
-//! the film would pull, it ruptures: Reynolds' condition (Swift, Stieber) is the complementarity of
-//! pressure and lack of flow, solved directly as the convex-hull problem that it is in one
-//! dimension; it holds for rough gaps with many ruptures as well. Second order in the spacing.
+//! Finite volumes between the points balance the flow through the middles of the intervals; the error is
+//! of second order in the spacing. A film under tension ruptures: Reynolds' condition (Swift, Stieber)
+//! is a complementarity of pressure and flow deficit. In one dimension it is a convex-hull problem, which
+//! is solved directly, also for rough gaps with many ruptures.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -21,37 +21,37 @@ use serde::{Deserialize, Serialize};
 
 use crate::FilmError;
 
-/// Treatment of places where the film would have to pull.
+/// Treatment of tension in the film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rupture {
     /// The film ruptures where pressure and its gradient vanish (Swift, Stieber); conserves flow.
     #[default]
     Reynolds,
-    /// The negative pressures of the full film are dropped; does not conserve flow.
+    /// Negative pressures of the full film are set to zero; does not conserve flow.
     HalfSommerfeld,
-    /// The film pulls; an antisymmetric gap then carries nothing.
+    /// The film sustains tension; an antisymmetric gap then carries no load.
     FullSommerfeld,
 }
 
-/// The pressure along a film, and what it took to find it.
+/// Pressure along a film, with its flow and load.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FilmPressure {
     /// Pressure at every point \[Pa\].
     pub pressure: Vec<f64>,
     /// Flow per unit width into the film, at the first point \[m²/s\].
     pub flow: f64,
-    /// Load that the pressure carries.
+    /// Load, the integral of the pressure.
     pub load: LineLoad,
-    /// Points of the film that have ruptured.
+    /// Number of points at which the film has ruptured.
     pub ruptured: usize,
-    /// Largest imbalance of flow at a point of the film, relative to the flow that drags in.
+    /// Largest imbalance of flow at a point of the film, relative to the entrained flow.
     pub residual: f64,
 }
 
 /// d/dx(h³/(12·η)·dp/dx) = (U/2)·dh/dx,  p = 0 at both ends                    [Reynolds-2]
 ///
-/// `position` and `gap` are in \[m\], positions rising along the movement.
+/// `position` and `gap` are in \[m\]; positions increase in the direction of motion.
 ///
 /// # Errors
 /// When there are fewer than three points, the arrays differ in length, positions do not rise, a
@@ -87,7 +87,7 @@ pub fn film_pressure(
     }
     let residual = balance.imbalance(&pressure, &film) * 2.0 / (u * smallest(gap));
     if rupture != Rupture::FullSommerfeld {
-        // For Reynolds' film only a round-off at its very edge.
+        // With Reynolds' condition only round-off at the edge of the film is negative.
         pressure.iter_mut().for_each(|p| *p = p.max(0.0));
     }
     let ruptured = match rupture {
@@ -127,32 +127,32 @@ fn check(position: &[f64], gap: &[f64]) -> Result<(), FilmError> {
             got: gap.len(),
         });
     }
-    let bad = |name, values: &[f64], index: usize, rule| FilmError::BadElement {
+    let bad_element = |name, values: &[f64], index: usize, rule| FilmError::BadElement {
         name,
         index,
         value: values[index],
         unit: "m",
         rule,
     };
-    let good = |h: &f64| h.is_finite() && *h > 0.0;
-    if let Some(index) = gap.iter().position(|h| !good(h)) {
+    let is_gap = |h: &f64| h.is_finite() && *h > 0.0;
+    if let Some(index) = gap.iter().position(|h| !is_gap(h)) {
         let rule = "must be finite and greater than zero";
-        return Err(bad("gap", gap, index, rule));
+        return Err(bad_element("gap", gap, index, rule));
     }
     if let Some(index) = position.iter().position(|x| !x.is_finite()) {
-        return Err(bad("position", position, index, "must be finite"));
+        return Err(bad_element("position", position, index, "must be finite"));
     }
     match position.windows(2).position(|x| x[1] <= x[0]) {
         None => Ok(()),
-        Some(index) => Err(bad("position", position, index + 1, "must rise")),
+        Some(index) => Err(bad_element("position", position, index + 1, "must rise")),
     }
 }
 
-/// The balance of flow at the inner points: a tridiagonal system.
+/// Balance of flow at the inner points: a tridiagonal system.
 struct Balance {
     /// h³/(12·η·Δx) of every interval.
     conductance: Vec<f64>,
-    /// Flow dragged out of less what is dragged into every inner point, (U/2)·Δh.
+    /// Net entrained flow out of every inner point, (U/2)·Δh.
     drag: Vec<f64>,
 }
 
@@ -168,11 +168,11 @@ impl Balance {
         Self { conductance, drag }
     }
 
-    /// Pressure that balances the flow in the film and is zero where it has ruptured.
+    /// Pressure that balances the flow in the film; zero where the film has ruptured.
     fn pressure(&self, film: &[bool]) -> Vec<f64> {
         let inner = film.len();
-        // Elimination with the conductance `ground` from a point to p = 0 upstream: sums and products
-        // of positive numbers, where Thomas' difference would lose all digits in a wide gap.
+        // Elimination with the conductance `ground` from a point to p = 0 upstream. It adds and multiplies
+        // positive numbers; the difference in Thomas' algorithm would cancel in a wide gap.
         let (mut share, mut source) = (vec![0.0; inner], vec![0.0; inner]);
         let (mut ground, mut carried) = (self.conductance[0], 0.0);
         for i in 0..inner {
@@ -193,25 +193,25 @@ impl Balance {
         pressure
     }
 
-    /// Flow out of less flow into inner point `i`: zero in the film, positive where more is dragged
-    /// away than comes.
-    fn lack(&self, pressure: &[f64], i: usize) -> f64 {
+    /// Net flow out of inner point `i`: zero in the film, positive where the film lacks oil.
+    fn flow_deficit(&self, pressure: &[f64], i: usize) -> f64 {
         let west = self.conductance[i] * (pressure[i + 1] - pressure[i]);
         let east = self.conductance[i + 1] * (pressure[i + 2] - pressure[i + 1]);
         self.drag[i] + west - east
     }
 
     fn imbalance(&self, pressure: &[f64], film: &[bool]) -> f64 {
-        (0..film.len())
-            .filter(|&i| film[i])
-            .fold(0.0, |worst, i| self.lack(pressure, i).abs().max(worst))
+        (0..film.len()).filter(|&i| film[i]).fold(0.0, |worst, i| {
+            self.flow_deficit(pressure, i).abs().max(worst)
+        })
     }
 
-    /// The points between ruptures where p ≥ 0, lack ≥ 0 and p·lack = 0.
+    /// Marks the points of the film for which p ≥ 0, deficit ≥ 0 and p·deficit = 0.
     ///
-    /// Over the resistance s = Σ 1/conductance this is a string over an obstacle: p less the full
-    /// film's pressure is linear in the film and bends down where it lacks oil, so it is the least
-    /// concave majorant of the negative full pressure. The film has ruptured where they touch.
+    /// As a function of the resistance s = Σ 1/conductance, p minus the pressure of the full film is
+    /// linear in the film and concave where the film lacks oil. It is therefore the least concave
+    /// majorant of the negative full pressure, computed as an upper convex hull. The film has ruptured at
+    /// the points of the hull.
     fn unruptured(&self, full: &[f64]) -> Vec<bool> {
         let resistance: Vec<f64> = std::iter::once(0.0)
             .chain(self.conductance.iter().scan(0.0, |sum, k| {
@@ -233,9 +233,9 @@ impl Balance {
             hull.push(c);
         }
         let mut film = vec![true; self.drag.len()];
-        for touching in hull {
-            if (1..=film.len()).contains(&touching) {
-                film[touching - 1] = false;
+        for vertex in hull {
+            if (1..=film.len()).contains(&vertex) {
+                film[vertex - 1] = false;
             }
         }
         film

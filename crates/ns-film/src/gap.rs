@@ -1,8 +1,8 @@
-//! The gap between two cylinders: along the film, and over the angle of the paper.
+//! Gap between two cylinders: along the film, and over the angle of the paper.
 //!
-//! Along the film x the gap depends on the relative radius alone. The paper measures it over the
-//! angle θ seen from the centre of cylinder 2; what it prints holds (to second order in θ) only for
-//! equal radii and is otherwise off by the factor r₂/r₁.
+//! Along the film x the gap depends only on the relative radius. The paper uses the angle θ at the
+//! centre of cylinder 2; its printed gap holds (to second order in θ) only for equal radii, and
+//! otherwise its rise is wrong by the factor r₂/r₁.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -90,7 +90,7 @@ impl GapShape {
 
 /// h(θ) = h₀ + (1 − cos θ)·(r₁ + r₂)                                         `[P29]`
 ///
-/// as the paper prints it: for small angles r₁/r₂ of the rise of [`exact_gap`].
+/// as printed in the paper: for small angles its rise is r₁/r₂ of the rise of [`exact_gap`].
 ///
 /// # Errors
 /// When the angle is not finite, the gap is negative, or a radius is not positive.
@@ -107,9 +107,9 @@ pub fn paper_gap(least: Length, angle: Angle, r1: Length, r2: Length) -> Result<
     Ok(Length::from_si(h0 + paper_rise(theta, r1, r2)))
 }
 
-/// Rise \[m\] of [`paper_gap`] over the line of centres, of numbers that were checked.
+/// Rise \[m\] of [`paper_gap`] from the line of centres, for valid numbers.
 pub(crate) fn paper_rise(theta: f64, r1: f64, r2: f64) -> f64 {
-    // 1 − cos θ = 2·sin²(θ/2) keeps its digits at small angles.
+    // 1 − cos θ = 2·sin²(θ/2) does not cancel at small angles.
     2.0 * (0.5 * theta).sin().powi(2) * (r1 + r2)
 }
 
@@ -131,17 +131,17 @@ pub fn exact_gap(least: Length, angle: Angle, r1: Length, r2: Length) -> Result<
     asperity_core::cite!("Gap-3");
     let (h0, theta, r1, r2) = domain(least, angle, r1, r2)?;
     let l = r1 + r2 + h0;
-    let aside = l * theta.sin();
+    let offset = l * theta.sin();
     DomainError::require(
-        aside.abs() <= r1 && theta.cos() > 0.0,
+        offset.abs() <= r1 && theta.cos() > 0.0,
         "angle",
         theta,
         "rad",
         "must be small enough for the ray to meet cylinder 1",
     )?;
-    // Rationalised: the difference of lengths of the size r₁ would cost five digits.
+    // Rationalised: the difference of two lengths near r₁ would lose five digits.
     let rise = h0 * (2.0 * r1 + h0) + 4.0 * l * r2 * (0.5 * theta).sin().powi(2);
-    let root = ((r1 - aside) * (r1 + aside)).sqrt();
+    let root = ((r1 - offset) * (r1 + offset)).sqrt();
     Ok(Length::from_si(rise / (l * theta.cos() - r2 + root)))
 }
 

@@ -1,8 +1,8 @@
 //! Pressure in and across a thin lubricating film between two cylinders.
 //!
-//! [`model`] answers the paper's question, how far the pressure differs across the film, with the
-//! consistent film of [`reynolds_cross`] or that of the [`paper`]. [`film_pressure`] gives the
-//! pressure along the film of any gap.
+//! [`model`] computes the pressure difference across the film, the question of the paper, with the
+//! consistent film of [`reynolds_cross`] or with the film of the [`paper`]. [`film_pressure`] computes
+//! the pressure along the film of any gap.
 
 pub mod error;
 pub mod film_pressure;

@@ -1,4 +1,4 @@
-//! The two film models behind one question: how far does the pressure differ across the film?
+//! Pressure difference across the film by either of two film models.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{
@@ -17,14 +17,14 @@ use crate::velocity_profile::VelocityProfile;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FluidModel {
-    /// Reynolds along the film, second order across it: consistent.
+    /// Reynolds' equation along the film and a second-order balance across it: consistent.
     #[default]
     ReynoldsCross,
     /// The paper's radial momentum equation with its misprints corrected.
     Paper,
 }
 
-/// A film between two cylinders at one angle from the line of centres.
+/// Film between two cylinders at one angle from the line of centres.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FilmConditions {
     /// Speed u₁ of wall 1; see [`wall_speed`].
@@ -41,7 +41,7 @@ pub struct FilmConditions {
     pub angle: Angle,
     /// Base radius R_b of the paper's model.
     pub base_radius: Length,
-    /// Speed u∞ in the middle of the paper's film; the mean of the walls when none.
+    /// Speed u∞ in the middle of the paper's film; the mean speed of the walls if `None`.
     pub middle_speed: Option<Speed>,
     /// Viscosity.
     pub viscosity: DynamicViscosity,
@@ -69,9 +69,9 @@ pub fn wall_speed(rotation: AngularSpeed, radius: Length) -> Result<Speed, FilmE
 }
 
 impl FilmConditions {
-    /// The section of the consistent film: the gap on the relative radius at x = r₂·sin θ, and the
-    /// flow that needs no pressure gradient on the line of centres, q = ½·(u₁ + u₂)·h₀, as under
-    /// an elastohydrodynamic film.
+    /// Section of the consistent film: the gap of the relative radius at x = r₂·sin θ, and the flow
+    /// without pressure gradient on the line of centres, q = ½·(u₁ + u₂)·h₀, as in an
+    /// elastohydrodynamic film.
     ///
     /// # Errors
     /// When a number is not finite, or a length is not positive.
@@ -103,7 +103,7 @@ impl FilmConditions {
         self.section()?.cross_film()
     }
 
-    /// The section of the paper's film; its parabola spans the film thickness h₀.
+    /// Section of the paper's film; its parabola spans the film thickness h₀.
     pub fn paper_film(&self) -> PaperFilm {
         let mean = (self.wall_1 + self.wall_2) * 0.5;
         PaperFilm {
@@ -124,7 +124,7 @@ impl FilmConditions {
     }
 }
 
-/// Pressure at wall 1 less that at wall 2.
+/// Pressure at wall 1 minus pressure at wall 2.
 ///
 /// # Errors
 /// When a number is not finite, or a length, the viscosity or the density is not positive.
@@ -152,8 +152,8 @@ pub fn pressure_difference_across(
     }
 }
 
-/// The pressure difference \[Pa\] for each film thickness \[m\], all else as in `conditions`: the
-/// paper's figure 8.
+/// Pressure difference \[Pa\] at each film thickness \[m\], with the other values of `conditions`
+/// (figure 8 of the paper).
 ///
 /// # Errors
 /// As for [`pressure_difference_across`].

@@ -1,10 +1,11 @@
 //! The paper's film: the radial momentum equation integrated across the gap.
 //!
-//! The paper assumes a parabola through the film whose argument is the gap at the angle θ, so
-//! that u_θ depends on θ alone, takes u_r from continuity and integrates dP/dr from wall 2 to wall 1.
-//! The misprints are corrected; the field still admits no single-valued pressure and is kept only to compare
-//! with the paper. At the pitch point, where both walls move alike, the difference is that of the
-//! consistent film; with sliding the terms in ∂u/∂θ take over and are far too large.
+//! The paper assumes a parabola of velocity through the film whose argument is the gap at the angle θ,
+//! so that u_θ depends only on θ. It derives u_r from continuity and integrates dP/dr from wall 2 to
+//! wall 1. The misprints are corrected. The velocity field still has no single-valued pressure; the model
+//! serves only for comparison with the paper. At the pitch point, where both walls have the same speed,
+//! the pressure difference equals the one of the consistent film; with sliding the terms in ∂u/∂θ
+//! dominate and are far too large.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -17,9 +18,8 @@
 //! | f, f', f'' | first to third derivative of u_θ over θ | m/s |
 //! | ρ, μ | density, viscosity | kg/m³, Pa s |
 //!
-//! Numbers of the paper that nothing here computes: continuity, which the velocities below fulfil; its
-//! assumptions, with which the momentum is that of a plane and steady flow; and three statements, of which the
-//! first two are not used.
+//! Equations of the paper that are not evaluated here: continuity, which the velocities below satisfy; the
+//! assumptions of a plane and steady flow; and three statements, of which the first two are not used.
 //!
 //! - ∂ρ/∂t + (1/r)·∂(r·ρ·u_r)/∂r + (1/r)·∂(ρ·u_θ)/∂θ + ∂(ρ·u_z)/∂z = 0   `[P22]`
 //! - assumption: u_z = 0   `[P24]`
@@ -41,7 +41,7 @@ use crate::FilmError;
 use crate::gap::{paper_gap, paper_rise};
 use crate::velocity_profile::{VelocityProfile, parabola};
 
-/// A section of the paper's film.
+/// Section of the paper's film.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PaperFilm {
     /// The parabola: wall speeds w₁·r₁ and w₂·r₂, the speed u∞ in the middle, and H.
@@ -93,7 +93,7 @@ pub struct LocalFlow {
 ///
 /// ```
 /// use asperity_ns_film::paper::{LocalFlow, radial_momentum};
-/// // Rigid rotation: the centrifugal force alone.
+/// // Rigid rotation: only the centrifugal force.
 /// let flow = LocalFlow { radius: 0.01, along: 5.0, ..LocalFlow::default() };
 /// let gradient = radial_momentum(&flow, "998 kg/m3".parse()?, "97.5 mPa s".parse()?)?;
 /// assert!((gradient / (998.0 * 25.0 / 0.01) - 1.0).abs() < 1e-14);
@@ -164,7 +164,7 @@ pub fn base_radius(
     Ok(Length::from_si(0.5 * m * z * alpha.cos()))
 }
 
-/// u_θ and its derivatives over θ at a gap.
+/// u_θ and its derivatives with respect to θ at a gap.
 struct Kernel {
     u: f64,
     f: f64,
@@ -173,7 +173,7 @@ struct Kernel {
     h: f64,
 }
 
-/// A section of the paper's film at any gap h₀, with all else checked once; by
+/// Section of the paper's film at any gap h₀, with all other inputs checked; made by
 /// [`PaperFilm::at_any_gap`].
 #[derive(Debug, Clone, Copy)]
 pub struct PaperSection {
@@ -190,7 +190,7 @@ pub struct PaperSection {
 }
 
 impl PaperSection {
-    /// [`PaperFilm::pressure_difference`] where the gap and the thickness of the parabola are `gap`.
+    /// [`PaperFilm::pressure_difference`] with both the gap h₀ and the thickness of the parabola equal to `gap`.
     ///
     /// # Errors
     /// When the gap is not positive.
@@ -250,7 +250,7 @@ impl PaperFilm {
     /// #     radius_1: "14.54 mm".parse()?, radius_2: "34.896 mm".parse()?, least_gap: "100 nm".parse()?, angle: "0 deg".parse()?,
     /// #     base_radius: "35 mm".parse()?, density: "998 kg/m3".parse()?, viscosity: "97.5 mPa s".parse()?,
     /// # };
-    /// // On the line of centres the film runs along the walls.
+    /// // On the line of centres the film flows parallel to the walls.
     /// assert_eq!(film.radial_velocity(film.radius_2)?.si(), 0.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -294,7 +294,7 @@ impl PaperFilm {
     /// P(r₂ + h) − P(r₂) = ρ·(u²·I₁ + u·f'·(I₁ + D·I₂) + f²·(D·I₂ + D²·I₃)) − μ·(f·I₂ + f''·(I₂ + D·I₃))   [Paper-1]
     ///
     /// the integral of [`pressure_gradient`](Self::pressure_gradient) across the film, with Iₙ = ∫r⁻ⁿ dr from r₂ to
-    /// r₂ + h in forms that keep their digits for h ≪ r₂.
+    /// r₂ + h in forms that do not cancel for h ≪ r₂.
     ///
     /// # Errors
     /// When a speed or the angle is not finite, or a length, the density or the viscosity is not
@@ -317,7 +317,7 @@ impl PaperFilm {
         Ok(section.difference(&kernel))
     }
 
-    /// The section with all but the gap h₀ and the thickness H of the parabola, which are the same from now on.
+    /// Section with the gap h₀ and the thickness H of the parabola left open, as one variable.
     ///
     /// # Errors
     /// As for [`pressure_difference`](Self::pressure_difference).
@@ -336,7 +336,7 @@ impl PaperFilm {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn at_any_gap(&self) -> Result<PaperSection, FilmError> {
-        // Notes the equations, too.
+        // Checks all inputs and records the equations.
         self.pressure_difference()?;
         self.section()
     }

@@ -1,9 +1,9 @@
-//! The consistent film: Reynolds along it, the second-order pressure difference across it.
+//! The consistent film: Reynolds' equation along the film, second-order pressure difference across it.
 //!
-//! A parabola of velocity that conserves the flow obeys Reynolds' equation. To second order in
-//! the slope of the film the pressure differs between the walls by the shear that the tilted wall
-//! 1 feels and by the centrifugal force of the curved flow. Valid for thin films, h ≪ r₂ and
-//! |h'| ≪ 1; viscosity and density are those at the section.
+//! A parabolic velocity that conserves the flow satisfies Reynolds' equation. To second order in the
+//! slope of the film, the pressure difference between the walls consists of the shear stress on the
+//! inclined wall 1 and the centrifugal force of the curved flow. Valid for thin films, h ≪ r₂ and
+//! |h'| ≪ 1, with the viscosity and density of the section.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -11,7 +11,7 @@
 //! | q | flow per unit width | m²/s |
 //! | u₁, u₂ | speeds of the walls | m/s |
 //! | η, ρ | viscosity and density | Pa s, kg/m³ |
-//! | r₂ | radius of the path of the flow, that of wall 2 | m |
+//! | r₂ | radius of the path of the flow, equal to the radius of wall 2 | m |
 //! | τ_w1, τ_w2 | shear stress η·du/dy at the walls | Pa |
 //! | p₁, p₂ | pressure at the walls | Pa |
 
@@ -25,7 +25,7 @@ use serde::Serialize;
 use crate::FilmError;
 use crate::velocity_profile::VelocityProfile;
 
-/// A section of the film: what crosses it and between which walls.
+/// Section of the film: its flow, fluid and walls.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FilmSection {
     /// Speed u₁ of wall 1.
@@ -62,7 +62,7 @@ pub struct CrossFilm {
 }
 
 impl CrossFilm {
-    /// The pressures at wall 1 and wall 2 where Reynolds' pressure, that in the middle, is `mean`.
+    /// Pressures at wall 1 and wall 2 if Reynolds' pressure, the one in the middle, is `mean`.
     pub fn wall_pressures(&self, mean: Pressure) -> [Pressure; 2] {
         [mean + self.difference * 0.5, mean - self.difference * 0.5]
     }
@@ -71,7 +71,7 @@ impl CrossFilm {
 impl FilmSection {
     /// p₁ − p₂ = h'·τ_w1 + ρ·(u₁² + u₁·u₂ + u₂²)·h/(3·r₂)                            [Cross-1]
     ///
-    /// with everything that leads there.
+    /// with velocity, pressure gradient and wall shear.
     ///
     /// # Errors
     /// When a number is not finite, or the thickness, the viscosity, the density or the radius is
@@ -186,7 +186,7 @@ impl FilmSection {
 
     /// ρ·∫₀ʰ u(y)²/(r₂ + y) dy, the centrifugal difference of a film of any thickness    [Cross-4]
     ///
-    /// over the parabola of the section; ρ·u²·ln(1 + h/r₂) where the film moves as one, and
+    /// with the parabola of the section. Equals ρ·u²·ln(1 + h/r₂) for uniform velocity, and
     /// [`centrifugal_difference`](Self::centrifugal_difference) for a thin film without pressure gradient.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
-//! The parabola of velocity through the film.
+//! Parabolic velocity through the film.
 //!
-//! Wall 2 is at y = 0, wall 1 at y = h. The parabola is fixed by the two wall speeds and the speed
-//! in the middle; the middle speed follows from the flow.
+//! Wall 2 is at y = 0, wall 1 at y = h. The two wall speeds and the speed in the middle determine the
+//! parabola; the middle speed follows from the flow.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -18,7 +18,7 @@ use serde::Serialize;
 
 use crate::FilmError;
 
-/// A parabolic velocity profile between two walls.
+/// Parabolic velocity profile between two walls.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct VelocityProfile {
     /// Speed u₁ of wall 1, at y = h.

@@ -7,6 +7,7 @@ use asperity::LoadedCase;
 use asperity::case::{self, CalibratedName};
 use asperity_calibration as calibrating;
 use asperity_calibration::{CalibrationError, RigFiles, Watch};
+use asperity_report::StudyResult;
 use pyo3::prelude::*;
 
 use crate::case::Case;
@@ -96,11 +97,11 @@ impl Calibration {
 
     /// The summary as text.
     fn summary(&self) -> String {
-        calibrating::summary(&self.0)
+        self.0.summary(())
     }
 
     /// Writes the folder of the calibration.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        alone(py, || Ok(calibrating::write(&self.0, &folder)?))
+        alone(py, || Ok(self.0.write((), &folder)?))
     }
 }

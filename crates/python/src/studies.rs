@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
+use asperity_report::StudyResult;
 use asperity_storage::whole_text;
 use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle;
 use asperity_studies::export::{AddedLoss, Format, With, export};
-use asperity_studies::map::{self as mapping, Axes, MapBand, Numbers, Point};
+use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
 use asperity_studies::sensitivity as changing;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
@@ -59,12 +60,12 @@ impl Comparison {
 
     /// The summary as text.
     fn summary(&self) -> String {
-        comparing::summary(&self.0)
+        self.0.summary(())
     }
 
     /// Writes the folder of the comparison.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        alone(py, || Ok(comparing::write(&self.0, &folder)?))
+        alone(py, || Ok(self.0.write((), &folder)?))
     }
 }
 
@@ -96,12 +97,12 @@ impl Sensitivity {
 
     /// The summary as text.
     fn summary(&self) -> String {
-        changing::summary(&self.0)
+        self.0.summary(())
     }
 
     /// Writes the folder of the study.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        alone(py, || Ok(changing::write(&self.0, &folder)?))
+        alone(py, || Ok(self.0.write((), &folder)?))
     }
 }
 
@@ -252,12 +253,12 @@ impl Map {
 
     /// The summary as text.
     fn summary(&self) -> String {
-        mapping::summary(&self.0)
+        self.0.summary(MapExtras::default())
     }
 
     /// Writes the folder of the map.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        alone(py, || Ok(mapping::write(&self.0, &[], &[], &folder)?))
+        alone(py, || Ok(self.0.write(MapExtras::default(), &folder)?))
     }
 
     /// Names and contents of the files of a format; `added` is a table of other losses, `cycle` a drive cycle.

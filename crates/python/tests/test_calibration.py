@@ -98,4 +98,4 @@ def test_what_a_table_lacks_is_named(rig, columns, tmp_path):
     far = [str(3 * float(loss)) if line == 0 else loss for line, loss in enumerate(columns["loss_w"])]
     refused("E135", "ten sigma", {**columns, "loss_w": far}, CASE)
     two = {name: values[:2] for name, values in columns.items()}
-    refused("E310", "cannot be found from these 2 points", two, CASE)
+    refused("E310", "these 2 points do not identify the boundary layer", two, CASE)

@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use asperity_roughness::RoughnessError;
 use asperity_storage::{NotFinite, StorageError};
 
-/// Reason why a result was not written or not read; nothing is left half-written.
+/// Error of writing or reading a result. No incomplete result is left behind.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReportError {
-    /// The place or the system refused.
+    /// The target holds something else, or the system reports an error.
     #[error(transparent)]
     Storage(#[from] StorageError),
-    /// A number that is not finite, which is never written.
+    /// A number is not finite and is not written.
     #[error("{path}: not written: {source}")]
     NotFinite {
         /// The file.
@@ -20,7 +20,7 @@ pub enum ReportError {
         /// The number.
         source: NotFinite,
     },
-    /// A result that is missing or was not written by Asperity.
+    /// The result is missing or was not written by Asperity.
     #[error("{path}: not a result of asperity run: {reason}")]
     NotAResult {
         /// The file.
@@ -28,7 +28,7 @@ pub enum ReportError {
         /// The reason.
         reason: &'static str,
     },
-    /// A value of `result.json` that is missing or damaged.
+    /// A value of `result.json` is missing or damaged.
     #[error("{path}: not a result of asperity run: {key}: {source}")]
     Damaged {
         /// The file.
@@ -38,7 +38,7 @@ pub enum ReportError {
         /// Reason given by the reader.
         source: serde_json::Error,
     },
-    /// A table beside `result.json` that is missing, damaged or not of this result.
+    /// A table next to `result.json` is missing, damaged or belongs to another result.
     #[error("{path}: not a table of this result: {reason}")]
     BadTable {
         /// The file.
@@ -46,35 +46,35 @@ pub enum ReportError {
         /// The reason.
         reason: TableFault,
     },
-    /// A choice of the model that is neither given nor among the defaults.
+    /// A model choice is neither among the inputs nor among the defaults.
     #[error("result.json: {key} is neither among the inputs nor among the defaults")]
     NoValue {
         /// Key of the case file.
         key: &'static str,
     },
-    /// A position that the result does not have.
+    /// The position does not exist.
     #[error("position {number} is not among the {count} of the result")]
     NoSuchPosition {
-        /// Number asked for.
+        /// The requested number.
         number: usize,
         /// Number of positions.
         count: usize,
     },
-    /// A position whose fields were not kept.
-    #[error("the fields of position {number} were not kept{}", place.as_ref().map(|place| format!(" in {}", place.display())).unwrap_or_default())]
+    /// The fields of the position were not stored.
+    #[error("the fields of position {number} were not stored{}", place.as_ref().map(|place| format!(" in {}", place.display())).unwrap_or_default())]
     NoFields {
-        /// Number asked for.
+        /// The requested number.
         number: usize,
-        /// The result folder, where there is one.
+        /// The result folder, if there is one.
         place: Option<PathBuf>,
     },
-    /// A trace that cannot be prepared again.
+    /// A trace cannot be prepared.
     #[error(transparent)]
     Flank(#[from] RoughnessError),
-    /// A value that JSON cannot hold.
+    /// A value cannot be written as JSON.
     #[error("result.json: {0}")]
     Json(#[from] serde_json::Error),
-    /// A row that CSV cannot hold.
+    /// A row cannot be written as CSV.
     #[error("{path}: {source}")]
     Csv {
         /// The file.
@@ -88,13 +88,13 @@ pub enum ReportError {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum TableFault {
-    /// The file cannot be opened or a row not be read.
+    /// The file cannot be opened or a row cannot be read.
     #[error("{0}")]
     Unreadable(#[from] csv::Error),
-    /// No row.
+    /// The table has no rows.
     #[error("it has no rows")]
     Empty,
-    /// A cell that is not a finite number.
+    /// A cell is not a finite number.
     #[error("row {row}: {column} is not a finite number")]
     NotFinite {
         /// Row, from 1 below the header.
@@ -102,7 +102,7 @@ pub enum TableFault {
         /// Name of the column.
         column: &'static str,
     },
-    /// Rows that do not form a rectangular field, or columns of different lengths.
+    /// The rows do not form a rectangular field, or the columns differ in length.
     #[error("its rows do not form a field of equally long rows")]
     NotAField,
 }

@@ -1,4 +1,4 @@
-//! The result folder, written beside its place and moved there whole, and read back.
+//! The result folder: written as a whole, next to its target and then moved there, and read back.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,27 +19,27 @@ use crate::tables::{self, ContactTables, folder_of};
 const MARK: &str = "result.json";
 /// The page of a result.
 const PAGE: &str = "report.html";
-/// Thinned tables that the page is drawn from.
+/// Thinned tables of the page.
 const PAGE_TABLES: &str = "page.json";
 /// Kind of the folder in messages.
 const KIND: &str = "result";
 
-/// Bytes of the largest table of a result that is read back.
+/// Largest table in bytes that is read back.
 const LARGEST: u64 = 1_000_000_000;
 
-/// Every point of the load map, where it was asked for.
+/// All points of the load map, on request.
 const MAP: &str = "map.csv";
 
-/// Fields along the contact that a result folder keeps beside its page.
+/// Fields along the contact in a result folder, in addition to its page.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Fields {
-    /// Those that the page shows, thinned.
+    /// Only the thinned fields of the page.
     #[default]
     Page,
-    /// All of these positions, from 1 at A, and the tables of the flanks.
+    /// All fields of these positions, counted from 1 at A, and the tables of the flanks.
     Positions(Vec<usize>),
-    /// All of every position, and the tables of the flanks.
+    /// All fields of all positions, and the tables of the flanks.
     All,
 }
 
@@ -49,7 +49,7 @@ impl Fields {
     pub fn kept(&self) -> KeptFields {
         match self {
             Self::Page => KeptFields::Highest,
-            Self::Positions(wanted) => KeptFields::Positions(wanted.clone()),
+            Self::Positions(numbers) => KeptFields::Positions(numbers.clone()),
             Self::All => KeptFields::All,
         }
     }
@@ -57,40 +57,40 @@ impl Fields {
     fn keep(&self, position: usize) -> bool {
         match self {
             Self::Page => false,
-            Self::Positions(wanted) => wanted.contains(&position),
+            Self::Positions(numbers) => numbers.contains(&position),
             Self::All => true,
         }
     }
 }
 
-/// Whether a result may be written as folder `target`: nothing is there, or an empty folder, or an
-/// older result as it was written and nothing else, since it is replaced as a whole.
+/// Checks that a result may be written as folder `target`: `target` does not exist, is empty, or holds an unchanged
+/// older result, which is replaced as a whole.
 ///
 /// # Errors
-/// When something else is there.
+/// When `target` holds something else.
 pub fn check_place(target: &Path) -> Result<(), ReportError> {
     Ok(check_folder(target, KIND)?)
 }
 
 /// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `load.csv`, tables of losses, friction laws and
 /// offsets, and `report.html` with the thinned tables it is drawn from; with `fields` also `load_map.csv`, tables of
-/// the flanks, `convergence.csv`, and a folder `position_NN` for each position that is kept. An older result
-/// there is replaced; anything else there is left alone and reported.
+/// the flanks, `convergence.csv`, and a folder `position_NN` for each position. An older result is replaced; anything
+/// else is left unchanged and is an error.
 ///
 /// # Errors
-/// When the system refuses, a position of `fields` does not exist, a number is not finite, or `target`
+/// When a file cannot be written, a position of `fields` does not exist, a number is not finite, or `target`
 /// holds something else.
 pub fn write_folder(outcome: &Outcome, target: &Path, fields: &Fields) -> Result<(), ReportError> {
     check_fields(outcome, fields)?;
     replace_folder(target, KIND, |folder| fill(outcome, folder, fields))
 }
 
-/// Whether `outcome` holds the fields that are to be written.
+/// Checks that `outcome` holds the fields to write.
 pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), ReportError> {
-    let Fields::Positions(wanted) = fields else {
+    let Fields::Positions(numbers) = fields else {
         return Ok(());
     };
-    for &number in wanted {
+    for &number in numbers {
         shown_position(&outcome.result, Some(number))?;
         if outcome.fields.iter().all(|held| held.position != number) {
             return Err(ReportError::NoFields {
@@ -102,19 +102,19 @@ pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), Rep
     Ok(())
 }
 
-/// Adds every point of the load map of `outcome` to its result folder, as `map.csv`.
+/// Adds all points of the load map of `outcome` to its result folder, as `map.csv`.
 ///
 /// # Errors
-/// When the system refuses.
+/// When a file cannot be written.
 pub fn write_load_points(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
     let text = tables::text(Path::new(MAP), tables::load_points(&outcome.load_map))?;
     Ok(write_among(folder, &[(MAP.to_owned(), text)])?)
 }
 
-/// Writes the gap of a contact without solution as CSV, in the form `asperity contact --gap` reads.
+/// Writes the gap of a contact without solution as CSV, in the format that `asperity contact --gap` reads.
 ///
 /// # Errors
-/// When the system refuses.
+/// When a file cannot be written.
 pub fn write_unsolved(contact: &UnsolvedContact, file: &Path) -> Result<(), ReportError> {
     let mut text = String::from("x_m,h_m\n");
     for (x, h) in contact.x.iter().zip(&contact.gap) {
@@ -140,7 +140,7 @@ pub(crate) fn fill(outcome: &Outcome, folder: &Path, fields: &Fields) -> Result<
 /// Name and content of a file of a result.
 pub type FileText = (&'static str, Vec<u8>);
 
-/// The files that [`write_folder`] writes without further fields, in memory.
+/// The files of [`write_folder`] without fields, in memory.
 ///
 /// # Errors
 /// When a number is not finite.
@@ -182,12 +182,12 @@ fn write_fields(
             flank.write(folder, body)?;
         }
     }
-    let kept = || outcome.fields.iter().filter(|at| fields.keep(at.position));
-    let steps: Vec<_> = kept().flat_map(tables::convergence).collect();
+    let selected = || outcome.fields.iter().filter(|at| fields.keep(at.position));
+    let steps: Vec<_> = selected().flat_map(tables::convergence).collect();
     if !steps.is_empty() {
         tables::write(&folder.join("convergence.csv"), &steps)?;
     }
-    for fields in kept() {
+    for fields in selected() {
         if let Some(row) = shown_position(&outcome.result, Some(fields.position))? {
             let place = folder.join(folder_of(fields.position));
             make_subfolder(&place)?;
@@ -208,12 +208,12 @@ fn write_position(contact: &ContactTables, place: &Path) -> Result<(), ReportErr
 /// Writes `value` as JSON that ends with a line feed.
 ///
 /// # Errors
-/// When the system refuses, a number is not finite, or JSON cannot hold the value.
+/// When a file cannot be written, a number is not finite, or JSON cannot hold the value.
 pub fn write_json<T: Serialize>(file: &Path, value: &T) -> Result<(), ReportError> {
     write_text(file, &json_text(file, value)?)
 }
 
-/// JSON that ends with a line feed; `file` is the name in messages.
+/// Value as JSON that ends with a line feed; `file` is the name in messages.
 fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, ReportError> {
     check_finite(value).map_err(ReportError::not_finite(file))?;
     let mut text = serde_json::to_string_pretty(value)?;
@@ -221,39 +221,39 @@ fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, ReportError
     Ok(text)
 }
 
-/// Writes `text` into a folder that is being made.
+/// Writes `text` into a folder under construction.
 ///
 /// # Errors
-/// When the system refuses.
+/// When a file cannot be written.
 pub fn write_text(file: &Path, text: &str) -> Result<(), ReportError> {
     write_bytes(file, text.as_bytes())
 }
 
-/// Writes `bytes` into a folder that is being made.
+/// Writes `bytes` into a folder under construction.
 ///
 /// # Errors
-/// When the system refuses.
+/// When a file cannot be written.
 pub fn write_bytes(file: &Path, bytes: &[u8]) -> Result<(), ReportError> {
     fs::write(file, bytes).map_err(ReportError::io(file))
 }
 
-/// Makes `folder` and those it is in.
+/// Makes `folder` and its parents.
 ///
 /// # Errors
-/// When the system refuses.
+/// When a file cannot be written.
 pub fn make_folder(folder: &Path) -> Result<(), ReportError> {
     fs::create_dir_all(folder).map_err(ReportError::io(folder))
 }
 
-/// Makes `folder` in one that is being made. Where a signal has removed that one it stays removed.
+/// Makes `folder` in a folder under construction, but not that folder itself, which a signal may have removed.
 ///
 /// # Errors
-/// When the system refuses.
+/// When a file cannot be written.
 pub(crate) fn make_subfolder(folder: &Path) -> Result<(), ReportError> {
     fs::create_dir(folder).map_err(ReportError::io(folder))
 }
 
-/// Reads a result by its folder or by its `result.json`; gives its folder, too.
+/// Reads a result from its folder or its `result.json`, and returns the folder and the result.
 ///
 /// # Errors
 /// When there is no result, or a value of it is missing or damaged.
@@ -280,8 +280,8 @@ fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, ReportError> {
         _ => refused("there is no such file"),
     })?;
     let mut reader = serde_json::Deserializer::from_slice(&bytes);
-    let found = serde_path_to_error::deserialize(&mut reader);
-    let value = found.map_err(|error| {
+    let value = serde_path_to_error::deserialize(&mut reader);
+    let value = value.map_err(|error| {
         if error.inner().is_syntax() || error.inner().is_eof() {
             return refused("it is not JSON");
         }
@@ -295,24 +295,24 @@ fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, ReportError> {
     Ok(value)
 }
 
-/// Redraws `report.html` beside the `result.json` at `path` (or in the folder `path`) and gives its
-/// place. Fields are shown at `position`, or where the pressure is highest.
+/// Redraws `report.html` next to the `result.json` at `path` (or in the folder `path`) and returns its path. The page
+/// shows the fields of `position`, or of the position with the highest pressure.
 ///
 /// # Errors
-/// When the result cannot be read, the fields of `position` were not kept, or the page not be written.
+/// When the result cannot be read, the fields of `position` were not stored, or the page cannot be written.
 pub fn redraw(path: &Path, position: Option<usize>) -> Result<PathBuf, ReportError> {
     let (folder, result) = read_result(path)?;
     let mut shown: PageTables = read_json(&folder.join(PAGE_TABLES))?;
-    let wanted = shown_position(&result, position)?;
+    let chosen = shown_position(&result, position)?;
     let is_there = |number: usize| {
         shown
             .contact
             .as_ref()
             .is_some_and(|at| at.position == number)
     };
-    if let Some(row) = wanted.filter(|row| !is_there(row.position)) {
-        let found = ContactTables::read(&folder, row.position)?;
-        shown.contact = match (found, position) {
+    if let Some(row) = chosen.filter(|row| !is_there(row.position)) {
+        let contact = ContactTables::read(&folder, row.position)?;
+        shown.contact = match (contact, position) {
             (Some(contact), _) => Some(contact),
             (None, None) => None,
             (None, Some(number)) => {

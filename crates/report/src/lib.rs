@@ -1,12 +1,12 @@
-//! Results for people and for other programs: a folder of files, a page, and a summary for the terminal.
+//! Output of results: a folder of files, a page, and a summary for the terminal.
 //!
-//! Everything is drawn from a [`RunResult`](asperity::result::RunResult) and the tables beside it;
-//! nothing here runs the pipeline.
+//! All output is made from a [`RunResult`](asperity::result::RunResult) and its tables; nothing here runs the
+//! pipeline.
 //!
 //! | to | use |
 //! |---|---|
 //! | write the folder of a run | [`write_folder`] |
-//! | have its files in memory | [`texts`] |
+//! | get its files in memory | [`texts`] |
 //! | read a result back | [`read_result`] |
 //! | draw its page | [`html::render`], [`redraw`] |
 //! | print it in 80 columns | [`summary`] |
@@ -18,6 +18,7 @@ pub mod html;
 mod page_tables;
 mod planetary;
 mod printed;
+mod study;
 mod summary;
 pub mod tables;
 mod thin;
@@ -32,6 +33,7 @@ pub use folder::{
 pub use page_tables::PageTables;
 pub use planetary::{check_planetary_place, write_planetary};
 pub use printed::{stated, stated_parts};
+pub use study::StudyResult;
 pub use summary::{brief, published_laws, summary};
 pub use thin::thin;
 pub use wrap::{COLUMNS, wrapped};

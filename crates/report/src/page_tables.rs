@@ -1,4 +1,4 @@
-//! Tables that a page shows beside the result.
+//! Tables of a page, in addition to the result.
 
 use asperity::result::ContactView;
 use asperity::result::{Outcome, PositionRow, RunResult};
@@ -7,25 +7,25 @@ use serde::{Deserialize, Serialize};
 use crate::error::{ReportError, TableFault};
 use crate::tables::{ContactTables, FlankTables, LoadMapRow, check_field, load_map, thinned_views};
 
-/// Tables of both flanks, of the load over them and of one mesh position. Those that are read back can be drawn: the
-/// fields are rectangles of finite numbers, the columns of a view of one length.
+/// Tables of both flanks, of the load map and of one mesh position. Tables that are read back are checked: fields are
+/// rectangles of finite numbers, and the columns of a view have equal length.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Stored")]
 pub struct PageTables {
-    /// Pinion and wheel; none for a flank without a trace.
+    /// Pinion and wheel; `None` for a flank without a trace.
     pub flanks: [Option<FlankTables>; 2],
     /// Load over path and face.
     pub load_map: Vec<LoadMapRow>,
-    /// The mesh position shown; none where no rough contact was solved.
+    /// The mesh position shown; `None` if no rough contact was solved.
     pub contact: Option<ContactTables>,
-    /// The flanks facing each other along the path; empty where no rough contact was solved.
+    /// The flanks facing each other along the path; empty if no rough contact was solved.
     #[serde(default)]
     pub views: Vec<ContactView>,
-    /// File that holds the tables, where they have no files of their own.
+    /// File that holds the tables, if they do not have separate files.
     pub file: Option<String>,
 }
 
-/// Page tables as they are in a file, which may be damaged.
+/// Unchecked page tables from a file.
 #[derive(Deserialize)]
 struct Stored {
     flanks: [Option<FlankTables>; 2],
@@ -58,10 +58,10 @@ impl TryFrom<Stored> for PageTables {
 }
 
 impl PageTables {
-    /// Tables of a run, with the fields of `position`, or of the highest pressure.
+    /// Makes the tables of a run, with the fields of `position`, or of the position with the highest pressure.
     ///
     /// # Errors
-    /// When there is no such position, it has no fields, or a trace cannot be prepared again.
+    /// When the position does not exist or has no fields, or a trace cannot be prepared.
     pub fn of(outcome: &Outcome, position: Option<usize>) -> Result<Self, ReportError> {
         let flank = |body: usize| {
             let record = &outcome.result.flanks[body];
@@ -88,7 +88,7 @@ impl PageTables {
         })
     }
 
-    /// The tables thinned for display, to be kept in `file`.
+    /// The tables thinned for display, as stored in `file`.
     ///
     /// # Errors
     /// When `result` does not have the position.
@@ -113,21 +113,21 @@ impl PageTables {
         })
     }
 
-    /// Name of the file that a chart is drawn from, where the table `own` is kept.
-    pub(crate) fn source(&self, own: &str) -> String {
-        self.file.as_deref().unwrap_or(own).to_owned()
+    /// Name of the data file of a chart whose table is `table`.
+    pub(crate) fn source(&self, table: &str) -> String {
+        self.file.as_deref().unwrap_or(table).to_owned()
     }
 }
 
-/// The position asked for, or the one with the highest pressure.
+/// The requested position, or the one with the highest pressure.
 pub(crate) fn shown_position(
     result: &RunResult,
-    wanted: Option<usize>,
+    requested: Option<usize>,
 ) -> Result<Option<&PositionRow>, ReportError> {
     let rows = &result.path;
-    if let Some(number) = wanted {
-        let found = rows.iter().find(|row| row.position == number);
-        return found.map(Some).ok_or(ReportError::NoSuchPosition {
+    if let Some(number) = requested {
+        let row = rows.iter().find(|row| row.position == number);
+        return row.map(Some).ok_or(ReportError::NoSuchPosition {
             number,
             count: rows.len(),
         });

@@ -1,4 +1,4 @@
-//! The result folder of a planetary set: a table of its meshes, and the folder of each.
+//! Result folder of a planetary set: a table of its meshes, and a result folder for each.
 
 use std::path::Path;
 
@@ -11,16 +11,16 @@ use crate::folder::{Fields, check_fields, fill, make_subfolder, write_json, writ
 use crate::html::page;
 use crate::tables;
 
-/// Folders of the meshes of sun and planet, and of planet and ring.
+/// Folder names of the meshes of sun and planet, and of planet and ring.
 const MESHES: [&str; 2] = ["sun_planet", "planet_ring"];
 
 /// Kind of the folder in messages.
 const KIND: &str = "planetary result";
 
-/// Whether a planetary result may be written as folder `target`, as for [`crate::check_place`].
+/// Checks that a planetary result may be written as folder `target`, as [`crate::check_place`].
 ///
 /// # Errors
-/// When something else is there.
+/// When `target` holds something else.
 pub fn check_planetary_place(target: &Path) -> Result<(), ReportError> {
     Ok(check_folder(target, KIND)?)
 }
@@ -29,7 +29,7 @@ pub fn check_planetary_place(target: &Path) -> Result<(), ReportError> {
 /// kind of mesh.
 ///
 /// # Errors
-/// When the system refuses, or `target` holds something else.
+/// When a file cannot be written, or `target` holds something else.
 pub fn write_planetary(
     outcome: &PlanetaryOutcome,
     target: &Path,

@@ -1,16 +1,16 @@
-//! The loss of a mesh and its parts as printed: the parts add up to the loss.
+//! Formatted loss of a mesh and its parts: the printed parts add up to the printed loss.
 
 use asperity::result::loss_band::{Digits, LossBand};
 use asperity::result::{RunningIn, Summary};
 
-/// The loss and its parts as text, each with its unit.
+/// Loss and its parts as text with units.
 pub(crate) struct PrintedLoss {
     pub loss: String,
     pub sliding: String,
     pub rolling: String,
     /// Of pinion and wheel.
     pub deformation: [String; 2],
-    /// Plastic work of the first pass, where the loss includes it.
+    /// Plastic work of the first pass, if the loss includes it.
     pub running_in: String,
     /// Parts of the sliding loss.
     pub film: String,
@@ -22,7 +22,7 @@ pub(crate) struct PrintedLoss {
 }
 
 impl PrintedLoss {
-    /// With the digits that `band` leaves; three or four of the loss without one.
+    /// Formats with the digits that `band` justifies; three or four digits of the loss without a band.
     pub(crate) fn of(s: &Summary, running_in: &RunningIn, band: Option<&LossBand>) -> Self {
         let powers = Powers {
             digits: match band {
@@ -65,10 +65,10 @@ pub(crate) fn included(running_in: &RunningIn) -> f64 {
     }
 }
 
-/// Power from which a loss is printed in kW \[W\].
+/// Power from which losses are printed in kW \[W\].
 const KILOWATTS_FROM: f64 = 10_000.0;
 
-/// Three or four digits of a power: 12.35 kW, 571 W, 8.12 W; two of one below 0.1 W.
+/// Three or four digits of a power: 12.35 kW, 571 W, 8.12 W; two digits below 0.1 W.
 fn digits_of(power: f64) -> Digits {
     Digits::of_decimals(match power {
         power if power >= KILOWATTS_FROM => -1,
@@ -79,7 +79,7 @@ fn digits_of(power: f64) -> Digits {
     })
 }
 
-/// A power with three or four digits that mean something.
+/// A power with three or four significant digits.
 pub(crate) fn watts(power: f64) -> String {
     if power > 0.0 && power < 0.1 {
         return format!("{power:.1e} W");
@@ -92,10 +92,10 @@ pub(crate) fn watts(power: f64) -> String {
     powers.text(power, powers.digits.steps(power))
 }
 
-/// Powers that are printed with the same last place.
+/// Powers printed with the same last place.
 struct Powers {
     digits: Digits,
-    /// Whether the digits are those of a band.
+    /// Whether the digits follow from a band.
     is_banded: bool,
     is_in_kilowatts: bool,
 }
@@ -120,13 +120,13 @@ impl Powers {
     }
 }
 
-/// A power as a user states it, with three digits.
+/// An input power with three digits.
 pub fn stated(power: f64) -> String {
     let digits = stated_digits(power);
     format!("{} W", digits.text(digits.steps(power)))
 }
 
-/// Powers as a user states them, with the last place of their sum, to which they add up as printed.
+/// Input powers with the last place of their sum, to which the printed powers add up.
 ///
 /// ```
 /// use asperity_report::stated_parts;

@@ -13,10 +13,10 @@ use asperity::result::{
 };
 use asperity_storage::one_line;
 
-/// Under the text of a message, behind its code.
+/// Indentation of the text of a message, behind its code.
 const INDENT: &str = "     ";
 
-/// Efficiency, losses, regime and warnings, as plain text.
+/// Efficiency, losses, regime and warnings as plain text.
 pub fn summary(result: &RunResult) -> String {
     let mut text = numbers(result);
     for warning in &result.warnings {
@@ -25,7 +25,7 @@ pub fn summary(result: &RunResult) -> String {
     text
 }
 
-/// The same with the two warnings that matter most, the others counted in one line.
+/// The summary with the two most important warnings; the others are counted in one line.
 pub fn brief(result: &RunResult) -> String {
     let mut text = numbers(result);
     let rank = |warning: &&Warning| MATTERS.iter().position(|code| *code == warning.code);
@@ -48,9 +48,9 @@ pub fn brief(result: &RunResult) -> String {
     text
 }
 
-/// Relative load error above which a solution is not called converged: the paper stops at 1 %.
+/// Relative load error above which a solution is reported as not converged: the paper stops at 1 %.
 const LARGE_LOAD_ERROR: f64 = 0.011;
-/// Warnings that a first screen shows.
+/// Number of warnings on the first screen.
 const SHOWN_NOTES: usize = 2;
 /// Codes of warnings that put the efficiency in doubt and name a remedy, the most important first.
 const MATTERS: &[&str] = &[
@@ -82,8 +82,8 @@ fn numbers(result: &RunResult) -> String {
     if let Some(bulk) = &result.bulk {
         text.push_str(&bulk_text(bulk));
     }
-    if let Some(found) = &result.micropitting {
-        text.push_str(&micropitting_text(found));
+    if let Some(report) = &result.micropitting {
+        text.push_str(&micropitting_text(report));
     }
     text.push_str(&relief_text(result));
     let _ = write_regime(&mut text, result);
@@ -91,7 +91,7 @@ fn numbers(result: &RunResult) -> String {
     text
 }
 
-/// The traced teeth, the mean over their pairs and what its error is made of.
+/// The traced teeth, the mean over their pairs and the contributions to its error.
 fn pairs_text(pairs: &PairSampling) -> String {
     let [pinion, wheel] = pairs.traces;
     let own = |power: f64| rounded(power, pairs.half_width_w);
@@ -111,29 +111,29 @@ fn pairs_text(pairs: &PairSampling) -> String {
     wrapped(&line, "  ") + "\n"
 }
 
-/// Relief that was taken from the traces.
+/// Relief derived from the traces.
 fn relief_text(result: &RunResult) -> String {
     let gears = BODIES.iter().zip(&result.flanks);
-    let found = gears.filter_map(|(gear, flank)| {
+    let reliefs = gears.filter_map(|(gear, flank)| {
         let form = flank.form.as_ref()?;
         Some(format!(
             "{gear} {:.1} um at the tip, {:.1} um at the root",
             form.at_tip_um, form.at_root_um
         ))
     });
-    let found: Vec<String> = found.collect();
-    match found.is_empty() {
+    let reliefs: Vec<String> = reliefs.collect();
+    match reliefs.is_empty() {
         true => String::new(),
         false => {
             wrapped(
-                &format!("relief  from the traces: {}", found.join("; ")),
+                &format!("relief  from the traces: {}", reliefs.join("; ")),
                 "  ",
             ) + "\n"
         }
     }
 }
 
-/// A scatter with two digits of its own.
+/// A scatter with two digits.
 pub(crate) fn two_digits(power: f64) -> String {
     match power > 0.0 {
         true => rounded(power, power),
@@ -141,7 +141,7 @@ pub(crate) fn two_digits(power: f64) -> String {
     }
 }
 
-/// The gearbox around the mesh: its efficiency, and what its user states, part by part.
+/// The gearbox: its efficiency, and the losses from the input by part.
 fn gearbox_text(gearbox: &GearboxReport, band: Option<&LossBand>) -> String {
     let losses: Vec<f64> = gearbox.parts.iter().map(|part| part.loss_w).collect();
     let parts = gearbox.parts.iter().zip(stated_parts(&losses));
@@ -149,7 +149,7 @@ fn gearbox_text(gearbox: &GearboxReport, band: Option<&LossBand>) -> String {
     let parts: Vec<String> = parts.collect();
     let beside = wrapped(
         &format!(
-            "  beside the mesh {}, stated by the user and without a band: {}",
+            "  besides the mesh {}, from the input and without a band: {}",
             stated(gearbox.parts_w),
             parts.join(", ")
         ),
@@ -179,28 +179,28 @@ fn gearbox_headline(gearbox: &GearboxReport, band: Option<&LossBand>) -> String 
     )
 }
 
-/// The smallest specific film, its place, and what it may be held against.
-fn micropitting_text(found: &MicropittingReport) -> String {
-    let against = match (found.permissible, found.safety) {
+/// The smallest specific film, its position, and its permissible value.
+fn micropitting_text(report: &MicropittingReport) -> String {
+    let against = match (report.permissible, report.safety) {
         (Some(permissible), Some(safety)) => {
             format!("S_lambda {safety:.2} over the user's {permissible:.3}")
         }
         _ => "no permissible value stated".to_owned(),
     };
-    let scope = match found.outside.is_empty() {
+    let scope = match report.outside.is_empty() {
         true => "by the form of ISO/TS 6336-22",
         false => "by the form of ISO/TS 6336-22, outside of its scope",
     };
     let line = format!(
         "micropitting  lambda_GF {:.3} at {:.0} % of the path, {}; {against}; {scope}",
-        found.lambda_min,
-        100.0 * found.path_fraction,
-        found.place
+        report.lambda_min,
+        100.0 * report.path_fraction,
+        report.place
     );
     format!("{}\n", wrapped(&line, "  "))
 }
 
-/// The bulk temperature found from the loss, and how.
+/// The bulk temperature computed from the loss, and the method.
 fn bulk_text(bulk: &BulkReport) -> String {
     let gears = bulk.gears_c.map_or(String::new(), |[pinion, wheel]| {
         format!(": pinion {pinion:.0}, wheel {wheel:.0}")
@@ -283,7 +283,7 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
     if s.worst_load_error > LARGE_LOAD_ERROR {
         writeln!(
             text,
-            "not converged  {count}: the load is met within {:.0} %, as model.numerical_error allows",
+            "not converged  {count}: the load error is up to {:.0} %, within model.numerical_error",
             100.0 * s.worst_load_error
         )?;
     } else if s.mixed_share > 0.0 {
@@ -321,7 +321,7 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
     Ok(())
 }
 
-/// The losses as measured and run in, where the flanks were run in.
+/// The losses as measured and run in, if the flanks were run in.
 fn write_run_in(text: &mut String, result: &RunResult) -> std::fmt::Result {
     let Some(run_in) = &result.run_in else {
         return Ok(());
@@ -349,7 +349,7 @@ fn write_run_in(text: &mut String, result: &RunResult) -> std::fmt::Result {
     )
 }
 
-/// Efficiency and loss with as many digits as their band leaves.
+/// Efficiency and loss with the digits that their band justifies.
 fn headline(s: &Summary, band: &LossBand) -> String {
     let percent = |share: f64| {
         let half = 0.5 * (band.efficiency_quantiles[1] - band.efficiency_quantiles[0]);
@@ -372,31 +372,31 @@ fn signed(change: f64) -> String {
     format!("{sign}{}", rounded(change, change.abs()))
 }
 
-/// What the band is made of, and what other laws give.
+/// Contributions to the band, and the losses of alternative models.
 fn band_text(band: &LossBand) -> String {
     const INDENT: &str = "  ";
     let whole = |power: f64| rounded(power, band.half_width_w());
     let [low, high] = band.parameter_quantiles_w.map(whole);
     let sampling = match &band.sampling {
-        SamplingPart::Windows(found) => format!(
+        SamplingPart::Windows(windows) => format!(
             "sampling of the flanks ±{} W (95 %, {:.0} of {} windows independent)",
-            rounded(found.half_width_w, found.half_width_w),
-            found.effective_windows,
-            found.offsets,
+            rounded(windows.half_width_w, windows.half_width_w),
+            windows.effective_windows,
+            windows.offsets,
         ),
-        SamplingPart::Pairs(found) => {
-            let misplaced = found.misplaced_w.map_or(String::new(), |[down, up]| {
+        SamplingPart::Pairs(pairs) => {
+            let misplaced = pairs.misplaced_w.map_or(String::new(), |[down, up]| {
                 let (down, up) = (signed(down), signed(up));
-                format!("; {down} and {up} W where the traces lie two half-widths off")
+                format!("; {down} and {up} W with the traces shifted by two half-widths")
             });
             format!(
                 "sampling of the flanks ±{} W (95 %, {} pairs of traced teeth){misplaced}",
-                rounded(found.half_width_w, found.half_width_w),
-                found.pairs(),
+                rounded(pairs.half_width_w, pairs.half_width_w),
+                pairs.pairs(),
             )
         }
         SamplingPart::OnePair([down, up]) => format!(
-            "one pair of traces, {} and {} W where they lie two half-widths off",
+            "one pair of traces, {} and {} W if shifted by two half-widths",
             signed(*down),
             signed(*up),
         ),
@@ -425,7 +425,7 @@ fn band_text(band: &LossBand) -> String {
     });
     let others: Vec<String> = others.collect();
     if !others.is_empty() {
-        let line = format!("beside the band  {}", others.join(", "));
+        let line = format!("other models  {}", others.join(", "));
         text.push_str(&wrapped(&line, INDENT));
         text.push('\n');
     }
@@ -437,10 +437,10 @@ fn band_text(band: &LossBand) -> String {
     text
 }
 
-/// The published laws, each applied whole, as a table of their own.
+/// Table of the published laws, each in place of film and asperity friction.
 pub fn published_laws(result: &RunResult) -> String {
     let mut text = String::from(
-        "published laws, applied whole (no average, no mixing)\n\
+        "published laws, each in place of film and asperity friction\n\
          law              loss      asperities  range\n",
     );
     for entry in &result.published_laws {

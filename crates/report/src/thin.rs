@@ -1,16 +1,16 @@
-//! Fewer rows for display: the lowest and the highest value of every drawn column stay in each bin of the axis.
+//! Thinning of rows for display: the lowest and the highest value of every drawn column remain in each bin of the axis.
 
 use std::array::from_fn;
 use std::collections::BTreeSet;
 
-/// Bins of a chart along its horizontal axis: about one for each pixel of a drawn curve.
+/// Number of bins of a chart along its horizontal axis: about one per pixel of a curve.
 pub(crate) const BINS: usize = 350;
 
-/// `rows` thinned to the ends and, in each of `bins` equal parts of the range of `place`, the rows where one of
-/// `columns` is lowest, highest, or first undefined, so that extremes and gaps of every drawn curve stay.
+/// Thins `rows` to the ends and, in each of `bins` equal parts of the range of `coordinate`, the rows where one of `columns` is
+/// lowest, highest, or first undefined: extremes and gaps of every curve remain.
 ///
-/// Consecutive rows within one bin form a group, so rows need not be ordered. At most two rows for each bin are
-/// returned whole.
+/// Consecutive rows in one bin form a group, so rows need not be ordered. Input with at most two rows per bin is
+/// returned unchanged.
 ///
 /// ```
 /// use asperity_report::thin;
@@ -21,36 +21,36 @@ pub(crate) const BINS: usize = 350;
 pub fn thin<R: Copy, const N: usize>(
     rows: &[R],
     bins: usize,
-    place: impl Fn(&R) -> f64,
+    coordinate: impl Fn(&R) -> f64,
     columns: impl Fn(&R) -> [f64; N],
 ) -> Vec<R> {
     if rows.len() <= 2 * bins {
         return rows.to_vec();
     }
-    let places: Vec<f64> = rows.iter().map(place).collect();
-    let finite = places.iter().copied().filter(|at| at.is_finite());
+    let coordinates: Vec<f64> = rows.iter().map(coordinate).collect();
+    let finite = coordinates.iter().copied().filter(|at| at.is_finite());
     let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
         (low.min(at), high.max(at))
     });
-    // Casting saturates, and an undefined place is in the first bin.
+    // The cast saturates, and an undefined coordinate is in the first bin.
     let bin = |at: &f64| (((at - low) / (high - low) * bins as f64) as usize).min(bins - 1);
     let cells: Vec<[f64; N]> = rows.iter().map(columns).collect();
     let columns: [Vec<f64>; N] = from_fn(|k| cells.iter().map(|row| row[k]).collect());
-    let mut kept = BTreeSet::from([0, rows.len() - 1]);
+    let mut selected = BTreeSet::from([0, rows.len() - 1]);
     let mut from = 0;
-    for group in places.chunk_by(|a, b| bin(a) == bin(b)) {
+    for group in coordinates.chunk_by(|a, b| bin(a) == bin(b)) {
         let range = from..from + group.len();
         for column in &columns {
             let value = |k: &usize| column[*k];
             let defined = || range.clone().filter(|k| value(k).is_finite());
             let compare = |a: &usize, b: &usize| value(a).total_cmp(&value(b));
-            kept.extend(defined().min_by(compare));
-            kept.extend(defined().max_by(compare));
-            kept.extend(range.clone().find(|k| !value(k).is_finite()));
+            selected.extend(defined().min_by(compare));
+            selected.extend(defined().max_by(compare));
+            selected.extend(range.clone().find(|k| !value(k).is_finite()));
         }
         from = range.end;
     }
-    kept.into_iter().map(|k| rows[k]).collect()
+    selected.into_iter().map(|k| rows[k]).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Factors from SI to the units of the tables.
 
-/// Metres to micrometres.
+/// Micrometres per metre.
 pub const MICRO: f64 = 1e6;
-/// Pascals to megapascals.
+/// Megapascals per pascal.
 pub const MEGA: f64 = 1e-6;

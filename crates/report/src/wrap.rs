@@ -1,10 +1,10 @@
-//! Long lines of text, broken for a terminal.
+//! Line breaks of text for a terminal.
 
-/// Width that text for reading keeps to.
+/// Largest width of text.
 pub const COLUMNS: usize = 80;
 
-/// `text` in lines of at most [`COLUMNS`], those after the first behind `indent`; a longer word keeps
-/// its length. Blanks at the start and between words stay as they are.
+/// Breaks `text` into lines of at most [`COLUMNS`]; the lines after the first begin with `indent`. A longer word is not
+/// broken. Spaces at the start and between words are preserved.
 ///
 /// ```
 /// let text = format!("W112 {}", "word ".repeat(20));
@@ -22,7 +22,7 @@ pub fn wrapped(text: &str, indent: &str) -> String {
             lines.push_str(indent);
             width = indent.chars().count();
         }
-        // Blanks before the first word are no place to break.
+        // The line is not broken at spaces before the first word.
         is_first &= length == 0;
         lines.push_str(word);
         width += word.chars().count();

@@ -4,7 +4,8 @@
 
 use std::path::Path;
 
-use asperity_studies::compare::{Finish, compare, summary};
+use asperity_report::StudyResult;
+use asperity_studies::compare::{Finish, compare};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases");
@@ -22,6 +23,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             case,
         });
     }
-    print!("{}", summary(&compare(&finishes, &|_, _| {})?));
+    print!("{}", compare(&finishes, &|_, _| {})?.summary(()));
     Ok(())
 }

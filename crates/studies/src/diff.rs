@@ -10,36 +10,35 @@ use serde_json::Value;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct ResultDiff {
-    /// Keys of the cases, and defaults used.
+    /// Changed keys of the cases and defaults.
     pub inputs: Vec<Change>,
-    /// Efficiency and losses.
+    /// Changed efficiency and losses.
     pub summary: Vec<Change>,
-    /// Per column of the path, the position with the largest difference; empty where the numbers of positions
-    /// differ.
+    /// Largest difference in each column of the path; empty if the numbers of positions differ.
     pub path: Vec<PathChange>,
-    /// Warnings of one result alone, first and second.
+    /// Warnings of only the first and only the second result.
     pub warnings: [Vec<String>; 2],
-    /// Tags of equations of one result alone, first and second.
+    /// Tags of equations of only the first and only the second result.
     pub equations: [Vec<String>; 2],
 }
 
-/// A value that differs.
+/// Changed value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Change {
-    /// Its path.
+    /// Path of the value.
     pub key: String,
-    /// Value in the first result, where there is one.
+    /// Value in the first result, if present.
     pub first: Option<Value>,
-    /// Value in the second result, where there is one.
+    /// Value in the second result, if present.
     pub second: Option<Value>,
-    /// Second minus first, of two numbers.
+    /// Second minus first, for numbers.
     pub difference: Option<f64>,
-    /// The difference over the first, of two numbers.
+    /// Difference relative to the first, for numbers.
     pub relative: Option<f64>,
 }
 
-/// The largest difference in a column of the path.
+/// Largest difference in a column of the path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct PathChange {
@@ -54,7 +53,7 @@ pub struct PathChange {
 }
 
 impl ResultDiff {
-    /// Whether nothing differs.
+    /// Whether the results are equal.
     pub fn is_empty(&self) -> bool {
         let none = |lists: &[Vec<String>; 2]| lists.iter().all(Vec::is_empty);
         self.inputs.is_empty()
@@ -65,7 +64,7 @@ impl ResultDiff {
     }
 }
 
-/// Differences between `first` and `second`; the program and its version are not compared.
+/// Computes the differences between `first` and `second`, without program and version.
 ///
 /// # Errors
 /// When a result cannot be written as JSON.
@@ -96,12 +95,12 @@ pub fn diff(first: &RunResult, second: &RunResult) -> Result<ResultDiff, serde_j
         inputs: changes(&inputs(first)?, &inputs(second)?),
         summary: changes(&summary(first)?, &summary(second)?),
         path: path(first, second)?,
-        warnings: alone(&warnings(first), &warnings(second)),
-        equations: alone(&tags(first), &tags(second)),
+        warnings: only_in_each(&warnings(first), &warnings(second)),
+        equations: only_in_each(&tags(first), &tags(second)),
     })
 }
 
-/// Every value that is no table, by its path; a value that is absent is left out.
+/// Collects all values by path; tables are entered, absent values omitted.
 fn flatten(path: &str, value: &Value, into: &mut BTreeMap<String, Value>) {
     match value {
         Value::Object(fields) => {
@@ -126,7 +125,7 @@ fn changes(first: &BTreeMap<String, Value>, second: &BTreeMap<String, Value>) ->
         let (a, b) = (first.get(key), second.get(key));
         let numbers = a.and_then(Value::as_f64).zip(b.and_then(Value::as_f64));
         let differs = match numbers {
-            // 1 and 1.0 are one number.
+            // 1 and 1.0 are equal.
             Some((a, b)) => a != b,
             None => a != b,
         };
@@ -163,7 +162,7 @@ fn path(first: &RunResult, second: &RunResult) -> Result<Vec<PathChange>, serde_
             let size = (y - x).abs();
             let before = largest
                 .get(column)
-                .map(|found| (found.second - found.first).abs());
+                .map(|change| (change.second - change.first).abs());
             if before.is_none_or(|before| size > before) {
                 let change = PathChange {
                     column: column.clone(),
@@ -178,7 +177,7 @@ fn path(first: &RunResult, second: &RunResult) -> Result<Vec<PathChange>, serde_
     Ok(largest.into_values().collect())
 }
 
-fn alone(first: &BTreeSet<String>, second: &BTreeSet<String>) -> [Vec<String>; 2] {
+fn only_in_each(first: &BTreeSet<String>, second: &BTreeSet<String>) -> [Vec<String>; 2] {
     [
         first.difference(second).cloned().collect(),
         second.difference(first).cloned().collect(),

@@ -1,6 +1,6 @@
-//! Studies that run the gear mesh many times: [`compare`] sets finishes side by side, [`map`] spreads the losses over
-//! torque, speed and temperature, [`cycle`] drives on it, [`export`] writes it for other programs, [`sensitivity`] changes
-//! one thing at a time, [`sweep`] runs studies in shards, [`figures`] makes the figures of the 2022 paper.
+//! Studies that run the gear mesh many times: [`compare`] compares finishes, [`map`] computes losses over torque, speed and
+//! temperature, [`cycle`] integrates them over a driving cycle, [`export`] writes maps for other programs, [`sensitivity`]
+//! changes one input at a time, [`sweep`] runs many cases in shards, [`figures`] makes the figures of the 2022 paper.
 
 pub mod compare;
 pub mod cycle;

@@ -1,4 +1,4 @@
-//! Contacts without a case: a bare gap, or two profiles face to face.
+//! Contacts without a case: a gap file, or two profiles.
 
 use std::path::Path;
 
@@ -10,12 +10,12 @@ use asperity_contact::{
 use asperity_core::profile::common_spacing;
 
 use super::column_file::{self, Columns};
-use super::found::Found;
+use super::solved::SolvedContact;
 use crate::args::{ContactArgs, KernelArg};
 use crate::failure::Failure;
 
-/// The contact over a gap file.
-pub fn of_gap(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
+/// Solves the contact over a gap file.
+pub fn of_gap(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure> {
     let file = column_file::read(path, column_file::GAP)?;
     let prescribed = match &args.prescribed {
         Some(pressure) => Some(prescribed(pressure, &file)?),
@@ -40,7 +40,7 @@ pub fn of_gap(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
         start: None,
     };
     let solution = solve(&problem, &settings(args)).map_err(|error| refused(path, &error))?;
-    Ok(Found {
+    Ok(SolvedContact {
         title: path.display().to_string(),
         spacing: file.spacing,
         x: file.x,
@@ -51,8 +51,11 @@ pub fn of_gap(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
     })
 }
 
-/// The contact of two profiles, run in first if that is asked for.
-pub fn of_flanks(paths: &[std::path::PathBuf], args: &ContactArgs) -> Result<Found, Failure> {
+/// Solves the contact of two profiles, on request after running-in.
+pub fn of_flanks(
+    paths: &[std::path::PathBuf],
+    args: &ContactArgs,
+) -> Result<SolvedContact, Failure> {
     let [first_path, second_path] = paths else {
         return Err(missing("--flanks", "two files"));
     };
@@ -93,7 +96,7 @@ pub fn of_flanks(paths: &[std::path::PathBuf], args: &ContactArgs) -> Result<Fou
     let solution = last.press(&settings(args)).map_err(about)?;
     let middle = 0.5 * (undeformed.len() - 1) as f64;
     let x = (0..undeformed.len()).map(|i| (i as f64 - middle) * spacing.si());
-    Ok(Found {
+    Ok(SolvedContact {
         title: format!("{} on {}", first_path.display(), second_path.display()),
         spacing,
         x: x.collect(),
@@ -141,7 +144,7 @@ fn missing(option: &str, needed: &str) -> Failure {
     Failure::new("E205", format!("{option} needs {needed}"))
 }
 
-/// The error of a contact in the options of this command.
+/// The error of a contact, with advice in options of this command.
 fn refused(path: &Path, error: &ContactError) -> Failure {
     let failure = Failure::new(error.code(), format!("{}: {error}", path.display()));
     let advice = match error {

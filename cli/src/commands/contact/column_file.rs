@@ -1,5 +1,5 @@
-//! Two columns of a bare text file on an even grid: positions x and a gap, a profile or a pressure, with
-//! their units in the header.
+//! Text file with two columns on an even grid: positions x and a gap, a profile or a pressure, with units in the
+//! header.
 
 use std::io::Read;
 use std::path::Path;
@@ -13,7 +13,7 @@ use crate::failure::Failure;
 /// Values on an even grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Columns {
-    /// Distance of the points.
+    /// Spacing of the points.
     pub spacing: Length,
     /// Positions \[m\].
     pub x: Vec<f64>,
@@ -21,11 +21,11 @@ pub struct Columns {
     pub values: Vec<f64>,
 }
 
-/// A column that is looked for.
+/// Required column.
 #[derive(Debug, Clone, Copy)]
 pub struct Column {
     name: &'static str,
-    /// Units in small letters, and how many of each make the SI unit.
+    /// Units in lower case, with the number of each per SI unit.
     units: &'static [(&'static str, f64)],
     /// Advice for a header without a unit.
     advice: &'static str,
@@ -52,12 +52,12 @@ pub const PRESSURE: Column = Column {
     advice: "Name the unit in the header, e.g. p_MPa or p [MPa]; units are Pa, kPa, MPa and GPa.",
 };
 
-/// Positions may be off an even grid by this share of the spacing: rounding in the file.
+/// Largest deviation of a position from an even grid, relative to the spacing: round-off of the file.
 const UNEVEN: f64 = 0.05;
-/// Largest file in bytes: some ten million points.
+/// Largest file in bytes: about ten million points.
 const MAX_BYTES: u64 = 1 << 29;
 
-/// Reads the positions and one more column of a file.
+/// Reads the positions and one other column of a file.
 pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
     let name = path.display().to_string();
     let cannot = |error: std::io::Error| {
@@ -82,7 +82,7 @@ pub fn read(path: &Path, column: Column) -> Result<Columns, Failure> {
     of_bytes(&name, &bytes, column)
 }
 
-/// Reads the positions and one more column of the content of a file called `name`.
+/// Reads the positions and one other column of the content of the file `name`.
 pub fn of_bytes(name: &str, bytes: &[u8], column: Column) -> Result<Columns, Failure> {
     let text = decoded(bytes).ok_or_else(|| {
         Failure::new(
@@ -94,10 +94,10 @@ pub fn of_bytes(name: &str, bytes: &[u8], column: Column) -> Result<Columns, Fai
     parse(name, &text, column)
 }
 
-/// A profile of a file with the columns x and z.
+/// Reads a profile from a file with the columns x and z.
 pub fn profile(path: &Path) -> Result<Profile, Failure> {
     let file = read(path, HEIGHT)?;
-    // Positions printed with few digits give the same spacing to no more digits than that.
+    // The spacing of positions with few digits is accurate to about as many digits, so it is rounded.
     let spacing = Length::from_si(
         format!("{:.9e}", file.spacing.si())
             .parse()
@@ -107,8 +107,8 @@ pub fn profile(path: &Path) -> Result<Profile, Failure> {
         .map_err(|error| Failure::new("E209", format!("{}: {error}", path.display())))
 }
 
-/// The text of `bytes` in UTF-8, in UTF-16 with or without a byte order mark, or else in Latin-1; none
-/// for what is not text.
+/// Decodes `bytes` in UTF-8, in UTF-16 with or without a byte order mark, or else in Latin-1; `None` if it is not
+/// text.
 fn decoded(bytes: &[u8]) -> Option<String> {
     let utf16 = |bytes: &[u8], unit: fn([u8; 2]) -> u16| -> Option<String> {
         let (pairs, rest) = bytes.as_chunks::<2>();
@@ -119,7 +119,7 @@ fn decoded(bytes: &[u8]) -> Option<String> {
     let text = match bytes {
         [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes)?,
         [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes)?,
-        // The header is of letters and digits, whose upper bytes are zero.
+        // The header consists of ASCII characters, whose upper bytes are zero.
         [first, 0, ..] if *first != 0 => utf16(bytes, u16::from_le_bytes)?,
         [0, first, ..] if *first != 0 => utf16(bytes, u16::from_be_bytes)?,
         _ => match std::str::from_utf8(bytes) {
@@ -160,7 +160,7 @@ fn parse(name: &str, text: &str, wanted: Column) -> Result<Columns, Failure> {
     Ok(Columns { spacing, x, values })
 }
 
-/// Place of `column` and how many of its unit make the SI unit.
+/// Index of `column`, and the number of its units per SI unit.
 fn find(
     name: &str,
     titles: &[&str],
@@ -247,7 +247,7 @@ fn unreadable(name: &str, line: usize, cell: &str) -> Failure {
             "{name}:{line}: cannot read \"{cell}\" as a number; expected one value per column, e.g. 1.25e-6"
         ),
     )
-    .advising("Look at the line named. Decimal commas need semicolons between the columns.")
+    .advising("Check this line. Decimal commas need semicolons between the columns.")
 }
 
 fn no_unit(name: &str, title: &str, column: Column) -> Failure {

@@ -1,8 +1,8 @@
-//! `asperity contact`: the rough contact alone, of a case, of a bare gap or of two profiles.
+//! `asperity contact`: only the rough contact, of a case, of a gap file or of two profiles.
 
 mod bare;
 pub mod column_file;
-mod found;
+mod solved;
 mod stress;
 
 use std::path::Path;
@@ -14,18 +14,18 @@ use asperity_core::quantity::Length;
 use super::{load_case, on_the_path};
 use crate::args::{Common, ContactArgs};
 use crate::failure::Failure;
-use crate::output::{beside, print_json, print_text};
-use found::Found;
+use crate::output::{besides_file, print_json, print_text};
+use solved::SolvedContact;
 use stress::stress;
 
 /// `asperity contact`
 pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
     check_tolerance(args.tolerance)?;
     let common = &match &args.output {
-        Some(output) => beside(output, common)?,
+        Some(output) => besides_file(output, common)?,
         None => common.clone(),
     };
-    let found = match (&args.gap, &args.flanks, &args.case) {
+    let contact = match (&args.gap, &args.flanks, &args.case) {
         (Some(gap), _, _) => bare::of_gap(gap, args)?,
         (None, Some(flanks), _) => bare::of_flanks(flanks, args)?,
         (None, None, Some(case)) => of_case(case, args)?,
@@ -37,17 +37,17 @@ pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
         }
     };
     let stress = match &args.stress {
-        Some(path) => Some(stress(&found, args, path)?),
+        Some(path) => Some(stress(&contact, args, path)?),
         None => None,
     };
     if let Some(output) = &args.output {
-        found.write_points(output)?;
+        contact.write_points(output)?;
     }
     if common.json {
-        return print_json(&found.json(stress.map(|stress| stress.json())));
+        return print_json(&contact.json(stress.map(|stress| stress.json())));
     }
     let below = stress.map(|stress| stress.text()).unwrap_or_default();
-    print_text(common, &found.text(&below))
+    print_text(common, &contact.text(&below))
 }
 
 fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
@@ -67,10 +67,10 @@ fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
     Ok(())
 }
 
-fn of_case(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
+fn of_case(path: &Path, args: &ContactArgs) -> Result<SolvedContact, Failure> {
     let mut loaded = load_case(path, &args.set, None)?;
     loaded.case.model.tolerance = args.tolerance;
-    let place = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
+    let position = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
     let DryContact {
         path_fraction,
         hertz,
@@ -78,8 +78,8 @@ fn of_case(path: &Path, args: &ContactArgs) -> Result<Found, Failure> {
         undeformed,
         solution,
         ..
-    } = dry_contact(&loaded, place).map_err(|error| Failure::about(path, &error))?;
-    Ok(Found {
+    } = dry_contact(&loaded, position).map_err(|error| Failure::about(path, &error))?;
+    Ok(SolvedContact {
         spacing: Length::from_si(x[1] - x[0]),
         title: format!("{} at {path_fraction:.4} of the path, dry", path.display()),
         x,

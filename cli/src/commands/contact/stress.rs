@@ -1,4 +1,4 @@
-//! Stress below the surface of a solved contact.
+//! Subsurface stress of a solved contact.
 
 use std::path::Path;
 
@@ -8,11 +8,11 @@ use asperity_contact::subsurface::{
 use asperity_core::quantity::Length;
 use serde_json::{Value, json};
 
-use super::found::{Found, save};
+use super::solved::{SolvedContact, save};
 use crate::args::ContactArgs;
 use crate::failure::Failure;
 
-/// Depths of the field.
+/// Number of depths of the field.
 const DEPTHS: usize = 60;
 
 /// Largest values of a stress field.
@@ -25,10 +25,10 @@ pub struct Stress {
     first: f64,
 }
 
-/// The stress under `found`, written to the file that `args` names.
-pub fn stress(found: &Found, args: &ContactArgs, path: &Path) -> Result<Stress, Failure> {
+/// Computes the stress under `contact` and writes it to the file that `args` names.
+pub fn stress(contact: &SolvedContact, args: &ContactArgs, path: &Path) -> Result<Stress, Failure> {
     let outside = |error: &dyn std::fmt::Display| Failure::new("E209", error.to_string());
-    let pressure = &found.solution.pressure;
+    let pressure = &contact.solution.pressure;
     let touches = |p: &f64| *p > 0.0;
     let (Some(first), Some(last)) = (
         pressure.iter().position(touches),
@@ -36,9 +36,9 @@ pub fn stress(found: &Found, args: &ContactArgs, path: &Path) -> Result<Stress, 
     ) else {
         return Err(Failure::new("E209", "--stress: the bodies do not touch"));
     };
-    let half_width = found.spacing * (0.5 * (last - first + 1) as f64);
-    let depths =
-        graded_depths(found.spacing * 0.5, half_width, DEPTHS).map_err(|error| outside(&error))?;
+    let half_width = contact.spacing * (0.5 * (last - first + 1) as f64);
+    let depths = graded_depths(contact.spacing * 0.5, half_width, DEPTHS)
+        .map_err(|error| outside(&error))?;
     let friction = args.friction;
     if !friction.is_finite() {
         return Err(Failure::new(
@@ -48,7 +48,7 @@ pub fn stress(found: &Found, args: &ContactArgs, path: &Path) -> Result<Stress, 
     }
     let traction: Option<Vec<f64>> =
         (friction != 0.0).then(|| pressure.iter().map(|p| friction * p).collect());
-    let field = subsurface_stress(pressure, traction.as_deref(), found.spacing, &depths)
+    let field = subsurface_stress(pressure, traction.as_deref(), contact.spacing, &depths)
         .map_err(|error| outside(&error))?;
     let mises = field
         .von_mises(args.poisson)
@@ -65,23 +65,23 @@ pub fn stress(found: &Found, args: &ContactArgs, path: &Path) -> Result<Stress, 
         shear: field.peak(&field.max_shear()).ok_or_else(none)?,
         yield_zone,
         has_limit: args.elastic_limit.is_some(),
-        first: found.x[0],
+        first: contact.x[0],
     };
-    save(path, &table(&field, &mises, found))?;
+    save(path, &table(&field, &mises, contact))?;
     Ok(result)
 }
 
-/// x, z, the stresses in the plane and von Mises per point.
-fn table(field: &StressField, mises: &[f64], found: &Found) -> String {
+/// Table of x, z, the stresses in the plane and the von Mises stress per point.
+fn table(field: &StressField, mises: &[f64], contact: &SolvedContact) -> String {
     let mut text = String::from("x_m,z_m,sigma_xx_pa,sigma_zz_pa,tau_xz_pa,von_mises_pa\n");
-    for (place, mises) in mises.iter().enumerate() {
+    for (index, mises) in mises.iter().enumerate() {
         text.push_str(&format!(
             "{:e},{:e},{:e},{:e},{:e},{mises:e}\n",
-            found.x[place % field.points],
-            field.depths[place / field.points],
-            field.sigma_xx[place],
-            field.sigma_zz[place],
-            field.tau_xz[place],
+            contact.x[index % field.points],
+            field.depths[index / field.points],
+            field.sigma_xx[index],
+            field.sigma_zz[index],
+            field.tau_xz[index],
         ));
     }
     text
@@ -96,7 +96,7 @@ impl Stress {
         })
     }
 
-    /// The largest values for programs.
+    /// The largest values as JSON.
     pub fn json(&self) -> Value {
         let zone = self.yield_zone.map(|zone| {
             json!({
@@ -114,7 +114,7 @@ impl Stress {
         })
     }
 
-    /// The largest values for reading.
+    /// The largest values as text.
     pub fn text(&self) -> String {
         let peak = |name: &str, peak: &Peak| {
             let x = Length::from_si(self.first + peak.position.si());

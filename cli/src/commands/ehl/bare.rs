@@ -1,4 +1,4 @@
-//! A lubricated contact of bare numbers and profiles.
+//! Lubricated contact from numbers and profiles on the command line.
 
 use std::path::Path;
 
@@ -19,7 +19,7 @@ use crate::args::{EhlArgs, ViscosityLawArg};
 use crate::commands::contact::column_file;
 use crate::failure::Failure;
 
-/// Eyring stress of the friction law where the film is Newtonian.
+/// Eyring stress of the friction law for a Newtonian film.
 const EYRING_STRESS: Pressure = Pressure::from_si(5e6);
 /// Steel of the bodies, whose heat the thermal traction needs.
 const STEEL: Material = Material {
@@ -30,18 +30,18 @@ const STEEL: Material = Material {
     conductivity: ThermalConductivity::from_si(45.0),
     heat_capacity: SpecificHeat::from_si(465.0),
 };
-/// Part of a profile over which its end fades into its beginning.
+/// Share of a profile over which its end is blended into its beginning.
 const OVERLAP: f64 = 0.1;
 
-/// A contact as the options give it.
+/// Contact from the options.
 pub struct Bare {
     pub title: String,
     pub rough: RoughContact,
     pub friction: FrictionLaw,
     pub ceiling: Option<PlasticCeiling>,
-    /// Heat of the film, where the oil is one of the library.
+    /// Thermal data of the film, for an oil of the library.
     pub heat: Option<Heat>,
-    /// Roughness left in the contact, of both profiles together.
+    /// Attenuated roughness in the contact, of both profiles.
     pub attenuated_roughness: Length,
 }
 
@@ -127,7 +127,7 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
     })
 }
 
-/// Viscosity and its pressure coefficient at the inlet, and the heat of an oil of the library between steel.
+/// Viscosity and its pressure coefficient at the inlet, and the thermal data of an oil of the library between steel.
 fn oil_state(
     args: &EhlArgs,
 ) -> Result<(DynamicViscosity, PressureViscosity, Option<Heat>), Failure> {

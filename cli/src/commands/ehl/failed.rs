@@ -1,4 +1,4 @@
-//! Errors of the lubricated contact in the options of this command.
+//! Errors of the lubricated contact, with advice in options of this command.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use asperity::reference_solution::RefereeError;
 
 use crate::failure::Failure;
 
-/// The error of a lubricated contact called `title`.
+/// Error of the lubricated contact `title`.
 pub fn of_contact(title: &str, error: &EhlError) -> Failure {
     let failure = Failure::new(error.code(), format!("{title}: {error}"));
     let advice = match error {
@@ -25,7 +25,7 @@ pub fn of_contact(title: &str, error: &EhlError) -> Failure {
     failure.advising(advice)
 }
 
-/// The error of the referee for the case in `file`.
+/// Error of the reference solution for the case in `file`.
 pub fn of_referee(file: &Path, error: &RefereeError) -> Failure {
     let title = file.display().to_string();
     match error {

@@ -1,9 +1,9 @@
-//! Load-sharing laws beside the transient solution, the referee.
+//! Load-sharing laws compared with the transient solution, the reference.
 
 use asperity::lubrication::ShareComparison;
 
-/// The table of the laws.
-pub fn text(found: &ShareComparison) -> String {
+/// Table of the laws.
+pub fn text(comparison: &ShareComparison) -> String {
     let or_dash = |value: Option<f64>, digits: usize| {
         value.map_or_else(|| String::from("-"), |value| format!("{value:.digits$}"))
     };
@@ -12,24 +12,24 @@ pub fn text(found: &ShareComparison) -> String {
          friction with the boundary weight e^(-h/h_b) of the laws, and shifted, whole on its contact nodes\n  \
          {:<18} {:>11} {:>9} {:>12} {:>9}\n  {:<18} {:>11.4} {:>9} {:>12.4} {:>9}\n  \
          {:<18} {:>11} {:>9} {:>12} {:>9}\n",
-        found.windows,
+        comparison.windows,
         "law",
         "solid share",
         "off by",
         "mean gap um",
         "friction",
         "referee",
-        found.referee_share,
+        comparison.referee_share,
         "",
-        found.referee_mean_film_um,
-        or_dash(found.referee_friction, 5),
+        comparison.referee_mean_film_um,
+        or_dash(comparison.referee_friction, 5),
         "referee, shifted",
         "",
         "",
         "",
-        or_dash(found.referee_friction_shifted, 5),
+        or_dash(comparison.referee_friction_shifted, 5),
     );
-    for law in &found.laws {
+    for law in &comparison.laws {
         let off = law
             .minus_referee
             .map_or_else(String::new, |off| format!("{off:+.4}"));

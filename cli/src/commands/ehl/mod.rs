@@ -1,4 +1,4 @@
-//! `asperity ehl`: the mixed elastohydrodynamic contact of a case at one position, or of bare numbers.
+//! `asperity ehl`: mixed elastohydrodynamic contact of a case at one position, or from numbers only.
 
 mod bare;
 mod failed;
@@ -18,12 +18,12 @@ use asperity::reference_solution::{RefereeContact, RefereeSettings};
 use super::{load_case, on_the_path};
 use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
-use crate::output::{beside, print_json, print_text, save};
+use crate::output::{besides_file, print_json, print_text, save};
 
 /// `asperity ehl`
 pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
     let common = &match &args.output {
-        Some(output) => beside(output, common)?,
+        Some(output) => besides_file(output, common)?,
         None => common.clone(),
     };
     match &args.case {
@@ -33,17 +33,17 @@ pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
 }
 
 fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> {
-    let given = load_case(path, &args.set, None)?;
-    let loaded = pipeline::settled(&given, None).map_err(|error| Failure::about(path, &error))?;
-    let place = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
+    let loaded = load_case(path, &args.set, None)?;
+    let loaded = pipeline::settled(&loaded, None).map_err(|error| Failure::about(path, &error))?;
+    let position = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
     let settings = RefereeSettings {
         record: record_settings(args),
         eyring_stress: args.eyring_stress,
         beginning: 0,
     };
     let about = |error| failed::of_referee(path, &error);
-    let contact = RefereeContact::of(&loaded, place, &settings).map_err(about)?;
-    let title = format!("{} at {place:.4} of the path", path.display());
+    let contact = RefereeContact::of(&loaded, position, &settings).map_err(about)?;
+    let title = format!("{} at {position:.4} of the path", path.display());
     if args.smooth {
         let heat = Heat {
             bulk: loaded.case.temperature,
@@ -54,7 +54,7 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
         let friction = contact.record.friction;
         let film = smooth::solve(title, &contact.rough, friction, Some(heat), args.cells)?;
         report(args, || film.page(&contact.rough))?;
-        return tell(args, common, &film.json(), &film.text(), &|| film.points());
+        return print_result(args, common, &film.json(), &film.text(), &|| film.points());
     }
     let mut record = rough::solve(title, &contact.rough, &contact.record, args, common)?;
     record.attenuated_roughness = Some(contact.attenuated_roughness);
@@ -68,7 +68,7 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
     if let Some(comparison) = &comparison {
         text.push_str(&laws::text(comparison));
     }
-    tell(args, common, &json, &text, &|| record.points())
+    print_result(args, common, &json, &text, &|| record.points())
 }
 
 fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
@@ -82,7 +82,7 @@ fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
             args.cells,
         )?;
         report(args, || film.page(&bare.rough))?;
-        return tell(args, common, &film.json(), &film.text(), &|| film.points());
+        return print_result(args, common, &film.json(), &film.text(), &|| film.points());
     }
     let settings = RecordSettings {
         friction: Some(bare.friction),
@@ -92,7 +92,7 @@ fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
     let mut record = rough::solve(bare.title, &bare.rough, &settings, args, common)?;
     record.attenuated_roughness = Some(bare.attenuated_roughness);
     report(args, || record.page(&bare.rough))?;
-    tell(args, common, &record.json(None), &record.text(), &|| {
+    print_result(args, common, &record.json(None), &record.text(), &|| {
         record.points()
     })
 }
@@ -110,7 +110,7 @@ fn record_settings(args: &EhlArgs) -> RecordSettings {
     }
 }
 
-/// Travel between frames: a page plays them, a table of points wants few.
+/// Travel between frames: small for the animation of a page, large for a table of points.
 fn frame_interval(args: &EhlArgs) -> Option<f64> {
     const OF_PAGE: f64 = 0.1;
     const OF_POINTS: f64 = 5.0;
@@ -122,7 +122,7 @@ fn frame_interval(args: &EhlArgs) -> Option<f64> {
     Some(args.every.unwrap_or(default))
 }
 
-/// Writes the page where it is asked for.
+/// Writes the page if requested.
 fn report(args: &EhlArgs, page: impl FnOnce() -> Result<String, Failure>) -> Result<(), Failure> {
     match &args.report {
         Some(file) => save(file, page()?.as_bytes()),
@@ -130,8 +130,8 @@ fn report(args: &EhlArgs, page: impl FnOnce() -> Result<String, Failure>) -> Res
     }
 }
 
-/// Writes the points where they are asked for, and prints the rest.
-fn tell(
+/// Writes the points if requested, and prints the result.
+fn print_result(
     args: &EhlArgs,
     common: &Common,
     json: &serde_json::Value,

@@ -1,4 +1,4 @@
-//! The page of a lubricated contact.
+//! Page of a lubricated contact.
 
 use asperity::ehl::transient::Moment;
 use asperity::ehl::{RoughContact, Scales, SteadyFilm, SteadySettings, steady};
@@ -12,15 +12,15 @@ use super::rough::{Recorded, with_error};
 use super::smooth::Smooth;
 use crate::failure::Failure;
 
-/// Parts common to every page of a contact.
-struct About<'a> {
+/// Common contents of the pages of a contact.
+struct PageContents<'a> {
     title: &'a str,
     scales: &'a Scales,
     warnings: Vec<(&'static str, String)>,
 }
 
 fn page_of(
-    about: About<'_>,
+    about: PageContents<'_>,
     contact: &RoughContact,
     smooth: &SteadyFilm,
 ) -> Result<LubricatedContact, Failure> {
@@ -51,7 +51,7 @@ fn page_of(
     })
 }
 
-/// Pressure in GPa and film in um.
+/// Curves of pressure in GPa and film in µm.
 fn curve(scales: &Scales, x: &[f64], pressure: &[f64], film: &[f64]) -> FilmAndPressure {
     FilmAndPressure {
         x: x.to_vec(),
@@ -75,10 +75,10 @@ fn number(name: &str, value: String) -> (String, String) {
 }
 
 impl Smooth {
-    /// The page of the smooth film.
+    /// Page of the smooth film.
     pub fn page(&self, contact: &RoughContact) -> Result<String, Failure> {
         let film = &self.solved.value;
-        let about = About {
+        let about = PageContents {
             title: &self.title,
             scales: &film.scales,
             warnings: self.warnings(),
@@ -105,7 +105,7 @@ impl Smooth {
 }
 
 impl Recorded {
-    /// The page of the record, its frames those of the first record.
+    /// Page of the record, with the frames of the first record.
     pub fn page(&self, contact: &RoughContact) -> Result<String, Failure> {
         let record = &self.solved.value;
         let scales = &record.scales;
@@ -115,7 +115,7 @@ impl Recorded {
         };
         let smooth = steady::solve(&contact.contact, &contact.oil, &settings)
             .map_err(|error| of_contact(&self.title, &error))?;
-        let about = About {
+        let about = PageContents {
             title: &self.title,
             scales,
             warnings: self.warnings(),

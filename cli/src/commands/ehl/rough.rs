@@ -1,4 +1,4 @@
-//! The record of two rough surfaces: its words, its JSON and its points.
+//! Record of two rough surfaces: text, JSON and points.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -17,22 +17,22 @@ use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
 use crate::output::Progress;
 
-/// A record with what it is of.
+/// Record with its contact.
 pub struct Recorded {
     pub title: String,
     pub solid_film: Length,
     pub cells: usize,
     pub window: Window,
     pub solved: Solved<Record>,
-    /// Solid share of each record that the mean is of.
+    /// Solid share of each of the averaged records.
     pub shares: Vec<Estimate>,
-    /// Roughness left in the contact, of both surfaces together.
+    /// Attenuated roughness in the contact, of both surfaces.
     pub attenuated_roughness: Option<Length>,
     /// Pressure at which the surfaces yield.
     ceiling: Option<PlasticCeiling>,
 }
 
-/// Solves a record and shows how far it is.
+/// Solves a record and shows its progress.
 pub fn solve(
     title: String,
     contact: &RoughContact,
@@ -42,22 +42,22 @@ pub fn solve(
 ) -> Result<Recorded, Failure> {
     let shown = Progress::of(common.quiet, "half-widths travelled");
     let count = usize::from(args.records);
-    // Thousandths of a half-width, of all records together.
+    // Thousandths of a half-width, summed over the records.
     let travelled: Vec<AtomicU64> = (0..count).map(|_| AtomicU64::new(0)).collect();
-    let found = record_several(contact, count, settings, &|number, now| {
-        travelled[number].store((1e3 * now.time) as u64, Ordering::Relaxed);
+    let result = record_several(contact, count, settings, &|number, progress| {
+        travelled[number].store((1e3 * progress.time) as u64, Ordering::Relaxed);
         let all: u64 = travelled.iter().map(|t| t.load(Ordering::Relaxed)).sum();
-        shown.at((all / 1000) as usize, now.end.ceil() as usize * count);
+        shown.at((all / 1000) as usize, progress.end.ceil() as usize * count);
         true
     });
     drop(shown);
-    let records = found.map_err(|error| of_contact(&title, &error))?;
+    let records = result.map_err(|error| of_contact(&title, &error))?;
     let none = || Failure::new("E501", format!("{title}: no record"));
     let solved = mean_of(&records).ok_or_else(none)?;
     let highest = solved.value.max_pressure;
     if highest > HIGHEST_PRESSURE {
         let message = format!(
-            "{title}: the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE}, which no steel bears"
+            "{title}: the pressure reaches {highest:.3}, above {HIGHEST_PRESSURE}, which no steel withstands"
         );
         return Err(Failure::new("E308", message).advising(
             "Pass a --pressure-limit at which the surfaces yield, or check the profiles.",
@@ -79,7 +79,7 @@ pub fn solve(
 }
 
 impl Recorded {
-    /// Roughness left in the contact over the smooth film.
+    /// Attenuated roughness relative to the smooth film.
     fn roughness_over_film(&self) -> Option<f64> {
         let smooth = self.solved.value.smooth_film;
         Some(self.attenuated_roughness? / smooth)
@@ -90,7 +90,7 @@ impl Recorded {
         record_warnings(&self.solved.value, self.attenuated_roughness, self.ceiling)
     }
 
-    /// The record as JSON.
+    /// Record as JSON.
     pub fn json(&self, comparison: Option<&ShareComparison>) -> Value {
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &record.scales;
@@ -161,7 +161,7 @@ impl Recorded {
         })
     }
 
-    /// The record as text.
+    /// Record as text.
     pub fn text(&self) -> String {
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &record.scales;
@@ -230,7 +230,7 @@ impl Recorded {
         text
     }
 
-    /// Pressure, film and state per point at every time kept.
+    /// Pressure, film and state per point at all recorded times.
     pub fn points(&self) -> String {
         let record = &self.solved.value;
         let a = record.scales.half_width.si();
@@ -256,7 +256,7 @@ impl Recorded {
     }
 }
 
-/// A mean with its standard error; a record of few batches has none.
+/// Mean with its standard error, which a record of few blocks does not have.
 pub(super) fn with_error(mean: f64, standard_error: f64) -> String {
     match standard_error.is_finite() {
         true => format!("{mean:.4} +- {standard_error:.4}"),
@@ -265,15 +265,15 @@ pub(super) fn with_error(mean: f64, standard_error: f64) -> String {
 }
 
 fn nanometres(film: Length) -> f64 {
-    // Films are asked for in whole nanometres or few digits.
+    // Film thicknesses on the command line have few digits in nanometres.
     (film.si() * 1e15).round() * 1e-6
 }
 
-fn estimate(found: &Estimate) -> Value {
-    json!({ "mean": found.mean, "standard_error": finite(found.standard_error) })
+fn estimate(estimate: &Estimate) -> Value {
+    json!({ "mean": estimate.mean, "standard_error": finite(estimate.standard_error) })
 }
 
-/// A record of one block has no standard error.
+/// Finite value or `None`: a record of one block has no standard error.
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }

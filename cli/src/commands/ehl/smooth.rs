@@ -1,4 +1,4 @@
-//! The steady film of smooth surfaces: its text, its JSON and its points.
+//! Steady film of smooth surfaces: text, JSON and points.
 
 use asperity::ehl::traction::{Heat, Traction, TractionLaw, traction};
 use asperity::ehl::{
@@ -10,17 +10,17 @@ use serde_json::{Value, json};
 use super::failed::of_contact;
 use crate::failure::Failure;
 
-/// A steady film and its traction.
+/// Steady film and its traction.
 pub struct Smooth {
     pub title: String,
     cells: usize,
     pub solved: Solved<SteadyFilm>,
-    /// Isothermal traction, and with its heat.
+    /// Isothermal and thermal traction.
     traction: [Option<Traction>; 2],
 }
 
-/// Solves the contact without its surfaces, and its traction with limiting shear stress where a law is given:
-/// isothermal, and thermal where the heat of the case is known.
+/// Solves the contact of smooth surfaces and, if a friction law is given, its traction with limiting shear stress:
+/// isothermal and, with thermal data, thermal.
 pub fn solve(
     title: String,
     contact: &RoughContact,
@@ -71,7 +71,7 @@ impl Smooth {
     }
 
     pub fn warnings(&self) -> Vec<(&'static str, String)> {
-        let told = |warning: &Warning| match warning {
+        let text = |warning: &Warning| match warning {
             Warning::InletUnresolved { cells } => format!(
                 "the inlet zone spans {cells:.1} cells (2 needed): the film comes out too thin; pass more --cells"
             ),
@@ -84,10 +84,10 @@ impl Smooth {
             _ => String::from("outside the range of the solver"),
         };
         let warnings = self.solved.value.warnings.iter();
-        warnings.map(|warning| ("W401", told(warning))).collect()
+        warnings.map(|warning| ("W401", text(warning))).collect()
     }
 
-    /// The film as JSON.
+    /// Film as JSON.
     pub fn json(&self) -> Value {
         let (film, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &film.scales;
@@ -130,7 +130,7 @@ impl Smooth {
         })
     }
 
-    /// The film as text.
+    /// Film as text.
     pub fn text(&self) -> String {
         let (film, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &film.scales;

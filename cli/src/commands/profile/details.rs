@@ -1,5 +1,5 @@
-//! Evaluations beyond a first look at a profile: line of Rk by secant, correlation, summits, spectrum, Hurst
-//! exponent, and what is ambiguous.
+//! Further evaluations of a profile: line of Rk by secant, correlation, summits, spectrum, Hurst exponent, and the
+//! ambiguity of the parameters.
 
 use asperity_core::quantity::Length;
 use asperity_roughness::RoughnessError;
@@ -14,13 +14,13 @@ use super::evaluated::Evaluated;
 use super::levels::Levels;
 use crate::args::{ProfileInfoArgs, Wavelengths};
 
-/// The details of a profile; none where the profile has no such thing, being flat or short.
+/// Details of a profile; `None` if a flat or short profile does not have them.
 pub struct Details {
     /// The Rk family with the secant line.
     pub secant: Option<RkParameters>,
-    /// Lengths over which the profile forgets itself.
+    /// Correlation lengths.
     pub correlation: Option<AutocorrelationLengths>,
-    /// Half width over which curvatures of summits were measured.
+    /// Half width over which the curvatures of summits are evaluated.
     pub window: Length,
     /// The summits.
     pub summits: Option<SummitStatistics>,
@@ -28,24 +28,24 @@ pub struct Details {
     pub spectrum: Option<PowerSpectrum>,
     /// Wavelengths of the Hurst fit.
     pub wavelengths: Wavelengths,
-    /// The fit, or why there is none.
+    /// The Hurst fit, or its error.
     pub hurst: Result<HurstFit, RoughnessError>,
-    /// Material ratios and heights that were asked for.
+    /// Requested material ratios and heights.
     pub levels: Levels,
     /// The ranges of the parameters.
     pub ambiguity: Vec<Ambiguity>,
 }
 
 impl Details {
-    /// The details of a profile that `args` ask for, the Hurst exponent over what the filters leave if they state
-    /// no wavelengths.
-    pub fn of(found: &Evaluated, args: &ProfileInfoArgs) -> Self {
-        let (plan, rough) = (&found.plan, &found.parts.roughness.profile);
+    /// Evaluates the details requested in `args`; the Hurst exponent by default over the wavelengths that the filters
+    /// leave.
+    pub fn of(evaluated: &Evaluated, args: &ProfileInfoArgs) -> Self {
+        let (plan, rough) = (&evaluated.plan, &evaluated.parts.roughness.profile);
         let window = plan.recipe.lambda_s.unwrap_or_default();
         let window = Length::from_si(window.si().max(rough.spacing().si()));
-        let wavelengths = args.hurst.unwrap_or_else(|| usual_wavelengths(found));
+        let wavelengths = args.hurst.unwrap_or_else(|| usual_wavelengths(evaluated));
         let (recipe, filter) = (&plan.recipe, plan.filter);
-        let open = ambiguity(found.trace(), rough, recipe, filter, plan.sections);
+        let open = ambiguity(evaluated.trace(), rough, recipe, filter, plan.sections);
         Self {
             secant: rk_parameters_with(rough.heights(), Line::Secant).ok(),
             correlation: autocorrelation::lengths(rough).ok(),
@@ -54,12 +54,12 @@ impl Details {
             spectrum: power_spectrum(rough).ok(),
             hurst: hurst_fit(rough, wavelengths.longest, wavelengths.shortest),
             wavelengths,
-            levels: Levels::of(found, args),
+            levels: Levels::of(evaluated, args),
             ambiguity: open.unwrap_or_default(),
         }
     }
 
-    /// The wavelength that parts the power of the profile in halves.
+    /// Wavelength that divides the power of the profile into halves.
     pub fn median_wavelength(&self) -> Option<Length> {
         let spectrum = self.spectrum.as_ref()?;
         let half = 0.5 * spectrum.density.iter().sum::<f64>();
@@ -72,14 +72,14 @@ impl Details {
     }
 }
 
-/// The wavelengths whose density the filters leave within about a tenth: from λc/3, where the Gaussian
-/// filter lets pass 99.8 % of a wave, to 5 λs, where it lets pass 97 %; without filters a quarter of the
-/// length to five points.
-fn usual_wavelengths(found: &Evaluated) -> Wavelengths {
+/// Wavelengths whose density the filters change by less than about a tenth: from λc/3, where the Gaussian filter
+/// transmits 99.8 % of a wave, to 5 λs, where it transmits 97 %; without filters, a quarter of the length to five
+/// points.
+fn usual_wavelengths(evaluated: &Evaluated) -> Wavelengths {
     const LONG: f64 = 3.0;
     const SHORT: f64 = 5.0;
     const UNFILTERED: f64 = 4.0;
-    let (recipe, rough) = (&found.plan.recipe, &found.parts.roughness.profile);
+    let (recipe, rough) = (&evaluated.plan.recipe, &evaluated.parts.roughness.profile);
     let quarter = rough.length() / UNFILTERED;
     let short = recipe.lambda_s.unwrap_or_default().si();
     Wavelengths {

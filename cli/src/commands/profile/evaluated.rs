@@ -1,4 +1,4 @@
-//! A profile file read, prepared and evaluated, and what is written of profiles.
+//! Reading, preparation and evaluation of a profile file, and writing of profiles.
 
 use std::path::Path;
 
@@ -19,15 +19,15 @@ use crate::failure::Failure;
 use crate::output;
 use crate::words;
 
-/// A profile, read, prepared and evaluated.
+/// Profile, read, prepared and evaluated.
 pub(super) struct Evaluated {
     pub(super) reading: Reading,
     pub(super) plan: Plan,
-    /// The warning that outliers were replaced.
+    /// Warning that outliers were replaced.
     pub(super) outliers_replaced: Option<Warning>,
-    /// Profile that the recipe of the plan started from, where that is not the one read.
+    /// Input of the recipe of the plan, if it is not the profile read.
     pub(super) without_involute: Option<Profile>,
-    /// That the involute was another, where it seems so.
+    /// Warning that the involute does not match the trace.
     pub(super) involute_left: Option<Warning>,
     pub(super) parts: Profiles,
     pub(super) iso4287: Parameters,
@@ -76,13 +76,13 @@ impl Evaluated {
         })
     }
 
-    /// Profile that the recipe of the plan started from.
+    /// Input profile of the recipe of the plan.
     pub(super) fn trace(&self) -> &Profile {
         let read = &self.reading.profile;
         self.without_involute.as_ref().unwrap_or(read)
     }
 
-    /// All warnings, each once.
+    /// Distinct warnings.
     pub(super) fn warnings(&self) -> Vec<Note<'_>> {
         let is_idle = |warning: &ReadWarning| {
             *warning == ReadWarning::AlreadyFiltered && self.plan.recipe.lambda_c.is_none()
@@ -101,7 +101,7 @@ impl Evaluated {
     }
 }
 
-/// A warning of the reader or of the evaluation.
+/// Warning of the reader or of the evaluation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Note<'a> {
     Read(&'a ReadWarning),
@@ -109,7 +109,7 @@ pub(super) enum Note<'a> {
 }
 
 impl Note<'_> {
-    /// The code under which the message is explained.
+    /// Code of the message.
     pub(super) fn code(self) -> &'static str {
         match self {
             Self::Read(warning) => warning.code(),
@@ -118,7 +118,7 @@ impl Note<'_> {
     }
 }
 
-/// With what to do about it.
+/// The warning with its remedy.
 impl std::fmt::Display for Note<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (text, remedy) = match self {
@@ -129,7 +129,7 @@ impl std::fmt::Display for Note<'_> {
     }
 }
 
-/// Reads a file as the options say, on an even grid.
+/// Reads a file with the options, on an even grid.
 pub(super) fn opened(
     file: &Path,
     args: &ReadingArgs,
@@ -140,7 +140,7 @@ pub(super) fn opened(
     trace.reading(uneven).map_err(|error| refused(&error))
 }
 
-/// The reading with points farther than `deviations` from the running median replaced, and the record of it.
+/// Replaces points farther than `deviations` from the running median, and returns a record of them.
 pub(super) fn without_outliers(
     reading: Reading,
     deviations: Option<f64>,
@@ -153,7 +153,7 @@ pub(super) fn without_outliers(
     Ok((reading.corrected(cleaned), Some(record)))
 }
 
-/// Reads a file as the options say, with points that may be uneven.
+/// Reads a file with the options, with possibly uneven points.
 pub(super) fn opened_trace(
     file: &Path,
     args: &ReadingArgs,
@@ -179,23 +179,23 @@ pub(super) fn opened_trace(
     let single = !trace.format.may_hold_several();
     if single && (row > 1 || args.line.is_some()) {
         let name = &trace.name;
-        let asked = match args.line {
+        let reason = match args.line {
             Some(line) => format!("--line {line} has nothing to choose from"),
             None => format!("there is no row {row}"),
         };
-        let text = format!("{name}: the file holds a single profile; {asked}");
+        let text = format!("{name}: the file holds a single profile; {reason}");
         return Err(Failure::new("E119", text));
     }
     Ok(trace)
 }
 
-/// A refusal of the reader, with the options that help.
+/// Error of the reader, with the options that help.
 pub(super) fn refused(error: &ReadError) -> Failure {
     let message = words::with_options(&error.to_string(), &error.remedy());
     Failure::new(error.code(), message)
 }
 
-/// Reason why a profile that was read is not evaluated, with its remedy.
+/// Error of the evaluation of a profile, with its remedy.
 pub(super) fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) -> Failure {
     let name = &reading.name;
     let advice = match error {
@@ -208,17 +208,17 @@ pub(super) fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) ->
     Failure::new("E120", format!("{name}: {error}{advice}"))
 }
 
-/// The format that a file's name asks for; standard output gets the text format.
+/// Format by the file name; standard output has the text format.
 fn of_name(name: &str) -> Option<WrittenFormat> {
     WrittenFormat::of_name(if name == "-" { "-.csv" } else { name })
 }
 
-/// Writes a profile in the format its name asks for; an interrupted run leaves nothing half-written.
+/// Writes a profile in the format of its name, completely or not at all.
 pub(super) fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Failure> {
     save_as(output, |format| write(profile, metadata, format))
 }
 
-/// Writes a trace as it stands.
+/// Writes a trace unchanged.
 pub(super) fn save_trace(output: &Path, trace: &Trace) -> Result<(), Failure> {
     save_as(output, |format| write_trace(trace, format))
 }

@@ -13,21 +13,24 @@ use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
-/// `asperity profile info`; of many files those that can be read, and then what is wrong with the others.
+/// `asperity profile info`; for several files the readable ones, then the errors of the others.
 pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     check(args, common)?;
     if let [file] = args.files.as_slice() {
-        let found = evaluated(file, args)?;
+        let evaluated_file = evaluated(file, args)?;
         return match common.json {
-            true => print_json(&as_json(&found, args)),
-            false => print_text(common, &text::report(&found, &Details::of(&found, args))),
+            true => print_json(&as_json(&evaluated_file, args)),
+            false => print_text(
+                common,
+                &text::report(&evaluated_file, &Details::of(&evaluated_file, args)),
+            ),
         };
     }
     let (mut entries, mut good, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     for file in &args.files {
         match evaluated(file, args) {
-            Ok(found) if common.json => entries.push(as_json(&found, args)),
-            Ok(found) => good.push(Row::of(&found)),
+            Ok(evaluated_file) if common.json => entries.push(as_json(&evaluated_file, args)),
+            Ok(evaluated_file) => good.push(FileRow::of(&evaluated_file)),
             Err(failure) => {
                 if common.json {
                     entries.push(refused_entry(file, &failure));
@@ -40,13 +43,13 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
         print_json(&entries)?;
     }
     for failure in &failures {
-        failure.tell();
+        failure.print();
     }
     if !good.is_empty() {
         print_text(common, &table(&good))?;
     }
     let first = failures.into_iter().next();
-    first.map_or(Ok(()), |failure| Err(failure.told()))
+    first.map_or(Ok(()), |failure| Err(failure.printed()))
 }
 
 /// `asperity profile compare`
@@ -54,11 +57,11 @@ pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     check(args, common)?;
     let all = args.files.iter().map(|file| evaluated(file, args));
     if common.json {
-        let reports = all.map(|found| Ok(as_json(&found?, args)));
+        let reports = all.map(|evaluated_file| Ok(as_json(&evaluated_file?, args)));
         return print_json(&reports.collect::<Result<Vec<_>, Failure>>()?);
     }
-    // Of each file its row alone is kept.
-    let rows = all.map(|found| Ok(Row::of(&found?)));
+    // Only the row of each file is stored.
+    let rows = all.map(|evaluated_file| Ok(FileRow::of(&evaluated_file?)));
     let rows = rows.collect::<Result<Vec<_>, Failure>>()?;
     print_text(common, &(table(&rows) + &ratios(&rows)))
 }
@@ -74,7 +77,7 @@ fn check(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
         let text = "--curves needs --json; asperity profile plot draws the curves";
         return Err(Failure::new("E205", text));
     }
-    // A contradiction is told once, not for every file.
+    // A contradiction of options is reported once, not for every file.
     Plan::of(&args.preparing).map(|_| ())
 }
 
@@ -82,8 +85,12 @@ fn evaluated(file: &Path, args: &ProfileInfoArgs) -> Result<Evaluated, Failure> 
     Evaluated::of(file, &args.preparing, &args.reading)
 }
 
-fn as_json(found: &Evaluated, args: &ProfileInfoArgs) -> serde_json::Value {
-    json::report(found, &Details::of(found, args), args.curves)
+fn as_json(evaluated_file: &Evaluated, args: &ProfileInfoArgs) -> serde_json::Value {
+    json::report(
+        evaluated_file,
+        &Details::of(evaluated_file, args),
+        args.curves,
+    )
 }
 
 type Column = (&'static str, fn(&Evaluated) -> f64);
@@ -100,8 +107,8 @@ const COLUMNS: [Column; 9] = [
     ("Rvk", |e| um(e.iso4287.material.rvk)),
 ];
 
-/// A file in the table.
-struct Row {
+/// FileRow of a file in the table.
+struct FileRow {
     name: String,
     points: usize,
     dx_um: f64,
@@ -109,26 +116,26 @@ struct Row {
     notes: Vec<String>,
 }
 
-impl Row {
-    fn of(found: &Evaluated) -> Self {
-        let name = shortened(&found.reading.name);
-        let warnings = found.warnings();
+impl FileRow {
+    fn of(evaluated_file: &Evaluated) -> Self {
+        let name = shortened(&evaluated_file.reading.name);
+        let warnings = evaluated_file.warnings();
         let notes = warnings.iter().map(|warning| {
             let note = format!("{name}: {} {warning}", warning.code());
             wrapped(&note, "    ")
         });
         Self {
-            points: found.reading.points,
-            dx_um: um(found.reading.spacing),
-            values: COLUMNS.map(|(_, value)| value(found)),
+            points: evaluated_file.reading.points,
+            dx_um: um(evaluated_file.reading.spacing),
+            values: COLUMNS.map(|(_, value)| value(evaluated_file)),
             notes: notes.collect(),
             name,
         }
     }
 }
 
-/// A row a file, ISO 4287, in um.
-fn table(rows: &[Row]) -> String {
+/// Table with one row per file, ISO 4287, in µm.
+fn table(rows: &[FileRow]) -> String {
     let mut text = format!("{:24} {:>8} {:>9}", "ISO 4287, um", "n", "dx");
     for (name, _) in COLUMNS {
         let _ = write!(text, " {name:>8}");
@@ -147,8 +154,8 @@ fn table(rows: &[Row]) -> String {
     text
 }
 
-/// Every parameter over that of the first file.
-fn ratios(rows: &[Row]) -> String {
+/// Parameters relative to the first file.
+fn ratios(rows: &[FileRow]) -> String {
     let Some(first) = rows.first() else {
         return String::new();
     };
@@ -175,7 +182,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// The end of a long name, which distinguishes files.
+/// End of a long name, which distinguishes files.
 fn shortened(name: &str) -> String {
     const MOST: usize = 24;
     let base = name.rsplit(['/', '\\']).next().unwrap_or(name);

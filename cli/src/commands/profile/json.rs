@@ -16,11 +16,11 @@ use crate::args::name_of;
 const CONVENTION: &str = "of the R profile about its mean; Hann window; one-sided over spatial frequency f = 1/wavelength; \
      its integral over f is the mean square height of the windowed profile";
 
-/// The report of a profile; with its curves, point by point, on request.
-pub fn report(found: &Evaluated, details: &Details, curves: bool) -> Value {
-    let reading = &found.reading;
-    let spectral = &found.iso4287.spectral;
-    let notes = found.warnings().into_iter();
+/// Report of a profile, on request with its curves by point.
+pub fn report(evaluated: &Evaluated, details: &Details, curves: bool) -> Value {
+    let reading = &evaluated.reading;
+    let spectral = &evaluated.iso4287.spectral;
+    let notes = evaluated.warnings().into_iter();
     let notes: Vec<Value> = notes
         .map(|w| json!({ "code": w.code(), "text": w.to_string() }))
         .collect();
@@ -32,13 +32,13 @@ pub fn report(found: &Evaluated, details: &Details, curves: bool) -> Value {
         "length_um": um(reading.length),
         "filter_state": reading.filter_state,
         "reading": reading,
-        "preparation": found.plan.recorded(&found.parts.roughness.record),
-        "section_um": um(found.section),
-        "iso4287": heights(&found.iso4287.heights),
-        "iso21920": heights(&found.iso21920.heights),
-        "primary": whole("p", &found.primary),
-        "waviness": found.waviness.as_ref().map(|p| whole("w", p)),
-        "material_ratio": material(&found.iso4287.material),
+        "preparation": evaluated.plan.recorded(&evaluated.parts.roughness.record),
+        "section_um": um(evaluated.section),
+        "iso4287": heights(&evaluated.iso4287.heights),
+        "iso21920": heights(&evaluated.iso21920.heights),
+        "primary": whole("p", &evaluated.primary),
+        "waviness": evaluated.waviness.as_ref().map(|p| whole("w", p)),
+        "material_ratio": material(&evaluated.iso4287.material),
         "material_ratio_secant": details.secant.as_ref().map(material),
         "spectral": {
             "m0_um2": spectral.m0 * 1e12, "m2": spectral.m2, "m4_per_um2": spectral.m4 * 1e-12,
@@ -61,7 +61,7 @@ pub fn report(found: &Evaluated, details: &Details, curves: bool) -> Value {
         report["material_levels"] = levels;
     }
     if curves {
-        report["curves"] = all_curves(found, details);
+        report["curves"] = all_curves(evaluated, details);
     }
     report
 }
@@ -74,9 +74,9 @@ fn heights(p: &HeightParameters) -> Value {
     })
 }
 
-/// P and W parameters over the whole length, under names of their own.
+/// P and W parameters over the full length, under separate names.
 fn whole(letter: &str, p: &HeightParameters) -> Value {
-    let mut found = Map::new();
+    let mut parameters = Map::new();
     for (name, value) in [
         ("a_um", Some(um(p.ra))),
         ("q_um", Some(um(p.rq))),
@@ -89,9 +89,9 @@ fn whole(letter: &str, p: &HeightParameters) -> Value {
         ("c_um", p.rc.map(um)),
         ("dq", Some(p.rdq)),
     ] {
-        found.insert(format!("{letter}{name}"), json!(value));
+        parameters.insert(format!("{letter}{name}"), json!(value));
     }
-    Value::Object(found)
+    Value::Object(parameters)
 }
 
 fn material(m: &RkParameters) -> Value {
@@ -104,21 +104,21 @@ fn material(m: &RkParameters) -> Value {
 fn summits(details: &Details) -> Option<Value> {
     /// Per metre to per millimetre.
     const PER_MM: f64 = 1e-3;
-    details.summits.map(|found| {
+    details.summits.map(|summits| {
         json!({
-            "count": found.count,
-            "density_per_mm": found.density * PER_MM,
-            "density_of_gaussian_per_mm": found.spectral_density * PER_MM,
-            "mean_height_um": um(found.mean_height),
-            "height_deviation_um": um(found.height_deviation),
-            "mean_curvature_per_um": found.mean_curvature * 1e-6,
-            "mean_radius_um": found.mean_radius.map(um),
+            "count": summits.count,
+            "density_per_mm": summits.density * PER_MM,
+            "density_of_gaussian_per_mm": summits.spectral_density * PER_MM,
+            "mean_height_um": um(summits.mean_height),
+            "height_deviation_um": um(summits.height_deviation),
+            "mean_curvature_per_um": summits.mean_curvature * 1e-6,
+            "mean_radius_um": summits.mean_radius.map(um),
             "window_um": um(details.window),
         })
     })
 }
 
-/// The fit with its range; the reason where there is none.
+/// The Hurst fit with its range, or its error.
 fn hurst(details: &Details) -> Value {
     let range = details.wavelengths;
     let mut value = match &details.hurst {
@@ -130,7 +130,7 @@ fn hurst(details: &Details) -> Value {
     value
 }
 
-/// A range, with lengths in micrometres, and the part of each choice in it.
+/// Range of a parameter, with lengths in micrometres, and the contribution of each choice.
 fn open(range: &Ambiguity) -> Value {
     let (unit, factor) = match range.unit {
         "m" => ("um", 1e6),
@@ -148,8 +148,8 @@ fn open(range: &Ambiguity) -> Value {
     })
 }
 
-fn all_curves(found: &Evaluated, details: &Details) -> Value {
-    let rough = &found.parts.roughness.profile;
+fn all_curves(evaluated: &Evaluated, details: &Details) -> Value {
+    let rough = &evaluated.parts.roughness.profile;
     let in_um = |values: Vec<f64>| values.into_iter().map(|z| 1e6 * z).collect::<Vec<_>>();
     json!({
         "psd": details.spectrum.as_ref().map(spectrum),
@@ -163,11 +163,11 @@ fn all_curves(found: &Evaluated, details: &Details) -> Value {
     })
 }
 
-/// All waves of a spectrum, from the longest on.
-fn spectrum(found: &PowerSpectrum) -> Value {
+/// All waves of a spectrum, longest first.
+fn spectrum(spectrum: &PowerSpectrum) -> Value {
     let (mut frequencies, mut wavelengths, mut densities) = (Vec::new(), Vec::new(), Vec::new());
-    for (k, density) in found.density.iter().enumerate().skip(1) {
-        let frequency = k as f64 * found.frequency_step;
+    for (k, density) in spectrum.density.iter().enumerate().skip(1) {
+        let frequency = k as f64 * spectrum.frequency_step;
         frequencies.push(1e-6 * frequency);
         wavelengths.push(um(Length::from_si(1.0 / frequency)));
         // m³ to um³.

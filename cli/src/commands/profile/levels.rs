@@ -1,4 +1,4 @@
-//! Material ratios at levels and heights between ratios, where they were asked for.
+//! Requested material ratios at levels and heights between ratios.
 
 use asperity_core::quantity::Length;
 use asperity_roughness::material_levels::MaterialLevels;
@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::evaluated::{Evaluated, um};
 use crate::args::{ProfileInfoArgs, Ratios};
 
-/// The values asked for, of the roughness profile over its evaluation length.
+/// Requested values of the roughness profile over its evaluation length.
 pub struct Levels {
     /// Rmr(c) `[%]` by c.
     ratios: Vec<(Length, f64)>,
@@ -16,9 +16,9 @@ pub struct Levels {
 }
 
 impl Levels {
-    /// The values that `args` ask for. An evaluated profile has Rk parameters, so it has a curve.
-    pub fn of(found: &Evaluated, args: &ProfileInfoArgs) -> Self {
-        let rough = &found.parts.roughness.profile;
+    /// Evaluates the values requested in `args`. An evaluated profile has Rk parameters and thus a curve.
+    pub fn of(evaluated: &Evaluated, args: &ProfileInfoArgs) -> Self {
+        let rough = &evaluated.parts.roughness.profile;
         let (mut ratios, mut heights) = (Vec::new(), Vec::new());
         if let Ok(levels) = MaterialLevels::of(rough.heights()) {
             ratios.extend(args.rmr.iter().map(|c| (*c, levels.ratio(*c))));
@@ -46,12 +46,12 @@ impl Levels {
         self.ratios.iter().map(ratio).chain(heights)
     }
 
-    /// The same as data; none where nothing was asked for.
+    /// The values as JSON; `None` if none were requested.
     pub fn json(&self) -> Option<Value> {
-        let asked = !(self.ratios.is_empty() && self.heights.is_empty());
+        let is_requested = !(self.ratios.is_empty() && self.heights.is_empty());
         let ratio = |(c, percent): &(Length, f64)| json!({ "c_um": um(*c), "percent": percent });
         let height = |(both, height): &(Ratios, Length)| json!({ "p_percent": both.upper, "q_percent": both.lower, "um": um(*height) });
-        asked.then(|| {
+        is_requested.then(|| {
             json!({
                 "rmr": self.ratios.iter().map(ratio).collect::<Vec<_>>(),
                 "rdc": self.heights.iter().map(height).collect::<Vec<_>>(),

@@ -1,4 +1,4 @@
-//! `asperity profile`: looking at, converting, filtering, making and comparing profiles.
+//! `asperity profile`: evaluation, conversion, filtering, generation and comparison of profiles.
 
 mod details;
 mod evaluated;

@@ -1,4 +1,4 @@
-//! Preparation of a trace before it is evaluated, by the options of the command.
+//! Preparation of a trace by the options of the command.
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -17,7 +17,7 @@ use crate::failure::Failure;
 /// Sections of a trace that is not filtered.
 const SECTIONS: usize = 5;
 
-/// Why a place on an involute is refused where none comes off.
+/// Error of involute options without the removal of an involute.
 const INVOLUTE_ONLY: &str = "--base-radius, --roll-length and --towards-root go with --form involute only, and --base-radius with files against roll length";
 
 /// Form removal, filters and sections.
@@ -27,19 +27,19 @@ pub struct Plan {
     pub recipe: Preparation,
     /// The filter at lambda_c.
     pub filter: RoughnessFilter,
-    /// The involute that comes off first.
+    /// Involute that is removed first.
     pub involute: Option<Involute>,
     /// Evaluation of the result.
     pub sections: Sections,
 }
 
 impl Plan {
-    /// The plan that the options make, for any file.
+    /// Makes the plan of the options, for any file.
     pub fn of(args: &PreparingArgs) -> Result<Self, Failure> {
         Self::with(args, None)
     }
 
-    /// The plan that the options make for a file, whose own cut-offs are the default.
+    /// Makes the plan of the options for a file, whose stated cut-offs are the default.
     pub fn for_reading(args: &PreparingArgs, reading: &Reading) -> Result<Self, Failure> {
         let converts =
             |warning: &ReadWarning| matches!(warning, ReadWarning::RollLengthConverted { .. });
@@ -61,7 +61,7 @@ impl Plan {
             },
             false => {
                 let usual = Preparation::default();
-                // What was filtered before has been filtered with them.
+                // A filtered profile has been filtered with its stated cut-offs.
                 let unfiltered = reading.filter(|r| r.filter_state != FilterState::Roughness);
                 let stated = unfiltered.map(|reading| &reading.metadata);
                 Preparation {
@@ -71,14 +71,14 @@ impl Plan {
                 }
             }
         };
-        let asked = |given: Option<Length>, usual: Option<Length>| match given {
-            None => usual,
+        let chosen = |option: Option<Length>, default: Option<Length>| match option {
+            None => default,
             Some(length) => (length.si() != 0.0).then_some(length),
         };
         let recipe = Preparation {
             form: form(args),
-            lambda_s: asked(args.lambda_s, usual.lambda_s),
-            lambda_c: asked(args.lambda_c, usual.lambda_c),
+            lambda_s: chosen(args.lambda_s, usual.lambda_s),
+            lambda_c: chosen(args.lambda_c, usual.lambda_c),
             ends: args.ends.unwrap_or(usual.ends),
         };
         if args.robust && recipe.lambda_c.is_none() {
@@ -100,21 +100,20 @@ impl Plan {
         })
     }
 
-    /// The trace that the recipe is for, where an involute comes off first.
+    /// The trace without its involute, the input of the recipe; `None` if no involute is removed.
     pub fn without_involute(&self, profile: &Profile) -> Result<Option<Profile>, RoughnessError> {
         let flank = self.involute.as_ref();
         flank.map(|flank| remove(profile, flank)).transpose()
     }
 
-    /// The warning that the involute was another than that of the trace.
+    /// Warning that the involute does not match the trace.
     pub fn involute_left(&self, profile: &Profile) -> Result<Option<Warning>, RoughnessError> {
         let flank = self.involute.as_ref();
         let left = flank.map(|flank| form_left(profile, flank));
         Ok(left.transpose()?.flatten())
     }
 
-    /// Options for a trace that is too short for the filters: what it is, and what it is long enough
-    /// for.
+    /// Advice for a trace that is too short for the filters: its length, and the options that it permits.
     pub fn advice_for(&self, reading: &Reading) -> String {
         if reading.filter_state == FilterState::Roughness {
             let options = as_is(reading);
@@ -123,7 +122,7 @@ impl Plan {
         /// Cut-offs of ISO 3274, in mm.
         const USUAL: [f64; 5] = [8.0, 2.5, 0.8, 0.25, 0.08];
         let (length, dx) = (1e3 * reading.length.si(), 1e3 * reading.spacing.si());
-        // With its ends cut a trace is to hold two cut-offs; five points to a cut-off are the least.
+        // With cut ends a trace must have two cut-offs; a cut-off has at least five points.
         let fits = |cutoff: &&f64| 2.0 * **cutoff <= length && **cutoff >= 5.0 * dx;
         let unfiltered = "--level for no filter";
         let options = USUAL.iter().find(fits).map_or_else(
@@ -136,7 +135,7 @@ impl Plan {
         )
     }
 
-    /// The form that is removed, for reading.
+    /// Removed form as text.
     pub fn form(&self) -> String {
         let Some(flank) = &self.involute else {
             return name_of(&self.recipe.form);
@@ -164,7 +163,7 @@ impl Plan {
     }
 }
 
-/// Options for a roughness profile, in sections of the cut-off that its instrument used.
+/// Options for a roughness profile with the sections of its instrument.
 pub fn as_is(reading: &Reading) -> String {
     let sections = reading
         .metadata
@@ -175,7 +174,7 @@ pub fn as_is(reading: &Reading) -> String {
     format!("--as-is{option}")
 }
 
-/// The form that the recipe removes; an involute takes its line with it.
+/// Form removed by the recipe; an involute includes the line.
 fn form(args: &PreparingArgs) -> Form {
     match args.form {
         None if args.as_is => Form::None,
@@ -190,14 +189,14 @@ fn form(args: &PreparingArgs) -> Form {
 
 fn involute(args: &PreparingArgs) -> Result<Option<Involute>, Failure> {
     let contradiction = |text: &str| Err(Failure::new("E205", text));
-    let given = [args.base_radius, args.roll_length];
+    let options = [args.base_radius, args.roll_length];
     if args.form != Some(FormArg::Involute) {
         if args.towards_root || args.roll_length.is_some() {
             return contradiction(INVOLUTE_ONLY);
         }
         return Ok(None);
     }
-    match given {
+    match options {
         [Some(base_radius), Some(roll_length)] => Ok(Some(Involute {
             base_radius,
             roll_length,

@@ -10,29 +10,30 @@ use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
 use super::evaluated::{Evaluated, refusal, um};
 use crate::args::{Common, ProfilePlotArgs};
 use crate::failure::Failure;
-use crate::output::{beside, print_text, save, save_new};
+use crate::output::{besides_file, print_text, save, save_new};
 
 /// `asperity profile plot`
 pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
-    let found = Evaluated::of(&args.file, &args.preparing, &args.reading)?;
-    let rough = &found.parts.roughness.profile;
+    let evaluated = Evaluated::of(&args.file, &args.preparing, &args.reading)?;
+    let rough = &evaluated.parts.roughness.profile;
     let curve = abbott_curve(rough.heights())
-        .map_err(|e| refusal(&found.reading, &found.plan, &e.into()))?;
-    let density = power_spectrum(rough).map_err(|e| refusal(&found.reading, &found.plan, &e))?;
+        .map_err(|e| refusal(&evaluated.reading, &evaluated.plan, &e.into()))?;
+    let density =
+        power_spectrum(rough).map_err(|e| refusal(&evaluated.reading, &evaluated.plan, &e))?;
     let name = args
         .file
         .file_name()
         .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-    let name = format!("{name}: {}", found.reading.format);
+    let name = format!("{name}: {}", evaluated.reading.format);
     let charts = [
-        primary(&found, &name),
-        roughness(&found, &name),
-        material(&curve, &found.iso4287.material, &name),
+        primary(&evaluated, &name),
+        roughness(&evaluated, &name),
+        material(&curve, &evaluated.iso4287.material, &name),
         spectrum(&density, &name),
     ];
     let svg = stacked(&name, &charts);
     let Some(output) = &args.output else {
-        // Standard input has no name to go by.
+        // Standard input has no name.
         let output = match args.file.as_path() {
             name if name == Path::new("-") => PathBuf::from("profile.svg"),
             name => name.with_extension("svg"),
@@ -40,7 +41,7 @@ pub fn plot(args: &ProfilePlotArgs, common: &Common) -> Result<(), Failure> {
         save_new(&output, svg.as_bytes())?;
         return print_text(common, &format!("{}\n", output.display()));
     };
-    let common = &beside(output, common)?;
+    let common = &besides_file(output, common)?;
     save(output, svg.as_bytes())?;
     print_text(common, &format!("{}\n", output.display()))
 }
@@ -61,31 +62,31 @@ fn height() -> Axis {
     Axis::new("height", "µm")
 }
 
-fn primary(found: &Evaluated, source: &str) -> Chart {
+fn primary(evaluated: &Evaluated, source: &str) -> Chart {
     let title = "Primary profile P and mean line W";
     let chart = Chart::new("primary", title, source, along(), height());
-    let chart = chart.with(series("P", Line::Solid, &found.parts.primary, 0));
-    let first = found.parts.roughness.first_index;
-    match &found.parts.waviness {
+    let chart = chart.with(series("P", Line::Solid, &evaluated.parts.primary, 0));
+    let first = evaluated.parts.roughness.first_index;
+    match &evaluated.parts.waviness {
         Some(waviness) => chart.with(series("W", Line::Solid, waviness, first)),
         None => chart,
     }
 }
 
-fn roughness(found: &Evaluated, source: &str) -> Chart {
-    let p = &found.iso4287.heights;
+fn roughness(evaluated: &Evaluated, source: &str) -> Chart {
+    let p = &evaluated.iso4287.heights;
     let title = format!(
         "Roughness profile R: Ra {:.4}, Rq {:.4}, Rz {:.4} µm (ISO 4287)",
         um(p.ra),
         um(p.rq),
         um(p.rz)
     );
-    let first = found.parts.roughness.first_index;
-    let rough = series("R", Line::Solid, &found.parts.roughness.profile, first);
+    let first = evaluated.parts.roughness.first_index;
+    let rough = series("R", Line::Solid, &evaluated.parts.roughness.profile, first);
     Chart::new("roughness", &title, source, along(), height()).with(rough)
 }
 
-/// The curve, its equivalent line and the triangles of Rpk and Rvk.
+/// Material ratio curve, its equivalent line and the triangles of Rpk and Rvk.
 fn material(curve: &[f64], rk: &RkParameters, source: &str) -> Chart {
     let n = curve.len() as f64;
     let ratio = |k: usize| (k as f64 + 0.5) / n * 100.0;

@@ -1,4 +1,4 @@
-//! One profile as text of 80 columns that fits on a screen.
+//! One profile as text of 80 columns.
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::FilterState;
@@ -11,20 +11,20 @@ use super::evaluated::{Evaluated, um};
 use super::plan::as_is;
 use crate::args::name_of;
 
-/// The report for reading.
-pub fn report(found: &Evaluated, details: &Details) -> String {
-    let mut page = Page(format!("{}\n", found.reading.name));
-    file(&mut page, found);
-    recipe(&mut page, found);
-    stated_cutoffs(&mut page, found);
-    heights(&mut page, found, details);
-    material(&mut page, found, details);
-    spectral(&mut page, found, details);
+/// Report as text.
+pub fn report(evaluated: &Evaluated, details: &Details) -> String {
+    let mut page = Page(format!("{}\n", evaluated.reading.name));
+    file(&mut page, evaluated);
+    recipe(&mut page, evaluated);
+    stated_cutoffs(&mut page, evaluated);
+    heights(&mut page, evaluated, details);
+    material(&mut page, evaluated, details);
+    spectral(&mut page, evaluated, details);
     summits(&mut page, details);
     hurst(&mut page, details);
-    choices(&mut page, found);
-    printed(&mut page, found);
-    for warning in found.warnings() {
+    choices(&mut page, evaluated);
+    printed(&mut page, evaluated);
+    for warning in evaluated.warnings() {
         page.line(&format!("{} {}", warning.code(), warning));
     }
     page.0
@@ -34,14 +34,14 @@ pub fn report(found: &Evaluated, details: &Details) -> String {
 struct Page(String);
 
 impl Page {
-    /// A line, with its continuation when it is long.
+    /// Appends a line, wrapped if it is long.
     fn line(&mut self, content: &str) {
         let line = wrapped(&format!("  {content}"), "    ");
         self.0.push_str(line.trim_end());
         self.0.push('\n');
     }
 
-    /// A row of the tables: name, up to four columns, range.
+    /// Appends a row of a table: name, up to four columns, range.
     fn row(&mut self, name: &str, columns: &[String], range: &str) {
         let mut cells = [""; 4];
         for (cell, column) in cells.iter_mut().zip(columns) {
@@ -54,8 +54,8 @@ impl Page {
     }
 }
 
-fn file(page: &mut Page, found: &Evaluated) {
-    let reading = &found.reading;
+fn file(page: &mut Page, evaluated: &Evaluated) {
+    let reading = &evaluated.reading;
     let encoding = reading.encoding.map_or(String::new(), |e| format!(", {e}"));
     page.line(&format!(
         "{}{encoding}, heights in {}; {} points, dx {} ({}), length {}",
@@ -83,8 +83,8 @@ fn file(page: &mut Page, found: &Evaluated) {
     page.line(&format!("stated: {}", known.collect::<Vec<_>>().join(", ")));
 }
 
-fn recipe(page: &mut Page, found: &Evaluated) {
-    let record = &found.parts.roughness.record;
+fn recipe(page: &mut Page, evaluated: &Evaluated) {
+    let record = &evaluated.parts.roughness.record;
     let recipe = &record.recipe;
     let cutoff = |value: Option<Length>| value.map_or("none".to_owned(), |v| v.to_string());
     let filter = match recipe.lambda_c {
@@ -93,32 +93,32 @@ fn recipe(page: &mut Page, found: &Evaluated) {
     };
     page.line(&format!(
         "form {}, lambda_s {}, lambda_c {}{filter}, ends {}, {} sections of {}",
-        found.plan.form(),
+        evaluated.plan.form(),
         cutoff(recipe.lambda_s),
         cutoff(recipe.lambda_c),
         name_of(&recipe.ends),
-        found.iso4287.heights.sections,
-        rounded(found.section),
+        evaluated.iso4287.heights.sections,
+        rounded(evaluated.section),
     ));
 }
 
-/// Options that keep the filtering of the instrument, where there is another here.
-fn stated_cutoffs(page: &mut Page, found: &Evaluated) {
-    let (facts, recipe) = (&found.reading.metadata, &found.plan.recipe);
-    let state = found.reading.filter_state;
+/// Options for the filtering of the instrument, if a different one is used.
+fn stated_cutoffs(page: &mut Page, evaluated: &Evaluated) {
+    let (facts, recipe) = (&evaluated.reading.metadata, &evaluated.plan.recipe);
+    let state = evaluated.reading.filter_state;
     if state == FilterState::Roughness && recipe.lambda_c.is_some() {
-        let options = as_is(&found.reading);
+        let options = as_is(&evaluated.reading);
         page.line(&format!(
-            "to take it as the instrument filtered it, pass {options}"
+            "to use the filtering of the instrument, pass {options}"
         ));
     }
     let stated = [facts.lambda_c, facts.lambda_s];
     let used = [recipe.lambda_c, recipe.lambda_s];
-    let taken = stated
+    let as_stated = stated
         .iter()
         .zip(&used)
         .all(|(stated, used)| stated.is_none() || stated == used);
-    if state != FilterState::Roughness && taken && stated.iter().any(Option::is_some) {
+    if state != FilterState::Roughness && as_stated && stated.iter().any(Option::is_some) {
         page.line("cut-offs as the file states them");
     }
     let differs = |stated: Option<Length>, used: Option<Length>| {
@@ -134,16 +134,16 @@ fn stated_cutoffs(page: &mut Page, found: &Evaluated) {
         length.map_or(String::new(), |length| format!(" --{name} \"{length}\""))
     };
     page.line(&format!(
-        "the file's own cut-offs are overridden; to filter as the instrument did, pass{}{}",
+        "the cut-offs of the file are overridden; to filter like the instrument, pass{}{}",
         option("lambda-c", facts.lambda_c),
         option("lambda-s", facts.lambda_s)
     ));
 }
 
-/// A parameter of a table: its name, its digits, its value.
-type Row<T> = (&'static str, usize, fn(&T) -> Option<f64>);
+/// Parameter of a table: name, digits, value.
+type Parameter<T> = (&'static str, usize, fn(&T) -> Option<f64>);
 
-const HEIGHTS: [Row<HeightParameters>; 12] = [
+const HEIGHTS: [Parameter<HeightParameters>; 12] = [
     ("Ra", 4, |p| Some(um(p.ra))),
     ("Rq", 4, |p| Some(um(p.rq))),
     ("Rz", 4, |p| Some(um(p.rz))),
@@ -158,14 +158,14 @@ const HEIGHTS: [Row<HeightParameters>; 12] = [
     ("Rdq", 4, |p| Some(p.rdq)),
 ];
 
-fn heights(page: &mut Page, found: &Evaluated, details: &Details) {
+fn heights(page: &mut Page, evaluated: &Evaluated, details: &Details) {
     let header = ["R iso4287", "R iso21920", "P whole", "W whole"];
     page.row("um", &header.map(str::to_owned), "open");
     let columns = [
-        Some(&found.iso4287.heights),
-        Some(&found.iso21920.heights),
-        Some(&found.primary),
-        found.waviness.as_ref(),
+        Some(&evaluated.iso4287.heights),
+        Some(&evaluated.iso21920.heights),
+        Some(&evaluated.primary),
+        evaluated.waviness.as_ref(),
     ];
     for (name, digits, value) in HEIGHTS {
         let shown =
@@ -174,7 +174,7 @@ fn heights(page: &mut Page, found: &Evaluated, details: &Details) {
     }
 }
 
-const MATERIAL: [Row<RkParameters>; 5] = [
+const MATERIAL: [Parameter<RkParameters>; 5] = [
     ("Rk", 4, |m| Some(um(m.rk))),
     ("Rpk", 4, |m| Some(um(m.rpk))),
     ("Rvk", 4, |m| Some(um(m.rvk))),
@@ -182,9 +182,9 @@ const MATERIAL: [Row<RkParameters>; 5] = [
     ("Mr2", 2, |m| Some(m.mr2)),
 ];
 
-fn material(page: &mut Page, found: &Evaluated, details: &Details) {
+fn material(page: &mut Page, evaluated: &Evaluated, details: &Details) {
     page.row("um, %", &["least sq.", "secant"].map(str::to_owned), "");
-    let columns = [Some(&found.iso4287.material), details.secant.as_ref()];
+    let columns = [Some(&evaluated.iso4287.material), details.secant.as_ref()];
     for (name, digits, value) in MATERIAL {
         let shown = |m: Option<&RkParameters>| number(m.and_then(value), digits);
         page.row(name, &columns.map(shown), &open(name, digits, details));
@@ -194,19 +194,19 @@ fn material(page: &mut Page, found: &Evaluated, details: &Details) {
     }
 }
 
-/// The range of a parameter over what is open.
+/// Range of a parameter over the permitted choices.
 fn open(name: &str, digits: usize, details: &Details) -> String {
-    let found = details.ambiguity.iter().find(|a| a.parameter == name);
-    found.map_or(String::new(), |range| {
+    let ambiguity = details.ambiguity.iter().find(|a| a.parameter == name);
+    ambiguity.map_or(String::new(), |range| {
         let factor = if range.unit == "m" { 1e6 } else { 1.0 };
         let shown = |value: f64| number(Some(factor * value), digits);
         format!("{} .. {}", shown(range.low), shown(range.high))
     })
 }
 
-/// Over which choices the ranges are.
-fn choices(page: &mut Page, found: &Evaluated) {
-    let recipe = &found.plan.recipe;
+/// Choices over which the ranges extend.
+fn choices(page: &mut Page, evaluated: &Evaluated) {
+    let recipe = &evaluated.plan.recipe;
     let ends = recipe.lambda_c.or(recipe.lambda_s).is_some();
     let choices = [
         ends.then_some("ends"),
@@ -219,11 +219,13 @@ fn choices(page: &mut Page, found: &Evaluated) {
     ];
     let choices: Vec<&str> = choices.into_iter().flatten().collect();
     let choices = choices.join(", ");
-    page.line(&format!("open: over {choices}, one at a time"));
+    page.line(&format!(
+        "open = range over permitted choices: {choices}, one at a time"
+    ));
 }
 
-fn spectral(page: &mut Page, found: &Evaluated, details: &Details) {
-    let s = &found.iso4287.spectral;
+fn spectral(page: &mut Page, evaluated: &Evaluated, details: &Details) {
+    let s = &evaluated.iso4287.spectral;
     page.line(&format!(
         "m0 {:.5} um2, m2 {:.5}, m4 {:.5} 1/um2, bandwidth {}",
         s.m0 * 1e12,
@@ -249,14 +251,14 @@ fn spectral(page: &mut Page, found: &Evaluated, details: &Details) {
 }
 
 fn summits(page: &mut Page, details: &Details) {
-    let shown = details.summits.map_or("none".to_owned(), |found| {
+    let shown = details.summits.map_or("none".to_owned(), |summits| {
         format!(
             "{:.1} per mm (Gaussian {:.1}), {:.4} ±{:.4} um high, radius {}",
-            1e-3 * found.density,
-            1e-3 * found.spectral_density,
-            um(found.mean_height),
-            um(found.height_deviation),
-            found.mean_radius.map_or("none".to_owned(), micrometres),
+            1e-3 * summits.density,
+            1e-3 * summits.spectral_density,
+            um(summits.mean_height),
+            um(summits.height_deviation),
+            summits.mean_radius.map_or("none".to_owned(), micrometres),
         )
     });
     page.line(&format!("summits {shown}"));
@@ -285,24 +287,24 @@ fn hurst(page: &mut Page, details: &Details) {
     page.line(&format!("Hurst exponent {shown}"));
 }
 
-/// Values printed by the instrument, beside ours where it is the same parameter.
-fn printed(page: &mut Page, found: &Evaluated) {
-    for printed in &found.reading.metadata.printed {
-        let ours = value_of(&printed.name, found);
-        let ours = ours.map_or("not computed".to_owned(), |v| {
+/// Values printed by the instrument, with the computed value of the same parameter.
+fn printed(page: &mut Page, evaluated: &Evaluated) {
+    for printed in &evaluated.reading.metadata.printed {
+        let computed = value_of(&printed.name, evaluated);
+        let computed = computed.map_or("not computed".to_owned(), |v| {
             format!("{v:.0$}", printed.decimals.max(3))
         });
         page.line(&format!(
-            "printed {:6} {:>12.*} {:3} ours {ours}",
+            "printed {:6} {:>12.*} {:3} computed {computed}",
             printed.name, printed.decimals, printed.value, printed.unit
         ));
     }
 }
 
-/// Our value of a parameter by its printed name, in um, percent or as a number.
-fn value_of(name: &str, found: &Evaluated) -> Option<f64> {
-    let (r, m) = (&found.iso4287.heights, &found.iso4287.material);
-    let (p, w) = (&found.primary, found.waviness.as_ref());
+/// Computed value of a parameter by its printed name, in µm, percent or as a number.
+fn value_of(name: &str, evaluated: &Evaluated) -> Option<f64> {
+    let (r, m) = (&evaluated.iso4287.heights, &evaluated.iso4287.material);
+    let (p, w) = (&evaluated.primary, evaluated.waviness.as_ref());
     Some(match name {
         "Ra" => um(r.ra),
         "Rq" => um(r.rq),
@@ -331,7 +333,7 @@ fn value_of(name: &str, found: &Evaluated) -> Option<f64> {
     })
 }
 
-/// A length with seven digits: what is left out is rounding.
+/// A length with seven digits, without round-off.
 fn rounded(length: Length) -> Length {
     let text = format!("{:.6e}", length.si());
     Length::from_si(text.parse().unwrap_or(length.si()))
@@ -341,11 +343,11 @@ fn rounded(length: Length) -> Length {
 fn micrometres(length: Length) -> String {
     const DIGITS: i32 = 4;
     let value = um(length);
-    let places = DIGITS - 1 - value.abs().max(1e-9).log10().floor() as i32;
-    format!("{value:.*} um", places.max(0) as usize)
+    let decimals = DIGITS - 1 - value.abs().max(1e-9).log10().floor() as i32;
+    format!("{value:.*} um", decimals.max(0) as usize)
 }
 
-/// A number that fits its column.
+/// A number formatted for its column.
 fn number(value: Option<f64>, digits: usize) -> String {
     const WIDEST: f64 = 1e6;
     match value {

@@ -17,14 +17,14 @@ use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
 use crate::failure::Failure;
-use crate::output::{beside, print_json, print_text};
+use crate::output::{besides_file, print_json, print_text};
 
-/// Bytes of the largest recipe of a surface.
+/// Largest size of a recipe in bytes.
 const LARGEST_RECIPE: u64 = 10_000_000;
 
 /// `asperity profile convert`
 pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure> {
-    let common = &beside(&args.output, common)?;
+    let common = &besides_file(&args.output, common)?;
     let trace = opened_trace(&args.file, &args.reading, args.base_radius)?;
     let as_it_stands = args.outliers.is_none() && args.reading.uneven.is_none();
     if let Positions::Own { unevenness, .. } = &trace.positions
@@ -69,7 +69,7 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
     print_text(common, &text)
 }
 
-/// Writes an uneven trace with the x of every point, or in the even steps asked for.
+/// Writes an uneven trace with the x of every point, or resampled to even steps.
 fn convert_uneven(
     args: &ProfileConvertArgs,
     mut trace: Trace,
@@ -106,7 +106,7 @@ fn convert_uneven(
     print_text(common, &(head + &notes(&trace.warnings)))
 }
 
-/// A line for each warning of the reader.
+/// One line per warning of the reader.
 fn notes(warnings: &[Warning]) -> String {
     let line = |warning: &Warning| {
         let note = format!("  {} {}", warning.code(), Note::Read(warning));
@@ -117,7 +117,7 @@ fn notes(warnings: &[Warning]) -> String {
 
 /// `asperity profile filter`
 pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> {
-    let common = &beside(&args.output, common)?;
+    let common = &besides_file(&args.output, common)?;
     let reading = opened(&args.file, &args.reading, args.preparing.base_radius)?;
     let (reading, outliers) = without_outliers(reading, args.preparing.outliers)?;
     let plan = Plan::for_reading(&args.preparing, &reading)?;
@@ -163,7 +163,7 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
 
 /// `asperity profile generate`
 pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
-    let common = &beside(&args.output, common)?;
+    let common = &besides_file(&args.output, common)?;
     let recipe = match &args.recipe {
         None => Recipe::of(Surface::SelfAffine(SelfAffine {
             points: args.points,
@@ -180,7 +180,7 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
                 Failure::new("E103", format!("{name}: cannot be read: {error}"))
             })?;
             serde_json::from_slice(&text)
-                .map_err(|error| Failure::new("E204", format!("{name}: no recipe: {error}")))?
+                .map_err(|error| Failure::new("E204", format!("{name}: not a recipe: {error}")))?
         }
     };
     let made = recipe

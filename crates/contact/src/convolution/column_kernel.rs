@@ -1,4 +1,4 @@
-//! Filters from the values of their kernel, and in single precision.
+//! Construction of filters from the values of their kernel, and in single precision.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,8 +8,8 @@ use rustfft::num_complex::Complex;
 use super::even_filter::{Alternating, Buffers, EvenFilter, fast_length, turns};
 
 impl EvenFilter<f64> {
-    /// The filter with the kernel `column[k]` at distance k in either direction, of a period that
-    /// leaves room for all distances.
+    /// Makes the filter with the kernel `column[k]` at distance k in either direction, without
+    /// periodicity: the signal is embedded in a period of at least twice its length.
     pub(crate) fn from_column(
         planner: &mut FftPlanner<f64>,
         column: &[f64],
@@ -27,7 +27,7 @@ impl EvenFilter<f64> {
         filter
     }
 
-    /// The filter with the periodic and even kernel `column`.
+    /// Makes the filter with the periodic and even kernel `column`.
     pub(crate) fn from_period(
         planner: &mut FftPlanner<f64>,
         column: &[f64],
@@ -38,7 +38,9 @@ impl EvenFilter<f64> {
         filter
     }
 
-    /// Takes over the even kernel of the period m, times `share`.
+    /// Sets the symbol to the transform of an even kernel of the period m, times `share`.
+    ///
+    /// The transform of pairs of values gives the symbol of the period m from one of length m/2.
     fn set_spectrum(&mut self, kernel: impl Fn(usize) -> f64, share: f64, buffers: &mut Buffers) {
         buffers.reserve(self);
         let waves = self.plan.len();
@@ -63,7 +65,7 @@ impl EvenFilter<f64> {
             .enumerate()
         {
             let (z, mirror) = (wave[k], wave[(waves - k) % waves]);
-            // E + exp(−iθ)·O of the even and odd values, whose sum is real.
+            // E + exp(−iθ)·O, the transforms of the even and odd values; the sum is real.
             let even = 0.5 * (z.re + mirror.re);
             let (re, im) = (0.5 * (z.im + mirror.im), 0.5 * (mirror.re - z.re));
             symbol[k] = even + turn.re * re + turn.im * im;
@@ -72,8 +74,8 @@ impl EvenFilter<f64> {
         self.set_symbol(|k| symbol[k], share);
     }
 
-    /// The alternating part of the kernel of the period 2m whose value at each distance minus that
-    /// at m more is `kernel`.
+    /// Alternating part of a kernel of the period 2m: `kernel` is its value at each distance minus the
+    /// value m further.
     fn alternate(&self, kernel: impl Fn(usize) -> f64, buffers: &mut Buffers) -> Alternating<f64> {
         let waves = self.plan.len();
         let twist = turns(waves, -PI / self.length as f64);
@@ -82,7 +84,7 @@ impl EvenFilter<f64> {
             *c = Complex::new(kernel(j), -kernel(j + waves)) * w;
         }
         self.plan.process_with_scratch(wave, &mut buffers.scratch);
-        // Half of the sum of both parts, and the inverse transform's factor.
+        // Half, as y is half of the sum of both parts, and the factor of the inverse transform.
         let scale = 0.5 / waves as f64;
         Alternating {
             symbol: wave.iter().map(|c| scale * c.re).collect(),
@@ -117,7 +119,7 @@ impl EvenFilter<f64> {
             self.direct[0] = 0.0;
             return self;
         }
-        // S and D of the symbol with s₀ = 0: half of what it adds to either.
+        // Setting s₀ = 0 lowers both S and D by half of it.
         let half = 0.5 * (self.direct[0] + self.crossed[0]);
         self.direct[0] -= half;
         self.crossed[0] -= half;

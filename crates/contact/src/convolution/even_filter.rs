@@ -1,16 +1,16 @@
-//! Circular convolution with an even kernel, in place, with plan and buffers kept.
+//! Circular convolution with an even kernel, in place, with cached plan and buffers.
 //!
 //! Pairs of real values are transformed as complex numbers, and the spectrum of the real signal is
-//! never formed: taking it apart, multiplying by the symbol and putting it together again is one
-//! combination of a wave and its mirror image. A signal that fills only half of the period splits
-//! further: y = ½·(f ∗ x + g ⋆ x), with f ∗ x of half the period and g ⋆ x turning its sign from
-//! one half period to the next. Both are transforms of a quarter of the period, which take less
-//! time and a third of the memory of one transform of a period of zeros and values.
+//! never formed: separating it, multiplying by the symbol and joining it again is one linear
+//! combination of a wave and its mirror image. A signal that fills only half of the period is split
+//! further: y = ½·(f ∗ x + g ⋆ x), where f ∗ x has half the period and g ⋆ x changes its sign from
+//! one half period to the next. Both take transforms of a quarter of the period, which need less time
+//! and a third of the memory of one transform of the zero-padded period.
 //!
 //! | symbol | meaning |
 //! |---|---|
 //! | x, y | signal, filtered signal |
-//! | m, h | half the period when the signal fills no more, else the period; pairs in m |
+//! | m, h | half the period if the signal fills only half, else the period; pairs in m |
 //! | Zₖ | transform of the pairs z_j = x₂ⱼ + i·x₂ⱼ₊₁ |
 //! | s, S, D | symbol, ½·(s_k ± s_h₋ₖ) |
 //! | θ, ω | 2πk/m, exp(−iπ/m) |
@@ -30,26 +30,27 @@ pub(crate) struct EvenFilter<T: FftNum = f64> {
     pub(super) points: usize,
     /// m
     pub(super) length: usize,
-    /// Inverse transforms are forward ones of the conjugate: one plan for both.
+    /// Plan of both transforms: the inverse is the forward transform of the conjugate.
     pub(super) plan: Arc<dyn Fft<T>>,
     /// S − D·sin θ of each wave.
     pub(super) direct: Vec<T>,
-    /// D·cos θ of the first half of the waves, whose mirror images have the same; empty when m is
-    /// odd and values are not paired.
+    /// D·cos θ of the first half of the waves; the mirror images have the same value. Empty if m is odd
+    /// and the values are not paired.
     pub(super) crossed: Vec<T>,
     /// For a signal that fills half of its period.
     pub(super) alternating: Option<Alternating<T>>,
 }
 
-/// The part of a kernel that turns its sign: c_j = (x_j − i·x_{j+h})·ω^j has as its transform the
-/// waves 4k + 1 of the period 2m, and the other odd waves are their mirror images.
+/// Alternating part of a kernel, which changes its sign after half the period: the transform of
+/// c_j = (x_j − i·x_{j+h})·ω^j holds the waves 4k + 1 of the period 2m, and the other odd waves are
+/// their mirror images.
 pub(super) struct Alternating<T: FftNum> {
     /// ω^j
     pub(super) twist: Vec<Complex<T>>,
     pub(super) symbol: Vec<T>,
 }
 
-/// Memory for the transforms of all filters that are used one after the other.
+/// Memory of the transforms, shared by filters that are applied one after the other.
 #[derive(Default)]
 pub(crate) struct Buffers<T: FftNum = f64> {
     pub(super) signal: Vec<T>,
@@ -59,7 +60,7 @@ pub(crate) struct Buffers<T: FftNum = f64> {
 }
 
 impl<T: FftNum> Buffers<T> {
-    /// Makes room for a filter, which then needs no memory of its own.
+    /// Enlarges the buffers to the size that a filter needs.
     pub(crate) fn reserve(&mut self, filter: &EvenFilter<T>) {
         let waves = filter.plan.len();
         grow(&mut self.signal, filter.points);
@@ -70,7 +71,7 @@ impl<T: FftNum> Buffers<T> {
         grow(&mut self.scratch, filter.plan.get_inplace_scratch_len());
     }
 
-    /// The first `points` values: what is filtered, and the result.
+    /// The first `points` values: input and result of a filter.
     pub(crate) fn signal(&mut self, points: usize) -> &mut [T] {
         &mut self.signal[..points]
     }
@@ -82,10 +83,11 @@ fn grow<T: Clone + Zero>(buffer: &mut Vec<T>, length: usize) {
     }
 }
 
-/// The smallest even length from `at_least` on at which transforms of pairs are fast.
+/// Smallest even length of at least `at_least` with a fast transform of pairs.
 ///
-/// Odd factors beyond the root of the length cost more than the values they spare: 5000 = 8·5⁴
-/// pairs take a quarter longer than 5120.
+/// Lengths have the factors 2, 3 and 5, and the product of the odd factors is at most the root of the
+/// length: larger odd factors cost more than the values they save. 5000 = 8·5⁴ pairs take a quarter
+/// longer than 5120.
 pub(crate) fn fast_length(at_least: usize) -> usize {
     let pairs = at_least.div_ceil(2).max(1);
     let mut best = pairs.next_power_of_two();
@@ -109,7 +111,7 @@ fn number<T: FftNum>(value: f64) -> T {
 }
 
 impl<T: FftNum> EvenFilter<T> {
-    /// The filter of signals of `points` values that multiplies wave k of the period `length` by
+    /// Makes the filter of signals of `points` values that multiplies wave k of the period `length` by
     /// `symbol(k)`.
     pub(crate) fn from_symbol(
         planner: &mut FftPlanner<T>,
@@ -134,7 +136,7 @@ impl<T: FftNum> EvenFilter<T> {
         }
     }
 
-    /// Takes over the symbol of the period m, times `share`.
+    /// Sets the symbol of the period m, times `share`.
     pub(super) fn set_symbol(&mut self, symbol: impl Fn(usize) -> f64, share: f64) {
         let waves = self.plan.len();
         let scale = share / waves as f64;
@@ -159,15 +161,15 @@ impl<T: FftNum> EvenFilter<T> {
         self.points
     }
 
-    /// Puts `factor` times the filtered `signal` into the buffers' signal.
+    /// Filters `signal` times `factor` into the signal of the buffers.
     pub(crate) fn filter(&self, buffers: &mut Buffers<T>, factor: T, signal: &[T]) {
         let whole = Run::new(0, self.points);
         buffers.signal[..self.points].copy_from_slice(signal);
         self.filter_runs(buffers, factor, &[whole]);
     }
 
-    /// The same for a signal that is zero but in `runs`: the first values of the buffers' signal
-    /// are those of the runs, one after the other.
+    /// Filters a signal that is zero outside of `runs`: the signal of the buffers begins with the values
+    /// of the runs, one run after the other, and holds the whole result afterwards.
     pub(crate) fn filter_runs(&self, buffers: &mut Buffers<T>, factor: T, runs: &[Run]) {
         self.convolve(buffers, factor, runs.iter().copied());
     }
@@ -239,7 +241,7 @@ impl<T: FftNum> EvenFilter<T> {
         );
     }
 
-    /// Puts the values of a run at their places.
+    /// Writes the values of a run to their pairs.
     #[inline(always)]
     fn load(&self, wave: &mut [Complex<T>], factor: T, run: Run, values: &[T]) {
         let (mut place, mut values) = (run.range().start, values);
@@ -311,7 +313,8 @@ impl<T: FftNum> EvenFilter<T> {
     }
 }
 
-/// exp(i·k·`angle`) for the first k: products of few sines and cosines, to a unit in the last place.
+/// exp(i·k·`angle`) for k below `count`, as products of √`count` fine and coarse turns: accurate to a
+/// unit in the last place, with few sines and cosines.
 pub(super) fn turns(count: usize, angle: f64) -> Vec<Complex<f64>> {
     let block = (count as f64).sqrt().ceil().max(1.0) as usize;
     let fine: Vec<_> = (0..block).map(|k| Complex::cis(angle * k as f64)).collect();
@@ -320,7 +323,7 @@ pub(super) fn turns(count: usize, angle: f64) -> Vec<Complex<f64>> {
     blocks.take(count).collect()
 }
 
-/// Zeroes the places that no run fills whole, where each holds `width` points.
+/// Zeroes the elements of `width` points each that no run fills completely.
 fn clear_gaps<T: FftNum>(places: &mut [Complex<T>], runs: impl Iterator<Item = Run>, width: usize) {
     let mut filled = 0;
     for run in runs {
@@ -332,7 +335,7 @@ fn clear_gaps<T: FftNum>(places: &mut [Complex<T>], runs: impl Iterator<Item = R
     places[filled..].fill(Complex::zero());
 }
 
-/// Calls `each` with every run and its values, which follow each other in `signal`.
+/// Calls `each` with every run and its values, which are contiguous in `signal`.
 #[inline(always)]
 fn for_values<T>(runs: impl Iterator<Item = Run>, signal: &[T], mut each: impl FnMut(Run, &[T])) {
     let mut rest = signal;

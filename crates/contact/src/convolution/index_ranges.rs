@@ -1,11 +1,11 @@
 //! Ranges of neighbouring grid points.
 //!
-//! A rough contact covers a small part of its grid in patches. Arrays that hold values of listed
-//! points only hold them run after run, so that every pass over them goes over neighbours.
+//! A rough contact covers a small part of its grid in patches. Arrays of listed points hold the values
+//! run after run, so that loops over them access contiguous memory.
 
 use std::ops::Range;
 
-/// Range of neighbouring grid points, from the first to before the end.
+/// Range of neighbouring grid points, from `first` to before `end`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Run {
     first: u32,
@@ -20,7 +20,7 @@ impl Run {
         }
     }
 
-    /// Adds a point behind all that `runs` holds.
+    /// Appends a point that lies behind all runs.
     pub(crate) fn push(runs: &mut Vec<Self>, point: usize) {
         match runs.last_mut() {
             Some(last) if last.end as usize == point => last.end += 1,
@@ -37,7 +37,7 @@ impl Run {
     }
 }
 
-/// Each run as places in arrays of all points, and in arrays of listed points only.
+/// Index ranges of each run in arrays of all points and in arrays of listed points.
 #[inline(always)]
 pub(crate) fn parts(runs: &[Run]) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + Clone {
     let mut listed = 0;
@@ -53,7 +53,7 @@ pub(crate) fn listed(runs: &[Run]) -> usize {
     runs.iter().map(|run| run.points()).sum()
 }
 
-/// Adds the points `first` + k for each bit k of `bits`, behind all that `runs` holds.
+/// Appends the points `first` + k for each bit k of `bits`, which lie behind all runs.
 pub(crate) fn extend(runs: &mut Vec<Run>, first: usize, mut bits: u64) {
     let mut place = first as u32;
     while bits != 0 {

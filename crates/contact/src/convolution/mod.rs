@@ -1,4 +1,4 @@
-//! Circular convolution of grid functions with even kernels, and passes over ranges of a grid.
+//! Circular convolution of grid functions with even kernels, and loops over ranges of a grid.
 
 mod column_kernel;
 mod even_filter;

@@ -1,10 +1,9 @@
 //! Sums over arrays in vector lanes, compiled for the widest vectors of the machine.
 
-/// Sums taken side by side, so that they fill a vector.
+/// Partial sums that are added in parallel: a vector of 512 bits.
 const LANES: usize = 8;
 
-/// `K` sums (or least values) of what a pass makes of its points, in an order that does not depend
-/// on the machine.
+/// `K` sums (or extreme values) over points, in an order that does not depend on the machine.
 pub(crate) struct Lanes<const K: usize>([[f64; K]; LANES]);
 
 impl<const K: usize> Lanes<K> {
@@ -12,7 +11,7 @@ impl<const K: usize> Lanes<K> {
         Self([initial; LANES])
     }
 
-    /// Takes in the values of `N` arrays of the same length, point by point.
+    /// Adds the points of `N` arrays of the same length by `step`.
     #[inline(always)]
     pub(crate) fn fold<const N: usize>(
         &mut self,
@@ -38,20 +37,20 @@ impl<const K: usize> Lanes<K> {
         }
     }
 
-    /// All lanes in one.
+    /// Joins the lanes.
     pub(crate) fn reduce(self, join: impl Fn([f64; K], [f64; K]) -> [f64; K]) -> [f64; K] {
         let [first, others @ ..] = self.0;
         others.into_iter().fold(first, join)
     }
 
-    /// All lanes in one, added up.
+    /// Adds the lanes.
     pub(crate) fn total(self) -> [f64; K] {
         self.reduce(|a, b| std::array::from_fn(|k| a[k] + b[k]))
     }
 }
 
-/// Runs a pass compiled for the widest vectors that this machine has. Every machine gives the same
-/// result: the order of the operations does not change.
+/// Runs a loop compiled for the widest vectors of the machine. The result is the same on every machine:
+/// the order of the operations does not change.
 #[inline(always)]
 pub(crate) fn vectorised<R>(pass: impl FnOnce() -> R) -> R {
     pulp::Arch::new().dispatch(pass)

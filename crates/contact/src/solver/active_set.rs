@@ -1,13 +1,16 @@
-//! Primal-dual active set: Newton's method on the set of touching points, with a few conjugate
-//! gradients per set.
+//! Primal-dual active set (Hintermüller, Ito and Kunisch 2002), with a few conjugate gradients per
+//! set.
 //!
-//! On a given free set F the pressure is the solution of a linear problem, whatever its sign. A
-//! point whose pressure leaves the bounds leaves F, and one outside that overlaps joins it. Each
-//! linear problem is solved to a fifth of its first residual before the set is looked at
-//! again. From a coarser solution a handful of sets is enough; and since no step is spoilt by
-//! clipping, the coarse space of the contact patches does its full work: iterations depend neither
-//! on the grid nor on the number of patches. Far from the solution the sets may cycle; projected
-//! conjugate gradients then take over.
+//! On a given free set F the contact is a linear problem: the gap is zero on F and the pressure may
+//! have any sign. A point whose pressure leaves the bounds then leaves F, and a point at a bound
+//! whose gap has the wrong sign joins F. This is Newton's method for the contact conditions, and it
+//! converges as fast: four to six sets are enough from a coarser solution. Far from the solution the
+//! sets may cycle; projected gradients then continue.
+//!
+//! The linear problems are solved inexactly, to a fifth of their first residual, because the next set
+//! makes them obsolete. No step is clipped to the bounds, so conjugate directions stay conjugate and
+//! the coarse space of the contact patches removes its part of the residual in full: the number of
+//! iterations depends neither on the grid nor on the number of patches.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -21,36 +24,39 @@ use crate::convolution::{Lanes, Run, listed, parts, vectorised};
 use asperity_core::cancel::{Cancelled, checkpoint};
 use asperity_core::cite;
 
-/// Updates of the set after which projected gradients take over.
+/// Set updates after which projected gradients continue. Sets that converge do so after four to six
+/// updates, so thirty mean that they cycle.
 const MAX_SET_UPDATES: usize = 30;
-/// Sets one after the other that may be worse than the last: the first often is, for the pressure
-/// that it clips.
+/// Consecutive sets with a larger duality gap than the one before. The first set often is such a set,
+/// because the negative pressures of its solution are clipped; sets that cycle soon exceed two.
 const MAX_WORSE_SETS: usize = 2;
-/// Iterations on one set.
+/// Iterations on one set: several times the ten to fifteen that the preconditioner leaves for a whole
+/// solution.
 const MAX_ITERATIONS_PER_SET: usize = 60;
-/// Residual over the first one of a set at which the set is looked at again.
+/// Residual, relative to the first one of a set, at which the set is updated. A smaller value spends
+/// iterations on a set that changes anyway, a larger one updates the set from a poor solution.
 const SET_TOLERANCE: f64 = 0.2;
-/// Residual and overlap that the tolerance forgives, in units of the tolerated penetration: the
-/// duality gap may be the sum of both, so a little less than half.
+/// Residual and overlap that count as zero, in units of the tolerated penetration. The duality gap
+/// may reach the sum of both, so each gets a little less than half.
 const FORGIVEN_SHARE: f64 = 0.45;
 
 /// Improves `work.pressure`, whose opening is known, until its certificate is within the tolerance
-/// or the sets do not settle; returns the iterations. The opening is that of the result.
+/// or the sets do not settle. Leaves the opening of the result and returns the number of iterations.
 pub(crate) fn minimise(
     level: Level,
     work: &mut Workspace,
     task: &Task,
 ) -> Result<usize, Cancelled> {
     let iterations = update_sets(level, work, task);
-    // The next problem of this solver finds the workspace clear, even after a cancelled one.
-    work.coarse.dismiss();
+    // Cleared even after a cancelled solution: the next problem uses the same workspace.
+    work.coarse.deactivate();
     for array in [&mut work.direction, &mut work.previous] {
         array.fill(0.0);
     }
     iterations
 }
 
-/// Solves on one set after the other, until the certificate is within the tolerance or no set follows.
+/// The outer loop: one free set per pass, from the assessment of the pressure to the next set.
 fn update_sets(level: Level, work: &mut Workspace, task: &Task) -> Result<usize, Cancelled> {
     let forgiven = FORGIVEN_SHARE * task.tolerance * task.reference_gap;
     let (mut iterations, mut worse, mut last) = (0, 0, f64::INFINITY);
@@ -69,11 +75,14 @@ fn update_sets(level: Level, work: &mut Workspace, task: &Task) -> Result<usize,
         {
             break;
         }
+        // The assessment lists every point with pressure or overlap. The first set is the free ones among
+        // them, the later sets are those that `update_set` has left in `held`.
         if set == 0 {
             work.keep_free();
         } else {
             std::mem::swap(&mut work.runs, &mut work.held);
         }
+        // A single patch, or patches of few cells: without a coarse space the sets bring no advantage.
         if !work
             .coarse
             .prepare(work.pressure.len(), level.boundary, &work.runs)
@@ -90,14 +99,19 @@ fn update_sets(level: Level, work: &mut Workspace, task: &Task) -> Result<usize,
             most.min(MAX_ITERATIONS_PER_SET),
         )?;
         work.update_set(task, forgiven);
+        // `settle` lists all points, so the next set waits in `held`. It restores the load that clipping
+        // changed and computes the opening in double precision.
         std::mem::swap(&mut work.runs, &mut work.held);
         settle(level, work, task);
     }
     Ok(iterations)
 }
 
-/// Conjugate gradients on the runs, all of whose points are free, until the set has to change or
-/// the residual is forgiven. Returns the iterations.
+/// The inner loop: conjugate gradients on the runs, all of whose points are free, until the residual is
+/// small enough to update the set. Returns the number of iterations.
+///
+/// A set that would not change is the right one; only then is it solved on to the residual that the
+/// tolerance permits.
 fn solve_on_set(
     level: Level,
     work: &mut Workspace,
@@ -106,6 +120,7 @@ fn solve_on_set(
     most: usize,
 ) -> Result<usize, Cancelled> {
     let mut residual = work.measure_set();
+    // A first step with the patches only: a new set mostly lacks the right load of each patch.
     remove_patch_means(work, task, residual.mean);
     step(level, work, task);
     residual = work.measure_set();
@@ -129,7 +144,10 @@ fn solve_on_set(
     Ok(most)
 }
 
-/// Goes along the direction to the least energy, whatever the bounds; false when there is none.
+/// Moves to the minimum of the energy along the direction, without regard to the bounds; false when
+/// the direction has no minimum.
+///
+/// The direction is scaled to one for the transform in single precision.
 fn step(level: Level, work: &mut Workspace, task: &Task) -> bool {
     let (runs, direction, residual) = (&work.runs, &work.direction, &work.residual);
     let mut lanes = Lanes::new([0.0]);
@@ -170,7 +188,7 @@ fn step(level: Level, work: &mut Workspace, task: &Task) -> bool {
     true
 }
 
-/// Mean and size of the residual on a set.
+/// Mean and largest deviation of the opening on a set.
 struct SetResidual {
     /// α
     mean: f64,
@@ -179,7 +197,7 @@ struct SetResidual {
 }
 
 impl Workspace {
-    /// Keeps of the runs the points of F only.
+    /// Reduces the runs to the points of F.
     fn keep_free(&mut self) {
         self.next.clear();
         for (run, place) in parts(&self.runs) {
@@ -191,7 +209,7 @@ impl Workspace {
         std::mem::swap(&mut self.runs, &mut self.next);
     }
 
-    /// Takes v on the runs, all of whose points are free, as the residual, which has a mean.
+    /// Sets the residual to v on the runs, all of whose points are free, without subtracting its mean.
     fn measure_set(&mut self) -> SetResidual {
         let points = listed(&self.runs);
         self.free.clear();
@@ -219,7 +237,7 @@ impl Workspace {
         SetResidual { mean, largest }
     }
 
-    /// Whether a point has to leave the set or to join it.
+    /// Whether a point has to leave or to join the set.
     fn has_to_change(&self, task: &Task, approach: f64, forgiven: f64) -> bool {
         let (limit, mut any) = (task.limit, false);
         let points = self.pressure.iter().zip(&self.opening);
@@ -236,7 +254,7 @@ impl Workspace {
 
     /// F' = {0 < p < p_max} ∪ {p = 0, g < 0} ∪ {p = p_max, g > 0}, p and g solving on F    `[Active-1]`
     ///
-    /// Takes F' as the runs, and clips the pressure to its bounds.
+    /// Sets the runs to F' and clips the pressure to its bounds.
     fn update_set(&mut self, task: &Task, forgiven: f64) {
         cite!("Active-1");
         let (approach, limit) = (self.measure_set().mean, task.limit);
@@ -253,7 +271,8 @@ impl Workspace {
     }
 }
 
-/// Whether a point at a bound is on its wrong side.
+/// Whether a point at a bound has a gap of the wrong sign: overlap without pressure, or a gap that opens
+/// at the pressure limit.
 #[inline(always)]
 fn joins(pressure: f64, gap: f64, limit: f64, forgiven: f64) -> bool {
     ((pressure == 0.0) & (gap < -forgiven)) | ((pressure == limit) & (gap > forgiven))

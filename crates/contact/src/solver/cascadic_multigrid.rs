@@ -1,41 +1,47 @@
-//! Cascadic multigrid: coarser grids for the start, and the window of a grid that touches.
+//! Cascadic multigrid (Bornemann and Deuflhard 1996): grids of half as many cells each, transfer
+//! between them, and the window of a grid that is in contact.
 //!
-//! The solution on a grid of half as many cells shows nearly which points will touch on the finer
-//! one. With free ends only these and a margin need be solved; the rest is verified afterwards.
+//! The solution on a grid of half as many cells is in contact at nearly the same places as on the finer
+//! one. With free ends only these and a margin are solved; the rest of the grid is certified afterwards.
 
-/// Fewest cells of a coarser grid.
+/// Fewest cells of a coarser grid. A grid of this size is cheap to solve from a uniform pressure, so
+/// another coarser one would save nothing.
 const MIN_CELLS: usize = 128;
-/// Margin on either side of a window, over the width of the contact, and in cells.
+/// Margin on either side of a window, relative to the width of the contact: room for points that
+/// come into contact only on the finer grid.
 const MARGIN: f64 = 0.1;
+/// Least margin in cells, for a contact of few cells.
 const MIN_MARGIN_CELLS: usize = 16;
-/// A window of more than this share of the grid saves nothing.
+/// Largest window relative to the grid. A larger one costs more for its certificate on the whole grid
+/// than it saves.
 const MAX_WINDOW_SHARE: f64 = 0.75;
 
-/// The grids from `points` cells down to about 128, each of half the cells, rounded up.
+/// Cells of the grids from `points` down to about 128, each half of the one before, rounded up.
 pub(crate) fn grids(points: usize) -> Vec<usize> {
     let coarser = |&n: &usize| Some(n.div_ceil(2)).filter(|&half| half >= MIN_CELLS);
     std::iter::successors(Some(points), coarser).collect()
 }
 
-/// Means of pairs; a last single value stays.
+/// Restricts a gap to half as many cells: means of pairs; an odd last value stays.
 pub(crate) fn restrict(fine: &[f64]) -> Vec<f64> {
     fine.chunks(2)
         .map(|pair| pair.iter().sum::<f64>() / pair.len() as f64)
         .collect()
 }
 
-/// A contact of no more patches than this is taken as smooth.
+/// Most patches of a smooth contact. Such a contact converges in few iterations, so that a more accurate
+/// start pays.
 const MAX_SMOOTH_PATCHES: usize = 4;
 
-/// Whether the points that `touch` lie in few patches, which converge quickly, so that it pays to
-/// start the finer grid with the slopes of the pressure.
+/// Whether the points `touches` form few patches: the finer grid then starts with linear pressure within
+/// each coarse cell ([`prolong_slopes`]).
 pub(crate) fn is_smooth(touches: &[usize]) -> bool {
     let ends = touches.windows(2).filter(|pair| pair[1] > pair[0] + 1);
     ends.count() < MAX_SMOOTH_PATCHES
 }
 
-/// Each value at its two halves, which differ by the slope over its neighbours; alike at the edges
-/// of contact. `points` in all.
+/// Interpolates a pressure to `points` half cells with the slope between the neighbours of each cell.
+/// A cell at an edge of a patch has no slope: its neighbour outside says nothing about the pressure inside.
 pub(crate) fn prolong_slopes(coarse: &[f64], points: usize) -> Vec<f64> {
     let at = |i: usize| coarse.get(i).copied().unwrap_or(0.0);
     let halves = |(i, &p): (usize, &f64)| {
@@ -53,22 +59,22 @@ pub(crate) fn prolong_slopes(coarse: &[f64], points: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Each value twice, `points` in all.
+/// Interpolates a pressure to `points` half cells, constant over each coarse cell.
 pub(crate) fn prolong(coarse: &[f64], points: usize) -> Vec<f64> {
     coarse.iter().flat_map(|&p| [p, p]).take(points).collect()
 }
 
-/// Lengths of windows over powers of two: five to an octave, with fast transforms and few enough
-/// for a solver to keep all their plans.
+/// Lengths of windows, times a power of two: five per octave. All have fast transforms, and they are few
+/// enough to cache the plans of all.
 const LENGTHS: [usize; 5] = [8, 9, 10, 12, 15];
 
-/// The smallest length of a window that is not below `least`.
+/// Smallest length of a window of at least `least` cells.
 fn window_length(least: usize) -> usize {
     let lengths = LENGTHS.map(|length| length * least.div_ceil(length).next_power_of_two());
     lengths.into_iter().fold(usize::MAX, usize::min)
 }
 
-/// A range of cells to solve on.
+/// Range of cells that is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Window {
     pub(crate) first: usize,
@@ -76,13 +82,13 @@ pub(crate) struct Window {
 }
 
 impl Window {
-    /// The window of all `points` cells.
+    /// Window of all `points` cells.
     pub(crate) fn whole(points: usize) -> Self {
         Self { first: 0, points }
     }
 
-    /// The range from the first to the last cell that `touches`, with a margin and grown to one of
-    /// few lengths; the whole grid when that is most of it or nothing touches.
+    /// Window from the first to the last cell of `touches`, with a margin and enlarged to a length of
+    /// [`LENGTHS`]; the whole grid if that is most of it or nothing is in contact.
     pub(crate) fn around(points: usize, touches: &[usize]) -> Self {
         let (Some(&first), Some(&last)) = (touches.first(), touches.last()) else {
             return Self::whole(points);

@@ -1,9 +1,14 @@
-//! The nodes through which contact patches that are not neighbours act on each other.
+//! Grid of nodes through which distant contact patches act on each other, and the preconditioner of
+//! the patches.
+//!
+//! Interpolating the forces of the patches to evenly spaced nodes turns their interaction into a
+//! convolution, as in particle-mesh methods (Hockney and Eastwood 1988): n patches cost O(n log n)
+//! and not O(n²). Near pairs, which the nodes do not resolve, are corrected in `coarse_space`.
 //!
 //! | symbol | meaning |
 //! |---|---|
 //! | h | cells between nodes |
-//! | t | place between two nodes, 0 ≤ t < 1 |
+//! | t | position between two nodes, 0 ≤ t < 1 |
 
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
@@ -12,24 +17,31 @@ use super::contact_patches::{Patch, PatchKernel};
 use crate::boundary::Boundary;
 use crate::convolution::{Buffers, EvenFilter};
 
-/// Nodes that stencils may need beyond those of free ends.
-const BEYOND: usize = 4;
-/// Patches whose distances are examined to find what neighbours have in common.
+/// Extra nodes of free ends: a cubic stencil reaches one node before and two nodes after its interval,
+/// and the last interval needs its own end.
+const STENCIL_NODES: usize = 4;
+/// Pairs of patches sampled for each mean interaction of the preconditioner; more do not change a mean
+/// that is only used to precondition.
 const SAMPLE: usize = 512;
-/// Neighbours whose mean distance is taken from the sample.
+/// Neighbours whose mean interaction is sampled. Farther patches interact as points at the mean distance.
 const NEIGHBOURS: usize = 8;
-/// Least symbol of the preconditioner, over the difference of the kernel from a patch to the next.
+/// Least symbol of the preconditioner, relative to the difference of the kernel between a patch and its
+/// neighbour. The symbol of patches that are not evenly spaced may fall to zero or below, where its
+/// inverse would not be positive definite.
 const FLOOR: f64 = 0.25;
 
-/// The nodes of a grid, their interaction, and the preconditioner over the numbers of patches.
+/// The nodes of a grid, their interaction, and the preconditioner of the patches.
 pub(crate) struct Nodes {
     pub(crate) points: usize,
     pub(crate) boundary: Boundary,
     pub(crate) count: usize,
     /// h
     pub(crate) step: f64,
+    /// Displacement of the nodes by their forces.
     pub(crate) filter: EvenFilter,
+    /// Kernel of `filter`.
     column: Vec<f64>,
+    /// The preconditioner: a filter over the indices of the patches.
     pub(crate) inverse: EvenFilter,
 }
 
@@ -42,14 +54,16 @@ impl Nodes {
         planner: &mut FftPlanner<f64>,
         buffers: &mut Buffers,
     ) -> Self {
-        let count = (2 * patches.len() + BEYOND).next_power_of_two();
-        // Free ends need the nodes of the stencils beyond them.
-        let between = if kernel.period.is_some() {
+        // Two nodes per patch or more: fewer would leave most pairs to the correction of near pairs.
+        let count = (2 * patches.len() + STENCIL_NODES).next_power_of_two();
+        let intervals = if kernel.period.is_some() {
             count
         } else {
-            count - BEYOND
+            count - STENCIL_NODES
         };
-        let step = points as f64 / between as f64;
+        let step = points as f64 / intervals as f64;
+        // At distance zero the kernel is infinite for a force in one node. Any finite value serves there,
+        // as the correction of near pairs removes it.
         let distance = |lag: usize| step * if lag == 0 { 0.5 } else { lag as f64 };
         let column: Vec<f64> = (0..count)
             .map(|lag| match kernel.period {
@@ -75,14 +89,14 @@ impl Nodes {
         }
     }
 
-    /// Place of a cell among the nodes. There is one node before the first place, so that the four
-    /// nodes of its interpolation begin with the one of the number that is next below.
-    pub(crate) fn place(&self, cell: usize) -> f64 {
+    /// Position of a cell in units of the node spacing. One node lies before position zero, so the four
+    /// nodes of a stencil begin at the index [`below`](Self::below).
+    pub(crate) fn position(&self, cell: usize) -> f64 {
         (cell as f64 + 0.5) / self.step
     }
 
     pub(crate) fn below(&self, cell: usize) -> usize {
-        self.place(cell).floor() as usize
+        self.position(cell).floor() as usize
     }
 
     pub(crate) fn wrap(&self, node: usize) -> usize {
@@ -93,7 +107,8 @@ impl Nodes {
         }
     }
 
-    pub(crate) fn lag(&self, lag: usize) -> f64 {
+    /// Kernel between nodes `lag` apart; a lag beyond the last node wraps around the period.
+    pub(crate) fn kernel(&self, lag: usize) -> f64 {
         match self.column.get(lag) {
             Some(&value) => value,
             None => self.column[lag.abs_diff(self.count).min(self.count - 1)],
@@ -101,7 +116,10 @@ impl Nodes {
     }
 }
 
-/// Inverse of the interaction of patches at the mean distance, by its symbol over their numbers.
+/// Inverse of the interaction of evenly spaced patches, a filter over their indices.
+///
+/// The row holds the mean interaction of the sampled neighbours, then the kernel at multiples of the
+/// mean distance; its symbol is inverted wave by wave.
 fn inverse(
     points: usize,
     kernel: PatchKernel,
@@ -122,12 +140,12 @@ fn inverse(
         Some(period) => period,
         None => patches[count - 1].end - patches[0].first,
     };
-    let apart = extent.min(points) as f64 / count as f64;
+    let spacing = extent.min(points) as f64 / count as f64;
     let free = PatchKernel { period: None };
     let mut row: Vec<Complex<f64>> = (0..length)
         .map(|number| match number.min(length - number) {
             near if near <= NEIGHBOURS.min(count - 1) => mean(near).into(),
-            far => free.at(apart * far as f64).into(),
+            far => free.at(spacing * far as f64).into(),
         })
         .collect();
     let floor = FLOOR * (row[0] - row[1]).re.abs();

@@ -1,16 +1,17 @@
 //! The coarse space of the preconditioner: one unknown per contact patch.
 //!
-//! The masked symbol |q| does not see the interaction between patches. The residual that it
-//! leaves is averaged over each patch, and the even pressures on the patches that remove these
-//! averages are added: iterations then hardly depend on the number of patches.
+//! The symbol |q|, masked to the free points, ignores the interaction between patches. The residual
+//! that it leaves is averaged over each patch, and the uniform pressures on the patches that remove
+//! these averages are added (deflation; Tang et al. 2009): the number of iterations then hardly
+//! depends on the number of patches.
 //!
 //! K f = y − λ, Σf = 0 is solved by conjugate gradients. K is the sum of
-//! - what passes through a grid of nodes: each patch spreads its force over them by cubic
-//!   interpolation, and their displacement is a convolution;
-//! - the difference to the exact mean displacement for near pairs.
+//! - the interaction through a grid of nodes: each patch distributes its force to the nodes by cubic
+//!   interpolation, and the displacement of the nodes is a convolution;
+//! - for near pairs, the difference between the exact mean displacement and the one by the nodes.
 //!
-//! The preconditioner of this inner solution takes the patches as evenly spaced: a convolution over
-//! their numbers. It needs some ten iterations however many patches there are.
+//! The preconditioner of this inner solution assumes evenly spaced patches, for which K is a
+//! convolution over their indices. It needs some ten iterations at any number of patches.
 //!
 //! | symbol | meaning |
 //! |---|---|
@@ -26,34 +27,40 @@ use crate::boundary::Boundary;
 use crate::convolution::Buffers;
 use crate::convolution::{Run, parts};
 
-/// A single patch acts on no other.
+/// Fewest patches: the force of a single patch is the load.
 const MIN_PATCHES: usize = 2;
-/// Cells per patch below which patches are no coarser than the grid.
+/// Cells per patch below which the patches are not coarser than the grid.
 const MIN_CELLS_PER_PATCH: usize = 4;
-/// Distance in nodes beyond which the nodes alone give the interaction of two patches.
+/// Distance in nodes above which the nodes resolve the interaction of two patches: to 7e-3, where the kernel
+/// falls by 4 per factor e of distance.
 const NEAR_NODES: f64 = 3.0;
-/// Near pairs per patch beyond which patches are too crowded for the nodes.
+/// Near pairs per patch above which the coarse space is given up: patches in clusters have up to n near
+/// pairs each, and the correction would cost O(n²).
 const MAX_NEAR_PAIRS: usize = 16;
-/// Residual of the inner solution over that it began with, of few patches and of many. At a tenth of these the outer
-/// iterations are as many or one fewer, at five times these up to half as many again.
+/// Residual of the inner solution relative to its first one, for few and for many patches. A tenth of these values
+/// saves at most one outer iteration; five times these values cost up to half as many again.
 const INNER_TOLERANCES: [f64; 2] = [1e-2, 3e-3];
-/// Most patches that are few.
+/// Number of patches up to which the first of the inner tolerances applies.
 const FEW_PATCHES: usize = 100;
-/// Most iterations of the inner solution.
+/// Most iterations of the inner solution: four times as many as it usually takes. A correction that is not
+/// converged still preconditions.
 const INNER_ITERATIONS: usize = 40;
 
-/// One unknown per patch, and what their interaction needs.
+/// One unknown per patch, and the operators of their interaction.
 #[derive(Default)]
 pub(crate) struct CoarseSpace {
+    /// Whether the patches match the free points of the iteration.
     active: bool,
     planner: Option<FftPlanner<f64>>,
     grid: Option<Nodes>,
     patches: Vec<Patch>,
-    /// First node of each patch, and where its weights begin; one more than patches.
+    /// First node and first weight of each patch, and the end of all weights.
     spans: Vec<Span>,
+    /// Interpolation weights of all patches, one patch after the other.
     weights: Vec<f64>,
-    /// Pairs of patches and what their K differs from that through the nodes.
+    /// Near pairs I, J with the difference between K_IJ and its value by the nodes.
     near: Vec<(u32, u32, f64)>,
+    /// The same difference for K_II.
     diagonal: Vec<f64>,
     solution: Inner,
 }
@@ -76,7 +83,7 @@ struct Inner {
 }
 
 impl CoarseSpace {
-    /// Takes runs of free points as patches; false when a coarse space is of no use for them.
+    /// Makes a patch of each run of free points; false when a coarse space does not help.
     pub(crate) fn prepare(&mut self, points: usize, boundary: Boundary, runs: &[Run]) -> bool {
         self.active = false;
         self.patches.clear();
@@ -92,6 +99,8 @@ impl CoarseSpace {
         let kernel = PatchKernel {
             period: matches!(boundary, Boundary::Periodic(_)).then_some(points),
         };
+        // The nodes of an earlier set are reused while they are enough for the patches, and not 16 times as
+        // many: most sets then plan no transforms.
         let fits = |grid: &Nodes| {
             grid.points == points
                 && grid.boundary == boundary
@@ -110,23 +119,23 @@ impl CoarseSpace {
                 buffers,
             ));
         }
-        self.spread();
-        self.active = self.find_near(kernel);
+        self.weigh_nodes();
+        self.active = self.correct_near_pairs(kernel);
         self.active
     }
 
-    /// Whether the patches are those of the points that are iterated on.
+    /// Whether the patches match the free points of the iteration.
     pub(crate) fn is_active(&self) -> bool {
         self.active
     }
 
-    /// The patches are no longer those of the points that are iterated on.
-    pub(crate) fn dismiss(&mut self) {
+    /// Switches the coarse space off until the next [`prepare`](Self::prepare).
+    pub(crate) fn deactivate(&mut self) {
         self.active = false;
     }
 
-    /// Weights of the nodes by which each patch acts: means over its cells.
-    fn spread(&mut self) {
+    /// Computes the interpolation weights of each patch: means over its cells.
+    fn weigh_nodes(&mut self) {
         let Some(grid) = &self.grid else { return };
         self.spans.clear();
         self.weights.clear();
@@ -140,11 +149,11 @@ impl CoarseSpace {
             self.weights.resize(begin + last - node + 4, 0.0);
             let share = 1.0 / patch.points() as f64;
             for cell in patch.first..patch.end {
-                let place = grid.place(cell);
-                let below = place.floor();
+                let position = grid.position(cell);
+                let below = position.floor();
                 let first = begin + below as usize - node;
                 let to = &mut self.weights[first..first + 4];
-                for (weight, cubic) in to.iter_mut().zip(cubic_weights(place - below)) {
+                for (weight, cubic) in to.iter_mut().zip(cubic_weights(position - below)) {
                     *weight += share * cubic;
                 }
             }
@@ -155,8 +164,8 @@ impl CoarseSpace {
         });
     }
 
-    /// The pairs that nodes do not resolve; false when they are too many.
-    fn find_near(&mut self, kernel: PatchKernel) -> bool {
+    /// Computes the corrections of the pairs that the nodes do not resolve; false when they are too many.
+    fn correct_near_pairs(&mut self, kernel: PatchKernel) -> bool {
         let Some(grid) = &self.grid else { return false };
         let count = self.patches.len();
         let reach = NEAR_NODES * grid.step;
@@ -166,6 +175,7 @@ impl CoarseSpace {
             let exact = kernel.mean(one, one, 0.0);
             self.diagonal
                 .push(exact - self.through_nodes(grid, i, i, 0));
+            // Neighbours to the right, around the period if there is one, until the first far one.
             for next in i + 1..i + count {
                 let (j, wraps) = (next % count, next >= count);
                 let shift = if wraps { grid.points } else { 0 };
@@ -180,51 +190,55 @@ impl CoarseSpace {
                 }
                 let exact = kernel.mean(one, other, shift as f64);
                 let nodes = if wraps { grid.count } else { 0 };
-                let rest = exact - self.through_nodes(grid, i, j, nodes);
-                self.near.push((i as u32, j as u32, rest));
+                let correction = exact - self.through_nodes(grid, i, j, nodes);
+                self.near.push((i as u32, j as u32, correction));
             }
         }
         true
     }
 
-    /// K_IJ as given by the nodes, the nodes of patch J being `shift` further.
+    /// K_IJ by the nodes, with the nodes of patch J moved on by `shift`.
     fn through_nodes(&self, grid: &Nodes, i: usize, j: usize, shift: usize) -> f64 {
         let (one, other) = (self.span(i), self.span(j));
         let mut sum = 0.0;
         for (k, a) in one.1.iter().enumerate() {
             for (l, b) in other.1.iter().enumerate() {
                 let lag = (one.0 + k).abs_diff(other.0 + shift + l);
-                sum += a * b * grid.lag(lag);
+                sum += a * b * grid.kernel(lag);
             }
         }
         sum
     }
 
-    /// First node and weights of a patch.
+    /// First node and interpolation weights of a patch.
     fn span(&self, patch: usize) -> (usize, &[f64]) {
         let (span, next) = (self.spans[patch], self.spans[patch + 1]);
         (span.node, &self.weights[span.weight..next.weight])
     }
 
-    /// Adds to `ascent` the even pressures on the patches that remove the means of `residual` over
+    /// Adds to `ascent` the uniform pressures on the patches that remove the means of `residual` over
     /// them. Both hold one value per listed point.
     pub(crate) fn correct(&mut self, residual: &[f64], ascent: &mut [f64]) {
         let mut inner = std::mem::take(&mut self.solution);
         inner.residual.clear();
-        let mean =
-            |patch: &Patch| residual[patch.places()].iter().sum::<f64>() / patch.points() as f64;
+        let mean = |patch: &Patch| {
+            residual[patch.listed_range()].iter().sum::<f64>() / patch.points() as f64
+        };
         inner.residual.extend(self.patches.iter().map(mean));
         self.solve(&mut inner);
         for (patch, force) in self.patches.iter().zip(&inner.force) {
             let pressure = force / patch.points() as f64;
-            for z in &mut ascent[patch.places()] {
+            for z in &mut ascent[patch.listed_range()] {
                 *z += pressure;
             }
         }
         self.solution = inner;
     }
 
-    /// K f = y − λ with Σf = 0, y being the residual to begin with.
+    /// Solves K f = y − λ with Σf = 0 by conjugate gradients; y is the residual at the start.
+    ///
+    /// Removing the mean from residual and direction keeps Σf = 0 and eliminates λ. K is then positive
+    /// definite, although the logarithmic kernel is negative at large distances.
     fn solve(&self, inner: &mut Inner) {
         let count = self.patches.len();
         for array in [&mut inner.force, &mut inner.direction] {
@@ -236,21 +250,26 @@ impl CoarseSpace {
         remove_mean(&mut inner.residual);
         let tolerance = INNER_TOLERANCES[usize::from(count > FEW_PATCHES)];
         let goal = tolerance * tolerance * dot(&inner.residual, &inner.residual);
-        let mut last = 0.0;
+        let mut last_descent = 0.0;
         for _ in 0..INNER_ITERATIONS {
             if dot(&inner.residual, &inner.residual) <= goal {
                 return;
             }
             self.precondition(inner);
             let descent = dot(&inner.residual, &inner.ascent);
-            let beta = if last > 0.0 { descent / last } else { 0.0 };
-            last = descent;
+            let beta = if last_descent > 0.0 {
+                descent / last_descent
+            } else {
+                0.0
+            };
+            last_descent = descent;
             for (d, z) in inner.direction.iter_mut().zip(&inner.ascent) {
                 *d = z + beta * *d;
             }
             self.displace(inner);
             let curvature = dot(&inner.direction, &inner.image);
             let length = descent / curvature;
+            // Round-off has used up the descent: the forces so far are the best to be had.
             if !(length.is_finite() && length > 0.0) {
                 return;
             }
@@ -264,7 +283,7 @@ impl CoarseSpace {
         }
     }
 
-    /// `ascent` by the symbol of evenly spaced patches.
+    /// Computes `ascent` from `residual` with the inverse symbol of evenly spaced patches.
     fn precondition(&self, inner: &mut Inner) {
         let Some(grid) = &self.grid else { return };
         let count = self.patches.len();
@@ -294,13 +313,13 @@ impl CoarseSpace {
         for (i, image) in inner.image.iter_mut().enumerate() {
             let (node, weights) = self.span(i);
             let values = weights.iter().enumerate();
-            let far: f64 = values.map(|(k, w)| w * signal[grid.wrap(node + k)]).sum();
-            *image = far + self.diagonal[i] * inner.direction[i];
+            let by_nodes: f64 = values.map(|(k, w)| w * signal[grid.wrap(node + k)]).sum();
+            *image = by_nodes + self.diagonal[i] * inner.direction[i];
         }
-        for &(i, j, rest) in &self.near {
+        for &(i, j, correction) in &self.near {
             let (i, j) = (i as usize, j as usize);
-            inner.image[i] += rest * inner.direction[j];
-            inner.image[j] += rest * inner.direction[i];
+            inner.image[i] += correction * inner.direction[j];
+            inner.image[j] += correction * inner.direction[i];
         }
     }
 }
@@ -320,7 +339,7 @@ fn remove_mean(values: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// Patches of one to nine cells in clusters, as a rough contact has.
+    /// Patches of one to nine cells in clusters, as in a rough contact.
     fn patches(points: usize, count: usize) -> Vec<Run> {
         let mut state = 7_u64;
         let mut random = |most: u64| {

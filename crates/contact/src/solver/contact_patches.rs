@@ -1,25 +1,26 @@
-//! Contact patches and the mean displacement by which one even pressure on each meets another.
+//! Contact patches and their interaction: the mean displacement of one patch by uniform pressure on
+//! another.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | C(k) | strip kernel at k cells (see `strip_kernel`), over the half cell | - |
 //! | G | second sum of C: G(k+1) − 2·G(k) + G(k−1) = C(k), G(0) = 0, even | - |
-//! | a, b; l | first cell of a patch and the one behind its last; cells b − a | - |
-//! | K_IJ | mean displacement of patch I by unit force spread evenly over patch J | - |
+//! | a, b; l | first cell of a patch and the cell after its last; cells b − a | - |
+//! | K_IJ | mean displacement of patch I by unit force, uniform over patch J | - |
 //!
-//! A double sum of the kernel over the cells of two patches is four values of G, whatever their
-//! size. G is known in closed form up to terms of k⁻⁴.
+//! The double sum of the kernel over the cells of two patches is a combination of four values of its
+//! second sum G, at any size of the patches. G is known in closed form up to terms of k⁻⁴.
 
 use asperity_core::cite;
 
 use crate::strip_kernel::{periodic_rest, strip};
 
-/// Points in F that follow each other.
+/// Contiguous points of F.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Patch {
     pub(crate) first: usize,
     pub(crate) end: usize,
-    /// Place of the first point among the listed ones.
+    /// Index of the first point among the listed points.
     pub(crate) listed: usize,
 }
 
@@ -28,19 +29,19 @@ impl Patch {
         self.end - self.first
     }
 
-    /// Place of the middle in cells.
+    /// Position of the middle in cells.
     fn middle(&self) -> f64 {
         0.5 * (self.first + self.end - 1) as f64
     }
 
-    /// The places among the listed points.
-    pub(crate) fn places(&self) -> std::ops::Range<usize> {
+    /// Indices among the listed points.
+    pub(crate) fn listed_range(&self) -> std::ops::Range<usize> {
         self.listed..self.listed + self.points()
     }
 }
 
-/// The constant by which the asymptotic series differs from G, found by summing the kernel.
-const OFFSET: f64 = 0.099_793_23;
+/// Constant term of the asymptotic series of G, computed by summing the kernel numerically.
+const SERIES_CONSTANT: f64 = 0.099_793_23;
 
 /// G(k) = −2k²·ln 2k + k² + (ln 2k + 1)/6 + 7/(1440·k²) + 0.09979, to 5e-4 at k = 1 and better than
 /// 1e-6 from k = 8 on.
@@ -49,13 +50,17 @@ fn second_sum(k: f64) -> f64 {
         return 0.0;
     }
     let (square, logarithm) = (k * k, (2.0 * k.abs()).ln());
-    square * (1.0 - 2.0 * logarithm) + (logarithm + 1.0) / 6.0 + 7.0 / (1440.0 * square) + OFFSET
+    square * (1.0 - 2.0 * logarithm)
+        + (logarithm + 1.0) / 6.0
+        + 7.0 / (1440.0 * square)
+        + SERIES_CONSTANT
 }
 
-/// The kernel of a grid at any distance in cells, up to a constant.
+/// Kernel of a grid at any distance in cells, up to a constant. A constant cancels: the forces of the
+/// patches sum to zero.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PatchKernel {
-    /// Cells in a period; none for free ends.
+    /// Cells in a period; `None` for free ends.
     pub(crate) period: Option<usize>,
 }
 
@@ -65,7 +70,7 @@ impl PatchKernel {
         strip(2.0 * cells) + self.images(cells)
     }
 
-    /// Contribution of the images of a period, up to a constant.
+    /// Contribution of the periodic images, up to a constant.
     fn images(&self, cells: f64) -> f64 {
         match self.period {
             Some(period) => periodic_rest(cells, period) - periodic_rest(0.0, period),
@@ -75,7 +80,9 @@ impl PatchKernel {
 
     /// K_IJ = [G(b−c) − G(b−d) − G(a−c) + G(a−d)]/(l_I·l_J)                               `[Patch-1]`
     ///
-    /// Of the patch of the cells a..b and one of c..d that is `shift` cells further than it says.
+    /// for the patches a..b and c..d, the second moved on by `shift` cells.
+    ///
+    /// The images are far away and smooth, so their contribution is taken at the middles.
     pub(crate) fn mean(&self, one: &Patch, other: &Patch, shift: f64) -> f64 {
         cite!("Patch-1");
         let [a, b] = [one.first, one.end].map(|place| place as f64);

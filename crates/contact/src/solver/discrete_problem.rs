@@ -1,4 +1,4 @@
-//! Discrete contact problem of the iteration, on its own grid and on coarser ones.
+//! Discrete contact problem, on the finest grid and on coarser grids.
 
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -15,41 +15,43 @@ use crate::half_plane::cell_compliance;
 use crate::problem::{ContactProblem, Control, SolverSettings};
 use crate::strip_kernel::datum_constant;
 
-/// Tolerances of the coarser grids, which only give a start. With free ends the finest grid is
-/// solved on a window and quickly; a large periodic one is worth a better start, and so is a smooth
-/// contact, which takes few iterations to it.
+/// Loosest tolerance of a coarser grid whose finest grid has free ends and a rough contact. The coarse
+/// solution is only a start, and the finest grid, solved on a window, is cheap.
 const COARSE_TOLERANCE_FREE: f64 = 1e-4;
+/// The same for periodic grids, which are solved as a whole, and for smooth contacts, which take few
+/// iterations to a better start.
 const COARSE_TOLERANCE_FINE: f64 = 1e-6;
-/// Certificate of a coarser grid over that of its start: the next grid halves the cells, and the start of a rough
-/// contact is hardly better for more (0.1 costs a tenth of a solution on 10⁵ points), that of a smooth one is.
+/// Certificate of a coarser grid relative to its start. Halving the cells changes a rough contact so much that a
+/// better coarse solution hardly improves the next start: 0.1 costs a tenth of a solution on 10⁵ points.
 const GAIN: f64 = 0.5;
+/// The same for a smooth contact, where the next start is as good as the coarse solution.
 const SMOOTH_GAIN: f64 = 0.02;
-/// Tolerance asked of a window over that promised: near round-off its certificate and that of the
-/// whole grid differ in a few digits.
-const ROOM: f64 = 0.9;
-/// Bodies whose gap varies less than this beside their deformation count as flat: their reference
-/// gap is this share of the deformation.
+/// Tolerance of the iteration relative to the tolerance of the solution: near round-off the certificates of a window
+/// and of the whole grid differ in a few digits.
+const TOLERANCE_MARGIN: f64 = 0.9;
+/// Least reference gap, relative to the deformation, for bodies whose gap varies by less: the error of
+/// a flat contact cannot be measured by its gap.
 const FLAT: f64 = 1e-3;
 
-/// Data that all grids of a problem share.
+/// Data shared by all grids of a problem.
 pub(crate) struct DiscreteProblem<'a> {
     pub(crate) problem: &'a ContactProblem<'a>,
-    /// h with the displacement by the prescribed pressure, minus a controlled approach in m.
+    /// h plus the displacement by the prescribed pressure, minus a controlled approach, in m.
     pub(crate) gap: Cow<'a, [f64]>,
     reference_bounds: ReferenceBounds,
     /// Σp in Pa when the load is controlled.
     sum: Option<f64>,
     limit: f64,
     compliance: f64,
-    /// Displacement per Σp by the datum in m/Pa.
+    /// Displacement by the datum per Σp in m/Pa.
     datum: f64,
     /// Σ of the prescribed pressure in Pa.
     prescribed_sum: f64,
 }
 
 impl<'a> DiscreteProblem<'a> {
-    /// The discrete form of a valid problem; `displace` is the displacement in m by a pressure for a
-    /// compliance.
+    /// Makes the discrete form of a valid problem; `displace` returns the displacement in m by a pressure
+    /// at a compliance.
     pub(crate) fn new<'b>(
         problem: &'a ContactProblem<'a>,
         displace: impl FnOnce(&[f64], f64) -> &'b mut [f64],
@@ -71,6 +73,8 @@ impl<'a> DiscreteProblem<'a> {
         match problem.control {
             Control::Load(load) => {
                 sum = Some(load.si() / problem.spacing.si());
+                // The deformation of a line load is W/(π·E*) times a logarithm; as a lower bound the
+                // logarithm is left out.
                 deformation = load.si() / (PI * problem.modulus.si());
             }
             Control::Approach { approach, .. } => {
@@ -97,7 +101,7 @@ impl<'a> DiscreteProblem<'a> {
         })
     }
 
-    /// The problem on a part of the finest grid.
+    /// The problem on a window of the finest grid.
     pub(crate) fn task(
         &self,
         window: Window,
@@ -112,15 +116,14 @@ impl<'a> DiscreteProblem<'a> {
             datum: self.datum,
             reference_gap: self.reference_bounds.most.max(self.reference_bounds.least),
             reference_bounds: self.reference_bounds,
-            tolerance: ROOM * settings.tolerance,
-            least_tolerance: ROOM * settings.tolerance,
+            tolerance: TOLERANCE_MARGIN * settings.tolerance,
+            least_tolerance: TOLERANCE_MARGIN * settings.tolerance,
             gain: GAIN,
             max_iterations,
         }
     }
 
-    /// The problem on the grid of this `gap`, after so many halvings, of a contact that is `smooth`
-    /// or not.
+    /// The problem on the coarser grid of this `gap`, `halvings` levels below the finest.
     pub(crate) fn coarse_task<'b>(
         &self,
         gap: &'b [f64],
@@ -148,15 +151,15 @@ impl<'a> DiscreteProblem<'a> {
         })
     }
 
-    /// The start of the problem, scaled to its load; none when it carries nothing.
-    pub(crate) fn given_start(&self) -> Option<Vec<f64>> {
+    /// Start pressure of the problem, scaled to its load; `None` without a start or if it carries no load.
+    pub(crate) fn scaled_start(&self) -> Option<Vec<f64>> {
         let start = self.problem.start?;
         let carried: f64 = start.iter().sum();
         let scale = self.sum.map_or(1.0, |sum| sum / carried);
         (carried > 0.0).then(|| start.iter().map(|p| p * scale).collect())
     }
 
-    /// The load spread evenly; no pressure when the approach is controlled.
+    /// Uniform pressure that carries the load; zero when the approach is controlled.
     pub(crate) fn even_pressure(&self) -> f64 {
         self.sum.map_or(0.0, |sum| sum / self.gap.len() as f64)
     }
@@ -170,7 +173,7 @@ impl<'a> DiscreteProblem<'a> {
         LineEnergy::from_si(0.5 * work * self.problem.spacing.si())
     }
 
-    /// δ in m from the datum of the problem, from the α of the iteration, which has none.
+    /// δ in m relative to the datum of the problem, from the α of the iteration, which has no datum.
     pub(crate) fn approach(&self, pressure: &[f64], iterated: f64) -> f64 {
         match self.problem.control {
             Control::Load(_) => {
@@ -186,7 +189,7 @@ impl<'a> DiscreteProblem<'a> {
         Length::from_si(self.reference_bounds.most)
     }
 
-    /// Certificate of a pressure on the finest grid; its duality gap as the assessment has summed it:
+    /// Certificate of a pressure on the finest grid, with the duality gap that the assessment has summed:
     ///
     /// Σ p·(g − λ), or the smaller bound under a limit  `[Duality-1]`
     pub(crate) fn certificate(
@@ -206,19 +209,19 @@ impl<'a> DiscreteProblem<'a> {
     }
 }
 
-/// The points under pressure, or, when there are none, those where the undeformed bodies overlap.
+/// Points under pressure, or, if there are none, points where the undeformed bodies overlap.
 pub(crate) fn touching(gap: &[f64], pressure: &[f64]) -> Vec<usize> {
-    let find = |holds: &dyn Fn(usize) -> bool| (0..gap.len()).filter(|&i| holds(i)).collect();
-    let loaded: Vec<usize> = find(&|i| pressure[i] > 0.0);
+    let points = |holds: &dyn Fn(usize) -> bool| (0..gap.len()).filter(|&i| holds(i)).collect();
+    let loaded: Vec<usize> = points(&|i| pressure[i] > 0.0);
     if loaded.is_empty() {
-        find(&|i| gap[i] < 0.0)
+        points(&|i| gap[i] < 0.0)
     } else {
         loaded
     }
 }
 
-/// Displacement in m that the datum adds per pascal of the sum of all pressures, for cells `width`
-/// times as wide as those of the problem.
+/// Displacement by the datum in m per pascal of the sum of all pressures, for cells `width` times as wide
+/// as the cells of the problem.
 fn datum_compliance(problem: &ContactProblem, width: f64) -> Result<f64, ContactError> {
     if problem.boundary != Boundary::FreeEnds {
         return Ok(0.0);

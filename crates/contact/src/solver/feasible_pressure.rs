@@ -1,25 +1,27 @@
-//! Pressures within their bounds that carry the load.
+//! Feasible pressures: within their bounds and carrying the load.
 
 use crate::convolution::{Lanes, vectorised};
 
-/// Points moved before they are counted: few enough to stay in the nearest cache.
+/// Points that are shifted and summed at a time: 8 KB, which stay in the first-level cache between both.
 const BLOCK: usize = 1 << 10;
-/// Passes of the uniform shift before another way is tried.
+/// Most uniform shifts. Each moves the points that reach a bound out of the next, so a few are enough;
+/// a contact that needs more is projected.
 const MAX_SHIFTS: usize = 50;
-/// Halvings that bring any bracket below round-off.
+/// Halvings that bring any bracket of double-precision numbers below round-off.
 const MAX_HALVINGS: usize = 100;
-/// Load error that a shift cannot improve: round-off of a sum, which grows with √n.
+/// Relative load error that a shift cannot reduce: round-off of a sum, which grows with √n.
 const ROUND_OFF: f64 = 4e-16;
-/// Load error that is accepted when the shift has no interior point left to move.
+/// Relative load error that is accepted when no interior point is left to shift.
 const ACCEPTED: f64 = 1e-12;
 
-struct Tally {
+/// Sum of the pressure, and number of points between the bounds.
+struct LoadCount {
     sum: f64,
     interior: f64,
 }
 
-/// Moves the interior points by `shift`, clips all to 0..`limit`, and counts again.
-fn shift_and_clip(pressure: &mut [f64], shift: f64, limit: f64) -> Tally {
+/// Moves the interior points by `shift`, clips all points to 0..`limit`, and sums and counts them.
+fn shift_and_clip(pressure: &mut [f64], shift: f64, limit: f64) -> LoadCount {
     let mut lanes = Lanes::new([0.0; 2]);
     vectorised(
         #[inline(always)]
@@ -37,43 +39,47 @@ fn shift_and_clip(pressure: &mut [f64], shift: f64, limit: f64) -> Tally {
         },
     );
     let [sum, interior] = lanes.total();
-    Tally { sum, interior }
+    LoadCount { sum, interior }
 }
 
-/// Difference of loads that is only round-off.
-fn close(pressure: &[f64], sum: f64) -> f64 {
+/// Difference of loads that is within round-off.
+fn load_round_off(pressure: &[f64], sum: f64) -> f64 {
     let count = pressure.len() as f64;
     ROUND_OFF * sum * (0.1 * count.sqrt()).max(1.0)
 }
 
-/// Clips `pressure` to 0..`limit` and restores Σp = `sum` by moving the points between the bounds
-/// only: moving points at the limit too was found never to converge.
+/// Clips `pressure` to 0..`limit` and restores Σp = `sum` by shifting the points between the bounds.
+///
+/// Points at the limit are left there: if they were shifted too, the iteration would never converge.
 pub(crate) fn restore_load(pressure: &mut [f64], sum: f64, limit: f64) {
-    let close = close(pressure, sum);
-    let mut tally = shift_and_clip(pressure, 0.0, limit);
+    let round_off = load_round_off(pressure, sum);
+    let mut count = shift_and_clip(pressure, 0.0, limit);
     for _ in 0..MAX_SHIFTS {
-        let missing = sum - tally.sum;
-        if missing.abs() <= close {
+        let missing = sum - count.sum;
+        if missing.abs() <= round_off {
             return;
         }
-        if tally.interior == 0.0 {
+        if count.interior == 0.0 {
             break;
         }
-        tally = shift_and_clip(pressure, missing / tally.interior, limit);
+        count = shift_and_clip(pressure, missing / count.interior, limit);
     }
-    if (tally.sum - sum).abs() > ACCEPTED * sum {
-        // All in contact are at the limit.
+    if (count.sum - sum).abs() > ACCEPTED * sum {
+        // All points in contact are at the limit.
         project(pressure, sum, limit);
     }
 }
 
-/// The nearest pressures within 0..`limit` with Σp = `sum`: all points moved by as much, and
-/// clipped. Newton's method on the shift, whose load is piecewise linear, within a bracket.
+/// Projects `pressure` onto the pressures within 0..`limit` with Σp = `sum`: all points are shifted by
+/// the same amount and clipped.
+///
+/// The load is a piecewise linear function of the shift. Its root is found by Newton's method within a
+/// bracket, with a bisection where a Newton step leaves the bracket.
 pub(crate) fn project(pressure: &mut [f64], sum: f64, limit: f64) {
-    let close = close(pressure, sum);
+    let round_off = load_round_off(pressure, sum);
     let least = pressure.iter().copied().fold(f64::INFINITY, f64::min);
     let most = pressure.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    // The ends carry nothing and, on a single point, everything.
+    // At one end no point carries pressure; at the other the lowest point alone carries the load.
     let (mut low, mut high) = (-most, sum - least);
     let mut shift = 0.0;
     for _ in 0..MAX_SHIFTS + MAX_HALVINGS {
@@ -92,7 +98,7 @@ pub(crate) fn project(pressure: &mut [f64], sum: f64, limit: f64) {
             },
         );
         let [carried, moved] = lanes.total();
-        if (carried - sum).abs() <= close {
+        if (carried - sum).abs() <= round_off {
             break;
         }
         if carried < sum {

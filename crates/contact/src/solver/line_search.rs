@@ -11,25 +11,25 @@ use super::feasible_pressure::{clip, project, restore_load};
 use super::workspace::{Level, Task, Workspace};
 use crate::convolution::{Lanes, listed, parts, vectorised};
 
-/// Step along the gradient, in π·E*/a: about the stiffness of pressure moved to the next cell,
-/// whose kernel differs by 6.6·a.
+/// Step along the gradient, in units of π·E*/a: about the stiffness against pressure that moves to the
+/// next cell, where the kernel is smaller by 6.6·a.
 const GRADIENT: f64 = 0.1;
 
-/// Pressure left of that before a step that is nothing but round-off. A point that keeps it counts
-/// as lying between the bounds, and can hold the iteration where no step improves anything.
-const DUST: f64 = 1e-15;
+/// Pressure after a step, relative to the pressure before, that is only round-off and is set to zero.
+/// Otherwise the point would count as lying between the bounds and could stall the iteration.
+const RESIDUE: f64 = 1e-15;
 
-/// Error of a displacement in single precision over its largest value: a tenth to a half of this from
-/// 50 to 30 000 points.
+/// Error of a displacement in single precision relative to its largest value. The errors for 50 to
+/// 30 000 points are a tenth to a half of this.
 pub(crate) const SINGLE: f64 = 1e-6;
 
-/// Makes the pressure feasible and computes its displacement afresh: both drift by round-off.
+/// Makes the pressure feasible and recomputes its displacement in double precision: both drift by round-off.
 pub(crate) fn settle(level: Level, work: &mut Workspace, task: &Task) {
     make_feasible(&mut work.pressure, task);
     work.refresh(level.displacement, task);
 }
 
-/// Clips to the bounds, and restores the load when it is given.
+/// Clips to the bounds and restores the load if it is controlled.
 pub(crate) fn make_feasible(pressure: &mut [f64], task: &Task) {
     match task.sum {
         Some(sum) => restore_load(pressure, sum, task.limit),
@@ -37,8 +37,10 @@ pub(crate) fn make_feasible(pressure: &mut [f64], task: &Task) {
     }
 }
 
-/// q = p + τ·d, clipped and with its load restored; whether it had to be.
+/// Sets the trial pressure q = p + τ·d, with τ = `reach`, and makes it feasible. Returns whether it was
+/// outside of its bounds.
 pub(crate) fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
+    // Listed points that cannot carry the load at the limit leave no feasible trial pressure.
     let capacity = task.limit * listed(&work.runs) as f64;
     if task.sum.is_some_and(|sum| capacity <= sum) {
         work.list_all();
@@ -65,8 +67,10 @@ pub(crate) fn try_step(work: &mut Workspace, task: &Task, reach: f64) -> bool {
     outside
 }
 
-/// q = nearest feasible pressure to p − τ·g. It always descends, however few points can move:
-/// clipping d and shifting the rest can lead back to p.
+/// Sets the trial pressure q to the projection of p − τ·g onto the feasible pressures.
+///
+/// A projected gradient always descends, at any number of points between the bounds; a conjugate
+/// direction that is clipped and shifted may lead back to p.
 pub(crate) fn try_gradient(work: &mut Workspace, task: &Task, approach: f64) {
     let stiffness = GRADIENT / task.compliance;
     work.list_all();
@@ -80,8 +84,8 @@ pub(crate) fn try_gradient(work: &mut Workspace, task: &Task, approach: f64) {
     }
 }
 
-/// Length of the step to the first bound.
-pub(crate) fn farthest(work: &Workspace, limit: f64) -> f64 {
+/// Length of the step at which the first point reaches a bound.
+pub(crate) fn length_to_bound(work: &Workspace, limit: f64) -> f64 {
     let mut length = f64::INFINITY;
     for (run, place) in parts(&work.runs) {
         for (from, to) in work.pressure[run].iter().zip(&work.trial[place]) {
@@ -96,7 +100,7 @@ pub(crate) fn farthest(work: &Workspace, limit: f64) -> f64 {
     length
 }
 
-/// Length of the step along d that minimises the energy without bounds.
+/// Length of the step along d that minimises the energy, without regard to the bounds.
 pub(crate) fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f64 {
     let (runs, direction, residual) = (&work.runs, &work.direction, &work.residual);
     let steps = work.buffers.signal(listed(runs));
@@ -123,11 +127,11 @@ pub(crate) fn exact_length(level: Level, work: &mut Workspace, task: &Task) -> f
     }
 }
 
-/// The energy along Δ = q − p: slope·s + ½·curvature·s².
+/// Energy along Δ = q − p: slope·s + ½·curvature·s².
 pub(crate) struct Line {
     pub(crate) slope: f64,
     pub(crate) curvature: f64,
-    /// Of the displacement that the buffers hold.
+    /// Scale of the displacement in the buffers.
     pub(crate) scale: f64,
     /// Contribution of the datum to the displacement by Δ.
     pub(crate) datum: f64,
@@ -139,8 +143,10 @@ impl Line {
     }
 }
 
-/// Leaves the displacement by q − p, but for a scale and the datum, in the signal of the
-/// single-precision buffers: as steps become short, so does what is lost of them.
+/// Computes the energy along q − p and leaves the displacement by q − p, without scale and datum, in
+/// the signal of the single-precision buffers.
+///
+/// Single precision is enough: its error is relative to the step and vanishes with it.
 pub(crate) fn line_search(level: Level, work: &mut Workspace, task: &Task, approach: f64) -> Line {
     let (unit, sum) = load_steps(work);
     let (scale, datum) = (unit * task.compliance, task.datum_displacement(|| sum));
@@ -148,7 +154,7 @@ pub(crate) fn line_search(level: Level, work: &mut Workspace, task: &Task, appro
     level.single.filter_runs(buffers, 1.0, runs);
     let change = &*buffers.signal(work.pressure.len());
     let (pressure, opening, trial) = (&work.pressure, &work.opening, &work.trial);
-    // The ascent has made its direction: its place holds the change of the listed points.
+    // The direction is known, so the ascent is no longer needed; its memory holds the displacements.
     let spare = &mut work.ascent;
     spare.resize(trial.len(), 0.0);
     let mut lanes = Lanes::new([0.0; 2]);
@@ -178,7 +184,7 @@ pub(crate) fn line_search(level: Level, work: &mut Workspace, task: &Task, appro
     }
 }
 
-/// Puts q − p of the listed points into the single-precision buffers, in units of the largest.
+/// Writes q − p of the listed points to the single-precision buffers, in units of the largest.
 /// Returns the unit and the sum.
 fn load_steps(work: &mut Workspace) -> (f64, f64) {
     let (pressure, runs, trial) = (&work.pressure, &work.runs, &work.trial);
@@ -215,7 +221,7 @@ fn load_steps(work: &mut Workspace) -> (f64, f64) {
     (unit, sum)
 }
 
-/// p + s·Δ
+/// Updates the pressure to p + s·Δ.
 pub(crate) fn take_step(work: &mut Workspace, task: &Task, length: f64) {
     let (pressure, runs, trial) = (&mut work.pressure, &work.runs, &work.trial);
     vectorised(
@@ -224,13 +230,13 @@ pub(crate) fn take_step(work: &mut Workspace, task: &Task, length: f64) {
             for (run, place) in parts(runs) {
                 let (pressure, trial) = (&mut pressure[run], &trial[place]);
                 if length == 1.0 {
-                    // A step that is taken whole must land on the bounds to the last bit.
+                    // Points at a bound must be there to the last bit, or they would count as free.
                     pressure.copy_from_slice(trial);
                     continue;
                 }
                 for (p, to) in pressure.iter_mut().zip(trial) {
                     let moved = (*p + length * (to - *p)).clamp(0.0, task.limit);
-                    *p = if moved > DUST * *p { moved } else { 0.0 };
+                    *p = if moved > RESIDUE * *p { moved } else { 0.0 };
                 }
             }
         },
@@ -273,9 +279,9 @@ mod tests {
                     filter.filter(&mut buffers, 1.0, &steps);
                     single.filter(&mut single_buffers, 1.0, &rounded);
                     let exact = buffers.signal(points);
-                    let found = single_buffers.signal(points);
+                    let in_single = single_buffers.signal(points);
                     let most = exact.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
-                    let pairs = exact.iter().zip(found);
+                    let pairs = exact.iter().zip(in_single);
                     let lost = pairs.fold(0.0, |m: f64, (u, s)| m.max((u - f64::from(*s)).abs()));
                     assert!(lost < SINGLE * most);
                 }

@@ -1,7 +1,13 @@
-//! Solver of rough line contacts: cascadic multigrid, window, iteration, verification.
+//! Solver of rough line contacts, in four stages.
 //!
-//! A coarse solution shows where the bodies touch; the finest grid is solved there by projected
-//! conjugate gradients, and the result is certified on the whole grid with one more displacement.
+//! 1. Start: the contact is solved on grids of half as many points each, from the coarsest up, and
+//!    every solution starts the next finer grid (`cascadic_multigrid`; Bornemann and Deuflhard
+//!    1996). No correction goes back to a coarser grid.
+//! 2. Window: with free ends the finest grid is solved only where the coarse solution is in contact.
+//! 3. Iteration: an active set (`active_set`; Hintermüller, Ito and Kunisch 2002), then, where the
+//!    sets do not settle, projected gradients (`projected_gradient`; after Polonsky and Keer 1999).
+//! 4. Certificate: one displacement on the whole grid gives the gap there and bounds the error. A
+//!    contact point outside of the window fails here, and a wider window is solved.
 
 mod active_set;
 mod cascadic_multigrid;
@@ -36,9 +42,11 @@ use discrete_problem::{DiscreteProblem, touching};
 use single_grid::minimise;
 use workspace::{Assessment, Level, Task, Workspace};
 
-/// Points of a grid from which on the operators of one size only are kept.
+/// Number of points above which the operators of only one grid size are cached. A displacement
+/// operator takes 18 bytes per point besides its plan, more than the arrays of the problem itself.
 const LARGE_GRID: usize = 1 << 18;
-/// Windows tried before the whole grid is solved.
+/// Windows tried before the whole grid is solved. A window that misses a contact point costs a
+/// displacement on the whole grid; the next window also covers the points that overlapped.
 const MAX_WINDOWS: usize = 3;
 
 /// Solves one problem.
@@ -66,7 +74,8 @@ pub fn solve(
     Solver::new(problem.gap.len(), problem.boundary)?.solve(problem, settings)
 }
 
-/// Plans and buffers for many problems with the same number of points and the same boundary.
+/// Solver of many problems with the same number of points and the same boundary, whose plans and
+/// buffers it reuses.
 ///
 /// Spacing and modulus may differ from problem to problem: the plans do not depend on them.
 pub struct Solver {
@@ -75,10 +84,10 @@ pub struct Solver {
     work: Workspace,
 }
 
-/// The operators of every number of points met so far.
+/// Operators by number of points, cached for the grids and windows solved so far.
 struct Levels {
     boundary: Boundary,
-    /// Kernel of free ends, of which a coarser grid takes the first cells.
+    /// Kernel of free ends of the largest grid so far; smaller grids use its first cells.
     column: Vec<f64>,
     planner: FftPlanner<f64>,
     inverse_planner: FftPlanner<f32>,
@@ -88,7 +97,7 @@ struct Levels {
 }
 
 impl Levels {
-    /// Forgets other sizes before a large one is made: memory is then what counts.
+    /// Drops the operators of other sizes before a large grid's are made, which bounds the memory.
     fn make_room(&mut self, points: usize) {
         if points > LARGE_GRID && !self.displacements.contains_key(&points) {
             self.column = vec![];
@@ -100,19 +109,19 @@ impl Levels {
         }
     }
 
-    /// The displacement of a grid, with room for it in `buffers`.
+    /// Displacement operator of a grid; enlarges `buffers` to what it needs.
     fn displacement(&mut self, points: usize, buffers: &mut Buffers) -> &EvenFilter {
         self.make_room(points);
         let (planner, column) = (&mut self.planner, &mut self.column);
         let filter = self.displacements.entry(points).or_insert_with(|| {
             displacement_filter(planner, points, self.boundary, column, buffers)
         });
-        shed(column);
+        free_if_large(column);
         buffers.reserve(filter);
         filter
     }
 
-    /// The operators of an iteration on a grid, with room for them in the workspace.
+    /// Operators of an iteration on a grid; enlarges the buffers of the workspace to what they need.
     fn level(&mut self, points: usize, work: &mut Workspace) -> Level<'_> {
         self.make_room(points);
         let planner = &mut self.inverse_planner;
@@ -125,7 +134,7 @@ impl Levels {
         let displacement = self.displacements.entry(points).or_insert_with(|| {
             displacement_filter(planner, points, self.boundary, column, buffers)
         });
-        shed(column);
+        free_if_large(column);
         buffers.reserve(displacement);
         let planner = &mut self.inverse_planner;
         let single = self
@@ -142,24 +151,24 @@ impl Levels {
     }
 }
 
-/// Gives back a column whose memory counts.
-fn shed(column: &mut Vec<f64>) {
+/// Frees a kernel of more than [`LARGE_GRID`] cells.
+fn free_if_large(column: &mut Vec<f64>) {
     if column.len() > LARGE_GRID {
         *column = vec![];
     }
 }
 
-/// Properties of a pressure on the whole grid.
+/// Error bounds of a pressure on the whole grid, and their scale.
 struct Certified {
     /// Range of the deformation about the contact in m.
     deformation: f64,
-    /// Scale of the certificate in m.
+    /// Scale of the error bounds in m.
     reference_gap: f64,
     assessment: Assessment,
 }
 
 impl Solver {
-    /// A solver of problems with this many points and these ends.
+    /// Makes a solver of problems with this number of points and this boundary.
     ///
     /// # Errors
     /// When there are fewer than two points.
@@ -185,7 +194,7 @@ impl Solver {
         })
     }
 
-    /// Points and ends that the solver is made for.
+    /// Number of points and boundary of the problems that it solves.
     pub fn shape(&self) -> SolverShape {
         self.shape
     }
@@ -208,9 +217,8 @@ impl Solver {
                 most: MAX_TOLERANCE,
             });
         }
-        let sensible = tolerance.is_finite() && tolerance > 0.0;
         DomainError::require(
-            sensible,
+            tolerance.is_finite() && tolerance > 0.0,
             "tolerance",
             tolerance,
             "-",
@@ -233,20 +241,21 @@ impl Solver {
             buffers.signal(shape.points)
         })?;
         let start = self.start(&discrete, settings)?;
-        let (iterations, certified) = self.descend(&discrete, settings, start)?;
-        self.conclude(&discrete, settings, iterations, &certified)
+        let (iterations, certified) = self.solve_finest(&discrete, settings, start)?;
+        self.solution(&discrete, settings, iterations, &certified)
     }
 
-    /// The pressure to start from: as given, from coarser grids, or even.
+    /// Start pressure of the finest grid: the start of the problem, or the solution on coarser grids,
+    /// or, without coarser grids, a uniform pressure.
     fn start(
         &mut self,
         discrete: &DiscreteProblem,
         settings: &SolverSettings,
     ) -> Result<Vec<f64>, ContactError> {
-        if let Some(start) = discrete.given_start() {
+        if let Some(start) = discrete.scaled_start() {
             return Ok(start);
         }
-        // Buffers that have the size of the finest grid need not grow from grid to grid.
+        // The buffers are made once, for the finest grid, instead of growing from grid to grid.
         if self.shape.points <= LARGE_GRID {
             let buffers = &mut self.work.buffers;
             self.levels.displacement(self.shape.points, buffers);
@@ -264,11 +273,11 @@ impl Solver {
         let mut pressure = vec![discrete.even_pressure(); coarsest];
         for (halvings, gap) in gaps.iter().enumerate().rev() {
             let touches = touching(gap, &pressure);
-            // What the even start of the coarsest grid touches says nothing.
-            let begun = gap.len() != coarsest;
-            let smooth = begun && is_smooth(&touches);
-            // What a window misses is found on the finest grid.
-            let window = if self.windowed(settings) && begun {
+            // The coarsest grid starts from a uniform pressure, which does not show the contact.
+            let shows_contact = gap.len() != coarsest;
+            let smooth = shows_contact && is_smooth(&touches);
+            // A coarse grid is not certified outside of its window: the finest grid is.
+            let window = if self.windowed(settings) && shows_contact {
                 Window::around(gap.len(), &touches)
             } else {
                 Window::whole(gap.len())
@@ -282,11 +291,13 @@ impl Solver {
         Ok(pressure)
     }
 
+    /// Whether windows are solved. A period has no outside: its mean displacement couples all points.
     fn windowed(&self, settings: &SolverSettings) -> bool {
         settings.window && self.shape.boundary == Boundary::FreeEnds
     }
 
-    /// Improves the pressure within the window, which is all there is then; returns the iterations.
+    /// Solves the contact within the window and sets the pressure outside of it to zero. Returns the
+    /// number of iterations.
     fn minimise(
         &mut self,
         window: Window,
@@ -304,9 +315,9 @@ impl Solver {
         Ok(iterations)
     }
 
-    /// Solves the finest grid, windows first, and leaves the result in the workspace. Returns the
-    /// iterations and what is certified of the result.
-    fn descend(
+    /// Solves the finest grid, on windows first, and leaves the result in the workspace. Returns the
+    /// number of iterations and the error bounds of the result.
+    fn solve_finest(
         &mut self,
         discrete: &DiscreteProblem,
         settings: &SolverSettings,
@@ -325,22 +336,29 @@ impl Solver {
             iterations += self.minimise(window, &task, &mut pressure)?;
             let is_whole = window.points == points;
             if !is_whole {
-                self.spread(discrete, settings, &pressure);
+                self.open_whole_grid(discrete, settings, &pressure);
             }
             let certified = self.certify(&discrete.task(Window::whole(points), settings, 0));
-            // The whole grid is solved again when its reference gap was that of a poor start.
+            // The tolerance is relative to the reference gap, which the iteration takes from its start. A
+            // poor start gives a wrong scale, so the whole grid gets a second solution on the right one.
             let solved = certified.assessment.within(settings.tolerance);
             if solved || attempt == MAX_WINDOWS || (is_whole && was_whole) {
                 return Ok((iterations, certified));
             }
             (attempt, was_whole) = (attempt + 1, is_whole);
+            // The next window covers the points with pressure and those that overlap.
             touches.clear();
             touches.extend(self.work.runs.iter().flat_map(|run| run.range()));
         }
     }
 
-    /// Takes the pressure of a window, and the gap under it, to the whole grid.
-    fn spread(&mut self, discrete: &DiscreteProblem, settings: &SolverSettings, pressure: &[f64]) {
+    /// Computes the gap on the whole grid under the pressure of a window.
+    fn open_whole_grid(
+        &mut self,
+        discrete: &DiscreteProblem,
+        settings: &SolverSettings,
+        pressure: &[f64],
+    ) {
         let task = discrete.task(Window::whole(pressure.len()), settings, 0);
         self.work.pressure.clear();
         self.work.pressure.extend_from_slice(pressure);
@@ -352,7 +370,7 @@ impl Solver {
         self.work.refresh(displacement, &task);
     }
 
-    /// Assessment of the pressure on the whole grid by the reference gap that follows from it.
+    /// Assesses the pressure on the whole grid, relative to the reference gap of its own deformation.
     fn certify(&mut self, task: &Task) -> Certified {
         let deformation = self.work.deformation(task);
         let reference_gap = task.reference_bounds.between(deformation);
@@ -367,10 +385,10 @@ impl Solver {
         }
     }
 
-    /// The solution that the workspace holds, when its certificate is good enough, with its gap
+    /// Returns the solution that the workspace holds if its certificate is within the tolerance. Its gap is
     ///
     /// g = h + u − δ  `[Gap-deformed]`
-    fn conclude(
+    fn solution(
         &mut self,
         discrete: &DiscreteProblem,
         settings: &SolverSettings,
@@ -390,7 +408,7 @@ impl Solver {
                 tolerance: settings.tolerance,
             });
         }
-        // The gap of `deformed_gap`, in place.
+        // As `deformed_gap`, but in place. Until here the opening v = u + h holds no approach.
         cite!("Gap-deformed");
         let pressure = std::mem::take(&mut self.work.pressure);
         let problem = discrete.problem;
@@ -405,6 +423,7 @@ impl Solver {
             .map(|(g, h)| g - h + approach)
             .collect();
         let limit = problem.pressure_limit;
+        // Points at the pressure limit overlap elastically. The overlap is the plastic displacement.
         let (plastic_displacement, dissipated) = if limit.is_some() {
             let w = plastic_displacement(&pressure, &gap, limit);
             let dissipated = dissipated_energy(&w, problem.spacing, limit);

@@ -1,13 +1,13 @@
-//! Projected preconditioned conjugate gradients for bounded pressures: for single patches, for a given
-//! approach, and where the active set does not settle.
+//! Projected preconditioned conjugate gradients for bounded pressures: for single patches, for a
+//! controlled approach, and where the active set does not settle.
 //!
-//! One displacement and one preconditioner application per iteration, where the method of
-//! Polonsky and Keer (1999) needs two displacements and three to twelve times the iterations. The
-//! free set holds the points between the bounds and those at a bound with the gap on its wrong
-//! side. A trial step along the direction is clipped and its load restored; the exact line search
-//! is then made along the feasible difference, whose displacement is the only one needed. Single
-//! precision is enough for it: what it loses shrinks with the steps, and the displacement is
-//! computed afresh in double precision before the loss matters and before a result is accepted.
+//! The method follows Polonsky and Keer (1999), with a preconditioner and with one displacement per
+//! iteration where theirs needs two, and takes a third to a twelfth of their iterations. The free set
+//! holds the points between the bounds and the points at a bound whose gap has the wrong sign. A trial
+//! step along the direction is clipped and its load restored; the exact line search then follows the
+//! feasible difference, whose displacement is the only one needed. It is computed in single precision,
+//! whose error shrinks with the step. The displacement of the pressure is recomputed in double
+//! precision before the errors add up and before a result is accepted.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -21,23 +21,25 @@
 use asperity_core::cancel::{Cancelled, checkpoint};
 
 use super::line_search::{
-    SINGLE, exact_length, farthest, line_search, settle, take_step, try_gradient, try_step,
+    SINGLE, exact_length, length_to_bound, line_search, settle, take_step, try_gradient, try_step,
 };
 use super::search_direction::{Search, choose_direction};
 use super::workspace::{Assessment, Level, Task, Workspace};
 
-/// Updates of the displacement after which it is computed afresh, before round-off gathers.
+/// Updates of the displacement after which it is recomputed at the latest, so that round-off does not
+/// accumulate. Most iterations end earlier.
 const REFRESH_INTERVAL: usize = 50;
-/// Iterations without a smaller duality gap after which no more progress is expected.
+/// Iterations without a smaller duality gap after which the solution counts as stalled. The gap need
+/// not fall in every iteration while the free set changes, hence the large number.
 const MAX_STALLED: usize = 400;
-/// A clipped step is taken whole when the line search would go at least half as far: the energy
-/// then decreases, and the bounds are identified exactly.
+/// A clipped step is taken in full if the line search would go at least half as far. Up to twice the
+/// minimum of a parabola the energy decreases, and the full step ends exactly on the bounds.
 const FULL_STEP_FROM: f64 = 0.5;
-/// Share of the gap left to close that the error of the displacement may have.
+/// Error of the displacement, relative to the penetration that is left, at which it is recomputed.
 const MAX_DRIFT: f64 = 0.1;
 
 /// Improves `work.pressure`, whose opening is known, until its certificate is within the tolerance or
-/// no progress is left; returns the iterations, of which `most` are allowed.
+/// no progress is possible. Returns the number of iterations, at most `most`.
 pub(crate) fn minimise(
     level: Level,
     work: &mut Workspace,
@@ -50,8 +52,9 @@ pub(crate) fn minimise(
     loop {
         checkpoint()?;
         let mut assessment = work.assess(task);
-        let left = assessment.penetration.max(task.tolerance) * task.reference_gap;
-        let drifted = search.drift > MAX_DRIFT * left || updates >= REFRESH_INTERVAL;
+        let penetration = assessment.penetration.max(task.tolerance) * task.reference_gap;
+        let drifted = search.drift > MAX_DRIFT * penetration || updates >= REFRESH_INTERVAL;
+        // A result is accepted only by a displacement in double precision.
         if updates > 0 && (drifted || assessment.within(task.tolerance)) {
             settle(level, work, task);
             search.drift = 0.0;
@@ -77,7 +80,8 @@ pub(crate) fn minimise(
     }
 }
 
-/// One iteration; false when the energy cannot be lowered.
+/// One iteration: direction, feasible trial step, line search, update. False when no step lowers the
+/// energy.
 fn advance(
     level: Level,
     work: &mut Workspace,
@@ -92,13 +96,14 @@ fn advance(
     choose_direction(level, work, task, assessment.free, residual_mean, search);
     let reach = match search.length {
         Some(length) => length,
-        // The preconditioner scales steps of constant load, but knows no datum.
+        // The preconditioner gives the right length of a step of constant load, but ignores the datum.
         None if task.sum.is_some() => 1.0,
         None => exact_length(level, work, task),
     };
     let mut clipped = try_step(work, task, reach);
     let mut line = line_search(level, work, task, assessment.approach);
     if !line.descends() {
+        // The clipped direction is no descent any more: a projected gradient is, and restarts the directions.
         try_gradient(work, task, assessment.approach);
         line = line_search(level, work, task, assessment.approach);
         search.descent = 0.0;
@@ -108,6 +113,8 @@ fn advance(
         return false;
     }
     let s = -line.slope / line.curvature;
+    // The next trial length follows the minimum of the line search, within a factor that keeps one
+    // unusual step from spoiling it: narrower where clipping changed the direction.
     let length = if clipped {
         search.length = Some(reach * s.clamp(0.5, 2.0));
         if s < FULL_STEP_FROM {
@@ -117,7 +124,7 @@ fn advance(
     } else {
         search.length = Some(reach * s.clamp(0.1, 4.0));
         if s > 1.0 {
-            s.min(farthest(work, task.limit))
+            s.min(length_to_bound(work, task.limit))
         } else {
             s
         }

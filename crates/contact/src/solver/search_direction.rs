@@ -1,7 +1,7 @@
-//! Directions of search: preconditioned residuals, each conjugate to the one before.
+//! Search directions: preconditioned residuals, each conjugate to the direction before.
 //!
-//! The preconditioner is the symbol |q| of the half-plane's inverse, masked to the free points.
-//! With the coarse space of contact patches it leaves, in addition, no mean residual on a patch.
+//! The preconditioner is the symbol |q| of the inverse of the half-plane, masked to the free points.
+//! The coarse space of the contact patches then removes the mean residual of every patch.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -13,18 +13,22 @@ use super::workspace::{Level, Task, Workspace};
 use crate::convolution::{Lanes, parts, vectorised};
 use asperity_core::cite;
 
-/// Memory of the search from one iteration to the next.
+/// State of the search between iterations.
 #[derive(Default)]
 pub(crate) struct Search {
-    /// τ, not known before the first direction.
+    /// τ; `None` before the first direction.
     pub(crate) length: Option<f64>,
-    /// r·z of the last direction, or zero to restart along z.
+    /// r·z of the last direction; zero restarts the conjugate directions.
     pub(crate) descent: f64,
-    /// Error in m of the displacement by what single precision lost.
+    /// Error of the displacement in m from single precision.
     pub(crate) drift: f64,
 }
 
-/// d = −z + β·d on F without its mean, with Polak and Ribière's β ≥ 0; −z when that is no descent.
+/// d = −z + β·d on F without its mean, with β ≥ 0 after Polak and Ribière (1969); −z if that is not a
+/// descent.
+///
+/// This β, unlike the one by Fletcher and Reeves, becomes small after an iteration with little progress,
+/// as after clipping, and so restarts the directions by itself.
 pub(crate) fn choose_direction(
     level: Level,
     work: &mut Workspace,
@@ -33,7 +37,7 @@ pub(crate) fn choose_direction(
     residual_mean: f64,
     search: &mut Search,
 ) {
-    // Steps of constant load have no mean, nor has what matters of the residual.
+    // A step of constant load has no mean, so means are removed; a controlled approach keeps them.
     let count = free as f64;
     let mean = |sum: f64| if task.sum.is_some() { sum / count } else { 0.0 };
     precondition(level, work, task, residual_mean);
@@ -80,11 +84,15 @@ pub(crate) fn choose_direction(
     search.descent = sums.r_z;
 }
 
-/// Sums over F: of z, r·z, the residual of the last iteration, and that times z.
+/// Sums over F.
 struct AscentSums {
+    /// Σ z
     z: f64,
+    /// Σ r·z
     r_z: f64,
+    /// Sum of the residual of the last iteration.
     old: f64,
+    /// Sum of the residual of the last iteration, times z.
     old_z: f64,
 }
 
@@ -116,7 +124,7 @@ fn ascent_sums(work: &mut Workspace) -> AscentSums {
     AscentSums { z, r_z, old, old_z }
 }
 
-/// Takes the mean from r, and z = M r.
+/// Subtracts the mean from r and computes z = M r.
 fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: f64) {
     let (residual, free) = (&mut work.residual, &work.free);
     let mut lanes = Lanes::new([0.0]);
@@ -131,7 +139,7 @@ fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: 
             lanes.fold([&*residual], larger);
         },
     );
-    // Scaled so that single precision neither overflows nor vanishes, whatever the units.
+    // Scaled to one, so that single precision neither overflows nor underflows in any units.
     let [largest] = lanes.reduce(|a, b| [a[0].max(b[0])]);
     let scale = if largest > 0.0 { largest } else { 1.0 };
     let buffers = &mut work.single_buffers;
@@ -168,7 +176,8 @@ fn precondition(level: Level, work: &mut Workspace, task: &Task, residual_mean: 
 
 /// z = B r + Z·K⁻¹·Zᵀ(r − A·B r), B r being z before, Z even pressures on the patches   `[Deflation-1]`
 ///
-/// z then leaves no mean residual on any contact patch. All are in units of the residual's scale.
+/// z then leaves no mean residual on any contact patch. This is the preconditioner A-DEF2 of Tang et
+/// al. (2009). All values are in units of the largest residual.
 fn deflate(level: Level, work: &mut Workspace, scale: f64) {
     cite!("Deflation-1");
     let (ascent, residual, runs) = (&mut work.ascent, &work.residual, &work.runs);
@@ -192,8 +201,8 @@ fn deflate(level: Level, work: &mut Workspace, scale: f64) {
     work.coarse.correct(left, ascent);
 }
 
-/// d = even pressures on the patches that remove the means of the residual over them. Takes the
-/// mean of all from the residual.
+/// Sets d to the uniform pressures on the patches that remove the means of the residual over them.
+/// Subtracts the mean over all points from the residual.
 pub(crate) fn remove_patch_means(work: &mut Workspace, task: &Task, residual_mean: f64) {
     let (ascent, residual) = (&mut work.ascent, &mut work.residual);
     residual.iter_mut().for_each(|r| *r -= residual_mean);

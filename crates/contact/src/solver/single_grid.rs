@@ -1,4 +1,4 @@
-//! Minimisation on one grid: active set first, projected gradients for the rest.
+//! Minimisation on one grid: active set, then projected gradients.
 
 use asperity_core::cancel::Cancelled;
 
@@ -6,8 +6,8 @@ use super::line_search::settle;
 use super::workspace::{Level, Task, Workspace};
 use super::{active_set, projected_gradient};
 
-/// Improves `work.pressure` until its certificate is within the tolerance or no progress is left;
-/// returns the iterations.
+/// Improves `work.pressure` until its certificate is within the tolerance or no progress is possible.
+/// Returns the number of iterations.
 pub(crate) fn minimise(
     level: Level,
     work: &mut Workspace,
@@ -15,7 +15,8 @@ pub(crate) fn minimise(
 ) -> Result<usize, Cancelled> {
     work.resize();
     settle(level, work, task);
-    // Of the start: near the solution but for the coarsest grid, whose result only is a start.
+    // The reference gap of the start is close to that of the solution, except on the coarsest grid, whose
+    // result is only a start itself.
     let task = &Task {
         reference_gap: work.reference_gap(task),
         ..*task
@@ -28,10 +29,11 @@ pub(crate) fn minimise(
         task.tolerance
     };
     let task = &Task { tolerance, ..*task };
-    let on_sets = match task.sum {
+    // The coarse space assumes steps of constant load, so a controlled approach starts with gradients.
+    let set_iterations = match task.sum {
         Some(_) => active_set::minimise(level, work, task)?,
         None => 0,
     };
-    let left = task.max_iterations.saturating_sub(on_sets);
-    Ok(on_sets + projected_gradient::minimise(level, work, task, left)?)
+    let remaining = task.max_iterations.saturating_sub(set_iterations);
+    Ok(set_iterations + projected_gradient::minimise(level, work, task, remaining)?)
 }

@@ -1,13 +1,13 @@
 //! Arrays and operators of an iteration on one grid, and the assessment of a pressure.
 //!
-//! Everything but the transforms and one pass over v happens on the runs of points that touch or
-//! overlap: a rough contact covers a small part of its grid.
+//! All passes except the transforms and one over v are restricted to the points with pressure or
+//! overlap, held as runs of neighbours: a rough contact covers a small part of its grid.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | p, u, h | pressure, displacement, undeformed gap | Pa, m, m |
 //! | v, α, g | u + h, approach, gap v − α | m |
-//! | F | free set: points between the bounds, and those at one with the gap on its wrong side | - |
+//! | F | free set: points between the bounds, and points at a bound whose gap has the wrong sign | - |
 
 use asperity_core::cite;
 
@@ -16,22 +16,23 @@ use crate::boundary::Boundary;
 use crate::convolution::{Buffers, EvenFilter};
 use crate::convolution::{Lanes, Run, extend, listed, parts, vectorised};
 
-/// Points looked at together for one that overlaps: as many as an integer has bits.
+/// Points that are searched together for overlap: the bits of an integer mark those in contact.
 const BLOCK: usize = u64::BITS as usize;
 
 /// Operators of one grid.
 #[derive(Clone, Copy)]
 pub(crate) struct Level<'a> {
     pub(crate) displacement: &'a EvenFilter,
-    /// The displacement in single precision, for what a step changes.
+    /// The displacement in single precision, for steps and preconditioner.
     pub(crate) single: &'a EvenFilter<f32>,
+    /// The symbol |q|, nearly the inverse of the displacement.
     pub(crate) inverse: &'a EvenFilter<f32>,
     pub(crate) boundary: Boundary,
 }
 
 /// Bounded quadratic problem on one grid.
 pub(crate) struct Task<'a> {
-    /// h in m, with the displacement by prescribed pressures; minus the approach when it is controlled.
+    /// h plus the displacement by the prescribed pressure, minus a controlled approach, in m.
     pub(crate) gap: &'a [f64],
     /// Σp in Pa, unless the approach is controlled.
     pub(crate) sum: Option<f64>,
@@ -39,19 +40,19 @@ pub(crate) struct Task<'a> {
     pub(crate) limit: f64,
     /// a/(π·E*) in m/Pa.
     pub(crate) compliance: f64,
-    /// Displacement per Σp by the datum in m/Pa; only matters when the approach is controlled.
+    /// Displacement by the datum per Σp in m/Pa; used only when the approach is controlled.
     pub(crate) datum: f64,
     pub(crate) reference_gap: f64,
     pub(crate) reference_bounds: ReferenceBounds,
     pub(crate) tolerance: f64,
-    /// On a coarser grid the tolerance is tightened to what its start is worth, but to no less.
+    /// Least tolerance of a coarser grid, whose tolerance is `gain` times the certificate of its start.
     pub(crate) least_tolerance: f64,
-    /// That worth: the certificate over that of the start.
+    /// Certificate of the solution of a coarser grid relative to its start.
     pub(crate) gain: f64,
     pub(crate) max_iterations: usize,
 }
 
-/// Bounds of the reference gap in m that are known before a solution.
+/// Bounds of the reference gap in m, known before the solution.
 #[derive(Clone, Copy)]
 pub(crate) struct ReferenceBounds {
     pub(crate) least: f64,
@@ -60,7 +61,7 @@ pub(crate) struct ReferenceBounds {
 }
 
 impl ReferenceBounds {
-    /// The smaller of the ranges of gap and deformation in m, but not below the least.
+    /// The smaller of the ranges of gap and deformation in m, at least the lower bound.
     pub(crate) fn between(self, deformation: f64) -> f64 {
         let Self { least, most } = self;
         if deformation > 0.0 {
@@ -72,7 +73,7 @@ impl ReferenceBounds {
 }
 
 impl Task<'_> {
-    /// Contribution of the datum to the displacement by pressures of this sum.
+    /// Displacement by the datum in m for pressures of this sum.
     pub(crate) fn datum_displacement(&self, sum: impl FnOnce() -> f64) -> f64 {
         if self.sum.is_some() || self.datum == 0.0 {
             0.0
@@ -82,7 +83,7 @@ impl Task<'_> {
     }
 }
 
-/// The arrays of an iteration; `pressure` is both start and result.
+/// Arrays of an iteration; `pressure` is the start and the result.
 #[derive(Default)]
 pub(crate) struct Workspace {
     pub(crate) buffers: Buffers,
@@ -91,17 +92,21 @@ pub(crate) struct Workspace {
     pub(crate) pressure: Vec<f64>,
     /// v
     pub(crate) opening: Vec<f64>,
-    /// Direction and residual of the last iteration; zero at points off the runs.
+    /// Direction of the last iteration; zero outside of the runs.
     pub(crate) direction: Vec<f64>,
+    /// Residual of the last iteration; zero outside of the runs.
     pub(crate) previous: Vec<f64>,
     /// Runs of points with pressure or overlap, in order: the listed points.
     pub(crate) runs: Vec<Run>,
+    /// Memory for the runs that replace `runs`.
     pub(crate) next: Vec<Run>,
-    /// The free set that the next iterations are to be on.
+    /// Free set of the next iterations.
     pub(crate) held: Vec<Run>,
-    /// Residual, zero off F; preconditioned residual; trial pressure: one value per listed point.
+    /// Residual of each listed point, zero outside of F.
     pub(crate) residual: Vec<f64>,
+    /// Preconditioned residual of each listed point.
     pub(crate) ascent: Vec<f64>,
+    /// Trial pressure of each listed point.
     pub(crate) trial: Vec<f64>,
     /// Whether a listed point is in F.
     pub(crate) free: Vec<bool>,
@@ -127,7 +132,7 @@ impl Assessment {
 }
 
 impl Workspace {
-    /// Sets the size of all arrays by that of the pressure; the iteration then needs no memory.
+    /// Sizes all arrays for the pressure, so that the iteration allocates nothing.
     pub(crate) fn resize(&mut self) {
         let points = self.pressure.len();
         for array in [&mut self.direction, &mut self.previous] {
@@ -140,14 +145,14 @@ impl Workspace {
         }
         self.free.clear();
         self.free.reserve(points);
-        // Every other point at most begins a run.
+        // At most every other point begins a run.
         for runs in [&mut self.runs, &mut self.next, &mut self.held] {
             runs.clear();
             runs.reserve(points.div_ceil(2));
         }
     }
 
-    /// Gives back the memory that only an iteration needs.
+    /// Frees the memory that only an iteration needs.
     pub(crate) fn release(&mut self) {
         self.single_buffers = Buffers::default();
         self.coarse = CoarseSpace::default();
@@ -161,7 +166,7 @@ impl Workspace {
         }
     }
 
-    /// v = A p + h, with all points listed, and
+    /// Recomputes v = A p + h in double precision and lists all points, with
     ///
     /// A p = (1/(π·E*))·Σⱼ C_ij·p_j  `[P1]`
     pub(crate) fn refresh(&mut self, displacement: &EvenFilter, task: &Task) {
@@ -176,8 +181,8 @@ impl Workspace {
         self.list_all();
     }
 
-    /// Range in m of the deformation from half a contact width before the first point under pressure
-    /// to as much behind the last; zero without such points.
+    /// Range of the deformation in m from half a contact width before the first point under pressure
+    /// to half a contact width behind the last; zero without pressure.
     pub(crate) fn deformation(&self, task: &Task) -> f64 {
         let loaded = |p: &f64| *p > 0.0;
         let (Some(first), Some(last)) = (
@@ -198,7 +203,7 @@ impl Workspace {
         most - least
     }
 
-    /// The smaller of the ranges of gap and deformation, but not below the least.
+    /// Reference gap of the present pressure in m.
     pub(crate) fn reference_gap(&self, task: &Task) -> f64 {
         task.reference_bounds.between(self.deformation(task))
     }
@@ -208,8 +213,8 @@ impl Workspace {
         self.runs.push(Run::new(0, self.pressure.len()));
     }
 
-    /// v + s·(A Δ + `datum`) with A Δ the signal of the single-precision buffers times `scale`; p
-    /// has taken that step already. Returns the largest change.
+    /// Updates v to v + s·(A Δ + `datum`), with A Δ the signal of the single-precision buffers times
+    /// `scale`; the pressure has been updated before. Returns the largest change.
     pub(crate) fn open(&mut self, length: f64, scale: f64, datum: f64) -> f64 {
         let change = &*self.single_buffers.signal(self.opening.len());
         let (opening, slope, rise) = (&mut self.opening, length * scale, length * datum);
@@ -243,7 +248,7 @@ impl Workspace {
         slope * f64::from(largest)
     }
 
-    /// α: mean of v between the bounds; with no such point the largest v under pressure.
+    /// α: mean of v over the points between the bounds; without such points the largest v under pressure.
     fn approach(&self, task: &Task) -> f64 {
         if task.sum.is_none() {
             return 0.0;
@@ -270,7 +275,8 @@ impl Workspace {
         if count > 0.0 { sum / count } else { most }
     }
 
-    /// Relists the points with pressure, all of which are listed, or with overlap.
+    /// Lists the points with pressure or overlap. Points with pressure are among those listed before, so
+    /// only overlap is searched outside of the old runs.
     fn relist(&mut self, approach: f64) {
         let Self {
             pressure,
@@ -317,7 +323,7 @@ impl Workspace {
         std::mem::swap(runs, next);
     }
 
-    /// List, free set, residual and certificate of the present pressure and v.
+    /// Updates list, free set and residual from the present pressure and v, and computes the certificate.
     pub(crate) fn assess(&mut self, task: &Task) -> Assessment {
         let approach = self.approach(task);
         self.relist(approach);
@@ -375,7 +381,8 @@ impl Workspace {
             let least = a[3].min(b[3]);
             [a[0] + b[0], a[1] + b[1], a[2] + b[2], least, a[4] + b[4]]
         });
-        // As in `certificate::duality_gap`; with a controlled approach the load is free to change.
+        // As in `certificate::duality_gap`, except that under a limit a controlled approach leaves only the
+        // first bound: its load may change.
         let bound = match (limited, task.sum) {
             (true, None) => energy + excess,
             (true, Some(_)) => energy + excess.min(-least * sum),

@@ -1,7 +1,7 @@
-//! The paper's subsurface check: the shear stress straight under the middle of the contact.
+//! Shear stress under the middle of the contact, the paper's subsurface check.
 //!
-//! The paper prints one formula with its maximum "at z = a, 20.7 %". Evaluated, the Hertz contact
-//! has its maximum of 0.30028 p₀ at z = 0.78615 b, and a uniformly loaded strip has p/π at z = a.
+//! The paper prints one formula with its maximum "at z = a, 20.7 %". When evaluated, the maximum is
+//! 0.30028 p₀ at z = 0.78615 b under a Hertz contact and p/π at z = a under a uniformly loaded strip.
 
 use std::f64::consts::PI;
 
@@ -35,7 +35,7 @@ pub fn hertz_axis_shear(contact: &HertzLine, depth: Length) -> Result<Pressure, 
     let p0 = DomainError::non_negative("largest pressure", contact.max_pressure)?;
     let z = DomainError::non_negative("depth", depth)?;
     let root = b.hypot(z);
-    // z − z²/√(b² + z²) without the difference, which deep down has no digits left.
+    // z − z²/√(b² + z²) without the difference, which cancels at large depths.
     Ok(Pressure::from_si(p0 * (z / root) * (b / (root + z))))
 }
 
@@ -92,7 +92,7 @@ mod tests {
         assert!((hertz(exact_depth) - 0.300_283_106_001).abs() < 1e-12);
         assert!(hertz(exact_depth) > hertz(exact_depth * 1.001));
         assert!(hertz(exact_depth) > hertz(exact_depth * 0.999));
-        // What stands at z = a; over √2 it is the 20.7 % that the paper prints.
+        // The value at z = a; divided by √2 it is the 20.7 % that the paper prints.
         assert!((hertz(1.0) - (1.0 - 0.5f64.sqrt())).abs() < 1e-15);
         assert!((hertz(1.0) * 0.5f64.sqrt() - 0.207_106_781_186_547_57).abs() < 1e-15);
     }

@@ -1,10 +1,10 @@
-//! The stress field under any pressure and traction on a grid.
+//! Stress field under any pressure and traction on a grid.
 //!
-//! Pressure and traction are constant over each cell, so every cell is a loaded strip and the
-//! field is exact for that load; against a smooth load of the same cell averages the error falls
-//! with the square of the cell. At each depth the field is a convolution of the load with the
-//! strip's stresses, done by real transforms: one forward transform per load, four per depth for
-//! the kernels and three back.
+//! Pressure and traction are constant over each cell, so every cell is a loaded strip and the field is
+//! exact for this load. For a smooth load with the same cell averages the error is proportional to the
+//! square of the cell width. At each depth the field is a convolution of the load with the stresses of
+//! a strip, computed by real transforms: one forward transform per load, and per depth four for the
+//! kernels and three inverse transforms.
 
 use std::sync::Arc;
 
@@ -19,9 +19,9 @@ use super::point::{check_poisson, max_shear, tresca, von_mises};
 use super::strip::{StripStress, unit};
 use crate::ContactError;
 
-/// Depth of the field in half widths of the contact: below, von Mises is under a third of p₀.
-const REACH: f64 = 3.0;
-/// Most depths of a grid.
+/// Depth of the field in half widths of the contact. Below, the von Mises stress is under a third of p₀.
+const DEPTH_IN_HALF_WIDTHS: f64 = 3.0;
+/// Largest number of depths of a grid.
 const MOST_DEPTHS: usize = 1_000_000;
 
 /// Stresses under a surface on a grid of depths and positions, tension positive.
@@ -35,7 +35,7 @@ pub struct StressField {
     pub depths: Vec<f64>,
     /// Positions in a row.
     pub points: usize,
-    /// Distance of two positions.
+    /// Distance between positions.
     pub spacing: Length,
     /// σ_xx \[Pa\].
     pub sigma_xx: Vec<f64>,
@@ -45,7 +45,7 @@ pub struct StressField {
     pub tau_xz: Vec<f64>,
 }
 
-/// The largest value of a field and where it is.
+/// Largest value of a field and its position.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Peak {
@@ -57,8 +57,7 @@ pub struct Peak {
     pub depth: Length,
 }
 
-/// Zone in which the equivalent stress exceeds the elastic limit, interpolated between grid points of the
-/// field.
+/// Zone of the grid points at which the equivalent stress exceeds the elastic limit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct YieldZone {
@@ -143,10 +142,10 @@ pub fn subsurface_stress(
     Ok(field)
 }
 
-/// Depths for a field: a geometric row of `count` from `finest` down to three half widths.
+/// Depths for a field: a geometric series of `count` depths from `finest` to three half widths.
 ///
 /// # Errors
-/// When a length is not positive, `finest` is not above three half widths, or `count` is below 2.
+/// When a length is not positive, `finest` is not less than three half widths, or `count` is below 2.
 ///
 /// ```
 /// use asperity_contact::subsurface::graded_depths;
@@ -160,7 +159,7 @@ pub fn graded_depths(
     count: usize,
 ) -> Result<Vec<f64>, ContactError> {
     let first = DomainError::positive("finest depth", finest)?;
-    let last = REACH * DomainError::positive("half width", half_width)?;
+    let last = DEPTH_IN_HALF_WIDTHS * DomainError::positive("half width", half_width)?;
     DomainError::require(
         first < last,
         "finest depth",
@@ -183,7 +182,7 @@ pub fn graded_depths(
 }
 
 impl StressField {
-    /// Position of a point from the first.
+    /// Position of a point, from the first point.
     pub fn position(&self, point: usize) -> Length {
         self.spacing * point as f64
     }
@@ -221,8 +220,8 @@ impl StressField {
         Ok(self.every(|stress| tresca(stress, nu)))
     }
 
-    /// The largest of `values` \[Pa\], one per point of this field as the equivalents return them;
-    /// none when there are none.
+    /// Largest of `values` \[Pa\], one per point of this field, as returned by the equivalent stresses;
+    /// `None` without values.
     pub fn peak(&self, values: &[f64]) -> Option<Peak> {
         let (index, &value) = values
             .iter()
@@ -236,7 +235,7 @@ impl StressField {
         })
     }
 
-    /// Zone in which the von Mises stress exceeds the elastic limit; none if it does so nowhere.
+    /// Zone in which the von Mises stress exceeds the elastic limit; `None` if there is no such zone.
     ///
     /// # Errors
     /// When ν is outside −1 < ν ≤ 0.5 or the limit is not positive.
@@ -280,6 +279,7 @@ impl StressField {
         Ok(zone)
     }
 
+    /// An equivalent stress at every point.
     fn every(&self, equivalent: impl Fn([f64; 3]) -> f64) -> Vec<f64> {
         (self.sigma_xx.iter().zip(&self.sigma_zz))
             .zip(&self.tau_xz)
@@ -344,7 +344,7 @@ fn finite(name: &'static str, values: &[f64], unit: &'static str) -> Result<(), 
 
 type Spectrum = Vec<Complex<f64>>;
 
-/// Free-space convolution over a window, by transforms long enough that nothing wraps around.
+/// Convolution over a window without periodicity, by zero-padded transforms.
 struct Transform {
     points: usize,
     forward: Arc<dyn RealToComplex<f64>>,
@@ -369,7 +369,7 @@ impl Transform {
         }
     }
 
-    /// The transform of what `fill` writes into zeros.
+    /// Transform of the zero-padded values that `fill` writes.
     fn spectrum(&mut self, fill: impl FnOnce(&mut [f64])) -> Spectrum {
         self.padded.fill(0.0);
         fill(&mut self.padded);
@@ -381,7 +381,7 @@ impl Transform {
         spectrum
     }
 
-    /// The transform of a kernel given for lags ≥ 0, even (`parity` 1) or odd (−1).
+    /// Transform of an even (`parity` 1) or odd (−1) kernel, from its values at lags ≥ 0.
     fn kernel(&mut self, parity: f64, value: impl Fn(usize) -> f64) -> Spectrum {
         let (points, length) = (self.points, self.padded.len());
         self.spectrum(|padded| {
@@ -393,7 +393,7 @@ impl Transform {
         })
     }
 
-    /// Appends the sum of kernel ∗ load over the window to `output`.
+    /// Appends the sum of all kernel ∗ load within the window to `output`.
     fn convolve(&mut self, terms: &[(&Spectrum, &Spectrum)], output: &mut Vec<f64>) {
         let scale = 1.0 / self.padded.len() as f64;
         self.product.fill(Complex::default());
@@ -402,7 +402,7 @@ impl Transform {
                 *sum += kernel * load * scale;
             }
         }
-        // The first and, for even lengths, the last coefficient of a real signal are real.
+        // Of a real signal the first coefficient and, for even lengths, the last one are real.
         self.product[0].im = 0.0;
         if let Some(last) = self.product.last_mut() {
             last.im = 0.0;

@@ -1,9 +1,9 @@
 //! Plane-strain stress under a loaded surface.
 //!
 //! Sources: K. L. Johnson, *Contact Mechanics* (1985), sections 2.5 and 4.2; E. McEwen (1949) for
-//! the closed form under a Hertz contact. The bodies are elastic half-planes: valid where the
-//! contact is narrow against the radii and nothing yields. Where von Mises passes the elastic
-//! limit is reported, not modelled.
+//! the closed form under a Hertz contact. The bodies are elastic half-planes: valid if the contact is
+//! narrow compared with the radii and nothing yields. The zone in which the von Mises stress exceeds
+//! the elastic limit is reported, not modelled.
 //!
 //! Tension is positive, z points into the body, pressure p > 0 presses on it and traction q > 0
 //! pulls its surface towards +x. In plane strain σ_yy = ν·(σ_xx + σ_zz).

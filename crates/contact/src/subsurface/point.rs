@@ -1,4 +1,4 @@
-//! The stress at one point and its equivalents.
+//! Stress at one point and its equivalent stresses.
 
 use asperity_core::quantity::Pressure;
 use asperity_core::{DomainError, cite};
@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::ContactError;
 
-/// The stresses in the plane at one point, tension positive.
+/// Stresses in the plane at one point, tension positive.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PlaneStress {
     /// σ_xx, along the surface.

@@ -1,7 +1,7 @@
 //! Stress under a strip |x| ≤ a that carries a uniform unit pressure or unit traction.
 //!
-//! The textbook form takes differences of angles and logarithms seen from the two edges, and
-//! loses all digits far away. Here each difference is one function of one argument.
+//! The textbook form subtracts angles and logarithms at the two edges, which cancel at large distances.
+//! Here each difference is a function of one argument.
 
 use std::f64::consts::PI;
 
@@ -13,7 +13,7 @@ use crate::ContactError;
 
 /// Stress under a strip per unit of pressure or traction on it.
 ///
-/// Traction's σ_zz equals pressure's τ_xz, and traction's τ_xz equals pressure's σ_xx.
+/// σ_zz by traction equals τ_xz by pressure, and τ_xz by traction equals σ_xx by pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct StripStress {
@@ -59,14 +59,14 @@ pub fn strip_unit(
         "m",
         "must not be an edge of the strip on the surface",
     )?;
-    // In units of the half width nothing overflows that is not lost anyway.
+    // In units of the half width, squares do not overflow at any sensible position.
     Ok(unit(x / a, z / a))
 }
 
-/// The kernel in units of the half width; `z` ≥ 0 and not at an edge of the strip.
+/// Stress with lengths in units of the half width; `z` ≥ 0, and the point is not an edge of the strip.
 pub(super) fn unit(x: f64, z: f64) -> StripStress {
     let r1_r2_squared = ((x - 1.0).powi(2) + z * z) * ((x + 1.0).powi(2) + z * z);
-    // (x − 1)(x + 1) keeps its digits near the edges.
+    // Near the edges (x − 1)(x + 1) is accurate, x² − 1 is not.
     let (outside, z2) = ((x - 1.0) * (x + 1.0), z * z);
     let angle = (2.0 * z).atan2(outside + z2);
     let sine = 4.0 * z * (outside - z2) / r1_r2_squared;

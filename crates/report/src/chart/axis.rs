@@ -1,4 +1,4 @@
-//! Axes: the range they show, where their ticks stand and how these are written.
+//! Axes: range, ticks and labels.
 
 use serde::Serialize;
 
@@ -12,7 +12,7 @@ pub enum Scale {
     Log,
 }
 
-/// An axis before its range is known.
+/// Axis without its range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     /// Quantity along the axis.
@@ -21,16 +21,16 @@ pub struct Axis {
     pub unit: String,
     /// Scale.
     pub scale: Scale,
-    /// Whether zero must be seen.
+    /// Whether the range includes zero.
     pub zero: bool,
-    /// Larger values lower down, for depths.
+    /// Whether values increase downwards, for depths.
     pub downward: bool,
-    /// A range to show rather than that of the data.
+    /// Fixed range in place of the range of the data.
     pub limits: Option<[f64; 2]>,
 }
 
 impl Axis {
-    /// An axis in equal steps.
+    /// Linear axis.
     pub fn new(label: &str, unit: &str) -> Self {
         Self {
             label: label.to_owned(),
@@ -42,25 +42,25 @@ impl Axis {
         }
     }
 
-    /// The same from zero.
+    /// Includes zero in the range.
     pub fn from_zero(mut self) -> Self {
         self.zero = true;
         self
     }
 
-    /// The same in equal ratios.
+    /// Makes the axis logarithmic.
     pub fn log(mut self) -> Self {
         self.scale = Scale::Log;
         self
     }
 
-    /// The same with larger values lower down.
+    /// Makes values increase downwards.
     pub fn downward(mut self) -> Self {
         self.downward = true;
         self
     }
 
-    /// The same with a range of its own.
+    /// Sets a fixed range.
     pub fn within(mut self, low: f64, high: f64) -> Self {
         self.limits = Some([low, high]);
         self
@@ -81,10 +81,10 @@ impl Axis {
         }
     }
 
-    /// The range that shows all of `values`, with a little air where zero is not the edge.
+    /// Range of all `values`, with a margin unless zero is the edge.
     pub(super) fn range(&self, values: impl Iterator<Item = f64>) -> Range {
-        /// Air beside the data, of the range.
-        const AIR: f64 = 0.04;
+        /// Margin of the data, relative to the range.
+        const MARGIN: f64 = 0.04;
         if let Some([low, high]) = self.limits {
             return Range {
                 low,
@@ -119,8 +119,8 @@ impl Axis {
                 (low - half, high + half)
             };
         }
-        let air = AIR * (high - low);
-        // Zero but for rounding is an edge, too.
+        let air = MARGIN * (high - low);
+        // Zero within round-off is an edge too.
         let is_edge = |end: f64| self.zero && end.abs() < EDGE * air;
         low = if is_edge(low) { 0.0 } else { low - air };
         high = if is_edge(high) { 0.0 } else { high + air };
@@ -132,7 +132,7 @@ impl Axis {
     }
 }
 
-/// The part of an axis that is shown.
+/// Visible range of an axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Range {
     pub low: f64,
@@ -149,11 +149,11 @@ impl Range {
         }
     }
 
-    /// About `wanted` ticks at round numbers, with their labels.
-    pub fn ticks(&self, wanted: usize) -> Vec<(f64, String)> {
+    /// About `count` ticks at round numbers, with their labels.
+    pub fn ticks(&self, count: usize) -> Vec<(f64, String)> {
         match self.scale {
-            Scale::Linear => linear_ticks(self.low, self.high, wanted),
-            Scale::Log => log_ticks(self.low, self.high, wanted),
+            Scale::Linear => linear_ticks(self.low, self.high, count),
+            Scale::Log => log_ticks(self.low, self.high, count),
         }
     }
 }
@@ -161,8 +161,8 @@ impl Range {
 /// Rounding of a tick at the edge of the range.
 const EDGE: f64 = 1e-9;
 
-fn linear_ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
-    let raw = (high - low) / wanted.max(1) as f64;
+fn linear_ticks(low: f64, high: f64, count: usize) -> Vec<(f64, String)> {
+    let raw = (high - low) / count.max(1) as f64;
     let power = 10f64.powf(raw.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0]
         .into_iter()
@@ -191,19 +191,19 @@ fn linear_ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
     ticks
 }
 
-fn log_ticks(low: f64, high: f64, wanted: usize) -> Vec<(f64, String)> {
+fn log_ticks(low: f64, high: f64, count: usize) -> Vec<(f64, String)> {
     let (a, b) = (
         (low.log10() - EDGE).ceil() as i32,
         (high.log10() + EDGE).floor() as i32,
     );
-    let stride = ((b - a + 1) as usize).div_ceil(wanted.max(1)).max(1);
+    let stride = ((b - a + 1) as usize).div_ceil(count.max(1)).max(1);
     (a..=b)
         .step_by(stride)
         .map(|power| (10f64.powi(power), power_of_ten(power)))
         .collect()
 }
 
-/// 10⁻³ as people write it.
+/// A power of ten with raised digits, such as 10⁻³.
 fn power_of_ten(power: i32) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let digits = power.unsigned_abs().to_string();
@@ -214,7 +214,7 @@ fn power_of_ten(power: i32) -> String {
     format!("10{sign}{}", raised.collect::<String>())
 }
 
-/// A true minus sign.
+/// Text with minus signs in place of hyphens.
 fn minus(text: &str) -> String {
     text.replace('-', "−")
 }

@@ -1,4 +1,4 @@
-//! Bars from zero, with their values written beside them.
+//! Bars from zero, labelled with their values.
 
 use super::axis::{Axis, Range};
 use super::canvas::{Anchor, Canvas, LINE};
@@ -6,48 +6,48 @@ use super::dress::Dress;
 use super::frame::{RIGHT, TICK_BELOW, WIDTH, document, right_end};
 use super::text_width::{NAME, name_lines, widest, width};
 
-/// A bar.
+/// Bar.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bar {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its length; none when there is no value.
+    /// Length; `None` without a value.
     pub value: Option<f64>,
-    /// Ends of its whisker.
+    /// Ends of the whisker.
     pub spread: Option<[f64; 2]>,
-    /// The value as text.
+    /// Formatted value.
     pub text: String,
 }
 
-/// Bars from zero.
+/// Chart of bars from zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BarChart {
-    /// Name for links.
+    /// Identifier for links.
     pub id: String,
     /// Title of the drawing.
     pub title: String,
-    /// The table it was drawn from.
+    /// Name of its data file.
     pub source: String,
-    /// The axis along the bars; always from zero.
+    /// Axis along the bars, from zero.
     pub axis: Axis,
     /// The bars.
     pub bars: Vec<Bar>,
 }
 
-/// Ticks aimed at.
+/// Approximate number of ticks.
 const TICKS: usize = 5;
-/// From the names to the bars, and from a bar to its text.
-const BESIDE: f64 = 8.0;
-/// Edge of the drawing that stays free.
+/// Distance between names and bars, and between a bar and its text.
+const GAP: f64 = 8.0;
+/// Margin of the drawing.
 const EDGE: f64 = 4.0;
 /// Longest line of a name.
-const MOST: f64 = 0.5 * WIDTH - BESIDE - EDGE;
+const MOST: f64 = 0.5 * WIDTH - GAP - EDGE;
 
-/// A name in few lines of about equal length that leave half of the width to the bars.
+/// A name in few lines of similar length that leave half of the width to the bars.
 fn lines(name: &str) -> Vec<String> {
-    /// A name that is not longer is a single line.
+    /// Longest name that is not broken.
     const LONG: f64 = 240.0;
-    /// Next length to be tried over the one before.
+    /// Ratio of the lengths that are tried.
     const LONGER: f64 = 1.05;
     let whole = width(name, NAME);
     let number = (whole / LONG).ceil().max(1.0);
@@ -61,15 +61,15 @@ fn lines(name: &str) -> Vec<String> {
     }
 }
 
-/// Room for the names left of the bars.
+/// Width of the names left of the bars.
 fn room<'a>(names: impl Iterator<Item = &'a Vec<String>>) -> f64 {
     const LEAST: f64 = 110.0;
     let longest = widest(names.flatten().map(String::as_str), NAME);
-    (EDGE + longest + BESIDE).max(LEAST)
+    (EDGE + longest + GAP).max(LEAST)
 }
 
 impl BarChart {
-    /// Class of its drawing.
+    /// CSS class of its drawing.
     pub(super) const KIND: &str = "bar-chart";
 
     /// The chart as SVG.
@@ -88,13 +88,13 @@ impl BarChart {
         });
         let range = self.axis.clone().from_zero().range(ends);
         let right = self.right(left, &range);
-        let place = |value: f64| left + range.share(value) * (right - left);
+        let px = |value: f64| left + range.share(value) * (right - left);
         let mut canvas = Canvas::default();
         for (value, label) in range.ticks(TICKS) {
-            canvas.line("grid", [place(value), top], [place(value), bottom]);
+            canvas.line("grid", [px(value), top], [px(value), bottom]);
             canvas.label(
                 "tick",
-                [place(value), bottom + TICK_BELOW],
+                [px(value), bottom + TICK_BELOW],
                 Anchor::Middle,
                 &label,
             );
@@ -105,24 +105,19 @@ impl BarChart {
             let above = 0.5 * LINE * (lines.len() - 1) as f64;
             for (number, line) in lines.iter().enumerate() {
                 let base = middle + 4.0 - above + LINE * number as f64;
-                canvas.label("name", [left - BESIDE, base], Anchor::End, line);
+                canvas.label("name", [left - GAP, base], Anchor::End, line);
             }
             let mut end = left;
             if let Some(value) = bar.value {
-                end = place(value);
+                end = px(value);
                 canvas.rect("bar", [left, y], [(end - left).max(0.0), THICK]);
                 if let Some([low, high]) = bar.spread {
-                    let ends = [place(low.max(0.0)), place(high)];
+                    let ends = [px(low.max(0.0)), px(high)];
                     whisker(&mut canvas, ends, [y + 4.0, y + THICK - 4.0]);
                     end = end.max(ends[1]);
                 }
             }
-            canvas.label(
-                "name",
-                [end + BESIDE, middle + 4.0],
-                Anchor::Start,
-                &bar.text,
-            );
+            canvas.label("name", [end + GAP, middle + 4.0], Anchor::Start, &bar.text);
         }
         canvas.line("axis", [left, top], [left, bottom]);
         let middle = 0.5 * (left + right);
@@ -135,12 +130,12 @@ impl BarChart {
         document(dress, Self::KIND, &self.title, height, &canvas.into_text())
     }
 
-    /// Right end of the axis, so that the text beside every bar and the label of every tick fits.
+    /// Right end of the axis, such that the text of every bar and the label of every tick fit.
     fn right(&self, left: f64, range: &Range) -> f64 {
         const LEAST: f64 = 60.0;
         let room = |bar: &Bar| {
             let end = bar.spread.map_or(0.0, |[_, high]| high).max(bar.value?);
-            let free = WIDTH - EDGE - left - BESIDE - width(&bar.text, NAME);
+            let free = WIDTH - EDGE - left - GAP - width(&bar.text, NAME);
             Some(left + free / range.share(end).max(f64::EPSILON))
         };
         let ends = self.bars.iter().filter_map(room);
@@ -208,7 +203,7 @@ mod tests {
             .range(std::iter::empty());
         let right = chart.right(110.0, &range);
         let end = 110.0 + 0.9 * (right - 110.0);
-        assert!(end + BESIDE + width("9 W, outside its range", NAME) <= WIDTH);
+        assert!(end + GAP + width("9 W, outside its range", NAME) <= WIDTH);
         assert!(right > 110.0 + 60.0);
     }
 }

@@ -1,8 +1,8 @@
-//! SVG as text.
+//! Construction of SVG text.
 
 use std::fmt::Write as _;
 
-/// Text safe between tags and in attributes.
+/// Text escaped for elements and attributes.
 pub(crate) fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {
@@ -17,11 +17,12 @@ pub(crate) fn escaped(text: &str) -> String {
     safe
 }
 
-/// Distance of the base lines of a name in two lines, and of one from bottom to top, beside which there is less air.
+/// Line spacing of horizontal text.
 pub(super) const LINE: f64 = 18.0;
+/// Line spacing of vertical text.
 pub(super) const UPRIGHT_LINE: f64 = 23.5;
 
-/// A drawing in the making. Writing into a string cannot fail.
+/// Drawing under construction. Writing into a string cannot fail.
 #[derive(Debug, Default)]
 pub(super) struct Canvas {
     text: String,
@@ -36,7 +37,7 @@ pub(super) enum Anchor {
 }
 
 impl Canvas {
-    /// Markup as it is.
+    /// Appends markup without escaping.
     pub fn raw(&mut self, markup: &str) {
         self.text.push_str(markup);
     }
@@ -79,7 +80,7 @@ impl Canvas {
         );
     }
 
-    /// Text from the bottom to the top in lines, the base line of the last one at `at`, which is also their middle.
+    /// Draws vertical text in lines, centred at `at`, with the base line of the last line there.
     pub fn upright(&mut self, class: &str, [x, y]: [f64; 2], lines: &[String]) {
         for (above, line) in lines.iter().rev().enumerate() {
             let x = x - UPRIGHT_LINE * above as f64;

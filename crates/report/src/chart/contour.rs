@@ -1,4 +1,4 @@
-//! A field in the plane as filled contours, painted from the lowest level to the highest.
+//! A plane field as filled contours, drawn from the lowest level to the highest.
 
 use std::fmt::Write as _;
 
@@ -10,17 +10,17 @@ use super::dress::Dress;
 use super::frame::{Frame, RIGHT, WIDTH, document, upright_room};
 use super::text_width::{DESCENT, NAME, TICK, name_lines, widest};
 
-/// Bands of the colour scale.
+/// Number of bands of the colour scale.
 const BANDS: usize = 10;
 
 /// A field on a grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contour {
-    /// Name for links.
+    /// Identifier for links.
     pub id: String,
     /// Title of the drawing.
     pub title: String,
-    /// The table it was drawn from.
+    /// Name of its data file.
     pub source: String,
     /// Horizontal axis.
     pub x: Axis,
@@ -28,32 +28,34 @@ pub struct Contour {
     pub y: Axis,
     /// Quantity shown by the colours, with its unit.
     pub value: String,
-    /// Places of the columns, rising.
+    /// Positions of the columns, ascending.
     pub columns: Vec<f64>,
-    /// Places of the rows, rising.
+    /// Positions of the rows, ascending.
     pub rows: Vec<f64>,
     /// Values row by row; a cell with an undefined corner stays blank.
     pub values: Vec<f64>,
-    /// Lower edges of the bands, rising; round numbers from zero where none are given. The first band holds
-    /// everything below the second.
+    /// Lower edges of the bands, ascending; round numbers from zero if empty. The first band includes all values
+    /// below the second.
     pub levels: Option<Vec<f64>>,
-    /// Whether each value is marked as doubtful: cells at such a node are hatched. Empty where none is.
+    /// Whether each value is marked as doubtful: cells at such a node are hatched. Empty if none is.
     pub hatched: Vec<bool>,
-    /// Places to be dotted, in the units of the axes.
+    /// Positions of dots, in the units of the axes.
     pub dots: Vec<[f64; 2]>,
-    /// A value whose line is drawn over the bands.
+    /// Value of an isoline over the bands.
     pub isoline: Option<f64>,
     /// Height of the box in units of the drawing.
     pub height: f64,
 }
 
-/// From the box to the colour scale, its thickness, and from it to its ticks.
+/// Distance from the box to the colour scale.
 const SCALE_LEFT: f64 = 12.0;
+/// Width of the colour scale.
 const SCALE_THICK: f64 = 14.0;
+/// Distance from the colour scale to its ticks.
 const SCALE_TICKS: f64 = 4.0;
 
 impl Contour {
-    /// Class of its drawing.
+    /// CSS class of its drawing.
     pub(super) const KIND: &str = "contour-chart";
 
     fn frame(&self, dress: Dress) -> Frame {
@@ -115,7 +117,7 @@ impl Contour {
             frame.left, frame.top, size[0], size[1]
         ));
         for (band, level) in levels.iter().enumerate() {
-            // The first band holds all that is lower, too.
+            // The first band includes all lower values.
             let from = if band == 0 { f64::NEG_INFINITY } else { *level };
             let outline = self.region_above(from, &frame);
             canvas.path(&format!("band b{}", colour(band, levels.len())), &outline);
@@ -140,12 +142,12 @@ impl Contour {
         )
     }
 
-    /// Name of the colour scale in lines that fit.
+    /// Name of the colour scale, broken into lines that fit.
     fn scale_name(&self) -> Vec<String> {
         name_lines(&self.value, self.height)
     }
 
-    /// Room for the colour scale to the right of the box.
+    /// Width of the colour scale to the right of the box.
     fn scale_room(&self, levels: &[f64]) -> f64 {
         let labels: Vec<String> = levels.iter().map(f64::to_string).collect();
         let ticks = widest(labels.iter().map(String::as_str), TICK);
@@ -174,8 +176,8 @@ impl Contour {
         canvas.upright("name", at, &self.scale_name());
     }
 
-    /// Outline of where the field is at or above `level`, cell by cell; whole cells in runs. A cell with an undefined
-    /// corner stays blank.
+    /// Outline of the region where the field is at or above `level`, by cell; full cells are joined to runs. A cell with
+    /// an undefined corner stays blank.
     fn region_above(&self, level: f64, frame: &Frame) -> String {
         let (nx, ny) = (self.columns.len(), self.rows.len());
         let px: Vec<f64> = self.columns.iter().map(|x| frame.px(*x)).collect();
@@ -211,10 +213,10 @@ impl Contour {
         d
     }
 
-    /// Strokes over the cells at doubtful nodes, on one grid of lines for all cells.
+    /// Hatching of the cells at doubtful nodes, with common lines for all cells.
     fn hatching(&self, frame: &Frame) -> String {
-        /// Distance of the strokes in units of the drawing.
-        const APART: f64 = 9.0;
+        /// Distance of the lines in units of the drawing.
+        const SPACING: f64 = 9.0;
         let (nx, ny) = (self.columns.len(), self.rows.len());
         let is_hatched = |i: usize, j: usize| self.hatched.get(j * nx + i) == Some(&true);
         let mut d = String::new();
@@ -230,10 +232,10 @@ impl Contour {
                 let [x1, x2] = [frame.px(self.columns[i]), frame.px(self.columns[i + 1])];
                 let [a, b] = [frame.py(self.rows[j]), frame.py(self.rows[j + 1])];
                 let (y1, y2) = (a.min(b), a.max(b));
-                // Lines x + y = k·APART.
-                let mut k = ((x1 + y1) / APART).ceil();
-                while k * APART < x2 + y2 {
-                    let sum = k * APART;
+                // Lines x + y = k·SPACING.
+                let mut k = ((x1 + y1) / SPACING).ceil();
+                while k * SPACING < x2 + y2 {
+                    let sum = k * SPACING;
                     let (from, to) = (x1.max(sum - y2), x2.min(sum - y1));
                     if to > from {
                         let _ = write!(d, "M{from:.1} {:.1}L{to:.1} {:.1}", sum - from, sum - to);
@@ -245,7 +247,7 @@ impl Contour {
         d
     }
 
-    /// A small circle at every dot.
+    /// Small circles at the dots.
     fn dotted(&self, frame: &Frame) -> String {
         const RADIUS: f64 = 1.3;
         let mut d = String::new();
@@ -260,7 +262,7 @@ impl Contour {
         d
     }
 
-    /// The line where the field is `level`, cell by cell.
+    /// Isoline of `level`, by cell.
     fn line_at(&self, level: f64, frame: &Frame) -> String {
         let (nx, ny) = (self.columns.len(), self.rows.len());
         let px: Vec<f64> = self.columns.iter().map(|x| frame.px(*x)).collect();
@@ -296,20 +298,20 @@ impl Contour {
         d
     }
 
-    /// Data of the script for zoom and read-off.
+    /// Data for zoom and read-off by the script.
     pub fn data(&self) -> Value {
         let mut data = self.frame(Dress::Page).data(&self.x, &self.y);
         data["kind"] = json!("contour");
         data["value"] = json!(self.value);
         data["columns"] = json!(self.columns);
         data["rows"] = json!(self.rows);
-        // Five digits are more than one can read off a band.
+        // Five digits are more than a band shows.
         data["values"] = json!(self.values.iter().map(|v| digits(*v)).collect::<Vec<_>>());
         data
     }
 }
 
-/// Five digits; none where there is no value.
+/// Value with five digits; `None` if undefined.
 fn digits(value: f64) -> Option<f64> {
     let text = format!("{value:.4e}");
     text.parse().ok().filter(|value: &f64| value.is_finite())
@@ -319,7 +321,7 @@ fn block(d: &mut String, [x1, x2]: [f64; 2], [y1, y2]: [f64; 2]) {
     let _ = write!(d, "M{x1:.1} {y1:.1}H{x2:.1}V{y2:.1}H{x1:.1}z");
 }
 
-/// The part of a cell where the field, linear along its edges, is at or above `level`.
+/// Appends the part of a cell where the field, linear along its edges, is at or above `level`.
 fn part_above(d: &mut String, places: &[[f64; 2]; 4], corners: &[f64; 4], level: f64) {
     let mut command = 'M';
     let mut go = |[x, y]: [f64; 2]| {
@@ -344,7 +346,7 @@ fn part_above(d: &mut String, places: &[[f64; 2]; 4], corners: &[f64; 4], level:
     }
 }
 
-/// Spreads few bands over the whole scale of colours.
+/// Index of the colour of a band; few bands use the full range of colours.
 fn colour(band: usize, bands: usize) -> usize {
     const COLOURS: usize = 12;
     if bands < 2 {

@@ -1,4 +1,4 @@
-//! Any of the charts.
+//! The enumeration of all charts.
 
 use super::bars::BarChart;
 use super::contour::Contour;
@@ -9,7 +9,7 @@ use super::pie::PieChart;
 use super::strip::Strip;
 use super::xy::Chart;
 
-/// Any of the charts.
+/// Chart of any kind.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Drawing {
     /// Curves.
@@ -42,7 +42,7 @@ impl Drawing {
         }
     }
 
-    /// Class of the drawing and of the samples in its legend: styles of a kind hold for it only.
+    /// CSS class of the drawing and of the samples in its legend; styles apply per kind.
     pub(crate) fn kind(&self) -> &'static str {
         match self {
             Self::Curves(_) => Chart::KIND,
@@ -55,7 +55,7 @@ impl Drawing {
         }
     }
 
-    /// Name for links.
+    /// Identifier for links.
     pub fn id(&self) -> &str {
         match self {
             Self::Curves(chart) => &chart.id,
@@ -81,7 +81,7 @@ impl Drawing {
         }
     }
 
-    /// The table it was drawn from.
+    /// Name of its data file.
     pub fn source(&self) -> &str {
         match self {
             Self::Curves(chart) => &chart.source,
@@ -94,7 +94,7 @@ impl Drawing {
         }
     }
 
-    /// Data of the script for zoom and read-off; none for charts that have neither.
+    /// Data for zoom and read-off by the script; `None` for charts without them.
     pub fn data(&self) -> Option<serde_json::Value> {
         match self {
             Self::Curves(chart) => Some(chart.data()),
@@ -103,7 +103,7 @@ impl Drawing {
         }
     }
 
-    /// Names of the curves with the classes they are drawn in.
+    /// Names of the curves with their CSS classes.
     pub fn legend(&self) -> Vec<(String, String)> {
         match self {
             Self::Curves(chart) => chart.legend(),

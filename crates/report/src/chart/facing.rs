@@ -1,5 +1,4 @@
-//! Two flanks facing each other in contact at one of several positions: heights to one scale, the gap between them
-//! filled, the pressures below on the same places.
+//! Two flanks in contact at one of several positions: heights to one scale, the gap filled, and the pressures below.
 
 use std::fmt::Write as _;
 
@@ -18,11 +17,11 @@ use super::xy::Mark;
 /// The contact at one position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FacingFrame {
-    /// What is told of it beside the picture.
+    /// Caption.
     pub text: String,
-    /// Its place on the path of contact, in the unit of the marks.
+    /// Position on the path of contact, in the unit of the marks.
     pub at: f64,
-    /// Places across the contact, in half-widths, rising.
+    /// Positions across the contact in half-widths, ascending.
     pub x: Vec<f64>,
     /// Height of the lower flank \[µm\].
     pub lower: Vec<f64>,
@@ -36,18 +35,18 @@ pub struct FacingFrame {
     pub hertz: f64,
 }
 
-/// Two flanks in contact, one frame a position.
+/// Two flanks in contact, one frame per position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Facing {
-    /// Name for links.
+    /// Identifier for links.
     pub id: String,
     /// Title of the drawing.
     pub title: String,
-    /// The table it was drawn from.
+    /// Name of its data file.
     pub source: String,
     /// The positions, along the path; not empty.
     pub frames: Vec<FacingFrame>,
-    /// Frame that is shown first.
+    /// Index of the first frame shown.
     pub first: usize,
     /// The points of the path of contact.
     pub marks: Vec<Mark>,
@@ -55,15 +54,15 @@ pub struct Facing {
     pub reach: f64,
 }
 
-/// The bar of the path, top and bottom of both panels.
+/// Vertical position of the path of contact; then top and bottom of both panels.
 const BAR: f64 = 26.0;
 const FLANKS: [f64; 2] = [48.0, 258.0];
 const PRESSURES: [f64; 2] = [280.0, 404.0];
 const HEIGHT: f64 = 454.0;
-/// Room for a title where the drawing is a file of its own.
+/// Height of the title in a separate file.
 const TITLE: f64 = 22.0;
 
-/// Lines of the picture: class, part that the script finds, and what it is called in the legend.
+/// Lines of the picture: CSS class, part name for the script, name in the legend.
 const FILM: [&str; 3] = ["oil", "film", "gap, filled with oil"];
 const LOWER: [&str; 3] = ["curve c0 solid", "lower", "pinion"];
 const UPPER: [&str; 3] = ["curve c1 solid", "upper", "wheel"];
@@ -75,7 +74,7 @@ const HERTZ: [&str; 3] = [
     "of smooth dry flanks (Hertz)",
 ];
 
-/// Ranges of the axes and the sides of the panels, the same for all frames.
+/// Ranges of the axes and sides of the panels, common to all frames.
 struct Scales {
     left: f64,
     right: f64,
@@ -91,8 +90,8 @@ impl Scales {
     }
 }
 
-/// A frame in tenths of a unit of the drawing, which keep the page small.
-struct Placed {
+/// Frame in tenths of a unit of the drawing: integers keep the page small.
+struct FramePaths {
     x: Vec<i64>,
     lower: Vec<i64>,
     upper: Vec<i64>,
@@ -110,19 +109,20 @@ fn between([top, bottom]: [f64; 2], share: f64) -> f64 {
     bottom - share * (bottom - top)
 }
 
-/// Names of the vertical axes, and ticks aimed at on that of the pressure.
+/// Names of the vertical axes.
 const NAMES: [&str; 2] = ["height [µm]", "pressure [MPa]"];
+/// Approximate number of ticks of the pressure axis.
 const PRESSURE_TICKS: usize = 3;
 
-/// Points of the ellipse of Hertz.
+/// Number of points of the Hertz ellipse.
 const ELLIPSE: usize = 48;
 
 impl Facing {
-    /// Class of its drawing.
+    /// CSS class of its drawing.
     pub(super) const KIND: &str = "facing-chart";
 
     fn scales(&self) -> Scales {
-        /// Half-widths within which all heights are seen.
+        /// Half-widths within which the vertical range includes all heights.
         const SEEN: f64 = 1.25;
         let frames = || self.frames.iter();
         let seen = |frame: &FacingFrame| -> Vec<f64> {
@@ -158,7 +158,7 @@ impl Facing {
         }
     }
 
-    fn placed(&self, frame: &FacingFrame, scales: &Scales) -> Placed {
+    fn placed(&self, frame: &FacingFrame, scales: &Scales) -> FramePaths {
         let rows = |panel: [f64; 2], range: &Range, values: &[f64]| -> Vec<i64> {
             let row = |value: &f64| tenths(between(panel, range.share(*value)));
             values.iter().map(row).collect()
@@ -168,7 +168,7 @@ impl Facing {
             frame.hertz * (1.0 - x * x).max(0.0).sqrt()
         });
         let ellipse: Vec<f64> = ellipse.collect();
-        Placed {
+        FramePaths {
             x: frame
                 .x
                 .iter()
@@ -183,7 +183,7 @@ impl Facing {
         }
     }
 
-    /// Heights over lengths of frame `index` as drawn, where a half-width has `half_width` micrometres.
+    /// Exaggeration of heights relative to lengths, for a half-width of `half_width` micrometres.
     #[must_use]
     pub fn exaggeration(&self, half_width: f64) -> f64 {
         let scales = self.scales();
@@ -192,7 +192,7 @@ impl Facing {
         up / across
     }
 
-    /// The picture as SVG, at its first frame.
+    /// The picture as SVG, with its first frame.
     pub fn svg(&self, dress: Dress) -> String {
         let scales = self.scales();
         let down = if dress == Dress::Alone { TITLE } else { 0.0 };
@@ -216,7 +216,7 @@ impl Facing {
         )
     }
 
-    fn draw(&self, canvas: &mut Canvas, placed: &Placed) {
+    fn draw(&self, canvas: &mut Canvas, placed: &FramePaths) {
         let [top, bottom] = FLANKS.map(tenths);
         let lower = line(&placed.x, &placed.lower);
         let upper = line(&placed.x, &placed.upper);
@@ -320,9 +320,9 @@ impl Facing {
         self.bar(canvas, scales);
     }
 
-    /// The path of contact with its points, above both panels.
+    /// Draws the path of contact with its points above both panels.
     fn bar(&self, canvas: &mut Canvas, scales: &Scales) {
-        /// Least distance of two letters.
+        /// Least distance between letters.
         const APART: f64 = 15.0;
         canvas.line("axis", [scales.left, BAR], [scales.right, BAR]);
         canvas.label(
@@ -340,7 +340,7 @@ impl Facing {
         }
     }
 
-    /// Names of lines with the classes they are drawn in.
+    /// Names of the lines with their CSS classes.
     pub fn legend() -> Vec<(String, String)> {
         let named = |[class, _, name]: [&str; 3]| (name.to_owned(), class.to_owned());
         [UPPER, LOWER, FILM, SOLID, FLUID, HERTZ]
@@ -348,7 +348,7 @@ impl Facing {
             .to_vec()
     }
 
-    /// Frames for the script of the slider, in tenths of a unit of the drawing, each value as its step from the one before.
+    /// Frames for the script of the slider, in tenths of a unit of the drawing, as differences of successive values.
     pub fn frames(&self) -> Value {
         let scales = self.scales();
         let frames: Vec<Value> = self
@@ -365,7 +365,7 @@ impl Facing {
     }
 }
 
-/// Each value minus the one before, which keeps the page small.
+/// Differences of successive values, which keep the page small.
 fn steps(values: &[i64]) -> Vec<i64> {
     let before = std::iter::once(&0).chain(values);
     values

@@ -1,28 +1,32 @@
-//! The frame of a chart: its box, grid, ticks, labels, and the data in it as pixels.
+//! Frame of a chart: box, grid, ticks, labels, and the mapping from data to units of the drawing.
 
 use super::axis::{Axis, Range};
 use super::canvas::{Anchor, Canvas, LINE, UPRIGHT_LINE, escaped};
 use super::dress::{Dress, STYLE};
 use super::text_width::{ASCENT, DESCENT, NAME, TICK, name_lines, title_lines, widest, width};
 
-/// Width of every chart in its own units; the page scales it.
+/// Width of every chart in units of the drawing; the page scales it.
 pub(super) const WIDTH: f64 = 640.0;
-/// Ticks aimed at.
+/// Approximate number of ticks of the horizontal axis.
 pub(super) const TICKS_ACROSS: usize = 6;
+/// Approximate number of ticks of the vertical axis.
 pub(super) const TICKS_UP: usize = 5;
-/// Least margins to the left and to the right of the box, and the one below it.
+/// Least margin to the left of the box.
 const LEFT: f64 = 66.0;
+/// Least margin to the right of the box.
 pub(super) const RIGHT: f64 = 18.0;
+/// Margin below the box.
 const BOTTOM: f64 = 50.0;
-/// Above the box, for half of a tick's letters.
+/// Margin above the box, for half the height of a tick label.
 const TOP: f64 = 15.0;
-/// Edge of the drawing that stays free.
+/// Margin of the drawing.
 const EDGE: f64 = 3.0;
 const ROW: f64 = 18.0;
-/// From the box to its ticks: to the left, and down to their base line.
+/// Distance from the box to the tick labels at its left.
 pub(super) const TICK_LEFT: f64 = 6.0;
+/// Distance from the box down to the base line of its tick labels.
 pub(super) const TICK_BELOW: f64 = 20.0;
-/// From the middle of a letter to its base line.
+/// Distance from the middle of a letter to its base line.
 const TICK_BASE: f64 = 4.0;
 
 /// Box and ranges of a chart.
@@ -36,25 +40,23 @@ pub(super) struct Frame {
     pub x: Range,
     pub y: Range,
     pub downward: bool,
-    /// Name of the vertical axis in lines that fit.
+    /// Name of the vertical axis, broken into lines that fit.
     name: Vec<String>,
 }
 
-/// Room of a name in `lines` from bottom to top, at the edge of a drawing: its width, and the base line of the line next
-/// to the box.
+/// Width of a vertical name in `lines` at the edge of a drawing, and the base line of the line next to the box.
 pub(super) fn upright_room(lines: &[String]) -> [f64; 2] {
     let base = EDGE + ASCENT * NAME + UPRIGHT_LINE * (lines.len() - 1) as f64;
     [base + DESCENT * NAME, base]
 }
 
-/// Left margin for an upright name in `lines` and the `ticks` beside it.
+/// Left margin for a vertical name in `lines` and the `ticks` next to it.
 pub(super) fn left_margin<'a>(lines: &[String], ticks: impl IntoIterator<Item = &'a str>) -> f64 {
     let [name, _] = upright_room(lines);
     (name + widest(ticks, TICK) + TICK_LEFT).max(LEFT)
 }
 
-/// Right end of an axis from `left`, at most at `most`, so that the labels of its ticks, at their shares of the axis,
-/// end before `limit`.
+/// Right end of an axis from `left`, at most `most`, such that its tick labels end before `limit`.
 pub(super) fn right_end<'a>(
     left: f64,
     most: f64,
@@ -71,8 +73,8 @@ pub(super) fn right_end<'a>(
 }
 
 impl Frame {
-    /// A frame of `height` with `rows` lines of text above it and `beside` units kept free at its right, with the vertical
-    /// axis `y` and the ranges of both axes.
+    /// Makes a frame of `height` with `rows` lines of text above it and a margin of `beside` units at its right, with the
+    /// vertical axis `y` and the ranges of both axes.
     pub fn new(
         height: f64,
         rows: usize,
@@ -157,7 +159,7 @@ impl Frame {
     }
 }
 
-/// Wraps the body of a drawing of `kind`, whose styles hold for this kind only.
+/// Wraps the body of a drawing of `kind` for a page or for a separate file.
 pub(super) fn document(dress: Dress, kind: &str, title: &str, height: f64, body: &str) -> String {
     let name = escaped(title);
     match dress {
@@ -168,22 +170,22 @@ pub(super) fn document(dress: Dress, kind: &str, title: &str, height: f64, body:
     }
 }
 
-/// Edge to the left of a title.
+/// Margin to the left of a title.
 const TITLE_LEFT: f64 = 10.0;
 
-/// Lines of a title, and the room that those after the first one take.
+/// Lines of a title, and the height of the lines after the first.
 fn heading(title: &str) -> (Vec<String>, f64) {
     let lines = title_lines(title, WIDTH - 2.0 * TITLE_LEFT);
     let room = LINE * (lines.len() - 1) as f64;
     (lines, room)
 }
 
-/// Room that the lines of a title after the first one take in a file of its own.
+/// Height of the lines of a title after the first, in a separate file.
 pub(super) fn title_room(title: &str) -> f64 {
     heading(title).1
 }
 
-/// A drawing as a file of its own: `body`, which leaves room for one line of its title, `height` units high.
+/// A drawing as a separate file. `body` is `height` units high and has space for one line of the title.
 pub(super) fn alone(kind: &str, title: &str, height: f64, body: &str) -> String {
     const BASE: f64 = 20.0;
     let name = escaped(title);

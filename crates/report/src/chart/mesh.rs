@@ -1,4 +1,4 @@
-//! Two gears in mesh, to scale: teeth, circles, the path of contact with its points, traces on the flanks.
+//! Two gears in mesh, to scale: teeth, circles, path of contact with its points, traces on the flanks.
 
 use std::fmt::Write as _;
 
@@ -10,12 +10,12 @@ use super::spread::spread;
 /// Points in the plane of the drawing, y upwards, the pitch point at the origin \[mm\].
 type Points = Vec<[f64; 2]>;
 
-/// One gear of the picture.
+/// Gear of the picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshBody {
     /// Its name.
     pub name: String,
-    /// Its axis \[mm\].
+    /// Position of the axis \[mm\].
     pub centre: [f64; 2],
     /// Radii of tip, pitch and base circle \[mm\].
     pub radii: [f64; 3],
@@ -23,56 +23,56 @@ pub struct MeshBody {
     pub outline: Points,
 }
 
-/// A trace on a flank.
+/// Trace on a flank.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshTrace {
-    /// Gear that it is of: 0 or 1.
+    /// Index of the gear: 0 or 1.
     pub body: usize,
-    /// Its name in the legend.
+    /// Name in the legend.
     pub name: String,
     /// Line along the flank \[mm\].
     pub line: Points,
 }
 
-/// A named point of the line of action.
+/// Named point of the line of action.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshPoint {
     /// Its name.
     pub label: String,
-    /// Its place \[mm\].
+    /// Position \[mm\].
     pub at: [f64; 2],
 }
 
 /// Two gears in mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshPicture {
-    /// Name for links.
+    /// Identifier for links.
     pub id: String,
     /// Title of the drawing.
     pub title: String,
-    /// The file it was drawn from.
+    /// Name of its data file.
     pub source: String,
     /// Pinion and wheel.
     pub bodies: [MeshBody; 2],
-    /// The points of the path of contact, in the order in which they are passed.
+    /// The points of the path of contact, in the order of contact.
     pub path: Vec<MeshPoint>,
     /// Feet of the perpendiculars from the axes on the line of action.
     pub feet: Vec<MeshPoint>,
     /// Unit vector along the line of action.
     pub along: [f64; 2],
-    /// Where teeth touch at this moment \[mm\].
+    /// Points of contact at this instant \[mm\].
     pub contacts: Points,
-    /// Traces whose place is known.
+    /// Traces with known positions.
     pub traces: Vec<MeshTrace>,
-    /// Half of the width that is shown \[mm\].
+    /// Half of the visible width \[mm\].
     pub reach: f64,
 }
 
-/// Height of the picture over its width.
-const FLAT: f64 = 0.72;
+/// Height of the picture relative to its width.
+const ASPECT: f64 = 0.72;
 const MARGIN: f64 = 4.0;
 
-/// Place of the picture on the canvas.
+/// Mapping from the picture to the canvas.
 struct View {
     top: f64,
     scale: f64,
@@ -88,7 +88,7 @@ impl View {
     }
 
     fn shows(&self, [x, y]: [f64; 2]) -> bool {
-        /// Room that a label takes.
+        /// Size of a label.
         const LABEL: f64 = 26.0;
         (self.scale * x).abs() < self.half[0] - LABEL
             && (self.scale * y).abs() < self.half[1] - LABEL
@@ -105,7 +105,7 @@ impl View {
 }
 
 impl MeshPicture {
-    /// Class of its drawing.
+    /// CSS class of its drawing.
     pub(super) const KIND: &str = "mesh-chart";
 
     /// The picture as SVG.
@@ -115,15 +115,15 @@ impl MeshPicture {
         let view = View {
             top,
             scale: 0.5 * wide / self.reach,
-            half: [0.5 * wide, 0.5 * FLAT * wide],
+            half: [0.5 * wide, 0.5 * ASPECT * wide],
         };
-        let height = top + FLAT * wide + MARGIN;
+        let height = top + ASPECT * wide + MARGIN;
         let mut canvas = Canvas::default();
         let clip = format!("clip-{}", self.id);
         canvas.raw(&format!(
             "<clipPath id=\"{clip}\"><rect x=\"{MARGIN}\" y=\"{top:.1}\" width=\"{wide:.1}\" height=\"{:.1}\"/></clipPath>\
              <g class=\"curves\" clip-path=\"url(#{clip})\">",
-            FLAT * wide
+            ASPECT * wide
         ));
         for (index, body) in self.bodies.iter().enumerate() {
             canvas.path(&format!("body c{index}"), &view.path(&body.outline, "Z"));
@@ -162,13 +162,14 @@ impl MeshPicture {
         }
     }
 
-    /// Letters on one side of the path, feet on the other, names of the gears in their bodies.
+    /// Draws the letters of the points on one side of the path, the names of the feet on the other, and the names of the
+    /// gears.
     fn labels(&self, canvas: &mut Canvas, view: &View) {
-        /// Least distance of two letters along the line.
+        /// Least distance between letters along the line.
         const APART: f64 = 19.0;
-        /// Distance of a letter's middle from the line.
+        /// Distance of the centre of a letter from the line.
         const BESIDE: f64 = 21.0;
-        /// From the middle of a letter to its base line.
+        /// Distance from the centre of a letter to its base line.
         const BASE: f64 = 5.0;
         // On the canvas y points down.
         let along = [self.along[0], -self.along[1]];
@@ -198,7 +199,7 @@ impl MeshPicture {
         }
     }
 
-    /// Names of lines with the classes they are drawn in.
+    /// Names of the lines with their CSS classes.
     pub fn legend(&self) -> Vec<(String, String)> {
         let circles = CIRCLES
             .iter()

@@ -1,10 +1,9 @@
-//! Charts as SVG: complete without scripts, every axis with its unit, every chart with the name of
-//! the table it was drawn from.
+//! Charts as SVG: complete without scripts, every axis with its unit, every chart with the name of its data file.
 //!
 //! A [`Chart`] holds curves over an axis, a [`BarChart`] bars from zero, a [`PieChart`] parts of a whole, a
 //! [`Strip`] shares along the path of contact, a [`Contour`] a field, a [`MeshPicture`] two gears in mesh, a [`Facing`] two
-//! flanks in contact at one of several positions. Each draws itself for a page, which adds title and legend as text, or alone
-//! as a file.
+//! flanks in contact at one of several positions. Each is drawn for a page, which adds title and legend as text, or as a
+//! separate file.
 
 mod axis;
 mod bars;

@@ -1,4 +1,4 @@
-//! Parts of a whole as a pie, with their values in a list beside it.
+//! Parts of a whole as a pie chart, with a list of their values.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -8,42 +8,43 @@ use super::dress::Dress;
 use super::frame::document;
 use super::text_width::{NAME_ALONE, widest};
 
-/// A part of the whole.
+/// Part of the whole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slice {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Its size; zero or more.
+    /// Size, zero or more.
     pub value: f64,
-    /// The value as text.
+    /// Formatted value.
     pub text: String,
 }
 
 /// Parts of a whole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PieChart {
-    /// Name for links.
+    /// Identifier for links.
     pub id: String,
     /// Title.
     pub title: String,
-    /// The table it was drawn from.
+    /// Name of its data file.
     pub source: String,
-    /// The parts, clockwise from the top; a part too small to see is a line.
+    /// The parts, clockwise from the top; a very small part is a line.
     pub slices: Vec<Slice>,
 }
 
 const RADIUS: f64 = 100.0;
 const CENTRE: f64 = 150.0;
 const LIST: f64 = 300.0;
-/// From the edge of the list to its names, and from these to the values.
+/// Distance from the edge of the list to its names.
 const SAMPLE: f64 = 20.0;
+/// Distance from the names to the values.
 const GAP: f64 = 16.0;
 const ROW: f64 = 30.0;
-/// Colours there are.
+/// Number of colours.
 const COLOURS: usize = 6;
 
 impl PieChart {
-    /// Class of its drawing.
+    /// CSS class of its drawing.
     pub(super) const KIND: &str = "pie-chart";
 
     /// The chart as SVG.
@@ -77,7 +78,7 @@ impl PieChart {
     }
 }
 
-/// A sector of the pie from the share `begin` on; the whole circle as two halves.
+/// Sector of the pie from the share `begin`; a full circle consists of two halves.
 fn sector([x, y]: [f64; 2], begin: f64, share: f64) -> String {
     let at = |share: f64| {
         let (sin, cos) = (TAU * share).sin_cos();

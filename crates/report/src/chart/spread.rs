@@ -1,20 +1,20 @@
-//! Labels along a line, moved so that none touches the next.
+//! Labels along a line, moved so that they do not overlap.
 
-/// `places` in rising order, each moved as little as a neighbour demands so that all are at least `apart` from each
-/// other; places in another order are left as they are in that order.
-pub(super) fn spread(places: &[f64], apart: f64) -> Vec<f64> {
-    let mut order: Vec<usize> = (0..places.len()).collect();
-    order.sort_by(|a, b| places[*a].total_cmp(&places[*b]));
-    // Runs of labels that touch, each centred on the mean of its places.
+/// Moves `positions` as little as necessary so that they are at least `spacing` apart. The result is in the order of the
+/// input.
+pub(super) fn spread(positions: &[f64], spacing: f64) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..positions.len()).collect();
+    order.sort_by(|a, b| positions[*a].total_cmp(&positions[*b]));
+    // Runs of adjacent labels, each centred on the mean of their positions.
     let mut runs: Vec<Vec<usize>> = Vec::new();
     let start = |run: &[usize]| {
-        let mean = run.iter().map(|k| places[*k]).sum::<f64>() / run.len() as f64;
-        mean - 0.5 * apart * (run.len() - 1) as f64
+        let mean = run.iter().map(|k| positions[*k]).sum::<f64>() / run.len() as f64;
+        mean - 0.5 * spacing * (run.len() - 1) as f64
     };
     for label in order {
         let mut run = vec![label];
         while let Some(before) = runs.pop() {
-            if start(&before) + apart * before.len() as f64 <= start(&run) {
+            if start(&before) + spacing * before.len() as f64 <= start(&run) {
                 runs.push(before);
                 break;
             }
@@ -22,10 +22,10 @@ pub(super) fn spread(places: &[f64], apart: f64) -> Vec<f64> {
         }
         runs.push(run);
     }
-    let mut moved = places.to_vec();
+    let mut moved = positions.to_vec();
     for run in &runs {
         for (k, label) in run.iter().enumerate() {
-            moved[*label] = start(run) + apart * k as f64;
+            moved[*label] = start(run) + spacing * k as f64;
         }
     }
     moved
@@ -36,9 +36,9 @@ mod tests {
     use super::spread;
 
     #[test]
-    fn labels_that_touch_are_moved_apart_and_others_stay() {
-        let places = [0.0, 10.0, 12.0, 14.0, 60.0];
-        let moved = spread(&places, 8.0);
+    fn labels_that_touch_are_moved_spacing_and_others_stay() {
+        let positions = [0.0, 10.0, 12.0, 14.0, 60.0];
+        let moved = spread(&positions, 8.0);
         assert_eq!(moved, [-3.0, 5.0, 13.0, 21.0, 60.0]);
         assert!(moved.windows(2).all(|pair| pair[1] - pair[0] >= 8.0));
     }

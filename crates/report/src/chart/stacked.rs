@@ -1,4 +1,4 @@
-//! Several charts below each other as one file.
+//! Several charts in one file, one below the other.
 
 use std::fmt::Write as _;
 
@@ -6,10 +6,10 @@ use super::dress::Dress;
 use super::frame::{WIDTH, alone};
 use super::xy::Chart;
 
-/// Room for the title of the file.
+/// Height of the title of the file.
 const HEAD: f64 = 34.0;
 
-/// Charts below each other under a title, as an SVG file of its own.
+/// Charts one below the other under a title, as an SVG file.
 pub fn stacked(title: &str, charts: &[Chart]) -> String {
     let mut body = String::new();
     let mut top = HEAD;

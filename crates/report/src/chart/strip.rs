@@ -1,4 +1,4 @@
-//! A strip along the path of contact: which share of the load the film carries, and the regime.
+//! Strip along the path of contact: share of the load on the film, and lubrication regime.
 
 use super::axis::{Axis, Range, Scale};
 use super::canvas::{Anchor, Canvas};
@@ -10,15 +10,15 @@ use super::xy::Mark;
 /// Shares along the path of contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Strip {
-    /// Name for links.
+    /// Identifier for links.
     pub id: String,
     /// Title of the drawing.
     pub title: String,
-    /// The table it was drawn from.
+    /// Name of its data file.
     pub source: String,
     /// The axis along the path.
     pub axis: Axis,
-    /// Places of the positions.
+    /// Distances of the positions.
     pub at: Vec<f64>,
     /// Share of the offsets in mixed lubrication at each, 0 to 1.
     pub mixed: Vec<f64>,
@@ -32,16 +32,16 @@ pub struct Strip {
 const NAMES: [[&str; 2]; 2] = [["full film", "mixed"], ["on asperities", "load on film"]];
 const THICK: f64 = 30.0;
 const GAP: f64 = 12.0;
-/// From the names to the rows.
-const BESIDE: f64 = 8.0;
+/// Distance from the names to the rows.
+const GAP_LEFT: f64 = 8.0;
 
 impl Strip {
-    /// Class of its drawing.
+    /// CSS class of its drawing.
     pub(super) const KIND: &str = "strip-chart";
 
     /// The chart as SVG.
     pub fn svg(&self, dress: Dress) -> String {
-        let left = widest(NAMES.as_flattened().iter().copied(), TICK) + BESIDE + 3.0;
+        let left = widest(NAMES.as_flattened().iter().copied(), TICK) + GAP_LEFT + 3.0;
         let top = if dress == Dress::Alone { 54.0 } else { 24.0 };
         let range = self.range();
         let ticks = range.ticks(TICKS_ACROSS);
@@ -49,7 +49,7 @@ impl Strip {
             .iter()
             .map(|(at, label)| (range.share(*at), label.as_str()));
         let right = right_end(left, WIDTH - RIGHT, WIDTH, labels);
-        let place = |value: f64| left + range.share(value) * (right - left);
+        let px = |value: f64| left + range.share(value) * (right - left);
         let bottom = top + 2.0 * THICK + GAP;
         let mut canvas = Canvas::default();
         for (k, (class, shares)) in [("mixed", &self.mixed), ("film", &self.film)]
@@ -59,23 +59,23 @@ impl Strip {
             let y = top + k as f64 * (THICK + GAP);
             canvas.rect("rest", [left, y], [right - left, THICK]);
             for ([from, to], share) in self.cells(&range).iter().zip(*shares) {
-                // A hair of overlap, so that no gap shows between neighbours.
+                // A small overlap, so that no gap appears between neighbours.
                 const OVERLAP: f64 = 0.3;
-                let (x, tall) = (place(*from), THICK * share.clamp(0.0, 1.0));
-                let wide = place(*to) - x + OVERLAP;
+                let (x, tall) = (px(*from), THICK * share.clamp(0.0, 1.0));
+                let wide = px(*to) - x + OVERLAP;
                 canvas.rect(class, [x, y + THICK - tall], [wide, tall]);
             }
             for (name, base) in NAMES[k].iter().zip([11.0, 27.0]) {
-                canvas.label("letter", [left - BESIDE, y + base], Anchor::End, name);
+                canvas.label("letter", [left - GAP_LEFT, y + base], Anchor::End, name);
             }
         }
         for mark in &self.marks {
-            let at = place(mark.at);
+            let at = px(mark.at);
             canvas.line("mark", [at, top], [at, bottom]);
             canvas.label("letter", [at, top - 6.0], Anchor::Middle, &mark.label);
         }
         for (value, label) in &ticks {
-            let at = [place(*value), bottom + TICK_BELOW];
+            let at = [px(*value), bottom + TICK_BELOW];
             canvas.label("tick", at, Anchor::Middle, label);
         }
         let height = bottom + 50.0;
@@ -85,8 +85,8 @@ impl Strip {
     }
 
     fn range(&self) -> Range {
-        let places = self.at.iter().chain(self.marks.iter().map(|mark| &mark.at));
-        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+        let distances = self.at.iter().chain(self.marks.iter().map(|mark| &mark.at));
+        let (low, high) = distances.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
             (a.min(*v), b.max(*v))
         });
         Range {
@@ -96,7 +96,7 @@ impl Strip {
         }
     }
 
-    /// Ends of the cells of the positions: from half way to the position before to half way to the next.
+    /// Ends of the cells of the positions, half way to the neighbouring positions.
     fn cells(&self, range: &Range) -> Vec<[f64; 2]> {
         let between = self.at.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
         let ends = [range.low].into_iter().chain(between).chain([range.high]);

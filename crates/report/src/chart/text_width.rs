@@ -1,16 +1,19 @@
-//! Width of text whatever font draws it, for margins that fit on every machine.
+//! Upper bound of the width of text in common fonts, for margins that fit on every machine.
 
-/// Font sizes on narrow pages, where letters are largest against the drawing: names of axes, ticks and letters.
+/// Font size of axis names on narrow pages, where letters are largest relative to the drawing.
 pub(super) const NAME: f64 = 17.0;
+/// Font size of ticks and letters on narrow pages.
 pub(super) const TICK: f64 = 15.5;
-/// Font sizes of a drawing as a file of its own: names, and its bold title.
+/// Font size of names in a separate file.
 pub(super) const NAME_ALONE: f64 = 12.0;
+/// Font size of the bold title in a separate file.
 pub(super) const TITLE_ALONE: f64 = 14.0;
-/// Height of a line above and below its base line \[em\], of Noto Sans.
+/// Height of a line above its base line \[em\], of Noto Sans.
 pub(super) const ASCENT: f64 = 1.07;
+/// Height of a line below its base line \[em\], of Noto Sans.
 pub(super) const DESCENT: f64 = 0.3;
 
-/// Advance of the ASCII characters from the blank on \[em/1000\]: the widest of DejaVu Sans 2.37, Liberation Sans 2.1
+/// Advance widths of the ASCII characters from the space \[em/1000\]: the largest of DejaVu Sans 2.37, Liberation Sans 2.1
 /// and Noto Sans 2.2, from the tables `hmtx` of their files.
 const ASCII: [u16; 95] = [
     318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 551, 838, 318, 361, 318, 372, 636, 636, 636,
@@ -19,14 +22,14 @@ const ASCII: [u16; 95] = [
     667, 685, 390, 372, 390, 838, 556, 500, 613, 635, 550, 635, 615, 352, 635, 634, 278, 278, 579,
     278, 974, 634, 612, 635, 635, 413, 521, 392, 634, 592, 818, 592, 592, 525, 636, 551, 636, 838,
 ];
-/// Bold over regular letters: the widest ratio of a letter in these fonts is 1.24, that of a word 1.15.
+/// Width of bold relative to regular text. In these fonts the largest ratio of a letter is 1.24 and of a word 1.15.
 const BOLD: f64 = 1.15;
 
 /// Width of `text` in letters of `size` in the widest common font.
 pub(super) fn width(text: &str, size: f64) -> f64 {
     let em = |letter: char| match letter {
         ' '..='~' => f64::from(ASCII[letter as usize - ' ' as usize]) / 1000.0,
-        // Raised and lowered digits.
+        // Superscript and subscript digits.
         '⁰'..='⁹' | '²' | '³' | '¹' | '₀'..='₉' => 0.401,
         '⁻' => 0.528,
         '·' => 0.32,
@@ -42,7 +45,7 @@ fn bold(text: &str, size: f64) -> f64 {
     BOLD * width(text, size)
 }
 
-/// `text` in lines of at most `most`, broken at blanks; a longer word is a line of its own.
+/// Breaks `text` at spaces into lines of at most `most`; a longer word is a separate line.
 fn wrapped(text: &str, most: f64, width: impl Fn(&str) -> f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {
@@ -57,17 +60,17 @@ fn wrapped(text: &str, most: f64, width: impl Fn(&str) -> f64) -> Vec<String> {
     lines
 }
 
-/// A name in lines of at most `most` on a narrow page.
+/// Breaks a name into lines of at most `most` on a narrow page.
 pub(super) fn name_lines(name: &str, most: f64) -> Vec<String> {
     wrapped(name, most, |text| width(text, NAME))
 }
 
-/// The title of a file of its own in lines of at most `most`.
+/// Breaks the title of a separate file into lines of at most `most`.
 pub(super) fn title_lines(title: &str, most: f64) -> Vec<String> {
     wrapped(title, most, |text| bold(text, TITLE_ALONE))
 }
 
-/// The widest of `texts` in letters of `size`.
+/// Largest width of `texts` in letters of `size`.
 pub(super) fn widest<'a>(texts: impl IntoIterator<Item = &'a str>, size: f64) -> f64 {
     texts
         .into_iter()

@@ -11,27 +11,27 @@ use super::frame::{Frame, WIDTH, document, title_room};
 use super::text_width::{NAME_ALONE, TICK, width};
 use crate::thin::{BINS, thin};
 
-/// Bins of the curves that the script can zoom into.
+/// Number of bins of the curves for the zoom of the script.
 const ZOOM_BINS: usize = 1000;
-/// Colours of curves before they repeat.
+/// Number of colours of curves.
 const COLOURS: usize = 6;
 
 /// Line style of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Line {
-    /// A full line.
+    /// Solid line.
     Solid,
-    /// A dashed line, for references.
+    /// Dashed line, for references.
     Dashed,
-    /// Dots and a line.
+    /// Line with dots.
     Dots,
-    /// Dots alone.
+    /// Only dots.
     Scatter,
-    /// A full line in the colour of text, for a sum.
+    /// Solid line in the colour of text, for a sum.
     Ink,
-    /// A filled area.
+    /// Filled area.
     Area,
-    /// A shaded band about a curve.
+    /// Shaded band about a curve.
     Band,
 }
 
@@ -41,109 +41,114 @@ impl Line {
     }
 }
 
-/// A curve.
+/// Curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// Its name in the legend.
+    /// Name in the legend.
     pub name: String,
     /// Line style.
     pub line: Line,
-    /// Points in the units of the axes; one that is not finite breaks the line. Of an area they go around it.
+    /// Points in the units of the axes; a point that is not finite breaks the line. For an area, its outline.
     pub points: Vec<[f64; 2]>,
-    /// Values that are read off an area, which are not those of its outline; empty otherwise.
-    pub told: Vec<[f64; 2]>,
+    /// Read-off values of an area, which differ from its outline; empty for other lines.
+    pub readings: Vec<[f64; 2]>,
 }
 
 impl Series {
-    /// A curve through `x` and `y`.
+    /// Makes a curve through `x` and `y`.
     pub fn new(name: &str, line: Line, x: &[f64], y: &[f64]) -> Self {
         Self::through(name, line, x.iter().zip(y).map(|(x, y)| [*x, *y]))
     }
 
-    /// A curve through `points`.
+    /// Makes a curve through `points`.
     pub fn through(name: &str, line: Line, points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self {
             name: name.to_owned(),
             line,
             points: points.into_iter().collect(),
-            told: Vec::new(),
+            readings: Vec::new(),
         }
     }
 
-    /// The area over `x` between `low` and `high`, of which their difference is read off.
+    /// Makes the area over `x` between `low` and `high`; its read-off value is their difference.
     pub fn area(name: &str, x: &[f64], low: &[f64], high: &[f64]) -> Self {
-        let own = low.iter().zip(high).map(|(low, high)| high - low);
+        let differences = low.iter().zip(high).map(|(low, high)| high - low);
         Self {
-            told: x.iter().copied().zip(own).map(|(x, y)| [x, y]).collect(),
+            readings: x
+                .iter()
+                .copied()
+                .zip(differences)
+                .map(|(x, y)| [x, y])
+                .collect(),
             ..Self::between(name, Line::Area, x, low, high)
         }
     }
 
-    /// The band over `x` between `low` and `high`, of which nothing is read off.
+    /// Makes the band over `x` between `low` and `high`, without read-off values.
     pub fn band(name: &str, x: &[f64], low: &[f64], high: &[f64]) -> Self {
         Self::between(name, Line::Band, x, low, high)
     }
 
     fn between(name: &str, line: Line, x: &[f64], low: &[f64], high: &[f64]) -> Self {
-        let there = x.iter().zip(high);
+        let forward = x.iter().zip(high);
         let back = x.iter().zip(low).rev();
         Self {
             name: name.to_owned(),
             line,
-            points: there.chain(back).map(|(x, y)| [*x, *y]).collect(),
-            told: Vec::new(),
+            points: forward.chain(back).map(|(x, y)| [*x, *y]).collect(),
+            readings: Vec::new(),
         }
     }
 }
 
 impl Series {
-    /// The points within the limits of the axis `x` and their neighbours, thinned to `bins` of it; an area, whose
-    /// outline goes there and back, as it is.
+    /// The points within the limits of the axis `x` and their neighbours, thinned to `bins` bins. The outline of an area
+    /// is not thinned.
     fn drawn(&self, x: &Axis, bins: usize) -> Vec<[f64; 2]> {
         if self.line.is_filled() {
             return self.points.clone();
         }
-        let place = |point: &[f64; 2]| match x.scale {
+        let coordinate = |point: &[f64; 2]| match x.scale {
             Scale::Linear => point[0],
             Scale::Log => point[0].ln(),
         };
-        let seen = |k: usize| {
+        let is_visible = |k: usize| {
             let point = self.points.get(k);
             point.is_some_and(|point| x.shows(point[0]))
         };
-        let near =
-            (0..self.points.len()).filter(|&k| seen(k) || seen(k + 1) || k > 0 && seen(k - 1));
+        let near = (0..self.points.len())
+            .filter(|&k| is_visible(k) || is_visible(k + 1) || k > 0 && is_visible(k - 1));
         let near: Vec<[f64; 2]> = near.map(|k| self.points[k]).collect();
-        thin(&near, bins, place, |point| [point[1]])
+        thin(&near, bins, coordinate, |point| [point[1]])
     }
 }
 
-/// A named place on the horizontal axis.
+/// Named position on the horizontal axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
     /// Position on the axis.
     pub at: f64,
-    /// Its name.
+    /// Name.
     pub label: String,
 }
 
-/// A named value on the vertical axis, dashed.
+/// Named value on the vertical axis, drawn as a dashed line.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
     /// Position on the axis.
     pub at: f64,
-    /// Its name.
+    /// Name.
     pub label: String,
 }
 
-/// Curves over an axis.
+/// Chart of curves over an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
-    /// Name for links.
+    /// Identifier for links.
     pub id: String,
     /// Title of the drawing.
     pub title: String,
-    /// The table it was drawn from.
+    /// Name of its data file.
     pub source: String,
     /// Horizontal axis.
     pub x: Axis,
@@ -151,21 +156,21 @@ pub struct Chart {
     pub y: Axis,
     /// The curves.
     pub series: Vec<Series>,
-    /// Places on the horizontal axis.
+    /// Marked positions on the horizontal axis.
     pub marks: Vec<Mark>,
-    /// Values on the vertical axis.
+    /// Marked values on the vertical axis.
     pub levels: Vec<Level>,
     /// Height of the box in units of the drawing.
     pub height: f64,
 }
 
 impl Chart {
-    /// Class of its drawing.
+    /// CSS class of its drawing.
     pub(super) const KIND: &str = "curve-chart";
 
-    /// A chart without curves yet.
+    /// Makes a chart without curves.
     pub fn new(id: &str, title: &str, source: &str, x: Axis, y: Axis) -> Self {
-        /// A box about twice as wide as high.
+        /// Height of a box about twice as wide as high.
         const HEIGHT: f64 = 230.0;
         Self {
             id: id.to_owned(),
@@ -180,19 +185,19 @@ impl Chart {
         }
     }
 
-    /// The same with one more curve.
+    /// Adds a curve.
     pub fn with(mut self, series: Series) -> Self {
         self.series.push(series);
         self
     }
 
-    /// The same with places on the horizontal axis.
+    /// Adds marked positions on the horizontal axis.
     pub fn marked(mut self, marks: &[Mark]) -> Self {
         self.marks = marks.to_vec();
         self
     }
 
-    /// The same with a value on the vertical axis.
+    /// Adds a marked value on the vertical axis.
     pub fn level(mut self, at: f64, label: &str) -> Self {
         self.levels.push(Level {
             at,
@@ -208,7 +213,7 @@ impl Chart {
         let reaches = |series: &Series| series.line != Line::Scatter;
         let is_free = self.x.scale == Scale::Linear && self.x.limits.is_none();
         if is_free && (!self.marks.is_empty() || self.series.iter().all(reaches)) {
-            // Curves reach from side to side, a path from A to E.
+            // Curves over the full path from A to E need no margin.
             x = tight(
                 x,
                 points()
@@ -226,7 +231,7 @@ impl Chart {
         Frame::new(self.height, rows, 0.0, &self.y, [x, y])
     }
 
-    /// Height of the chart as a file of its own.
+    /// Height of the chart in a separate file.
     pub(super) fn height_alone(&self) -> f64 {
         self.frame(Dress::Alone).height + title_room(&self.title)
     }
@@ -272,7 +277,7 @@ impl Chart {
         for mark in &self.marks {
             let at = frame.px(mark.at);
             canvas.line("mark", [at, frame.top], [at, frame.bottom]);
-            // Letters that would touch are moved on.
+            // Letters that would overlap are moved.
             let x = at.max(free);
             canvas.label("letter", [x, frame.top - 5.0], Anchor::Middle, &mark.label);
             free = x + 4.0 + width(&mark.label, TICK);
@@ -295,7 +300,7 @@ impl Chart {
         canvas.close();
     }
 
-    /// Names of the curves with the classes they are drawn in.
+    /// Names of the curves with their CSS classes.
     pub fn legend(&self) -> Vec<(String, String)> {
         let named = self.series.iter().enumerate();
         named
@@ -303,13 +308,13 @@ impl Chart {
             .collect()
     }
 
-    /// The legend in lines that fit.
+    /// The legend, broken into lines that fit.
     fn legend_rows(&self) -> Vec<Vec<(f64, String, String)>> {
         /// Width of the sample line with its gaps.
         const SAMPLE: f64 = 46.0;
         let mut rows: Vec<Vec<(f64, String, String)>> = Vec::new();
         let mut at = f64::INFINITY;
-        // As in a page, one curve is named by the title alone.
+        // A single curve is named by the title, as in a page.
         let named = self.legend().into_iter();
         for (name, class) in named.filter(|_| self.series.len() > 1) {
             let width = SAMPLE + width(&name, NAME_ALONE);
@@ -343,7 +348,7 @@ impl Chart {
         }
     }
 
-    /// Data of the script for zoom and read-off.
+    /// Data for zoom and read-off by the script.
     pub fn data(&self) -> Value {
         let frame = self.frame(Dress::Page);
         let mut data = frame.data(&self.x, &self.y);
@@ -359,7 +364,7 @@ impl Chart {
                     "radius": match series.line { Line::Dots => 2.0, Line::Scatter => 3.5, _ => 0.0 }});
                 if series.line.is_filled() {
                     data["filled"] = json!(true);
-                    data["told"] = json!(flat(&series.told));
+                    data["told"] = json!(flat(&series.readings));
                 }
                 data
             })
@@ -382,7 +387,7 @@ impl Chart {
     }
 }
 
-/// The range of `values` without air.
+/// Range of `values` without margin.
 fn tight(range: Range, values: impl Iterator<Item = f64>) -> Range {
     let (low, high) = values
         .filter(|v| v.is_finite())
@@ -409,7 +414,7 @@ fn class(index: usize, line: Line) -> String {
     format!("curve c{} {kind}", index % COLOURS)
 }
 
-/// The path of a curve, with a circle at each point where there are dots.
+/// SVG path of a curve, with a circle at each point of a line with dots.
 fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
     let radius = match line {
         Line::Solid | Line::Dashed | Line::Ink | Line::Area | Line::Band => None,
@@ -417,7 +422,7 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
         Line::Scatter => Some(3.5),
     };
     let (mut d, mut dots) = (String::new(), String::new());
-    // The point before, in tenths of a unit of the drawing.
+    // The previous point, in tenths of a unit of the drawing.
     let mut before: Option<[i64; 2]> = None;
     for &[x, y] in points {
         let (px, py) = (frame.px(x), frame.py(y));
@@ -425,9 +430,9 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
             before = None;
             continue;
         }
-        let at = [px, py].map(|place| (10.0 * place).round() as i64);
+        let at = [px, py].map(|coordinate| (10.0 * coordinate).round() as i64);
         if line != Line::Scatter {
-            // Steps from point to point are half as long as places.
+            // Differences between points take half the text of coordinates.
             let (command, from) = before.map_or(('M', [0, 0]), |before| ('l', before));
             let [x, y] = [0, 1].map(|k| tenths(at[k] - from[k]));
             let between = if y.starts_with('-') { "" } else { " " };
@@ -448,18 +453,18 @@ fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
     d + &dots
 }
 
-/// A number of tenths in as few letters as a path allows: 14 is "1.4", -3 "-.3", 20 "2".
+/// A number of tenths in the shortest form of a path: 14 is "1.4", -3 "-.3", 20 "2".
 fn tenths(count: i64) -> String {
     let sign = if count < 0 { "-" } else { "" };
-    let (whole, rest) = (count.abs() / 10, count.abs() % 10);
-    match (whole, rest) {
+    let (whole, tenth) = (count.abs() / 10, count.abs() % 10);
+    match (whole, tenth) {
         (whole, 0) => format!("{sign}{whole}"),
-        (0, rest) => format!("{sign}.{rest}"),
-        (whole, rest) => format!("{sign}{whole}.{rest}"),
+        (0, tenth) => format!("{sign}.{tenth}"),
+        (whole, tenth) => format!("{sign}{whole}.{tenth}"),
     }
 }
 
-/// Six digits that mean something; null where there is no number.
+/// Value with six significant digits; null if it is not finite.
 pub(super) fn short(value: f64) -> Value {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(f64::NAN);
     if rounded.is_finite() {

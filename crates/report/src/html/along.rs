@@ -1,4 +1,4 @@
-//! The axis along the path of contact, with its points A to E.
+//! Axis along the path of contact, with the points A to E.
 
 use asperity::result::RunResult;
 

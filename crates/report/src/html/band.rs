@@ -1,4 +1,4 @@
-//! The band of the loss: what it is made of, and what other laws give.
+//! The band of the loss: its contributions, and the losses of alternative models.
 
 use asperity::result::loss_band::{BandParameter, LossBand, SamplingPart, rounded};
 use maud::{Markup, html};
@@ -7,13 +7,13 @@ use crate::chart::{Axis, Bar, BarChart, Drawing};
 
 pub(super) fn section(band: &LossBand) -> Markup {
     html! {
-        h3 { "The band, and what it is made of" }
+        h3 { "Contributions to the band" }
         p {
             "5 to 95 % of the loss over " (band.draws) " draws of the parameters below, each with the sampling of the flanks; the nominal \
-            loss is that of the defaults, about which the draws are not centred. Trust: " (band.trust.text()) "."
+            loss is computed with the defaults, which are not the centre of the draws. Trust: " (band.trust.text()) "."
         }
         div.scroll { table {
-            thead { tr { th { "parameter" } th.number { "default" } th.number { "from" } th.number { "to" } th.number { "moves the loss by" } } }
+            thead { tr { th { "parameter" } th.number { "default" } th.number { "from" } th.number { "to" } th.number { "change of the loss" } } }
             tbody {
                 @for parameter in &band.parameters {
                     @let [value, low, high] = values(parameter);
@@ -26,24 +26,24 @@ pub(super) fn section(band: &LossBand) -> Markup {
                 tr {
                     th scope="row" { "sampling of the flanks" }
                     @match &band.sampling {
-                        SamplingPart::Windows(found) => {
+                        SamplingPart::Windows(sampling) => {
                             td colspan="3" {
-                                (format!("{:.1} of {} windows count as independent", found.effective_windows, found.offsets))
+                                (format!("{:.1} of {} windows count as independent", sampling.effective_windows, sampling.offsets))
                             }
-                            td.number { (format!("±{} W (95 %)", rounded(found.half_width_w, found.half_width_w))) }
+                            td.number { (format!("±{} W (95 %)", rounded(sampling.half_width_w, sampling.half_width_w))) }
                         }
-                        SamplingPart::Pairs(found) => {
+                        SamplingPart::Pairs(sampling) => {
                             td colspan="3" {
-                                (found.pairs()) " pairs of traced teeth"
-                                @if let Some(gear) = found.not_sampled() { ", " (gear) " not sampled: lower bound" }
-                                @if let Some([down, up]) = found.misplaced_w {
-                                    (format!("; two half-widths off against each other {down:+.1} and {up:+.1} W"))
+                                (sampling.pairs()) " pairs of traced teeth"
+                                @if let Some(gear) = sampling.not_sampled() { ", " (gear) " not sampled: lower bound" }
+                                @if let Some([down, up]) = sampling.misplaced_w {
+                                    (format!("; with the traces shifted by two half-widths {down:+.1} and {up:+.1} W"))
                                 }
                             }
-                            td.number { (format!("±{} W (95 %)", rounded(found.half_width_w, found.half_width_w))) }
+                            td.number { (format!("±{} W (95 %)", rounded(sampling.half_width_w, sampling.half_width_w))) }
                         }
                         SamplingPart::OnePair([down, up]) => {
-                            td colspan="3" { "one pair of placed traces; each two half-widths off against the other" }
+                            td colspan="3" { "one pair of placed traces; each shifted by two half-widths" }
                             td.number { (format!("{down:+.1} and {up:+.1} W")) }
                         }
                         SamplingPart::None(why) => { td colspan="3" { (why) } td.number { "-" } }
@@ -53,7 +53,7 @@ pub(super) fn section(band: &LossBand) -> Markup {
             }
         } }
         @if !band.held.is_empty() {
-            p { "Not drawn, because the case states it: " (band.held.join(", ")) "." }
+            p { "Not varied, because the case states it: " (band.held.join(", ")) "." }
         }
     }
 }
@@ -70,8 +70,8 @@ fn values(parameter: &BandParameter) -> [String; 3] {
         .map(|value| format!("{:.digits$}{unit}", factor * value))
 }
 
-/// The nominal loss with its band, and the other laws.
-pub(super) fn beside(band: &LossBand) -> Drawing {
+/// The nominal loss with its band, and the alternative models.
+pub(super) fn loss_chart(band: &LossBand) -> Drawing {
     let whole = |power: f64| rounded(power, band.half_width_w());
     let [low, high] = band.quantiles_w;
     let nominal = Bar {
@@ -96,7 +96,7 @@ pub(super) fn beside(band: &LossBand) -> Drawing {
     });
     Drawing::Bars(BarChart {
         id: "band".to_owned(),
-        title: "Loss with its band, and other laws beside it".to_owned(),
+        title: "Loss with its band, and alternative models".to_owned(),
         source: "result.json".to_owned(),
         axis: Axis::new("loss", "W"),
         bars: std::iter::once(nominal).chain(others).collect(),

@@ -1,4 +1,4 @@
-//! One contact: flanks before, in and after it, pressure, stress below, convergence.
+//! One contact: flanks before, in and after contact, pressure, subsurface stress, convergence.
 
 use asperity::case::Formulation;
 use asperity::result::{PositionRow, RunResult};
@@ -22,7 +22,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
     Ok(html! {
         p {
             "Position " (contact.position) " of " (count)
-            @if count > 1 { ", the one with the highest pressure unless another was chosen" }
+            @if count > 1 { ", by default the position with the highest pressure" }
             ", at " (format!("{:.3}", row.path_fraction))
             " of the way from A to E; first offset of the traces."
         }
@@ -42,7 +42,7 @@ fn row_of<'a>(
         })
 }
 
-/// Every chart of one position.
+/// All charts of one position.
 ///
 /// # Errors
 /// When the result lacks the position or the tolerance of its solution.
@@ -74,7 +74,7 @@ fn column<R>(rows: &[R], value: impl Fn(&R) -> f64) -> Vec<f64> {
     rows.iter().map(value).collect()
 }
 
-/// Both flanks facing each other at first touch and under load, the gap between them, and what stays.
+/// Both flanks at first touch and under load, the gap between them, and their permanent change.
 fn flank_charts(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Vec<Drawing> {
     let reach = NEAR * at.half_width_um;
     let near = |row: &&SurfaceRow| row.x_um.abs() <= reach;
@@ -90,7 +90,7 @@ fn flank_charts(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Vec<Drawi
         &column(&rows, |row| open(row) - least),
         source,
     );
-    // Heights count from the middle between the pinion's highest and lowest point, which thinning keeps.
+    // Heights are relative to the middle between the highest and the lowest point of the pinion, which thinning preserves.
     let pressed = column(&rows, SurfaceRow::pinion_pressed_um);
     let ends = [f64::INFINITY, f64::NEG_INFINITY];
     let [low, high] = (pressed.iter()).fold(ends, |[low, high], z| [low.min(*z), high.max(*z)]);
@@ -112,7 +112,7 @@ fn flank_charts(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Vec<Drawi
     drawings
 }
 
-/// The pinion's flank from below and the wheel's from above, `gap` apart.
+/// The flank of the pinion below and of the wheel above, separated by `gap`.
 fn facing([id, title]: [&str; 2], x: &[f64], pinion: &[f64], gap: &[f64], source: &str) -> Drawing {
     let wheel: Vec<f64> = pinion.iter().zip(gap).map(|(z, g)| z + g).collect();
     let heights = Axis::new("height", "µm");
@@ -122,7 +122,7 @@ fn facing([id, title]: [&str; 2], x: &[f64], pinion: &[f64], gap: &[f64], source
     Drawing::Curves(chart)
 }
 
-/// Plastic change of both flanks, from before the contact to after it; none where nothing flows.
+/// Plastic change of both flanks by the contact; `None` without plastic flow.
 fn change(rows: &[SurfaceRow], x: &[f64], source: &str) -> Option<Drawing> {
     const NANOMETRES: f64 = 1e3;
     let flows = |row: &SurfaceRow| row.plastic_pinion_um > 0.0 || row.plastic_wheel_um > 0.0;
@@ -161,7 +161,7 @@ fn pressure(rows: &[SurfaceRow], source: &str) -> Drawing {
     Drawing::Curves(chart)
 }
 
-/// Stress below the contact. The table reaches further down and to the sides, where it is smooth.
+/// Stress below the contact. The table extends further down and to the sides, where the stress is smooth.
 fn von_mises(
     row: &PositionRow,
     limit: Pressure,
@@ -253,7 +253,7 @@ fn load(row: &PositionRow, steps: &[ConvergenceRow], source: &str) -> Drawing {
     Drawing::Curves(chart)
 }
 
-/// Error against step: of the marching on a log axis, of the load path from zero.
+/// Load error by step: logarithmic for the marching, from zero for the loading path.
 fn load_error(
     result: &RunResult,
     steps: &[ConvergenceRow],
@@ -268,7 +268,7 @@ fn load_error(
             choice::<Ratio>(result, given, "model.numerical_error")?.value(),
         )
     } else {
-        // The last error is one of rounding, which a log axis would blow up.
+        // The last error is round-off, which would dominate a logarithmic axis.
         (
             "Load still missing along the loading path",
             Axis::new("|F − F_target|/F_target", "").from_zero(),
@@ -286,7 +286,7 @@ fn load_error(
     Ok(Drawing::Curves(chart))
 }
 
-/// A choice of the model: as given in the case, or the default that was used.
+/// Model choice: the value of the case, or else the default.
 fn choice<T: DeserializeOwned>(
     result: &RunResult,
     given: Option<T>,

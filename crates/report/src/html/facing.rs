@@ -25,7 +25,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     }
 }
 
-/// The figure with its slider, which the script brings up.
+/// The figure with its slider, which the script enables.
 fn slider(facing: Facing) -> Markup {
     let first = facing.first;
     let last = facing.frames.len() - 1;
@@ -51,13 +51,13 @@ fn slider(facing: Facing) -> Markup {
     }
 }
 
-/// The flanks facing each other along the path; none where no rough contact was solved.
+/// The flanks facing each other along the path; `None` if no rough contact was solved.
 fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
     let row = |view: &ContactView| {
         let mut rows = result.path.iter();
         rows.find(|row| row.position == view.position)
     };
-    let found: Vec<(&ContactView, &PositionRow)> = (tables.views.iter())
+    let pairs: Vec<(&ContactView, &PositionRow)> = (tables.views.iter())
         .filter_map(|view| Some((view, row(view)?)))
         .filter(|(view, row)| view.x_um.len() > 1 && row.half_width_um > 0.0)
         .collect();
@@ -72,10 +72,10 @@ fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
         .as_ref()
         .map(|at| at.position)
         .or_else(highest);
-    let first = found
+    let first = pairs
         .iter()
         .position(|(view, _)| Some(view.position) == shown);
-    let frames: Vec<FacingFrame> = found.iter().map(|(view, row)| frame(view, row)).collect();
+    let frames: Vec<FacingFrame> = pairs.iter().map(|(view, row)| frame(view, row)).collect();
     if frames.is_empty() {
         return None;
     }
@@ -88,9 +88,9 @@ fn facing(result: &RunResult, tables: &PageTables) -> Option<Facing> {
         marks: points(result),
         reach: ContactView::REACH,
     };
-    let texts: Vec<String> = found
+    let texts: Vec<String> = pairs
         .iter()
-        .map(|(_, row)| told(result, row, facing.exaggeration(row.half_width_um)))
+        .map(|(_, row)| caption(result, row, facing.exaggeration(row.half_width_um)))
         .collect();
     for (frame, text) in facing.frames.iter_mut().zip(texts) {
         frame.text = text;
@@ -111,8 +111,8 @@ fn frame(view: &ContactView, row: &PositionRow) -> FacingFrame {
     }
 }
 
-/// What is told of a position: where it is, the contact, and how far heights are drawn out.
-fn told(result: &RunResult, row: &PositionRow, exaggeration: f64) -> String {
+/// Caption of a position: position, contact, and exaggeration of the heights.
+fn caption(result: &RunResult, row: &PositionRow, exaggeration: f64) -> String {
     let mut parts = vec![
         format!("Position {} of {}", row.position, result.path.len()),
         format!("{:.2} mm from T₁", row.s_mm),

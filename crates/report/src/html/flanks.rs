@@ -1,4 +1,4 @@
-//! The flanks as measured and prepared: trace, material ratio curve with its construction, spectrum,
+//! The flanks as measured and prepared: trace, material ratio curve with its construction, spectrum and
 //! parameters.
 
 use asperity::result::RunResult;
@@ -14,7 +14,7 @@ use crate::tables::{BODIES, FlankTables, MaterialRatioRow, SpectrumRow, TraceRow
 use crate::units::MICRO;
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
-    // Side by side: pinion and wheel.
+    // Pinion and wheel in two columns.
     let [pinion, wheel] = [0, 1].map(|body| charts(result, tables, body));
     let longest = pinion.len().max(wheel.len());
     let drawings: Vec<&Drawing> = (0..longest)
@@ -22,7 +22,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
         .flatten()
         .collect();
     if drawings.is_empty() {
-        return html! { p { "The flanks are given by roughness values alone: there are no traces to show." } };
+        return html! { p { "The flanks are given only by roughness values: there are no traces." } };
     }
     html! {
         @if let Some(pairs) = &result.pairs { (super::pairs::traces(pairs)) }
@@ -42,7 +42,7 @@ fn charts(result: &RunResult, tables: &PageTables, index: usize) -> Vec<Drawing>
         spectrum,
     } = flank;
     let parameters = result.flanks[index].parameters.as_ref();
-    let material = parameters.map(|found| &found.material);
+    let material = parameters.map(|parameters| &parameters.material);
     let [of_trace, of_curve, of_spectrum] = files_of(body).map(|own| tables.source(&own));
     vec![
         profile(trace, body, &of_trace),
@@ -70,7 +70,7 @@ fn profile(trace: &[TraceRow], body: &str, source: &str) -> Drawing {
     )
     .with(of("as measured", |row| row.measured_um))
     .with(of("form removed", |row| row.form_removed_um))
-    // Where the filter dropped the ends there is no line.
+    // The filter drops the ends of the trace: no line there.
     .with(of("roughness, filtered", |row| {
         row.roughness_um.unwrap_or(f64::NAN)
     }));
@@ -102,7 +102,7 @@ fn abbott(
     })
 }
 
-/// The line of Rk and the triangles of the same area as the peaks and the valleys.
+/// Adds the line of Rk and the triangles with the areas of the peaks and the valleys.
 fn with_construction(chart: Chart, material: &RkParameters) -> Chart {
     let um = |length: Length| length.si() * MICRO;
     let (upper, lower) = (um(material.upper), um(material.lower));
@@ -146,40 +146,41 @@ fn psd(rows: &[SpectrumRow], body: &str, source: &str) -> Drawing {
     Drawing::Curves(chart)
 }
 
-/// Function that takes a length from the parameters.
+/// A length among the parameters.
 type OfLength = fn(&Parameters) -> Option<Length>;
 
 const LENGTHS: &[(&str, OfLength)] = &[
-    ("Ra", |found| Some(found.heights.ra)),
-    ("Rq", |found| Some(found.heights.rq)),
-    ("Rz", |found| Some(found.heights.rz)),
-    ("Rp", |found| Some(found.heights.rp)),
-    ("Rv", |found| Some(found.heights.rv)),
-    ("Rt", |found| Some(found.heights.rt)),
-    ("RSm", |found| found.heights.rsm),
-    ("Rk", |found| Some(found.material.rk)),
-    ("Rpk", |found| Some(found.material.rpk)),
-    ("Rvk", |found| Some(found.material.rvk)),
+    ("Ra", |parameters| Some(parameters.heights.ra)),
+    ("Rq", |parameters| Some(parameters.heights.rq)),
+    ("Rz", |parameters| Some(parameters.heights.rz)),
+    ("Rp", |parameters| Some(parameters.heights.rp)),
+    ("Rv", |parameters| Some(parameters.heights.rv)),
+    ("Rt", |parameters| Some(parameters.heights.rt)),
+    ("RSm", |parameters| parameters.heights.rsm),
+    ("Rk", |parameters| Some(parameters.material.rk)),
+    ("Rpk", |parameters| Some(parameters.material.rpk)),
+    ("Rvk", |parameters| Some(parameters.material.rvk)),
 ];
 
-/// Function that takes a material ratio from the parameters.
+/// A material ratio among the parameters.
 type OfRatio = fn(&Parameters) -> f64;
 
 const RATIOS: &[(&str, OfRatio)] = &[
-    ("Mr1", |found| found.material.mr1),
-    ("Mr2", |found| found.material.mr2),
+    ("Mr1", |parameters| parameters.material.mr1),
+    ("Mr2", |parameters| parameters.material.mr2),
 ];
 
 fn parameters(result: &RunResult) -> Markup {
     let of = |index: usize| result.flanks[index].parameters.as_ref();
     let length = |index: usize, value: OfLength| {
-        let found = of(index).and_then(value);
-        found.map_or("–".to_owned(), |found| {
-            format!("{:.4}", found.si() * MICRO)
+        of(index).and_then(value).map_or("–".to_owned(), |length| {
+            format!("{:.4}", length.si() * MICRO)
         })
     };
     let ratio = |index: usize, value: OfRatio| {
-        of(index).map_or("–".to_owned(), |found| format!("{:.2}", value(found)))
+        of(index).map_or("–".to_owned(), |parameters| {
+            format!("{:.2}", value(parameters))
+        })
     };
     html! {
         div.scroll { table {

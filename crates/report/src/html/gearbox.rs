@@ -1,4 +1,4 @@
-//! The gearbox around the mesh: its efficiency, and the parts that its user states.
+//! The gearbox: its efficiency, and the losses that the user states.
 
 use asperity::result::gearbox::GearboxReport;
 use asperity::result::loss_band::{LossBand, rounded};
@@ -6,29 +6,34 @@ use maud::{Markup, html};
 
 use crate::printed::{stated, stated_parts};
 
-/// Name of a number, its value as text, its key in `result.json`.
+/// Name, formatted value and key in `result.json` of a number.
 type Tile = (&'static str, String, &'static str);
 
-/// Efficiency and loss of mesh and parts together.
-pub(super) fn tiles(found: &GearboxReport, band: Option<&LossBand>) -> Vec<Tile> {
+/// Efficiency and loss of the mesh and the other parts.
+pub(super) fn tiles(gearbox: &GearboxReport, band: Option<&LossBand>) -> Vec<Tile> {
     let (efficiency, loss) = match band {
         None => (
-            format!("{:.4} %", 100.0 * found.efficiency),
-            format!("{:.1} W", found.loss_w),
+            format!("{:.4} %", 100.0 * gearbox.efficiency),
+            format!("{:.1} W", gearbox.loss_w),
         ),
         Some(band) => {
-            let [low, high] = found.efficiency_quantiles(band);
-            let [least, most] = found.quantiles_w(band);
+            let [low, high] = gearbox.efficiency_quantiles(band);
+            let [least, most] = gearbox.quantiles_w(band);
             let share = |share: f64| rounded(100.0 * share, 50.0 * (high - low));
             let loss = |power: f64| rounded(power, band.half_width_w());
             (
                 format!(
                     "{} % ({}..{})",
-                    share(found.efficiency),
+                    share(gearbox.efficiency),
                     share(low),
                     share(high)
                 ),
-                format!("{} W ({}..{})", loss(found.loss_w), loss(least), loss(most)),
+                format!(
+                    "{} W ({}..{})",
+                    loss(gearbox.loss_w),
+                    loss(least),
+                    loss(most)
+                ),
             )
         }
     };
@@ -38,28 +43,28 @@ pub(super) fn tiles(found: &GearboxReport, band: Option<&LossBand>) -> Vec<Tile>
     ]
 }
 
-/// The parts beside the mesh.
-pub(super) fn section(found: &GearboxReport, has_band: bool) -> Markup {
-    let losses: Vec<f64> = found.parts.iter().map(|part| part.loss_w).collect();
+/// The parts besides the mesh.
+pub(super) fn section(gearbox: &GearboxReport, has_band: bool) -> Markup {
+    let losses: Vec<f64> = gearbox.parts.iter().map(|part| part.loss_w).collect();
     let losses = stated_parts(&losses);
     html! {
-        h3 { "Beside the mesh, stated by the user" }
+        h3 { "Besides the mesh, from the input" }
         p {
-            "These losses are not computed from the flanks: their constants, loads and tables come from the case, and they have no band. \
-            Oil at " (format!("{:.0} °C", found.temperature_c)) ". The mesh is computed with the whole torque of the case; all losses count \
-            against the power in."
-            @if has_band { " Brackets of the gearbox are those of the mesh." }
+            "These losses are not computed from the flanks: their constants, loads and tables are input, without an uncertainty. \
+            Oil at " (format!("{:.0} °C", gearbox.temperature_c)) ". The mesh is computed with the full torque of the case; all losses are \
+            subtracted from the power in."
+            @if has_band { " The band of the gearbox is the band of the mesh." }
         }
         div.scroll { table {
             thead { tr { th { "part" } th { "kind" } th { "law" } th.number { "torque [N m]" } th.number { "loss" } } }
             tbody {
-                @for (part, loss) in found.parts.iter().zip(&losses) {
+                @for (part, loss) in gearbox.parts.iter().zip(&losses) {
                     tr {
                         th scope="row" { (part.name) } td { (part.kind) } td { (part.law) }
                         td.number { (format!("{:.3}", part.torque_nm)) } td.number { (loss) }
                     }
                 }
-                tr { th scope="row" { "together" } td {} td {} td {} td.number { (stated(found.parts_w)) } }
+                tr { th scope="row" { "total" } td {} td {} td {} td.number { (stated(gearbox.parts_w)) } }
             }
         } }
     }

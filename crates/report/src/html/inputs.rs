@@ -1,4 +1,4 @@
-//! Inputs: the case with its defaults, the files, the equations and their sources.
+//! Inputs: the case with its defaults, files, equations and sources.
 
 use asperity::oil::Mark;
 use asperity::result::FlankRecord;
@@ -11,7 +11,7 @@ use crate::error::ReportError;
 pub(super) fn section(result: &RunResult) -> Result<Markup, ReportError> {
     let rows = keys(result)?;
     Ok(html! {
-        p { "Values marked " span.default { "default" } " were not given in the case file." }
+        p { "Values marked " span.default { "default" } " are not in the case file." }
         div.scroll { table.inputs {
             thead { tr { th { "key" } th { "value" } th { "from" } } }
             tbody {
@@ -33,18 +33,18 @@ pub(super) fn section(result: &RunResult) -> Result<Markup, ReportError> {
     })
 }
 
-struct Row {
+struct KeyRow {
     key: String,
     value: String,
-    /// None when given; where a default comes from otherwise.
+    /// Source of a default; `None` for a value of the case.
     origin: Option<String>,
 }
 
-fn keys(result: &RunResult) -> Result<Vec<Row>, ReportError> {
+fn keys(result: &RunResult) -> Result<Vec<KeyRow>, ReportError> {
     let mut rows = Vec::new();
     flatten("", &serde_json::to_value(&result.inputs)?, &mut rows);
     for entry in &result.defaults {
-        rows.push(Row {
+        rows.push(KeyRow {
             key: entry.key.to_string(),
             value: entry.value.replace('"', ""),
             origin: Some(entry.source.as_deref().unwrap_or_default().to_owned()),
@@ -54,8 +54,8 @@ fn keys(result: &RunResult) -> Result<Vec<Row>, ReportError> {
     Ok(rows)
 }
 
-/// Every value that was given, with the path of its key.
-fn flatten(path: &str, value: &Value, rows: &mut Vec<Row>) {
+/// Appends all given values with the paths of their keys.
+fn flatten(path: &str, value: &Value, rows: &mut Vec<KeyRow>) {
     match value {
         Value::Null => {}
         Value::Object(entries) => {
@@ -70,13 +70,13 @@ fn flatten(path: &str, value: &Value, rows: &mut Vec<Row>) {
         }
         Value::Array(items) => {
             let texts: Vec<String> = items.iter().map(plain).collect();
-            rows.push(Row {
+            rows.push(KeyRow {
                 key: path.to_owned(),
                 value: texts.join(", "),
                 origin: None,
             });
         }
-        single => rows.push(Row {
+        single => rows.push(KeyRow {
             key: path.to_owned(),
             value: plain(single),
             origin: None,
@@ -90,14 +90,14 @@ fn plain(value: &Value) -> String {
         .map_or_else(|| value.to_string(), str::to_owned)
 }
 
-/// Constants of film friction with what is known of each.
+/// Constants of film friction with range, confidence and source.
 fn film_constants(result: &RunResult) -> Markup {
     let band = |constant: &FilmConstant| match (constant.low, constant.high) {
         (Some(low), Some(high)) => format!("{low} to {high}"),
         _ => "–".to_owned(),
     };
     let sure = |constant: &FilmConstant| match constant.mark {
-        Mark::Seen => "seen in its source",
+        Mark::Seen => "verified in its source",
         Mark::Calibrated => "calibrated here",
         Mark::Memory => "from memory, source not available",
         Mark::Judged => "judgement",

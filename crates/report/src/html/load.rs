@@ -6,7 +6,7 @@ use asperity::result::RunResult;
 use crate::chart::{Axis, Chart, Contour, Drawing, Line, Mark, Series};
 use crate::page_tables::PageTables;
 
-/// The line load along the path, of the map and of its cells.
+/// Line load along the path, of the map and of its cells.
 pub(super) fn along_the_path(result: &RunResult, axis: Axis, points: &[Mark]) -> Drawing {
     let rows = &result.load.path;
     let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
@@ -54,7 +54,7 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, points: &[Mark]) ->
     )))
 }
 
-/// The load over path and face; none where no load map was written.
+/// Load over path and face; `None` without a load map.
 pub(super) fn map(tables: &PageTables, axis: Axis) -> Option<Drawing> {
     let rows = &tables.load_map;
     let top = rows.first()?.y_mm;
@@ -62,7 +62,7 @@ pub(super) fn map(tables: &PageTables, axis: Axis) -> Option<Drawing> {
     let columns: Vec<f64> = rows[..stride].iter().map(|row| row.s_mm).collect();
     let mut across: Vec<f64> = rows.chunks(stride).map(|strip| strip[0].y_mm).collect();
     let mut values: Vec<f64> = rows.iter().map(|row| row.load_n_per_mm).collect();
-    // A load that is the same over the face is drawn from end to end of it.
+    // A load that is constant over the face is drawn over the full face.
     if across.len() == 1 {
         let middle = across[0];
         across = vec![0.0, 2.0 * middle];

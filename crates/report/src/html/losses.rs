@@ -1,4 +1,4 @@
-//! Losses along the path of contact, part on part, with the band of their sum.
+//! Stacked losses along the path of contact, with the band of their sum.
 
 use asperity::result::{PositionRow, RunResult};
 
@@ -8,7 +8,7 @@ use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 /// Watts of a kilowatt.
 const KILO: f64 = 1e-3;
 
-/// Function that takes a loss per metre of contact line from a row \[W/m\].
+/// Loss per metre of contact line of a row \[W/m\].
 type Loss = fn(&PositionRow) -> f64;
 
 /// Parts from the bottom up.
@@ -25,7 +25,7 @@ fn whole(row: &PositionRow) -> f64 {
     PARTS.iter().map(|(_, of)| of(row)).sum()
 }
 
-/// The local losses of sliding and rolling, stacked; of a single position as dots.
+/// Stacked local losses of sliding and rolling; dots for a single position.
 pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> Drawing {
     let rows = &result.path;
     let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
@@ -61,8 +61,8 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> 
     Drawing::Curves(chart.with(Series::new("all", Line::Ink, &s, &of(&whole))))
 }
 
-/// 5 % and 95 % quantiles of the whole local loss along the path \[kW/m\]: sliding by parameters and sampling of the
-/// flanks, rolling as it is.
+/// 5 % and 95 % quantiles of the total local loss along the path \[kW/m\]: sliding varies with parameters and sampling
+/// of the flanks, rolling is constant.
 fn band(result: &RunResult) -> Option<[Vec<f64>; 2]> {
     let band = result.band.as_ref()?;
     let quantiles = match band.path_with_sampling_w_per_m.is_empty() {

@@ -1,4 +1,4 @@
-//! The page of one lubricated contact: film and pressure, load against film, and frames that can be played.
+//! Page of one lubricated contact: film and pressure, load by film thickness, and an animation.
 
 use maud::{Markup, PreEscaped, html};
 use serde_json::json;
@@ -7,19 +7,23 @@ use super::page::{figure, page};
 use super::policy::PLAYER;
 use crate::chart::{Axis, Chart, Drawing, Line, Series};
 
-/// Size of the player's drawing.
+/// Width of the animation.
 const WIDTH: f64 = 900.0;
+/// Height of a panel.
 const PANEL: f64 = 210.0;
-/// Left and right of both panels, top of each, height between them.
+/// Margin at the left.
 const LEFT: f64 = 62.0;
+/// Margin at the right.
 const RIGHT: f64 = 26.0;
+/// Margin at the top.
 const TOP: f64 = 22.0;
+/// Distance between the panels.
 const GAP: f64 = 44.0;
 
-/// Pressure and film on the same places.
+/// Pressure and film at the same positions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilmAndPressure {
-    /// Places over the half-width.
+    /// Positions in half-widths.
     pub x: Vec<f64>,
     /// Pressure \[GPa\].
     pub pressure: Vec<f64>,
@@ -27,7 +31,7 @@ pub struct FilmAndPressure {
     pub film: Vec<f64>,
 }
 
-/// One time of a record.
+/// One instant of a record.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilmFrame {
     /// Half-widths travelled.
@@ -38,14 +42,14 @@ pub struct FilmFrame {
     pub film: Vec<f64>,
 }
 
-/// Share of the load carried below a film thickness.
+/// Share of the load at films below a thickness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SharePoint {
-    /// The film \[nm\].
+    /// Film thickness \[nm\].
     pub film_nm: f64,
-    /// The share.
+    /// Share.
     pub share: f64,
-    /// Its standard error, where it has one.
+    /// Standard error, if known.
     pub standard_error: Option<f64>,
 }
 
@@ -54,9 +58,9 @@ pub struct SharePoint {
 pub struct LubricatedContact {
     /// Title of the page.
     pub title: String,
-    /// Line below it.
+    /// Subtitle.
     pub subtitle: String,
-    /// Numbers with their names.
+    /// Names and values of numbers.
     pub numbers: Vec<(String, String)>,
     /// Codes and texts of warnings.
     pub warnings: Vec<(String, String)>,
@@ -68,15 +72,15 @@ pub struct LubricatedContact {
     pub smooth: FilmAndPressure,
     /// Mean over time of rough surfaces.
     pub mean: Option<FilmAndPressure>,
-    /// Load against film.
+    /// Load by film thickness.
     pub shares: Vec<SharePoint>,
     /// Travel, share of the load on thin films, mean film \[µm\], largest pressure \[GPa\] of every step.
     pub history: Vec<[f64; 4]>,
-    /// Frames on the places of `mean`.
+    /// Frames at the positions of `mean`.
     pub frames: Vec<FilmFrame>,
 }
 
-/// The page.
+/// Renders the page.
 pub fn lubricated_contact(contact: &LubricatedContact) -> String {
     let sections = [
         ("Summary", numbers(contact)),
@@ -125,7 +129,7 @@ fn films(contact: &LubricatedContact) -> Markup {
         .collect();
     let [central, minimum] = contact.formula;
     let flat = vec![central; within.len()];
-    // The gap is shown as far as a few central films.
+    // Gaps above a few central film thicknesses are not shown.
     let most = 4.0 * central.max(contact.mean.as_ref().map_or(0.0, middle));
     let shown = |film: &[f64]| -> Vec<f64> {
         film.iter()
@@ -231,7 +235,7 @@ fn history(contact: &LubricatedContact) -> Markup {
     html! { div.charts { @for chart in &charts { (figure(chart)) } } }
 }
 
-/// Range of one panel of the player.
+/// Panel of the animation.
 struct Panel {
     top: f64,
     most: f64,
@@ -241,7 +245,7 @@ struct Panel {
 
 impl Panel {
     fn y(&self, value: f64) -> i64 {
-        // Tenths of a unit of the drawing keep the page small.
+        // Integers in tenths of a unit of the drawing keep the page small.
         (10.0 * (self.top + PANEL * (1.0 - value / self.most))).round() as i64
     }
 
@@ -265,7 +269,7 @@ impl Panel {
     }
 }
 
-/// Frames of the rough film; without scripts the first one is shown.
+/// Animation of the rough film; without scripts the first frame is shown.
 fn player(contact: &LubricatedContact) -> Markup {
     let (Some(mean), Some(first)) = (&contact.mean, contact.frames.first()) else {
         return html! {};
@@ -289,8 +293,8 @@ fn player(contact: &LubricatedContact) -> Markup {
         },
     ];
     let (low, high) = (mean.x[0], mean.x[mean.x.len() - 1]);
-    let place = |x: f64| 10.0 * (LEFT + (WIDTH - LEFT - RIGHT) * (x - low) / (high - low));
-    let xs: Vec<i64> = mean.x.iter().map(|x| place(*x).round() as i64).collect();
+    let px = |x: f64| 10.0 * (LEFT + (WIDTH - LEFT - RIGHT) * (x - low) / (high - low));
+    let xs: Vec<i64> = mean.x.iter().map(|x| px(*x).round() as i64).collect();
     let line = |xs: &[i64], ys: &[i64]| -> String {
         let points = xs.iter().zip(ys).enumerate();
         points
@@ -318,11 +322,11 @@ fn player(contact: &LubricatedContact) -> Markup {
         .smooth
         .x
         .iter()
-        .map(|x| place(*x).round() as i64)
+        .map(|x| px(*x).round() as i64)
         .collect();
     let dashed = |k: usize| line(&smooth_x, &rows(&panels[k], smooth[k]));
     let height = TOP + 2.0 * PANEL + GAP + 34.0;
-    let ends = [low, 0.5 * (low + high), high].map(|x| (place(x) / 10.0, format!("{x:.2}")));
+    let ends = [low, 0.5 * (low + high), high].map(|x| (px(x) / 10.0, format!("{x:.2}")));
     html! {
         p { "The surfaces move from left to right through the contact; dashed: smooth surfaces." }
         div.player {

@@ -1,4 +1,4 @@
-//! The pair in mesh: geometry of its picture from the result.
+//! Picture of the pair in mesh: geometry from the result.
 //!
 //! The pitch point is the origin, the pinion's axis below it, and the line of action rises to the right, so that
 //! contact moves from A on the left to E on the right.
@@ -10,11 +10,11 @@ use asperity::result::RunResult;
 use crate::chart::{Drawing, MeshBody, MeshPicture, MeshPoint, MeshTrace};
 use crate::tables::BODIES;
 
-/// Millimetres of a metre.
+/// Millimetres per metre.
 const MILLI: f64 = 1e3;
 
-/// Place of a gear whose flank touches the other at a point of the path.
-struct Seat {
+/// Gear whose flank is in contact at a point of the path.
+struct GearInContact {
     centre: [f64; 2],
     /// Base radius \[m\].
     base: f64,
@@ -22,13 +22,13 @@ struct Seat {
     foot: f64,
     /// Roll length of the point of contact \[m\].
     roll: f64,
-    /// Direction in which the foot moves on the base circle as the roll length grows: 1 turns left.
+    /// Sense in which the foot moves on the base circle with increasing roll length: 1 for counterclockwise.
     turn: f64,
-    /// Direction from the flank to the middle of its tooth: 1 turns left.
+    /// Sense from the flank to the middle of its tooth: 1 for counterclockwise.
     side: f64,
 }
 
-/// The mesh drawn at the moment when a pair touches at the pitch point.
+/// The mesh at the instant of contact at the pitch point.
 struct Mesh<'a> {
     gears: &'a GearPair,
     /// Angle of the line of action.
@@ -40,22 +40,22 @@ impl Mesh<'_> {
         [self.angle.cos(), self.angle.sin()]
     }
 
-    /// The place s of the path of contact \[mm\].
-    fn place(&self, s: f64) -> [f64; 2] {
+    /// Position at the distance s on the path of contact \[mm\].
+    fn position(&self, s: f64) -> [f64; 2] {
         let from_pitch_point = MILLI * (s - self.gears.path.c.si());
         self.along().map(|part| part * from_pitch_point)
     }
 
-    /// Gear 0 or 1 in contact at the place s of the path.
-    fn seat(&self, body: usize, s: f64) -> Seat {
+    /// Gear 0 or 1 in contact at the distance s on the path.
+    fn in_contact(&self, body: usize, s: f64) -> GearInContact {
         let gears = self.gears;
         let base = gears.base_radius[body].si().abs();
         let pitch = gears.working_pitch_radius[body].si();
-        // Feet lie at the angle of the line of action beside the line of centres.
+        // The feet are at the angle of the line of action from the line of centres.
         let up = std::f64::consts::FRAC_PI_2 + self.angle;
         let from_second = gears.path.t1t2.si() - s;
         match (body, gears.internal) {
-            (0, _) => Seat {
+            (0, _) => GearInContact {
                 centre: [0.0, -MILLI * pitch],
                 base,
                 foot: up,
@@ -63,7 +63,7 @@ impl Mesh<'_> {
                 turn: 1.0,
                 side: 1.0,
             },
-            (_, false) => Seat {
+            (_, false) => GearInContact {
                 centre: [0.0, MILLI * pitch],
                 base,
                 foot: up - std::f64::consts::PI,
@@ -71,8 +71,8 @@ impl Mesh<'_> {
                 turn: 1.0,
                 side: 1.0,
             },
-            // The ring's axis lies below, too; its flank is concave and its teeth are outside of it.
-            (_, true) => Seat {
+            // The axis of the ring is below as well; its flank is concave and its teeth are outside.
+            (_, true) => GearInContact {
                 centre: [0.0, MILLI * pitch],
                 base,
                 foot: up,
@@ -84,12 +84,12 @@ impl Mesh<'_> {
     }
 }
 
-impl Seat {
+impl GearInContact {
     /// The point of the flank with the roll length `roll`, moved by `inside` into the tooth \[m\].
     fn flank(&self, roll: f64, inside: f64) -> [f64; 2] {
         let foot = self.foot + self.turn * (roll - self.roll) / self.base;
         let (sin, cos) = foot.sin_cos();
-        // The string runs off the foot to the right of the radius.
+        // The string of the involute leaves the foot to the right of the radius.
         let length = roll - self.side * inside;
         [
             self.centre[0] + MILLI * (self.base * cos + length * sin),
@@ -104,7 +104,7 @@ impl Seat {
     }
 }
 
-/// The picture of the pair of `result`; none of gears that a damaged file made up.
+/// Picture of the pair of `result`; `None` for impossible gears of a damaged file.
 pub(super) fn picture(result: &RunResult) -> Option<Drawing> {
     let gears = &result.gears;
     if !can_be_drawn(gears) {
@@ -120,7 +120,7 @@ pub(super) fn picture(result: &RunResult) -> Option<Drawing> {
     let teeth =
         [Gear::Pinion, Gear::Wheel].map(|gear| gears.transverse_tooth(gear, root(result, gear)));
     let bodies = [0, 1].map(|body| {
-        let seat = mesh.seat(body, path.c.si());
+        let in_contact = mesh.in_contact(body, path.c.si());
         let radii = [
             gears.tip_radius[body],
             gears.working_pitch_radius[body],
@@ -128,9 +128,9 @@ pub(super) fn picture(result: &RunResult) -> Option<Drawing> {
         ];
         MeshBody {
             name: format!("{}, {} teeth", name(gears, body), gears.teeth[body]),
-            centre: seat.centre,
+            centre: in_contact.centre,
             radii: radii.map(|radius| MILLI * radius.si().abs()),
-            outline: outline(gears, body, &seat, &teeth[body], reach),
+            outline: outline(gears, body, &in_contact, &teeth[body], reach),
         }
     });
     let contacts = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| path.c.si() + k * path.base_pitch.si());
@@ -145,13 +145,13 @@ pub(super) fn picture(result: &RunResult) -> Option<Drawing> {
         path: points(&mesh),
         feet: feet(&mesh),
         along: mesh.along(),
-        contacts: contacts.map(|s| mesh.place(*s)).collect(),
+        contacts: contacts.map(|s| mesh.position(*s)).collect(),
         traces: traces(result, &mesh),
         reach: MILLI * reach,
     }))
 }
 
-/// Whether there is a picture of the numbers: teeth that can be counted out, radii in order.
+/// Whether the gears can be drawn: a reasonable number of teeth and ordered radii.
 fn can_be_drawn(gears: &GearPair) -> bool {
     const MOST_TEETH: u32 = 10_000;
     let module = gears.transverse_module.si();
@@ -177,7 +177,7 @@ fn can_be_drawn(gears: &GearPair) -> bool {
         && (0.0..std::f64::consts::FRAC_PI_2).contains(&angle)
 }
 
-/// What the second gear is called.
+/// Name of a gear.
 fn name(gears: &GearPair, body: usize) -> &'static str {
     match (body, gears.internal) {
         (1, true) => "ring",
@@ -185,7 +185,7 @@ fn name(gears: &GearPair, body: usize) -> &'static str {
     }
 }
 
-/// Half of the width that is shown \[m\]: some pitches, and the path with room for its letters.
+/// Half of the visible width \[m\]: some pitches, and the path with its letters.
 fn reach(gears: &GearPair, pitch: f64) -> f64 {
     const PITCHES: f64 = 1.7;
     const ROOM: f64 = 1.2;
@@ -194,22 +194,22 @@ fn reach(gears: &GearPair, pitch: f64) -> f64 {
     (PITCHES * pitch).max(ROOM * longest * gears.working_pressure_angle.si().cos())
 }
 
-/// Root of the rack of `gear`, as the case gives it.
+/// Root form of `gear` in the case.
 fn root(result: &RunResult, gear: Gear) -> RootForm {
     let input = &result.inputs.gears;
-    let given: GearFlankInput = match gear {
+    let input: GearFlankInput = match gear {
         Gear::Pinion => input.pinion,
         Gear::Wheel => input.wheel,
     }
     .unwrap_or_default();
     let rack = RootForm::default();
     RootForm {
-        dedendum: given.dedendum.unwrap_or(rack.dedendum),
-        fillet_radius: given.fillet_radius.unwrap_or(rack.fillet_radius),
+        dedendum: input.dedendum.unwrap_or(rack.dedendum),
+        fillet_radius: input.fillet_radius.unwrap_or(rack.fillet_radius),
     }
 }
 
-/// The points A to E that lie on the path, from A on.
+/// The points A to E on the path, in order.
 fn points(mesh: &Mesh<'_>) -> Vec<MeshPoint> {
     let path = &mesh.gears.path;
     // The ends of single contact of helical gears may lie beyond the path.
@@ -220,7 +220,7 @@ fn points(mesh: &Mesh<'_>) -> Vec<MeshPoint> {
     on_path.sort_by(|(_, a), (_, b)| a.si().total_cmp(&b.si()));
     let point = |(label, s): (&str, asperity_core::quantity::Length)| MeshPoint {
         label: label.to_owned(),
-        at: mesh.place(s.si()),
+        at: mesh.position(s.si()),
     };
     on_path.into_iter().map(point).collect()
 }
@@ -230,41 +230,41 @@ fn feet(mesh: &Mesh<'_>) -> Vec<MeshPoint> {
     let named = [("T₁", 0.0), ("T₂", mesh.gears.path.t1t2.si())];
     let foot = |(label, s): (&str, f64)| MeshPoint {
         label: label.to_owned(),
-        at: mesh.place(s),
+        at: mesh.position(s),
     };
     let mut feet = named.map(foot).to_vec();
     if mesh.gears.internal {
-        // Both feet of a ring pair lie before A; the line goes on to E.
+        // Both feet of a ring pair are before A; the line continues to E.
         feet.reverse();
     }
     feet
 }
 
-/// Outline of the teeth that are seen and the body behind them \[mm\].
+/// Outline of the visible teeth and of the gear body \[mm\].
 fn outline(
     gears: &GearPair,
     body: usize,
-    seat: &Seat,
+    gear: &GearInContact,
     tooth: &TransverseTooth,
     reach: f64,
 ) -> Vec<[f64; 2]> {
-    /// Teeth beyond the edge of the picture.
+    /// Teeth drawn beyond the edge of the picture.
     const SPARE: f64 = 1.0;
     let count = f64::from(gears.teeth[body]);
     let angle = std::f64::consts::TAU / count;
     let radius = gears.working_pitch_radius[body].si().abs();
-    let seen = (reach / radius).min(1.0).asin() / angle + SPARE;
-    let is_whole = 2.0 * seen + 1.0 >= count || reach >= 0.8 * radius;
+    let visible = (reach / radius).min(1.0).asin() / angle + SPARE;
+    let is_whole = 2.0 * visible + 1.0 >= count || reach >= 0.8 * radius;
     let (first, last) = match is_whole {
         true => (0, gears.teeth[body] as i32 - 1),
-        false => (-(seen.ceil() as i32), seen.ceil() as i32),
+        false => (-(visible.ceil() as i32), visible.ceil() as i32),
     };
-    let middle = seat.middle(tooth);
+    let middle = gear.middle(tooth);
     let at = |radius: f64, direction: f64| {
         let (sin, cos) = direction.sin_cos();
         [
-            seat.centre[0] + MILLI * radius * cos,
-            seat.centre[1] + MILLI * radius * sin,
+            gear.centre[0] + MILLI * radius * cos,
+            gear.centre[1] + MILLI * radius * sin,
         ]
     };
     let mut points = Vec::new();
@@ -276,7 +276,7 @@ fn outline(
     }
     let is_ring = gears.internal && body == 1;
     if !is_whole {
-        // The body behind the teeth, to below or above the picture.
+        // The gear body, to below or above the picture.
         let far = if body == 0 { -MILLI } else { MILLI } * reach;
         let sides = [points.last().copied(), points.first().copied()];
         points.extend(sides.into_iter().flatten().map(|[x, _]| [x, far]));
@@ -292,18 +292,18 @@ fn outline(
     points
 }
 
-/// Where the traces lie, as lines beside the flanks in contact at the pitch point.
+/// Positions of the traces, as lines along the flanks in contact at the pitch point.
 fn traces(result: &RunResult, mesh: &Mesh<'_>) -> Vec<MeshTrace> {
-    /// Points of a line.
+    /// Number of points of a line.
     const POINTS: usize = 24;
     /// Distance of the line from the flank, in modules.
     const INSIDE: f64 = 0.06;
     let inside = INSIDE * mesh.gears.normal_module.si();
     let line = |body: usize, [first, last]: [f64; 2]| -> Vec<[f64; 2]> {
-        let seat = mesh.seat(body, mesh.gears.path.c.si());
+        let in_contact = mesh.in_contact(body, mesh.gears.path.c.si());
         let step = (last - first) / POINTS as f64;
         (0..=POINTS)
-            .map(|k| seat.flank((first + step * k as f64) / MILLI, inside))
+            .map(|k| in_contact.flank((first + step * k as f64) / MILLI, inside))
             .collect()
     };
     let all = |body: usize| -> Vec<[f64; 2]> {
@@ -400,8 +400,8 @@ mod tests {
                 _ => RootForm::default(),
             };
             let tooth = gears.transverse_tooth(gear, root);
-            let seat = mesh.seat(gear as usize, gears.path.c.si());
-            outline(gears, gear as usize, &seat, &tooth, reach)
+            let in_contact = mesh.in_contact(gear as usize, gears.path.c.si());
+            outline(gears, gear as usize, &in_contact, &tooth, reach)
         })
     }
 
@@ -430,7 +430,7 @@ mod tests {
         crossings.count() % 2 == 1
     }
 
-    /// What the chord between two points of a flank may miss of it \[mm\].
+    /// Largest deviation of a chord between two points from the flank \[mm\].
     const CHORD: f64 = 2e-3;
 
     #[test]
@@ -440,9 +440,13 @@ mod tests {
             for share in [0.0, 0.3, 0.5, 1.0] {
                 let s = path.a.si() + share * path.length.si();
                 for body in [0, 1] {
-                    let seat = mesh.seat(body, s);
-                    let point = seat.flank(seat.roll, 0.0);
-                    assert!(distance(point, mesh.place(s)) < 1e-9, "{:?}", gears.teeth);
+                    let in_contact = mesh.in_contact(body, s);
+                    let point = in_contact.flank(in_contact.roll, 0.0);
+                    assert!(
+                        distance(point, mesh.position(s)) < 1e-9,
+                        "{:?}",
+                        gears.teeth
+                    );
                 }
             }
             for line in outlines(&gears) {
@@ -477,11 +481,14 @@ mod tests {
             let mut feet = feet(&mesh);
             feet.sort_by(|a, b| a.label.cmp(&b.label));
             for (body, foot) in feet.iter().enumerate() {
-                let seat = mesh.seat(body, gears.path.c.si());
-                let [cx, cy] = [foot.at[0] - seat.centre[0], foot.at[1] - seat.centre[1]];
+                let in_contact = mesh.in_contact(body, gears.path.c.si());
+                let [cx, cy] = [
+                    foot.at[0] - in_contact.centre[0],
+                    foot.at[1] - in_contact.centre[1],
+                ];
                 assert!((cx * dx + cy * dy).abs() < 1e-9, "{}", foot.label);
                 assert!(
-                    (cx.hypot(cy) - MILLI * seat.base).abs() < 1e-9,
+                    (cx.hypot(cy) - MILLI * in_contact.base).abs() < 1e-9,
                     "{}",
                     foot.label
                 );
@@ -494,8 +501,8 @@ mod tests {
         for gears in pairs() {
             let (mesh, path) = (drawn(&gears), &gears.path);
             for (body, s) in [(1, path.a), (0, path.e)] {
-                let centre = mesh.seat(body, path.c.si()).centre;
-                let radius = distance(mesh.place(s.si()), centre);
+                let centre = mesh.in_contact(body, path.c.si()).centre;
+                let radius = distance(mesh.position(s.si()), centre);
                 assert!((radius - MILLI * gears.tip_radius[body].si().abs()).abs() < 1e-9);
             }
         }
@@ -527,8 +534,8 @@ mod tests {
             let lines = outlines(&gears);
             let inside = 0.05 * gears.normal_module.si();
             for body in [0, 1] {
-                let seat = mesh.seat(body, gears.path.c.si());
-                let point = seat.flank(seat.roll, inside);
+                let in_contact = mesh.in_contact(body, gears.path.c.si());
+                let point = in_contact.flank(in_contact.roll, inside);
                 assert!(is_inside(&lines[body], point), "{:?} {body}", gears.teeth);
                 assert!((from_line(&lines[body], point) - MILLI * inside).abs() < CHORD);
             }

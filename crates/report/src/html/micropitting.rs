@@ -1,35 +1,35 @@
-//! The micropitting rating, and the measured flanks at the same places.
+//! The micropitting rating, and the measured flanks at the same positions.
 
 use asperity::result::MicropittingReport;
 use maud::{Markup, html};
 
-/// The smallest specific film and every place.
-pub(super) fn section(found: &MicropittingReport) -> Markup {
-    let [pinion, wheel] = found.ra_um;
+/// The smallest specific film and all positions.
+pub(super) fn section(report: &MicropittingReport) -> Markup {
+    let [pinion, wheel] = report.ra_um;
     let text = |value: Option<f64>, digits: usize| {
         value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
     };
     html! {
         h3 { "Micropitting: specific film" }
         p {
-            "Smallest λ_GF " (format!("{:.3}", found.lambda_min)) " at " (format!("{:.0} %", 100.0 * found.path_fraction))
-            " of the path, " (found.place) ". Film and flash temperature by the form of ISO/TS 6336-22, partly from memory; pressure, \
-            speeds and friction from this run. Load factor " (format!("{:.2}", found.load_factor)) ", Ra "
+            "Smallest λ_GF " (format!("{:.3}", report.lambda_min)) " at " (format!("{:.0} %", 100.0 * report.path_fraction))
+            " of the path, " (report.place) ". Film and flash temperature by the form of ISO/TS 6336-22, partly from memory; pressure, \
+            speeds and friction from this run. Load factor " (format!("{:.2}", report.load_factor)) ", Ra "
             (format!("{pinion:.3} and {wheel:.3} µm")) ". "
-            @match (found.permissible, found.safety) {
+            @match (report.permissible, report.safety) {
                 (Some(permissible), Some(safety)) => {
                     "Over the user's permissible value " (format!("{permissible:.3}")) ": S_λ " (format!("{safety:.2}")) "."
                 }
                 _ => "No permissible value is stated, so there is no safety factor.",
             }
         }
-        @if !found.outside.is_empty() {
-            p { "Outside of the scope of the specification, so no rating by it: " (found.outside.join("; ")) "." }
+        @if !report.outside.is_empty() {
+            p { "Outside of the scope of the specification, so not a rating by it: " (report.outside.join("; ")) "." }
         }
         p {
-            "Beside it, what Ra cannot tell, from the measured flanks at the same places: λ over the Rq of wavelengths below 0.08 mm, the load \
+            "In addition, from the measured flanks at the same positions, which Ra does not describe: λ over the Rq of wavelengths below 0.08 mm, the load \
             on touching asperities, and at the first offset the pressure that 99 % of the touching points stay below and the share of the \
-            nominal contact at the flow pressure. The columns are not one score."
+            nominal contact at the flow pressure. The columns do not combine to one rating."
         }
         div.scroll { table {
             thead { tr {
@@ -37,7 +37,7 @@ pub(super) fn section(found: &MicropittingReport) -> Markup {
                 th.number { "λ, Rq below 0.08 mm" } th.number { "on asperities [%]" } th.number { "99 % pressure [MPa]" }
                 th.number { "flowing [%]" }
             } }
-            tbody { @for cell in &found.cells { tr {
+            tbody { @for cell in &report.cells { tr {
                 td.number { (format!("{:.1}", 100.0 * cell.path_fraction)) }
                 td.number { (format!("{:.0}", cell.pressure_mpa)) }
                 td.number { (format!("{:.1}", cell.flash_k)) }

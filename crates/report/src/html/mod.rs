@@ -1,7 +1,7 @@
-//! `report.html`: one page with the whole result, without a network.
+//! `report.html`: one page with the full result that needs no network.
 //!
-//! The page is drawn from the result and the tables beside it and from nothing else, so it cannot say
-//! another number than they do. Every chart is complete without scripts.
+//! The page is drawn only from the result and its tables, so its numbers agree with them. Every chart is complete
+//! without scripts.
 
 mod along;
 mod band;
@@ -36,7 +36,7 @@ use asperity::result::RunResult;
 use crate::error::ReportError;
 use crate::page_tables::PageTables;
 
-/// The page of `result`, with the flanks and the mesh position of `tables`.
+/// Renders the page of `result`, with the flanks and the mesh position of `tables`.
 ///
 /// # Errors
 /// When the result lacks a value that the page shows.

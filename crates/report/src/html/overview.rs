@@ -1,4 +1,4 @@
-//! Summary: the numbers that matter, the warnings, the losses, the friction laws, the regime.
+//! Summary: key numbers, warnings, losses, friction laws, lubrication regime.
 
 use asperity::result::loss_band::{Digits, rounded};
 use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Scope, Summary};
@@ -10,17 +10,17 @@ use crate::printed::{PrintedLoss, included};
 
 pub(super) fn section(result: &RunResult) -> Markup {
     let mut first = headline(result);
-    if let Some(found) = &result.gearbox {
-        first.extend(super::gearbox::tiles(found, result.band.as_ref()));
+    if let Some(gearbox) = &result.gearbox {
+        first.extend(super::gearbox::tiles(gearbox, result.band.as_ref()));
     }
     let rows = [
         ("tiles first", first),
         ("tiles", parts(result)),
         ("tiles last", evidence(result)),
     ];
-    let beside = result.band.as_ref().map(super::band::beside);
+    let band_chart = result.band.as_ref().map(super::band::loss_chart);
     let others = [losses(result), laws(result), super::path::strip(result)];
-    let charts: Vec<Drawing> = beside.into_iter().chain(others).collect();
+    let charts: Vec<Drawing> = band_chart.into_iter().chain(others).collect();
     html! {
         @for (class, tiles) in &rows {
             dl class=(class) {
@@ -29,13 +29,13 @@ pub(super) fn section(result: &RunResult) -> Markup {
                 }
             }
         }
-        @if let Some(found) = &result.gearbox { (super::gearbox::section(found, result.band.is_some())) }
+        @if let Some(gearbox) = &result.gearbox { (super::gearbox::section(gearbox, result.band.is_some())) }
         @if let Some(band) = &result.band { (super::band::section(band)) }
         @if let Some(pairs) = &result.pairs { @if let Some(sampling) = &pairs.sampling {
             (super::pairs::section(pairs, sampling))
         } }
         @if let Some(run_in) = &result.run_in { (as_measured_and_run_in(result, run_in)) }
-        @if let Some(found) = &result.micropitting { (super::micropitting::section(found)) }
+        @if let Some(report) = &result.micropitting { (super::micropitting::section(report)) }
         @if !result.warnings.is_empty() {
             h3 { "Warnings" }
             ul.warnings {
@@ -46,7 +46,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
     }
 }
 
-/// Losses and roughness of the flanks as measured beside those of the run-in flanks.
+/// Losses and roughness of the flanks, as measured and run in.
 fn as_measured_and_run_in(result: &RunResult, run_in: &RunInFlanks) -> Markup {
     let passes: usize = run_in.cycles.iter().map(|cycle| cycle.passes).sum();
     let states = [
@@ -90,7 +90,7 @@ fn as_measured_and_run_in(result: &RunResult, run_in: &RunInFlanks) -> Markup {
     html! {
         h3 { "As measured and run in" }
         p {
-            "The flanks ran in over " (passes) " contacts of the whole load without a film; all else on this page is of \
+            "The flanks ran in over " (passes) " contacts under the full load without a film; the rest of this page is for \
             the flanks as measured."
         }
         div.scroll { table {
@@ -102,10 +102,10 @@ fn as_measured_and_run_in(result: &RunResult, run_in: &RunInFlanks) -> Markup {
     }
 }
 
-/// Name of a number, its value as text, its key in `result.json`.
+/// Name, formatted value and key in `result.json` of a number.
 type Tile = (&'static str, String, &'static str);
 
-/// Headline of a design review: efficiency and loss.
+/// Key numbers: efficiency and loss.
 fn headline(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     let mixed = (
@@ -153,7 +153,7 @@ fn printed(result: &RunResult) -> PrintedLoss {
     PrintedLoss::of(&result.summary, &result.running_in, result.band.as_ref())
 }
 
-/// Parts of the loss, and what goes in and out.
+/// Parts of the loss, input power and output torque.
 fn parts(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     let printed = printed(result);
@@ -183,7 +183,7 @@ fn parts(result: &RunResult) -> Vec<Tile> {
     ]
 }
 
-/// Evidence behind the numbers.
+/// Scope and convergence of the numbers.
 fn evidence(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     let energy = result.running_in.energy_per_engagement_j;
@@ -220,8 +220,8 @@ fn evidence(result: &RunResult) -> Vec<Tile> {
         ),
     ];
     if let Some(bulk) = &result.bulk {
-        let found = format!("{:.0} °C, oil {:.0} °C", bulk.bulk_c, bulk.oil_c);
-        tiles.insert(0, ("bulk temperature by the loss", found, "bulk.bulk_c"));
+        let value = format!("{:.0} °C, oil {:.0} °C", bulk.bulk_c, bulk.oil_c);
+        tiles.insert(0, ("bulk temperature by the loss", value, "bulk.bulk_c"));
     }
     tiles
 }
@@ -284,7 +284,7 @@ fn losses(result: &RunResult) -> Drawing {
     })
 }
 
-/// Shares of the parts in the loss with the digits that its band leaves, which add up to 100 %.
+/// Shares of the parts in the loss, with the digits that its band justifies; they add up to 100 %.
 fn shares_of_loss(parts: &[f64], result: &RunResult) -> Vec<String> {
     let loss = result.summary.loss_w;
     if loss <= 0.0 {
@@ -335,7 +335,7 @@ fn laws(result: &RunResult) -> Drawing {
     })
 }
 
-/// Three digits or more, never an exponent where one can do without.
+/// Three digits or more, with an exponent only for small numbers.
 fn significant(value: f64) -> String {
     match value.abs() {
         0.0 => "0".to_owned(),

@@ -1,11 +1,11 @@
-//! The page around its sections: complete without a network; a small script adds zoom and read-off.
+//! Page layout: complete without a network; a small script adds zoom and read-off.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::policy::{CHARTS, policy, style};
 use crate::chart::{Drawing, Dress};
 
-/// Page of titled sections; empty ones are left out.
+/// Renders a page of titled sections; empty sections are omitted.
 pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String {
     let shown = || sections.iter().filter(|(_, body)| !body.0.is_empty());
     let anchor = |name: &str| name.to_lowercase().replace(' ', "-");
@@ -39,7 +39,7 @@ pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String 
     markup.into_string()
 }
 
-/// A chart with its title, legend, table and, where there is anything to zoom, its data.
+/// A chart with title, legend, name of its data file and, if it can be zoomed, its data.
 pub fn figure(drawing: &Drawing) -> Markup {
     let data = drawing.data();
     html! {
@@ -56,7 +56,7 @@ pub fn figure(drawing: &Drawing) -> Markup {
     }
 }
 
-/// The legend of a drawing with more than one line.
+/// Legend of a drawing with more than one line.
 pub(super) fn legend(drawing: &Drawing) -> Markup {
     let legend = drawing.legend();
     html! {
@@ -70,7 +70,7 @@ pub(super) fn legend(drawing: &Drawing) -> Markup {
     }
 }
 
-/// Data that the scripts of the page read.
+/// Data for the scripts of the page.
 pub(super) fn embedded(data: &serde_json::Value) -> Markup {
     let text = data.to_string().replace('<', "\\u003c");
     html! { script type="application/json" { (PreEscaped(text)) } }

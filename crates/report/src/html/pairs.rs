@@ -1,4 +1,4 @@
-//! Several traces of a flank: the loss of every pair of teeth, and what the error of their mean is made of.
+//! Several traces of a flank: loss of every pair of teeth, and contributions to the error of their mean.
 
 use asperity::result::loss_band::{PairSampling, rounded};
 use asperity::result::{ToothTrace, TracePairs};
@@ -7,14 +7,14 @@ use maud::{Markup, html};
 use crate::summary::two_digits;
 
 pub(super) fn section(pairs: &TracePairs, sampling: &PairSampling) -> Markup {
-    let own = |power: f64| rounded(power, sampling.half_width_w);
+    let watts = |power: f64| rounded(power, sampling.half_width_w);
     let [pinion, wheel] = sampling.traces;
     let [s1, s2] = sampling.between_w;
     html! {
         h3 { "The traced teeth, pair by pair" }
         p {
-            (pinion) " traced teeth of the pinion on " (wheel) " of the wheel: the mean loss is " (own(sampling.mean_w)) " W, ±"
-            (own(sampling.half_width_w)) " W (95 %, " (format!("{:.1}", sampling.freedom)) " degrees of freedom)."
+            (pinion) " traced teeth of the pinion on " (wheel) " of the wheel: the mean loss is " (watts(sampling.mean_w)) " W, ±"
+            (watts(sampling.half_width_w)) " W (95 %, " (format!("{:.1}", sampling.freedom)) " degrees of freedom)."
             @if let Some(gear) = sampling.not_sampled() {
                 " A single tooth of the " (gear) " was traced, so that the error is a lower bound."
             }
@@ -34,7 +34,7 @@ pub(super) fn section(pairs: &TracePairs, sampling: &PairSampling) -> Markup {
     }
 }
 
-/// The traces with what was found of each.
+/// The traces with their roughness parameters.
 pub(super) fn traces(pairs: &TracePairs) -> Markup {
     let flanks = ["pinion", "wheel"].into_iter().zip(&pairs.traces);
     let um = |value: f64| format!("{:.3}", 1e6 * value);
@@ -49,9 +49,9 @@ pub(super) fn traces(pairs: &TracePairs) -> Markup {
                 td { code { (file(trace)) } }
                 td.number { @match trace.y_mm { Some(y) => (format!("{y:.2}")), None => "-" } }
                 @match &trace.record.parameters {
-                    Some(found) => {
-                        td.number { (um(found.heights.rq.si())) } td.number { (um(found.heights.rz.si())) }
-                        td.number { (um(found.material.rpk.si())) }
+                    Some(parameters) => {
+                        td.number { (um(parameters.heights.rq.si())) } td.number { (um(parameters.heights.rz.si())) }
+                        td.number { (um(parameters.material.rpk.si())) }
                     }
                     None => { td.number { "-" } td.number { "-" } td.number { "-" } }
                 }

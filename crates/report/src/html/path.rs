@@ -1,4 +1,4 @@
-//! Charts along the path of contact, with its points A to E.
+//! Charts along the path of contact, with the points A to E.
 
 use asperity::result::{PositionRow, RunResult};
 use maud::{Markup, html};
@@ -27,7 +27,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     }
 }
 
-/// Table of the records of mixed lubrication that the load share rests on.
+/// Table of the records of mixed lubrication on which the load share is based.
 fn records(result: &RunResult) -> Markup {
     if result.records.is_empty() {
         return html! {};
@@ -68,15 +68,15 @@ fn records(result: &RunResult) -> Markup {
     }
 }
 
-/// Function that takes a value from a row; none where it is not known.
+/// A value of a row; `None` if unknown.
 type Value = fn(&PositionRow) -> Option<f64>;
 
-/// A chart along the path.
+/// Chart along the path.
 struct Along {
     id: &'static str,
     title: &'static str,
     axis: [&'static str; 2],
-    /// Names and values.
+    /// Names and values of the curves.
     curves: &'static [(&'static str, Value)],
 }
 
@@ -142,7 +142,7 @@ fn curves(result: &RunResult) -> Vec<Drawing> {
         let mut chart =
             Chart::new(along_path.id, along_path.title, SOURCE, along(), y).marked(&marks);
         for (number, (name, value)) in along_path.curves.iter().enumerate() {
-            // A point that is not a number breaks the line.
+            // NaN breaks the line.
             let values: Vec<f64> = result
                 .path
                 .iter()
@@ -158,7 +158,7 @@ fn curves(result: &RunResult) -> Vec<Drawing> {
     CHARTS.iter().map(draw).collect()
 }
 
-/// The regime along the path.
+/// Lubrication regime along the path.
 pub(super) fn strip(result: &RunResult) -> Drawing {
     let of = |value: fn(&PositionRow) -> f64| result.path.iter().map(value).collect();
     Drawing::Strip(Strip {

@@ -1,5 +1,5 @@
-//! Content security policy of a page: only the scripts and the style that come with the program run, known by their
-//! SHA-256; whatever else gets into a page does nothing.
+//! Content security policy of a page: only the scripts and the style of the program are permitted, by their SHA-256.
+//! Any other script or style in a page is blocked.
 
 use sha2::{Digest, Sha256};
 
@@ -7,9 +7,9 @@ use crate::chart;
 
 /// Zoom and read-off of every chart.
 pub(super) const CHARTS: &str = include_str!("chart.js");
-/// Slider of the flanks facing each other.
+/// Slider of the flanks in contact.
 pub(super) const SLIDER: &str = include_str!("facing.js");
-/// Player of the frames of a lubricated contact.
+/// Animation of a lubricated contact.
 pub(super) const PLAYER: &str = include_str!("frames.js");
 
 /// Style of every page.
@@ -17,7 +17,7 @@ pub(super) fn style() -> String {
     format!("{}{}", chart::STYLE, include_str!("page.css"))
 }
 
-/// The policy of every page, for the `meta` element of its head.
+/// Policy of every page, for the `meta` element of its head.
 ///
 /// ```
 /// assert!(!asperity_report::html::policy().contains("unsafe"));

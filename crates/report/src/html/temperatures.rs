@@ -1,26 +1,26 @@
-//! Temperatures along the path of contact: oil, flanks, and the flash in the contact above them.
+//! Temperatures along the path of contact: oil, flanks, and contact temperature with the flash.
 
 use asperity::result::{PositionRow, RunResult};
 
 use super::along::SOURCE;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 
-/// Bulk temperature that film and friction were taken at \[°C\].
+/// Bulk temperature of film and friction \[°C\].
 pub(super) fn bulk(result: &RunResult) -> f64 {
     match &result.bulk {
-        Some(found) => found.bulk_c,
+        Some(bulk) => bulk.bulk_c,
         None => result.inputs.operation.temperature.celsius(),
     }
 }
 
-/// Temperatures that are the same along the path, with their names.
+/// Names and values of the temperatures that are constant along the path.
 fn constant(result: &RunResult) -> Vec<(String, f64)> {
-    let Some(found) = &result.bulk else {
-        let given = bulk(result);
-        return vec![(format!("flanks, as given {given:.0} °C"), given)];
+    let Some(bulk) = &result.bulk else {
+        let bulk_c = bulk(result);
+        return vec![(format!("flanks, as given {bulk_c:.0} °C"), bulk_c)];
     };
-    let oil = (format!("oil {:.0} °C", found.oil_c), found.oil_c);
-    match found.gears_c {
+    let oil = (format!("oil {:.0} °C", bulk.oil_c), bulk.oil_c);
+    match bulk.gears_c {
         Some([pinion, wheel]) => vec![
             (format!("bulk of the pinion {pinion:.0} °C"), pinion),
             (format!("bulk of the wheel {wheel:.0} °C"), wheel),
@@ -28,15 +28,15 @@ fn constant(result: &RunResult) -> Vec<(String, f64)> {
         ],
         None => vec![
             (
-                format!("bulk of the flanks {:.0} °C", found.bulk_c),
-                found.bulk_c,
+                format!("bulk of the flanks {:.0} °C", bulk.bulk_c),
+                bulk.bulk_c,
             ),
             oil,
         ],
     }
 }
 
-/// The chart. Blok's flash temperature is that of both flanks, so that one contact temperature is drawn.
+/// The chart. Blok's flash temperature is the same for both flanks, so one contact temperature is drawn.
 pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> Drawing {
     let rows = &result.path;
     let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();

@@ -1,4 +1,4 @@
-//! Tables of one mesh position: fields along the contact, stress below it, steps of the solution.
+//! Tables of one mesh position: fields along the contact, subsurface stress, steps of the solution.
 
 use std::path::Path;
 
@@ -76,12 +76,12 @@ impl Row for SubsurfaceRow {
     }
 }
 
-/// The fields are large and are looked at, not computed with.
+/// Six digits: the fields are large and serve for display.
 fn six_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(&format_args!("{value:.5e}"))
 }
 
-/// A number, or its text.
+/// A number, or a number as text.
 fn number<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
     #[derive(Deserialize)]
     #[serde(untagged)]
@@ -95,12 +95,12 @@ fn number<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
     }
 }
 
-/// `value` with the digits that the table keeps.
+/// `value` with the digits of the table.
 fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
-/// Row of `convergence.csv`: a step on the way to the solution of a position.
+/// Row of `convergence.csv`: a step of the solution of a position.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ConvergenceRow {
     /// Number of the position from A.
@@ -148,14 +148,14 @@ pub struct ContactTables {
     pub position: usize,
     /// Fields along the contact.
     pub surface: Vec<SurfaceRow>,
-    /// Stress below the surface, depth by depth; empty where it was not computed.
+    /// Stress below the surface, by depth; empty if it was not computed.
     pub subsurface: Vec<SubsurfaceRow>,
-    /// Steps of the solution; empty where no contact was solved.
+    /// Steps of the solution; empty if no contact was solved.
     pub convergence: Vec<ConvergenceRow>,
 }
 
 impl ContactTables {
-    /// Tables of `fields`, whose position has the row `at` of the path.
+    /// Makes the tables of `fields`, whose position has the row `at` of the path.
     pub fn new(fields: &PositionFields, at: &PositionRow) -> Self {
         let below = fields.subsurface.as_ref();
         Self {
@@ -166,7 +166,7 @@ impl ContactTables {
         }
     }
 
-    /// Reads the tables of `position` in a result folder; none where its fields were not kept.
+    /// Reads the tables of `position` in a result folder; `None` if its fields were not stored.
     ///
     /// # Errors
     /// When a table is damaged.
@@ -209,12 +209,12 @@ impl ContactTables {
     }
 }
 
-/// Range that a page shows to either side of a contact and below it, in Hertz half-widths.
+/// Range of a page to either side of a contact and below it, in Hertz half-widths.
 pub(crate) const NEAR: f64 = 1.6;
 
-/// Place of `x_um` on an axis across the contact for thinning: the range that is shown takes most of the bins.
+/// Coordinate of `x_um` for thinning: the range of the page has most of the bins.
 fn across(x_um: f64, at: &PositionRow) -> f64 {
-    /// Bins beside the range shown for one within it.
+    /// Density of bins outside of this range, relative to within.
     const BESIDE: f64 = 0.1;
     let x = x_um / at.half_width_um;
     let near = x.clamp(-NEAR, NEAR);
@@ -233,7 +233,7 @@ impl SurfaceRow {
         self.height_pinion_um - self.displacement_pinion_um
     }
 
-    /// Every value that a chart draws.
+    /// All values in charts.
     fn drawn(&self, at: &PositionRow) -> [f64; 11] {
         let (facing, pressed) = (self.wheel_facing_um(at), self.pinion_pressed_um());
         [
@@ -300,11 +300,11 @@ fn surface(fields: &PositionFields, at: &PositionRow) -> Vec<SurfaceRow> {
     rows.collect()
 }
 
-/// Bins of `subsurface.csv` across the contact.
+/// Number of bins of `subsurface.csv` across the contact.
 const SUBSURFACE_BINS: usize = 90;
 
-/// Stress below the surface at each depth, where the highest or the lowest von Mises stress over the depth is an
-/// extreme of its bin.
+/// Stress below the surface at all depths, for the positions where the highest or the lowest von Mises stress over the
+/// depth is an extreme of its bin.
 fn subsurface(x: &[f64], below: &SubsurfaceFields, at: &PositionRow) -> Vec<SubsurfaceRow> {
     let count = x.len();
     let levels = 0..below.depths.len();
@@ -318,8 +318,8 @@ fn subsurface(x: &[f64], below: &SubsurfaceFields, at: &PositionRow) -> Vec<Subs
         })
     };
     let points: Vec<usize> = (0..count).collect();
-    let place = |i: &usize| across(x[*i] * MICRO, at);
-    let columns = thin(&points, SUBSURFACE_BINS, place, extremes);
+    let coordinate = |i: &usize| across(x[*i] * MICRO, at);
+    let columns = thin(&points, SUBSURFACE_BINS, coordinate, extremes);
     let rows = below.depths.iter().enumerate().flat_map(|(level, &depth)| {
         columns.iter().map(move |&i| {
             let at = level * count + i;

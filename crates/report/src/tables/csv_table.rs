@@ -1,4 +1,4 @@
-//! Reading and writing of tables whose rows are types.
+//! Reading and writing of typed tables.
 
 use std::path::Path;
 
@@ -8,16 +8,16 @@ use serde::de::DeserializeOwned;
 
 use crate::error::{ReportError, TableFault};
 
-/// Bytes of the largest table that is read back.
+/// Largest table in bytes that is read back.
 const LARGEST: u64 = 1_000_000_000;
 
-/// Row of a table that is read back.
+/// Row of a table that can be read back.
 pub trait Row: Serialize + DeserializeOwned {
-    /// Names and values of its numbers.
+    /// Names and values of the numbers.
     fn numbers(&self) -> Vec<(&'static str, f64)>;
 }
 
-/// Declares a row type with its columns, all of them numbers.
+/// Declares a row type whose columns are all numbers.
 macro_rules! row {
     ($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident),+ $(,)? }) => {
         $(#[$doc])*
@@ -36,7 +36,7 @@ pub(crate) use row;
 /// Writes `rows` with their header.
 ///
 /// # Errors
-/// When the system refuses, a number is not finite, or a row is no row of CSV.
+/// When a file cannot be written, a number is not finite, or a row cannot be written as CSV.
 pub fn write<R: Serialize>(
     file: &Path,
     rows: impl IntoIterator<Item = R>,
@@ -49,10 +49,10 @@ pub fn write<R: Serialize>(
     Ok(())
 }
 
-/// `rows` with their header, as text; `file` is the name in messages.
+/// `rows` with their header as text; `file` is the name in messages.
 ///
 /// # Errors
-/// When a number is not finite, or a row is no row of CSV.
+/// When a number is not finite, or a row cannot be written as CSV.
 pub fn text<R: Serialize>(
     file: &Path,
     rows: impl IntoIterator<Item = R>,
@@ -76,10 +76,10 @@ fn fill<W: std::io::Write, R: Serialize>(
     Ok(writer)
 }
 
-/// Reads a table whose every number must be finite.
+/// Reads a table of finite numbers.
 ///
 /// # Errors
-/// When the file is missing, empty, lacks a column or holds anything that is not a finite number.
+/// When the file is missing or empty, lacks a column, or has a cell that is not a finite number.
 pub fn read<R: Row>(file: &Path) -> Result<Vec<R>, ReportError> {
     let bad = |reason| ReportError::BadTable {
         path: file.to_owned(),
@@ -96,10 +96,10 @@ pub fn read<R: Row>(file: &Path) -> Result<Vec<R>, ReportError> {
     Ok(rows)
 }
 
-/// Whether every number of `rows` is finite.
+/// Checks that all numbers of `rows` are finite.
 ///
 /// # Errors
-/// With the first that is not.
+/// Names the first number that is not finite.
 pub fn finite<R: Row>(rows: &[R]) -> Result<(), TableFault> {
     for (index, row) in rows.iter().enumerate() {
         if let Some((column, _)) = row.numbers().into_iter().find(|(_, v)| !v.is_finite()) {
@@ -112,10 +112,10 @@ pub fn finite<R: Row>(rows: &[R]) -> Result<(), TableFault> {
     Ok(())
 }
 
-/// Whether `rows` are a field, line by line: at every \[column, line\] of a rectangle there is one row.
+/// Checks that `rows` form a rectangular field by lines, with one row per \[column, line\].
 ///
 /// # Errors
-/// When they are not.
+/// When they do not.
 pub fn check_field<R>(rows: &[R], place: impl Fn(&R) -> [f64; 2]) -> Result<(), TableFault> {
     let Some(first) = rows.first().map(&place) else {
         return Ok(());

@@ -1,5 +1,4 @@
-//! Tables of a flank: the trace as measured, levelled and filtered, its material ratio curve, its
-//! spectrum.
+//! Tables of a flank: trace as measured, levelled and filtered, material ratio curve, spectrum.
 
 use std::path::Path;
 
@@ -29,7 +28,7 @@ pub struct TraceRow {
     pub measured_um: f64,
     /// Height with the form removed \[µm\].
     pub form_removed_um: f64,
-    /// Height of the roughness \[µm\]; absent where the filter dropped the end.
+    /// Height of the roughness \[µm\]; absent at the ends that the filter drops.
     pub roughness_um: Option<f64>,
 }
 
@@ -84,11 +83,11 @@ pub fn files_of(body: &str) -> [String; 3] {
 }
 
 impl FlankTables {
-    /// Tables of the flank `record` whose trace was read as `profile`; none for a flank without a
+    /// Makes the tables of the flank `record` whose trace is `profile`; `None` for a flank without a
     /// trace.
     ///
     /// # Errors
-    /// When the trace cannot be prepared again.
+    /// When the trace cannot be prepared.
     pub fn new(
         record: &FlankRecord,
         profile: Option<&Profile>,
@@ -128,7 +127,7 @@ impl FlankTables {
                 |row| row.material_ratio_percent,
                 |row| [row.height_um],
             ),
-            // Drawn over a logarithmic axis.
+            // The axis is logarithmic.
             spectrum: thin(
                 &self.spectrum,
                 BINS,
@@ -154,7 +153,7 @@ impl FlankTables {
     /// Writes the tables of flank `body` into `folder`.
     ///
     /// # Errors
-    /// When the system refuses.
+    /// When a file cannot be written.
     pub fn write(&self, folder: &Path, body: usize) -> Result<(), ReportError> {
         let [trace, material_ratio, spectrum] =
             files_of(BODIES[body]).map(|name| folder.join(name));
@@ -193,13 +192,13 @@ fn material_ratio(prepared: &Prepared) -> Result<Vec<MaterialRatioRow>, Roughnes
 }
 
 fn spectrum(prepared: &Prepared) -> Result<Vec<SpectrumRow>, RoughnessError> {
-    /// Cubic metres to cubic micrometres.
+    /// Cubic micrometres per cubic metre.
     const CUBIC_MICRO: f64 = MICRO * MICRO * MICRO;
-    let found = power_spectrum(&prepared.profile)?;
-    // The mean, at no frequency, is left out.
-    let points = found.density.iter().enumerate().skip(1);
+    let spectrum = power_spectrum(&prepared.profile)?;
+    // The mean, at frequency zero, is omitted.
+    let points = spectrum.density.iter().enumerate().skip(1);
     let rows = points.map(|(k, density)| {
-        let frequency = k as f64 * found.frequency_step;
+        let frequency = k as f64 * spectrum.frequency_step;
         SpectrumRow {
             frequency_per_mm: frequency * 1e-3,
             wavelength_um: MICRO / frequency,

@@ -5,9 +5,9 @@ use serde::Serialize;
 
 use super::csv_table::row;
 
-/// Strips of the path in the table of the picture.
+/// Number of strips along the path in the table of the chart.
 const STRIPS_ALONG: usize = 48;
-/// Strips across the face of a load that varies over it.
+/// Number of strips across the face for a load that varies over the face.
 const STRIPS_ACROSS: usize = 32;
 
 row! {
@@ -15,7 +15,7 @@ row! {
     LoadMapRow {
         /// Distance along the line of action from T1 \[mm\].
         s_mm,
-        /// Place across the face \[mm\].
+        /// Position across the face \[mm\].
         y_mm,
         /// Mean load per length of contact line \[N/mm\].
         load_n_per_mm,
@@ -25,21 +25,21 @@ row! {
 /// Row of `map.csv`: a point of a line of contact with its load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadPointRow {
-    /// Mesh phase at which it touches.
+    /// Mesh phase of its contact.
     pub phase: f64,
     /// Profile coordinate in base pitches from A.
     pub xi: f64,
     /// Distance along the line of action from T1 \[mm\].
     pub s_mm: f64,
-    /// Place across the face \[mm\].
+    /// Position across the face \[mm\].
     pub y_mm: f64,
     /// Load per length of contact line \[N/mm\].
     pub load_n_per_mm: f64,
-    /// Contact line that the point represents in a mean over the mesh cycle \[mm\].
+    /// Length of contact line that the point represents in a mean over the mesh cycle \[mm\].
     pub weight_mm: f64,
 }
 
-/// Rows of `map.csv`: every point of the load map.
+/// Rows of `map.csv`: all points of the load map.
 pub fn load_points(map: &LoadMap) -> impl Iterator<Item = LoadPointRow> + '_ {
     let path = map.pair().path();
     map.samples().iter().map(|sample| LoadPointRow {
@@ -52,8 +52,8 @@ pub fn load_points(map: &LoadMap) -> impl Iterator<Item = LoadPointRow> + '_ {
     })
 }
 
-/// Rows of `load_map.csv`: along the path, strip by strip of the face. A cell without a point takes the load of
-/// its neighbour along the path.
+/// Rows of `load_map.csv`: along the path, by strips of the face. A cell without a point has the load of its neighbour
+/// along the path.
 pub fn load_map(map: &LoadMap) -> Vec<LoadMapRow> {
     let width = map.pair().face_width.si();
     let first = map.samples().first().map_or(0.0, |sample| sample.y.si());

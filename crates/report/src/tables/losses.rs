@@ -1,4 +1,4 @@
-//! Rows of the losses and of the friction laws.
+//! Tables of the losses and of the friction laws.
 
 use asperity::result::{PublishedOutcome, RunResult};
 use serde::Serialize;
@@ -10,16 +10,15 @@ use crate::printed::included;
 pub struct LossRow {
     /// Name of the part.
     pub part: &'static str,
-    /// Its power \[W\].
+    /// Power \[W\].
     pub power_w: f64,
-    /// Its share of the loss \[%\].
+    /// Share of the loss \[%\].
     pub share_of_loss_percent: f64,
-    /// Its share of the power into the mesh \[%\].
+    /// Share of the input power \[%\].
     pub share_of_power_in_percent: f64,
 }
 
-/// Parts of the loss: sliding and rolling always, the others where the formulation counts them; then what
-/// sliding and rolling consist of.
+/// Parts of the loss: sliding, rolling and the others of the formulation; then the parts of sliding and rolling.
 pub fn losses(result: &RunResult) -> Vec<LossRow> {
     let s = &result.summary;
     let running_in = included(&result.running_in);
@@ -54,14 +53,14 @@ pub fn losses(result: &RunResult) -> Vec<LossRow> {
         .collect()
 }
 
-/// Row of `friction_laws.csv`: a published friction law, applied whole.
+/// Row of `friction_laws.csv`: a published friction law in place of film and asperity friction.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FrictionLawRow<'a> {
     /// Name of the law.
     pub law: &'a str,
     /// Whether its coefficient includes asperity friction.
     pub includes_asperities: bool,
-    /// Whether all inputs lie inside what it was fitted to.
+    /// Whether all inputs are within the range of the fit.
     pub inside_its_range: bool,
     /// Loss \[W\].
     pub loss_w: Option<f64>,
@@ -69,15 +68,15 @@ pub struct FrictionLawRow<'a> {
     pub sliding_w: Option<f64>,
     /// Efficiency \[%\].
     pub efficiency_percent: Option<f64>,
-    /// Data it was fitted to.
+    /// Data of the fit.
     pub fitted_to: &'a str,
-    /// Inputs outside its range.
+    /// Inputs outside of the range.
     pub outside: String,
-    /// Reason why the law cannot be used here.
+    /// Reason why the law does not apply.
     pub refused: &'a str,
 }
 
-/// Rows of the published friction laws.
+/// Rows of `friction_laws.csv`.
 pub fn friction_laws(result: &RunResult) -> Vec<FrictionLawRow<'_>> {
     let rows = result.published_laws.iter().map(|entry| {
         let mut row = FrictionLawRow {

@@ -1,4 +1,4 @@
-//! Tables as CSV, a row type each; every header carries its unit.
+//! Tables as CSV with one row type each; every header includes the unit.
 
 mod contact;
 mod csv_table;

@@ -1,38 +1,38 @@
-//! Fewer positions and points of the flanks facing each other, for a page.
+//! Thinned positions and points of the flanks in contact, for a page.
 
 use asperity::result::ContactView;
 
 use crate::thin::thin;
 
-/// Positions that a page keeps.
+/// Number of positions of a page.
 const POSITIONS: usize = 48;
-/// Bins of a position, of which there are many on a page.
+/// Number of bins of a position.
 const BINS: usize = 200;
 
-/// At most 48 of `views` in even steps, the first, the last and that of the position `shown` among them; each thinned
-/// with the extremes of both flanks and both pressures. Numbers keep what can be seen: 0.01 µm along
-/// the contact, nanometres of height, 0.1 MPa.
+/// At most 48 of `views` in even steps, including the first, the last and the one of the position `shown`. Each is thinned
+/// with the extremes of both flanks and both pressures, and rounded to the visible digits: 0.01 µm along the contact, 1 nm of
+/// height, 0.1 MPa.
 pub(crate) fn thinned_views(views: &[ContactView], shown: Option<usize>) -> Vec<ContactView> {
     let count = views.len().min(POSITIONS);
-    let mut kept: Vec<usize> = (0..count)
+    let mut selected: Vec<usize> = (0..count)
         .map(|k| k * (views.len() - 1) / count.saturating_sub(1).max(1))
         .collect();
-    let wanted = views.iter().position(|view| Some(view.position) == shown);
-    if let Some(wanted) = wanted.filter(|wanted| !kept.contains(wanted)) {
-        // In place of its nearest neighbour that is no end.
-        let inner = 1..kept.len().saturating_sub(1);
-        if let Some(nearest) = inner.min_by_key(|k| kept[*k].abs_diff(wanted)) {
-            kept[nearest] = wanted;
+    let index = views.iter().position(|view| Some(view.position) == shown);
+    if let Some(index) = index.filter(|index| !selected.contains(index)) {
+        // Replaces its nearest neighbour that is not an end.
+        let inner = 1..selected.len().saturating_sub(1);
+        if let Some(nearest) = inner.min_by_key(|k| selected[*k].abs_diff(index)) {
+            selected[nearest] = index;
         }
     }
-    kept.into_iter().map(|k| thinned(&views[k])).collect()
+    selected.into_iter().map(|k| thinned(&views[k])).collect()
 }
 
-/// Columns of a view at one place.
-type Row = [f64; 5];
+/// Columns of a view at one point.
+type ViewColumns = [f64; 5];
 
 fn thinned(view: &ContactView) -> ContactView {
-    let rows: Vec<Row> = (0..view.x_um.len())
+    let rows: Vec<ViewColumns> = (0..view.x_um.len())
         .map(|k| {
             [
                 view.x_um[k],
@@ -47,7 +47,7 @@ fn thinned(view: &ContactView) -> ContactView {
         &rows,
         BINS,
         |row| row[0],
-        |&[_, columns @ ..]: &Row| columns,
+        |&[_, columns @ ..]: &ViewColumns| columns,
     );
     let column = |k: usize, steps: f64| -> Vec<f64> {
         rows.iter()

@@ -1,4 +1,4 @@
-//! Several finishes run on one case, and what sets them apart.
+//! Comparison of several finishes on one case.
 
 use asperity::Error;
 use asperity::Run;
@@ -13,84 +13,83 @@ use serde::Serialize;
 use super::statistics::rank_correlation;
 use super::windows::{self, Value, WindowRoughness};
 
-/// A finish to compare: its name and the case with its traces.
+/// Finish to compare: name, and case with its traces.
 #[derive(Debug, Clone)]
 pub struct Finish {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// The case.
+    /// Case.
     pub case: LoadedCase,
 }
 
-/// Results of several finishes; the first is the one the others are compared with.
+/// Results of several finishes; the first is the reference.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
-    /// The program and its version.
+    /// Program and version.
     pub program: String,
-    /// The case's title.
+    /// Title of the case.
     pub title: String,
-    /// What the comparison covers; efficiencies, losses and differences are of the mesh.
+    /// Scope; efficiencies, losses and differences are always of the mesh.
     pub scope: Scope,
     /// Power into the mesh \[W\].
     pub power_in_w: f64,
     /// The finishes.
     pub finishes: Vec<FinishResult>,
-    /// Rank correlation of roughness with the computed loss, the closest first; none from fewer than 5 windows
-    /// of a finish.
+    /// Rank correlations of roughness with the computed loss, strongest first; empty if a finish has fewer than 5 windows.
     pub correlations: Vec<Correlation>,
-    /// Offsets and finishes pooled in the correlations.
+    /// Number of windows in the correlations: offsets of all finishes.
     pub windows: usize,
 }
 
 /// Result of a finish.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FinishResult {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Names of the files that it read, and their SHA-256.
+    /// Names and SHA-256 of the files that it read.
     pub files: Vec<[String; 2]>,
     /// Mean efficiency.
     pub efficiency: f64,
     /// Power into the mesh \[W\].
     pub power_in_w: f64,
-    /// Mean loss with every parameter at its default \[W\].
+    /// Mean loss with all parameters at their defaults \[W\].
     pub loss_w: f64,
     /// 5 % and 95 % quantiles of the loss \[W\].
     pub quantiles_w: [f64; 2],
-    /// The band with its parts; none where the model has none, and the quantiles are of the sampling alone.
+    /// The band with its contributions; `None` if the model has no band, and the quantiles include only the sampling.
     pub band: Option<LossBand>,
-    /// Loss minus that of the first finish by the same draws; none for the first.
+    /// Loss minus the loss of the first finish with the same draws; `None` for the first.
     pub difference: Option<PairedDifference>,
-    /// The gearbox around the mesh, where the case states one; the same parts for every finish.
+    /// Losses of the gearbox, if the case states them; the same parts for every finish.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gearbox: Option<GearboxReport>,
     /// Share of the path in mixed lubrication.
     pub mixed_share: f64,
     /// Codes and texts of the warnings.
     pub warnings: Vec<String>,
-    /// Losses at each offset.
+    /// Losses by offset.
     #[serde(skip)]
     pub offsets: Vec<OffsetRow>,
-    /// Losses at each offset of each draw.
+    /// Losses by draw and offset.
     #[serde(skip)]
     pub(crate) drawn: DrawnLosses,
-    /// Roughness under the contact at each offset.
+    /// Roughness under the contact by offset.
     #[serde(skip)]
     pub(crate) roughness: Vec<WindowRoughness>,
 }
 
-/// Rank correlation of a roughness parameter with the loss that the model computes from it.
+/// Rank correlation of a roughness parameter with the computed loss.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Correlation {
     /// Name of the parameter.
     pub parameter: &'static str,
-    /// Rank correlation of Spearman with the loss: 1 when the loss always grows with it.
+    /// Spearman's rank correlation with the loss: 1 if the loss always increases with the parameter.
     pub with_loss: f64,
-    /// The same among the windows of one finish, mean over the finishes.
+    /// Rank correlation within one finish, mean over the finishes.
     pub within_finishes: f64,
 }
 
-/// Runs every finish and compares them; the first is what the others are compared with.
+/// Runs all finishes and compares them with the first.
 ///
 /// # Errors
 /// When a finish has no solution.
@@ -98,8 +97,8 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
     let mut results: Vec<FinishResult> = Vec::with_capacity(finishes.len());
     let (mut title, mut power_in_w) = (String::new(), 0.0);
     for finish in finishes {
-        let kept = KeptFields::Highest;
-        let (outcome, drawn) = Run::new(&finish.case).fields(&kept).draw()?;
+        let fields = KeptFields::Highest;
+        let (outcome, drawn) = Run::new(&finish.case).fields(&fields).draw()?;
         title.clone_from(&outcome.result.title);
         power_in_w = outcome.result.summary.power_in_w;
         results.push(finish_result(finish, outcome, drawn, results.first())?);
@@ -120,15 +119,15 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
     })
 }
 
-/// Names of the files that `case` read, and their SHA-256. The folder of a file is nobody's business; its sum tells
-/// which file it was.
+/// Names and SHA-256 of the files that `case` read. Folders are omitted, since they may be private; the hash identifies
+/// the file.
 pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
     let read = case.files_read().into_iter();
-    let named = read.filter_map(|(path, sum)| {
+    let names_and_sums = read.filter_map(|(path, sum)| {
         let name = path.file_name()?.to_string_lossy().into_owned();
         Some([name, sum])
     });
-    named.collect()
+    names_and_sums.collect()
 }
 
 fn finish_result(
@@ -159,7 +158,7 @@ fn finish_result(
     })
 }
 
-/// Fewest pairs for which a correlation is given.
+/// Fewest pairs of a correlation.
 const FEWEST_PAIRS: usize = 5;
 
 fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {
@@ -172,10 +171,10 @@ fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {
         let rows = finish.roughness.iter().zip(&finish.offsets);
         rows.map(|(window, row)| [of(window), row.loss_w]).collect()
     };
-    let mut found: Vec<Correlation> = windows::PARAMETERS
+    let mut correlations: Vec<Correlation> = windows::PARAMETERS
         .iter()
         .map(|&(parameter, of)| {
-            let all: Vec<[f64; 2]> = finishes
+            let pooled: Vec<[f64; 2]> = finishes
                 .iter()
                 .flat_map(|finish| pairs(finish, of))
                 .collect();
@@ -184,11 +183,11 @@ fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {
                 .map(|finish| rank_correlation(&pairs(finish, of)));
             Correlation {
                 parameter,
-                with_loss: rank_correlation(&all),
+                with_loss: rank_correlation(&pooled),
                 within_finishes: within.sum::<f64>() / finishes.len() as f64,
             }
         })
         .collect();
-    found.sort_by(|a, b| b.with_loss.abs().total_cmp(&a.with_loss.abs()));
-    found
+    correlations.sort_by(|a, b| b.with_loss.abs().total_cmp(&a.with_loss.abs()));
+    correlations
 }

@@ -1,10 +1,8 @@
-//! Several finishes on one case: what each loses, how they differ, and which roughness parameter goes
-//! with the loss.
+//! Several finishes on one case: losses, differences, and correlation of the roughness parameters with the loss.
 //!
-//! Every finish runs at the same offsets of its traces and with the same draws of what is uncertain, and differences are
-//! taken draw by draw.
-//! Roughness is that of the windows under the contact where the mesh spends most of its path, so that
-//! window and loss belong together.
+//! All finishes run at the same offsets of their traces and with the same draws of the uncertain parameters; differences are
+//! taken draw by draw. Roughness is evaluated on the windows under the contact in the middle of the path, so that it
+//! belongs to the same part of the trace as the loss.
 
 mod comparison;
 mod page;
@@ -16,5 +14,3 @@ mod write;
 pub(crate) use comparison::files;
 pub use comparison::{Comparison, Correlation, Finish, FinishResult, compare};
 pub use statistics::rank_correlation;
-pub use summary::summary;
-pub use write::{check_place, write};

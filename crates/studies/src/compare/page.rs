@@ -1,4 +1,4 @@
-//! The page of a comparison.
+//! Page of a comparison.
 
 use asperity::result::loss_band::{LossBand, SamplingPart};
 use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
@@ -47,16 +47,16 @@ fn losses(comparison: &Comparison) -> Markup {
                 }
             } }
         } }
-        p { "Nominal values, " (note(comparison)) ". Parts that the finishes have in common, as the friction of the oil, cancel in the \
+        p { "Nominal values, " (note(comparison)) ". Common contributions, such as the friction of the oil, cancel in the \
             differences; the sampling errors of different flanks add." }
         p { (scope(comparison)) "." }
-        (made_of(comparison))
+        (contributions(comparison))
         div.charts { (figure(&bars(comparison))) @if let Some(chart) = differences(comparison) { (figure(&chart)) } }
     }
 }
 
-/// What moves each loss, and what other laws give.
-fn made_of(comparison: &Comparison) -> Markup {
+/// Contributions to the bands, and losses of the alternative models.
+fn contributions(comparison: &Comparison) -> Markup {
     let banded: Vec<_> = comparison
         .finishes
         .iter()
@@ -66,16 +66,16 @@ fn made_of(comparison: &Comparison) -> Markup {
         return html! {};
     };
     let effect = |band: &LossBand, name: &str| {
-        let found = band.parameters.iter().find(|p| p.name == name);
-        found.map_or("-".to_owned(), |p| format!("{:+.0} W", p.effect_w))
+        let entry = band.parameters.iter().find(|p| p.name == name);
+        entry.map_or("-".to_owned(), |p| format!("{:+.0} W", p.effect_w))
     };
     let other = |band: &LossBand, name: &str| {
-        let found = band.alternatives.iter().find(|row| row.name == name);
-        let loss = found.and_then(|row| row.loss_w);
+        let entry = band.alternatives.iter().find(|row| row.name == name);
+        let loss = entry.and_then(|row| row.loss_w);
         loss.map_or("-".to_owned(), |loss| format!("{loss:.0} W"))
     };
     html! {
-        h3 { "What the bands are made of" }
+        h3 { "Contributions to the bands" }
         div.scroll { table {
             thead { tr { th { "from the low to the high end of" } @for (finish, _) in &banded { th.number { (finish.name) } } } }
             tbody {
@@ -84,18 +84,18 @@ fn made_of(comparison: &Comparison) -> Markup {
                 }
                 tr { th scope="row" { "sampling of the flanks, ± 95 %" } @for (_, band) in &banded { td.number {
                     @match &band.sampling {
-                        SamplingPart::Windows(found) => (format!("{:.1} W", found.half_width_w)),
-                        SamplingPart::Pairs(found) => (format!("{:.1} W, {} pairs", found.half_width_w, found.pairs())),
-                        SamplingPart::OnePair([down, up]) => (format!("one pair, {down:+.1} and {up:+.1} W misplaced")),
+                        SamplingPart::Windows(entry) => (format!("{:.1} W", entry.half_width_w)),
+                        SamplingPart::Pairs(entry) => (format!("{:.1} W, {} pairs", entry.half_width_w, entry.pairs())),
+                        SamplingPart::OnePair([down, up]) => (format!("one pair, {down:+.1} and {up:+.1} W if shifted")),
                         SamplingPart::None(why) => (why),
                         _ => "-",
                     }
                 } } }
             }
         } }
-        h3 { "Other laws, beside the bands and never in them" }
+        h3 { "Alternative models, not in the bands" }
         div.scroll { table {
-            thead { tr { th { "taken instead" } @for (finish, _) in &banded { th.number { (finish.name) } } } }
+            thead { tr { th { "model" } @for (finish, _) in &banded { th.number { (finish.name) } } } }
             tbody { @for row in &first.alternatives {
                 tr { th scope="row" { (row.name) } @for (_, band) in &banded { td.number { (other(band, &row.name)) } } }
             } }
@@ -131,7 +131,7 @@ fn differences(comparison: &Comparison) -> Option<Drawing> {
         Axis::new("offset", ""),
         Axis::new("difference", "W").from_zero(),
     );
-    // The first is the line at zero, so that every finish keeps its colour.
+    // The first finish is a line at zero, which reserves its colour.
     let number: Vec<f64> = first.offsets.iter().map(|row| row.offset as f64).collect();
     let zero = vec![0.0; number.len()];
     chart = chart.with(Series::new(&first.name, Line::Dashed, &number, &zero));
@@ -154,16 +154,16 @@ fn roughness(comparison: &Comparison) -> Markup {
         .correlations
         .iter()
         .take(2)
-        .filter_map(|found| scatter(comparison, found.parameter))
+        .filter_map(|entry| scatter(comparison, entry.parameter))
         .collect();
     html! {
         p { "Rank correlation of Spearman of the roughness under the contact with the loss, over " (comparison.windows)
-            " windows. It tells which parameter orders finishes as their losses do, not what causes them; two finishes are a weak basis." }
+            " windows. It shows which parameter orders the finishes like their losses, not a cause; two finishes are a weak basis." }
         div.scroll { table {
             thead { tr { th { "parameter" } th.number { "with the loss" } th.number { "within finishes" } } }
-            tbody { @for found in &comparison.correlations {
-                tr { th scope="row" { (found.parameter) }
-                    td.number { (format!("{:+.3}", found.with_loss)) } td.number { (format!("{:+.3}", found.within_finishes)) } }
+            tbody { @for entry in &comparison.correlations {
+                tr { th scope="row" { (entry.parameter) }
+                    td.number { (format!("{:+.3}", entry.with_loss)) } td.number { (format!("{:+.3}", entry.within_finishes)) } }
             } }
         } }
         div.charts { @for chart in &best { (figure(chart)) } }

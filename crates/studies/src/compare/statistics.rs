@@ -1,7 +1,6 @@
 //! Spearman's rank correlation.
 
-/// Spearman's ρ of pairs: the correlation of their ranks, ties taking their mean rank; not a number
-/// where one of both does not vary.
+/// Spearman's ρ of pairs: the correlation of their ranks, with mean ranks for ties; NaN if either value is constant.
 ///
 /// ```
 /// use asperity_studies::compare::rank_correlation;

@@ -1,4 +1,4 @@
-//! The comparison for the terminal.
+//! Summary of a comparison for the terminal.
 
 use asperity_report::{stated, stated_parts, wrapped};
 use asperity_storage::one_line;
@@ -7,8 +7,8 @@ use asperity::result::loss_band::rounded;
 
 use super::comparison::{Comparison, FinishResult};
 
-/// The comparison for the terminal.
-pub fn summary(comparison: &Comparison) -> String {
+/// Summary of a comparison for the terminal.
+pub(super) fn summary(comparison: &Comparison) -> String {
     let mut text = format!("{}\n", one_line(&comparison.title));
     let width = comparison
         .finishes
@@ -35,7 +35,7 @@ pub fn summary(comparison: &Comparison) -> String {
         .correlations
         .iter()
         .take(4)
-        .map(|found| format!("{} {:+.2}", found.parameter, found.with_loss))
+        .map(|entry| format!("{} {:+.2}", entry.parameter, entry.with_loss))
         .collect();
     if !best.is_empty() {
         text.push_str(&format!(
@@ -48,7 +48,7 @@ pub fn summary(comparison: &Comparison) -> String {
     text
 }
 
-/// Efficiency in percent, with the digits that its band leaves.
+/// Efficiency in percent, with the digits that its band justifies.
 pub(super) fn efficiency(finish: &FinishResult) -> String {
     let [low, high] = finish.quantiles_w;
     let half = 50.0 * (high - low) / finish.power_in_w;
@@ -69,19 +69,19 @@ pub(super) fn cells(finish: &FinishResult) -> [String; 3] {
     let loss = banded(finish.loss_w, finish.quantiles_w, false);
     match &finish.difference {
         None => [loss, "reference".to_owned(), "reference".to_owned()],
-        Some(found) => [
+        Some(difference) => [
             loss,
-            banded(found.nominal_w, found.quantiles_w, true),
+            banded(difference.nominal_w, difference.quantiles_w, true),
             banded(
-                100.0 * found.nominal_share,
-                found.share_quantiles.map(|share| 100.0 * share),
+                100.0 * difference.nominal_share,
+                difference.share_quantiles.map(|share| 100.0 * share),
                 true,
             ),
         ],
     }
 }
 
-/// What the bands are of.
+/// Explanation of the bands.
 pub(super) fn note(comparison: &Comparison) -> String {
     let bands = comparison.finishes.iter().filter_map(|f| f.band.as_ref());
     let mut names: Vec<&str> = Vec::new();
@@ -100,16 +100,16 @@ pub(super) fn note(comparison: &Comparison) -> String {
     )
 }
 
-/// What the comparison covers, and the gearbox where that is part of it.
+/// Scope of the comparison, with the efficiency of the gearbox if it is included.
 pub(super) fn scope(comparison: &Comparison) -> String {
     let first = comparison.finishes.first();
     let Some(first) = first.and_then(|finish| finish.gearbox.as_ref()) else {
         return "scope mesh: without bearings, seals, churning".to_owned();
     };
     let with = |finish: &FinishResult| {
-        let found = finish.gearbox.as_ref()?;
-        let half = 50.0 * (finish.quantiles_w[1] - finish.quantiles_w[0]) / found.power_in_w;
-        let efficiency = rounded(100.0 * found.efficiency, half);
+        let gearbox = finish.gearbox.as_ref()?;
+        let half = 50.0 * (finish.quantiles_w[1] - finish.quantiles_w[0]) / gearbox.power_in_w;
+        let efficiency = rounded(100.0 * gearbox.efficiency, half);
         Some(format!("{} {efficiency} %", finish.name))
     };
     let efficiencies: Vec<String> = comparison.finishes.iter().filter_map(with).collect();
@@ -117,31 +117,31 @@ pub(super) fn scope(comparison: &Comparison) -> String {
     let parts = first.parts.iter().zip(stated_parts(&losses));
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
     format!(
-        "scope gearbox: all above is of the mesh; with {} beside it, stated by the user and without a band ({}), the efficiency of the gearbox is {}",
+        "scope gearbox: the values above are of the mesh; with {} from the input and without a band ({}), the efficiency of the gearbox is {}",
         stated(first.parts_w),
         parts.collect::<Vec<_>>().join(", "),
         efficiencies.join(", "),
     )
 }
 
-/// Every warning once, with the finishes it is about unless it is about all.
+/// Distinct warnings, with their finishes unless they apply to all.
 fn warnings(comparison: &Comparison) -> String {
-    let mut found: Vec<(&str, Vec<&str>)> = Vec::new();
+    let mut finishes_of: Vec<(&str, Vec<&str>)> = Vec::new();
     for finish in &comparison.finishes {
         for warning in &finish.warnings {
-            match found.iter_mut().find(|(text, _)| text == warning) {
+            match finishes_of.iter_mut().find(|(text, _)| text == warning) {
                 Some((_, names)) => names.push(&finish.name),
-                None => found.push((warning, vec![&finish.name])),
+                None => finishes_of.push((warning, vec![&finish.name])),
             }
         }
     }
-    let told = found.iter().map(|(warning, names)| {
+    let lines = finishes_of.iter().map(|(warning, names)| {
         let whose = match names.len() == comparison.finishes.len() {
             true => String::new(),
             false => format!(" ({})", names.join(", ")),
         };
-        let told = format!("{warning}{whose}");
-        format!("{}\n", wrapped(&one_line(&told), "     "))
+        let line = format!("{warning}{whose}");
+        format!("{}\n", wrapped(&one_line(&line), "     "))
     });
-    told.collect()
+    lines.collect()
 }

@@ -1,4 +1,4 @@
-//! Roughness of the windows under the contact, offset by offset.
+//! Roughness of the windows under the contact, by offset.
 
 use asperity::PositionError;
 use asperity::case::LoadedCase;
@@ -11,8 +11,7 @@ use asperity_roughness::section_heights::section_heights;
 use asperity_roughness::spectral::moments;
 use serde::Serialize;
 
-/// Roughness of both windows under a contact, the flanks put together as √(a² + b²); Rpk, Rk and Rvk of
-/// the composite profile.
+/// Roughness of both windows under a contact, combined as √(a² + b²); Rpk, Rk and Rvk of the composite profile.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub(crate) struct WindowRoughness {
     pub ra_um: f64,
@@ -24,10 +23,10 @@ pub(crate) struct WindowRoughness {
     pub rvk_composite_um: f64,
 }
 
-/// Function that takes a parameter from a window.
+/// A roughness parameter of a window.
 pub(super) type Value = fn(&WindowRoughness) -> f64;
 
-/// Names and values of the parameters that are compared with the loss.
+/// Names and values of the parameters that are correlated with the loss.
 pub(super) const PARAMETERS: &[(&str, Value)] = &[
     ("Ra", |window| window.ra_um),
     ("Rq", |window| window.rq_um),
@@ -38,7 +37,7 @@ pub(super) const PARAMETERS: &[(&str, Value)] = &[
     ("Rvk", |window| window.rvk_composite_um),
 ];
 
-/// The windows at the middle position of the path, whose offsets are those of every position.
+/// Roughness of the windows at the middle position of the path, whose offsets are the same at all positions.
 pub(super) fn roughness(loaded: &LoadedCase) -> Result<Vec<WindowRoughness>, PositionError> {
     let model = &loaded.case.model;
     let positions = Mesh::of(&loaded.case)?.positions;
@@ -56,13 +55,13 @@ pub(super) fn roughness(loaded: &LoadedCase) -> Result<Vec<WindowRoughness>, Pos
         .collect()
 }
 
-fn window(met: &WindowPair, roughness: &Roughness) -> Result<WindowRoughness, PositionError> {
-    let [first, second] = &met.heights;
+fn window(pair: &WindowPair, roughness: &Roughness) -> Result<WindowRoughness, PositionError> {
+    let [first, second] = &pair.heights;
     let composite: Vec<f64> = first.iter().zip(second).map(|(a, b)| a + b).collect();
     let material = rk_parameters(&composite)?;
-    let slope = moments(&Profile::new(met.spacing, composite)?)?.m2.sqrt();
+    let slope = moments(&Profile::new(pair.spacing, composite)?)?.m2.sqrt();
     let both = |[a, b]: [f64; 2]| a.hypot(b) * MICRO;
-    let range = |heights: &[f64]| section_heights(heights).map(|found| found.rz.si());
+    let range = |heights: &[f64]| section_heights(heights).map(|heights| heights.rz.si());
     Ok(WindowRoughness {
         ra_um: both(roughness.ra),
         rq_um: both(roughness.rq),

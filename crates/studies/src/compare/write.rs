@@ -1,48 +1,41 @@
-//! The folder of a comparison: `compare.json`, its tables and its page.
+//! Output of a comparison: `compare.json`, tables, page and summary.
 
 use std::borrow::Cow;
 use std::path::Path;
 
 use asperity_report::tables::write as write_table;
-use asperity_report::{ReportError, write_json, write_text};
-use asperity_storage::{cell, check_folder, replace_folder};
+use asperity_report::{ReportError, StudyResult};
+use asperity_storage::cell;
 use serde::Serialize;
 
 use super::comparison::Comparison;
 use super::page;
+use super::summary::summary;
 use super::windows::WindowRoughness;
 
-/// Kind of the folder in messages.
-const KIND: &str = "comparison";
+impl StudyResult for Comparison {
+    const KIND: &'static str = "comparison";
+    const NAME: &'static str = "compare";
+    type Context<'a> = ();
 
-/// Whether a comparison may be written as folder `target`.
-///
-/// # Errors
-/// When something else than an older comparison is there.
-pub fn check_place(target: &Path) -> Result<(), ReportError> {
-    Ok(check_folder(target, KIND)?)
-}
+    fn summary(&self, (): ()) -> String {
+        summary(self)
+    }
 
-/// Writes `comparison` as folder `target`, whole or not at all; an older comparison there is replaced.
-///
-/// # Errors
-/// When the system refuses, or `target` holds something else.
-pub fn write(comparison: &Comparison, target: &Path) -> Result<(), ReportError> {
-    replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("compare.json"), comparison)?;
-        finishes(comparison, &folder.join("compare.csv"))?;
-        offsets(comparison, &folder.join("offsets.csv"))?;
-        write_table(
-            &folder.join("parameters.csv"),
-            comparison.correlations.iter(),
-        )?;
-        write_text(&folder.join("compare.html"), &page::render(comparison))
-    })
+    fn page(&self, (): ()) -> String {
+        page::render(self)
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        finishes(self, &folder.join("compare.csv"))?;
+        offsets(self, &folder.join("offsets.csv"))?;
+        write_table(&folder.join("parameters.csv"), self.correlations.iter())
+    }
 }
 
 fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     #[derive(Serialize)]
-    struct Row<'a> {
+    struct FinishRow<'a> {
         finish: Cow<'a, str>,
         efficiency_percent: f64,
         loss_w: f64,
@@ -60,22 +53,28 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     }
     write_table(
         file,
-        comparison.finishes.iter().map(|finish| Row {
+        comparison.finishes.iter().map(|finish| FinishRow {
             finish: cell(&finish.name),
             efficiency_percent: 100.0 * finish.efficiency,
             loss_w: finish.loss_w,
             loss_low_w: finish.quantiles_w[0],
             loss_high_w: finish.quantiles_w[1],
-            difference_w: finish.difference.map(|found| found.nominal_w),
-            difference_low_w: finish.difference.map(|found| found.quantiles_w[0]),
-            difference_high_w: finish.difference.map(|found| found.quantiles_w[1]),
-            change_percent: finish.difference.map(|found| 100.0 * found.nominal_share),
+            difference_w: finish.difference.map(|difference| difference.nominal_w),
+            difference_low_w: finish
+                .difference
+                .map(|difference| difference.quantiles_w[0]),
+            difference_high_w: finish
+                .difference
+                .map(|difference| difference.quantiles_w[1]),
+            change_percent: finish
+                .difference
+                .map(|difference| 100.0 * difference.nominal_share),
             change_low_percent: finish
                 .difference
-                .map(|found| 100.0 * found.share_quantiles[0]),
+                .map(|difference| 100.0 * difference.share_quantiles[0]),
             change_high_percent: finish
                 .difference
-                .map(|found| 100.0 * found.share_quantiles[1]),
+                .map(|difference| 100.0 * difference.share_quantiles[1]),
             mixed_share_percent: 100.0 * finish.mixed_share,
             gearbox_efficiency_percent: finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency),
             gearbox_loss_w: finish.gearbox.as_ref().map(|g| g.loss_w),
@@ -85,7 +84,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
 
 fn offsets(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     #[derive(Serialize)]
-    struct Row<'a> {
+    struct OffsetRow<'a> {
         finish: Cow<'a, str>,
         offset: usize,
         loss_w: f64,
@@ -99,7 +98,7 @@ fn offsets(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     }
     let rows = comparison.finishes.iter().flat_map(|finish| {
         let both = finish.offsets.iter().zip(&finish.roughness);
-        both.map(|(row, window): (_, &WindowRoughness)| Row {
+        both.map(|(row, window): (_, &WindowRoughness)| OffsetRow {
             finish: cell(&finish.name),
             offset: row.offset,
             loss_w: row.loss_w,

@@ -1,36 +1,36 @@
-//! How much of a cycle is outside of a map.
+//! Shares of a cycle outside of a map.
 
 use std::f64::consts::PI;
 
 use super::trace::{Cycle, CyclePoint};
 use crate::map::Surface;
 
-/// Share of the energy at the pinion that may be outside of a map, where losses are extrapolated: an own choice.
+/// Largest share of the energy at the pinion outside of a map, where losses are extrapolated: a choice of this program.
 const MOST_OUTSIDE: f64 = 0.05;
 
 /// Shares of a cycle outside of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coverage {
-    /// Share of the energy at the pinion, driving and braking, outside the map.
+    /// Share of the energy at the pinion, driving and braking, outside of the map.
     pub outside_energy: f64,
-    /// Share of the moving time outside the map.
+    /// Share of the moving time outside of the map.
     pub outside_time: f64,
     torque_nm: [f64; 2],
     speed_rpm: f64,
     of_map: [f64; 3],
 }
 
-/// A cycle of which too much is outside of a map.
+/// Error: too much of a cycle is outside of a map.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error(
-    "{:.1} % of the energy of the cycle is outside of the map, at most {:.0} % may be: torque {:.1} to {:.1} N m and speed up to {:.0} 1/min on a map of {:.1} to {:.1} N m up to {:.0} 1/min",
+    "{:.1} % of the energy of the cycle is outside of the map, at most {:.0} % is permitted: torque {:.1} to {:.1} N m and speed up to {:.0} 1/min on a map of {:.1} to {:.1} N m up to {:.0} 1/min",
     100.0 * .0.outside_energy, 100.0 * MOST_OUTSIDE, .0.torque_nm[0], .0.torque_nm[1], .0.speed_rpm,
     .0.of_map[0], .0.of_map[1], .0.of_map[2]
 )]
 pub struct Uncovered(Coverage);
 
 impl Coverage {
-    /// The shares of `cycle` outside of `surface`.
+    /// Computes the shares of `cycle` outside of `surface`.
     #[must_use]
     pub fn of(surface: &Surface, cycle: &Cycle) -> Self {
         let energy = |point: &CyclePoint| {
@@ -58,10 +58,10 @@ impl Coverage {
         }
     }
 
-    /// Refuses a cycle with more than 5 % of its energy outside of the map.
+    /// Rejects a cycle with more than 5 % of its energy outside of the map.
     ///
     /// # Errors
-    /// When there is more.
+    /// When more than 5 % is outside.
     pub fn check(self) -> Result<(), Uncovered> {
         match self.outside_energy > MOST_OUTSIDE {
             true => Err(Uncovered(self)),
@@ -70,7 +70,7 @@ impl Coverage {
     }
 }
 
-/// Time of a point at which the mesh turns \[s\].
+/// Time of a point in motion \[s\].
 pub(super) fn moving_time(point: &CyclePoint) -> f64 {
     match point.speed_rpm == 0.0 {
         true => 0.0,
@@ -78,16 +78,16 @@ pub(super) fn moving_time(point: &CyclePoint) -> f64 {
     }
 }
 
-/// Share of the sum of `of` over the points meant; 0 where there is none.
+/// Share of the selected points in the sum of `of`; 0 if the sum is zero.
 pub(super) fn share(
     cycle: &Cycle,
     of: &dyn Fn(&CyclePoint) -> f64,
-    is_meant: &dyn Fn(&CyclePoint) -> bool,
+    is_selected: &dyn Fn(&CyclePoint) -> bool,
 ) -> f64 {
     let all: f64 = cycle.points.iter().map(of).sum();
-    let meant = cycle.points.iter().filter(|point| is_meant(point));
+    let selected = cycle.points.iter().filter(|point| is_selected(point));
     if all > 0.0 {
-        meant.map(of).sum::<f64>() / all
+        selected.map(of).sum::<f64>() / all
     } else {
         0.0
     }

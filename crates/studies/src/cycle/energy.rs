@@ -12,87 +12,87 @@ use crate::map::{FinishMap, Map, Surface};
 /// Energies of a cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CycleResult {
-    /// The program and its version.
+    /// Program and version.
     pub program: String,
     /// Title of the map's case.
     pub title: String,
     /// Name of the cycle.
     pub cycle: String,
-    /// What loses: `mesh`.
+    /// Scope of the losses: `mesh`.
     pub scope: String,
-    /// Parts that the case of the map states beside the mesh, and that are in no number here.
+    /// Losses besides the mesh that the case of the map states; not included in any number here.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub left_aside: Vec<String>,
     /// Temperature of the flanks \[°C\].
     pub temperature_c: f64,
     /// Duration \[s\].
     pub duration_s: f64,
-    /// Way driven \[km\]; none where no vehicle tells.
+    /// Distance driven \[km\]; `None` without a vehicle.
     pub distance_km: Option<f64>,
     /// Energy at the pinion while it drives \[Wh\].
     pub drive_wh: f64,
     /// Energy at the pinion while the wheel drives \[Wh\].
     pub coast_wh: f64,
-    /// Share of the energy at the pinion, driving and braking, outside the map, where loss over torque is held.
+    /// Share of the energy at the pinion, driving and braking, outside of the map, where the ratio of loss to torque is constant.
     pub outside_energy_share: f64,
-    /// Share of the moving time outside the map.
+    /// Share of the moving time outside of the map.
     pub outside_share: f64,
     /// Share of the moving time at torques whose sliding loss is scaled from the smallest resolved torque.
     pub extended_share: f64,
-    /// The finishes, the first one the reference of differences.
+    /// The finishes; the first is the reference of differences.
     pub finishes: Vec<CycleFinish>,
-    /// The points, for table and plot.
+    /// Points of the cycle, for table and chart.
     #[serde(skip)]
     pub points: Vec<CyclePoint>,
 }
 
-/// Energy lost with one finish.
+/// Energy loss with one finish.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CycleFinish {
-    /// Its name.
+    /// Name.
     pub name: String,
     /// Energy lost \[Wh\].
     pub lost_wh: f64,
-    /// Its standard deviation over the offsets of the traces \[Wh\]: all points deviate together.
+    /// Standard deviation over the offsets of the traces \[Wh\], with full correlation between the points.
     pub deviation_wh: f64,
     /// Part of it while the pinion drives \[Wh\].
     pub lost_drive_wh: f64,
     /// Part of it while the wheel drives \[Wh\], and at no torque.
     pub lost_coast_wh: f64,
-    /// Energy lost over that at the pinion while it drives.
+    /// Energy lost relative to the energy at the pinion while it drives.
     pub share_of_drive: Option<f64>,
     /// Efficiency of the mesh while the pinion drives, weighted by the cycle.
     pub drive_efficiency: Option<f64>,
-    /// Energy lost on 100 km \[Wh\].
+    /// Energy lost per 100 km \[Wh\].
     pub wh_per_100_km: Option<f64>,
-    /// Energy lost minus that of the first finish \[Wh\]; none for the first.
+    /// Energy lost minus the energy lost with the first finish \[Wh\]; `None` for the first.
     pub difference_wh: Option<f64>,
-    /// Its standard deviation, both finishes being independent \[Wh\].
+    /// Standard deviation of the difference, with independent finishes \[Wh\].
     pub difference_deviation_wh: Option<f64>,
     /// Loss at each point \[W\].
     #[serde(skip)]
     pub loss_w: Vec<f64>,
 }
 
-/// Joules of a watt-hour.
+/// Joules per watt-hour.
 const WATT_HOUR: f64 = 3600.0;
 
-/// Why a cycle has no energies on a map.
+/// Error of the energies of a cycle on a map.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EnergyError {
-    /// The map has no finish, no such temperature, or points without a result.
+    /// The map has no finish, not the temperature, or points without a result.
     #[error("points of the map have no result")]
     Holes,
     /// Too much of the cycle is outside of the map.
     #[error(transparent)]
     Uncovered(#[from] Uncovered),
-    /// Energies that cannot be.
+    /// The energies are inconsistent.
     #[error(transparent)]
     Unbalanced(#[from] Unbalanced),
 }
 
-/// Energies of `cycle` on `map` at one of its temperatures; `takes_any` accepts any share of it outside the map.
+/// Computes the energies of `cycle` on `map` at one of its temperatures. `takes_any` permits any share outside of the map.
 ///
 /// # Errors
 /// When a point of the map has no result, too much of the cycle is outside of the map, or the energies do not add up.
@@ -115,26 +115,26 @@ pub fn evaluate(
     let surfaces = map.finishes.iter();
     let surfaces = surfaces.map(|finish| finish.surface(&map.axes, temperature));
     let surfaces: Vec<Surface> = surfaces.collect::<Option<_>>().ok_or(EnergyError::Holes)?;
-    // The nodes are those of every finish.
+    // All finishes have the same nodes.
     let first = surfaces.first().ok_or(EnergyError::Holes)?;
     let coverage = Coverage::of(first, cycle);
     if !takes_any {
         coverage.check()?;
     }
     for (finish, surface) in map.finishes.iter().zip(&surfaces) {
-        let mut found = of_finish(finish, surface, cycle);
-        found.share_of_drive = (drive_wh > 0.0).then(|| found.lost_wh / drive_wh);
-        found.drive_efficiency = (drive_wh > 0.0).then(|| 1.0 - found.lost_drive_wh / drive_wh);
-        found.wh_per_100_km = cycle
+        let mut result = of_finish(finish, surface, cycle);
+        result.share_of_drive = (drive_wh > 0.0).then(|| result.lost_wh / drive_wh);
+        result.drive_efficiency = (drive_wh > 0.0).then(|| 1.0 - result.lost_drive_wh / drive_wh);
+        result.wh_per_100_km = cycle
             .distance_km
             .filter(|km| *km > 0.0)
-            .map(|km| found.lost_wh * 100.0 / km);
+            .map(|km| result.lost_wh * 100.0 / km);
         if let Some(first) = finishes.first() {
-            found.difference_wh = Some(found.lost_wh - first.lost_wh);
-            found.difference_deviation_wh = Some(found.deviation_wh.hypot(first.deviation_wh));
+            result.difference_wh = Some(result.lost_wh - first.lost_wh);
+            result.difference_deviation_wh = Some(result.deviation_wh.hypot(first.deviation_wh));
         }
-        check(&found, drive_wh)?;
-        finishes.push(found);
+        check(&result, drive_wh)?;
+        finishes.push(result);
     }
     let time = |point: Option<&CyclePoint>| point.map_or(0.0, |point| point.time_s);
     Ok(CycleResult {
@@ -174,18 +174,18 @@ fn check(finish: &CycleFinish, drive_wh: f64) -> Result<(), Unbalanced> {
     })
 }
 
-/// The energies of a finish.
+/// Energies of a finish.
 fn of_finish(finish: &FinishMap, surface: &Surface, cycle: &Cycle) -> CycleFinish {
     let mut lost = [0.0; 2];
     let mut deviation = 0.0;
     let mut loss_w = Vec::with_capacity(cycle.points.len());
     for point in &cycle.points {
-        let found = surface.loss_torque(point.torque_nm, point.speed_rpm);
+        let loss = surface.loss_torque(point.torque_nm, point.speed_rpm);
         let omega = point.speed_rpm.abs() * PI / 30.0;
-        let energy = found.value * omega * point.weight_s / WATT_HOUR;
+        let energy = loss.value * omega * point.weight_s / WATT_HOUR;
         lost[usize::from(point.torque_nm <= 0.0)] += energy;
-        deviation += found.deviation * omega * point.weight_s / WATT_HOUR;
-        loss_w.push(found.value * omega);
+        deviation += loss.deviation * omega * point.weight_s / WATT_HOUR;
+        loss_w.push(loss.value * omega);
     }
     CycleFinish {
         name: finish.name.clone(),

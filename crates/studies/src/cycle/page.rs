@@ -1,4 +1,4 @@
-//! The page of a cycle.
+//! Page of a cycle.
 
 use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
@@ -8,36 +8,36 @@ use super::energy::{CycleFinish, CycleResult};
 use super::summary::left_aside;
 use crate::map::{Map, loss_field};
 
-/// Bins of the torque.
+/// Number of torque bins.
 const BINS: usize = 30;
 
-pub(super) fn render(found: &CycleResult, map: &Map) -> String {
+pub(super) fn render(result: &CycleResult, map: &Map) -> String {
     let sections = [
-        ("Energy", energy(found)),
-        ("Where the cycle lives", places(found, map)),
+        ("Energy", energy(result)),
+        ("Operating points", operating_points(result, map)),
         (
             "Over time",
-            html! { div.charts { (figure(&over_time(found))) } },
+            html! { div.charts { (figure(&over_time(result))) } },
         ),
     ];
-    let subtitle = format!("{} · cycle {}", found.program, found.cycle);
-    page(&found.title, &subtitle, &sections)
+    let subtitle = format!("{} · cycle {}", result.program, result.cycle);
+    page(&result.title, &subtitle, &sections)
 }
 
-fn energy(found: &CycleResult) -> Markup {
+fn energy(result: &CycleResult) -> Markup {
     let percent = |share: f64| format!("{:.3} %", 100.0 * share);
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
     html! {
-        @if let Some(note) = left_aside(found) { p { (note) "." } }
-        p { "Scope: " (found.scope) " only. " (format!("{:.1}", found.drive_wh)) " Wh at the pinion while it drives, "
-            (format!("{:.1}", found.coast_wh)) " Wh while the wheel drives, " (format!("{:.0}", found.duration_s)) " s, flanks at "
-            (found.temperature_c) " °C. Outside the map, where loss over torque is that of its edge, " (percent(found.outside_energy_share)) " of the energy and "
-            (percent(found.outside_share)) " of the moving time; "
-            (percent(found.extended_share)) " at torques whose sliding loss is scaled from the smallest resolved one." }
+        @if let Some(note) = left_aside(result) { p { (note) "." } }
+        p { "Scope: " (result.scope) " only. " (format!("{:.1}", result.drive_wh)) " Wh at the pinion while it drives, "
+            (format!("{:.1}", result.coast_wh)) " Wh while the wheel drives, " (format!("{:.0}", result.duration_s)) " s, flanks at "
+            (result.temperature_c) " °C. Outside of the map, where the ratio of loss to torque is that of its edge, " (percent(result.outside_energy_share)) " of the energy and "
+            (percent(result.outside_share)) " of the moving time; "
+            (percent(result.extended_share)) " at torques whose sliding loss is scaled from the smallest resolved one." }
         div.scroll { table {
             thead { tr { th { "finish" } th.number { "lost" } th.number { "driving" } th.number { "braking" }
-                th.number { "of drive energy" } th.number { "on 100 km" } th.number { "minus the first" } } }
-            tbody { @for finish in &found.finishes { tr {
+                th.number { "of drive energy" } th.number { "per 100 km" } th.number { "minus the first" } } }
+            tbody { @for finish in &result.finishes { tr {
                 th scope="row" { (finish.name) }
                 td.number { (format!("{:.2} ± {:.2} Wh", finish.lost_wh, finish.deviation_wh)) }
                 td.number { (format!("{:.2} Wh", finish.lost_drive_wh)) }
@@ -47,7 +47,7 @@ fn energy(found: &CycleResult) -> Markup {
                 td.number { (difference(finish)) }
             } } }
         } }
-        p { "± is the standard deviation over the offsets of the traces, taken as common to all points of the cycle; of a difference both finishes are independent." }
+        p { "± is the standard deviation over the offsets of the traces, fully correlated between the points of the cycle; in a difference the finishes are independent." }
     }
 }
 
@@ -58,8 +58,8 @@ fn difference(finish: &CycleFinish) -> String {
     }
 }
 
-fn places(found: &CycleResult, map: &Map) -> Markup {
-    let visited: Vec<[f64; 2]> = found
+fn operating_points(result: &CycleResult, map: &Map) -> Markup {
+    let visited: Vec<[f64; 2]> = result
         .points
         .iter()
         .map(|point| [point.torque_nm, point.speed_rpm.abs()])
@@ -68,18 +68,18 @@ fn places(found: &CycleResult, map: &Map) -> Markup {
         .axes
         .temperature_c
         .iter()
-        .position(|temperature| *temperature == found.temperature_c);
+        .position(|temperature| *temperature == result.temperature_c);
     let field = loss_field(map, 0, nearest.unwrap_or_default(), &visited);
     html! { div.charts {
         @if let Some(field) = field { (figure(&field)) }
-        @if let Some(bars) = by_torque(found) { (figure(&bars)) }
+        @if let Some(bars) = by_torque(result) { (figure(&bars)) }
     } }
 }
 
-/// Energy lost with the first finish by torque.
-fn by_torque(found: &CycleResult) -> Option<Drawing> {
-    let finish = found.finishes.first()?;
-    let torques = || found.points.iter().map(|point| point.torque_nm);
+/// Energy lost with the first finish, by torque.
+fn by_torque(result: &CycleResult) -> Option<Drawing> {
+    let finish = result.finishes.first()?;
+    let torques = || result.points.iter().map(|point| point.torque_nm);
     let (low, high) = torques().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
         (a.min(v), b.max(v))
     });
@@ -88,7 +88,7 @@ fn by_torque(found: &CycleResult) -> Option<Drawing> {
         return None;
     }
     let mut bins = vec![0.0; BINS];
-    for (point, loss) in found.points.iter().zip(&finish.loss_w) {
+    for (point, loss) in result.points.iter().zip(&finish.loss_w) {
         let bin = ((point.torque_nm - low) / width) as usize;
         bins[bin.min(BINS - 1)] += loss * point.weight_s / 3600.0;
     }
@@ -113,8 +113,8 @@ fn by_torque(found: &CycleResult) -> Option<Drawing> {
     }))
 }
 
-fn over_time(found: &CycleResult) -> Drawing {
-    let time: Vec<f64> = found.points.iter().map(|point| point.time_s).collect();
+fn over_time(result: &CycleResult) -> Drawing {
+    let time: Vec<f64> = result.points.iter().map(|point| point.time_s).collect();
     let mut chart = Chart::new(
         "time",
         "Loss over time",
@@ -122,7 +122,7 @@ fn over_time(found: &CycleResult) -> Drawing {
         Axis::new("time", "s"),
         Axis::new("loss", "W").from_zero(),
     );
-    for finish in &found.finishes {
+    for finish in &result.finishes {
         chart = chart.with(Series::new(
             &finish.name,
             Line::Solid,

@@ -1,31 +1,30 @@
-//! The energies for the terminal.
+//! Summary of a cycle for the terminal.
 
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
 use super::energy::CycleResult;
 
-/// The energies for the terminal.
-#[must_use]
-pub fn summary(found: &CycleResult) -> String {
-    let way = found
+/// Summary of a cycle for the terminal.
+pub(super) fn summary(result: &CycleResult) -> String {
+    let way = result
         .distance_km
         .map_or(String::new(), |km| format!(", {km:.2} km"));
     let mut text = format!(
         "{}\ncycle {}: {:.0} s{way}, {:.1} Wh driving, {:.1} Wh braking, flanks at {} °C (loss of the {} only)\n",
-        one_line(&found.title),
-        one_line(&found.cycle),
-        found.duration_s,
-        found.drive_wh,
-        found.coast_wh,
-        found.temperature_c,
-        found.scope
+        one_line(&result.title),
+        one_line(&result.cycle),
+        result.duration_s,
+        result.drive_wh,
+        result.coast_wh,
+        result.temperature_c,
+        result.scope
     );
     text.push_str(&format!(
         "{:<16} {:>16} {:>10} {:>10} {:>10} {:>12} {:>18}\n",
         "finish", "lost Wh", "driving", "braking", "of drive", "Wh/100 km", "minus the first Wh"
     ));
-    for finish in &found.finishes {
+    for finish in &result.finishes {
         let spread = |value: f64, deviation: f64| format!("{value:.2} ± {deviation:.2}");
         let difference = match (finish.difference_wh, finish.difference_deviation_wh) {
             (Some(value), Some(deviation)) => format!("{value:+.2} ± {deviation:.2}"),
@@ -47,23 +46,23 @@ pub fn summary(found: &CycleResult) -> String {
         ));
     }
     text.push_str(&format!(
-        "± is the standard deviation over the offsets of the traces; {:.1} % of the energy ({:.1} % of the moving time) is outside the map, {:.1} % of the moving time below the torque whose contact the traces resolve\n",
-        100.0 * found.outside_energy_share,
-        100.0 * found.outside_share,
-        100.0 * found.extended_share
+        "± is the standard deviation over the offsets of the traces; {:.1} % of the energy ({:.1} % of the moving time) is outside of the map, {:.1} % of the moving time below the torque that the traces resolve\n",
+        100.0 * result.outside_energy_share,
+        100.0 * result.outside_share,
+        100.0 * result.extended_share
     ));
-    if let Some(note) = left_aside(found) {
+    if let Some(note) = left_aside(result) {
         text.push_str(&format!("{}\n", wrapped(&note, "     ")));
     }
     text
 }
 
-/// W431, where the case of the map states a gearbox.
-pub(super) fn left_aside(found: &CycleResult) -> Option<String> {
-    (!found.left_aside.is_empty()).then(|| {
+/// W431, if the case of the map states a gearbox.
+pub(super) fn left_aside(result: &CycleResult) -> Option<String> {
+    (!result.left_aside.is_empty()).then(|| {
         format!(
-            "W431 energies are those of the mesh; what the case states beside it is left aside: {}",
-            found.left_aside.join(", ")
+            "W431 energies are of the mesh; other losses of the case are ignored: {}",
+            result.left_aside.join(", ")
         )
     })
 }

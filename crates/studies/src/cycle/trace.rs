@@ -1,4 +1,4 @@
-//! A cycle: read from its table, and brought to the pinion.
+//! Reading of a cycle, and conversion to the pinion.
 
 use std::f64::consts::PI;
 
@@ -8,25 +8,25 @@ use asperity::case::{VehicleInput, possible_range};
 const AIR: f64 = 1.204;
 /// Standard acceleration of gravity \[m/s²\].
 const GRAVITY: f64 = 9.806_65;
-/// Mass with that of everything that turns over the mass, where the vehicle does not say: 4 % for a single-speed
-/// electric car, an own choice.
+/// Default ratio of effective mass, including rotating parts, to mass: 4 % for a single-speed electric car, a choice of
+/// this program.
 const INERTIA: f64 = 1.04;
 
-/// A cycle at the pinion.
+/// Cycle at the pinion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
-    /// Its points.
+    /// Points.
     pub points: Vec<CyclePoint>,
-    /// Way driven \[km\]; none where no vehicle tells.
+    /// Distance driven \[km\]; `None` without a vehicle.
     pub distance_km: Option<f64>,
 }
 
-/// A point of a cycle.
+/// Point of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CyclePoint {
     /// Time \[s\].
     pub time_s: f64,
-    /// Time that the point stands for \[s\]: half the way to both neighbours.
+    /// Time that the point represents \[s\]: half of both adjacent intervals.
     pub weight_s: f64,
     /// Torque at the pinion \[N m\].
     pub torque_nm: f64,
@@ -34,7 +34,7 @@ pub struct CyclePoint {
     pub speed_rpm: f64,
 }
 
-/// Why a table is no cycle.
+/// Error of a cycle.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CycleError {
@@ -43,69 +43,69 @@ pub enum CycleError {
     Csv(#[from] csv::Error),
     /// Columns are missing.
     #[error(
-        "columns {found}; needed are time_s with torque_nm and speed_rpm, or time_s with speed_km_h"
+        "columns {found}; required are time_s with torque_nm and speed_rpm, or time_s with speed_km_h"
     )]
     Columns {
         /// Columns of the table.
         found: String,
     },
-    /// A cell that is no finite number.
+    /// A cell is not a finite number.
     #[error("line {line}: {column} is {text:?} and no finite number")]
     Cell {
-        /// Line of the file from 1.
+        /// Line of the file, counted from 1.
         line: u64,
         /// The column.
         column: &'static str,
         /// The text.
         text: String,
     },
-    /// A number beyond that of any vehicle or gear drive.
+    /// A number is not possible for a vehicle or gear drive.
     #[error(
         "line {line}: {column} = {value} is beyond -{limit} to {limit}; check unit and decimal point"
     )]
     Beyond {
-        /// Line of the file from 1.
+        /// Line of the file, counted from 1.
         line: u64,
-        /// The column, or what follows from the speed of the vehicle.
+        /// The column, or the quantity computed from the speed of the vehicle.
         column: &'static str,
         /// The number.
         value: f64,
-        /// Largest size of a possible one.
+        /// Largest possible absolute value.
         limit: f64,
     },
-    /// Time stands still or goes back.
+    /// Time does not increase.
     #[error("line {line}: time_s = {time_s} does not rise from {before} before it")]
     Time {
-        /// Line of the file from 1.
+        /// Line of the file, counted from 1.
         line: u64,
         /// Time \[s\].
         time_s: f64,
-        /// Time of the row before \[s\].
+        /// Time of the previous row \[s\].
         before: f64,
     },
     /// Fewer than two points.
     #[error("a cycle needs two points at least")]
     Short,
-    /// The speed of a vehicle that is not known.
+    /// The table has the speed of a vehicle, but no vehicle is given.
     #[error("speed_km_h needs the table [vehicle] in the case of the map")]
     NoVehicle,
-    /// A number of the vehicle that cannot be.
+    /// A number of the vehicle is not valid.
     #[error("vehicle.{key} = {value} must be {rule}")]
     Vehicle {
         /// The key.
         key: &'static str,
-        /// Its value in SI units.
+        /// Value in SI units.
         value: f64,
         /// Rule.
         rule: &'static str,
     },
 }
 
-/// Reads the cycle in `text`, a table with a header row; `#` begins a comment. The speed of a vehicle is brought
-/// to the pinion by `vehicle`.
+/// Reads the cycle in `text`, a table with a header row; `#` begins a comment. The speed of a vehicle is converted to the
+/// pinion with `vehicle`.
 ///
 /// # Errors
-/// When the table is none, its time does not rise, or it needs a vehicle and there is none.
+/// When the table is not valid, time does not increase, or a vehicle is required and not given.
 ///
 /// ```
 /// use asperity_studies::cycle::cycle;
@@ -170,7 +170,7 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
     })
 }
 
-/// Torque \[N m\] and speed \[1/min\] of the pinion of a vehicle at the speeds \[m/s\].
+/// Torque \[N m\] and speed \[1/min\] of the pinion from the speeds of the vehicle \[m/s\].
 fn at_the_pinion(
     vehicle: &VehicleInput,
     time: &[f64],
@@ -224,27 +224,27 @@ fn checked(vehicle: &VehicleInput) -> Result<&VehicleInput, CycleError> {
     Ok(vehicle)
 }
 
-/// Half the time to both neighbours.
+/// Half of both adjacent intervals.
 fn weights(time: &[f64]) -> Vec<f64> {
     let last = time.len() - 1;
     let weight = |k: usize| 0.5 * (time[(k + 1).min(last)] - time[k.saturating_sub(1)]);
     (0..=last).map(weight).collect()
 }
 
-/// Columns of a table as text.
+/// Table with cells as text.
 struct Table {
     names: Vec<String>,
     rows: Vec<csv::StringRecord>,
 }
 
-/// Time \[s\]: some thirty years.
+/// Largest time \[s\]: about thirty years.
 const LONGEST: f64 = 1e9;
-/// Speed of a vehicle \[km/h\], above the record on land of 1228 km/h.
+/// Largest speed of a vehicle \[km/h\], above the land speed record of 1228 km/h.
 const FASTEST: f64 = 1500.0;
-/// Grade \[%\]: 45 degrees.
+/// Largest grade \[%\]: 45 degrees.
 const STEEPEST: f64 = 100.0;
 
-/// Largest size of a possible number of a column; those of the pinion are those of a case.
+/// Largest possible absolute value of a column; for the pinion, the limits of a case.
 fn limit(column: &str) -> f64 {
     let of_case = |key| possible_range(key).map_or(f64::MAX, |[_, most]| most);
     match column {
@@ -273,7 +273,7 @@ impl Table {
         }
     }
 
-    /// The numbers of a column; none where there is no such column.
+    /// The numbers of a column; `None` if the column does not exist.
     fn column(&self, column: &'static str) -> Result<Option<Vec<f64>>, CycleError> {
         let Some(at) = self.names.iter().position(|name| name == column) else {
             return Ok(None);
@@ -293,7 +293,7 @@ impl Table {
         Ok(Some(numbers))
     }
 
-    /// Refuses numbers of a row that are beyond those of any cycle.
+    /// Rejects impossible numbers of a column.
     fn check(&self, column: &'static str, numbers: &[f64]) -> Result<(), CycleError> {
         let limit = limit(column);
         let beyond = numbers

@@ -1,4 +1,4 @@
-//! Loss torque of bearings, seals and churning, from a table of the user's.
+//! Loss torque of bearings, seals and churning, from a user's table.
 
 use asperity::efficiency::EfficiencyError;
 use asperity::efficiency::loss_table::LossTable;
@@ -6,7 +6,7 @@ use asperity::loss_table::{LossTableError, read};
 
 use crate::map::Axes;
 
-/// Loss torque beside that of the mesh.
+/// Loss torque in addition to the mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AddedLoss {
     /// Name of the table.
@@ -14,24 +14,24 @@ pub struct AddedLoss {
     table: LossTable,
 }
 
-/// Why a table is no added loss.
+/// Error of an added loss.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum AddedLossError {
-    /// The file is no table.
+    /// The file is not a valid table.
     #[error(transparent)]
     Table(#[from] LossTableError),
-    /// The map reaches beyond the table.
+    /// The table does not cover the map.
     #[error("{name}: {source}")]
     NotCovered {
         /// Name of the table.
         name: String,
-        /// The place that it does not have.
+        /// The point that is not covered.
         source: EfficiencyError,
     },
     /// The case states losses of its gearbox as well.
     #[error(
-        "{name}: the case of the map has losses beside the mesh already; put the table there, as gearbox.loss_table, or leave one out"
+        "{name}: the case of the map already has losses besides the mesh; put the table there, as gearbox.loss_table, or omit one"
     )]
     Twice {
         /// Name of the table.
@@ -43,7 +43,7 @@ impl AddedLoss {
     /// Reads a table as [`read`] does.
     ///
     /// # Errors
-    /// When the table is none, or its rows form no grid.
+    /// When the table is not valid, or its rows do not form a grid.
     ///
     /// ```
     /// use asperity_studies::export::AddedLoss;
@@ -58,20 +58,20 @@ impl AddedLoss {
         })
     }
 
-    /// The loss torque at the nodes of a map at one temperature, torque by torque \[N m\].
+    /// Loss torque at the nodes of a map at one temperature, by torque \[N m\].
     pub(super) fn at_nodes(
         &self,
         axes: &Axes,
         temperature_c: f64,
     ) -> Result<Vec<f64>, AddedLossError> {
         let speeds = &axes.speed_rpm;
-        let places = axes.torque_nm.iter().flat_map(|torque| {
+        let nodes = axes.torque_nm.iter().flat_map(|torque| {
             let along = speeds.iter();
             along.map(move |speed| (*torque, *speed))
         });
-        let values = places.map(|(torque, speed)| {
-            let found = self.table.loss_torque(torque, speed, temperature_c);
-            found.map_err(|source| AddedLossError::NotCovered {
+        let values = nodes.map(|(torque, speed)| {
+            let loss = self.table.loss_torque(torque, speed, temperature_c);
+            loss.map_err(|source| AddedLossError::NotCovered {
                 name: self.name.clone(),
                 source,
             })

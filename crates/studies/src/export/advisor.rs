@@ -1,4 +1,4 @@
-//! ADVISOR's transmission: efficiency over speed and torque of the output shaft.
+//! Transmission of ADVISOR: efficiency over speed and torque of the output shaft.
 
 use std::fmt::Write as _;
 
@@ -8,7 +8,7 @@ use crate::map::Surface;
 
 /// Variables `tx_map_spd` \[rad/s\], `tx_map_trq` \[N m\] and `tx_eff_map`, speeds down and torques across.
 ///
-/// Where the output drives and its torque is below the loss, nothing reaches the input shaft: the efficiency is 0.
+/// If the output drives with a torque below the loss, no power reaches the input shaft: the efficiency is 0.
 pub(super) fn text(field: &Field) -> Result<String, ExportError> {
     const FORMAT: &str = "ADVISOR";
     field.check_size(FORMAT)?;
@@ -53,7 +53,7 @@ pub(super) fn text(field: &Field) -> Result<String, ExportError> {
 
 /// Efficiency at an output torque over the ratio \[N m\]: T_in = T_out/i + L(T_in).
 fn efficiency(surface: &Surface, output_nm: f64, speed_rpm: f64) -> f64 {
-    /// The loss is some percent of the torque, so each pass adds two digits.
+    /// Number of iterations: the loss is a few percent of the torque, so each adds about two digits.
     const PASSES: usize = 60;
     let mut input = output_nm;
     for _ in 0..PASSES {

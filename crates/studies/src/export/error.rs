@@ -1,8 +1,8 @@
-//! Why a map cannot be written in a format.
+//! Errors of exports.
 
 use super::added::AddedLossError;
 
-/// Why a map cannot be written in a format.
+/// Error of an export.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ExportError {
@@ -36,30 +36,30 @@ pub enum ExportError {
         /// Speed \[1/min\].
         speed_rpm: f64,
     },
-    /// The format weighs by a cycle.
+    /// The format needs a cycle as weight.
     #[error("{format} takes one number, weighted by a cycle, and no cycle was given")]
     NoCycle {
         /// The format.
         format: &'static str,
     },
-    /// The cycle that weighs leaves the map.
+    /// The cycle is partly outside of the map.
     #[error("{format} takes one number, weighted by a cycle: {source}")]
     Uncovered {
         /// The format.
         format: &'static str,
-        /// How far it leaves the map.
+        /// Shares outside of the map.
         source: crate::cycle::Uncovered,
     },
     /// The added loss does not fit.
     #[error(transparent)]
     Added(#[from] AddedLossError),
-    /// A value that cannot be written.
+    /// A value cannot be written.
     #[error("cannot be written: {0}")]
     Json(#[from] serde_json::Error),
-    /// An archive that cannot be made.
+    /// An archive cannot be made.
     #[error("cannot be written: {0}")]
     Zip(#[from] zip::result::ZipError),
-    /// The system refused.
+    /// A file cannot be written.
     #[error("cannot be written: {0}")]
     Io(#[from] std::io::Error),
 }

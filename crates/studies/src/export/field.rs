@@ -1,36 +1,36 @@
-//! What is exported of a finish at one temperature.
+//! Exported data of a finish at one temperature.
 
 use super::added::{AddedLoss, AddedLossError};
 use super::error::ExportError;
 use crate::map::{Map, Surface};
 
-/// Loss torque over torque and speed of the input shaft, of the mesh and added.
+/// Loss torque of the mesh and added loss torque over torque and speed of the input shaft.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     /// Title of the case.
     pub title: String,
     /// Name of the finish.
     pub finish: String,
-    /// What loses.
+    /// Scope of the losses.
     pub scope: String,
     /// Temperature \[°C\].
     pub temperature_c: f64,
-    /// Turns of the input shaft for one turn of the output shaft.
+    /// Revolutions of the input shaft per revolution of the output shaft.
     pub ratio: f64,
-    /// Torques \[N m\], rising.
+    /// Torques \[N m\], ascending.
     pub torque_nm: Vec<f64>,
-    /// Speeds \[1/min\], rising from 0.
+    /// Speeds \[1/min\], ascending from 0.
     pub speed_rpm: Vec<f64>,
-    /// Loss torque of the mesh \[N m\], torque by torque.
+    /// Loss torque of the mesh \[N m\], by torque.
     pub mesh_nm: Vec<f64>,
-    /// Loss torque added \[N m\].
+    /// Added loss torque \[N m\].
     pub added_nm: Option<Vec<f64>>,
-    /// Nodes at which a correlation of the mesh is outside its range, or the loss is extended.
+    /// Number of nodes at which a correlation is out of its range or the loss is extended.
     pub outside: usize,
 }
 
 impl Field {
-    /// The fields of a finish, temperature by temperature.
+    /// Makes the fields of a finish, by temperature.
     ///
     /// # Errors
     /// When a point has no result, or the added loss does not cover the map.
@@ -66,11 +66,11 @@ impl Field {
             let added_nm = match (added, gearbox) {
                 (Some(added), _) => Some(added.at_nodes(axes, temperature_c)?),
                 (None, Some(gearbox)) => {
-                    let found = gearbox
+                    let losses = gearbox
                         .loss_torque_nm
                         .get(index * nodes..(index + 1) * nodes);
                     let finish = of.name.clone();
-                    Some(found.ok_or(ExportError::Holes { finish })?.to_vec())
+                    Some(losses.ok_or(ExportError::Holes { finish })?.to_vec())
                 }
                 (None, None) => None,
             };
@@ -91,7 +91,7 @@ impl Field {
         axes.temperature_c.iter().enumerate().map(field).collect()
     }
 
-    /// Mesh and added loss together \[N m\].
+    /// Total loss torque of mesh and added loss \[N m\].
     #[must_use]
     pub fn total_nm(&self) -> Vec<f64> {
         match &self.added_nm {
@@ -100,7 +100,7 @@ impl Field {
         }
     }
 
-    /// The same between the nodes.
+    /// Interpolation of the total loss torque.
     #[must_use]
     pub fn surface(&self) -> Surface {
         let loss_torque_nm = self.total_nm();
@@ -119,10 +119,10 @@ impl Field {
         self.speed_rpm.iter().map(omega).collect()
     }
 
-    /// Rule for places outside the nodes, for the head of a table whose reader goes its own way there.
+    /// Rule for points outside of the nodes, for the head of a table whose reader may extrapolate differently.
     pub(super) const BEYOND: &str = "outside the table hold loss torque over torque, as Asperity does: a reader that holds the last loss torque is too low at higher torques, so have it refuse";
 
-    /// What goes into the head of a file, on one line.
+    /// Head of a file, in one line.
     pub(super) fn head(&self) -> String {
         let plain = |text: &str| text.replace(['\n', '\r'], " ");
         format!(
@@ -135,7 +135,7 @@ impl Field {
         )
     }
 
-    /// Refuses a map of one torque or one speed.
+    /// Rejects a map of one torque or one speed.
     pub(super) fn check_size(&self, format: &'static str) -> Result<(), ExportError> {
         match self.torque_nm.len() >= 2 && self.speed_rpm.len() >= 2 {
             true => Ok(()),
@@ -143,7 +143,7 @@ impl Field {
         }
     }
 
-    /// Refuses a map without torques of both signs.
+    /// Rejects a map without torques of both signs.
     pub(super) fn check_signs(&self, format: &'static str) -> Result<(), ExportError> {
         let ends = (self.torque_nm.first(), self.torque_nm.last());
         match ends {
@@ -152,7 +152,8 @@ impl Field {
         }
     }
 
-    /// Refuses a map whose loss torque rises as fast as the torque: no output torque belongs to one input torque.
+    /// Rejects a map whose loss torque increases as fast as the torque: the output torque would not determine the input
+    /// torque.
     pub(super) fn check_slope(&self, format: &'static str) -> Result<(), ExportError> {
         let total = self.total_nm();
         let across = self.speed_rpm.len();

@@ -1,4 +1,4 @@
-//! Formats that take a few numbers instead of a map: fits, with what they leave.
+//! Formats with a few numbers instead of a map: fits with their residuals.
 
 use serde::Serialize;
 use serde_json::json;
@@ -10,25 +10,25 @@ use crate::cycle::{Coverage, Cycle};
 /// Gear box of CO2MPAS: T_in = (T_out/i + gbp00 + gbp10 n)/gbp01, n the speed of the input shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct GearBoxFit {
-    /// Loss torque that is always there \[N m\].
+    /// Constant loss torque \[N m\].
     pub gbp00: f64,
-    /// Loss torque over the speed \[N m min\].
+    /// Loss torque per speed \[N m min\].
     pub gbp10: f64,
-    /// Part of the input torque that is not lost.
+    /// Share of the input torque that is not lost.
     pub gbp01: f64,
-    /// Root mean square of what the fit leaves, over the area of the map \[N m\].
+    /// Root mean square residual over the area of the map \[N m\].
     #[serde(skip)]
     pub residual_rms_nm: f64,
-    /// Largest of it at a node \[N m\].
+    /// Largest residual at a node \[N m\].
     #[serde(skip)]
     pub residual_max_nm: f64,
-    /// Mean loss torque over the same \[N m\].
+    /// Mean loss torque over the area of the map \[N m\].
     #[serde(skip)]
     pub mean_loss_nm: f64,
 }
 
 /// Least squares of T_in − L = gbp01 T_in − gbp00 − gbp10 n over the nodes at which the input drives and turns, each
-/// with the area of the map that it stands for.
+/// weighted by the area of the map that it represents.
 ///
 /// ```text
 /// min Σ A (T_in − L − gbp01 T_in + gbp00 + gbp10 n)²
@@ -69,7 +69,7 @@ pub fn gear_box_fit(field: &Field) -> GearBoxFit {
     }
     let [slope, constant, over_speed] = solved(normal);
     let (slope, over_speed) = (slope / scales[0], over_speed / scales[1]);
-    let left =
+    let residual =
         |[torque, speed, loss, _]: &[f64; 4]| loss - slope * torque - constant - over_speed * speed;
     let mean = |of: &dyn Fn(&[f64; 4]) -> f64| {
         let parts = nodes.iter().map(|node| node[3] * of(node));
@@ -79,16 +79,16 @@ pub fn gear_box_fit(field: &Field) -> GearBoxFit {
         gbp00: constant,
         gbp10: over_speed,
         gbp01: 1.0 - slope,
-        residual_rms_nm: mean(&|node| left(node).powi(2)).sqrt(),
+        residual_rms_nm: mean(&|node| residual(node).powi(2)).sqrt(),
         residual_max_nm: nodes
             .iter()
-            .map(|node| left(node).abs())
+            .map(|node| residual(node).abs())
             .fold(0.0, f64::max),
         mean_loss_nm: mean(&|node| node[2]),
     }
 }
 
-/// Half the way to both neighbours of each node.
+/// Half of both adjacent intervals of each node.
 fn widths(nodes: &[f64]) -> Vec<f64> {
     let last = nodes.len().saturating_sub(1);
     let width = |k: usize| 0.5 * (nodes[(k + 1).min(last)] - nodes[k.saturating_sub(1)]);
@@ -97,7 +97,7 @@ fn widths(nodes: &[f64]) -> Vec<f64> {
 
 /// Gaussian elimination with the largest pivot; an unknown without a pivot is zero.
 fn solved(mut m: [[f64; 4]; 3]) -> [f64; 3] {
-    /// A pivot of a column that depends on the others, of order one otherwise.
+    /// Pivot of a linearly dependent column; other pivots are of order one.
     const NONE: f64 = 1e-12;
     for k in 0..3 {
         let largest = (k..3).max_by(|&a, &b| m[a][k].abs().total_cmp(&m[b][k].abs()));
@@ -118,20 +118,20 @@ fn solved(mut m: [[f64; 4]; 3]) -> [f64; 3] {
     [0, 1, 2].map(|k| m[k][3] / m[k][k])
 }
 
-/// The parameters of CO2MPAS: hot of the hottest temperature of the map, cold of the coldest.
+/// Parameters of CO2MPAS: hot from the highest temperature of the map, cold from the lowest.
 pub(super) fn co2mpas(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
     let (Some(cold), Some(hot)) = (fields.first(), fields.last()) else {
         return Ok(Vec::new());
     };
     let fit = |field: &Field| {
-        let found = gear_box_fit(field);
-        let left = json!({
+        let fit = gear_box_fit(field);
+        let residual = json!({
             "temperature_c": field.temperature_c,
-            "residual_rms_nm": found.residual_rms_nm,
-            "residual_max_nm": found.residual_max_nm,
-            "mean_loss_nm": found.mean_loss_nm,
+            "residual_rms_nm": fit.residual_rms_nm,
+            "residual_max_nm": fit.residual_max_nm,
+            "mean_loss_nm": fit.mean_loss_nm,
         });
-        (found, left)
+        (fit, residual)
     };
     let ((hot_fit, hot_left), (cold_fit, cold_left)) = (fit(hot), fit(cold));
     let value = json!({
@@ -144,8 +144,7 @@ pub(super) fn co2mpas(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
     Ok(serde_json::to_vec_pretty(&value)?)
 }
 
-/// The efficiency that fastsim takes, over the time in which the input drives: what reaches the output over what
-/// enters.
+/// Efficiency for fastsim: output energy relative to input energy over the time in which the input drives.
 pub(super) fn fastsim(field: &Field, cycle: &Cycle) -> Result<Vec<u8>, ExportError> {
     let surface = field.surface();
     let coverage = Coverage::of(&surface, cycle);
@@ -158,18 +157,18 @@ pub(super) fn fastsim(field: &Field, cycle: &Cycle) -> Result<Vec<u8>, ExportErr
         if point.torque_nm <= 0.0 {
             continue;
         }
-        let found = surface.loss_torque(point.torque_nm, point.speed_rpm);
+        let loss = surface.loss_torque(point.torque_nm, point.speed_rpm);
         let angle = point.speed_rpm.abs() * point.weight_s;
         entered += point.torque_nm * angle;
-        lost += found.value * angle;
-        outside += usize::from(found.is_outside);
+        lost += loss.value * angle;
+        outside += usize::from(loss.is_outside);
     }
     let value = json!({
         "scope": field.scope,
         "head": field.head(),
         "eff_interp": { "Interp0D": if entered > 0.0 { Some(1.0 - lost / entered) } else { None } },
         "points_outside_the_map": outside,
-        "note": "efficiency of the scope alone, weighted by the cycle; multiply it with those of the rest of the driveline",
+        "note": "efficiency of the scope only, weighted by the cycle; multiply it by the efficiencies of the rest of the driveline",
     });
     Ok(serde_json::to_vec_pretty(&value)?)
 }

@@ -1,5 +1,4 @@
-//! A functional mock-up unit: the table in C, its description, and where a compiler is at hand the library of this
-//! machine.
+//! Functional mock-up unit: table in C, description and, if a compiler is available, a library for this machine.
 
 use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
@@ -16,7 +15,7 @@ use super::field::Field;
 const MODEL: &str = "AsperityLoss";
 const CODE: &str = include_str!("fmu.c");
 
-/// The C source of the unit, which stands alone.
+/// Self-contained C source of the unit.
 ///
 /// # Errors
 /// When the map has only one torque or one speed.
@@ -53,7 +52,7 @@ pub fn c_source(field: &Field) -> Result<String, ExportError> {
     Ok(text)
 }
 
-/// The unit: description, source, and the library of this machine where `cc` makes one.
+/// The unit: description, source and, if `cc` is available, a library for this machine.
 pub(super) fn archive(field: &Field) -> Result<Vec<u8>, ExportError> {
     let source = c_source(field)?;
     let library = library(&source);
@@ -75,17 +74,17 @@ pub(super) fn archive(field: &Field) -> Result<Vec<u8>, ExportError> {
     Ok(zip.finish()?.into_inner())
 }
 
-/// Bytes of the largest library.
+/// Largest size of a library in bytes.
 const LARGEST: u64 = 100_000_000;
 
-/// A library for one platform, by its place in the unit.
+/// Library for one platform, with its path in the unit.
 struct Library {
     folder: &'static str,
     name: String,
     bytes: Vec<u8>,
 }
 
-/// The source compiled; none where there is no compiler, or no place in the unit for this machine.
+/// Compiles the source; `None` without a compiler or for a platform without a path in the unit.
 fn library(source: &str) -> Option<Library> {
     let (folder, ending) = match (std::env::consts::OS, std::env::consts::ARCH) {
         ("linux", "x86_64") => ("linux64", "so"),
@@ -108,7 +107,7 @@ fn library(source: &str) -> Option<Library> {
     })
 }
 
-/// Of the content, so that a description goes with its source alone.
+/// Identifier computed from the content, so that a description matches only its source.
 fn guid(field: &Field) -> String {
     let mut sum = Sha256::new();
     sum.update(CODE.as_bytes());
@@ -128,7 +127,7 @@ fn guid(field: &Field) -> String {
     format!("{{{}}}", &hex[..32])
 }
 
-/// Name, unit and meaning of the outputs, in the order of their references from 2.
+/// Name, unit and meaning of the outputs, in the order of their value references from 2.
 const OUTPUTS: [(&str, &str, &str); 5] = [
     (
         "loss_torque",
@@ -139,7 +138,7 @@ const OUTPUTS: [(&str, &str, &str); 5] = [
     (
         "outside",
         "1",
-        "1 outside the map, where loss over torque is that of its edge, or without a number",
+        "1 outside of the map, where the ratio of loss to torque is that of its edge, or for NaN",
     ),
     ("mesh_loss_torque", "N.m", "part of the mesh"),
     (

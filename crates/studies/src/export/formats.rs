@@ -1,4 +1,4 @@
-//! The formats, and the files of a map in one of them.
+//! Export formats, and the files of a map in a format.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use super::{advisor, fitted, fmu, mat4, modelica, tables};
 use crate::cycle::Cycle;
 use crate::map::Map;
 
-/// A format.
+/// Export format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Format {
     /// Long table.
@@ -31,7 +31,7 @@ pub enum Format {
     Advisor,
 }
 
-/// A file to be written.
+/// File to write.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExportFile {
     /// Name, relative to the folder of the exports.
@@ -40,16 +40,16 @@ pub struct ExportFile {
     pub bytes: Vec<u8>,
 }
 
-/// What goes with a map into its exports.
+/// Additional data of the exports of a map.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct With<'a> {
-    /// Loss torque beside that of the mesh.
+    /// Loss torque in addition to the mesh.
     pub added: Option<&'a AddedLoss>,
-    /// The cycle that weighs the formats of one number.
+    /// Cycle that weights the formats with a single number.
     pub cycle: Option<&'a Cycle>,
 }
 
-/// The files of `map` in one format: of every finish and, where the format holds but one, of every temperature.
+/// Files of `map` in one format: one per finish and, if the format holds only one temperature, one per temperature.
 ///
 /// # Errors
 /// When a point has no result, or the format cannot hold the map.
@@ -115,7 +115,7 @@ fn file(name: &str, ending: &str, bytes: Vec<u8>) -> ExportFile {
     }
 }
 
-/// A name that every file system and every program takes.
+/// A name that is valid in all file systems and programs.
 fn file_name(name: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     let plain: String = name

@@ -4,13 +4,13 @@
 use super::field::Field;
 use super::names::degrees;
 
-/// A MAT-file of level 4 in the making.
+/// MAT-file of level 4 under construction.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mat4 {
     matrices: Vec<Matrix>,
 }
 
-/// A matrix with its name.
+/// Named matrix.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Matrix {
     /// Name of the variable.
@@ -19,12 +19,12 @@ pub struct Matrix {
     pub rows: usize,
     /// Values row by row.
     pub values: Vec<f64>,
-    /// Whether the values are codes of letters.
+    /// Whether the values are character codes.
     pub is_text: bool,
 }
 
 impl Mat4 {
-    /// The same with one more matrix, `values` row by row.
+    /// Adds a matrix with `values` row by row.
     #[must_use]
     pub fn with(mut self, name: &str, rows: usize, values: &[f64]) -> Self {
         self.matrices.push(Matrix {
@@ -36,7 +36,7 @@ impl Mat4 {
         self
     }
 
-    /// The same with a text; letters beyond Latin-1 become question marks.
+    /// Adds a text; characters beyond Latin-1 become question marks.
     #[must_use]
     pub fn with_text(mut self, name: &str, text: &str) -> Self {
         let code = |c: char| u8::try_from(u32::from(c)).unwrap_or(b'?');
@@ -64,7 +64,7 @@ impl Mat4 {
                 matrix.name.len() + 1,
             ];
             for number in head {
-                // No map has two thousand million nodes.
+                // A map has fewer than 2³¹ nodes.
                 let number = i32::try_from(number).unwrap_or(i32::MAX);
                 bytes.extend(number.to_le_bytes());
             }
@@ -80,7 +80,7 @@ impl Mat4 {
     }
 }
 
-/// The fields of a finish: torque by speed, one set of variables for each temperature.
+/// Fields of a finish: torque by speed, one set of variables per temperature.
 pub(super) fn bytes(fields: &[Field]) -> Vec<u8> {
     let Some(first) = fields.first() else {
         return Vec::new();
@@ -121,7 +121,7 @@ pub(super) fn bytes(fields: &[Field]) -> Vec<u8> {
     file.bytes()
 }
 
-/// Efficiency at the nodes; no number without torque.
+/// Efficiency at the nodes; NaN without torque.
 fn efficiency(field: &Field, total: &[f64]) -> Vec<f64> {
     let across = field.speed_rpm.len();
     let of = |(index, loss): (usize, &f64)| {
@@ -135,7 +135,7 @@ fn efficiency(field: &Field, total: &[f64]) -> Vec<f64> {
     total.iter().enumerate().map(of).collect()
 }
 
-/// The layout of Modelica: corner and speeds \[rad/s\] in the first row, a torque before each row of values.
+/// Layout of Modelica: corner and speeds \[rad/s\] in the first row, a torque before each row of values.
 fn with_axes(field: &Field, total: &[f64]) -> Vec<f64> {
     let mut values = vec![0.0];
     values.extend(field.omega());

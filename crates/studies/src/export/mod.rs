@@ -1,17 +1,17 @@
 //! Maps in the formats of vehicle simulation and of tables.
 //!
-//! Every file says what loses: the mesh alone, or the mesh and what a table of the user's adds. Signs: torque of the
-//! input shaft, which is the pinion's; negative where the output drives. Loss torque is that of the input shaft and
-//! never negative. Loss depends on the torque with its sign and on the speed without.
+//! Every file states its scope: the mesh only, or the mesh and an added table. Torque is at the input shaft, the
+//! pinion; negative if the output drives. The loss torque is at the input shaft and never negative. It depends on the sign
+//! of the torque, but not on the sign of the speed.
 //!
 //! | format | to |
 //! |---|---|
-//! | [`Format::Csv`] | anything: a row per node, mesh and added loss apart |
+//! | [`Format::Csv`] | any program: one row per node, mesh and added loss in separate columns |
 //! | [`Format::Vecto`] | VECTO, `.vtlm` |
 //! | [`Format::Modelica`] | `CombiTable2Ds` of the Modelica Standard Library, text |
 //! | [`Format::Matlab`] | MATLAB, Octave, scipy, Modelica: MAT-file level 4 |
 //! | [`Format::Fmu`] | FMI 2.0, model exchange and co-simulation |
-//! | [`Format::Co2mpas`] | three parameters of a gear box, fitted, with what is left of the fit |
+//! | [`Format::Co2mpas`] | three fitted parameters of a gear box, with the residuals |
 //! | [`Format::Fastsim`] | one efficiency, weighted by a cycle |
 //! | [`Format::Advisor`] | efficiency over speed and torque of the output shaft, `.m` |
 

@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use super::error::ExportError;
 use super::field::Field;
 
-/// Table `lossTorque` over torque \[N m\] and speed \[rad/s\]; where loss was added, the mesh and what was added as
-/// tables of their own.
+/// Table `lossTorque` over torque \[N m\] and speed \[rad/s\]; with an added loss also separate tables of the mesh and of
+/// the added loss.
 pub(super) fn text(field: &Field) -> Result<String, ExportError> {
     field.check_size("Modelica")?;
     let mut text = format!(

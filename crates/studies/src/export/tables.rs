@@ -1,4 +1,4 @@
-//! Tables of rows: the long table, and VECTO's transmission loss map.
+//! Tables with one row per node: CSV, and the transmission loss map of VECTO.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -10,10 +10,10 @@ use super::error::ExportError;
 use super::field::Field;
 use crate::map::FinishMap;
 
-/// A row per node, mesh and added loss apart.
+/// CSV with one row per node, mesh and added loss in separate columns.
 pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, ExportError> {
     #[derive(Serialize)]
-    struct Row<'a> {
+    struct NodeRow<'a> {
         torque_nm: f64,
         speed_rpm: f64,
         temperature_c: f64,
@@ -32,7 +32,7 @@ pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, Expor
         for (index, mesh) in field.mesh_nm.iter().enumerate() {
             let (torque, speed) = (index / across, index % across);
             let marks = points.next().map(|point| point.outside.join("; "));
-            rows.push(Row {
+            rows.push(NodeRow {
                 torque_nm: field.torque_nm[torque],
                 speed_rpm: field.speed_rpm[speed],
                 temperature_c: field.temperature_c,
@@ -48,8 +48,8 @@ pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, Expor
     text(Path::new("map.csv"), rows).map_err(|error| std::io::Error::other(error).into())
 }
 
-/// VECTO's transmission loss map: speed and torque of the input shaft, loss torque there, at both signs of the
-/// torque. VECTO looks up by the output torque, so the loss must rise slower than the torque.
+/// Transmission loss map of VECTO: speed, torque and loss torque of the input shaft, for both signs of the torque. VECTO
+/// looks up by the output torque, so the loss must increase more slowly than the torque.
 pub(super) fn vecto(field: &Field) -> Result<String, ExportError> {
     const FORMAT: &str = "VECTO";
     field.check_size(FORMAT)?;

@@ -1,14 +1,14 @@
-//! A figure and the reason why one was not made.
+//! Figures and their errors.
 
 use asperity::{Error, PositionError};
 use asperity_report::ReportError;
 use asperity_report::chart::Drawing;
 
-/// Reason why a figure was not made.
+/// Error of a figure.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FigureError {
-    /// It could not be computed.
+    /// The figure cannot be computed.
     #[error(transparent)]
     Run(#[from] Error),
     /// The reference case has no rough contact to draw.
@@ -16,10 +16,10 @@ pub enum FigureError {
         "the case has no rough contact for {table}; give it two measured flanks in mixed lubrication"
     )]
     NoContact {
-        /// The table that could not be made.
+        /// The table of the figure.
         table: &'static str,
     },
-    /// It could not be written.
+    /// The figure cannot be written.
     #[error(transparent)]
     Report(#[from] ReportError),
 }
@@ -30,7 +30,7 @@ impl From<PositionError> for FigureError {
     }
 }
 
-/// A figure: its file without ending, and what it shows. The table it was drawn from is named in it.
+/// Figure: file name without extension, and drawing, which names its table.
 pub(super) struct Figure {
     pub name: &'static str,
     pub drawing: Drawing,

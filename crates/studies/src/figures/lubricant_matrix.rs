@@ -1,5 +1,4 @@
-//! Fig. 7: oils of many densities and viscosities, with and without the variation of the film's
-//! pressure across it.
+//! Fig. 7: oils of various densities and viscosities, with and without the pressure variation across the film.
 
 use std::path::Path;
 
@@ -16,13 +15,13 @@ use serde::Serialize;
 
 use super::figure::{Figure, FigureError};
 
-/// From light spindle oil to a fluid of half water's weight again.
+/// Densities from light spindle oil to a fluid 15 % denser than water.
 const DENSITIES: [f64; 5] = [750.0, 850.0, 950.0, 1050.0, 1150.0];
-/// From 5 mPa s to 0.5 Pa s in equal ratios.
+/// Viscosities from 5 mPa s to 0.5 Pa s in equal ratios.
 const VISCOSITIES: [f64; 5] = [0.005, 0.0158, 0.05, 0.158, 0.5];
 
 #[derive(Serialize)]
-struct Row {
+struct OilRow {
     density_kg_per_m3: f64,
     viscosity_mpa_s: f64,
     film_central_um: f64,
@@ -33,7 +32,7 @@ struct Row {
     efficiency_without_percent: f64,
 }
 
-/// Viscosity \[mPa s\] above which Fig. 7b does not follow the efficiency.
+/// Largest viscosity \[mPa s\] in the range of Fig. 7b.
 const MOST_SHOWN: f64 = 400.0;
 const TABLE: &str = "fig07_lubricants.csv";
 
@@ -57,8 +56,14 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
     ])
 }
 
-/// A curve over the viscosity at one density.
-fn curve(rows: &[Row], name: &str, line: Line, density: f64, value: fn(&Row) -> f64) -> Series {
+/// Curve over the viscosity at one density.
+fn curve(
+    rows: &[OilRow],
+    name: &str,
+    line: Line,
+    density: f64,
+    value: fn(&OilRow) -> f64,
+) -> Series {
     let here = || rows.iter().filter(|row| row.density_kg_per_m3 == density);
     let x: Vec<f64> = here().map(|row| row.viscosity_mpa_s).collect();
     let y: Vec<f64> = here().map(value).collect();
@@ -69,7 +74,7 @@ fn chart(id: &str, title: &str, y: Axis) -> Chart {
     Chart::new(id, title, TABLE, Axis::new("viscosity", "mPa s").log(), y)
 }
 
-fn differences(rows: &[Row]) -> Chart {
+fn differences(rows: &[OilRow]) -> Chart {
     let title = "Fig. 7: pressure difference across the film of oils, the paper's model";
     let mut chart = chart("fig07a", title, Axis::new("difference", "Pa").log());
     for density in DENSITIES {
@@ -81,17 +86,17 @@ fn differences(rows: &[Row]) -> Chart {
     chart
 }
 
-fn efficiencies(rows: &[Row]) -> Chart {
+fn efficiencies(rows: &[OilRow]) -> Chart {
     let title = "Fig. 7: efficiency with and without that variation; 500 mPa s is off the scale";
-    // There the film is full and Xu's law far outside its data: that one oil would rule the figure.
+    // Above, the film is full and Xu's law far outside of its data: this oil alone would determine the range.
     let mixed = rows.iter().filter(|row| row.viscosity_mpa_s < MOST_SHOWN);
     let values =
         mixed.flat_map(|row| [row.efficiency_with_percent, row.efficiency_without_percent]);
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
     });
-    let air = 0.08 * (high - low).max(1e-6);
-    let axis = Axis::new("efficiency", "%").within(low - air, high + air);
+    let margin = 0.08 * (high - low).max(1e-6);
+    let axis = Axis::new("efficiency", "%").within(low - margin, high + margin);
     let mut chart = chart("fig07b", title, axis);
     for density in [DENSITIES[0], DENSITIES[4]] {
         let name = |kind: &str| format!("{kind}, {density:.0} kg/m³");
@@ -110,7 +115,7 @@ fn efficiencies(rows: &[Row]) -> Chart {
     chart
 }
 
-fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<Row, FigureError> {
+fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<OilRow, FigureError> {
     let mut case = case.clone();
     let oil = &mut case.case.oil;
     oil.density = Density::from_si(density);
@@ -128,7 +133,7 @@ fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<Row, FigureErr
     let paper = across(FluidModel::Paper)?;
     let efficiency = outcome.result.summary.efficiency;
     let at = &outcome.result.path[0];
-    // Without the variation the asperities carry what it carried, with their own friction.
+    // Without the variation the asperities carry its load, with their friction coefficient.
     let carried = outcome
         .fields
         .first()
@@ -137,7 +142,7 @@ fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<Row, FigureErr
     let more =
         (case.case.model.boundary_friction - at.mu_film) * carried * at.sliding_m_per_s.abs();
     let loss = more * at.weight_m / outcome.result.summary.power_in_w;
-    Ok(Row {
+    Ok(OilRow {
         density_kg_per_m3: density,
         viscosity_mpa_s: viscosity * 1e3,
         film_central_um: at.film_central_um,

@@ -1,4 +1,4 @@
-//! The figures of the 2022 paper, each with its table: Fig. 6 to 13 but for its drawings of gears.
+//! The figures of the 2022 paper, each with its table: Fig. 6 to 13 except the drawings of gears.
 //!
 //! docs/FIGURES.md compares them with the paper.
 
@@ -21,13 +21,13 @@ use asperity_storage::{
 
 pub use figure::FigureError;
 
-/// Bytes of the largest table of a figure.
+/// Largest size of the table of a figure in bytes.
 const LARGEST: u64 = 100_000_000;
 
 /// Kind of the folder in messages.
 const KIND: &str = "figure";
 
-/// Names of all files, which are checked before the work.
+/// Names of all files, which are checked before the computation.
 const FILES: &[&str] = &[
     "fig06_subsurface.csv",
     "fig06_surface.csv",
@@ -58,13 +58,13 @@ const FILES: &[&str] = &[
     "fig13b_convergence.svg",
 ];
 
-/// Makes the figures in `folder`; those of the reference case from `table_2`, which is to be in the
-/// paper's formulation. Gives the files written, drawings and tables.
+/// Makes the figures in `folder`; the figures of the reference case from `table_2`, which must be in the paper's
+/// formulation. Returns the files written, drawings and tables.
 ///
 /// # Errors
 /// When a case has no solution or a file cannot be written.
 pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, FigureError> {
-    // A folder of figures alone is replaced as a whole; among the user's own files they are replaced one by one.
+    // A folder that holds only figures is replaced as a whole; in other folders the files are replaced one by one.
     let is_whole = match check_folder(folder, KIND) {
         Err(StorageError::NotOurs { entry: Some(_), .. }) => {
             check_among(folder, FILES).map_err(ReportError::from)?;
@@ -72,13 +72,13 @@ pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, Figure
         }
         found => found.map(|()| true).map_err(ReportError::from)?,
     };
-    // Made apart, so that every file comes to its place whole.
-    let apart = tempfile::tempdir().map_err(|source| StorageError::Io {
+    // Made in a temporary folder, so that no incomplete file appears in the target.
+    let temporary = tempfile::tempdir().map_err(|source| StorageError::Io {
         path: std::env::temp_dir(),
         source,
     });
-    let apart = apart.map_err(ReportError::from)?;
-    let made = apart.path();
+    let temporary = temporary.map_err(ReportError::from)?;
+    let made = temporary.path();
     let mut figures = random_contact::figures(made)?;
     figures.extend(lubricant_matrix::figures(table_2, made)?);
     figures.extend(thick_films::figures(table_2, made)?);
@@ -96,10 +96,10 @@ pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, Figure
     }
     let files: Vec<(String, Vec<u8>)> = files.into_iter().collect();
     let written = match is_whole {
-        true => replace_folder(folder, KIND, |place| {
+        true => replace_folder(folder, KIND, |new| {
             files
                 .iter()
-                .try_for_each(|(name, bytes)| write_bytes(&place.join(name), bytes))
+                .try_for_each(|(name, bytes)| write_bytes(&new.join(name), bytes))
         }),
         false => write_among(folder, &files).map_err(ReportError::from),
     };

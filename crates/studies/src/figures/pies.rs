@@ -1,6 +1,6 @@
-//! Fig. 12: the losses in contact and after contact, each a pie of four parts.
+//! Fig. 12: losses in contact and after contact, each as a pie chart of four parts.
 //!
-//! In contact the deformation of eq. 19 is elastic and plastic, after contact plastic alone; sliding and rolling
+//! In contact the deformation of eq. 19 is elastic and plastic, after contact only plastic; sliding and rolling
 //! are the same in both.
 
 use std::path::Path;
@@ -14,7 +14,7 @@ use super::figure::{Figure, FigureError};
 
 const TABLE: &str = "fig12_losses.csv";
 
-/// A part of both pies.
+/// Part of both charts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 struct PartRow {
     part: &'static str,

@@ -1,5 +1,4 @@
-//! Fig. 6: two random surfaces pressed together dry, their deformation, the contact stress and the
-//! stress below.
+//! Fig. 6: two random surfaces in dry contact: deformation, contact stress and subsurface stress.
 //!
 //! The paper does not give its surfaces; these are self-affine with the roughness of ground flanks.
 
@@ -31,7 +30,7 @@ const POINTS: usize = 1441;
 const SPACING: Length = Length::from_si(0.5e-6);
 const SEEDS: [u64; 2] = [6, 66];
 
-/// A surface with an Rq of 0.3 µm, as ground flanks have.
+/// Surface with Rq 0.3 µm, typical of ground flanks.
 fn surface(seed: u64) -> Result<Profile, PositionError> {
     let recipe = SelfAffine {
         points: POINTS,
@@ -73,8 +72,8 @@ pub(super) fn figures(folder: &Path) -> Result<Vec<Figure>, FigureError> {
     Ok(figures)
 }
 
-fn charts(rows: &[Row], x: &[f64]) -> Vec<Figure> {
-    let curve = |name: &str, line: Line, of: fn(&Row) -> f64| {
+fn charts(rows: &[ContactRow], x: &[f64]) -> Vec<Figure> {
+    let curve = |name: &str, line: Line, of: fn(&ContactRow) -> f64| {
         let y: Vec<f64> = rows.iter().map(of).collect();
         Series::new(name, line, x, &y)
     };
@@ -124,13 +123,13 @@ fn across() -> Axis {
     Axis::new("distance from the middle of the contact", "µm")
 }
 
-/// Four decimals, of micrometres or megapascals: what the solver's tolerance leaves certain.
+/// Rounds to four decimals of micrometres or megapascals, the accuracy of the solver's tolerance.
 fn digits(value: f64) -> f64 {
     (value * 1e4).round() / 1e4
 }
 
 #[derive(Serialize)]
-struct Row {
+struct ContactRow {
     x_um: f64,
     height_first_um: f64,
     height_second_um: f64,
@@ -141,9 +140,9 @@ struct Row {
     pressure_hertz_mpa: f64,
 }
 
-fn rows(surfaces: &[Profile; 2], gap: &[f64], solution: &ContactSolution) -> Vec<Row> {
+fn rows(surfaces: &[Profile; 2], gap: &[f64], solution: &ContactSolution) -> Vec<ContactRow> {
     let hertz = 2.0 * LOAD.si() / (std::f64::consts::PI * HALF_WIDTH.si());
-    // Displacement counts from the datum; from its least value it is the shape that is seen.
+    // The displacement is relative to a datum; only its shape matters, so the least value is subtracted.
     let least = solution
         .displacement
         .iter()
@@ -155,7 +154,7 @@ fn rows(surfaces: &[Profile; 2], gap: &[f64], solution: &ContactSolution) -> Vec
             let um = |length: f64| digits(length * MICRO);
             let mpa = |pressure: f64| digits(pressure * 1e-6);
             let ellipse = (1.0 - (x / HALF_WIDTH.si()).powi(2)).max(0.0).sqrt();
-            Row {
+            ContactRow {
                 x_um: um(x),
                 height_first_um: um(surfaces[0].heights()[i]),
                 height_second_um: um(surfaces[1].heights()[i]),
@@ -173,14 +172,14 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
     const TABLE: &str = "fig06_subsurface.csv";
     const DEPTHS: usize = 32;
     const BINS: usize = 120;
-    /// Range shown, in half widths: asperities are felt near the surface.
+    /// Range of the chart in half widths: the effect of asperities is limited to the surface.
     const REACH: [f64; 2] = [1.2, 0.5];
     let depths = graded_depths(SPACING, HALF_WIDTH, DEPTHS).map_err(PositionError::from)?;
     let field = subsurface_stress(&solution.pressure, None, SPACING, &depths)
         .map_err(PositionError::from)?;
     let stress = field.von_mises(POISSON).map_err(PositionError::from)?;
     #[derive(Serialize)]
-    struct Cell {
+    struct StressRow {
         x_um: f64,
         depth_um: f64,
         von_mises_mpa: f64,
@@ -197,10 +196,10 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
         stresses.fold(ends, |[low, high], s| [low.min(s), high.max(s)])
     };
     let columns = thin(&near, BINS, |i| x[*i], extremes);
-    let cells: Vec<Cell> = rows
+    let cells: Vec<StressRow> = rows
         .iter()
         .flat_map(|j| columns.iter().map(move |i| (*i, *j)))
-        .map(|(i, j)| Cell {
+        .map(|(i, j)| StressRow {
             x_um: x[i],
             depth_um: digits(depths[j] * MICRO),
             von_mises_mpa: digits(stress[j * x.len() + i] * 1e-6),

@@ -1,4 +1,4 @@
-//! Fig. 9 to 13: the reference case of the paper's Table 2.
+//! Fig. 9 to 13: reference case of the paper's Table 2.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use asperity_report::tables::write;
 use super::figure::{Figure, FigureError};
 use super::pies;
 
-/// File, chart of the report, title, table it is kept in.
+/// File, chart of the report, title, table.
 const FIGURES: &[(&str, &str, &str, &str)] = &[
     (
         "fig09a_touch",
@@ -75,8 +75,8 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
     }
     let mut figures = pies::figures(&result.summary, folder)?;
     for &(name, id, title, table) in FIGURES {
-        let found = drawings.iter().find(|drawing| drawing.id() == id);
-        let drawing = found.ok_or(FigureError::NoContact { table })?;
+        let drawing = drawings.iter().find(|drawing| drawing.id() == id);
+        let drawing = drawing.ok_or(FigureError::NoContact { table })?;
         let drawing = renamed(drawing.clone(), title, table);
         if let Some(near) = zoomed(&drawing) {
             figures.push(near);
@@ -101,7 +101,7 @@ fn renamed(mut drawing: Drawing, title: &str, table: &str) -> Drawing {
     drawing
 }
 
-/// Contact stress and the stress below it under a few asperities.
+/// Contact stress and subsurface stress of a few asperities.
 fn zoomed(drawing: &Drawing) -> Option<Figure> {
     let [low, high] = ZOOM_UM;
     let near = |axis: &Axis| axis.clone().within(low, high);

@@ -1,4 +1,4 @@
-//! Fig. 8: the pressure difference across thin and thick films.
+//! Fig. 8: pressure difference across thin and thick films.
 
 use std::path::Path;
 
@@ -17,10 +17,10 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
         "Fig. 8: difference across the film, rolling (pitch point)",
         folder,
     )?;
-    let place = Some(case.case.model.position);
+    let position = Some(case.case.model.position);
     let sliding = chart(
         case,
-        place,
+        position,
         "fig08b_sliding.csv",
         "Fig. 8: the same where the flanks slide",
         folder,
@@ -39,15 +39,15 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
 
 fn chart(
     case: &LoadedCase,
-    place: Option<f64>,
+    position: Option<f64>,
     table: &str,
     title: &str,
     folder: &Path,
 ) -> Result<Chart, FigureError> {
-    let found = film(case, place)?;
-    write(&folder.join(table), found.rows.iter())?;
-    let thickness: Vec<f64> = found.rows.iter().map(|row| row.thickness_m * 1e6).collect();
-    let of = |value: fn(&FilmRow) -> f64| found.rows.iter().map(value).collect::<Vec<f64>>();
+    let film = film(case, position)?;
+    write(&folder.join(table), film.rows.iter())?;
+    let thickness: Vec<f64> = film.rows.iter().map(|row| row.thickness_m * 1e6).collect();
+    let of = |value: fn(&FilmRow) -> f64| film.rows.iter().map(value).collect::<Vec<f64>>();
     let id = table.trim_end_matches(".csv");
     Ok(Chart::new(
         id,
@@ -68,5 +68,5 @@ fn chart(
         &thickness,
         &of(|row| row.reynolds_cross_pa.abs()),
     ))
-    .level(found.hertz_pressure_pa, "Hertz pressure"))
+    .level(film.hertz_pressure_pa, "Hertz pressure"))
 }

@@ -3,7 +3,7 @@
 use asperity::case::Case;
 use serde::{Deserialize, Serialize};
 
-/// Nodes of a map, each axis rising.
+/// Nodes of a map, ascending along each axis.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Axes {
     /// Torque at the pinion \[N m\].
@@ -14,17 +14,17 @@ pub struct Axes {
     pub temperature_c: Vec<f64>,
 }
 
-/// Why values make no axis.
+/// Error of an axis.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AxisError {
-    /// The text is no axis.
+    /// The text is not an axis.
     #[error("{text:?} is no axis; write a list as 10,20,50, or 10..100:5, or 10..100:5:log")]
     Text {
         /// The text.
         text: String,
     },
-    /// A value that the axis cannot have.
+    /// A value is not permitted.
     #[error("{value} {unit} is no node of an axis of the {axis}: {rule}")]
     Value {
         /// Name of the axis.
@@ -36,37 +36,37 @@ pub enum AxisError {
         /// Rule.
         rule: &'static str,
     },
-    /// No value, or too many.
+    /// The axis has no or too many values.
     #[error("an axis of the {axis} with {count} nodes; from 1 to {most} are possible")]
     Count {
         /// Name of the axis.
         axis: &'static str,
         /// Number of nodes.
         count: usize,
-        /// Most nodes.
+        /// Largest number of nodes.
         most: usize,
     },
 }
 
-/// Most nodes of an axis.
+/// Largest number of nodes of an axis.
 const MOST: usize = 1000;
-/// Torques from the smallest to the largest of the default axis.
+/// Number of positive torques of the default axis.
 const TORQUES: usize = 12;
-/// Smallest torque of the default axis over the largest.
+/// Smallest torque of the default axis relative to the largest.
 const SMALLEST: f64 = 0.01;
-/// Speeds above 1 1/min of the default axis.
+/// Number of speeds above 1 1/min of the default axis.
 const SPEEDS: usize = 16;
-/// Digits of default nodes, so that they are read and typed with ease.
+/// Digits of default nodes, few for readability.
 const DIGITS: i32 = 4;
-/// Coldest node \[°C\].
+/// Lowest temperature \[°C\].
 const ABSOLUTE_ZERO: f64 = -273.15;
 
 impl Axes {
-    /// Axes of these nodes: sorted, each once, with a node at no torque where there are torques of both signs,
-    /// and one at standstill. Loss torque has a kink at torque 0 that no interpolation finds again.
+    /// Makes axes of distinct, sorted nodes. A node at standstill is added, and a node at zero torque if there are torques
+    /// of both signs: the loss torque has a kink there, which interpolation would lose.
     ///
     /// # Errors
-    /// When an axis is empty or a node cannot be.
+    /// When an axis is empty or a node is not permitted.
     pub fn new(
         torque_nm: &[f64],
         speed_rpm: &[f64],
@@ -93,11 +93,11 @@ impl Axes {
         })
     }
 
-    /// The default torques of `case`: 0, then geometric from 1 % of the largest, mirrored.
+    /// Default torques of `case`: 0, a geometric series from 1 % of the largest, and the same with negative sign.
     #[must_use]
     pub fn default_torque(case: &Case) -> Vec<f64> {
-        let given = case.input.map.and_then(|map| map.torque_max);
-        let most = given.unwrap_or(case.torque).si().abs();
+        let limit = case.input.map.and_then(|map| map.torque_max);
+        let most = limit.unwrap_or(case.torque).si().abs();
         let step = SMALLEST.powf(-1.0 / (TORQUES - 1) as f64);
         let node = |k: usize| rounded(most * SMALLEST * step.powi(k as i32));
         let drive = (0..TORQUES).map(|k| if k + 1 == TORQUES { most } else { node(k) });
@@ -107,11 +107,11 @@ impl Axes {
             .collect()
     }
 
-    /// The default speeds of `case`: 0, 1 1/min, then closer at low speed.
+    /// Default speeds of `case`: 0, 1 1/min, then with smaller steps at low speed.
     #[must_use]
     pub fn default_speed(case: &Case) -> Vec<f64> {
-        let given = case.input.map.and_then(|map| map.speed_max);
-        let most = given.unwrap_or(case.speed).si() * 30.0 / std::f64::consts::PI;
+        let limit = case.input.map.and_then(|map| map.speed_max);
+        let most = limit.unwrap_or(case.speed).si() * 30.0 / std::f64::consts::PI;
         let node = |k: usize| rounded(most * (k as f64 / SPEEDS as f64).powi(2));
         [0.0, 1.0]
             .into_iter()
@@ -119,26 +119,26 @@ impl Axes {
             .collect()
     }
 
-    /// The temperature of `case`.
+    /// Default temperature: the one of `case`.
     #[must_use]
     pub fn default_temperature(case: &Case) -> Vec<f64> {
         vec![rounded(case.temperature.celsius())]
     }
 
-    /// Points of the map.
+    /// Number of points of the map.
     #[must_use]
     pub fn points(&self) -> usize {
         self.torque_nm.len() * self.speed_rpm.len() * self.temperature_c.len()
     }
 
-    /// Number of a point: temperature by temperature, torque by torque, speed by speed.
+    /// Index of a point, in the order of temperature, torque and speed.
     #[must_use]
     pub fn index(&self, temperature: usize, torque: usize, speed: usize) -> usize {
         (temperature * self.torque_nm.len() + torque) * self.speed_rpm.len() + speed
     }
 }
 
-/// The nodes that a text means: `10,20,50`, `10..100:5` in equal steps, or `10..100:5:log` in equal ratios.
+/// Parses nodes: `10,20,50`, `10..100:5` in equal steps, or `10..100:5:log` in equal ratios.
 ///
 /// # Errors
 /// When the text is none of these.
@@ -213,7 +213,7 @@ fn check(
 }
 
 fn rising(mut values: Vec<f64>) -> Vec<f64> {
-    // Minus zero is zero.
+    // −0 becomes 0.
     values.iter_mut().for_each(|value| *value += 0.0);
     values.sort_by(f64::total_cmp);
     values.dedup();
@@ -224,7 +224,7 @@ fn rounded(value: f64) -> f64 {
     rounded_to(value, DIGITS)
 }
 
-/// The number nearest to `value` with so many digits, as text has it.
+/// `value` rounded to `digits` decimal digits.
 fn rounded_to(value: f64, digits: i32) -> f64 {
     let text = format!("{value:.*e}", (digits - 1).max(0) as usize);
     text.parse().unwrap_or(value)

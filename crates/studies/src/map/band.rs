@@ -1,29 +1,29 @@
-//! The points of a map whose loss has a band.
+//! Points of a map with a band of the loss.
 
 use std::collections::BTreeSet;
 
 use super::axes::Axes;
 
-/// Points at which the band of a loss is computed: parameters that nobody knows well, and the sampling of the flanks.
+/// Points at which the band of the loss is computed: uncertain parameters and sampling of the flanks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MapBand {
-    /// Nowhere.
+    /// No points.
     None,
     /// Lowest, middle and highest torque and speed, at every temperature.
     #[default]
     Nodes,
-    /// Wherever the traces resolve the contact: some twenty times the work of the map.
+    /// All points at which the traces resolve the contact: about twenty times the work of the map.
     Full,
 }
 
-/// Torques and speeds that have a band; those of the map whose contacts are resolved and that turn.
+/// Torques and speeds with a band, among those with resolved contacts and rotation.
 pub(super) struct Banded {
     torques: BTreeSet<u64>,
     speeds: BTreeSet<u64>,
 }
 
 impl Banded {
-    /// The places of `axes` on the side of a map whose smallest resolved torque is `from`.
+    /// Points of `axes` on the side of a map whose smallest resolved torque is `from`.
     pub(super) fn of(band: MapBand, axes: &Axes, from: f64, is_side: impl Fn(f64) -> bool) -> Self {
         let torques = axes.torque_nm.iter().filter(|torque| is_side(**torque));
         let torques = torques.map(|torque| torque.abs());
@@ -41,7 +41,7 @@ impl Banded {
 }
 
 fn chosen(band: MapBand, values: impl Iterator<Item = f64>) -> BTreeSet<u64> {
-    // Bits of numbers above zero rise as the numbers do.
+    // The bits of positive numbers have the order of the numbers.
     let all: BTreeSet<u64> = values.map(f64::to_bits).collect();
     let places = match (band, all.len()) {
         (MapBand::None, _) | (_, 0) => return BTreeSet::new(),

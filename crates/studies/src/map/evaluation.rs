@@ -17,50 +17,54 @@ use rayon::prelude::*;
 use super::axes::Axes;
 use super::point::MapGearbox;
 
-/// Losses at one operating point, with what the other direction of the power changes.
+/// Losses at one operating point, also for the other direction of power.
 #[derive(Debug, Clone)]
 pub(super) struct Evaluated {
     pub losses: Losses,
     pub reversed: Option<Reversed>,
     /// Speed of the pinion \[rad/s\].
     pub omega: f64,
-    /// 5 % and 95 % quantiles of the loss \[W\], where they were asked for.
+    /// 5 % and 95 % quantiles of the loss \[W\], if requested.
     pub quantiles_w: Option<[f64; 2]>,
 }
 
-/// Speed that stands for standstill \[1/min\].
+/// Speed at which standstill is computed \[1/min\].
 pub(super) const CRAWL: f64 = 1.0;
 
-/// The speeds at which a map is computed \[1/min\].
+/// Speeds at which a map is computed \[1/min\].
 pub(super) fn computed_speeds(axes: &Axes) -> Vec<f64> {
-    let mut speeds: Vec<f64> = axes.speed_rpm.iter().map(|speed| shown(*speed)).collect();
+    let mut speeds: Vec<f64> = axes
+        .speed_rpm
+        .iter()
+        .map(|speed| computed_speed(*speed))
+        .collect();
     speeds.sort_by(f64::total_cmp);
     speeds.dedup();
     speeds
 }
 
-/// The speed that stands for `speed`.
-pub(super) fn shown(speed: f64) -> f64 {
+/// Speed at which `speed` is computed.
+pub(super) fn computed_speed(speed: f64) -> f64 {
     if speed == 0.0 { CRAWL } else { speed }
 }
 
-/// The case at `torque`, with nothing asked of it but its losses.
+/// The case at `torque`, reduced to its mesh losses.
 pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase, Error> {
     case.with(|input| {
         input.operation.torque = torque;
         input.model.run_in = None;
-        // The gearbox is the same for every finish, and is added to the map as a whole.
+        // The gearbox is the same for every finish and is added to the map once.
         input.gearbox = None;
     })
 }
 
-/// Every speed and temperature at one torque: temperature by temperature; with a band at the speeds that have one.
+/// Evaluates all speeds and temperatures at one torque, by temperature, with a band at the speeds that have one.
 pub(super) fn evaluate(
     case: &LoadedCase,
     torque: Torque,
     (speeds, temperatures): (&[f64], &[f64]),
     is_banded: &(dyn Fn(f64) -> bool + Sync),
-    told: &(dyn Fn() + Sync),
+    progress: &(dyn Fn() + Sync),
 ) -> Vec<Result<Evaluated, String>> {
     let prepared = at_torque(case, torque).and_then(|case| {
         let tables = match case.case.formulation {
@@ -69,21 +73,21 @@ pub(super) fn evaluate(
         };
         Ok((case, tables))
     });
-    let places: Vec<(f64, f64)> = temperatures
+    let nodes: Vec<(f64, f64)> = temperatures
         .iter()
         .flat_map(|temperature| speeds.iter().map(move |speed| (*speed, *temperature)))
         .collect();
     let code = |error: &Error| error.code().to_owned();
     let (case, tables) = match &prepared {
         Ok(prepared) => prepared,
-        Err(error) => return places.iter().map(|_| Err(code(error))).collect(),
+        Err(error) => return nodes.iter().map(|_| Err(code(error))).collect(),
     };
-    places
+    nodes
         .into_par_iter()
-        .map(|place| {
-            let found = at(case, tables.as_ref(), place, is_banded(place.0));
-            told();
-            found.map_err(|error| code(&error))
+        .map(|node| {
+            let losses = at(case, tables.as_ref(), node, is_banded(node.0));
+            progress();
+            losses.map_err(|error| code(&error))
         })
         .collect()
 }
@@ -99,28 +103,28 @@ fn at(
         input.operation.speed = speed;
         input.operation.temperature = temperature;
     })?;
-    let found = match tables {
+    let losses = match tables {
         Some(tables) => losses_with(tables, &case)?,
         None => losses(&case)?,
     };
     let quantiles_w = match is_banded {
-        true => uncertainty::quantiles(&case, &found, tables)?,
+        true => uncertainty::quantiles(&case, &losses, tables)?,
         false => None,
     };
     Ok(Evaluated {
         quantiles_w,
-        reversed: found.reversed(&case.case).ok(),
-        losses: found,
+        reversed: losses.reversed(&case.case).ok(),
+        losses,
         omega: speed.si(),
     })
 }
 
-/// As the case file would have it, to the last digit.
+/// The torque, identical to the one read from a case file.
 pub(super) fn torque_of(torque_nm: f64) -> Torque {
     Torque::from_si(torque_nm)
 }
 
-/// What the gearbox of the case loses beside the mesh at every node; none where the case states none.
+/// Losses of the gearbox besides the mesh at every node; `None` if the case states none.
 pub(super) fn gearbox_of(case: &LoadedCase, axes: &Axes) -> Result<Option<MapGearbox>, Error> {
     let case = &case.case;
     let Some(gearbox) = &case.gearbox else {
@@ -132,11 +136,11 @@ pub(super) fn gearbox_of(case: &LoadedCase, axes: &Axes) -> Result<Option<MapGea
             for &speed in &axes.speed_rpm {
                 let at = OperatingPoint {
                     torque: torque_of(torque),
-                    speed: speed_of(shown(speed)),
+                    speed: speed_of(computed_speed(speed)),
                     temperature: temperature_of(temperature),
                 };
-                let found = gearbox::loss_torque_nm(case, &at);
-                loss_torque_nm.push(found.map_err(|error| Error::Whole(Box::new(error)))?);
+                let loss_torque = gearbox::loss_torque_nm(case, &at);
+                loss_torque_nm.push(loss_torque.map_err(|error| Error::Whole(Box::new(error)))?);
             }
         }
     }
@@ -158,12 +162,12 @@ fn temperature_of(temperature_c: f64) -> Temperature {
         .unwrap_or_else(|_| Temperature::from_celsius(temperature_c))
 }
 
-/// The smallest torque \[N m\] of the sign of `sign` whose contacts the traces resolve, to a part in 4000; for
-/// flanks without traces a thousandth of the torque of the case.
+/// Smallest torque \[N m\] with the sign of `sign` whose contacts the traces resolve, to one part in 4000. For flanks
+/// without traces, a thousandth of the torque of the case.
 pub(super) fn resolved_from(case: &LoadedCase, sign: f64) -> Result<f64, Error> {
-    /// Halvings of a factor of two.
+    /// Number of bisections of a factor of two.
     const HALVINGS: usize = 12;
-    /// Factors of two that are tried to either side.
+    /// Number of factors of two that are tried in either direction.
     const REACH: usize = 24;
     let begin = case.case.torque.si().abs();
     let is_resolved = |torque: f64| -> Result<bool, Error> {
@@ -197,7 +201,7 @@ pub(super) fn resolved_from(case: &LoadedCase, sign: f64) -> Result<f64, Error> 
     Ok(high)
 }
 
-/// Whether the traces resolve every contact that must be.
+/// Whether the traces resolve all contacts.
 fn resolves(case: &LoadedCase) -> Result<bool, asperity::PositionError> {
     let [Texture::Trace(first), Texture::Trace(_)] = case.surfaces.textures() else {
         return Ok(true);

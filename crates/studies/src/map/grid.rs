@@ -1,4 +1,4 @@
-//! The work of a map.
+//! Computation of a map.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -14,7 +14,8 @@ use asperity::result::{Losses, OffsetRow};
 use super::axes::Axes;
 use super::band::{Banded, MapBand};
 use super::evaluation::{
-    Evaluated, at_torque, computed_speeds, evaluate, gearbox_of, resolved_from, shown, torque_of,
+    Evaluated, at_torque, computed_speed, computed_speeds, evaluate, gearbox_of, resolved_from,
+    torque_of,
 };
 use super::point::{EXTENDED, FinishMap, Map, MapWarning, Numbers, Point, ranges};
 use crate::compare::{Finish, files};
@@ -22,8 +23,8 @@ use crate::compare::{Finish, files};
 /// Version of the structure of `map.json`.
 const SCHEMA_VERSION: u32 = 1;
 
-/// Losses of every finish at every node of `axes`, with bands where `band` says. Points without a result have the code of
-/// their error.
+/// Computes the losses of every finish at every node of `axes`, with bands at the points of `band`. A point without a
+/// result has its error code.
 ///
 /// # Errors
 /// When there is no finish, or none of its points has a result.
@@ -33,7 +34,7 @@ pub fn map(
     band: MapBand,
     progress: Progress<'_>,
 ) -> Result<Map, Error> {
-    // A table that does not reach the map is told before the work.
+    // A table that does not cover the map is an error before the computation.
     let gearbox = match finishes.first() {
         Some(first) => gearbox_of(&first.case, axes)?,
         None => None,
@@ -47,9 +48,9 @@ pub fn map(
     let each = speeds.len() * axes.temperature_c.len();
     let total: usize = sides.iter().map(|sides| sides.torques().len() * each).sum();
     let done = AtomicUsize::new(0);
-    let told = || progress(1 + done.fetch_add(1, Ordering::Relaxed), total);
+    let progress = || progress(1 + done.fetch_add(1, Ordering::Relaxed), total);
     for (finish, sides) in finishes.iter().zip(&sides) {
-        maps.push(of_finish(finish, sides, (axes, &speeds), band, &told)?);
+        maps.push(of_finish(finish, sides, (axes, &speeds), band, &progress)?);
     }
     let first = finishes.first().map(|finish| &finish.case.case);
     let Some(case) = first else {
@@ -74,9 +75,9 @@ pub fn map(
 struct Sides {
     /// Smallest resolved torques, drive and coast.
     from: [f64; 2],
-    /// The coast flanks are other flanks.
+    /// Whether the case has separate coast flanks.
     has_coast: bool,
-    wanted: [Vec<f64>; 2],
+    torques: [Vec<f64>; 2],
 }
 
 impl Sides {
@@ -88,36 +89,36 @@ impl Sides {
             false => drive,
         };
         let from = [drive, coast];
-        let mut wanted = [Vec::new(), Vec::new()];
+        let mut torques = [Vec::new(), Vec::new()];
         for &torque in &axes.torque_nm {
             let side = usize::from(has_coast && torque < 0.0);
-            wanted[side].push(torque.abs().max(from[side]));
+            torques[side].push(torque.abs().max(from[side]));
         }
-        for torques in &mut wanted {
+        for torques in &mut torques {
             torques.sort_by(f64::total_cmp);
             torques.dedup();
         }
         Ok(Self {
             from,
             has_coast,
-            wanted,
+            torques,
         })
     }
 
-    /// Places with a band of one side, which is both of a finish without coast flanks.
+    /// Points with a band of one side; of both sides for a finish without coast flanks.
     fn banded(&self, band: MapBand, axes: &Axes, side: usize) -> Banded {
         let is_side = |torque: f64| side == usize::from(self.has_coast && torque < 0.0);
         Banded::of(band, axes, self.from[side], is_side)
     }
 
-    /// Side and torque of all that is computed.
+    /// Side and torque of all contacts that are solved.
     fn torques(&self) -> Vec<(usize, f64)> {
-        let of = |side: usize| self.wanted[side].iter().map(move |torque| (side, *torque));
+        let of = |side: usize| self.torques[side].iter().map(move |torque| (side, *torque));
         of(0).chain(of(1)).collect()
     }
 }
 
-/// What was computed, by side and bits of the torque.
+/// Evaluated points by side and bits of the torque.
 type Computed = BTreeMap<(usize, u64), Vec<Result<Evaluated, String>>>;
 
 fn of_finish(
@@ -125,30 +126,30 @@ fn of_finish(
     sides: &Sides,
     (axes, speeds): (&Axes, &[f64]),
     band: MapBand,
-    told: &(dyn Fn() + Sync),
+    progress: &(dyn Fn() + Sync),
 ) -> Result<FinishMap, Error> {
     let banded = [0, 1].map(|side| sides.banded(band, axes, side));
     let mut computed = Computed::new();
     for (side, torque) in sides.torques() {
         let sign = if side == 1 { -1.0 } else { 1.0 };
-        let places = (speeds, axes.temperature_c.as_slice());
+        let nodes = (speeds, axes.temperature_c.as_slice());
         let is_banded = |speed: f64| banded[side].has(torque, speed);
         let torque_there = torque_of(sign * torque);
-        let found = evaluate(&finish.case, torque_there, places, &is_banded, told);
+        let evaluated = evaluate(&finish.case, torque_there, nodes, &is_banded, progress);
         checkpoint()?;
-        computed.insert((side, torque.to_bits()), found);
+        computed.insert((side, torque.to_bits()), evaluated);
     }
     let mut points = Vec::with_capacity(axes.points());
     for (row, &temperature_c) in axes.temperature_c.iter().enumerate() {
         for &torque_nm in &axes.torque_nm {
             for &speed_rpm in &axes.speed_rpm {
-                let place = [torque_nm, speed_rpm, temperature_c];
-                points.push(point(&computed, sides, speeds, row, place));
+                let node = [torque_nm, speed_rpm, temperature_c];
+                points.push(point(&computed, sides, speeds, row, node));
             }
         }
     }
     if points.iter().all(|point| point.numbers.is_none()) {
-        // Told in full by a run of the case.
+        // A run of the case gives the full message.
         let case = at_torque(&finish.case, finish.case.case.torque)?;
         asperity::losses(&case)?;
     }
@@ -157,7 +158,7 @@ fn of_finish(
         false => None,
     };
     let drive = at_torque(&finish.case, torque_of(sides.from[0]))?;
-    // The case names the gearbox, each side its flanks.
+    // The case states the gearbox, each side its flanks.
     let cases = [Some(&finish.case), Some(&drive), coast.as_ref()];
     let fingerprint = cases
         .into_iter()
@@ -184,10 +185,10 @@ fn point(
 ) -> Point {
     let side = usize::from(sides.has_coast && torque_nm < 0.0);
     let at = torque_nm.abs().max(sides.from[side]);
-    let column = speeds.partition_point(|speed| *speed < shown(speed_rpm));
-    let found = computed
+    let column = speeds.partition_point(|speed| *speed < computed_speed(speed_rpm));
+    let evaluated = computed
         .get(&(side, at.to_bits()))
-        .and_then(|found| found.get(row * speeds.len() + column));
+        .and_then(|values| values.get(row * speeds.len() + column));
     let mut point = Point {
         torque_nm,
         speed_rpm,
@@ -196,19 +197,19 @@ fn point(
         outside: Vec::new(),
         code: None,
     };
-    match found {
-        Some(Ok(found)) => {
-            point.outside.clone_from(&found.losses.outside);
+    match evaluated {
+        Some(Ok(evaluated)) => {
+            point.outside.clone_from(&evaluated.losses.outside);
             let is_extended = torque_nm.abs() < sides.from[side];
             if is_extended {
                 point.outside.push(EXTENDED.to_owned());
             }
             let computed_at = if side == 1 { -at } else { at };
             let numbers = match is_extended {
-                true => extended(found, torque_nm, at),
-                false => numbers(found, (torque_nm < 0.0) != (computed_at < 0.0)),
+                true => extended(evaluated, torque_nm, at),
+                false => numbers(evaluated, (torque_nm < 0.0) != (computed_at < 0.0)),
             };
-            match check(&numbers, found.omega, torque_nm) {
+            match check(&numbers, evaluated.omega, torque_nm) {
                 Err(error) => point.code = Some(error.code().to_owned()),
                 Ok(()) if speed_rpm == 0.0 => point.numbers = Some(at_standstill(numbers)),
                 Ok(()) => point.numbers = Some(numbers),
@@ -243,10 +244,10 @@ fn deformation(losses: &Losses) -> f64 {
     bodies + losses.running_in.included_w()
 }
 
-/// The losses as they were computed, or with the other gear driving.
-fn numbers(found: &Evaluated, is_reversed: bool) -> Numbers {
-    let summary = &found.losses.summary;
-    let (efficiency, deviation, mu) = match (is_reversed, &found.reversed) {
+/// The losses as computed, or with the other gear driving.
+fn numbers(evaluated: &Evaluated, is_reversed: bool) -> Numbers {
+    let summary = &evaluated.losses.summary;
+    let (efficiency, deviation, mu) = match (is_reversed, &evaluated.reversed) {
         (false, _) => (
             Some(summary.efficiency),
             summary.efficiency_deviation,
@@ -259,12 +260,19 @@ fn numbers(found: &Evaluated, is_reversed: bool) -> Numbers {
         ),
         (true, None) => (None, None, None),
     };
-    let losses: Vec<f64> = found.losses.offsets.iter().map(|row| row.loss_w).collect();
+    let losses: Vec<f64> = evaluated
+        .losses
+        .offsets
+        .iter()
+        .map(|row| row.loss_w)
+        .collect();
     Numbers {
         loss_w: summary.loss_w,
-        loss_torque_nm: summary.loss_w / found.omega,
-        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / found.omega),
-        loss_torque_quantiles_nm: found.quantiles_w.map(|both| both.map(|w| w / found.omega)),
+        loss_torque_nm: summary.loss_w / evaluated.omega,
+        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / evaluated.omega),
+        loss_torque_quantiles_nm: evaluated
+            .quantiles_w
+            .map(|both| both.map(|w| w / evaluated.omega)),
         efficiency,
         efficiency_deviation: deviation,
         sliding_w: summary.sliding_w,
@@ -272,22 +280,22 @@ fn numbers(found: &Evaluated, is_reversed: bool) -> Numbers {
         lubricated_asperity_w: summary.lubricated_asperity_w,
         boundary_w: summary.boundary_w,
         rolling_w: summary.rolling_w,
-        deformation_w: deformation(&found.losses),
+        deformation_w: deformation(&evaluated.losses),
         mu_equivalent: mu,
         mixed_share: summary.mixed_share,
     }
 }
 
-/// The losses at a torque below the smallest resolved one: the rolling loss of that, and of its other losses the
-/// share of the torque.
-fn extended(found: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
-    let summary = &found.losses.summary;
+/// Losses below the smallest resolved torque: the rolling loss at that torque, and its other losses in proportion to
+/// the torque.
+fn extended(evaluated: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
+    let summary = &evaluated.losses.summary;
     let share = torque_nm.abs() / at;
     let scaled = |row: &OffsetRow| row.rolling_w + share * (row.loss_w - row.rolling_w);
-    let losses: Vec<f64> = found.losses.offsets.iter().map(scaled).collect();
+    let losses: Vec<f64> = evaluated.losses.offsets.iter().map(scaled).collect();
     let count = losses.len() as f64;
     let loss_w = losses.iter().sum::<f64>() / count;
-    let pinion_w = torque_nm.abs() * found.omega;
+    let pinion_w = torque_nm.abs() * evaluated.omega;
     let efficiency_of = |loss: &f64| match torque_nm < 0.0 {
         true => 1.0 - loss / (pinion_w + loss),
         false => 1.0 - loss / pinion_w,
@@ -301,8 +309,8 @@ fn extended(found: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
     let efficiency = is_whole.then(|| efficiency_of(&loss_w));
     Numbers {
         loss_w,
-        loss_torque_nm: loss_w / found.omega,
-        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / found.omega),
+        loss_torque_nm: loss_w / evaluated.omega,
+        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / evaluated.omega),
         loss_torque_quantiles_nm: None,
         efficiency,
         efficiency_deviation: is_whole.then(|| deviation_of(&efficiencies)).flatten(),
@@ -311,13 +319,13 @@ fn extended(found: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
         lubricated_asperity_w: share * summary.lubricated_asperity_w,
         boundary_w: share * summary.boundary_w,
         rolling_w: summary.rolling_w,
-        deformation_w: share * deformation(&found.losses),
+        deformation_w: share * deformation(&evaluated.losses),
         mu_equivalent: efficiency.map(|value| (1.0 - value) / summary.loss_factor_local),
         mixed_share: summary.mixed_share,
     }
 }
 
-/// Without speed there is no power, and the loss torque is left.
+/// Numbers at standstill: no power, but a loss torque.
 fn at_standstill(numbers: Numbers) -> Numbers {
     Numbers {
         loss_w: 0.0,
@@ -333,7 +341,7 @@ fn at_standstill(numbers: Numbers) -> Numbers {
     }
 }
 
-/// Sample standard deviation; none of fewer than two values.
+/// Sample standard deviation; `None` for fewer than two values.
 fn deviation_of(values: &[f64]) -> Option<f64> {
     let n = values.len();
     if n < 2 {
@@ -344,16 +352,16 @@ fn deviation_of(values: &[f64]) -> Option<f64> {
     Some((square / (n - 1) as f64).sqrt())
 }
 
-/// What left its range in a finish, and the points without a result.
+/// Inputs out of range in a finish, and points without a result.
 fn warnings(finish: &FinishMap) -> Vec<MapWarning> {
-    let mut found: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    let mut rows_of: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for (index, point) in finish.points.iter().enumerate() {
         for text in &point.outside {
-            found.entry(text.clone()).or_default().push(index);
+            rows_of.entry(text.clone()).or_default().push(index);
         }
         if let Some(code) = &point.code {
             let text = format!("{code} no result");
-            found.entry(text).or_default().push(index);
+            rows_of.entry(text).or_default().push(index);
         }
     }
     let warning = |(text, at): (String, Vec<usize>)| MapWarning {
@@ -362,7 +370,7 @@ fn warnings(finish: &FinishMap) -> Vec<MapWarning> {
         count: at.len(),
         points: ranges(&at),
     };
-    found.into_iter().map(warning).collect()
+    rows_of.into_iter().map(warning).collect()
 }
 
 #[cfg(test)]
@@ -377,7 +385,7 @@ mod tests {
         let sides = Sides {
             from: [40.0; 2],
             has_coast: false,
-            wanted: [vec![40.0], Vec::new()],
+            torques: [vec![40.0], Vec::new()],
         };
         let point = point(&computed, &sides, &[3000.0], 0, [torque_nm, 3000.0, 90.0]);
         assert_eq!(point.numbers.is_none(), point.code.is_some());

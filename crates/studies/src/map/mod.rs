@@ -1,13 +1,13 @@
 //! Losses of a mesh over torque, speed and temperature.
 //!
-//! Every point is that of a run of the case at this torque, speed and temperature, to the last digit. The rough
-//! contact of a torque is made once for all speeds and temperatures; nothing is carried from torque to torque. The
-//! losses of a torque hold for its negative as well, unless the case names coast flanks.
+//! Every point is identical to a run of the case at its torque, speed and temperature. The rough contact of a torque is
+//! solved once for all speeds and temperatures; torques are independent. The losses of a torque apply to the negative
+//! torque as well, unless the case states coast flanks.
 //!
 //! | point | rule |
 //! |---|---|
-//! | torque 0 | rolling alone: the limit of the sliding loss, which falls with the torque |
-//! | torque below the smallest whose contact the traces resolve | sliding of that torque, scaled; marked `extended` |
+//! | torque 0 | only rolling: sliding loss vanishes with the torque |
+//! | torque below the smallest resolved by the traces | sliding loss at that torque, scaled; marked `extended` |
 //! | speed 0 | loss torque at 1 1/min |
 //!
 //! ```
@@ -46,6 +46,5 @@ pub use grid::map;
 pub use page::loss_field;
 pub use point::{EXTENDED, FinishMap, Map, MapGearbox, MapWarning, Numbers, Point, ranges};
 pub use read::{MapError, read};
-pub use summary::summary;
 pub use surface::{Interpolated, Surface};
-pub use write::{EXPORTS, check_place, write};
+pub use write::{EXPORTS, MapExtras};

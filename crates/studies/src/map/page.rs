@@ -1,4 +1,4 @@
-//! The page of a map.
+//! Page of a map.
 
 use asperity_report::chart::{Axis, Contour, Drawing};
 use asperity_report::html::{figure, page};
@@ -8,13 +8,13 @@ use super::axes::Axes;
 use super::point::{FinishMap, Map, Numbers, Point};
 use super::summary::left_aside;
 
-/// Levels of the efficiency \[%\].
+/// Contour levels of the efficiency \[%\].
 const EFFICIENCIES: [f64; 11] = [
     0.0, 90.0, 95.0, 97.0, 98.0, 98.5, 99.0, 99.2, 99.4, 99.6, 99.8,
 ];
-/// Bands of a field.
+/// Approximate number of bands of a field.
 const BANDS: f64 = 10.0;
-/// Most temperatures that are drawn.
+/// Largest number of temperatures that are drawn.
 const TEMPERATURES: usize = 3;
 
 pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
@@ -31,7 +31,7 @@ pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
             "Loss",
             html! {
                 p { "Loss of the " (map.scope) " over torque and speed of the pinion; negative torque: the wheel drives. "
-                    "Hatched: a correlation is outside its range there that the case itself keeps, or the sliding loss is scaled." }
+                    "Hatched: a correlation is extrapolated, or the sliding loss is scaled." }
                 (each(&|finish, at| loss(map, finish, at, visited)))
             },
         ),
@@ -49,7 +49,7 @@ pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
     page(&map.title, &subtitle, &sections)
 }
 
-/// The temperatures that are drawn: the ends and the middle of many.
+/// Temperatures that are drawn: the lowest, the middle and the highest.
 fn drawn(axes: &Axes) -> Vec<usize> {
     let count = axes.temperature_c.len();
     match count <= TEMPERATURES {
@@ -58,7 +58,7 @@ fn drawn(axes: &Axes) -> Vec<usize> {
     }
 }
 
-/// The field of a finish over torque and speed.
+/// Field of a finish over torque and speed.
 fn field(map: &Map, finish: &FinishMap, temperature: usize, of: &dyn Fn(&Point) -> f64) -> Contour {
     let axes = &map.axes;
     let (torques, speeds) = (axes.torque_nm.len(), axes.speed_rpm.len());
@@ -92,18 +92,18 @@ fn field(map: &Map, finish: &FinishMap, temperature: usize, of: &dyn Fn(&Point) 
     }
 }
 
-/// Marks that the point nearest to the case's own has as well: they say nothing about where on the map.
+/// Marks that also apply at the operating point of the case, and so to the full map.
 fn usual<'a>(map: &Map, finish: &'a FinishMap) -> Vec<&'a str> {
     let operation = &map.input.operation;
     let speed = operation.speed.si() * 30.0 / std::f64::consts::PI;
-    let place = [
+    let nearest = [
         operation.torque.si(),
         speed,
         operation.temperature.celsius(),
     ];
     let far = |point: &&Point| {
         let at = [point.torque_nm, point.speed_rpm, point.temperature_c];
-        let reach = [0, 1, 2].map(|k| (at[k] - place[k]).abs() / place[k].abs().max(1.0));
+        let reach = [0, 1, 2].map(|k| (at[k] - nearest[k]).abs() / nearest[k].abs().max(1.0));
         reach.iter().sum::<f64>()
     };
     let nearest = finish
@@ -115,7 +115,7 @@ fn usual<'a>(map: &Map, finish: &'a FinishMap) -> Vec<&'a str> {
     })
 }
 
-/// Round lower edges of bands that the values span.
+/// Lower edges of bands at round numbers within the range of the values.
 fn levels(values: &[f64]) -> Vec<f64> {
     let finite = || values.iter().copied().filter(|value| value.is_finite());
     let (low, high) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
@@ -147,7 +147,7 @@ fn number(of: fn(&Numbers) -> Option<f64>) -> impl Fn(&Point) -> f64 {
     move |point| point.numbers.as_ref().and_then(of).unwrap_or(f64::NAN)
 }
 
-/// "ground, 90 °C", the temperature where there are several.
+/// Finish and, if there are several, temperature: "ground, 90 °C".
 fn named(map: &Map, finish: &FinishMap, temperature: usize) -> String {
     match map.axes.temperature_c.len() {
         1 => finish.name.clone(),
@@ -166,7 +166,7 @@ fn id(map: &Map, what: &str, finish: &FinishMap, temperature: usize) -> String {
     format!("{what}-{}-{temperature}", number.unwrap_or_default())
 }
 
-/// The loss of a finish over torque and speed with the places of a cycle; none where there is no such finish.
+/// Loss of a finish over torque and speed with the points of a cycle; `None` if the finish does not exist.
 #[must_use]
 pub fn loss_field(
     map: &Map,
@@ -199,7 +199,7 @@ fn efficiency(map: &Map, finish: &FinishMap, at: usize, visited: &[[f64; 2]]) ->
             .filter(|value| value.is_finite())
     };
     let most = finite().fold(0.0, f64::max);
-    // The first band is below all others, and is of what has no efficiency, too.
+    // The first band includes the points without efficiency.
     let levels = EFFICIENCIES.into_iter().filter(|level| *level < most);
     Some(Drawing::Contour(Contour {
         id: id(map, "efficiency", finish, at),
@@ -244,17 +244,17 @@ fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
     } }
 }
 
-/// Rows of the table of bands.
+/// Largest number of rows of the table of bands.
 const MOST_BANDS: usize = 40;
 
-/// The loss torques that have a band; of many points the first ones, and where the others are.
+/// Loss torques with a band: the first points, and a reference to the others.
 fn bands(map: &Map) -> Markup {
     let rows: Vec<_> = map
         .finishes
         .iter()
         .flat_map(|finish| finish.points.iter().map(move |point| (finish, point)))
         .filter(|(finish, point)| {
-            // The same flanks lose the same in either direction, and at rest as at 1 1/min.
+            // The same flanks have the same loss in either direction, and at standstill the loss torque of 1 1/min.
             let is_own = point.torque_nm > 0.0 || !finish.coast_files.is_empty();
             is_own && point.speed_rpm > 0.0
         })
@@ -269,8 +269,8 @@ fn bands(map: &Map) -> Markup {
     }
     let percent = |value: f64, nominal: f64| format!("{:+.0} %", 100.0 * (value / nominal - 1.0));
     html! {
-        p { "Loss torque with its 5 to 95 % band over the parameters that nobody knows well and the sampling of the flanks, as "
-            "that of a run; the same at negative torque, unless there are coast flanks." }
+        p { "Loss torque with its 5 to 95 % band over the uncertain parameters and the sampling of the flanks, as "
+            "for a run; the same at negative torque, unless there are coast flanks." }
         div.scroll { table {
             thead { tr { th { "finish" } th.number { "torque, N m" } th.number { "speed, 1/min" }
                 th.number { "temperature, °C" } th.number { "loss torque, N m" } th.number { "5 %" } th.number { "95 %" } } }
@@ -300,9 +300,9 @@ fn ranges(map: &Map) -> Markup {
     }
 }
 
-/// The whole list is in the JSON.
+/// The list of points, shortened; the JSON has the full list.
 fn shortened(points: &str) -> String {
-    /// Letters that a cell shows.
+    /// Largest number of characters of a cell.
     const MOST: usize = 60;
     match points.char_indices().nth(MOST) {
         None => points.to_owned(),

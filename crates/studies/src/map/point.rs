@@ -1,4 +1,4 @@
-//! A map as data.
+//! Data of a map.
 
 use asperity::case::{CaseInput, DefaultUsed};
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::axes::Axes;
 use super::surface::Surface;
 
-/// Mark of points below the smallest torque whose contact the traces resolve.
+/// Mark of points below the smallest torque that the traces resolve.
 pub const EXTENDED: &str = "extended";
 
 /// Losses of a mesh over torque, speed and temperature.
@@ -14,61 +14,60 @@ pub const EXTENDED: &str = "extended";
 pub struct Map {
     /// Version of this structure.
     pub schema_version: u32,
-    /// The program and its version.
+    /// Program and version.
     pub program: String,
-    /// The case's title.
+    /// Title of the case.
     pub title: String,
-    /// What loses at the points: `mesh`, no bearings, seals or churning.
+    /// Scope of the losses: `mesh`, without bearings, seals and churning.
     pub scope: String,
-    /// The gearbox around the mesh, where the case states one; in no point, and added to exports.
+    /// Losses of the gearbox, if the case states them; not included in the points, added to exports.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gearbox: Option<MapGearbox>,
     /// The nodes.
     pub axes: Axes,
-    /// Turns of the pinion for one turn of the wheel.
+    /// Revolutions of the pinion per revolution of the wheel.
     pub ratio: f64,
-    /// The finishes, the first one the reference of differences.
+    /// The finishes; the first is the reference of differences.
     pub finishes: Vec<FinishMap>,
-    /// What left its range, with the points that it is about.
+    /// Warnings with their points.
     pub warnings: Vec<MapWarning>,
-    /// The case as read; the traces are those of each finish.
+    /// The case as read; each finish has its own traces.
     pub input: CaseInput,
-    /// Every default that was used.
+    /// All defaults used.
     pub defaults: Vec<DefaultUsed>,
 }
 
-/// Losses beside the mesh at the points of a map, as the user of the case states them.
+/// Losses of the gearbox besides the mesh at the points of a map, from the input.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MapGearbox {
     /// Names of the parts.
     pub parts: Vec<String>,
-    /// Their loss over the speed of the pinion at every point \[N m\], in the order of [`Axes::index`]; at standstill
-    /// that at 1 1/min.
+    /// Their loss torque at the pinion at every point \[N m\], in the order of [`Axes::index`]; at standstill the value
+    /// at 1 1/min.
     pub loss_torque_nm: Vec<f64>,
 }
 
-/// The map of one pair of flanks.
+/// Map of one pair of flanks.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FinishMap {
     /// Name of the finish.
     pub name: String,
-    /// SHA-256 of its case, of every byte of the files read for it, and of the version of the program; empty in older
-    /// maps.
+    /// SHA-256 of its case, of the content of all files read for it, and of the program version; empty in older maps.
     #[serde(default)]
     pub fingerprint: String,
-    /// Names of the files that it read, and their SHA-256.
+    /// Names and SHA-256 of the files that it read.
     pub files: Vec<[String; 2]>,
-    /// The same of the coast flanks, where there are any.
+    /// Names and SHA-256 of the files of the coast flanks, if there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub coast_files: Vec<[String; 2]>,
-    /// Smallest torques whose contacts the traces resolve, drive and coast \[N m\]; points below are extended.
+    /// Smallest torques that the traces resolve, drive and coast \[N m\]; points below are extended.
     pub resolved_from_nm: [f64; 2],
-    /// Every point, in the order of [`Axes::index`]; in the table, not in the JSON.
+    /// All points, in the order of [`Axes::index`]; written to the table, not to the JSON.
     #[serde(skip)]
     pub points: Vec<Point>,
 }
 
-/// A warning and the points it is about.
+/// Warning with its points.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MapWarning {
     /// Code, correlation and input.
@@ -77,11 +76,11 @@ pub struct MapWarning {
     pub finish: String,
     /// Number of points.
     pub count: usize,
-    /// Rows of the finish in the table from 1, as `1-4,9`.
+    /// Rows of the finish in the table, counted from 1, such as `1-4,9`.
     pub points: String,
 }
 
-/// A point of a map.
+/// Point of a map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// Torque at the pinion \[N m\].
@@ -90,28 +89,28 @@ pub struct Point {
     pub speed_rpm: f64,
     /// Temperature of the flanks \[°C\].
     pub temperature_c: f64,
-    /// Losses; none where the point has no result.
+    /// Losses; `None` if the point has no result.
     pub numbers: Option<Numbers>,
-    /// What left its range there.
+    /// Inputs out of range at the point.
     pub outside: Vec<String>,
-    /// Code of the error where there is no result.
+    /// Error code if there is no result.
     pub code: Option<String>,
 }
 
 /// Losses at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Numbers {
-    /// All losses \[W\].
+    /// Total loss \[W\].
     pub loss_w: f64,
-    /// Loss over the speed of the pinion \[N m\], at standstill that at 1 1/min.
+    /// Loss torque at the pinion \[N m\]; at standstill the value at 1 1/min.
     pub loss_torque_nm: f64,
-    /// Standard deviation of the loss torque over the offsets of the traces \[N m\]; none with one offset.
+    /// Standard deviation of the loss torque over the offsets of the traces \[N m\]; `None` with one offset.
     pub loss_torque_deviation_nm: Option<f64>,
-    /// 5 % and 95 % quantiles of the loss torque \[N m\] over parameters and sampling, where they were computed.
+    /// 5 % and 95 % quantiles of the loss torque \[N m\] over parameters and sampling, if computed.
     pub loss_torque_quantiles_nm: Option<[f64; 2]>,
-    /// Efficiency; none without power.
+    /// Efficiency; `None` without power.
     pub efficiency: Option<f64>,
-    /// Its standard deviation over the offsets.
+    /// Standard deviation of the efficiency over the offsets.
     pub efficiency_deviation: Option<f64>,
     /// Sliding loss \[W\].
     pub sliding_w: f64,
@@ -125,14 +124,14 @@ pub struct Numbers {
     pub rolling_w: f64,
     /// Loss by deformation of the flanks \[W\], with that of running-in if the case includes it.
     pub deformation_w: f64,
-    /// Friction coefficient that explains the loss; `None` without torque.
+    /// Equivalent friction coefficient; `None` without torque.
     pub mu_equivalent: Option<f64>,
     /// Share of the path in mixed lubrication.
     pub mixed_share: f64,
 }
 
 impl FinishMap {
-    /// Loss torque over torque and speed at one node of the temperature; none where a point has no result.
+    /// Loss torque over torque and speed at one temperature node; `None` if a point has no result.
     #[must_use]
     pub fn surface(&self, axes: &Axes, temperature: usize) -> Option<Surface> {
         let value = |of: &dyn Fn(&Numbers) -> f64| -> Option<Vec<f64>> {
@@ -150,26 +149,26 @@ impl FinishMap {
         })
     }
 
-    /// Points without a result, by code.
+    /// Number of points without a result, by code.
     #[must_use]
     pub fn failures(&self) -> std::collections::BTreeMap<&str, usize> {
-        let mut found = std::collections::BTreeMap::new();
+        let mut failures = std::collections::BTreeMap::new();
         for code in self.points.iter().filter_map(|point| point.code.as_deref()) {
-            *found.entry(code).or_insert(0) += 1;
+            *failures.entry(code).or_insert(0) += 1;
         }
-        found
+        failures
     }
 }
 
 impl Point {
-    /// Whether the losses are those of another torque, scaled.
+    /// Whether the losses are scaled from another torque.
     #[must_use]
     pub fn is_extended(&self) -> bool {
         self.outside.iter().any(|mark| mark == EXTENDED)
     }
 }
 
-/// Numbers from 1 as ranges, `1-4,9`; `at` are rising indices from 0.
+/// Numbers counted from 1 as ranges, `1-4,9`; `at` holds ascending indices counted from 0.
 ///
 /// ```
 /// assert_eq!(asperity_studies::map::ranges(&[0, 1, 2, 3, 8]), "1-4,9");

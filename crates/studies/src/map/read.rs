@@ -1,4 +1,4 @@
-//! A map read back from its folder.
+//! Reading of a map from its folder.
 
 use std::path::{Path, PathBuf};
 
@@ -6,12 +6,12 @@ use asperity_storage::{check_finite, whole_file};
 
 use super::axes::Axes;
 use super::point::{Map, Point};
-use super::table::Row;
+use super::table::PointRow;
 
-/// Bytes of the largest file of a map that is read.
+/// Largest size of a file in bytes.
 const LARGEST: u64 = 1_000_000_000;
 
-/// Why a folder is no map.
+/// Error of reading a map.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapError {
@@ -39,7 +39,7 @@ pub enum MapError {
         /// Reason given by the reader.
         source: csv::Error,
     },
-    /// `map.json` holds what no map has.
+    /// `map.json` is inconsistent.
     #[error("{path}: not a map: {reason}")]
     Damaged {
         /// The file.
@@ -47,7 +47,7 @@ pub enum MapError {
         /// The reason.
         reason: String,
     },
-    /// The table is not that of the axes, or holds a number that is not finite.
+    /// The table does not match the axes, or has a number that is not finite.
     #[error("{path}: not a map: row {row} is not the point that map.json has there")]
     Row {
         /// The file.
@@ -60,7 +60,7 @@ pub enum MapError {
 /// Reads the map in `folder`.
 ///
 /// # Errors
-/// When a file is missing, damaged, or the table is not that of the axes.
+/// When a file is missing or damaged, or the table does not match the axes.
 pub fn read(folder: &Path) -> Result<Map, MapError> {
     let file = folder.join("map.json");
     let bytes = whole_file(&file, LARGEST).map_err(|source| MapError::Open {
@@ -79,7 +79,7 @@ pub fn read(folder: &Path) -> Result<Map, MapError> {
     };
     let table = whole_file(&path, LARGEST).map_err(|error| refused(error.into()))?;
     let mut reader = csv::Reader::from_reader(table.as_slice());
-    let mut rows = reader.deserialize::<Row<'_>>().enumerate();
+    let mut rows = reader.deserialize::<PointRow<'_>>().enumerate();
     let count = map.axes.points();
     for finish in &mut map.finishes {
         let mut points = Vec::with_capacity(count.min(1_000_000));
@@ -124,7 +124,7 @@ pub fn read(folder: &Path) -> Result<Map, MapError> {
     }
 }
 
-/// Whether the axes are those that a map has, and its parts are of one size.
+/// Checks the axes and the sizes of the parts.
 fn check(map: &Map) -> Result<(), String> {
     let axes = &map.axes;
     let rising = Axes::new(&axes.torque_nm, &axes.speed_rpm, &axes.temperature_c);

@@ -1,4 +1,4 @@
-//! The map for the terminal.
+//! Summary of a map for the terminal.
 
 use std::collections::BTreeMap;
 
@@ -7,9 +7,8 @@ use asperity_storage::one_line;
 
 use super::point::{EXTENDED, FinishMap, Map, Numbers};
 
-/// The map for the terminal.
-#[must_use]
-pub fn summary(map: &Map) -> String {
+/// Summary of a map for the terminal.
+pub(super) fn summary(map: &Map) -> String {
     let axes = &map.axes;
     let mut text = format!(
         "{}\n{} points: {} torques x {} speeds x {} temperatures (loss of the {} only)\n",
@@ -57,16 +56,16 @@ pub fn summary(map: &Map) -> String {
     text
 }
 
-/// W431, where the case states a gearbox.
+/// W431, if the case states a gearbox.
 pub(super) fn left_aside(map: &Map) -> Option<String> {
     let gearbox = map.gearbox.as_ref()?;
     Some(format!(
-        "W431 losses are those of the mesh; what the case states beside it ({}) is a part of its own in exports",
+        "W431 losses are of the mesh; the other losses of the case ({}) are a separate part in exports",
         gearbox.parts.join(", ")
     ))
 }
 
-/// How far the bands reach from the loss torque, in percent of it.
+/// Largest deviations of the bands from the loss torque, in percent.
 fn bands(map: &Map) -> String {
     let of = |finish: &FinishMap| {
         let shares = finish.points.iter().filter_map(|point| {
@@ -94,14 +93,14 @@ fn bands(map: &Map) -> String {
     map.finishes.iter().filter_map(of).collect()
 }
 
-/// What the points are told of, each once, with the finishes it is about unless it is about all.
+/// Distinct warnings of the points, with their finishes unless they apply to all.
 fn notes(map: &Map) -> String {
-    let mut found: BTreeMap<&str, Vec<(&str, usize)>> = BTreeMap::new();
+    let mut notes: BTreeMap<&str, Vec<(&str, usize)>> = BTreeMap::new();
     for warning in &map.warnings {
-        let entry = found.entry(&warning.text).or_default();
+        let entry = notes.entry(&warning.text).or_default();
         entry.push((&warning.finish, warning.count));
     }
-    let told = found.iter().map(|(text, finishes)| {
+    let lines = notes.iter().map(|(text, finishes)| {
         let counts: Vec<String> = finishes
             .iter()
             .map(|(name, count)| match map.finishes.len() {
@@ -112,11 +111,14 @@ fn notes(map: &Map) -> String {
         let counts = counts.join(", ");
         let text = match *text {
             EXTENDED => {
-                "extended: below the torque whose contact the traces resolve the sliding loss is scaled"
+                "extended: below the torque that the traces resolve, the sliding loss is scaled"
             }
             text => text,
         };
-        format!("{}\n", wrapped(&format!("{text}: {counts} points"), "     "))
+        format!(
+            "{}\n",
+            wrapped(&format!("{text}: {counts} points"), "     ")
+        )
     });
-    told.collect()
+    lines.collect()
 }

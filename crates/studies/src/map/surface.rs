@@ -2,34 +2,34 @@
 
 /// Loss torque over torque and speed, bilinear between the nodes.
 ///
-/// Outside the nodes loss over torque is held and the place is marked: the loss of the nearest edge times the torque over
-/// that of the edge. A direction of the torque that no node has takes the losses of the other one.
+/// Outside of the nodes the ratio of loss to torque is constant: the loss at the nearest edge times the ratio of the
+/// torques, and the value is marked. A sign of the torque without nodes has the losses of the other sign.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
-    /// Torques \[N m\], rising.
+    /// Torques \[N m\], ascending.
     pub torque_nm: Vec<f64>,
-    /// Speeds \[1/min\], rising.
+    /// Speeds \[1/min\], ascending.
     pub speed_rpm: Vec<f64>,
     /// Loss torques \[N m\], torque by torque.
     pub loss_torque_nm: Vec<f64>,
-    /// Their standard deviations over the offsets of the traces \[N m\].
+    /// Standard deviations over the offsets of the traces \[N m\].
     pub deviation_nm: Vec<f64>,
 }
 
-/// A value between the nodes.
+/// Interpolated value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interpolated {
     /// Loss torque \[N m\].
     pub value: f64,
-    /// Its standard deviation over the offsets \[N m\].
+    /// Standard deviation over the offsets \[N m\].
     pub deviation: f64,
-    /// Whether the place is outside the nodes, or no number.
+    /// Whether the point is outside of the nodes or NaN.
     pub is_outside: bool,
 }
 
 impl Surface {
     /// L(T, n) = f·((1−a)((1−b) L_ij + b L_i,j+1) + a((1−b) L_i+1,j + b L_i+1,j+1)): the loss torque at a torque
-    /// T \[N m\] and a speed n \[1/min\], which counts without its sign; f = 1 within the nodes, |T/T_edge| beyond.
+    /// T \[N m\] and a speed n \[1/min\] of either sign; f = 1 within the nodes, |T/T_edge| beyond.
     #[must_use]
     pub fn loss_torque(&self, torque_nm: f64, speed_rpm: f64) -> Interpolated {
         let (at, factor) = held(&self.torque_nm, torque_nm);
@@ -57,7 +57,7 @@ impl Surface {
     }
 }
 
-/// The torque at which the nodes are read for `torque`, and the factor on the loss there.
+/// Torque at which the nodes are evaluated for `torque`, and the factor on the loss.
 fn held(nodes: &[f64], torque: f64) -> (f64, f64) {
     let (Some(&low), Some(&high)) = (nodes.first(), nodes.last()) else {
         return (torque, 1.0);
@@ -79,7 +79,7 @@ fn held(nodes: &[f64], torque: f64) -> (f64, f64) {
     }
 }
 
-/// The node below `value` and how far it is to the next, 0 to 1; the ends are held.
+/// Index of the node below `value`, and the fraction of the interval, 0 to 1; constant beyond the ends.
 fn cell(nodes: &[f64], value: f64) -> (usize, f64) {
     let after = nodes.partition_point(|node| *node <= value);
     let i = after.saturating_sub(1).min(nodes.len().saturating_sub(2));

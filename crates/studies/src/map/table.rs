@@ -1,4 +1,4 @@
-//! The table of a map: a row per point.
+//! Table of a map with one row per point.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 
 use super::point::{FinishMap, Map, Numbers, Point};
 
-/// A point as a row.
+/// Row of a point.
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct Row<'a> {
+pub(super) struct PointRow<'a> {
     torque_nm: f64,
     speed_rpm: f64,
     temperature_c: f64,
@@ -38,10 +38,10 @@ pub(super) struct Row<'a> {
     deformation_w: Option<f64>,
 }
 
-/// Between two marks of a point.
-const BETWEEN: &str = "; ";
+/// Separator between the marks of a point.
+const SEPARATOR: &str = "; ";
 
-impl<'a> Row<'a> {
+impl<'a> PointRow<'a> {
     fn of(finish: &'a FinishMap, point: &'a Point) -> Self {
         let numbers = point.numbers.as_ref();
         let of = |value: fn(&Numbers) -> f64| numbers.map(value);
@@ -58,7 +58,7 @@ impl<'a> Row<'a> {
             rolling_w: of(|n| n.rolling_w),
             mu_equivalent: numbers.and_then(|n| n.mu_equivalent),
             mixed_share: of(|n| n.mixed_share),
-            outside: Cow::Owned(point.outside.join(BETWEEN)),
+            outside: Cow::Owned(point.outside.join(SEPARATOR)),
             code: Cow::Borrowed(point.code.as_deref().unwrap_or_default()),
             loss_torque_deviation_nm: numbers.and_then(|n| n.loss_torque_deviation_nm),
             film_w: of(|n| n.film_w),
@@ -71,7 +71,7 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// The point, and whether its row is whole.
+    /// The point; `None` if its row is incomplete.
     pub(super) fn point(self) -> Option<Point> {
         let numbers = || {
             let [loss_w, sliding_w, rolling_w] = [self.loss_w?, self.sliding_w?, self.rolling_w?];
@@ -97,7 +97,10 @@ impl<'a> Row<'a> {
         };
         let code = (!self.code.is_empty()).then(|| self.code.to_string());
         let numbers = numbers();
-        let marks = self.outside.split(BETWEEN).filter(|mark| !mark.is_empty());
+        let marks = self
+            .outside
+            .split(SEPARATOR)
+            .filter(|mark| !mark.is_empty());
         (numbers.is_some() != code.is_some()).then(|| Point {
             torque_nm: self.torque_nm,
             speed_rpm: self.speed_rpm,
@@ -109,11 +112,11 @@ impl<'a> Row<'a> {
     }
 }
 
-/// Writes every point of every finish.
+/// Writes all points of all finishes.
 pub(super) fn write(map: &Map, file: &Path) -> Result<(), ReportError> {
     let rows = map.finishes.iter().flat_map(|finish| {
         let points = finish.points.iter();
-        points.map(move |point| Row::of(finish, point))
+        points.map(move |point| PointRow::of(finish, point))
     });
     tables::write(file, rows)
 }

@@ -5,10 +5,10 @@ use asperity_core::quantity::Length;
 use asperity_roughness::RoughnessError;
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 
-/// Steps of a decade of wavelengths.
+/// Bands per decade of wavelengths.
 const STEPS_OF_A_DECADE: f64 = 2.0;
 
-/// Edges of the bands from `shortest` to `longest`, about two bands a decade.
+/// Edges of the bands from `shortest` to `longest`, about two bands per decade.
 pub(super) fn edges([shortest, longest]: [Length; 2]) -> Vec<Length> {
     let decades = (longest.si() / shortest.si()).log10();
     let count = (STEPS_OF_A_DECADE * decades).round().max(1.0);
@@ -17,8 +17,8 @@ pub(super) fn edges([shortest, longest]: [Length; 2]) -> Vec<Length> {
         .collect()
 }
 
-/// The parts of a trace between wavelengths `edges`, shortest first: differences of the mean lines of Gaussian filters,
-/// which add up to the trace. The first part has all that is shorter than its band, the last all that is longer.
+/// Parts of a trace between the wavelengths `edges`, shortest first: differences of the mean lines of Gaussian filters,
+/// which add up to the trace. The first part includes all shorter wavelengths, the last all longer ones.
 ///
 /// # Errors
 /// When an edge between two bands is shorter than the spacing or longer than the trace.
@@ -27,14 +27,14 @@ pub fn wavelength_bands(
     edges: &[Length],
 ) -> Result<Vec<Vec<f64>>, RoughnessError> {
     let mut parts = Vec::new();
-    let mut rest = trace.heights().to_vec();
+    let mut remainder = trace.heights().to_vec();
     let inner = edges.get(1..edges.len().saturating_sub(1)).unwrap_or(&[]);
     for edge in inner {
         let line = mean_line(trace, *edge, Ends::Reflect)?;
-        parts.push(rest.iter().zip(&line).map(|(z, w)| z - w).collect());
-        rest = line;
+        parts.push(remainder.iter().zip(&line).map(|(z, w)| z - w).collect());
+        remainder = line;
     }
-    parts.push(rest);
+    parts.push(remainder);
     Ok(parts)
 }
 

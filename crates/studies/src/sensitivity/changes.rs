@@ -1,4 +1,4 @@
-//! The changes of a case that are looked at, one at a time.
+//! The changes of a case in a sensitivity study, one at a time.
 
 use asperity::case::{GearFlankInput, LoadedCase, ReliefInput};
 use asperity::flanks::{Surfaces, Texture};
@@ -10,19 +10,19 @@ use asperity_roughness::RoughnessError;
 
 use super::bands::{edges, wavelength_bands};
 
-/// Factors on the heights, as far below as above.
+/// Factors on the heights, reciprocal to each other.
 const HEIGHTS: [f64; 2] = [0.8, 1.25];
 /// Factor on one wavelength band.
 const BAND: f64 = 0.5;
-/// Steps of the coefficient of boundary friction.
+/// Step of the coefficient of boundary friction.
 const FRICTION: f64 = 0.01;
 /// Factors on the height of the boundary layer.
 const LAYER: [f64; 2] = [0.5, 2.0];
 /// Factors on the viscosity.
 const VISCOSITY: [f64; 2] = [0.8, 1.25];
-/// Steps of the temperature \[K\].
+/// Step of the temperature \[K\].
 const TEMPERATURE: f64 = 10.0;
-/// Steps of the tip relief.
+/// Step of the tip relief.
 const RELIEF: Length = Length::from_si(5e-6);
 const BASE_OILS: [BaseOil; 4] = [
     BaseOil::Mineral,
@@ -31,30 +31,30 @@ const BASE_OILS: [BaseOil; 4] = [
     BaseOil::Polyglycol,
 ];
 
-/// About how many changes a case has.
+/// Approximate number of changes of a case.
 pub const CHANGES: usize = 20;
 
-/// One change.
+/// Change of a case.
 pub(super) struct Change {
-    /// What it is of.
+    /// Group of the change.
     pub(super) group: &'static str,
-    /// What is changed.
+    /// Changed quantity.
     pub(super) what: String,
-    /// To what.
+    /// New value.
     pub(super) to: String,
-    /// The case changed.
+    /// Changed case.
     pub(super) case: Result<LoadedCase, Error>,
-    /// Whether the rough contacts stay what they are.
+    /// Whether the rough contacts are unchanged.
     pub(super) keeps_contacts: bool,
 }
 
-/// All changes that `case` can be put through.
+/// All changes that apply to `case`.
 pub(super) fn changes(case: &LoadedCase) -> Vec<Change> {
-    let mut found = flanks(case);
-    found.extend(boundary(case));
-    found.extend(oil(case));
-    found.extend(relief(case));
-    found
+    let mut changes = flanks(case);
+    changes.extend(boundary(case));
+    changes.extend(oil(case));
+    changes.extend(relief(case));
+    changes
 }
 
 fn flanks(loaded: &LoadedCase) -> Vec<Change> {
@@ -65,7 +65,7 @@ fn flanks(loaded: &LoadedCase) -> Vec<Change> {
         case,
         keeps_contacts: false,
     };
-    let mut found: Vec<Change> = HEIGHTS
+    let mut changes: Vec<Change> = HEIGHTS
         .into_iter()
         .map(|factor| {
             let surfaces = loaded.surfaces.with_heights_times(factor);
@@ -74,7 +74,7 @@ fn flanks(loaded: &LoadedCase) -> Vec<Change> {
         })
         .collect();
     let Some(edges) = range(loaded).map(edges) else {
-        return found;
+        return changes;
     };
     for band in 0..edges.len() - 1 {
         let less = |trace: &Profile| -> Result<Profile, RoughnessError> {
@@ -86,12 +86,12 @@ fn flanks(loaded: &LoadedCase) -> Vec<Change> {
         let case = on(loaded, loaded.surfaces.with_changed_traces(less));
         let [from, to] = [edges[band], edges[band + 1]].map(|edge| digits(1e6 * edge.si(), 2));
         let what = format!("wavelengths {from} to {to} um");
-        found.push(change(what, format!("× {BAND}"), case));
+        changes.push(change(what, format!("× {BAND}"), case));
     }
-    found
+    changes
 }
 
-/// The case on other surfaces.
+/// The case with other surfaces.
 fn on<E: Into<PositionError>>(
     loaded: &LoadedCase,
     surfaces: Result<Surfaces, E>,
@@ -102,7 +102,7 @@ fn on<E: Into<PositionError>>(
     Ok(case)
 }
 
-/// Shortest and longest wavelength of the prepared traces; none where a flank was not measured.
+/// Shortest and longest wavelength of the prepared traces; `None` if a flank was not measured.
 fn range(loaded: &LoadedCase) -> Option<[Length; 2]> {
     let traces = loaded
         .surfaces
@@ -161,7 +161,7 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
     });
     let temperature = loaded.case.input.operation.temperature.celsius();
     let celsius = |temperature: f64| format!("{} °C", digits(temperature, 5));
-    // A viscosity without temperature is that of the case, whatever its temperature.
+    // A viscosity without temperature applies at any temperature of the case.
     let knows_temperature = !matches!(
         loaded.case.input.lubricant.viscosity,
         Some(ViscosityLaw::Given {
@@ -175,15 +175,15 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
         let case = loaded.with_key("operation.temperature", &to);
         change(&format!("temperature {}", celsius(temperature)), to, case)
     });
-    let own = loaded.case.lubricant.base_oil();
-    let others = BASE_OILS.into_iter().filter(|oil| Some(*oil) != own);
+    let present = loaded.case.lubricant.base_oil();
+    let others = BASE_OILS.into_iter().filter(|oil| Some(*oil) != present);
     let base = others.map(|oil| {
         let case = loaded.with(|input| {
             input.lubricant.base_oil = Some(oil);
             input.lubricant.assume_base_oil = None;
         });
-        let what = match own {
-            Some(own) => format!("base oil {}", own.name()),
+        let what = match present {
+            Some(present) => format!("base oil {}", present.name()),
             None => "base oil".to_owned(),
         };
         change(&what, oil.name().to_owned(), case)
@@ -195,7 +195,7 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
         .collect()
 }
 
-/// A number with so many digits that count, without noughts at its end.
+/// A number with `count` significant digits, without trailing zeros.
 fn digits(value: f64, count: usize) -> String {
     let magnitude = match value == 0.0 {
         true => 0,
@@ -246,20 +246,20 @@ fn viscosity(loaded: &LoadedCase, factor: f64) -> Result<ViscosityLaw, Error> {
     })
 }
 
-/// Tip relief of both gears, of an unrelieved gear from the end of single contact on.
+/// Tip relief of both gears; for an unrelieved gear from the end of single contact.
 fn relief(loaded: &LoadedCase) -> Vec<Change> {
     let path = loaded.case.gears.path();
     let double_contact = Length::from_si((path.e.si() - path.d.si()).max(0.0));
     let gears = &loaded.case.input.gears;
     let mut flanks = [&gears.pinion, &gears.wheel].into_iter().flatten();
     if flanks.any(GearFlankInput::is_from_trace) {
-        // What the trace shows has no amount of its own.
+        // Relief from a trace has no single amount.
         return Vec::new();
     }
-    let own =
+    let present =
         [&gears.pinion, &gears.wheel].map(|gear| gear.as_ref().and_then(|gear| gear.tip_relief));
     let um = |amount: Length| digits(1e6 * amount.si(), 3);
-    let amounts = own.map(|relief| relief.map_or(Length::from_si(0.0), |relief| relief.amount));
+    let amounts = present.map(|relief| relief.map_or(Length::from_si(0.0), |relief| relief.amount));
     let steps = [-RELIEF, RELIEF];
     let possible = steps.into_iter().filter(|step| {
         let least = amounts.map(|amount| amount.si() + step.si());
@@ -271,8 +271,8 @@ fn relief(loaded: &LoadedCase) -> Vec<Change> {
             let to = amounts.map(|amount| amount + step);
             let case = loaded.with(|input| {
                 let gears = [&mut input.gears.pinion, &mut input.gears.wheel];
-                for ((gear, own), amount) in gears.into_iter().zip(own).zip(to) {
-                    let shape = own.unwrap_or(ReliefInput {
+                for ((gear, present), amount) in gears.into_iter().zip(present).zip(to) {
+                    let shape = present.unwrap_or(ReliefInput {
                         amount,
                         length: Some(double_contact),
                         start_diameter: None,

@@ -1,5 +1,5 @@
-//! What the loss of a case does when one thing changes: heights and wavelengths of the flanks, boundary layer, oil, tip
-//! relief. Every number is the difference of two runs of the model at the same windows of the traces; none is measured.
+//! Sensitivity of the loss of a case to single changes: heights and wavelengths of the flanks, boundary layer, oil, tip
+//! relief. Every number is the difference of two runs of the model at the same windows of the traces.
 //!
 //! ```
 //! use asperity::case;
@@ -24,5 +24,3 @@ mod write;
 pub use bands::wavelength_bands;
 pub use changes::CHANGES;
 pub use study::{Effect, Refused, Sensitivity, SensitivityRow, sensitivity};
-pub use summary::summary;
-pub use write::{check_place, write};

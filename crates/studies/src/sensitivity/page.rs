@@ -1,4 +1,4 @@
-//! The page of a sensitivity study: a bar for each change, and its table.
+//! Page of a sensitivity study: one bar per change, and a table.
 
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::html::{figure, page};
@@ -7,20 +7,20 @@ use maud::{Markup, html};
 use super::study::{Effect, Sensitivity, SensitivityRow};
 use super::summary::{NOTE, difference, headline, left_aside, part_text, share};
 
-pub(super) fn render(found: &Sensitivity) -> String {
+pub(super) fn render(study: &Sensitivity) -> String {
     let changes = html! {
         p { (NOTE) }
-        @if let Some(note) = left_aside(found) { p { (note) "." } }
-        div.charts { (figure(&chart(found))) }
+        @if let Some(note) = left_aside(study) { p { (note) "." } }
+        div.charts { (figure(&chart(study))) }
     };
-    let sections = [("Changes of the loss", changes), ("Parts", table(found))];
-    let subtitle = format!("sensitivity of a loss of {} W", headline(found));
-    page(&found.title, &subtitle, &sections)
+    let sections = [("Changes of the loss", changes), ("Parts", table(study))];
+    let subtitle = format!("sensitivity of a loss of {} W", headline(study));
+    page(&study.title, &subtitle, &sections)
 }
 
-/// Changes by their size, the largest first.
-fn chart(found: &Sensitivity) -> Drawing {
-    let mut rows: Vec<(&SensitivityRow, &Effect)> = found
+/// Changes by size, largest first.
+fn chart(study: &Sensitivity) -> Drawing {
+    let mut rows: Vec<(&SensitivityRow, &Effect)> = study
         .rows
         .iter()
         .filter_map(|row| Some((row, row.effect.as_ref()?)))
@@ -45,11 +45,11 @@ fn chart(found: &Sensitivity) -> Drawing {
     })
 }
 
-fn table(found: &Sensitivity) -> Markup {
+fn table(study: &Sensitivity) -> Markup {
     html! { div.scroll { table {
         thead { tr { th { "of" } th { "change" } th { "to" } th.number { "W" } th.number { "%" } th.number { "film W" }
             th.number { "lubricated asperities W" } th.number { "boundary layer W" } th.number { "rolling W" } } }
-        tbody { @for row in &found.rows { tr {
+        tbody { @for row in &study.rows { tr {
             td { (row.group) } td { (row.what) } td { (row.to) }
             @if let Some(effect) = &row.effect {
                 td.number { (difference(effect)) } td.number { (share(effect)) }

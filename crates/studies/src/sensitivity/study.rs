@@ -1,4 +1,4 @@
-//! The runs of a sensitivity study.
+//! Computation of a sensitivity study.
 
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
@@ -10,58 +10,58 @@ use serde::Serialize;
 
 use super::changes::{Change, changes};
 
-/// What the loss of a case does when one thing changes.
+/// Sensitivity of the loss of a case to single changes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Sensitivity {
     /// Title of the case.
     pub title: String,
-    /// Its loss \[W\].
+    /// Loss \[W\].
     pub loss_w: f64,
-    /// Its mesh efficiency.
+    /// Mesh efficiency.
     pub efficiency: f64,
-    /// Parts that the case states beside the mesh, and that are in no number here.
+    /// Losses besides the mesh that the case states; not included in any number here.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub left_aside: Vec<String>,
     /// One row per change.
     pub rows: Vec<SensitivityRow>,
 }
 
-/// A change.
+/// Change with its effect.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct SensitivityRow {
-    /// What it is of: flanks, boundary layer, oil, gears.
+    /// Group: flanks, boundary layer, oil, gears.
     pub group: &'static str,
-    /// What is changed, with its value where it has one.
+    /// Changed quantity, with its present value if it has one.
     pub what: String,
-    /// To what.
+    /// New value.
     pub to: String,
-    /// What follows; none where the changed case cannot be run.
+    /// Effect; `None` if the changed case has no result.
     pub effect: Option<Effect>,
-    /// Why it cannot.
+    /// Error if it has no result.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub refused: Option<Refused>,
 }
 
-/// Why a changed case cannot be run.
+/// Error of a changed case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Refused {
     /// Code of the error.
     pub code: String,
-    /// The error.
+    /// Message.
     pub message: String,
 }
 
-/// Differences to the case, at the same windows of its traces \[W\].
+/// Differences from the unchanged case, at the same windows of its traces \[W\].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Effect {
     /// Change of the loss.
     pub difference_w: f64,
-    /// The same over the loss.
+    /// Change relative to the loss.
     pub change: f64,
-    /// Half the width of its 95 % interval by the sampling of the flanks; none where that has no interval.
+    /// Half width of its 95 % interval by the sampling of the flanks; `None` if the sampling has no interval.
     pub sampling_half_width_w: Option<f64>,
     /// Change of the friction in the film.
     pub film_w: f64,
@@ -73,15 +73,15 @@ pub struct Effect {
     pub rolling_w: f64,
 }
 
-/// Runs `case`, then every change of it; `progress` is told how many runs are done.
+/// Runs `case` and all its changes; `progress` is called with the number of completed runs.
 ///
 /// # Errors
-/// When the case itself has no result. A change without one has the reason in its row.
+/// When the case itself has no result. The row of a change without a result holds its error.
 pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitivity, Error> {
     let gearbox = case.case.gearbox.iter();
     let parts = gearbox.flat_map(|gearbox| &gearbox.parts);
     let left_aside = parts.map(|part| part.name.clone()).collect();
-    // Not at the temperatures of the changes either, which its table need not reach.
+    // The gearbox is removed: its loss table need not cover the temperatures of the changes.
     let mut mesh = case.clone();
     mesh.case.gearbox = None;
     let case = &mesh;
@@ -106,12 +106,12 @@ pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitiv
     })
 }
 
-/// Losses with the contacts made before where they are those of the case.
+/// Losses, with the contacts of the unchanged case if they are the same.
 fn run(case: &LoadedCase, tables: Option<&Contacts>) -> Result<Losses, Error> {
     if let Some(tables) = tables
-        && let Ok(found) = losses_with(tables, case)
+        && let Ok(losses) = losses_with(tables, case)
     {
-        return Ok(found);
+        return Ok(losses);
     }
     losses(case)
 }
@@ -122,8 +122,8 @@ fn row(
     tables: Option<&Contacts>,
 ) -> SensitivityRow {
     let tables = tables.filter(|_| change.keeps_contacts);
-    let found = change.case.and_then(|case| run(&case, tables));
-    let (effect, refused) = match found {
+    let losses = change.case.and_then(|case| run(&case, tables));
+    let (effect, refused) = match losses {
         Ok(changed) => (Some(effect(base, &changed, sampled)), None),
         Err(error) => {
             let refused = Refused {
@@ -145,7 +145,7 @@ fn row(
 fn effect(base: &Losses, changed: &Losses, sampled: &DrawnLosses) -> Effect {
     let difference = |of: fn(&Summary) -> f64| of(&changed.summary) - of(&base.summary);
     let difference_w = difference(|summary| summary.loss_w);
-    // The windows are the same, so their differences scatter, not the losses themselves.
+    // The windows are the same, so the sampling error is that of the differences.
     let pairs = base.offsets.iter().zip(&changed.offsets);
     let by_window: Vec<f64> = pairs.map(|(a, b)| b.loss_w - a.loss_w).collect();
     Effect {

@@ -1,4 +1,4 @@
-//! A sensitivity study for the terminal.
+//! Summary of a sensitivity study for the terminal.
 
 use asperity::result::loss_band::rounded;
 use asperity_report::wrapped;
@@ -6,26 +6,26 @@ use asperity_storage::one_line;
 
 use super::study::{Effect, Sensitivity, SensitivityRow};
 
-/// What the numbers are.
+/// Explanation of the numbers.
 pub(super) const NOTE: &str = "Each row is a run of the model with one thing changed, at the same windows of the traces; ± is \
     the 95 % interval by the sampling of the flanks. These are answers of the model, not measurements: what it leaves out or \
     has wrong, they leave out or have wrong.";
 
-/// The study for the terminal.
-pub fn summary(found: &Sensitivity) -> String {
+/// Summary of the study for the terminal.
+pub(super) fn summary(study: &Sensitivity) -> String {
     let mut text = format!(
         "{}\nloss {:.0} W, and how it changes\n",
-        one_line(&found.title),
-        found.loss_w
+        one_line(&study.title),
+        study.loss_w
     );
     let name = |row: &SensitivityRow| format!("{} -> {}", row.what, row.to);
-    let width = found.rows.iter().map(|row| name(row).chars().count());
+    let width = study.rows.iter().map(|row| name(row).chars().count());
     let width = width.max().unwrap_or(0);
     text.push_str(&format!(
         "{:width$} {:>16} {:>8} {:>7} {:>10} {:>9} {:>8}\n",
         "", "W", "%", "film", "asperities", "boundary", "rolling"
     ));
-    for row in &found.rows {
+    for row in &study.rows {
         let Some(effect) = &row.effect else {
             let code = row.refused.as_ref().map_or("", |refused| &refused.code);
             text.push_str(&format!(
@@ -49,32 +49,32 @@ pub fn summary(found: &Sensitivity) -> String {
             share(effect),
         ));
     }
-    for row in &found.rows {
+    for row in &study.rows {
         if let Some(refused) = &row.refused {
             let line = format!("{}: {} {}", name(row), refused.code, refused.message);
             text.push_str(&format!("{}\n", wrapped(&line, "  ")));
         }
     }
     text.push_str(&format!("{}\n", wrapped(NOTE, "")));
-    if let Some(note) = left_aside(found) {
+    if let Some(note) = left_aside(study) {
         text.push_str(&format!("{}\n", wrapped(&note, "     ")));
     }
     text
 }
 
-/// W431, where the case states a gearbox.
-pub(super) fn left_aside(found: &Sensitivity) -> Option<String> {
-    (!found.left_aside.is_empty()).then(|| {
+/// W431, if the case states a gearbox.
+pub(super) fn left_aside(study: &Sensitivity) -> Option<String> {
+    (!study.left_aside.is_empty()).then(|| {
         format!(
-            "W431 losses are those of the mesh; what the case states beside it is left aside: {}",
-            found.left_aside.join(", ")
+            "W431 losses are of the mesh; other losses of the case are ignored: {}",
+            study.left_aside.join(", ")
         )
     })
 }
 
-/// The loss \[W\], with the two digits that the band of a loss usually leaves.
-pub(super) fn headline(found: &Sensitivity) -> String {
-    rounded(found.loss_w, found.loss_w)
+/// The loss \[W\], with the two digits that the band of a loss usually justifies.
+pub(super) fn headline(study: &Sensitivity) -> String {
+    rounded(study.loss_w, study.loss_w)
 }
 
 /// The change \[W\] with its interval.
@@ -87,7 +87,7 @@ pub(super) fn difference(effect: &Effect) -> String {
     }
 }
 
-/// The change in per cent.
+/// The change in percent.
 pub(super) fn share(effect: &Effect) -> String {
     let whole = (effect.difference_w / effect.change).abs();
     let half = match whole.is_finite() {
@@ -97,12 +97,12 @@ pub(super) fn share(effect: &Effect) -> String {
     signed(&rounded(100.0 * effect.change, half))
 }
 
-/// A part of the change with the digits of the whole.
+/// A part of the change with the digits of the total.
 pub(super) fn part_text(part: f64, effect: &Effect) -> String {
     signed(&rounded(part, digits(effect)))
 }
 
-/// What the digits of a change are measured by: its sampling error, or a fiftieth of the change.
+/// Uncertainty that determines the digits of a change: its sampling error, or a fiftieth of the change.
 fn digits(effect: &Effect) -> f64 {
     let least = 0.02 * effect.difference_w.abs();
     let half = effect.sampling_half_width_w.unwrap_or(0.0).max(least);
@@ -110,8 +110,8 @@ fn digits(effect: &Effect) -> f64 {
 }
 
 fn signed(number: &str) -> String {
-    let is_nought = number.chars().all(|c| "0.-".contains(c));
-    match (is_nought, number.starts_with('-')) {
+    let is_zero = number.chars().all(|c| "0.-".contains(c));
+    match (is_zero, number.starts_with('-')) {
         (true, _) => "0".to_owned(),
         (false, true) => number.to_owned(),
         (false, false) => format!("+{number}"),

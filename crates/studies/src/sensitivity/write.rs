@@ -1,41 +1,37 @@
-//! The folder of a sensitivity study: `sensitivity.json`, its table and its page.
+//! Output of a sensitivity study: `sensitivity.json`, table, page and summary.
 
 use std::borrow::Cow;
 use std::path::Path;
 
 use asperity_report::tables::write as write_table;
-use asperity_report::{ReportError, write_json, write_text};
-use asperity_storage::{cell, check_folder, replace_folder};
+use asperity_report::{ReportError, StudyResult};
+use asperity_storage::cell;
 use serde::Serialize;
 
 use super::page;
 use super::study::Sensitivity;
+use super::summary::summary;
 
-/// Kind of the folder in messages.
-const KIND: &str = "sensitivity study";
+impl StudyResult for Sensitivity {
+    const KIND: &'static str = "sensitivity study";
+    const NAME: &'static str = "sensitivity";
+    type Context<'a> = ();
 
-/// Whether a study may be written as folder `target`.
-///
-/// # Errors
-/// When something else than an older study is there.
-pub fn check_place(target: &Path) -> Result<(), ReportError> {
-    Ok(check_folder(target, KIND)?)
-}
+    fn summary(&self, (): ()) -> String {
+        summary(self)
+    }
 
-/// Writes `found` as folder `target`, whole or not at all; an older study there is replaced.
-///
-/// # Errors
-/// When the system refuses, or `target` holds something else.
-pub fn write(found: &Sensitivity, target: &Path) -> Result<(), ReportError> {
-    replace_folder(target, KIND, |folder| {
-        write_json(&folder.join("sensitivity.json"), found)?;
-        write_table(&folder.join("sensitivity.csv"), rows(found))?;
-        write_text(&folder.join("sensitivity.html"), &page::render(found))
-    })
+    fn page(&self, (): ()) -> String {
+        page::render(self)
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        write_table(&folder.join("sensitivity.csv"), rows(self))
+    }
 }
 
 #[derive(Serialize)]
-struct Row<'a> {
+struct ChangeRow<'a> {
     group: &'a str,
     change: Cow<'a, str>,
     to: Cow<'a, str>,
@@ -49,10 +45,10 @@ struct Row<'a> {
     code: &'a str,
 }
 
-fn rows(found: &Sensitivity) -> impl Iterator<Item = Row<'_>> {
-    found.rows.iter().map(|row| {
+fn rows(study: &Sensitivity) -> impl Iterator<Item = ChangeRow<'_>> {
+    study.rows.iter().map(|row| {
         let effect = row.effect.as_ref();
-        Row {
+        ChangeRow {
             group: row.group,
             change: cell(&row.what),
             to: cell(&row.to),

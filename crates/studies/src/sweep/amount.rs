@@ -1,10 +1,10 @@
-//! Values of a study: numbers, numbers with a unit, and anything else that a case file takes.
+//! Values of a study: numbers, numbers with a unit, and other values of a case file.
 
 use toml::Value;
 
 use super::error::SweepError;
 
-/// A number and the unit behind it, which may be none.
+/// Number with an optional unit.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Amount {
     pub value: f64,
@@ -15,7 +15,7 @@ impl Amount {
     /// Reads `"500 1/min"`, `0.06`.
     pub(super) fn read(key: &str, value: &Value) -> Result<Self, SweepError> {
         let refused = || {
-            let rule = format!("{value} is no number, nor a number with a unit");
+            let rule = format!("{value} is not a number or a number with a unit");
             SweepError::key(key, rule)
         };
         match value {
@@ -45,7 +45,7 @@ impl Amount {
         }
     }
 
-    /// The amounts of a list, in one unit.
+    /// The amounts of a list, which must have one unit.
     pub(super) fn list(key: &str, values: &[Value]) -> Result<(Vec<f64>, String), SweepError> {
         let amounts = values
             .iter()
@@ -61,16 +61,16 @@ impl Amount {
     }
 }
 
-/// A number as a case file has it.
+/// A number in the form of a case file.
 pub(super) fn text_of(value: f64, unit: &str) -> String {
     match unit {
-        // A whole number may be one of a key that takes no other.
+        // An integer is written without decimals, as some keys require.
         "" => format!("{value}"),
         unit => format!("{value} {unit}"),
     }
 }
 
-/// A value as a case file has it.
+/// A value in the form of a case file.
 pub(super) fn written(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),

@@ -8,33 +8,33 @@ use super::error::SweepError;
 use super::settings::{Settings, set};
 use super::study_input::{AxisInput, Spacing, StudyInput};
 
-/// Most points of an axis or of a sample, which are held in memory.
+/// Largest number of points of an axis or a sample, which are stored in memory.
 pub(super) const MOST_POINTS: usize = 1_000_000;
 
-/// A crossed axis.
+/// Crossed axis.
 #[derive(Debug, Clone)]
-struct Axis {
+struct CrossedAxis {
     /// Column of the table.
     name: String,
-    /// Text of the column and what is set, node by node.
+    /// Text of the column and settings of each node.
     nodes: Vec<(String, Settings)>,
 }
 
 /// The crossed axes of a study.
 #[derive(Debug, Clone)]
-pub(super) struct Axes(Vec<Axis>);
+pub(super) struct Axes(Vec<CrossedAxis>);
 
 impl Axes {
     pub(super) fn of(study: &StudyInput) -> Result<Self, SweepError> {
         Ok(Self(study.axis.iter().map(axis).collect::<Result<_, _>>()?))
     }
 
-    /// Points of the axes.
+    /// Number of points of the axes.
     pub(super) fn count(&self) -> usize {
         self.lengths().product()
     }
 
-    /// Points of each axis.
+    /// Number of points of each axis.
     pub(super) fn lengths(&self) -> impl Iterator<Item = usize> {
         self.0.iter().map(|axis| axis.nodes.len())
     }
@@ -44,19 +44,19 @@ impl Axes {
         self.0.iter().map(|axis| axis.name.as_str())
     }
 
-    /// Text and settings of each axis at a point, by its number: row-major.
+    /// Text and settings of each axis at the point `number`, in row-major order.
     pub(super) fn at(&self, number: usize) -> impl Iterator<Item = &(String, Settings)> {
-        let mut rest = number;
+        let mut remainder = number;
         let mut chosen = vec![0; self.0.len()];
         for (index, axis) in self.0.iter().enumerate().rev() {
-            chosen[index] = rest % axis.nodes.len();
-            rest /= axis.nodes.len();
+            chosen[index] = remainder % axis.nodes.len();
+            remainder /= axis.nodes.len();
         }
-        let places = self.0.iter().zip(chosen);
-        places.map(|(axis, node)| &axis.nodes[node])
+        let axes = self.0.iter().zip(chosen);
+        axes.map(|(axis, node)| &axis.nodes[node])
     }
 
-    /// Sums of the files that `case` reads at any point of the axes.
+    /// Hashes of the files that `case` reads at any point of the axes.
     pub(super) fn files(&self, case: &LoadedCase) -> FileSums {
         let mut inputs = vec![case.case.input.clone()];
         for axis in self.0.iter().filter(|axis| axis.names_files()) {
@@ -64,7 +64,7 @@ impl Axes {
                 axis.nodes.iter().map(|(_, settings)| {
                     let mut input = input.clone();
                     for (key, value) in settings {
-                        // A key that cannot be set is an error of its cases, which then read nothing.
+                        // A key that cannot be set is an error of its cases, which then read no files.
                         let _ = set(&mut input, &case.case.defaults, key, value);
                     }
                     input
@@ -76,8 +76,8 @@ impl Axes {
     }
 }
 
-impl Axis {
-    /// Whether the axis sets a key that names files, a part of one, or a table with one.
+impl CrossedAxis {
+    /// Whether the axis sets a key that names files, or a part or a parent of such a key.
     fn names_files(&self) -> bool {
         let is_within = |part: &str, whole: &str| {
             part.strip_prefix(whole)
@@ -92,7 +92,7 @@ impl Axis {
     }
 }
 
-fn axis(input: &AxisInput) -> Result<Axis, SweepError> {
+fn axis(input: &AxisInput) -> Result<CrossedAxis, SweepError> {
     let name = input.name.clone().or_else(|| input.key.clone());
     let name =
         name.ok_or_else(|| SweepError::key("axis", "needs a key, or a name with choices"))?;
@@ -141,9 +141,9 @@ fn axis(input: &AxisInput) -> Result<Axis, SweepError> {
     )
 }
 
-fn some(name: String, nodes: Vec<(String, Settings)>) -> Result<Axis, SweepError> {
+fn some(name: String, nodes: Vec<(String, Settings)>) -> Result<CrossedAxis, SweepError> {
     match nodes.is_empty() {
         true => Err(SweepError::key(&name, "has no values")),
-        false => Ok(Axis { name, nodes }),
+        false => Ok(CrossedAxis { name, nodes }),
     }
 }

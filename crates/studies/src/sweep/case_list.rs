@@ -1,4 +1,4 @@
-//! The cases of a study by their numbers.
+//! The cases of a study by number.
 
 use asperity::case::LoadedCase;
 use asperity_core::numerics::standard_normal_quantile;
@@ -12,12 +12,12 @@ use super::settings::{Settings, set};
 use super::study::Study;
 use super::study_input::{Distribution, Method, SampleInput};
 
-/// Digits of the fingerprint of a case in its row.
+/// Number of digits of the fingerprint of a case in its row.
 const ID: usize = 16;
-/// Most cases of a study, whose numbers are held in memory.
+/// Largest number of cases of a study, whose numbers are stored in memory.
 const MOST_CASES: f64 = 1e7;
 
-/// An input that is sampled.
+/// Sampled input.
 #[derive(Debug, Clone)]
 struct Varied {
     key: String,
@@ -34,7 +34,7 @@ enum Law {
 }
 
 impl Law {
-    /// The value below which a share `u` of the distribution lies.
+    /// Quantile `u` of the distribution.
     fn quantile(self, u: f64) -> f64 {
         match self {
             Self::Uniform([a, b]) => a + (b - a) * u,
@@ -51,17 +51,17 @@ impl Law {
     }
 }
 
-/// The sample of a study.
+/// Sample of a study.
 #[derive(Debug, Clone)]
 enum Sample {
-    /// The case alone.
+    /// No sample: only the case.
     One,
-    /// Drawn.
+    /// Random or quasi-random sample.
     Drawn {
         inputs: Vec<Varied>,
         draws: Draws,
         count: usize,
-        /// A sample of Saltelli: blocks A, B and A with one input of B.
+        /// Sample of Saltelli: blocks A, B, and A with one input from B each.
         has_blocks: bool,
     },
     /// Rows of a table.
@@ -71,17 +71,17 @@ enum Sample {
     },
 }
 
-/// Every case of a study.
+/// All cases of a study.
 #[derive(Debug, Clone)]
 pub(super) struct CaseList {
     axes: Axes,
     sample: Sample,
 }
 
-/// A case of a study before it is resolved.
+/// Inputs of a case of a study.
 #[derive(Debug, Clone)]
-pub(super) struct Place {
-    /// Text of every column of the inputs.
+pub(super) struct CaseInputs {
+    /// Text of all input columns.
     pub columns: Vec<String>,
     pub settings: Settings,
 }
@@ -90,8 +90,8 @@ impl CaseList {
     pub(super) fn of(study: &Study) -> Result<Self, SweepError> {
         let sample = match &study.input.sample {
             None => Sample::One,
-            Some(given) if given.method == Method::List => list(study)?,
-            Some(given) => drawn(given)?,
+            Some(input) if input.method == Method::List => list(study)?,
+            Some(input) => drawn(input)?,
         };
         let list = Self {
             axes: study.axes.clone(),
@@ -116,12 +116,12 @@ impl CaseList {
         self.per_sample() * self.samples()
     }
 
-    /// Points of the crossed axes.
+    /// Number of points of the crossed axes.
     pub(super) fn per_sample(&self) -> usize {
         self.axes.count()
     }
 
-    /// Points of the sample.
+    /// Number of points of the sample.
     pub(super) fn samples(&self) -> usize {
         match &self.sample {
             Sample::One => 1,
@@ -135,7 +135,7 @@ impl CaseList {
         }
     }
 
-    /// Points of a block of the sample, where it has blocks for Sobol's indices.
+    /// Number of points per block, if the sample has blocks for Sobol's indices.
     pub(super) fn block(&self) -> Option<usize> {
         match &self.sample {
             Sample::Drawn {
@@ -147,13 +147,13 @@ impl CaseList {
         }
     }
 
-    /// Columns of the inputs: axes, then what is sampled.
+    /// Columns of the inputs: axes, then sampled keys.
     pub(super) fn columns(&self) -> Vec<String> {
         let axes = self.axes.names().map(str::to_owned);
         axes.chain(self.sampled()).collect()
     }
 
-    /// Keys that are sampled.
+    /// Sampled keys.
     pub(super) fn sampled(&self) -> Vec<String> {
         match &self.sample {
             Sample::One => Vec::new(),
@@ -176,7 +176,7 @@ impl CaseList {
             } => {
                 let (block, point) = (point / count, point % count);
                 let value = |(index, input): (usize, &Varied)| {
-                    // A takes the first numbers, B the others; block 2 + i is A with input i of B.
+                    // A has the first numbers, B the others; block 2 + i is A with input i from B.
                     let of_b = *has_blocks && (block == 1 || block == index + 2);
                     let dimension = if of_b { inputs.len() + index } else { index };
                     input.law.quantile(draws.at(point, dimension))
@@ -186,15 +186,15 @@ impl CaseList {
         }
     }
 
-    /// What is set in a case, by its number: row-major in the axes, then the sample.
-    pub(super) fn place(&self, number: usize) -> Place {
-        let mut place = Place {
+    /// Inputs of a case by its number: row-major in the axes, then the sample.
+    pub(super) fn inputs(&self, number: usize) -> CaseInputs {
+        let mut inputs = CaseInputs {
             columns: Vec::new(),
             settings: Vec::new(),
         };
         for (text, settings) in self.axes.at(number / self.samples()) {
-            place.columns.push(text.clone());
-            place.settings.extend(settings.iter().cloned());
+            inputs.columns.push(text.clone());
+            inputs.settings.extend(settings.iter().cloned());
         }
         let units: Vec<&str> = match &self.sample {
             Sample::One => Vec::new(),
@@ -206,34 +206,34 @@ impl CaseList {
         let values = self.numbers(number).into_iter().zip(units);
         for (key, (value, unit)) in self.sampled().into_iter().zip(values) {
             let text = text_of(value, unit);
-            place.columns.push(text.clone());
-            place.settings.push((key, text));
+            inputs.columns.push(text.clone());
+            inputs.settings.push((key, text));
         }
-        place
+        inputs
     }
 }
 
-fn drawn(given: &SampleInput) -> Result<Sample, SweepError> {
-    let count = given.count.unwrap_or_default();
-    if !(1..=MOST_POINTS).contains(&count) || given.vary.is_empty() {
+fn drawn(input: &SampleInput) -> Result<Sample, SweepError> {
+    let count = input.count.unwrap_or_default();
+    if !(1..=MOST_POINTS).contains(&count) || input.vary.is_empty() {
         let rule = "needs a count from 1 to 1000000 and at least one key to vary";
         return Err(SweepError::key("sample", rule));
     }
-    let inputs = given
+    let inputs = input
         .vary
         .iter()
         .map(|(key, distribution)| varied(key, distribution))
         .collect::<Result<Vec<_>, _>>()?;
-    let dimensions = inputs.len() * if given.indices { 2 } else { 1 };
-    if given.method == Method::Sobol && (count > LONGEST || dimensions > DIMENSIONS) {
+    let dimensions = inputs.len() * if input.indices { 2 } else { 1 };
+    if input.method == Method::Sobol && (count > LONGEST || dimensions > DIMENSIONS) {
         let rule = format!("Sobol's sequence has {LONGEST} points of {DIMENSIONS} numbers at most");
         return Err(SweepError::key("sample.count", rule));
     }
     Ok(Sample::Drawn {
-        draws: Draws::new(given.method, count, dimensions, given.seed),
+        draws: Draws::new(input.method, count, dimensions, input.seed),
         inputs,
         count,
-        has_blocks: given.indices,
+        has_blocks: input.indices,
     })
 }
 
@@ -267,7 +267,7 @@ fn varied(key: &str, distribution: &Distribution) -> Result<Varied, SweepError> 
     })
 }
 
-/// The rows of a table whose header has a key each, with its unit in brackets: `operation.torque [N m]`.
+/// Rows of a table whose header has one key per column, with its unit in brackets: `operation.torque [N m]`.
 fn list(study: &Study) -> Result<Sample, SweepError> {
     let table = study.table.as_deref();
     let table = table.ok_or_else(|| SweepError::key("sample.file", "a list needs its table"))?;
@@ -292,7 +292,7 @@ fn list(study: &Study) -> Result<Sample, SweepError> {
         let record = record.map_err(refused)?;
         let numbers = record.iter().map(|text| {
             let number = text.parse().ok().filter(|value: &f64| value.is_finite());
-            let rule = format!("row {}: {text:?} is no finite number", index + 1);
+            let rule = format!("row {}: {text:?} is not a finite number", index + 1);
             number.ok_or_else(|| SweepError::key("sample.file", rule))
         });
         rows.push(numbers.collect::<Result<Vec<f64>, _>>()?);
@@ -303,15 +303,18 @@ fn list(study: &Study) -> Result<Sample, SweepError> {
     }
 }
 
-/// The case of a study at a place of it, with its id.
-pub(super) fn resolved(study: &Study, place: &Place) -> Result<(LoadedCase, String), SweepError> {
+/// Resolves a case of a study from its inputs, with its id.
+pub(super) fn resolved(
+    study: &Study,
+    inputs: &CaseInputs,
+) -> Result<(LoadedCase, String), SweepError> {
     let base = &study.case;
     let mut input = base.case.input.clone();
-    for (key, value) in &place.settings {
+    for (key, value) in &inputs.settings {
         set(&mut input, &base.case.defaults, key, value)?;
     }
     let case = base.with(|now| *now = input)?;
-    // The rows of a study are of one content of every file.
+    // All rows of a study must be computed from the same content of each file.
     for (name, sum) in case.files_read() {
         if study.sums.get(&name) != Some(&sum) {
             return Err(SweepError::Changed { file: name });
@@ -321,7 +324,7 @@ pub(super) fn resolved(study: &Study, place: &Place) -> Result<(LoadedCase, Stri
     Ok((case, id))
 }
 
-/// The key of a case without what its contact tables do not depend on, so that cases can share them.
+/// Key of the inputs on which the contact tables of a case depend, so that cases can share them.
 pub(super) fn key_of_tables(case: &LoadedCase) -> Option<String> {
     let mut input = serde_json::to_value(&case.case.input).ok()?;
     let root = input.as_object_mut()?;

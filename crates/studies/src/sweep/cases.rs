@@ -1,4 +1,4 @@
-//! The cases of a study in memory, without parts and folders.
+//! Cases of a study in memory, without parts and folders.
 
 use std::ops::Range;
 
@@ -7,10 +7,10 @@ use rayon::prelude::*;
 use super::case_list::CaseList;
 use super::error::SweepError;
 use super::parts::header;
-use super::run::{Kept, row_of};
+use super::run::{SharedTables, row_of};
 use super::study::Study;
 
-/// The cases of a study, run in any order; those that share their contacts solve them once.
+/// Cases of a study, which can be run in any order; shared contacts are solved once.
 ///
 /// ```
 /// use asperity::case;
@@ -30,40 +30,40 @@ use super::study::Study;
 pub struct Cases {
     study: Study,
     list: CaseList,
-    kept: Kept,
+    tables: SharedTables,
 }
 
 impl Cases {
-    /// The cases of `study`.
+    /// Makes the list of the cases of `study`.
     ///
     /// # Errors
-    /// When the study names what cannot be.
+    /// When the study is not valid.
     pub fn of(study: Study) -> Result<Self, SweepError> {
         Ok(Self {
             list: CaseList::of(&study)?,
-            kept: Kept::default(),
+            tables: SharedTables::default(),
             study,
         })
     }
 
-    /// How many there are.
+    /// Number of cases.
     #[must_use]
     pub fn count(&self) -> usize {
         self.list.count()
     }
 
-    /// Names of the columns of a row: number, id, inputs, results, code of an error.
+    /// Names of the columns of a row: number, id, inputs, results, error code.
     #[must_use]
     pub fn header(&self) -> Vec<String> {
         header(&self.study, &self.list)
     }
 
-    /// The rows of the cases with these numbers. A case without a result is a row with its code.
+    /// Runs the cases with these numbers and returns their rows. A case without a result has a row with its error code.
     ///
     /// # Errors
-    /// When a file that a case reads changed since the study was loaded.
+    /// When a file that a case reads has changed since the study was loaded.
     pub fn rows(&self, numbers: Range<usize>) -> Result<Vec<Vec<String>>, SweepError> {
-        let row = |number| row_of(&self.study, &self.list, number, Some(&self.kept));
+        let row = |number| row_of(&self.study, &self.list, number, Some(&self.tables));
         numbers.into_par_iter().map(row).collect()
     }
 }

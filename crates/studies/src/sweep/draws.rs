@@ -1,27 +1,27 @@
-//! Numbers between 0 and 1 for the inputs of a sample, each by its number alone: any shard can draw any of them.
+//! Numbers between 0 and 1 for the inputs of a sample. Each depends only on its index, so that any shard can draw it.
 
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
 use super::study_input::Method;
 
-/// Most points of Sobol's sequence.
+/// Largest number of points of Sobol's sequence.
 pub(super) const LONGEST: usize = 1 << 16;
-/// Most inputs of Sobol's sequence.
+/// Largest number of inputs of Sobol's sequence.
 pub(super) const DIMENSIONS: usize = 256;
 
-/// The draws of a sample.
+/// Draws of a sample.
 #[derive(Debug, Clone)]
 pub struct Draws {
     method: Method,
     count: usize,
     seed: u64,
-    /// Layers of a Latin hypercube, input by input.
+    /// Layers of a Latin hypercube, by input.
     layers: Vec<Vec<usize>>,
 }
 
 impl Draws {
-    /// Draws of `count` points of `inputs` numbers.
+    /// Makes the draws of `count` points of `inputs` numbers.
     #[must_use]
     pub fn new(method: Method, count: usize, inputs: usize, seed: u64) -> Self {
         let layers = match method {
@@ -38,7 +38,7 @@ impl Draws {
         }
     }
 
-    /// The number of an input at a point, 0 < u < 1.
+    /// Number of an input at a point, 0 < u < 1.
     ///
     /// ```
     /// use asperity_studies::sweep::{Draws, Method};
@@ -51,7 +51,7 @@ impl Draws {
     pub fn at(&self, point: usize, input: usize) -> f64 {
         match self.method {
             Method::Sobol | Method::List => {
-                /// Half a step of the sequence, which begins with 0.
+                /// Half a step of the sequence, which begins at 0.
                 const HALF: f64 = 1.0 / (1_u64 << 25) as f64;
                 let seed = self.seed as u32 ^ (self.seed >> 32) as u32;
                 f64::from(sobol_burley::sample(point as u32, input as u32, seed)) + HALF
@@ -67,33 +67,33 @@ impl Draws {
 
     fn random(&self, point: usize, input: usize) -> f64 {
         let mut random = stream(self.seed, point as u64, false);
-        let mut found = 0.5;
+        let mut number = 0.5;
         for _ in 0..=input {
-            found = uniform(&mut random);
+            number = uniform(&mut random);
         }
-        found
+        number
     }
 }
 
-/// A stream of the seed: one per point, and others for what concerns all points.
+/// Random stream of the seed: one per point, and separate ones for all points together.
 fn stream(seed: u64, number: u64, of_all: bool) -> ChaCha8Rng {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(2 * number + u64::from(of_all));
     random
 }
 
-/// Even over 0 < u < 1, by the upper 53 bits.
+/// Uniform on 0 < u < 1, from the upper 53 bits.
 pub(super) fn uniform(random: &mut ChaCha8Rng) -> f64 {
     const STEPS: f64 = (1_u64 << 53) as f64;
     ((random.next_u64() >> 11) as f64 + 0.5) / STEPS
 }
 
-/// The random numbers of a seed, for resampling.
+/// Random number generator of a seed, for resampling.
 pub(super) fn random_of(seed: u64) -> ChaCha8Rng {
     ChaCha8Rng::seed_from_u64(seed)
 }
 
-/// The numbers below `count` in an order by chance (Fisher and Yates).
+/// Random permutation of the numbers below `count` (Fisher and Yates).
 fn shuffled(count: usize, mut random: ChaCha8Rng) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
     for last in (1..count).rev() {

@@ -18,9 +18,9 @@ pub struct Effect {
     pub low: f64,
     /// Mean of the result in the highest quarter.
     pub high: f64,
-    /// Highest minus lowest.
+    /// Difference between the two.
     pub difference: f64,
-    /// Half of its 95 % interval.
+    /// Half width of its 95 % interval.
     pub half_width: f64,
     /// Correlation of input and result.
     pub correlation: f64,
@@ -29,24 +29,24 @@ pub struct Effect {
 /// Sobol's indices of an input, each with its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Indices {
-    /// Share of the variance by the input alone.
+    /// Share of the variance due to the input without interactions.
     pub first: f64,
     /// Its interval.
     pub first_interval: [f64; 2],
-    /// Share of the variance in which the input takes part.
+    /// Share of the variance due to the input and its interactions.
     pub total: f64,
     /// Its interval.
     pub total_interval: [f64; 2],
 }
 
-/// Resamplings of a bootstrap.
+/// Number of bootstrap samples.
 const RESAMPLINGS: usize = 1000;
-/// Ends of the intervals.
+/// Quantiles at the ends of the intervals.
 const ENDS: [f64; 2] = [0.025, 0.975];
-/// Half of the 95 % interval of a normal distribution, in standard deviations.
+/// Half width of the 95 % interval of a normal distribution in standard deviations.
 const NORMAL: f64 = 1.959_963_984_540_054;
 
-/// The main effect of an input `x` on a result `y`; none of fewer than eight points, or where either is constant.
+/// Main effect of an input `x` on a result `y`; `None` for fewer than eight points or if either is constant.
 #[must_use]
 pub fn effects(x: &[f64], y: &[f64]) -> Option<Effect> {
     let n = x.len().min(y.len());
@@ -71,15 +71,15 @@ pub fn effects(x: &[f64], y: &[f64]) -> Option<Effect> {
     })
 }
 
-/// Mean and mean square from it.
+/// Mean and mean square deviation.
 fn mean_and_square(values: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     let n = values.clone().count() as f64;
     let mean = values.clone().sum::<f64>() / n;
     (mean, values.map(|v| (v - mean).powi(2)).sum::<f64>() / n)
 }
 
-/// Sobol's indices of the inputs from results of a sample of Saltelli: blocks `a`, `b`, and one for each input, A with
-/// that input of B. None where a block has fewer than four points or the result is constant.
+/// Sobol's indices of the inputs from the results of a sample of Saltelli: blocks `a`, `b`, and for each input the block A
+/// with that input from B. `None` if a block has fewer than four points or the result is constant.
 ///
 /// ```
 /// use asperity_studies::sweep::{Draws, Method, sobol_indices};
@@ -104,9 +104,9 @@ pub fn sobol_indices(a: &[f64], b: &[f64], mixed: &[Vec<f64>], seed: u64) -> Opt
         let drawn: Vec<usize> = (0..n)
             .map(|_| ((uniform(&mut random) * n as f64) as usize).min(n - 1))
             .collect();
-        if let Some(found) = estimates(a, b, mixed, &drawn) {
-            for (all, found) in resampled.iter_mut().zip(found) {
-                all.push(found);
+        if let Some(estimates) = estimates(a, b, mixed, &drawn) {
+            for (samples, estimate) in resampled.iter_mut().zip(estimates) {
+                samples.push(estimate);
             }
         }
     }
@@ -173,8 +173,8 @@ mod tests {
             };
             let all = |block: Option<usize>| (0..n).map(|k| of(block, k)).collect::<Vec<f64>>();
             let mixed: Vec<Vec<f64>> = (0..3).map(|i| all(Some(i))).collect();
-            let found = sobol_indices(&all(None), &all(Some(3)), &mixed, seed).unwrap();
-            for (i, index) in found.iter().enumerate() {
+            let values = sobol_indices(&all(None), &all(Some(3)), &mixed, seed).unwrap();
+            for (i, index) in values.iter().enumerate() {
                 let exact = weights[i] * weights[i] / 14.0;
                 let lies = |[low, high]: [f64; 2]| usize::from((low..=high).contains(&exact));
                 inside[0] += lies(index.first_interval);
@@ -190,9 +190,9 @@ mod tests {
     fn an_effect_is_that_of_the_quarters() {
         let x: Vec<f64> = (0..100).map(f64::from).collect();
         let y: Vec<f64> = x.iter().map(|x| 5.0 - 2.0 * x).collect();
-        let found = effects(&x, &y).unwrap();
-        assert_eq!(found.difference, -150.0);
-        assert!((found.correlation + 1.0).abs() < 1e-12);
+        let values = effects(&x, &y).unwrap();
+        assert_eq!(values.difference, -150.0);
+        assert!((values.correlation + 1.0).abs() < 1e-12);
         assert_eq!(effects(&x, &vec![1.0; 100]), None);
     }
 }

@@ -1,4 +1,4 @@
-//! Why a study cannot be run.
+//! Errors of studies.
 
 use std::path::PathBuf;
 
@@ -16,7 +16,7 @@ fn with_other_inputs(others: &[PathBuf]) -> String {
     }
 }
 
-/// Why a study cannot be run, or its parts not put together.
+/// Error of running a study or merging its parts.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SweepError {
@@ -28,7 +28,7 @@ pub enum SweepError {
         /// Reason given by the system.
         source: std::io::Error,
     },
-    /// The study is not TOML, or has other keys.
+    /// The study is not valid TOML, or has unknown keys.
     #[error("{path}: {message}")]
     Study {
         /// The file.
@@ -36,7 +36,7 @@ pub enum SweepError {
         /// Reason given by the reader.
         message: String,
     },
-    /// A key of the study that cannot be.
+    /// A key of the study is not valid.
     #[error("{key}: {rule}")]
     Key {
         /// The key.
@@ -53,13 +53,13 @@ pub enum SweepError {
     /// A table or page cannot be written.
     #[error(transparent)]
     Report(#[from] asperity_report::ReportError),
-    /// A file that a case reads has another content than when the study was loaded.
+    /// A file that a case reads has changed since the study was loaded.
     #[error("{file}: changed while the study was run; run it again")]
     Changed {
-        /// The file, by the name that the case gives it.
+        /// The file, as named in the case.
         file: PathBuf,
     },
-    /// A part that is damaged, or of another study.
+    /// A part is damaged or belongs to another study.
     #[error("{path}: not a part of this study: {reason}")]
     Part {
         /// The file.
@@ -67,22 +67,22 @@ pub enum SweepError {
         /// The reason.
         reason: String,
     },
-    /// Cases that no part holds.
+    /// Cases are missing in the parts.
     #[error(
         "{missing} of {count} cases are in no part: {numbers}{}",
         with_other_inputs(.others)
     )]
     Missing {
-        /// Cases of the study.
+        /// Number of cases of the study.
         count: usize,
-        /// Cases in no part.
+        /// Number of missing cases.
         missing: usize,
-        /// Their numbers, as `1-4,9`.
+        /// Their numbers, such as `1-4,9`.
         numbers: String,
         /// Folders of parts of the same study that were computed from other inputs.
         others: Vec<PathBuf>,
     },
-    /// Two parts that say different things of one case.
+    /// Two parts have different rows of one case.
     #[error("{path}: case {number} is not what another part says of it")]
     Contradiction {
         /// The file.
@@ -102,7 +102,7 @@ impl SweepError {
 }
 
 impl SweepError {
-    /// Code of the error of a single case, for its row.
+    /// Error code of a single case, for its row.
     pub(super) fn code_of_case(&self) -> String {
         match self {
             Self::Case(error) => error.code().to_owned(),

@@ -1,25 +1,18 @@
-//! The parts of a study put together.
+//! Merging of the parts of a study.
 
 use std::path::Path;
 
 use asperity::fingerprint::sha256;
-use asperity_report::{ReportError, tables, write_bytes, write_json, write_text};
-use asperity_storage::{check_folder, replace_folder};
-use serde::Serialize;
 
 use super::case_list::CaseList;
 use super::effects::{Indices, effects, sobol_indices};
 use super::error::SweepError;
 use super::merged::{EffectRow, Merged};
-use super::page;
 use super::parts::{Rows, header, other_inputs, outputs, read, text_of};
 use super::study::Study;
 use crate::map::ranges;
 
-/// Kind of the folder in messages.
-const KIND: &str = "sweep";
-
-/// Puts the parts in `folder` together.
+/// Merges the parts in `folder`.
 ///
 /// # Errors
 /// When a case is in no part, a part is damaged, or two parts contradict each other.
@@ -50,7 +43,7 @@ pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
     })
 }
 
-/// The mean of a result over the axes at each point of the sample; none where a case of it has no result.
+/// Mean of a result over the axes at each point of the sample; `None` if one of its cases has no result.
 fn over_axes(list: &CaseList, rows: &Rows, column: usize) -> Vec<Option<f64>> {
     let (samples, axes) = (list.samples(), list.per_sample());
     let mean = |point: usize| {
@@ -69,14 +62,14 @@ fn effects_of(study: &Study, list: &CaseList, rows: &Rows) -> Vec<EffectRow> {
         .map(|point| list.numbers(point))
         .collect();
     let seed = study.input.sample.as_ref().map_or(0, |sample| sample.seed);
-    let mut found = Vec::new();
+    let mut effect_rows = Vec::new();
     for (at, output) in outputs.iter().enumerate() {
         let values = over_axes(list, rows, first + at);
         let indices = list
             .block()
             .and_then(|block| indices(&values, block, inputs.len(), seed));
         for (index, input) in inputs.iter().enumerate() {
-            // Blocks of Saltelli repeat the inputs of A; A alone tells the main effect.
+            // The blocks of Saltelli repeat the inputs of A, so the main effect is computed from A only.
             let few = list.block().unwrap_or(values.len());
             let pairs: Vec<(f64, f64)> = numbers
                 .iter()
@@ -85,18 +78,18 @@ fn effects_of(study: &Study, list: &CaseList, rows: &Rows) -> Vec<EffectRow> {
                 .filter_map(|(x, y)| Some((*x.get(index)?, (*y)?)))
                 .collect();
             let (x, y): (Vec<f64>, Vec<f64>) = pairs.into_iter().unzip();
-            found.push(EffectRow {
+            effect_rows.push(EffectRow {
                 output: output.clone(),
                 input: input.clone(),
                 effect: effects(&x, &y),
-                indices: indices.as_ref().and_then(|found| found.get(index).copied()),
+                indices: indices.as_ref().and_then(|all| all.get(index).copied()),
             });
         }
     }
-    found
+    effect_rows
 }
 
-/// Indices from the blocks; points at which any block has no result are left out of all.
+/// Indices from the blocks; points at which a block has no result are omitted.
 fn indices(values: &[Option<f64>], block: usize, inputs: usize, seed: u64) -> Option<Vec<Indices>> {
     let blocks: Vec<&[Option<f64>]> = values.chunks(block).collect();
     let is_whole = |k: &usize| {
@@ -111,53 +104,4 @@ fn indices(values: &[Option<f64>], block: usize, inputs: usize, seed: u64) -> Op
     };
     let mixed = (0..inputs).map(|i| of(i + 2)).collect::<Option<Vec<_>>>()?;
     sobol_indices(&of(0)?, &of(1)?, &mixed, seed)
-}
-
-/// Writes the study as folder `target`, whole or not at all: `sweep.csv`, `sweep.json`, `effects.csv`, `sweep.html`.
-///
-/// # Errors
-/// When the system refuses, or `target` holds something else.
-pub fn write(merged: &Merged, target: &Path) -> Result<(), ReportError> {
-    check_folder(target, KIND)?;
-    replace_folder(target, KIND, |folder| {
-        write_bytes(&folder.join("sweep.csv"), &merged.table)?;
-        write_json(&folder.join("sweep.json"), merged)?;
-        effects_table(merged, &folder.join("effects.csv"))?;
-        write_text(&folder.join("sweep.html"), &page::render(merged))
-    })
-}
-
-fn effects_table(merged: &Merged, file: &Path) -> Result<(), ReportError> {
-    #[derive(Serialize)]
-    struct Row<'a> {
-        output: &'a str,
-        input: &'a str,
-        low: Option<f64>,
-        high: Option<f64>,
-        difference: Option<f64>,
-        half_width: Option<f64>,
-        correlation: Option<f64>,
-        first: Option<f64>,
-        first_low: Option<f64>,
-        first_high: Option<f64>,
-        total: Option<f64>,
-        total_low: Option<f64>,
-        total_high: Option<f64>,
-    }
-    let rows = merged.effects.iter().map(|row| Row {
-        output: &row.output,
-        input: &row.input,
-        low: row.effect.map(|effect| effect.low),
-        high: row.effect.map(|effect| effect.high),
-        difference: row.effect.map(|effect| effect.difference),
-        half_width: row.effect.map(|effect| effect.half_width),
-        correlation: row.effect.map(|effect| effect.correlation),
-        first: row.indices.map(|found| found.first),
-        first_low: row.indices.map(|found| found.first_interval[0]),
-        first_high: row.indices.map(|found| found.first_interval[1]),
-        total: row.indices.map(|found| found.total),
-        total_low: row.indices.map(|found| found.total_interval[0]),
-        total_high: row.indices.map(|found| found.total_interval[1]),
-    });
-    tables::write(file, rows)
 }

@@ -1,10 +1,10 @@
-//! A study put together, as data.
+//! Data of a merged study.
 
 use serde::Serialize;
 
 use super::effects::{Effect, Indices};
 
-/// A study put together.
+/// Merged study.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Merged {
     /// Name of the study.
@@ -13,13 +13,13 @@ pub struct Merged {
     pub study: String,
     /// Title of the case.
     pub title: String,
-    /// Cases.
+    /// Number of cases.
     pub cases: usize,
-    /// Cases without a result.
+    /// Number of cases without a result.
     pub failed: usize,
     /// SHA-256 of the table.
     pub sha256: String,
-    /// Effects of the sampled inputs on each result, each result being the mean over the axes.
+    /// Effects of the sampled inputs on each result, averaged over the axes.
     pub effects: Vec<EffectRow>,
     /// The table.
     #[serde(skip)]
@@ -35,6 +35,6 @@ pub struct EffectRow {
     pub input: String,
     /// Main effect.
     pub effect: Option<Effect>,
-    /// Sobol's indices, where the sample is made for them.
+    /// Sobol's indices, if the sample has blocks for them.
     pub indices: Option<Indices>,
 }

@@ -1,8 +1,8 @@
 //! Many cases from one study file: crossed axes and samples of the inputs, in shards that any scheduler can run.
 //!
-//! A case has a number, row-major in the axes and then the sample, and an id of its content. Shards write parts, each
-//! whole or not at all; a restart runs what no part holds. Put together, the table is the same for every number of
-//! shards and threads.
+//! A case has a number, row-major in the axes and then the sample, and an id computed from its content. Shards write parts,
+//! each completely or not at all; a restart runs the missing cases. The merged table is the same for any number of shards
+//! and threads.
 
 mod amount;
 mod axes;
@@ -21,13 +21,14 @@ mod run;
 mod settings;
 mod study;
 mod study_input;
+mod write;
 
 pub use asperity_core::numerics::standard_normal_quantile;
 pub use cases::Cases;
 pub use draws::Draws;
 pub use effects::{Effect, Indices, effects, sobol_indices};
 pub use error::SweepError;
-pub use merge::{merge, write};
+pub use merge::merge;
 pub use merged::{EffectRow, Merged};
 pub use parts::{Status, status};
 pub use plan::{Plan, plan};

@@ -1,4 +1,4 @@
-//! The page of a study: tornado charts and the table of effects.
+//! Page of a study: tornado charts and table of effects.
 
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::html::{figure, page};
@@ -14,7 +14,7 @@ pub(super) fn render(merged: &Merged) -> String {
         .collect();
     outputs.dedup();
     let tornados = html! {
-        p { "How far the mean of a result moves from the lowest to the highest quarter of an input, with its 95 % interval." }
+        p { "Change of the mean of a result from the lowest to the highest quarter of an input, with its 95 % interval." }
         div.charts { @for output in &outputs { @if let Some(chart) = tornado(merged, output) { (figure(&chart)) } } }
     };
     let sections = [
@@ -40,7 +40,7 @@ fn study(merged: &Merged) -> Markup {
     }
 }
 
-/// Inputs by the size of their effect, the largest first.
+/// Inputs by the size of their effect, largest first.
 fn tornado(merged: &Merged, output: &str) -> Option<Drawing> {
     let mut rows: Vec<(&EffectRow, f64, f64)> = merged
         .effects

@@ -1,4 +1,4 @@
-//! The parts of a study: tables of finished cases, each written whole or not at all.
+//! The parts of a study: tables of finished cases, each written completely or not at all.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -16,7 +16,7 @@ use crate::map::ranges;
 /// Rows by the numbers of their cases: the cells of a row as text.
 pub(super) type Rows = BTreeMap<usize, Vec<String>>;
 
-/// What of a study is done.
+/// Progress of a study.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Status {
     /// Hash of the study.
@@ -25,7 +25,7 @@ pub struct Status {
     pub cases: usize,
     /// Cases in closed parts.
     pub done: usize,
-    /// Numbers of the cases in no part, as `1-4,9`.
+    /// Numbers of the cases that are not in a part, such as `1-4,9`.
     pub missing: String,
     /// Finished cases without a result by code.
     pub failed: BTreeMap<String, usize>,
@@ -33,10 +33,10 @@ pub struct Status {
     pub parts: usize,
 }
 
-/// What the parts in `folder` hold of a study.
+/// Progress of a study by the parts in `folder`.
 ///
 /// # Errors
-/// When the study names what cannot be, or a part is damaged.
+/// When the study is not valid, or a part is damaged.
 pub fn status(study: &Study, folder: &Path) -> Result<Status, SweepError> {
     let list = CaseList::of(study)?;
     let (rows, parts) = read(study, &list, folder)?;
@@ -60,11 +60,11 @@ pub fn status(study: &Study, folder: &Path) -> Result<Status, SweepError> {
 }
 
 /// Folder of the parts of one study.
-pub(super) fn place_of(study: &Study, folder: &Path) -> PathBuf {
+pub(super) fn folder_of_parts(study: &Study, folder: &Path) -> PathBuf {
     folder.join(&study.hash)
 }
 
-/// Header of the table: number and id of the case, its inputs, its results, the code of its error.
+/// Header of the table: number and id of the case, inputs, results, error code.
 pub(super) fn header(study: &Study, list: &CaseList) -> Vec<String> {
     let mut names = vec!["case".to_owned(), "id".to_owned()];
     names.extend(list.columns());
@@ -75,7 +75,7 @@ pub(super) fn header(study: &Study, list: &CaseList) -> Vec<String> {
 
 /// Columns of the results.
 pub(super) fn outputs(study: &Study) -> Vec<String> {
-    /// The summary that is kept when the study names no columns.
+    /// Default columns of the summary.
     const USUAL: [&str; 6] = [
         "efficiency",
         "loss_w",
@@ -84,7 +84,7 @@ pub(super) fn outputs(study: &Study) -> Vec<String> {
         "mu_equivalent",
         "mixed_share",
     ];
-    /// What is kept as well where the case states losses of its gearbox; the others are of the mesh.
+    /// Additional default columns if the case states losses of its gearbox; the other columns are for the mesh.
     const OF_GEARBOX: [&str; 2] = ["gearbox_efficiency", "gearbox_loss_w"];
     let has_gearbox = study.case.case.gearbox.is_some();
     let more = OF_GEARBOX.into_iter().filter(|_| has_gearbox);
@@ -92,7 +92,7 @@ pub(super) fn outputs(study: &Study) -> Vec<String> {
     study.input.columns.clone().unwrap_or_else(usual)
 }
 
-/// A table as text.
+/// Table as text.
 pub(super) fn text_of(
     header: &[String],
     rows: impl Iterator<Item = Vec<String>>,
@@ -125,7 +125,7 @@ pub(super) fn close(
         return Ok(());
     };
     let name = format!("part-{shard:04}-of-{shards:04}-{first:08}.csv");
-    let path = place_of(study, folder).join(name);
+    let path = folder_of_parts(study, folder).join(name);
     let rows = std::mem::take(rows);
     let table = text_of(&header(study, list), rows.into_values(), &path)?;
     let mut part = head(&study.name, &study.hash, &table).into_bytes();
@@ -134,31 +134,33 @@ pub(super) fn close(
     Ok(())
 }
 
-/// Makes the folder of the parts.
-pub(super) fn make_place(study: &Study, folder: &Path) -> Result<(), SweepError> {
-    let place = place_of(study, folder);
-    fs::create_dir_all(&place).map_err(|source| {
+/// Creates the folder of the parts.
+pub(super) fn make_folder_of_parts(study: &Study, folder: &Path) -> Result<(), SweepError> {
+    let folder_of_parts = folder_of_parts(study, folder);
+    fs::create_dir_all(&folder_of_parts).map_err(|source| {
         SweepError::Storage(StorageError::Io {
-            path: place.clone(),
+            path: folder_of_parts.clone(),
             source,
         })
     })
 }
 
-/// First words of the lines above the table of a part.
+/// Begin of the line with the name of the study, above the table of a part.
 const STUDY: &str = "# study ";
+/// Begin of the line with the fingerprint of its inputs.
 const INPUTS: &str = "# inputs ";
+/// Begin of the line with the SHA-256 of the table.
 const SUM: &str = "# sha256 ";
 
-/// The lines above the table of a part: name of the study, fingerprint of its inputs, sum of the table.
+/// Lines above the table of a part.
 fn head(name: &str, hash: &str, table: &[u8]) -> String {
     let name: String = name.chars().filter(|c| !c.is_control()).collect();
     format!("{STUDY}{name}\n{INPUTS}{hash}\n{SUM}{}\n", sha256(table))
 }
 
-/// The files of the closed parts in `place`, by name.
-fn files_in(place: &Path) -> Vec<PathBuf> {
-    let mut files: Vec<PathBuf> = match fs::read_dir(place) {
+/// The files of the closed parts in `folder_of_parts`, by name.
+fn files_in(folder_of_parts: &Path) -> Vec<PathBuf> {
+    let mut files: Vec<PathBuf> = match fs::read_dir(folder_of_parts) {
         Ok(entries) => entries.flatten().map(|entry| entry.path()).collect(),
         Err(_) => Vec::new(),
     };
@@ -170,13 +172,13 @@ fn files_in(place: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// Folders beside that of `study` whose parts are of the same study with other inputs.
+/// Other folders with parts of the same study that were computed from other inputs.
 pub(super) fn other_inputs(study: &Study, folder: &Path) -> Vec<PathBuf> {
-    let own = place_of(study, folder);
+    let parts = folder_of_parts(study, folder);
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut others: Vec<PathBuf> = entries
         .map(|entry| entry.path())
-        .filter(|path| *path != own)
+        .filter(|path| *path != parts)
         .filter(|path| {
             let begin = head(&study.name, "", &[]);
             let first = files_in(path).into_iter().next();
@@ -188,13 +190,13 @@ pub(super) fn other_inputs(study: &Study, folder: &Path) -> Vec<PathBuf> {
     others
 }
 
-/// The rows of every closed part, and the number of parts.
+/// The rows of all closed parts, and the number of parts.
 pub(super) fn read(
     study: &Study,
     list: &CaseList,
     folder: &Path,
 ) -> Result<(Rows, usize), SweepError> {
-    let files = files_in(&place_of(study, folder));
+    let files = files_in(&folder_of_parts(study, folder));
     let expected = (header(study, list), list.count());
     let mut rows = Rows::new();
     for path in &files {
@@ -218,9 +220,8 @@ fn read_part(
     let mut lines = bytes.splitn(4, |byte| *byte == b'\n');
     let mut after = |word: &str| {
         let line = lines.next().and_then(|line| std::str::from_utf8(line).ok());
-        let found = line.and_then(|line| line.strip_prefix(word));
-        found
-            .map(str::to_owned)
+        let rest = line.and_then(|line| line.strip_prefix(word));
+        rest.map(str::to_owned)
             .ok_or_else(|| refused(format!("no line {word:?} above its table")))
     };
     let (_, inputs, sum) = (after(STUDY)?, after(INPUTS)?, after(SUM)?);
@@ -239,7 +240,7 @@ fn read_part(
     let mut reader = csv::Reader::from_reader(table);
     let header = reader.headers().map_err(damaged)?;
     if !header.iter().eq(expected.iter().map(String::as_str)) {
-        return Err(refused("its columns are others".to_owned()));
+        return Err(refused("it has other columns".to_owned()));
     }
     for record in reader.records() {
         let record = record.map_err(damaged)?;

@@ -1,4 +1,4 @@
-//! A study looked at before it runs.
+//! Plan of a study before it runs.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -11,31 +11,31 @@ use super::refused::{Refused, refusals};
 use super::run::row_of;
 use super::study::Study;
 
-/// What a study will take.
+/// Size of a study and its estimated time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Plan {
     /// Hash of the study.
     pub study: String,
-    /// Cases.
+    /// Number of cases.
     pub cases: usize,
-    /// Points of the crossed axes.
+    /// Number of points of the crossed axes.
     pub axis_points: usize,
-    /// Points of the sample.
+    /// Number of points of the sample.
     pub sample_points: usize,
-    /// Cases that cannot be resolved by code: their number and the first of them, with its message.
+    /// Cases that cannot be resolved, by code: their number, and the first of them with its message.
     pub refused: BTreeMap<String, Refused>,
-    /// Estimated time on the threads of the pool \[s\], from a few cases run now.
+    /// Estimated time on the threads of the pool \[s\], from a few cases that were run.
     pub seconds: f64,
     /// Estimated size of the table \[bytes\].
     pub bytes: f64,
 }
 
-/// Resolves every case and runs a few.
+/// Resolves all cases and runs a few.
 ///
 /// # Errors
-/// When the study names what cannot be.
+/// When the study is not valid.
 pub fn plan(study: &Study) -> Result<Plan, SweepError> {
-    /// Cases that are run for the estimate.
+    /// Number of cases run for the estimate.
     const SAMPLED: usize = 3;
     let list = CaseList::of(study)?;
     let count = list.count();

@@ -1,4 +1,4 @@
-//! Cases that cannot be run, known before any is.
+//! Cases that cannot be resolved, determined before any case is run.
 
 use std::collections::BTreeMap;
 
@@ -12,18 +12,18 @@ use super::study::Study;
 /// Cases that cannot be resolved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Refused {
-    /// How many.
+    /// Number of cases.
     pub count: usize,
     /// Number of the first.
     pub first: usize,
-    /// Its message.
+    /// Message of the first.
     pub message: String,
 }
 
-/// The cases of these numbers that cannot be resolved, by code.
+/// Cases among `numbers` that cannot be resolved, by code.
 ///
 /// # Errors
-/// When a file changed since the study was loaded.
+/// When a file has changed since the study was loaded.
 pub(super) fn refusals(
     study: &Study,
     list: &CaseList,
@@ -31,7 +31,7 @@ pub(super) fn refusals(
 ) -> Result<BTreeMap<String, Refused>, SweepError> {
     let refusals = numbers
         .par_iter()
-        .filter_map(|number| match resolved(study, &list.place(*number)) {
+        .filter_map(|number| match resolved(study, &list.inputs(*number)) {
             Ok(_) => None,
             Err(error @ SweepError::Changed { .. }) => Some(Err(error)),
             Err(refused) => Some(Ok((*number, refused.code_of_case(), refused.to_string()))),

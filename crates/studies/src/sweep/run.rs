@@ -14,7 +14,7 @@ use rayon::prelude::*;
 
 use super::case_list::{CaseList, key_of_tables, resolved};
 use super::error::SweepError;
-use super::parts::{Rows, close, make_place, outputs, read};
+use super::parts::{Rows, close, make_folder_of_parts, outputs, read};
 use super::refused::{Refused, refusals};
 use super::study::Study;
 use super::study_input::Detail;
@@ -24,7 +24,7 @@ use super::study_input::Detail;
 pub struct Shard {
     /// Number from 1.
     pub number: usize,
-    /// How many there are.
+    /// Number of shards.
     pub of: usize,
 }
 
@@ -33,7 +33,7 @@ impl std::str::FromStr for Shard {
 
     /// Reads `3/64`.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        const FORM: &str = "must be K/N with K from 1 to N, as 3/64";
+        const FORM: &str = "must be K/N with K from 1 to N, such as 3/64";
         let (number, of) = text.split_once('/').ok_or(FORM)?;
         let (number, of) = (number.trim().parse(), of.trim().parse());
         match (number, of) {
@@ -43,42 +43,43 @@ impl std::str::FromStr for Shard {
     }
 }
 
-/// Contact tables by the part of the case that they hang on: cases of other oils, speeds and temperatures share them.
-pub(super) type Kept = Mutex<HashMap<String, Arc<Contacts>>>;
+/// Contact tables by the part of the case on which they depend: cases with other oils, speeds and temperatures share
+/// them.
+pub(super) type SharedTables = Mutex<HashMap<String, Arc<Contacts>>>;
 
-/// Most tables that are held at once, some megabytes each.
+/// Largest number of cached tables, some megabytes each.
 const MOST_TABLES: usize = 16;
-/// Cases after which a part is closed.
+/// Number of cases after which a part is closed.
 const CASES_OF_A_PART: usize = 1000;
 /// Time after which a part is closed.
 const TIME_OF_A_PART: Duration = Duration::from_secs(30);
-/// Cases that are run at once.
+/// Number of cases run in parallel.
 const AT_ONCE: usize = 16;
 
-/// What happens while a shard runs.
+/// Progress event of a shard.
 #[derive(Debug, Clone, Copy)]
 pub enum Event<'a> {
-    /// Every case to be run has been resolved, none has been run.
+    /// All cases of the shard are resolved; none has been run.
     Checked {
-        /// Those that cannot be, by code; each will be a row with its code.
+        /// Cases that cannot be resolved, by code; each becomes a row with its code.
         refused: &'a BTreeMap<String, Refused>,
-        /// Cases to be run.
+        /// Number of cases to run.
         of: usize,
     },
     /// Cases have been run.
     Done {
-        /// How many.
+        /// Number of cases run so far.
         cases: usize,
-        /// Cases to be run.
+        /// Number of cases to run.
         of: usize,
     },
 }
 
-/// Resolves all cases of a shard that no closed part in `folder` holds, then runs them; `watch` is told of both.
-/// A part is closed after 1000 cases or 30 s.
+/// Resolves all cases of a shard that are not in a closed part in `folder`, then runs them, with events to `watch`. A
+/// part is closed after 1000 cases or 30 s.
 ///
 /// # Errors
-/// When the study names what cannot be, or a part cannot be written. A case without a result is a row with its code.
+/// When the study is not valid, or a part cannot be written. A case without a result becomes a row with its code.
 pub fn run(
     study: &Study,
     shard: Shard,
@@ -86,27 +87,27 @@ pub fn run(
     watch: &(dyn Fn(Event<'_>) + Sync),
 ) -> Result<usize, SweepError> {
     let list = CaseList::of(study)?;
-    make_place(study, folder)?;
+    make_folder_of_parts(study, folder)?;
     let (done, _) = read(study, &list, folder)?;
-    let wanted: Vec<usize> = (shard.number - 1..list.count())
+    let pending: Vec<usize> = (shard.number - 1..list.count())
         .step_by(shard.of)
         .filter(|number| !done.contains_key(number))
         .collect();
-    let of = wanted.len();
-    let refused = &refusals(study, &list, &wanted)?;
+    let of = pending.len();
+    let refused = &refusals(study, &list, &pending)?;
     watch(Event::Checked { refused, of });
-    let kept = Kept::default();
+    let shared = SharedTables::default();
     let (mut rows, mut opened) = (Rows::new(), Instant::now());
     let mut finished = 0;
-    for numbers in wanted.chunks(AT_ONCE) {
-        let found = numbers
+    for numbers in pending.chunks(AT_ONCE) {
+        let results = numbers
             .par_iter()
-            .map(|number| Ok((*number, row_of(study, &list, *number, Some(&kept))?)))
+            .map(|number| Ok((*number, row_of(study, &list, *number, Some(&shared))?)))
             .collect::<Result<Vec<(usize, Vec<String>)>, SweepError>>()?;
-        // Rows of cancelled cases are no rows of the study.
+        // Rows of cancelled cases are not written.
         checkpoint().map_err(Error::from).map_err(Box::new)?;
-        finished += found.len();
-        rows.extend(found);
+        finished += results.len();
+        rows.extend(results);
         watch(Event::Done {
             cases: finished,
             of,
@@ -123,26 +124,26 @@ pub fn run(
 /// The row of a case: number, id, inputs, results, code.
 ///
 /// # Errors
-/// When a file changed since the study was loaded; any other error of the case is the code of its row.
+/// When a file has changed since the study was loaded. Any other error of the case becomes the code of its row.
 pub(super) fn row_of(
     study: &Study,
     list: &CaseList,
     number: usize,
-    kept: Option<&Kept>,
+    shared: Option<&SharedTables>,
 ) -> Result<Vec<String>, SweepError> {
-    let place = list.place(number);
+    let inputs = list.inputs(number);
     let names = outputs(study);
-    let (id, found) = match resolved(study, &place) {
+    let (id, summary) = match resolved(study, &inputs) {
         Err(error @ SweepError::Changed { .. }) => return Err(error),
         Err(error) => (String::new(), Err(error.code_of_case())),
         Ok((case, id)) => {
-            let summary = summary(study, &case, kept);
+            let summary = summary(study, &case, shared);
             (id, summary.map_err(|error| error.code().to_owned()))
         }
     };
     let mut row = vec![number.to_string(), id];
-    row.extend(place.columns);
-    match found.and_then(|summary| values(&summary, &names)) {
+    row.extend(inputs.columns);
+    match summary.and_then(|summary| values(&summary, &names)) {
         Ok(values) => {
             row.extend(values);
             row.push(String::new());
@@ -155,37 +156,41 @@ pub(super) fn row_of(
     Ok(row)
 }
 
-fn summary(study: &Study, case: &LoadedCase, kept: Option<&Kept>) -> Result<Summary, Error> {
+fn summary(
+    study: &Study,
+    case: &LoadedCase,
+    shared: Option<&SharedTables>,
+) -> Result<Summary, Error> {
     if study.input.detail.unwrap_or_default() == Detail::Contacts {
         let run = Run::new(case).without_pictures();
         return Ok(run.execute()?.result.summary);
     }
-    if let Some(tables) = kept.and_then(|kept| tables(case, kept)) {
-        // Tables that turn out to be of another contact refuse.
-        if let Ok(found) = losses_with(&tables, case) {
-            return Ok(found.summary);
+    if let Some(tables) = shared.and_then(|shared| tables(case, shared)) {
+        // Tables of another contact are an error here; the case is then computed without them.
+        if let Ok(losses) = losses_with(&tables, case) {
+            return Ok(losses.summary);
         }
     }
     Ok(losses(case)?.summary)
 }
 
-/// The contact tables of a case, made at their first need.
-fn tables(case: &LoadedCase, kept: &Kept) -> Option<Arc<Contacts>> {
+/// The contact tables of a case, computed on first use.
+fn tables(case: &LoadedCase, shared: &SharedTables) -> Option<Arc<Contacts>> {
     let key = key_of_tables(case)?;
-    let held = || kept.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(found) = held().get(&key) {
-        return Some(Arc::clone(found));
+    let lock = || shared.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(tables) = lock().get(&key) {
+        return Some(Arc::clone(tables));
     }
     let made = Arc::new(contacts(case).ok()?);
-    let mut held = held();
-    if held.len() >= MOST_TABLES {
-        held.clear();
+    let mut cached = lock();
+    if cached.len() >= MOST_TABLES {
+        cached.clear();
     }
-    held.insert(key, Arc::clone(&made));
+    cached.insert(key, Arc::clone(&made));
     Some(made)
 }
 
-/// The columns of a summary; none of them where one is not of it.
+/// The columns of a summary, or an error code.
 fn values(summary: &Summary, names: &[String]) -> Result<Vec<String>, String> {
     let value = serde_json::to_value(summary).map_err(|_| "E501".to_owned())?;
     let of = |name: &String| match value.get(name) {

@@ -5,11 +5,11 @@ use toml::Value;
 
 use super::error::SweepError;
 
-/// Keys and the values that they are set to.
+/// Keys with their values.
 pub(super) type Settings = Vec<(String, String)>;
 
-/// Sets a key of the case; a number at its end is the place in a list, `gears.profile_shift.0`, which the case gives
-/// or has by default.
+/// Sets a key of the case. A number at its end is an index in a list of the case or its defaults, as in
+/// `gears.profile_shift.0`.
 pub(super) fn set(
     input: &mut CaseInput,
     defaults: &[DefaultUsed],
@@ -36,7 +36,7 @@ pub(super) fn set(
         Some(Value::Array(values)) => Some(values.clone()),
         _ => by_default(),
     };
-    let none = || SweepError::key(key, "is no list of the case");
+    let none = || SweepError::key(key, "is not a list of the case");
     let mut values = given.ok_or_else(none)?;
     let Some(entry) = values.get_mut(index) else {
         return Err(SweepError::key(key, "is beyond the end of the list"));

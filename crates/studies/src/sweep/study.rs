@@ -1,4 +1,4 @@
-//! A study: its file, its case, and the fingerprint of both with all files that they name.
+//! A study: its file, its case, and the fingerprint of both and of all files that they name.
 
 use std::path::{Path, PathBuf};
 
@@ -12,28 +12,28 @@ use super::study_input::StudyInput;
 
 /// Name of a study that was not read from a file.
 const IN_MEMORY: &str = "study";
-/// Bytes of the largest study that is read.
+/// Largest size of a study in bytes.
 const LARGEST_STUDY: u64 = 10_000_000;
-/// Bytes of the largest table of a study that is read.
+/// Largest size of a table of a study in bytes.
 pub(super) const LARGEST_TABLE: u64 = 1_000_000_000;
 
-/// A study with its case.
+/// Study with its case.
 #[derive(Debug, Clone)]
 pub struct Study {
     pub(super) input: StudyInput,
     /// The case of the study.
     pub case: LoadedCase,
-    /// Name of the study, without folder and ending.
+    /// Name of the study, without folder and extension.
     pub name: String,
-    /// First sixteen hexadecimal digits of the fingerprint of all that decides a case of the study: the study, its
-    /// table, the case, the files that any case of it reads, and the version of the program.
+    /// First sixteen hexadecimal digits of the fingerprint of all inputs of the study: the study, its table, the case, the
+    /// files that any case reads, and the program version.
     pub hash: String,
     /// Folder of the study.
     pub folder: PathBuf,
     pub(super) axes: Axes,
-    /// Table of the sample, where it is a list.
+    /// Table of the sample, if it is a list.
     pub(super) table: Option<Vec<u8>>,
-    /// Sums of the files that any case of the study reads.
+    /// Hashes of the files that any case of the study reads.
     pub(super) sums: FileSums,
 }
 
@@ -52,29 +52,29 @@ impl Study {
             path: file.to_owned(),
             message: error.to_string().trim().replace('\n', "; "),
         })?;
-        let named = input.case.as_ref();
-        let named = named.ok_or_else(|| SweepError::Study {
+        let case_file = input.case.as_ref();
+        let case_file = case_file.ok_or_else(|| SweepError::Study {
             path: file.to_owned(),
             message: "missing field `case`".to_owned(),
         })?;
-        let case = case::load(&folder.join(named), None)?;
+        let case = case::load(&folder.join(case_file), None)?;
         let stem = file.file_stem().unwrap_or_default();
         let name = stem.to_string_lossy().into_owned();
         Self::of(input, &text.replace('\r', ""), case, (name, folder))
     }
 
-    /// A study of `case` whose other keys are those of a study file, as the text of a JSON object; files that it names
-    /// are relative to `folder`.
+    /// Makes a study of `case` with the other keys of a study file, as the text of a JSON object; files that it names are
+    /// relative to `folder`.
     ///
     /// # Errors
-    /// When the text is no study, or a file cannot be read.
+    /// When the text is not a valid study, or a file cannot be read.
     pub fn of_case(case: LoadedCase, text: &str, folder: &Path) -> Result<Self, SweepError> {
         let input = serde_json::from_str(text).map_err(|error| SweepError::Study {
             path: IN_MEMORY.into(),
             message: error.to_string(),
         })?;
-        let place = (IN_MEMORY.to_owned(), folder.to_owned());
-        Self::of(input, text, case, place)
+        let name = (IN_MEMORY.to_owned(), folder.to_owned());
+        Self::of(input, text, case, name)
     }
 
     fn of(

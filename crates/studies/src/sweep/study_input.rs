@@ -6,11 +6,11 @@ use std::path::PathBuf;
 use serde::Deserialize;
 use toml::Value;
 
-/// A study as its file has it.
+/// Keys of a study.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct StudyInput {
-    /// Case file, relative to the study; in memory the case is at hand.
+    /// Case file, relative to the study; not used for a case in memory.
     #[serde(default)]
     pub case: Option<PathBuf>,
     pub detail: Option<Detail>,
@@ -20,18 +20,18 @@ pub(super) struct StudyInput {
     pub sample: Option<SampleInput>,
 }
 
-/// What is computed of a case.
+/// Extent of the computation of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Detail {
-    /// What the losses need.
+    /// Only the losses.
     #[default]
     Losses,
-    /// The rough contact at every offset besides.
+    /// Also the rough contact at every offset.
     Contacts,
 }
 
-/// An axis: values of a key, or named choices of several keys.
+/// Axis: values of a key, or named choices of several keys.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct AxisInput {
@@ -45,7 +45,7 @@ pub(super) struct AxisInput {
     pub choice: Option<BTreeMap<String, BTreeMap<String, Value>>>,
 }
 
-/// Steps of an axis.
+/// Spacing of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Spacing {
@@ -56,21 +56,21 @@ pub(super) enum Spacing {
     Log,
 }
 
-/// How the inputs are sampled.
+/// Sampling method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
     /// Sobol's sequence, scrambled by the seed.
     Sobol,
-    /// Each input evenly in layers, the layers of the inputs shuffled.
+    /// Latin hypercube: one point in each layer of each input, layers permuted.
     LatinHypercube,
-    /// Independent.
+    /// Independent random numbers.
     Random,
     /// Rows of a table.
     List,
 }
 
-/// The sample.
+/// Sample of a study.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SampleInput {
@@ -78,7 +78,7 @@ pub(super) struct SampleInput {
     pub count: Option<usize>,
     #[serde(default)]
     pub seed: u64,
-    /// Whether the sample is one of Saltelli for Sobol's indices: count times the number of inputs plus two.
+    /// Whether the sample is a sample of Saltelli for Sobol's indices: count times the number of inputs plus two.
     #[serde(default)]
     pub indices: bool,
     #[serde(default)]
@@ -91,9 +91,9 @@ pub(super) struct SampleInput {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Distribution {
-    /// Even from the first to the second.
+    /// Uniform between the two values.
     Uniform([Value; 2]),
-    /// Even in the logarithm.
+    /// Uniform in the logarithm.
     LogUniform([Value; 2]),
     /// Mean and standard deviation.
     Normal([Value; 2]),

@@ -1,4 +1,4 @@
-//! A solved contact: its words, its JSON and its file of points.
+//! A solved contact: text, JSON and file of points.
 
 use std::path::Path;
 
@@ -9,25 +9,25 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 
-/// A solved contact and what it is compared with.
-pub struct Found {
-    /// Its files and place.
+/// Solved contact with its smooth reference.
+pub struct SolvedContact {
+    /// Files and position.
     pub title: String,
-    /// Distance of the points.
+    /// Spacing of the points.
     pub spacing: Length,
     /// Positions \[m\].
     pub x: Vec<f64>,
     /// Undeformed gap \[m\].
     pub undeformed: Vec<f64>,
-    /// The contact.
+    /// Solution.
     pub solution: ContactSolution,
     /// Largest pressure of the smooth contact \[Pa\].
     pub hertz_pressure: Option<f64>,
-    /// Cycles of the running-in before.
+    /// Cycles of a running-in before the contact.
     pub cycles: Vec<Cycle>,
 }
 
-impl Found {
+impl SolvedContact {
     /// Warnings with their codes.
     fn warnings(&self) -> Vec<(&'static str, String)> {
         let coded = |warning: ContactWarning| {
@@ -40,7 +40,7 @@ impl Found {
         self.solution.warnings().into_iter().map(coded).collect()
     }
 
-    /// The contact for programs, with the stress below.
+    /// The contact as JSON, with the subsurface stress.
     pub fn json(&self, stress: Option<Value>) -> Value {
         let s = &self.solution;
         let warnings: Vec<Value> = self
@@ -73,7 +73,7 @@ impl Found {
         })
     }
 
-    /// The contact for reading, with lines on the stress below.
+    /// The contact as text, with lines about the subsurface stress.
     pub fn text(&self, stress: &str) -> String {
         let s = &self.solution;
         let hertz = self
@@ -112,7 +112,7 @@ impl Found {
         text
     }
 
-    /// Writes x, undeformed gap, pressure, gap and displacement per point; every number reads back
+    /// Writes x, undeformed gap, pressure, gap and displacement per point; every number can be read back
     /// exactly.
     pub fn write_points(&self, path: &Path) -> Result<(), Failure> {
         let s = &self.solution;

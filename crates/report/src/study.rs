@@ -1,0 +1,52 @@
+//! Folders of study results: a JSON file, tables and a page, written completely or not at all.
+
+use std::path::Path;
+
+use asperity_storage::{check_folder, replace_folder};
+use serde::Serialize;
+
+use crate::error::ReportError;
+use crate::folder::{write_json, write_text};
+
+/// Result of a study: rows for tables, charts for a page, and a summary for the terminal.
+pub trait StudyResult: Serialize + Sized {
+    /// Kind of the folder in messages.
+    const KIND: &'static str;
+    /// Name of the JSON file and of the page, without extension.
+    const NAME: &'static str;
+    /// Data besides the result that its folder shows; `()` if there are none.
+    type Context<'a>: Copy;
+
+    /// Summary for the terminal.
+    fn summary(&self, context: Self::Context<'_>) -> String;
+
+    /// Page of the result.
+    fn page(&self, context: Self::Context<'_>) -> String;
+
+    /// Writes the tables of the result into `folder`.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    fn write_tables(&self, context: Self::Context<'_>, folder: &Path) -> Result<(), ReportError>;
+
+    /// Checks that a result may be written as folder `target`.
+    ///
+    /// # Errors
+    /// When `target` holds something else than an older result of this kind.
+    fn check_target(target: &Path) -> Result<(), ReportError> {
+        Ok(check_folder(target, Self::KIND)?)
+    }
+
+    /// Writes the result as folder `target`, completely or not at all, and replaces an older one.
+    ///
+    /// # Errors
+    /// When a file cannot be written, or `target` holds something else.
+    fn write(&self, context: Self::Context<'_>, target: &Path) -> Result<(), ReportError> {
+        let name = Self::NAME;
+        replace_folder(target, Self::KIND, |folder| {
+            write_json(&folder.join(format!("{name}.json")), self)?;
+            self.write_tables(context, folder)?;
+            write_text(&folder.join(format!("{name}.html")), &self.page(context))
+        })
+    }
+}

@@ -1,0 +1,97 @@
+//! Output of a merged study: `sweep.csv`, `sweep.json`, `effects.csv`, `sweep.html` and summary.
+
+use std::path::Path;
+
+use asperity_report::{ReportError, StudyResult, tables, write_bytes};
+use asperity_storage::one_line;
+use serde::Serialize;
+
+use super::merged::Merged;
+use super::page;
+
+impl StudyResult for Merged {
+    const KIND: &'static str = "sweep";
+    const NAME: &'static str = "sweep";
+    type Context<'a> = ();
+
+    fn summary(&self, (): ()) -> String {
+        summary(self)
+    }
+
+    fn page(&self, (): ()) -> String {
+        page::render(self)
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        write_bytes(&folder.join("sweep.csv"), &self.table)?;
+        effects_table(self, &folder.join("effects.csv"))
+    }
+}
+
+fn summary(merged: &Merged) -> String {
+    let mut text = format!(
+        "{}\n{} cases, {} without a result\n",
+        one_line(&merged.title),
+        merged.cases,
+        merged.failed
+    );
+    if merged.effects.iter().any(|row| row.effect.is_some()) {
+        text.push_str(&format!(
+            "{:<16} {:<36} {:>22} {:>22} {:>22}\n",
+            "result", "input", "change", "first index", "total index"
+        ));
+    }
+    for row in &merged.effects {
+        let Some(effect) = row.effect else { continue };
+        let of = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
+        let (first, total) = match row.indices {
+            Some(indices) => (
+                of(indices.first, indices.first_interval),
+                of(indices.total, indices.total_interval),
+            ),
+            None => ("-".to_owned(), "-".to_owned()),
+        };
+        let change = format!("{:+.3e} ± {:.1e}", effect.difference, effect.half_width);
+        text.push_str(&format!(
+            "{:<16} {:<36} {change:>22} {first:>22} {total:>22}\n",
+            row.output, row.input
+        ));
+    }
+    text.push_str(&format!("SHA-256 {}\n", merged.sha256));
+    text
+}
+
+fn effects_table(merged: &Merged, file: &Path) -> Result<(), ReportError> {
+    #[derive(Serialize)]
+    struct EffectColumns<'a> {
+        output: &'a str,
+        input: &'a str,
+        low: Option<f64>,
+        high: Option<f64>,
+        difference: Option<f64>,
+        half_width: Option<f64>,
+        correlation: Option<f64>,
+        first: Option<f64>,
+        first_low: Option<f64>,
+        first_high: Option<f64>,
+        total: Option<f64>,
+        total_low: Option<f64>,
+        total_high: Option<f64>,
+    }
+    let rows = merged.effects.iter().map(|row| EffectColumns {
+        output: &row.output,
+        input: &row.input,
+        low: row.effect.map(|effect| effect.low),
+        high: row.effect.map(|effect| effect.high),
+        difference: row.effect.map(|effect| effect.difference),
+        half_width: row.effect.map(|effect| effect.half_width),
+        correlation: row.effect.map(|effect| effect.correlation),
+        first: row.indices.map(|indices| indices.first),
+        first_low: row.indices.map(|indices| indices.first_interval[0]),
+        first_high: row.indices.map(|indices| indices.first_interval[1]),
+        total: row.indices.map(|indices| indices.total),
+        total_low: row.indices.map(|indices| indices.total_interval[0]),
+        total_high: row.indices.map(|indices| indices.total_interval[1]),
+    });
+    tables::write(file, rows)
+}
