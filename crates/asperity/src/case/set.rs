@@ -1,4 +1,4 @@
-//! Keys of a case set by their path, and the case as text.
+//! Keys of a case set by their path; the case as text.
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -38,7 +38,7 @@ impl CaseInput {
         Ok(self.set_at(Source::in_memory().place_of(path), path, value)?)
     }
 
-    /// The same for a key whose place is known.
+    /// Sets the key at `path`, whose place is known.
     pub(super) fn set_at(
         &mut self,
         place: Place,
@@ -48,7 +48,7 @@ impl CaseInput {
         set_key(self, &schema(), place, path, value)
     }
 
-    /// Takes the key at `path` away, so that its default holds again.
+    /// Removes the key at `path`, so that its default applies.
     ///
     /// # Errors
     /// When the key is not known or has no default; the case is then unchanged.
@@ -78,7 +78,7 @@ impl CaseInput {
     /// The case as the text of a case file, which reads back to the same case.
     ///
     /// # Errors
-    /// When a value has no text, as a path that is no Unicode.
+    /// When a value cannot be written as text, such as a path that is not Unicode.
     pub fn to_toml(&self) -> Result<String, Error> {
         let place = Source::in_memory().place_of("");
         let unwritten = |message: String| CaseError::Value {
@@ -91,7 +91,7 @@ impl CaseInput {
     }
 }
 
-/// Sets the key at `path` of a case that `schema` describes; the case is unchanged where that fails.
+/// Sets the key at `path` of a case that `schema` describes; an error leaves the case unchanged.
 pub(super) fn set_key<T: Serialize + DeserializeOwned>(
     case: &mut T,
     schema: &serde_json::Value,
@@ -109,7 +109,7 @@ pub(super) fn set_key<T: Serialize + DeserializeOwned>(
     let typed = typed(value);
     let is_text = typed.is_str();
     let replaced = match replaced(case, schema, path, typed, &place) {
-        // Text that looks like something else, as a title of digits.
+        // Text that parses as another type, such as a title of digits.
         Err(_) if !is_text && takes_text(schema, path) => {
             let text = Value::String(value.to_owned());
             replaced(case, schema, path, text, &place)
@@ -157,7 +157,7 @@ fn replaced<T: Serialize + DeserializeOwned>(
     read(root, schema, place)
 }
 
-/// A value as a case file would have it; bare text where it is none.
+/// A value as written in a case file; text that is not a value needs no quotation marks.
 fn typed(text: &str) -> Value {
     match text.trim().parse::<Value>() {
         Ok(Value::Datetime(_)) | Err(_) => Value::String(text.trim().to_owned()),
@@ -165,9 +165,9 @@ fn typed(text: &str) -> Value {
     }
 }
 
-/// Whether the schema lets plain text stand at `path`.
+/// Whether the schema accepts text at `path`.
 fn takes_text(schema: &serde_json::Value, path: &str) -> bool {
-    property(schema, path).is_some_and(|found| match found.get("type") {
+    property(schema, path).is_some_and(|node| match node.get("type") {
         Some(serde_json::Value::String(kind)) => kind == "string",
         Some(serde_json::Value::Array(kinds)) => kinds.iter().any(|kind| kind == "string"),
         _ => false,
@@ -190,7 +190,7 @@ fn read<T: DeserializeOwned>(
     })
 }
 
-/// A case from the text of a case file in TOML; nothing that it names is opened.
+/// Reads a case from the text of a case file in TOML; files that it names are not opened.
 impl std::str::FromStr for CaseInput {
     type Err = Error;
 
