@@ -10,23 +10,17 @@ use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
+use super::case_file::CaseFile;
 use super::error::CaseError;
 use super::files::Files;
-use super::input::{CaseInput, schema};
+use super::input::CaseInput;
 use super::known_keys::first_unknown;
-use super::loaded::{LoadedCase, complete, set_keys};
+use super::loaded::{LoadedCase, complete};
 use super::plain_words::plain;
 use super::plausibility::impossible;
 use super::source::{MeshKeys, Source, key_of};
 use crate::error::Error;
 
-/// A valid case, from which replacements are taken.
-const RIGHT: &str = r#"
-gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" }
-operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
-lubricant = { oil = "m100" }
-surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
-"#;
 /// No case has more errors than keys.
 const MAX_ERRORS: usize = 200;
 
@@ -61,26 +55,19 @@ fn all(
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,
 ) -> Option<LoadedCase> {
-    let (mut input, mut mending) = readable::<CaseInput>(source, schema(), RIGHT, errors)?;
-    for (key, value) in set {
-        if let Err(error) = set_keys(&mut input, source, &[(key.clone(), value.clone())]) {
-            mending.blame(key);
-            errors.push(error);
-        }
-    }
+    let (input, mending) = readable::<CaseInput>(source, set, errors)?;
     completed(input, source, folder, mending, errors)
 }
 
-/// The case in `source`; values that cannot be read are recorded and replaced from the case `right`.
-pub(super) fn readable<T: DeserializeOwned>(
-    source: &Source,
-    schema: Json,
-    right: &str,
+/// The case in `source` with keys set by their paths; values that cannot be read are recorded and replaced by valid ones.
+pub(super) fn readable<T: CaseFile>(
+    source: &mut Source,
+    set: &[(String, String)],
     errors: &mut Vec<CaseError>,
 ) -> Option<(T, Mending)> {
     let mut mending = Mending {
-        right: right.parse().ok()?,
-        schema,
+        right: T::VALID.parse().ok()?,
+        schema: T::schema(),
         blamed: BTreeSet::new(),
         replaced: BTreeSet::new(),
     };
@@ -92,7 +79,13 @@ pub(super) fn readable<T: DeserializeOwned>(
         }
     };
     remove_unknown(&mut table, source, &mut mending, errors);
-    let input = mending.read(table, source, errors)?;
+    let mut input: T = mending.read(table, source, errors)?;
+    for (key, value) in set {
+        if let Err(error) = input.set_in(source, key, value) {
+            mending.blamed.insert(part_of(key).to_owned());
+            errors.push(error);
+        }
+    }
     Some((input, mending))
 }
 
@@ -133,7 +126,7 @@ pub(super) struct Mending {
     /// A valid case.
     right: Table,
     /// Schema of the case.
-    schema: Json,
+    schema: &'static Json,
     /// Parts with a recorded error.
     blamed: BTreeSet<String>,
     /// Parts that were replaced as a whole.
@@ -146,18 +139,14 @@ impl Mending {
         let blamed = self.blamed.iter().chain(&self.replaced);
         let in_mesh = blamed.map(|part| mesh.in_mesh(part).unwrap_or_else(|| part.clone()));
         Some(Self {
-            right: RIGHT.parse().ok()?,
-            schema: schema(),
+            right: CaseInput::VALID.parse().ok()?,
+            schema: CaseInput::schema(),
             blamed: in_mesh.map(|part| part_of(&part).to_owned()).collect(),
             replaced: BTreeSet::new(),
         })
     }
 
-    /// Records an error at `key`.
-    pub(super) fn blame(&mut self, key: &str) {
-        self.blamed.insert(part_of(key).to_owned());
-    }
-
+    /// Whether `part` has an error, or was replaced.
     pub(super) fn is_known(&self, part: &str) -> bool {
         self.blamed.contains(part) || self.replaced.contains(part)
     }
@@ -186,7 +175,7 @@ impl Mending {
                 .as_deref()
                 .is_some_and(|key| self.blamed.contains(key));
             if !is_misspelt {
-                errors.push(value_error(source, &self.schema, key.clone(), &message));
+                errors.push(value_error(source, self.schema, key.clone(), &message));
             }
             let blamed = missing.or(key)?;
             self.blamed.insert(part_of(&blamed).to_owned());
@@ -205,14 +194,13 @@ fn remove_unknown(
     mending: &mut Mending,
     errors: &mut Vec<CaseError>,
 ) {
-    let schema = mending.schema.clone();
     let mut unknown: BTreeSet<String> = BTreeSet::new();
     for path in source.key_paths() {
         let is_below = |above: &String| path.starts_with(&format!("{above}."));
         if unknown.iter().any(is_below) {
             continue;
         }
-        if let Some((key, nearest)) = first_unknown(&schema, std::iter::once(path)) {
+        if let Some((key, nearest)) = first_unknown(mending.schema, std::iter::once(path)) {
             // The intended key will be missing.
             if let Some(meant) = &nearest {
                 let table = key.rsplit_once('.').map(|(table, _)| format!("{table}."));

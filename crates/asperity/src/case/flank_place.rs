@@ -44,12 +44,20 @@ pub struct FlankPlaceInput {
 impl FlankPlaceInput {
     /// The point of the flank; `None` unless exactly one coordinate is stated.
     fn point(&self) -> Option<FlankPoint> {
+        let Self {
+            position,
+            roll_length,
+            radius,
+            diameter,
+            roll_angle,
+            x: _,
+        } = *self;
         let stated = [
-            self.position.map(FlankPoint::Position),
-            self.roll_length.map(FlankPoint::RollLength),
-            self.radius.map(FlankPoint::Radius),
-            self.diameter.map(|d| FlankPoint::Radius(d * 0.5)),
-            self.roll_angle.map(FlankPoint::RollAngle),
+            position.map(FlankPoint::Position),
+            roll_length.map(FlankPoint::RollLength),
+            radius.map(FlankPoint::Radius),
+            diameter.map(|d| FlankPoint::Radius(d * 0.5)),
+            roll_angle.map(FlankPoint::RollAngle),
         ];
         let mut stated = stated.into_iter().flatten();
         let first = stated.next()?;

@@ -133,9 +133,30 @@ fn refused<'a>(
     }
 }
 
+/// A rolling bearing with the constants that its kind needs.
 fn rolling_bearing(stated: &BearingInput) -> Result<PartKind, EfficiencyError> {
-    let axial = stated.axial.unwrap_or(Force::from_si(0.0));
-    DomainError::positive("radial", stated.radial)?;
+    let &BearingInput {
+        name: _,
+        shaft,
+        kind,
+        bore,
+        outside_diameter,
+        radial,
+        axial,
+        at_torque,
+        static_rating,
+        axial_factor,
+        r1,
+        r2,
+        s1,
+        s2,
+        k_z,
+        k_rs,
+        mu_bl,
+        mu_ehl,
+    } = stated;
+    let axial = axial.unwrap_or(Force::from_si(0.0));
+    DomainError::positive("radial", radial)?;
     DomainError::non_negative("axial", axial)?;
     let positive = "is needed here, and must be greater than zero";
     let needed = |name, value: Option<f64>, unit| {
@@ -148,58 +169,58 @@ fn rolling_bearing(stated: &BearingInput) -> Result<PartKind, EfficiencyError> {
             DomainError::require(false, name, value, unit, "is of another kind of bearing")
         }
     };
-    let rating = stated.static_rating.map(Force::si);
-    let form = match stated.kind {
+    let rating = static_rating.map(Force::si);
+    let form = match kind {
         BearingKind::DeepGrooveBall => {
-            unused("axial_factor", stated.axial_factor, "-")?;
+            unused("axial_factor", axial_factor, "-")?;
             let rating = needed("static_rating", rating, "N")?;
             BearingForm::DeepGrooveBall {
                 static_rating: Force::from_si(rating),
             }
         }
         BearingKind::CylindricalRoller => {
-            unused("axial_factor", stated.axial_factor, "-")?;
+            unused("axial_factor", axial_factor, "-")?;
             unused("static_rating", rating, "N")?;
-            unused("r2", stated.r2, "-")?;
+            unused("r2", r2, "-")?;
             BearingForm::CylindricalRoller
         }
         BearingKind::TaperedRoller => {
             unused("static_rating", rating, "N")?;
             BearingForm::TaperedRoller {
-                axial_factor: needed("axial_factor", stated.axial_factor, "-")?,
+                axial_factor: needed("axial_factor", axial_factor, "-")?,
             }
         }
     };
-    let r2 = match stated.kind {
+    let r2 = match kind {
         BearingKind::CylindricalRoller => 0.0,
-        _ => needed("r2", stated.r2, "-")?,
+        _ => needed("r2", r2, "-")?,
     };
-    if let Some(torque) = stated.at_torque {
+    if let Some(torque) = at_torque {
         let (value, rule) = (torque.si(), "must be finite and not zero");
         let holds = value.is_finite() && value != 0.0;
         DomainError::require(holds, "at_torque", value, "N m", rule)?;
     }
     let bearing = RollingBearing {
         form,
-        bore: stated.bore,
-        outside_diameter: stated.outside_diameter,
+        bore,
+        outside_diameter,
         constants: BearingConstants {
-            r1: stated.r1,
+            r1,
             r2,
-            s1: stated.s1,
-            s2: stated.s2,
-            k_z: stated.k_z,
-            k_rs: stated.k_rs,
-            mu_bl: stated.mu_bl,
-            mu_ehl: stated.mu_ehl,
+            s1,
+            s2,
+            k_z,
+            k_rs,
+            mu_bl,
+            mu_ehl,
         },
     };
     bearing.check()?;
     Ok(PartKind::Bearing {
-        shaft: stated.shaft,
+        shaft,
         bearing,
-        load: [stated.radial, axial],
-        at_torque: stated.at_torque,
+        load: [radial, axial],
+        at_torque,
     })
 }
 

@@ -204,7 +204,13 @@ fn refuse_drawn_and_measured(
 }
 
 fn relief(drawn: ReliefInput, section: Section<'_>, name: &str) -> Result<Relief, CaseError> {
-    let extent = match (drawn.length, drawn.start_diameter) {
+    let ReliefInput {
+        amount,
+        length,
+        start_diameter,
+        power,
+    } = drawn;
+    let extent = match (length, start_diameter) {
         (Some(length), None) => ReliefExtent::RollLength(length),
         (None, Some(diameter)) => ReliefExtent::StartDiameter(diameter),
         _ => {
@@ -212,10 +218,11 @@ fn relief(drawn: ReliefInput, section: Section<'_>, name: &str) -> Result<Relief
             return Err(section.conflict(name, rule));
         }
     };
+    let shape = shape(power, section, name)?;
     Ok(Relief {
-        amount: drawn.amount,
+        amount,
         extent,
-        shape: shape(drawn.power, section, name)?,
+        shape,
     })
 }
 

@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::input::schema;
+use super::case_file::CaseFile;
+use super::input::CaseInput;
 use super::known_keys::first_unknown;
 
 /// A row: the table of the case file, the name in the equation, the key. A name that equals its key except for blanks has no
@@ -38,7 +39,7 @@ pub(super) fn key_of(table: &'static str, name: &str) -> Cow<'static, str> {
         return (*key).into();
     }
     let key = format!("{table}.{}", name.replace(' ', "_"));
-    match first_unknown(&schema(), std::iter::once(key.as_str())) {
+    match first_unknown(CaseInput::schema(), std::iter::once(key.as_str())) {
         None => key.into(),
         Some(_) => table.into(),
     }
@@ -51,7 +52,7 @@ mod tests {
     #[test]
     fn every_key_of_a_row_is_a_key_of_the_case_file() {
         let keys = NAMES.iter().map(|row| row.2);
-        assert_eq!(first_unknown(&schema(), keys), None);
+        assert_eq!(first_unknown(CaseInput::schema(), keys), None);
     }
 
     #[test]

@@ -9,6 +9,7 @@ use asperity_gear::LoadConditions;
 use asperity_storage::whole_file;
 use asperity_tribo_friction::XuCalibration;
 
+use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{Content, FileSums, Files, Reader, XU_COEFFICIENTS};
@@ -16,11 +17,9 @@ use super::flank_form::shortest_form;
 use super::flanks::{Flanks, flanks};
 use super::gearbox::gearbox;
 use super::gears::check_load;
-use super::input::{CaseInput, schema};
-use super::known_keys::first_unknown;
+use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
 use super::model::Formulation;
-use super::plain_words::plain;
 use super::plausibility::{of_files, unusual};
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
@@ -134,25 +133,14 @@ fn changed(
     set: &[(String, String)],
     change: &dyn Fn(&mut CaseInput),
 ) -> Result<LoadedCase, CaseError> {
-    let stated = read(source)?;
+    let stated = CaseInput::read(source)?;
     let mut input = stated.clone();
-    set_keys(&mut input, source, set)?;
+    for (key, value) in set {
+        input.set_in(source, key, value)?;
+    }
     change(&mut input);
     keep_oil(&stated, &mut input);
     complete(input, source, files.into(), None)
-}
-
-/// Sets the keys one after the other and records them in the source.
-pub(super) fn set_keys(
-    input: &mut CaseInput,
-    source: &mut Source,
-    set: &[(String, String)],
-) -> Result<(), CaseError> {
-    for (key, value) in set {
-        source.set(key, value);
-        input.set_at(source.place_of(key), key, value)?;
-    }
-    Ok(())
 }
 
 /// Reads the case file `path`, and changes the case before its defaults are filled in.
@@ -189,7 +177,7 @@ pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedC
 pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<LoadedCase, Error> {
     let source = Source::from_bytes(name, text.as_bytes())?;
     let read = || {
-        let input = read(&source)?;
+        let input = CaseInput::read(&source)?;
         let files = Files::gathered(&input, &source, resolver)?;
         complete(input, &source, files.into(), None)
     };
@@ -350,30 +338,6 @@ fn open(path: &Path) -> Result<Source, CaseError> {
         Ok(bytes) => Source::from_bytes(&file, &bytes),
         Err(reason) => Err(CaseError::Open { file, reason }),
     }
-}
-
-/// The case as the text states it.
-pub(super) fn read(source: &Source) -> Result<CaseInput, CaseError> {
-    let schema = schema();
-    if let Some((key, nearest)) = first_unknown(&schema, source.key_paths()) {
-        return Err(CaseError::UnknownKey {
-            place: source.place_of_key(key),
-            key: key.to_owned(),
-            nearest,
-        });
-    }
-    source.read().map_err(|error| match error {
-        CaseError::Value {
-            place,
-            key,
-            message,
-        } => CaseError::Value {
-            message: plain(&schema, key.as_deref(), &message),
-            place,
-            key,
-        },
-        error => error,
-    })
 }
 
 /// States the temperature of a viscosity and a density that hold at the temperature of the case, if that is changed.

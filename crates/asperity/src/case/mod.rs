@@ -16,6 +16,7 @@ mod bulk;
 mod bulk_input;
 mod calibrated;
 mod calibration;
+mod case_file;
 mod check;
 mod defaults;
 mod error;

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use asperity_core::quantity::{Angle, AngularSpeed, Length};
 use asperity_gear::GearError;
@@ -17,6 +17,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::calibration::CalibrationInput;
+use super::case_file::CaseFile;
 use super::check::{completed, readable};
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
@@ -30,7 +31,6 @@ use super::loaded::{LoadedCase, complete, open_source};
 use super::model::{Formulation, ModelInput};
 use super::one_or_two::OneOrTwo;
 use super::section::Section;
-use super::set::set_key;
 use super::source::{MeshKeys, Source};
 use crate::error::Error;
 
@@ -187,18 +187,9 @@ pub fn load_set(
 ) -> Result<LoadedPlanetary, Error> {
     let mut source = source;
     let read = |source: &mut Source| -> Result<LoadedPlanetary, CaseError> {
-        let schema = schema();
-        if let Some((key, nearest)) = first_unknown(&schema, source.key_paths()) {
-            return Err(CaseError::UnknownKey {
-                place: source.place_of_key(key),
-                key: key.to_owned(),
-                nearest,
-            });
-        }
-        let mut input: PlanetaryCaseInput = source.read()?;
+        let mut input = PlanetaryCaseInput::read(source)?;
         for (key, value) in keys {
-            source.set(key, value);
-            set_key(&mut input, &schema, source.place_of(key), key, value)?;
+            input.set_in(source, key, value)?;
         }
         let files = Arc::new(Files::in_folder(folder));
         let Derived {
@@ -252,16 +243,7 @@ fn all(
     keys: &[(String, String)],
     errors: &mut Vec<CaseError>,
 ) -> Option<LoadedPlanetary> {
-    let schema = schema();
-    let (mut input, mut mending) =
-        readable::<PlanetaryCaseInput>(source, schema.clone(), RIGHT, errors)?;
-    for (key, value) in keys {
-        source.set(key, value);
-        if let Err(error) = set_key(&mut input, &schema, source.place_of(key), key, value) {
-            mending.blame(key);
-            errors.push(error);
-        }
-    }
+    let (input, mending) = readable::<PlanetaryCaseInput>(source, keys, errors)?;
     let derived = match derived(&input, source) {
         Ok(derived) => derived,
         Err(error) => {
@@ -298,13 +280,19 @@ fn identity(error: &CaseError) -> (&'static str, Option<usize>, String) {
     (error.code(), line, text)
 }
 
-/// A valid planetary case, from which replacements are taken.
-const RIGHT: &str = r#"
+impl CaseFile for PlanetaryCaseInput {
+    const VALID: &'static str = r#"
 planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] }
 operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
 lubricant = { oil = "m100" }
 surface = { sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
 "#;
+
+    fn schema() -> &'static serde_json::Value {
+        static SCHEMA: LazyLock<serde_json::Value> = LazyLock::new(schema);
+        &SCHEMA
+    }
+}
 
 /// Set and mesh cases derived from a planetary case.
 struct Derived {
@@ -327,13 +315,13 @@ fn derived(input: &PlanetaryCaseInput, source: &Source) -> Result<Derived, CaseE
 
 /// Adds the defaults of a mesh that are keys of the set.
 fn add_defaults(defaults: &mut Vec<DefaultUsed>, mesh: &LoadedCase, keys: MeshKeys) {
-    let schema = schema();
+    let schema = PlanetaryCaseInput::schema();
     for default in &mesh.case.defaults {
         let key = match keys.in_set(&default.key) {
             Some(in_set) => in_set.into(),
             None => default.key.clone(),
         };
-        let is_known = first_unknown(&schema, std::iter::once(&*key)).is_none();
+        let is_known = first_unknown(schema, std::iter::once(&*key)).is_none();
         if is_known && defaults.iter().all(|before| before.key != key) {
             defaults.push(DefaultUsed {
                 key,
