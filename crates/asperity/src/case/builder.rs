@@ -6,16 +6,17 @@ use asperity_oil::LubricantInput;
 
 use super::files::{Content, Files};
 use super::input::{
-    CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput, OneOrTwo,
-    OperationInput, SurfaceInput,
+    CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput, SurfaceInput,
 };
 use super::loaded::LoadedCase;
+use super::model::{Formulation, ModelInput};
+use super::one_or_two::OneOrTwo;
 use super::resolve::Case;
 use super::trace::{Flank, Trace};
 use crate::error::Error;
 use asperity_core::quantity::{AngularSpeed, Length, Temperature, Torque};
 
-/// A case in the making; [`build`](Self::build) checks it and fills in the defaults.
+/// Builder of a case; [`build`](Self::build) checks it and fills in the defaults.
 ///
 /// Every key of a case file is a field of [`CaseInput`], reached by [`change`](Self::change) or, as text,
 /// by [`set`](Self::set).
@@ -26,7 +27,7 @@ pub struct CaseBuilder {
 }
 
 impl Case {
-    /// Begins a case from what has no default; the flanks follow by [`CaseBuilder::pinion`].
+    /// Begins a case with the tables that have no default; [`CaseBuilder::pinion`] adds the flanks.
     ///
     /// ```
     /// use asperity::case::{Case, FlankInput, GearsInput, OperationInput};
@@ -55,7 +56,7 @@ impl Case {
 }
 
 impl CaseInput {
-    /// A case of which all else has its default: both flanks as that of the pinion.
+    /// A case with defaults otherwise: the wheel has the flank of the pinion.
     pub fn new(
         gears: GearsInput,
         operation: OperationInput,
@@ -63,35 +64,21 @@ impl CaseInput {
         pinion: FlankInput,
     ) -> Self {
         Self {
-            title: None,
-            formulation: None,
             gears,
-            material: MaterialInput::default(),
             operation,
             lubricant,
             surface: SurfaceInput::new(pinion),
-            model: ModelInput::default(),
-            calibration: None,
-            map: None,
-            gearbox: None,
-            micropitting: None,
-            vehicle: None,
+            ..Self::default()
         }
     }
 }
 
 impl SurfaceInput {
-    /// Flanks of which all else has its default: the wheel as the pinion, mirrored.
+    /// Flanks with defaults otherwise: the wheel has the flank of the pinion, mirrored.
     pub fn new(pinion: FlankInput) -> Self {
         Self {
             pinion,
-            wheel: None,
-            form: None,
-            cutoff: None,
-            noise_cutoff: None,
-            ends: None,
-            outliers: None,
-            coast: None,
+            ..Self::default()
         }
     }
 }
@@ -102,20 +89,8 @@ impl GearsInput {
         Self {
             teeth,
             module,
-            module_plane: None,
-            helix: None,
-            pressure_angle: None,
             face_width: OneOrTwo::One(face_width),
-            profile_shift: None,
-            centre_distance: None,
-            tip_diameter: None,
-            addendum: None,
-            pinion: None,
-            wheel: None,
-            end_relief: None,
-            pitch_deviations: None,
-            amounts: None,
-            relief_tolerance: None,
+            ..Self::default()
         }
     }
 }
@@ -127,7 +102,7 @@ impl OperationInput {
             torque,
             speed,
             temperature,
-            bulk: None,
+            ..Self::default()
         }
     }
 }
@@ -140,7 +115,7 @@ impl CaseBuilder {
         self.change(|input| input.title = Some(title))
     }
 
-    /// Reading of the model.
+    /// Formulation of the model.
     #[must_use]
     pub fn formulation(self, formulation: Formulation) -> Self {
         self.change(|input| input.formulation = Some(formulation))
@@ -158,7 +133,7 @@ impl CaseBuilder {
         self.change(|input| input.model = model)
     }
 
-    /// The flank of the pinion, and mirrored that of the wheel unless it has its own.
+    /// The flank of the pinion; also of the wheel, mirrored, unless the wheel has another one.
     #[must_use]
     pub fn pinion(mut self, flank: impl Into<Flank>) -> Self {
         self.input.surface.pinion = self.flank(flank.into(), "pinion");
@@ -172,7 +147,7 @@ impl CaseBuilder {
         self
     }
 
-    /// A file that the case names, as `model.xu_coefficients` does, held in memory.
+    /// Content of a file that the case names, as in `model.xu_coefficients`.
     #[must_use]
     pub fn file(mut self, name: impl AsRef<Path>, bytes: impl Into<Vec<u8>>) -> Self {
         let bytes: Vec<u8> = bytes.into();
@@ -213,7 +188,7 @@ impl CaseBuilder {
         let mut name = trace.name.clone().unwrap_or_else(|| PathBuf::from(body));
         if let Some(content) = &trace.content {
             if self.files.held(&name).is_some_and(|held| held != content) {
-                // Two contents under one name: that of the other flank keeps it.
+                // Another content has this name already.
                 name = PathBuf::from(format!("{} ({body})", name.display()));
             }
             self.files.hold(&name, content.clone());

@@ -1,4 +1,4 @@
-//! How the bulk temperature of the flanks comes about: given, or from the oil and the loss.
+//! Law of the bulk temperature: stated, or from the oil and the loss.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::ThermalConductance;
@@ -6,11 +6,11 @@ use asperity_efficiency::bulk_temperature::Network;
 use serde::{Deserialize, Serialize};
 
 use super::bulk_input::{BulkInput, BulkLaw, Lubrication};
-use super::domain::domain;
 use super::error::CaseError;
-use super::input::{CaseInput, Formulation};
+use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
-use super::model::Model;
+use super::model::{Formulation, Model};
+use super::section::Section;
 use super::source::Source;
 
 /// Law of the bulk temperature with its numbers.
@@ -22,7 +22,7 @@ pub enum BulkModel {
     Network(Network),
 }
 
-/// The bulk temperature of a run, found from its loss.
+/// The bulk temperature of a run that follows from its loss.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct BulkReport {
@@ -30,23 +30,23 @@ pub struct BulkReport {
     pub law: String,
     /// Temperature of the oil \[°C\].
     pub oil_c: f64,
-    /// Bulk temperature that film and friction were taken at \[°C\].
+    /// Bulk temperature at which film and friction are computed \[°C\].
     pub bulk_c: f64,
-    /// Bulk temperatures of pinion and wheel \[°C\], where the law tells them apart; `bulk_c` is their mean.
+    /// Bulk temperatures of pinion and wheel \[°C\], if the law distinguishes them; `bulk_c` is their mean.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gears_c: Option<[f64; 2]>,
-    /// Share of the frictional heat that goes into the pinion, where the law asks.
+    /// Share of the frictional heat that goes into the pinion, if the law needs it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pinion_heat_share: Option<f64>,
-    /// How far the next step would move it \[K\].
+    /// Change of the temperature in a further step \[K\].
     pub residual_k: f64,
-    /// Steps taken.
+    /// Number of steps.
     pub steps: usize,
-    /// A hotter temperature that keeps itself up too \[°C\].
+    /// A second, hotter equilibrium temperature \[°C\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hotter_c: Option<f64>,
-    /// Start from which no temperature that keeps itself up was found \[°C\]: friction heats the flanks further, or
-    /// leaves the range of its laws.
+    /// Start from which no equilibrium is reached \[°C\]: friction heats the flanks further, or leaves the range of its
+    /// laws.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub runs_away_from_c: Option<f64>,
 }
@@ -60,63 +60,62 @@ pub struct FoundBulk {
     pub report: BulkReport,
 }
 
-/// The law that a case asks for.
+/// The law of the bulk temperature, if the case states one.
 pub(super) fn bulk_model(
-    given: Option<&BulkInput>,
+    stated: Option<&BulkInput>,
     formulation: Formulation,
     model: &Model,
     source: &Source,
 ) -> Result<Option<BulkModel>, CaseError> {
-    let Some(given) = given else {
+    let Some(&BulkInput {
+        law,
+        lubrication,
+        pinion_to_oil,
+        wheel_to_oil,
+        between,
+    }) = stated
+    else {
         return Ok(None);
     };
-    let conflict = |key: &'static str, rule| CaseError::Conflict {
-        place: source.place_of_key(key),
-        key,
-        rule,
-    };
+    let section = Section::of(source, "operation.bulk");
     if formulation != Formulation::Corrected {
-        return Err(conflict(
-            "operation.bulk",
-            "belongs to the corrected formulation; leave one of the two out",
-        ));
+        let rule = "belongs to the corrected formulation; leave one of the two out";
+        return Err(section.conflict_of_key("", rule));
     }
     if model.load_share == LoadShareName::Ehl || model.full_film != FullFilmName::Formulas {
-        return Err(conflict(
-            "operation.bulk",
-            "runs the mesh some twenty times, which ehl solutions make too long; find the temperature with load_share = \"solved\" and give it as operation.temperature",
-        ));
+        let rule = "runs the mesh some twenty times, which ehl solutions make too long; find the temperature with load_share = \"solved\" and give it as operation.temperature";
+        return Err(section.conflict_of_key("", rule));
     }
-    let is_given = [given.pinion_to_oil, given.wheel_to_oil, given.between].map(|g| g.is_some());
-    match given.law {
-        BulkLaw::Iso if is_given != [false; 3] => Err(conflict(
-            "operation.bulk",
-            "takes conductances with law = \"network\" only",
-        )),
+    let has_conductances = [pinion_to_oil, wheel_to_oil, between]
+        .iter()
+        .any(Option::is_some);
+    match law {
+        BulkLaw::Iso if has_conductances => {
+            let rule = "takes conductances with law = \"network\" only";
+            Err(section.conflict_of_key("", rule))
+        }
         BulkLaw::Iso => {
             let rule = "is missing: \"jet\", \"dip\", \"jet-and-dip\" or \"submerged\"";
-            let lubrication = given.lubrication;
-            let of = lubrication.ok_or_else(|| conflict("operation.bulk.lubrication", rule))?;
-            Ok(Some(BulkModel::Iso(of)))
+            let missing = || section.conflict_of_key("lubrication", rule);
+            Ok(Some(BulkModel::Iso(lubrication.ok_or_else(missing)?)))
         }
-        BulkLaw::Network if given.lubrication.is_some() => Err(conflict(
-            "operation.bulk.lubrication",
-            "is used with law = \"iso\" only",
-        )),
+        BulkLaw::Network if lubrication.is_some() => {
+            let rule = "is used with law = \"iso\" only";
+            Err(section.conflict_of_key("lubrication", rule))
+        }
         BulkLaw::Network => {
-            let rule = "is missing, as \"12 W/K\"";
-            let to_oil = |key, found: Option<ThermalConductance>| -> Result<_, CaseError> {
-                let found = found.ok_or_else(|| conflict(key, rule))?;
-                DomainError::positive("conductance", found).map_err(domain(source, key))?;
-                Ok(found)
+            let to_oil = |name, conductance: Option<ThermalConductance>| -> Result<_, CaseError> {
+                let missing = || section.conflict_of_key(name, "is missing, as \"12 W/K\"");
+                let conductance = conductance.ok_or_else(missing)?;
+                DomainError::positive("conductance", conductance).map_err(section.domain(name))?;
+                Ok(conductance)
             };
-            let between = given.between.unwrap_or(ThermalConductance::from_si(0.0));
-            DomainError::non_negative("conductance", between)
-                .map_err(domain(source, "operation.bulk.between"))?;
+            let between = between.unwrap_or(ThermalConductance::from_si(0.0));
+            DomainError::non_negative("conductance", between).map_err(section.domain("between"))?;
             Ok(Some(BulkModel::Network(Network {
                 to_oil: [
-                    to_oil("operation.bulk.pinion_to_oil", given.pinion_to_oil)?,
-                    to_oil("operation.bulk.wheel_to_oil", given.wheel_to_oil)?,
+                    to_oil("pinion_to_oil", pinion_to_oil)?,
+                    to_oil("wheel_to_oil", wheel_to_oil)?,
                 ],
                 between,
             })))

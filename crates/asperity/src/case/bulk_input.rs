@@ -38,11 +38,11 @@ pub enum BulkLaw {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Lubrication {
-    /// Oil jets alone.
+    /// Oil jets only.
     Jet,
     /// Gears that dip into the oil.
     Dip,
-    /// Jets beside a sump that the gears dip into.
+    /// Jets in addition to a sump into which the gears dip.
     JetAndDip,
     /// Gears submerged in oil.
     Submerged,

@@ -1,79 +1,77 @@
-//! A calibration in its case: what it may hold beside the other keys, and where its values go.
+//! Use of a calibration in its case: its checks, and the choices that it replaces.
 
 use asperity_core::DomainError;
 
 use super::calibration::{Calibrated, CalibratedName, CalibrationInput, cholesky};
-use super::domain::domain;
 use super::error::CaseError;
-use super::input::{Formulation, ModelInput};
+use super::model::{Formulation, ModelInput};
+use super::section::Section;
 use super::source::Source;
 
-/// Puts the parameters of the boundary layer in place of their defaults.
-pub(super) fn put_into(given: &CalibrationInput, model: &ModelInput) -> ModelInput {
+/// The choices of the model with the calibrated parameters of the boundary layer.
+pub(super) fn put_into(calibration: &CalibrationInput, model: &ModelInput) -> ModelInput {
     let mut model = model.clone();
-    if let Some(found) = given.boundary_friction {
-        model.boundary_friction = Some(found.value);
+    if let Some(fitted) = calibration.boundary_friction {
+        model.boundary_friction = Some(fitted.value);
     }
-    if let Some(found) = given.boundary_layer {
-        model.boundary_layer = Some(found.value);
+    if let Some(fitted) = calibration.boundary_layer {
+        model.boundary_layer = Some(fitted.value);
     }
     model
 }
 
-/// Refuses bands that hold no value, correlations that contradict each other, and values given twice.
+/// Refuses bands that do not contain their value, correlations that contradict each other, and values stated twice.
 pub(super) fn check(
-    given: &CalibrationInput,
+    calibration: &CalibrationInput,
     model: &ModelInput,
     formulation: Formulation,
     source: &Source,
 ) -> Result<(), CaseError> {
-    let conflict = |key: &'static str, rule: &'static str| CaseError::Conflict {
-        place: source.place_of(key),
-        key,
-        rule,
-    };
+    let section = Section::of(source, "calibration");
     if formulation == Formulation::Paper {
         let rule = "belongs to the corrected formulation; leave one of the two out";
-        return Err(conflict("calibration", rule));
+        return Err(section.conflict("", rule));
     }
+    // The other keys need no check.
+    let CalibrationInput {
+        source: _,
+        boundary_friction,
+        boundary_layer,
+        limiting_shear,
+        eyring_stress: _,
+        correlations: _,
+    } = calibration;
     let twice = [
         (
-            given.boundary_friction.is_some() && model.boundary_friction.is_some(),
+            boundary_friction.is_some() && model.boundary_friction.is_some(),
             CalibratedName::BoundaryFriction,
         ),
         (
-            given.boundary_layer.is_some() && model.boundary_layer.is_some(),
+            boundary_layer.is_some() && model.boundary_layer.is_some(),
             CalibratedName::BoundaryLayer,
         ),
     ];
-    for (is_twice, name) in twice {
-        if is_twice {
-            let rule = "is given in the table model as well; leave one of the two out";
-            return Err(conflict(name.path(), rule));
-        }
+    if let Some((_, name)) = twice.into_iter().find(|(is_twice, _)| *is_twice) {
+        let rule = "is given in the table model as well; leave one of the two out";
+        return Err(section.conflict(name.key(), rule));
     }
     for name in CalibratedName::ALL {
-        let Some(Calibrated { value, low, high }) = given.of(name) else {
+        let Some(Calibrated { value, low, high }) = calibration.of(name) else {
             continue;
         };
         let holds = low > 0.0 && low < high && (low..=high).contains(&value) && high.is_finite();
         if !holds {
             let rule = "needs 0 < low < high with the value between them";
-            return Err(conflict(name.path(), rule));
+            return Err(section.conflict(name.key(), rule));
         }
     }
-    let limiting = given.limiting_shear.map_or(0.0, |found| found.value);
-    DomainError::require(
-        limiting < 1.0,
-        "limiting shear",
-        limiting,
-        "-",
-        "must be below 1",
-    )
-    .map_err(domain(source, "calibration.limiting_shear"))?;
-    if cholesky(given, &CalibratedName::ALL).is_none() {
+    let limiting = limiting_shear.map_or(0.0, |fitted| fitted.value);
+    let rule = "must be below 1";
+    DomainError::require(limiting < 1.0, "limiting shear", limiting, "-", rule)
+        .map_err(section.domain("limiting_shear"))?;
+    if cholesky(calibration, &CalibratedName::ALL).is_none() {
         let rule = "contradict each other: no measurements have these correlations";
-        return Err(conflict("calibration.correlations", rule));
+        return Err(section.conflict("correlations", rule));
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! Parameters that measurements on a rig have found, with their bands.
+//! Parameters calibrated on a rig, with their 95 % bands.
 
 use asperity_core::quantity::{Length, Pressure};
 use schemars::JsonSchema;
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CalibrationInput {
-    /// Measurements that the values come from; told with every result.
+    /// Measurements from which the values come; printed with every result.
     pub source: Option<String>,
     /// Coefficient of boundary friction μ_b, in place of `model.boundary_friction`.
     pub boundary_friction: Option<Calibrated<f64>>,
@@ -82,26 +82,17 @@ impl CalibratedName {
             Self::EyringStress => "eyring_stress",
         }
     }
-
-    pub(super) const fn path(self) -> &'static str {
-        match self {
-            Self::BoundaryFriction => "calibration.boundary_friction",
-            Self::BoundaryLayer => "calibration.boundary_layer",
-            Self::LimitingShear => "calibration.limiting_shear",
-            Self::EyringStress => "calibration.eyring_stress",
-        }
-    }
 }
 
 impl CalibrationInput {
     /// Value and band of a parameter in SI units.
     #[must_use]
     pub fn of(&self, name: CalibratedName) -> Option<Calibrated<f64>> {
-        fn si<T: Copy>(given: Option<Calibrated<T>>, si: fn(T) -> f64) -> Option<Calibrated<f64>> {
-            given.map(|found| Calibrated {
-                value: si(found.value),
-                low: si(found.low),
-                high: si(found.high),
+        fn si<T: Copy>(fitted: Option<Calibrated<T>>, si: fn(T) -> f64) -> Option<Calibrated<f64>> {
+            fitted.map(|fitted| Calibrated {
+                value: si(fitted.value),
+                low: si(fitted.low),
+                high: si(fitted.high),
             })
         }
         match name {
@@ -112,7 +103,7 @@ impl CalibrationInput {
         }
     }
 
-    /// Correlation of two parameters; 0 where none is given.
+    /// Correlation of two parameters; 0 if it is not stated.
     #[must_use]
     pub fn correlation(&self, first: CalibratedName, other: CalibratedName) -> f64 {
         if first == other {
@@ -125,9 +116,9 @@ impl CalibrationInput {
     }
 }
 
-/// Lower triangle L with L Lᵀ = the correlations of `names`; none where they are of no distribution.
+/// Lower triangle L with L Lᵀ = the correlations of `names`; `None` if no distribution has them.
 pub(crate) fn cholesky(
-    given: &CalibrationInput,
+    calibration: &CalibrationInput,
     names: &[CalibratedName],
 ) -> Option<Vec<Vec<f64>>> {
     /// Smallest square of a pivot: a correlation of 1 - 5e-7.
@@ -137,7 +128,7 @@ pub(crate) fn cholesky(
     for i in 0..n {
         for j in 0..=i {
             let known: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
-            let left = given.correlation(names[i], names[j]) - known;
+            let left = calibration.correlation(names[i], names[j]) - known;
             if !left.is_finite() || (i == j && left < LEAST) {
                 return None;
             }

@@ -1,8 +1,7 @@
-//! Every error of a case at once, for a look before the run.
+//! All errors of a case at once, before a run.
 //!
-//! Reading stops at the first error. Here what is wrong is noted, replaced by a number that is right, and the
-//! case is read again, until nothing is wrong. What a replaced number would bring about itself is not told: an
-//! error below a table that was replaced already is skipped.
+//! Reading stops at the first error. The check records each error, replaces its value from a valid case, and reads the case
+//! again until there is no error. Errors in a table that was replaced are skipped, since the replacement may cause them.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -11,23 +10,17 @@ use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
+use super::case_file::CaseFile;
 use super::error::CaseError;
 use super::files::Files;
-use super::input::{CaseInput, schema};
+use super::input::CaseInput;
 use super::known_keys::first_unknown;
-use super::loaded::{LoadedCase, complete, set_keys};
+use super::loaded::{LoadedCase, complete};
 use super::plain_words::plain;
 use super::plausibility::impossible;
 use super::source::{MeshKeys, Source, key_of};
 use crate::error::Error;
 
-/// A case that is right, from which replacements are taken.
-const RIGHT: &str = r#"
-gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" }
-operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
-lubricant = { oil = "m100" }
-surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
-"#;
 /// No case has more errors than keys.
 const MAX_ERRORS: usize = 200;
 
@@ -35,13 +28,13 @@ const MAX_ERRORS: usize = 200;
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Findings {
-    /// Every error, in the order in which they were found; empty when the case runs.
+    /// Every error, in the order of the checks; empty if the case can be run.
     pub errors: Vec<Error>,
-    /// The case with its traces, where there is no error.
+    /// The case with its traces, if there is no error.
     pub case: Option<LoadedCase>,
 }
 
-/// Reads the case in `source` and the traces it names relative to `folder`, with keys set past the text.
+/// Reads the case in `source` and the traces it names relative to `folder`, with keys set by their paths.
 pub fn check(source: Source, folder: &Path, set: &[(String, String)]) -> Findings {
     let mut source = source;
     let mut errors = Vec::new();
@@ -62,27 +55,19 @@ fn all(
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,
 ) -> Option<LoadedCase> {
-    let (mut input, mut mending) = readable::<CaseInput>(source, schema(), RIGHT, errors)?;
-    for (key, value) in set {
-        if let Err(error) = set_keys(&mut input, source, &[(key.clone(), value.clone())]) {
-            mending.blame(key);
-            errors.push(error);
-        }
-    }
+    let (input, mending) = readable::<CaseInput>(source, set, errors)?;
     completed(input, source, folder, mending, errors)
 }
 
-/// The case in `source` with every value that can be read; what cannot be is noted and replaced from the case
-/// `right`.
-pub(super) fn readable<T: DeserializeOwned>(
-    source: &Source,
-    schema: Json,
-    right: &str,
+/// The case in `source` with keys set by their paths; values that cannot be read are recorded and replaced by valid ones.
+pub(super) fn readable<T: CaseFile>(
+    source: &mut Source,
+    set: &[(String, String)],
     errors: &mut Vec<CaseError>,
 ) -> Option<(T, Mending)> {
     let mut mending = Mending {
-        right: right.parse().ok()?,
-        schema,
+        right: T::VALID.parse().ok()?,
+        schema: T::schema(),
         blamed: BTreeSet::new(),
         replaced: BTreeSet::new(),
     };
@@ -94,11 +79,17 @@ pub(super) fn readable<T: DeserializeOwned>(
         }
     };
     remove_unknown(&mut table, source, &mut mending, errors);
-    let input = mending.read(table, source, errors)?;
+    let mut input: T = mending.read(table, source, errors)?;
+    for (key, value) in set {
+        if let Err(error) = input.set_in(source, key, value) {
+            mending.blamed.insert(part_of(key).to_owned());
+            errors.push(error);
+        }
+    }
     Some((input, mending))
 }
 
-/// The case with its traces, after every error that completing it brings about was noted.
+/// The case with its traces; every error of its completion is recorded.
 pub(super) fn completed(
     mut input: CaseInput,
     source: &Source,
@@ -111,7 +102,7 @@ pub(super) fn completed(
         errors.push(error);
         mending.put_right(&mut input, part_of(&key?));
     }
-    // Every round puts a further part right, and there are no more parts than keys.
+    // Every round replaces a further part, and there are no more parts than keys.
     loop {
         let files = Files::in_folder(folder).into();
         let error = match complete(input.clone(), source, files, None) {
@@ -120,7 +111,7 @@ pub(super) fn completed(
         };
         let key = error.place().and_then(|place| place.key.clone());
         let part = key.as_deref().map(part_of);
-        // What was put right, or left out, may bring about an error that is not the user's.
+        // A replaced or removed part may cause an error that is not the user's.
         if part.is_none_or(|part| !mending.is_known(part)) {
             errors.push(error);
         }
@@ -130,46 +121,42 @@ pub(super) fn completed(
     }
 }
 
-/// Parts blamed and put right so far.
+/// Parts with errors, and parts replaced so far.
 pub(super) struct Mending {
-    /// A case that is right.
+    /// A valid case.
     right: Table,
     /// Schema of the case.
-    schema: Json,
-    /// Parts with an error that was noted.
+    schema: &'static Json,
+    /// Parts with a recorded error.
     blamed: BTreeSet<String>,
     /// Parts that were replaced as a whole.
     replaced: BTreeSet<String>,
 }
 
 impl Mending {
-    /// That of a mesh of a planetary set, after that of the set.
+    /// The parts of a mesh of a planetary set.
     pub(super) fn of_mesh(&self, mesh: MeshKeys) -> Option<Self> {
         let blamed = self.blamed.iter().chain(&self.replaced);
         let in_mesh = blamed.map(|part| mesh.in_mesh(part).unwrap_or_else(|| part.clone()));
         Some(Self {
-            right: RIGHT.parse().ok()?,
-            schema: schema(),
+            right: CaseInput::VALID.parse().ok()?,
+            schema: CaseInput::schema(),
             blamed: in_mesh.map(|part| part_of(&part).to_owned()).collect(),
             replaced: BTreeSet::new(),
         })
     }
 
-    /// Notes that there is an error at `key`.
-    pub(super) fn blame(&mut self, key: &str) {
-        self.blamed.insert(part_of(key).to_owned());
-    }
-
+    /// Whether `part` has an error, or was replaced.
     pub(super) fn is_known(&self, part: &str) -> bool {
         self.blamed.contains(part) || self.replaced.contains(part)
     }
 
-    /// Replaces a part by the right one; whether that is new.
+    /// Replaces a part by the valid one; returns whether it was not replaced before.
     fn put_right(&mut self, input: &mut CaseInput, part: &str) -> bool {
         self.replaced.insert(part.to_owned()) && put_right(input, part, &self.right).is_some()
     }
 
-    /// The case with every value that can be read, and the right one in place of the others.
+    /// The case, with valid values in place of those that cannot be read.
     fn read<T: DeserializeOwned>(
         &mut self,
         mut table: Table,
@@ -188,7 +175,7 @@ impl Mending {
                 .as_deref()
                 .is_some_and(|key| self.blamed.contains(key));
             if !is_misspelt {
-                errors.push(value_error(source, &self.schema, key.clone(), &message));
+                errors.push(value_error(source, self.schema, key.clone(), &message));
             }
             let blamed = missing.or(key)?;
             self.blamed.insert(part_of(&blamed).to_owned());
@@ -200,22 +187,21 @@ impl Mending {
     }
 }
 
-/// Takes the unknown keys away, each noted.
+/// Removes and records the unknown keys.
 fn remove_unknown(
     table: &mut Table,
     source: &Source,
     mending: &mut Mending,
     errors: &mut Vec<CaseError>,
 ) {
-    let schema = mending.schema.clone();
     let mut unknown: BTreeSet<String> = BTreeSet::new();
     for path in source.key_paths() {
         let is_below = |above: &String| path.starts_with(&format!("{above}."));
         if unknown.iter().any(is_below) {
             continue;
         }
-        if let Some((key, nearest)) = first_unknown(&schema, std::iter::once(path)) {
-            // The key that was meant will be missing.
+        if let Some((key, nearest)) = first_unknown(mending.schema, std::iter::once(path)) {
+            // The intended key will be missing.
             if let Some(meant) = &nearest {
                 let table = key.rsplit_once('.').map(|(table, _)| format!("{table}."));
                 let meant = format!("{}{meant}", table.unwrap_or_default());
@@ -241,14 +227,14 @@ fn value_error(source: &Source, schema: &Json, key: Option<String>, message: &st
     }
 }
 
-/// The key that is missing below `table`, where that is the error.
+/// The key missing in `table`, if that is the error.
 fn missing_key(table: Option<&str>, message: &str) -> Option<String> {
     let rest = message.strip_prefix("missing field `")?;
     let name = &rest[..rest.find('`')?];
     Some(table.map_or(name.to_owned(), |table| format!("{table}.{name}")))
 }
 
-/// The part of a case that is put right as a whole: a table whose keys hang together, or a single key.
+/// The part of a case that is replaced as a whole: a table with related keys, or a single key.
 fn part_of(key: &str) -> &str {
     const WHOLE: [&str; 9] = [
         "gears",
@@ -256,7 +242,7 @@ fn part_of(key: &str) -> &str {
         "surface.coast",
         "surface.pinion",
         "surface.wheel",
-        // Of a planetary set.
+        // Tables of a planetary set.
         "planetary",
         "surface.sun",
         "surface.planet",
@@ -289,7 +275,7 @@ fn value_at(table: &Table, path: &str) -> Option<Value> {
     Some(value.clone())
 }
 
-/// Puts `value` at `path`, or takes away what is there; whether the tables above are there.
+/// Puts `value` at `path`, or removes the value there; returns whether its tables exist.
 fn change(table: &mut Table, path: &str, value: Option<Value>) -> bool {
     let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
     let mut at = table;

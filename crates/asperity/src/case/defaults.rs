@@ -1,16 +1,16 @@
-//! Defaults, each written down when it is used.
+//! The defaults that a case uses.
 
 use std::borrow::Cow;
 
 use asperity_oil::Assumption;
 use serde::{Deserialize, Serialize};
 
-/// A default that was used, as it would be written in the case file.
+/// A default in use, written as in the case file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DefaultUsed {
     /// Key of the case file: `gears.helix`.
     pub key: Cow<'static, str>,
-    /// The value, as it would be written.
+    /// The value, written as in the case file.
     pub value: String,
     /// Source of the value, if it is an estimate.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -22,54 +22,49 @@ pub struct DefaultUsed {
 pub(super) struct Defaults(Vec<DefaultUsed>);
 
 impl Defaults {
-    /// The given value, or the default, which is written down.
+    /// The value stated, or the default, which is listed.
     pub(super) fn take<T: Serialize>(
         &mut self,
-        key: &'static str,
-        given: Option<T>,
+        key: impl Into<Cow<'static, str>>,
+        stated: Option<T>,
         default: T,
     ) -> T {
-        given.unwrap_or_else(|| {
-            self.note(key, &default);
-            default
-        })
+        self.take_from(key, stated, default, None)
     }
 
-    /// Writes down that `value` was used for `key`.
-    pub(super) fn note<T: Serialize>(&mut self, key: &'static str, value: &T) {
-        let value = serde_json::to_string(value).unwrap_or_default();
-        self.0.push(DefaultUsed {
-            key: key.into(),
-            value,
-            source: None,
-        });
+    /// Lists `value` as the default of `key`.
+    pub(super) fn note<T: Serialize>(&mut self, key: impl Into<Cow<'static, str>>, value: &T) {
+        self.list(key.into(), value, None);
     }
 
-    /// The given value, or that of a preset or a relation, which is written down with its source.
+    /// The value stated, or that of a preset or a relation, which is listed with its source.
     pub(super) fn take_from<T: Serialize>(
         &mut self,
-        key: &'static str,
-        given: Option<T>,
+        key: impl Into<Cow<'static, str>>,
+        stated: Option<T>,
         value: T,
         source: Option<String>,
     ) -> T {
-        given.unwrap_or_else(|| {
-            let text = serde_json::to_string(&value).unwrap_or_default();
-            self.0.push(DefaultUsed {
-                key: key.into(),
-                value: text,
-                source: source.map(Cow::Owned),
-            });
+        stated.unwrap_or_else(|| {
+            self.list(key.into(), &value, source);
             value
         })
     }
 
-    /// Writes down what was assumed of the oil.
+    /// Lists an assumption about the oil.
     pub(super) fn assume(&mut self, assumption: &Assumption) {
         self.0.push(DefaultUsed {
             key: format!("lubricant.{}", assumption.key).into(),
             value: assumption.value.clone(),
             source: Some(assumption.source.into()),
+        });
+    }
+
+    fn list<T: Serialize>(&mut self, key: Cow<'static, str>, value: &T, source: Option<String>) {
+        self.0.push(DefaultUsed {
+            key,
+            value: serde_json::to_string(value).unwrap_or_default(),
+            source: source.map(Cow::Owned),
         });
     }
 

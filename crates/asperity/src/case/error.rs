@@ -1,5 +1,7 @@
 //! Errors of a case file, each with a code, a place and a remedy.
 
+use std::borrow::Cow;
+
 use asperity_core::DomainError;
 use asperity_core::remedy::{Remedy, Setting};
 use asperity_profile_io::read::ReadError;
@@ -22,7 +24,7 @@ pub enum CaseError {
         /// Reason the system gives.
         reason: std::io::Error,
     },
-    /// A folder where a case file is due.
+    /// A folder in place of a case file.
     #[error("{file}: is a folder; name the case file in it, e.g. {file}/case.toml")]
     Folder {
         /// Name of the folder.
@@ -49,7 +51,7 @@ pub enum CaseError {
         place: Place,
         /// The key, with its table.
         key: String,
-        /// The known key most like it.
+        /// The most similar known key.
         nearest: Option<String>,
     },
     /// A value that cannot be read, or a key that is missing.
@@ -68,7 +70,7 @@ pub enum CaseError {
         /// Place in the case file.
         place: Place,
         /// The key, with its table.
-        key: &'static str,
+        key: Cow<'static, str>,
         /// Rule.
         rule: &'static str,
     },
@@ -78,33 +80,33 @@ pub enum CaseError {
         /// Place in the case file.
         place: Place,
         /// The key, with its table.
-        key: &'static str,
-        /// The value as it stands in the file, where it does.
+        key: Cow<'static, str>,
+        /// The value as written in the file, if it is there.
         written: Option<String>,
         /// The number and the rule.
         source: DomainError,
     },
-    /// A number that no gear drive has.
+    /// A number outside the possible range of gear drives.
     #[error("{place}: {key}{}: {seen} is beyond physical sense; usual is {usual}", as_written(written.as_deref()))]
     Impossible {
         /// Place in the case file.
         place: Place,
         /// The key, with its table.
-        key: &'static str,
-        /// The value as it stands in the file, where it does.
+        key: Cow<'static, str>,
+        /// The value as written in the file, if it is there.
         written: Option<String>,
         /// The number with its unit.
         seen: String,
         /// The usual range with its unit.
         usual: String,
     },
-    /// A choice that these gears do not take.
+    /// A choice that does not apply to these gears.
     #[error("{place}: {key}: {source}")]
     NotForTheseGears {
         /// Place in the case file.
         place: Place,
         /// The key, with its table.
-        key: &'static str,
+        key: Cow<'static, str>,
         /// The reason.
         source: asperity_gear::GearError,
     },
@@ -116,30 +118,30 @@ pub enum CaseError {
         /// The reason.
         source: asperity_gear::GearError,
     },
-    /// A lubricant that lacks something or cannot be.
+    /// An incomplete or impossible lubricant.
     #[error("{place}: {key}{}: {source}", as_written(written.as_deref()))]
     Lubricant {
         /// Place in the case file.
         place: Place,
         /// The key, with its table.
-        key: &'static str,
-        /// The value as it stands in the file, where one value is to blame.
+        key: Cow<'static, str>,
+        /// The value as written in the file, if a single value causes the error.
         written: Option<String>,
         /// The reason.
         source: asperity_oil::LubricantError,
     },
-    /// A steel that the library does not have.
+    /// A steel that is not in the library.
     #[error("{place}: {key} = \"{name}\": the library has no such steel{}; it has: {}", did_you_mean(nearest.as_deref()), known.join(", "))]
     UnknownSteel {
         /// Place in the case file.
         place: Place,
         /// The key, with its table.
-        key: &'static str,
-        /// The name asked for.
+        key: Cow<'static, str>,
+        /// The name in the case.
         name: String,
-        /// The steel whose name is most like it.
+        /// The steel with the most similar name.
         nearest: Option<String>,
-        /// The names there are.
+        /// The names in the library.
         known: Vec<String>,
     },
     /// The library of steels cannot be read.
@@ -156,29 +158,29 @@ pub enum CaseError {
         /// Place at which it is named.
         place: Place,
         /// The key that names it.
-        key: &'static str,
+        key: Cow<'static, str>,
         /// Reason the system gives.
         reason: std::io::Error,
     },
-    /// A pattern of which there is no trace.
+    /// A pattern that matches no trace.
     #[error("{place}: {key} = \"{pattern}\": {}", no_traces(folder.as_deref()))]
     NoTraces {
-        /// Place at which it stands.
+        /// Place in the case file.
         place: Place,
         /// The key with the pattern.
-        key: &'static str,
+        key: Cow<'static, str>,
         /// The pattern.
         pattern: String,
-        /// The folder that was looked at; none where there is none to look at.
+        /// The folder that was searched; `None` for a case without files.
         folder: Option<String>,
     },
-    /// A part of the gearbox that cannot be.
+    /// A part of the gearbox with impossible numbers.
     #[error("{place}: {key}: {part}: {source}")]
     GearboxPart {
         /// Place in the case file.
         place: Place,
-        /// The key of the list that it stands in.
-        key: &'static str,
+        /// The key of its list.
+        key: Cow<'static, str>,
         /// Name of the part.
         part: String,
         /// The reason.
@@ -190,7 +192,7 @@ pub enum CaseError {
         /// Place at which it is named.
         place: Place,
         /// The key that names it.
-        key: &'static str,
+        key: Cow<'static, str>,
         /// The reason.
         source: LossTableError,
     },
@@ -216,7 +218,7 @@ fn as_written(written: Option<&str>) -> String {
     written.map(|text| format!(" = {text}")).unwrap_or_default()
 }
 
-/// The rule, after the number where the text does not show it.
+/// The rule, after the number if the text does not show it.
 fn rule(source: &DomainError, is_shown: bool) -> String {
     let DomainError {
         name,
@@ -260,11 +262,11 @@ impl CaseError {
                 ..
             } => "E207",
             Self::Lubricant { .. } => "E208",
-            Self::Domain {
-                key: "model.tolerance",
-                source,
-                ..
-            } if source.value > LOOSEST_TOLERANCE => "E211",
+            Self::Domain { key, source, .. }
+                if key == "model.tolerance" && source.value > LOOSEST_TOLERANCE =>
+            {
+                "E211"
+            }
             Self::Impossible { .. } => "E212",
             Self::Domain { .. } | Self::NotForTheseGears { .. } => "E209",
             Self::UnknownSteel { .. } => "E220",
@@ -278,7 +280,7 @@ impl CaseError {
         }
     }
 
-    /// Remedy, where more is known than its code says.
+    /// Remedy that is more specific than that of the code.
     pub fn remedy(&self) -> Remedy {
         match self {
             Self::Open { .. } => Remedy::act("check the path"),

@@ -1,5 +1,6 @@
 //! Files that a case names: their keys, where they come from, and the sums of those that were read.
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
@@ -17,27 +18,19 @@ use super::source::Source;
 use super::trace_list::{TraceEntry, TraceList, is_pattern, matches};
 use crate::fingerprint::sha256;
 
-pub(super) const FILE_OF_PINION: &str = "surface.pinion.file";
-pub(super) const FILE_OF_WHEEL: &str = "surface.wheel.file";
-pub(super) const FILE_OF_COAST_PINION: &str = "surface.coast.pinion.file";
-pub(super) const FILE_OF_COAST_WHEEL: &str = "surface.coast.wheel.file";
-pub(super) const TRACES_OF_PINION: &str = "surface.pinion.traces";
-pub(super) const TRACES_OF_WHEEL: &str = "surface.wheel.traces";
-pub(super) const TRACES_OF_COAST_PINION: &str = "surface.coast.pinion.traces";
-pub(super) const TRACES_OF_COAST_WHEEL: &str = "surface.coast.wheel.traces";
 pub(super) const LOSS_TABLE: &str = "gearbox.loss_table";
 pub(super) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
 
 /// Every key of a case that names a file, or several.
 pub const FILE_KEYS: [&str; 10] = [
-    FILE_OF_PINION,
-    FILE_OF_WHEEL,
-    FILE_OF_COAST_PINION,
-    FILE_OF_COAST_WHEEL,
-    TRACES_OF_PINION,
-    TRACES_OF_WHEEL,
-    TRACES_OF_COAST_PINION,
-    TRACES_OF_COAST_WHEEL,
+    "surface.pinion.file",
+    "surface.wheel.file",
+    "surface.coast.pinion.file",
+    "surface.coast.wheel.file",
+    "surface.pinion.traces",
+    "surface.wheel.traces",
+    "surface.coast.pinion.traces",
+    "surface.coast.wheel.traces",
     LOSS_TABLE,
     XU_COEFFICIENTS,
 ];
@@ -48,17 +41,17 @@ pub type FileSums = BTreeMap<PathBuf, String>;
 /// Bytes of the largest file that a case may name.
 const LARGEST: u64 = 1_000_000_000;
 
-/// Content behind the name of a file.
+/// Content of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Content {
     /// The bytes of a file.
     Bytes(Arc<[u8]>),
-    /// A trace that is known already.
+    /// A trace in memory.
     Heights(Arc<Profile>),
 }
 
 impl Content {
-    /// SHA-256 of the bytes; of spacing and heights where the trace was no file.
+    /// SHA-256 of the bytes, or of spacing and heights of a trace in memory.
     fn sum(&self) -> String {
         match self {
             Self::Bytes(bytes) => sha256(bytes),
@@ -77,63 +70,62 @@ impl Content {
 
 /// A file, or a pattern of files, that a case names.
 struct Named {
-    key: &'static str,
+    key: Cow<'static, str>,
     name: PathBuf,
     is_pattern: bool,
 }
 
+impl Named {
+    fn file(key: impl Into<Cow<'static, str>>, name: &Path) -> Self {
+        Self {
+            key: key.into(),
+            name: name.to_owned(),
+            is_pattern: false,
+        }
+    }
+}
+
 /// Files and patterns of files that `input` names.
 fn named(input: &CaseInput) -> Vec<Named> {
-    let coast = input.surface.coast.as_ref();
+    let surface = &input.surface;
+    let coast = surface.coast.as_ref();
     let flanks = [
+        ("surface.pinion", Some(&surface.pinion)),
+        ("surface.wheel", surface.wheel.as_ref()),
+        ("surface.coast.pinion", coast.map(|coast| &coast.pinion)),
         (
-            [FILE_OF_PINION, TRACES_OF_PINION],
-            Some(&input.surface.pinion),
-        ),
-        (
-            [FILE_OF_WHEEL, TRACES_OF_WHEEL],
-            input.surface.wheel.as_ref(),
-        ),
-        (
-            [FILE_OF_COAST_PINION, TRACES_OF_COAST_PINION],
-            coast.map(|coast| &coast.pinion),
-        ),
-        (
-            [FILE_OF_COAST_WHEEL, TRACES_OF_COAST_WHEEL],
+            "surface.coast.wheel",
             coast.and_then(|coast| coast.wheel.as_ref()),
         ),
     ];
-    let file = |key, name: &PathBuf| Named {
-        key,
-        name: name.clone(),
-        is_pattern: false,
-    };
     let mut named: Vec<Named> = Vec::new();
-    for ([file_key, traces], flank) in flanks {
+    for (table, flank) in flanks {
         let Some(flank) = flank else { continue };
-        named.extend(flank.file.iter().map(|name| file(file_key, name)));
+        let file = flank.file.iter();
+        named.extend(file.map(|name| Named::file(format!("{table}.file"), name)));
+        let key = format!("{table}.traces");
         let listed = flank.traces.iter().flat_map(TraceList::entries);
         named.extend(listed.map(|entry| match entry {
-            TraceEntry::Table(table) => file(traces, &table.file),
+            TraceEntry::Table(trace) => Named::file(key.clone(), &trace.file),
             TraceEntry::Pattern(text) => Named {
-                key: traces,
+                key: key.clone().into(),
                 is_pattern: is_pattern(&text),
                 name: text.into(),
             },
         }));
     }
     let xu = input.model.xu_coefficients.iter();
-    named.extend(xu.map(|name| file(XU_COEFFICIENTS, name)));
+    named.extend(xu.map(|name| Named::file(XU_COEFFICIENTS, name)));
     let gearbox = input.gearbox.iter();
     let tables = gearbox.filter_map(|gearbox| gearbox.loss_table.as_ref());
-    named.extend(tables.map(|name| file(LOSS_TABLE, name)));
+    named.extend(tables.map(|name| Named::file(LOSS_TABLE, name)));
     named
 }
 
 /// The files of a case by the names that the case gives them.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Files {
-    /// Folder that names are relative to; none where only memory is asked.
+    /// Folder that names are relative to; `None` if all files are in memory.
     folder: Option<PathBuf>,
     held: BTreeMap<PathBuf, Content>,
 }
@@ -168,11 +160,11 @@ impl Files {
             let bytes = resolver(&file).map_err(|reason| CaseError::OpenNamed {
                 file,
                 place: source.place_of(key),
-                key,
+                key: key.clone(),
                 reason,
             })?;
             files.hold(name, Content::Bytes(bytes.into()));
-            // Not named in the case, and not missed where it is not there.
+            // An optional file that the case does not name.
             if let Some(conditions) = conditions_of(name)
                 && let Ok(bytes) = resolver(&conditions.display().to_string())
             {
@@ -182,7 +174,7 @@ impl Files {
         Ok(files)
     }
 
-    /// Folder that names are relative to; none where only memory is asked.
+    /// Folder that names are relative to; `None` if all files are in memory.
     pub(super) fn folder(&self) -> Option<&Path> {
         self.folder.as_deref()
     }
@@ -213,19 +205,19 @@ impl Files {
             .held
             .keys()
             .filter(|name| name.parent() == Some(parent) && name.file_name().is_some_and(is_meant));
-        let mut found: Vec<PathBuf> = on_disk.map(|name| parent.join(name)).collect();
-        found.extend(in_memory.cloned());
-        found.sort();
-        found.dedup();
-        found
+        let mut names: Vec<PathBuf> = on_disk.map(|name| parent.join(name)).collect();
+        names.extend(in_memory.cloned());
+        names.sort();
+        names.dedup();
+        names
     }
 
-    /// Keeps `content` under this name.
+    /// Stores `content` under this name.
     pub(super) fn hold(&mut self, name: &Path, content: Content) {
         self.held.insert(name.to_owned(), content);
     }
 
-    /// Content kept under this name.
+    /// Content stored under this name.
     pub(super) fn held(&self, name: &Path) -> Option<&Content> {
         self.held.get(name)
     }
@@ -269,25 +261,26 @@ impl<'a> Reader<'a> {
         self.sums.into_inner()
     }
 
-    /// Content behind `name`, which is at `key` of the case, and its sum.
+    /// Content of the file `name`, which is stated at `key` of the case, and its sum.
     pub(super) fn open(
         &self,
         name: &Path,
         source: &Source,
-        key: &'static str,
+        key: impl Into<Cow<'static, str>>,
     ) -> Result<(Content, String), CaseError> {
         self.content(name).map_err(|reason| {
             let folder = self.files.folder.as_deref().unwrap_or(Path::new(""));
+            let key = key.into();
             CaseError::OpenNamed {
                 file: folder.join(name).display().to_string(),
-                place: source.place_of(key),
+                place: source.place_of(&key),
                 key,
                 reason,
             }
         })
     }
 
-    /// The measuring conditions that belong to the trace `name`, where there are any.
+    /// The measuring conditions of the trace `name`, if there are any.
     pub(super) fn conditions(&self, name: &Path) -> Option<Arc<[u8]>> {
         match self.content(&conditions_of(name)?).ok()?.0 {
             Content::Bytes(bytes) => Some(bytes),

@@ -1,4 +1,4 @@
-//! The form of a flank from its trace: what of it holds the teeth apart, and what is roughness.
+//! The form of a flank from its trace: separation of the form, which sets the load over the teeth, from the roughness.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -8,7 +8,7 @@
 //! | w | mean line of the trace at λ_f | m |
 //!
 //! The trace counts as the deviation of the flank from its involute, as gear inspection exports it: the form goes to
-//! the load over the teeth, the rest is pressed into the mating flank, and nothing is in both.
+//! the load over the teeth, the rest is pressed into the mating flank; the two parts do not overlap.
 
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::{Length, LineLoad};
@@ -23,8 +23,8 @@ use super::source::Source;
 use crate::flanks::flank_form::FlankForm;
 use crate::flanks::placement::PlacedTrace;
 
-/// The flank of `gear` in the table `gears`, and its key of the form.
-fn told(case: &Case, gear: Gear) -> (Option<&GearFlankInput>, &'static str) {
+/// The flank of `gear` in the table `gears`, and the key of its form.
+fn stated(case: &Case, gear: Gear) -> (Option<&GearFlankInput>, &'static str) {
     match gear {
         Gear::Pinion => (case.input.gears.pinion.as_ref(), "gears.pinion.relief"),
         Gear::Wheel => (case.input.gears.wheel.as_ref(), "gears.wheel.relief"),
@@ -32,24 +32,24 @@ fn told(case: &Case, gear: Gear) -> (Option<&GearFlankInput>, &'static str) {
 }
 
 /// Whether the form of `gear` comes from its trace.
-pub(super) fn is_wanted(case: &Case, gear: Gear) -> bool {
-    told(case, gear)
-        .0
-        .is_some_and(GearFlankInput::is_from_trace)
+pub(super) fn is_from_trace(case: &Case, gear: Gear) -> bool {
+    let (flank, _) = stated(case, gear);
+    flank.is_some_and(GearFlankInput::is_from_trace)
 }
 
-/// Shortest form, where any is taken from a trace:
+/// Shortest wave of the form, if one is taken from a trace:
 ///
 /// ```text
 /// λ_f = max(λ_c, 8 a_H)                                                        [Form-split]
 /// ```
 ///
-/// Of this, 8 a_H in whole micrometres: a shorter wave is within the window of a contact, which sees it as roughness.
+/// This function returns 8 a_H, rounded up to whole micrometres: a shorter wave lies within the window of a contact, where it
+/// is roughness.
 pub(super) fn shortest_form(case: &Case) -> Result<Option<Length>, FormError> {
     /// Half-widths of the shortest form.
     const HALF_WIDTHS: f64 = 8.0;
     const MICRO: f64 = 1e6;
-    if !is_wanted(case, Gear::Pinion) && !is_wanted(case, Gear::Wheel) {
+    if !is_from_trace(case, Gear::Pinion) && !is_from_trace(case, Gear::Wheel) {
         return Ok(None);
     }
     cite!("Form-split");
@@ -68,19 +68,19 @@ pub(super) fn shortest_form(case: &Case) -> Result<Option<Length>, FormError> {
     Ok(Some(Length::from_si(shortest)))
 }
 
-/// A form that the trace does not show.
+/// Reasons why a trace has no form.
 pub(super) enum FormError {
-    /// The trace lies nowhere.
+    /// The place of the trace on the flank is not known.
     NotPlaced,
     /// The file holds a roughness profile.
     Filtered,
-    /// The form was taken off before.
+    /// The form was removed before.
     Removed(Form),
     /// Roll lengths of the trace and of the active flank.
     Short([Length; 2], [Length; 2]),
-    /// Range of the form, and the largest that a relief has.
+    /// Range of the form, and the largest range of a relief.
     High(Length, Length),
-    /// Gears or contact refuse the numbers, and say why.
+    /// Gears or contact refuse the numbers, with the reason.
     Unsolved(String),
 }
 
@@ -88,14 +88,14 @@ fn unsolved(error: impl std::fmt::Display) -> FormError {
     FormError::Unsolved(error.to_string())
 }
 
-/// The error at the key of `gear`; `file` is that of the trace, `at` the key of its place.
+/// The error at the key of `gear`; `file` is the name of the trace, `at` the key of its place.
 pub(super) fn refused(
     error: FormError,
     (case, gear): (&Case, Gear),
     (file, at): (&str, &str),
     source: &Source,
 ) -> CaseError {
-    let key = told(case, gear).1;
+    let (_, key) = stated(case, gear);
     let mm = |length: Length| format!("{:.3}", length.si() * 1e3);
     let message = match error {
         FormError::NotPlaced => format!(
@@ -132,23 +132,23 @@ pub(super) fn refused(
     }
 }
 
-/// The form whose mean line `waviness` is, filtered at `cutoff` and placed as `placed`.
+/// The form of a flank, with the mean line `waviness` of its trace filtered at `cutoff` and placed as `placed`.
 pub(super) fn measured(
     waviness: &Profile,
     cutoff: Length,
     placed: &PlacedTrace,
     (case, gear): (&Case, Gear),
 ) -> Result<FlankForm, FormError> {
-    /// Share of the active flank that may be missing at either end of the trace.
+    /// Largest share of the active flank that may be missing at either end of the trace.
     const MAY_MISS: f64 = 0.01;
     /// Points of a cut-off: straight lines between them are off by under 1e-3 of the amplitude of a wave that long.
     const POINTS: f64 = 64.0;
-    /// Largest range of a form, in modules; reliefs are of up to 0.02.
+    /// Largest range of a form, in modules; reliefs have up to 0.02.
     const LARGEST: f64 = 0.05;
     let path = case.gears.path();
     let arc = |s: Length| {
-        let found = case.gears.arc_of(gear, FlankPoint::Position(s));
-        found.map(|arc| arc.si()).map_err(unsolved)
+        let arc = case.gears.arc_of(gear, FlankPoint::Position(s));
+        arc.map(|arc| arc.si()).map_err(unsolved)
     };
     let [from, to] = {
         let ends = [arc(path.a)?, arc(path.e)?];
@@ -164,8 +164,8 @@ pub(super) fn measured(
         return Err(FormError::Short(ends.map(roll), [from, to].map(roll)));
     }
     let every = ((cutoff / waviness.spacing()) / POINTS).floor().max(1.0) as usize;
-    let kept = (0..=last).filter(|i| i.is_multiple_of(every) || *i == last);
-    let on_flank = kept.filter(|i| arc_at(*i) > 0.0);
+    let sampled = (0..=last).filter(|i| i.is_multiple_of(every) || *i == last);
+    let on_flank = sampled.filter(|i| arc_at(*i) > 0.0);
     let mut points: Vec<(Length, Length)> = on_flank
         .map(|i| (roll(arc_at(i)), Length::from_si(waviness.heights()[i])))
         .collect();

@@ -1,4 +1,4 @@
-//! The traces of both flanks together: their spacing, their places, and every pair that meets.
+//! The traces of both flanks: their common spacing, their places, and every pair of teeth in contact.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::flanks::placement::Placement;
 use crate::flanks::surfaces::{PairsOfTeeth, Surfaces, Texture};
 use crate::message::Warning;
 
-/// The traces of one flank, read and prepared once, as any pair of them meets.
+/// The traces of both flanks, read and prepared once, from which pairs are formed.
 pub(super) struct Meeting<'a> {
     pub case: &'a Case,
     pub flanks: &'a [Vec<Flank>; 2],
@@ -22,12 +22,12 @@ pub(super) struct Meeting<'a> {
 }
 
 impl Meeting<'_> {
-    /// The trace `which` of the pinion on that of the wheel.
+    /// The traces `which` of pinion and wheel in contact.
     pub(super) fn surfaces(&self, which: [usize; 2]) -> Surfaces {
         let flanks = [0, 1].map(|body: usize| &self.flanks[body][which[body]]);
         // Rows of one surface are traces of their own.
         let same_trace = flanks[0].raw.is_some() && flanks[0].raw == flanks[1].raw;
-        // Two files may have been filtered differently; the summits are looked for at the longer waves.
+        // Two files may have been filtered differently; summits are counted with the longer cut-off.
         let noise_cutoff = flanks
             .into_iter()
             .map(|flank| match &flank.report.preparation {
@@ -42,7 +42,7 @@ impl Meeting<'_> {
             .flatten();
         let rz = flanks.map(|flank| {
             let parameters = flank.report.parameters.as_ref();
-            parameters.map(|found| found.heights.rz)
+            parameters.map(|parameters| parameters.heights.rz)
         });
         let textures = flanks.map(|flank| flank.texture.clone());
         let placement = match flanks.map(|flank| flank.placed) {
@@ -89,7 +89,7 @@ impl Meeting<'_> {
     }
 }
 
-/// Whether the place of every trace is known; where it is of some alone, that is told and not used.
+/// Whether the place of every trace is known; known places of only some traces raise a warning and are not used.
 pub(super) fn all_placed(flanks: &[Vec<Flank>; 2], warnings: &mut Vec<Warning>) -> bool {
     let placed = flanks
         .iter()
@@ -112,7 +112,7 @@ pub(super) fn all_placed(flanks: &[Vec<Flank>; 2], warnings: &mut Vec<Warning>) 
     false
 }
 
-/// Brings all traces to the finest spacing: as they are if their spacings count as equal, otherwise resampled.
+/// Resamples all traces to the finest spacing, unless their spacings count as equal.
 pub(super) fn on_common_spacing(
     flanks: &mut [Vec<Flank>; 2],
     warnings: &mut Vec<Warning>,

@@ -1,4 +1,4 @@
-//! Keys that tell where a trace lies on its flank, and the place that follows from them.
+//! Keys of the place of a trace on its flank, and the place that follows from them.
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Angle, Length};
@@ -42,27 +42,35 @@ pub struct FlankPlaceInput {
 }
 
 impl FlankPlaceInput {
-    /// The point of the flank; none unless exactly one coordinate is given.
+    /// The point of the flank; `None` unless exactly one coordinate is stated.
     fn point(&self) -> Option<FlankPoint> {
-        let given = [
-            self.position.map(FlankPoint::Position),
-            self.roll_length.map(FlankPoint::RollLength),
-            self.radius.map(FlankPoint::Radius),
-            self.diameter.map(|d| FlankPoint::Radius(d * 0.5)),
-            self.roll_angle.map(FlankPoint::RollAngle),
+        let Self {
+            position,
+            roll_length,
+            radius,
+            diameter,
+            roll_angle,
+            x: _,
+        } = *self;
+        let stated = [
+            position.map(FlankPoint::Position),
+            roll_length.map(FlankPoint::RollLength),
+            radius.map(FlankPoint::Radius),
+            diameter.map(|d| FlankPoint::Radius(d * 0.5)),
+            roll_angle.map(FlankPoint::RollAngle),
         ];
-        let mut given = given.into_iter().flatten();
-        let first = given.next()?;
-        given.next().is_none().then_some(first)
+        let mut stated = stated.into_iter().flatten();
+        let first = stated.next()?;
+        stated.next().is_none().then_some(first)
     }
 }
 
-/// Why the keys of a place contradict each other.
+/// Contradictions between the keys of a place.
 #[derive(Debug)]
 pub(super) enum PlaceError {
     /// A rule that the keys break.
     Rule(&'static str),
-    /// A coordinate that no point of the flank has.
+    /// A coordinate outside of the flank.
     Domain(DomainError),
 }
 
@@ -75,12 +83,12 @@ impl From<GearError> for PlaceError {
     }
 }
 
-/// What the keys of a flank tell of the place of its trace.
+/// The keys of a flank that state the place of its trace.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Told {
+pub(super) struct PlaceKeys {
     pub from: Option<TraceStart>,
     pub at: Option<FlankPlaceInput>,
-    /// Whether `mirrored` is given.
+    /// Whether `mirrored` is stated.
     pub is_mirrored: bool,
 }
 
@@ -91,24 +99,24 @@ pub(super) struct ReadPlace {
     pub turned: bool,
     /// Arc of the trace's first point as read, from the base circle \[m\], and its growth along the trace.
     pub reference: Option<[f64; 2]>,
-    /// Direction by default.
+    /// Whether the direction is the default.
     pub assumed_from: bool,
 }
 
-/// The place of a trace; `arc_of_first` is what a roll length of its file says. None where no key tells of it.
+/// The place of a trace; `arc_of_first` is the arc of the first point according to its file. `None` if no key states it.
 pub(super) fn read_place(
-    input: Told,
+    input: PlaceKeys,
     gears: &GearPair,
     gear: Gear,
     arc_of_first: Option<Length>,
 ) -> Result<Option<ReadPlace>, PlaceError> {
-    let told = input.at.is_some() || input.from.is_some();
-    if told && input.is_mirrored {
+    let is_stated = input.at.is_some() || input.from.is_some();
+    if is_stated && input.is_mirrored {
         return Err(PlaceError::Rule(
             "says how the trace lies on the flank, so mirrored is not asked for; leave mirrored out",
         ));
     }
-    // A trace over roll lengths is read by rising ones.
+    // A trace over roll lengths is read in their rising order.
     let from = match (arc_of_first, input.from) {
         (Some(_), _) => TraceStart::Root,
         (None, from) => from.unwrap_or_default(),
@@ -130,10 +138,10 @@ pub(super) fn read_place(
             let arc = gears.arc_of(gear, point)?.si();
             Some(arc - growth * at.x.unwrap_or_default().si())
         }
-        (None, None) if !told => return Ok(None),
+        (None, None) if !is_stated => return Ok(None),
         (None, None) => None,
     };
-    // A file of roll lengths alone changes nothing where the case says mirrored.
+    // The key `mirrored` takes precedence over the roll lengths of a file.
     if input.is_mirrored {
         return Ok(None);
     }

@@ -1,31 +1,29 @@
-//! Several traces of a flank: the files that a list names, the teeth they are of, and the zones of the face that each
-//! stands for.
+//! Several traces of a flank: the files that a list names, their teeth, and the zone of the face that each represents.
 
 use std::path::{Path, PathBuf};
 
 use asperity_core::DomainError;
 use asperity_core::quantity::Length;
 
-use super::domain::domain;
 use super::error::CaseError;
 use super::files::Reader;
 use super::input::FlankInput;
-use super::source::Source;
+use super::section::Section;
 use super::trace_list::{TraceEntry, TraceInput, TraceList, is_pattern};
 
-/// Pairs of teeth up to which all are computed.
+/// Largest number of pairs of teeth that are all computed.
 const MOST_PAIRS: usize = 64;
-/// Teeth of each flank that are paired where there are more pairs.
+/// Number of teeth of each flank that are paired if there are more pairs.
 const FIRST_TEETH: usize = 8;
 
-/// A trace of a list: the keys to read it by, and what it is of.
+/// A trace of a list: the keys to read it by, its tooth and its place.
 #[derive(Debug, Clone)]
 pub(super) struct Listed {
-    /// Keys of a flank with this trace alone.
+    /// Keys of a flank with only this trace.
     pub input: FlankInput,
-    /// Whether it is of a list.
+    /// Whether it is an entry of a list.
     pub is_of_a_list: bool,
-    /// Whether its place is told in the list itself.
+    /// Whether the list states its place.
     pub has_own_place: bool,
     /// Index of the tooth, from 0 in the order of the list.
     pub tooth: usize,
@@ -49,28 +47,24 @@ impl Listed {
     }
 }
 
-/// The traces that `list` of a flank names, which stands at `key`.
+/// The traces that the list of a flank names, which is the key `traces` of its table.
 pub(super) fn listed(
     flank: &FlankInput,
     list: &TraceList,
-    (key, source, files): (&'static str, &Source, &Reader<'_>),
+    section: Section<'_>,
+    files: &Reader<'_>,
 ) -> Result<Vec<Listed>, CaseError> {
-    let conflict = |rule| CaseError::Conflict {
-        place: source.place_of(key),
-        key,
-        rule,
-    };
+    let conflict = |rule| section.conflict("traces", rule);
     let mut named: Vec<TraceInput> = Vec::new();
     for entry in list.entries() {
         match entry {
             TraceEntry::Table(table) => named.push(table),
             TraceEntry::Pattern(text) => {
-                named.extend(found(&text, (key, source, files))?.into_iter().map(|file| {
-                    TraceInput {
-                        file,
-                        ..TraceInput::default()
-                    }
-                }))
+                let files = matching(&text, section, files)?.into_iter();
+                named.extend(files.map(|file| TraceInput {
+                    file,
+                    ..TraceInput::default()
+                }));
             }
         }
     }
@@ -88,7 +82,7 @@ pub(super) fn listed(
             teeth.len() - 1
         });
         if let Some(y) = trace.y {
-            DomainError::non_negative("y", y).map_err(domain(source, key))?;
+            DomainError::non_negative("y", y).map_err(section.domain("traces"))?;
         }
         let same = traces.iter().filter(|other| other.tooth == tooth);
         for other in same {
@@ -120,17 +114,18 @@ pub(super) fn listed(
     Ok(traces)
 }
 
-/// Files that `text` stands for, by name.
-fn found(
+/// Files whose names match `text`, sorted.
+fn matching(
     text: &str,
-    (key, source, reader): (&'static str, &Source, &Reader<'_>),
+    section: Section<'_>,
+    reader: &Reader<'_>,
 ) -> Result<Vec<PathBuf>, CaseError> {
     if !is_pattern(text) {
         return Ok(vec![text.into()]);
     }
     let refused = |folder: Option<String>| CaseError::NoTraces {
-        place: source.place_of(key),
-        key,
+        place: section.place("traces"),
+        key: section.key("traces"),
         pattern: text.to_owned(),
         folder,
     };
@@ -161,7 +156,7 @@ pub(super) fn teeth(traces: &[Listed]) -> usize {
         .unwrap_or(0)
 }
 
-/// Teeth of each flank that are paired, of so many: all up to 64 pairs, above the first eight of each.
+/// Number of teeth of each flank that are paired: all up to 64 pairs, otherwise the first eight of each.
 pub(super) fn paired(teeth: [usize; 2]) -> [usize; 2] {
     match teeth[0] * teeth[1] <= MOST_PAIRS {
         true => teeth,
@@ -169,9 +164,9 @@ pub(super) fn paired(teeth: [usize; 2]) -> [usize; 2] {
     }
 }
 
-/// Places y/b between the zones of the face in which the same trace of every tooth is the nearest one.
+/// Places y/b between the zones of the face; within a zone the nearest trace of each tooth is the same.
 pub(super) fn zones(flanks: [&[Listed]; 2], width: Length) -> Vec<f64> {
-    /// Edges that are nearer to each other are one.
+    /// Edges that are nearer to each other count as one.
     const SAME: f64 = 1e-9;
     let mut edges: Vec<f64> = Vec::new();
     for traces in flanks {

@@ -1,5 +1,6 @@
 //! One flank of a case: its trace read and prepared, or its roughness values.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use asperity_core::quantity::Length;
@@ -17,166 +18,135 @@ use asperity_roughness::preparation::{RoughnessFilter, prepare, profiles};
 use asperity_roughness::{Parameters, Warning as RoughnessWarning};
 
 use super::defaults::DefaultUsed;
-use super::domain::domain;
 use super::error::CaseError;
-use super::files::{
-    Content, FILE_OF_COAST_PINION, FILE_OF_COAST_WHEEL, FILE_OF_PINION, FILE_OF_WHEEL, Reader,
-    TRACES_OF_COAST_PINION, TRACES_OF_COAST_WHEEL, TRACES_OF_PINION, TRACES_OF_WHEEL,
-};
+use super::files::{Content, Reader};
 use super::flank_form::{self, FormError};
-use super::flank_place::{PlaceError, ReadPlace, Told, read_place};
+use super::flank_place::{PlaceError, PlaceKeys, ReadPlace, read_place};
 use super::flank_sample::{self, Listed};
 use super::input::{FlankInput, Side};
-use super::key_names::key_of;
 use super::resolve::Case;
+use super::section::{Section, domain};
 use super::source::Source;
 use super::trace_filters::Filters;
 use crate::flanks::placement::PlacedTrace;
 use crate::flanks::surfaces::{FlankReport, Texture};
 use crate::message::Warning;
 
-/// Context shared by the reading of both flanks.
+/// Case, text and files that both flanks are read with.
 #[derive(Clone, Copy)]
-pub(super) struct Given<'a> {
+pub(super) struct Context<'a> {
     pub case: &'a Case,
     pub source: &'a Source,
     pub files: &'a Reader<'a>,
 }
 
-/// A flank with the trace it came from, where there is one.
+/// A flank with its trace, if there is one.
 pub(super) struct Flank {
     pub texture: Texture,
     pub report: FlankReport,
     pub raw: Option<Profile>,
     /// Roughness values that follow from others.
     pub assumed: Vec<DefaultUsed>,
-    /// Place on the flank, where it is known.
+    /// Place on the flank, if it is known.
     pub placed: Option<PlacedTrace>,
 }
 
-/// Table, files and place of a flank in the case file.
-#[derive(Clone, Copy)]
+/// Table of a flank in the case file, and the keys at which file and place of a trace are stated.
+#[derive(Clone)]
 pub(super) struct Keys {
     pub table: &'static str,
-    pub file: &'static str,
-    pub traces: &'static str,
-    pub at: &'static str,
+    pub file: Cow<'static, str>,
+    pub at: Cow<'static, str>,
 }
 
-/// The keys of pinion and wheel; the wheel may run on the trace of the pinion.
+impl Keys {
+    /// The list of traces.
+    pub(super) fn traces(&self) -> Cow<'static, str> {
+        format!("{}.traces", self.table).into()
+    }
+}
+
+/// The keys of pinion and wheel; the wheel may use the trace of the pinion.
 pub(super) fn keys_of(side: Side, wheel_has_its_own: bool) -> [Keys; 2] {
-    let [pinion, wheel] = match side {
-        Side::Drive => [
-            Keys {
-                table: "surface.pinion",
-                file: FILE_OF_PINION,
-                traces: TRACES_OF_PINION,
-                at: "surface.pinion.at",
-            },
-            Keys {
-                table: "surface.wheel",
-                file: FILE_OF_WHEEL,
-                traces: TRACES_OF_WHEEL,
-                at: "surface.wheel.at",
-            },
-        ],
-        Side::Coast => [
-            Keys {
-                table: "surface.coast.pinion",
-                file: FILE_OF_COAST_PINION,
-                traces: TRACES_OF_COAST_PINION,
-                at: "surface.coast.pinion.at",
-            },
-            Keys {
-                table: "surface.coast.wheel",
-                file: FILE_OF_COAST_WHEEL,
-                traces: TRACES_OF_COAST_WHEEL,
-                at: "surface.coast.wheel.at",
-            },
-        ],
+    let tables = match side {
+        Side::Drive => ["surface.pinion", "surface.wheel"],
+        Side::Coast => ["surface.coast.pinion", "surface.coast.wheel"],
     };
-    let file = if wheel_has_its_own {
-        wheel.file
-    } else {
-        pinion.file
+    let files = match wheel_has_its_own {
+        true => tables,
+        false => [tables[0]; 2],
     };
-    [pinion, Keys { file, ..wheel }]
+    [0, 1].map(|body: usize| Keys {
+        table: tables[body],
+        file: format!("{}.file", files[body]).into(),
+        at: format!("{}.at", tables[body]).into(),
+    })
 }
 
-/// The traces that the keys of a flank name; one without a list.
+/// The traces that the keys of a flank name; a single one without a list.
 pub(super) fn traces_of(
     input: &FlankInput,
-    keys: Keys,
-    given: Given<'_>,
+    keys: &Keys,
+    context: Context<'_>,
 ) -> Result<Vec<Listed>, CaseError> {
+    let section = Section::of(context.source, keys.table);
     let Some(list) = &input.traces else {
         return Ok(vec![Listed::alone(input)]);
     };
     if input.file.is_some() || input.rq.or(input.ra).or(input.rz).is_some() {
-        return Err(CaseError::Conflict {
-            place: given.source.place_of(keys.traces),
-            key: keys.traces,
-            rule: "stands in place of file and of rq, ra and rz; give one of them",
-        });
+        let rule = "stands in place of file and of rq, ra and rz; give one of them";
+        return Err(section.conflict("traces", rule));
     }
-    flank_sample::listed(input, list, (keys.traces, given.source, given.files))
+    flank_sample::listed(input, list, section, context.files)
 }
 
+/// Reads and prepares a trace, or takes the roughness values of a flank without one.
 pub(super) fn flank(
     listed: &Listed,
-    keys: Keys,
-    given: Given<'_>,
+    keys: &Keys,
+    context: Context<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Flank, CaseError> {
-    let (source, key, input) = (given.source, keys.table, &listed.input);
-    let values_given = input.rq.or(input.ra).or(input.rz);
-    match (&input.file, values_given) {
-        (Some(_), Some(_)) if input.rq.is_some() => Err(CaseError::Conflict {
-            place: source.place_of(key),
-            key,
-            rule: "give either file or rq, not both",
-        }),
-        (None, None) => Err(CaseError::Conflict {
-            place: source.place_of_key(key),
-            key,
-            rule: "give file, the trace of the flank, or rq (ra or rz) when there is none",
-        }),
-        (None, Some(_)) if flank_form::is_wanted(given.case, gear_of(key)) => {
+    let section = Section::of(context.source, keys.table);
+    let input = &listed.input;
+    let value = input.rq.or(input.ra).or(input.rz);
+    match (&input.file, value) {
+        (Some(_), Some(_)) if input.rq.is_some() => {
+            Err(section.conflict("", "give either file or rq, not both"))
+        }
+        (None, None) => {
+            let rule = "give file, the trace of the flank, or rq (ra or rz) when there is none";
+            Err(section.conflict_of_key("", rule))
+        }
+        (None, Some(_)) if flank_form::is_from_trace(context.case, gear_of(keys.table)) => {
             let none = "a flank known by roughness values alone";
-            let of = (given.case, gear_of(key));
+            let of = (context.case, gear_of(keys.table));
+            let error = FormError::NotPlaced;
             Err(flank_form::refused(
-                FormError::NotPlaced,
+                error,
                 of,
-                (none, keys.at),
-                source,
+                (none, &keys.at),
+                context.source,
             ))
         }
-        (None, Some(_)) => values(input, key, source),
+        (None, Some(_)) => values(input, section),
         (Some(file), _) => {
-            let keys = Keys {
-                file: if listed.is_of_a_list {
-                    keys.traces
-                } else {
-                    keys.file
-                },
-                at: if listed.has_own_place {
-                    keys.traces
-                } else {
-                    keys.at
-                },
-                ..keys
-            };
-            trace(input, file, keys, given, warnings)
+            let mut keys = keys.clone();
+            if listed.is_of_a_list {
+                keys.file = keys.traces();
+            }
+            if listed.has_own_place {
+                keys.at = keys.traces();
+            }
+            trace(input, file, &keys, context, warnings)
         }
     }
 }
 
-fn values(input: &FlankInput, key: &'static str, source: &Source) -> Result<Flank, CaseError> {
-    let checked = |name, length: Option<Length>| match length {
-        None => Ok(None),
-        Some(length) => DomainError::positive(name, length)
-            .map(Some)
-            .map_err(domain(source, key_of(key, name))),
+fn values(input: &FlankInput, section: Section<'_>) -> Result<Flank, CaseError> {
+    let checked = |key: &str, name, length: Option<Length>| {
+        let checked = length.map(|length| DomainError::positive(name, length));
+        checked.transpose().map_err(section.domain(key))
     };
     /// Ra of a Gaussian surface is Rq·√(2/π).
     const GAUSSIAN_RA: f64 = 0.797_884_560_802_865_4;
@@ -185,18 +155,18 @@ fn values(input: &FlankInput, key: &'static str, source: &Source) -> Result<Flan
     let mut assumed = Vec::new();
     let mut follows = |name: &str, value: f64, source: &'static str| {
         assumed.push(DefaultUsed {
-            key: format!("{key}.{name}").into(),
+            key: section.key(name),
             value: format!("\"{:.4}\"", Length::from_si(value)),
             source: Some(source.into()),
         });
         value
     };
-    let given = [
-        checked("Rq", input.rq)?,
-        checked("Ra", input.ra)?,
-        checked("Rz", input.rz)?,
+    let stated = [
+        checked("rq", "Rq", input.rq)?,
+        checked("ra", "Ra", input.ra)?,
+        checked("rz", "Rz", input.rz)?,
     ];
-    let rq = match given {
+    let rq = match stated {
         [Some(rq), ..] => rq,
         [None, Some(ra), _] => follows("rq", ra / GAUSSIAN_RA, "Ra/0.798, a Gaussian surface"),
         [None, None, rz] => {
@@ -204,16 +174,17 @@ fn values(input: &FlankInput, key: &'static str, source: &Source) -> Result<Flan
             follows("rq", rz / GAUSSIAN_RZ, "Rz/6, a Gaussian surface")
         }
     };
-    let ra =
-        given[1].unwrap_or_else(|| follows("ra", GAUSSIAN_RA * rq, "0.798 Rq, a Gaussian surface"));
+    let ra = stated[1]
+        .unwrap_or_else(|| follows("ra", GAUSSIAN_RA * rq, "0.798 Rq, a Gaussian surface"));
     let rz =
-        given[2].unwrap_or_else(|| follows("rz", GAUSSIAN_RZ * rq, "6 Rq, a Gaussian surface"));
+        stated[2].unwrap_or_else(|| follows("rz", GAUSSIAN_RZ * rq, "6 Rq, a Gaussian surface"));
     let texture = Texture::Values {
         rq,
         ra,
         rz,
-        rpk: checked("Rpk", input.rpk)?,
-        asperity_radius: checked("asperity radius", input.asperity_radius)?.map(Length::from_si),
+        rpk: checked("rpk", "Rpk", input.rpk)?,
+        asperity_radius: checked("asperity_radius", "asperity radius", input.asperity_radius)?
+            .map(Length::from_si),
     };
     Ok(Flank {
         texture,
@@ -227,15 +198,16 @@ fn values(input: &FlankInput, key: &'static str, source: &Source) -> Result<Flan
 fn trace(
     input: &FlankInput,
     file: &Path,
-    keys: Keys,
-    given: Given<'_>,
+    keys: &Keys,
+    context: Context<'_>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Flank, CaseError> {
-    let (of_flank, key) = (keys.table, keys.file);
-    // As the case names it: that is what the user looks for.
+    let case = context.case;
+    let gear = gear_of(keys.table);
+    // The name in the case, which messages repeat.
     let name = file.display().to_string();
-    let mut read = read_trace(input, file, (of_flank, key), given)?;
-    let place = place_of(input, &mut read, keys, given)?;
+    let mut read = read_trace(input, file, keys, context)?;
+    let place = place_of(input, &mut read, keys, context)?;
     let mirrored = match &place {
         Some(place) => place.turned,
         None => input.mirrored.unwrap_or(false),
@@ -249,25 +221,24 @@ fn trace(
         file: name.clone(),
         source,
     };
-    let mut filters = Filters::of(given.case, &name, read.reading.as_ref());
+    let mut filters = Filters::of(case, &name, read.reading.as_ref());
     if let Some(place) = place.filter(|place| place.reference.is_some()) {
-        filters.keep_ends(given.case, of_flank, &place);
+        filters.keep_ends(case, keys.table, &place);
     }
-    let gear = gear_of(of_flank);
     let of_form =
-        |error| flank_form::refused(error, (given.case, gear), (&name, keys.at), given.source);
-    let form_cutoff = filters.part_form(given.case, gear, read.reading.as_ref());
+        |error| flank_form::refused(error, (case, gear), (&name, &keys.at), context.source);
+    let form_cutoff = filters.part_form(case, gear, read.reading.as_ref());
     let form_cutoff = form_cutoff.map_err(of_form)?;
     let preparation = &filters.preparation;
     let (mut prepared, waviness) = match form_cutoff {
         None => (prepare(&raw, preparation).map_err(refused)?, None),
         Some(_) => {
-            let found = profiles(&raw, preparation, RoughnessFilter::Gaussian).map_err(refused)?;
-            (found.roughness, found.waviness)
+            let parted = profiles(&raw, preparation, RoughnessFilter::Gaussian).map_err(refused)?;
+            (parted.roughness, parted.waviness)
         }
     };
     if form_cutoff.is_some() {
-        // It was left in to be parted from the roughness.
+        // The form was left in, to be separated from the roughness.
         prepared
             .warnings
             .retain(|warning| !matches!(warning, RoughnessWarning::FormNotRemoved { .. }));
@@ -297,15 +268,15 @@ fn trace(
     let placed = place.and_then(|place| {
         Some(PlacedTrace {
             first_arc: place.first_arc(raw.len(), raw.spacing(), prepared.first_index)?,
-            direction: given.case.gears.arc_direction(gear),
-            base_radius: given.case.gears.base_radius[gear as usize].si().abs(),
+            direction: case.gears.arc_direction(gear),
+            base_radius: case.gears.base_radius[gear as usize].si().abs(),
         })
     });
     let form = match (form_cutoff, &waviness, &placed) {
         (None, ..) => None,
-        (Some(cutoff), Some(waviness), Some(placed)) => Some(
-            flank_form::measured(waviness, cutoff, placed, (given.case, gear)).map_err(of_form)?,
-        ),
+        (Some(cutoff), Some(waviness), Some(placed)) => {
+            Some(flank_form::measured(waviness, cutoff, placed, (case, gear)).map_err(of_form)?)
+        }
         (Some(_), ..) => return Err(of_form(FormError::NotPlaced)),
     };
     let report = FlankReport {
@@ -329,7 +300,7 @@ fn trace(
     })
 }
 
-/// The gear that a flank's keys are of.
+/// The gear of a table of the flanks.
 fn gear_of(key: &str) -> Gear {
     match key {
         "surface.wheel" | "surface.coast.wheel" => Gear::Wheel,
@@ -337,39 +308,38 @@ fn gear_of(key: &str) -> Gear {
     }
 }
 
-/// Where a trace lies on its flank. Deviations over roll lengths count along the transverse base tangent and are
-/// turned into heights normal to the flank.
+/// Place of a trace on its flank. Deviations over roll lengths count along the transverse base tangent and are turned into
+/// heights normal to the flank.
 fn place_of(
     input: &FlankInput,
     read: &mut ReadTrace,
-    Keys { table: key, at, .. }: Keys,
-    given: Given<'_>,
+    keys: &Keys,
+    context: Context<'_>,
 ) -> Result<Option<ReadPlace>, CaseError> {
-    let gears = &given.case.gears;
+    let (gears, source) = (&context.case.gears, context.source);
     let arc = read.reading.as_ref().and_then(|r| r.metadata.arc_from_base);
     if arc.is_some() {
         let normal = gears.base_helix.si().cos();
         let heights = read.profile.heights().iter().map(|z| z * normal).collect();
         read.profile =
-            Profile::new(read.profile.spacing(), heights).map_err(domain(given.source, key))?;
+            Profile::new(read.profile.spacing(), heights).map_err(domain(source, keys.table))?;
     }
-    let gear = gear_of(key);
-    let told = Told {
+    let stated = PlaceKeys {
         from: input.from,
         at: input.at,
         is_mirrored: input.mirrored.is_some(),
     };
-    read_place(told, gears, gear, arc).map_err(|error| match error {
+    read_place(stated, gears, gear_of(keys.table), arc).map_err(|error| match error {
         PlaceError::Rule(rule) => CaseError::Conflict {
-            place: given.source.place_of(at),
-            key: at,
+            place: source.place_of(&keys.at),
+            key: keys.at.clone(),
             rule,
         },
-        PlaceError::Domain(error) => domain(given.source, at)(error),
+        PlaceError::Domain(error) => domain(source, keys.at.clone())(error),
     })
 }
 
-/// A trace as measured; how it was read and the SHA-256 of its file where it comes from one.
+/// A trace as measured, with the record of its reading and the SHA-256 of its file if it comes from one.
 struct ReadTrace {
     profile: Profile,
     reading: Option<Reading>,
@@ -378,26 +348,26 @@ struct ReadTrace {
     outliers: Option<OutlierRecord>,
 }
 
-/// The trace in `file` as its keys say.
+/// The trace in `file`, read as its keys state.
 fn read_trace(
     input: &FlankInput,
     file: &Path,
-    (of_flank, key): (&'static str, &'static str),
-    given: Given<'_>,
+    keys: &Keys,
+    context: Context<'_>,
 ) -> Result<ReadTrace, CaseError> {
-    let source = given.source;
+    let source = context.source;
     let cleaned = |profile: &Profile| -> Result<Option<_>, CaseError> {
-        let Some(deviations) = given.case.input.surface.outliers else {
+        let Some(deviations) = context.case.input.surface.outliers else {
             return Ok(None);
         };
-        let found = replace(profile, Outliers::beyond(deviations));
-        let found = found.map_err(|source| CaseError::Preparation {
+        let cleaned = replace(profile, Outliers::beyond(deviations));
+        let cleaned = cleaned.map_err(|source| CaseError::Preparation {
             file: file.display().to_string(),
             source,
         })?;
-        Ok(Some(found))
+        Ok(Some(cleaned))
     };
-    let (bytes, sum) = match given.files.open(file, source, key)? {
+    let (bytes, sum) = match context.files.open(file, source, keys.file.clone())? {
         (Content::Bytes(bytes), sum) => (bytes, sum),
         (Content::Heights(profile), _) => {
             let (profile, outliers) = match cleaned(&profile)? {
@@ -407,7 +377,7 @@ fn read_trace(
             if let Some(steepness) = implausible(&profile, LengthUnit::Metre) {
                 let file = file.display().to_string();
                 return Err(CaseError::Profile {
-                    place: source.place_of(key),
+                    place: source.place_of(&keys.file),
                     source: Box::new(ReadError::ImplausibleHeights { file, steepness }),
                 });
             }
@@ -419,19 +389,19 @@ fn read_trace(
             });
         }
     };
-    // Roll lengths are of the gear, unless the case says otherwise.
-    let gear = gear_of(of_flank) as usize;
+    // Roll lengths are those of the gear, unless the case states a base radius.
+    let gear = gear_of(keys.table) as usize;
     let options = ReadOptions {
         base_radius: input.base_radius.or(Some(Length::from_si(
-            given.case.gears.base_radius[gear].si().abs(),
+            context.case.gears.base_radius[gear].si().abs(),
         ))),
         ..read_options(input)
     };
-    let conditions = given.files.conditions(file);
+    let conditions = context.files.conditions(file);
     let name = file.display().to_string();
     let read = read_with_conditions(&name, &bytes, conditions.as_deref(), &options);
     let refused = |error| CaseError::Profile {
-        place: source.place_of(key),
+        place: source.place_of(&keys.file),
         source: Box::new(error),
     };
     let reading = read.map_err(refused)?;
@@ -450,8 +420,8 @@ fn read_trace(
         };
         if let Some(rule) = rule {
             return Err(CaseError::Conflict {
-                place: source.place_of(key),
-                key,
+                place: source.place_of(&keys.file),
+                key: keys.file.clone(),
                 rule,
             });
         }
@@ -466,19 +436,45 @@ fn read_trace(
 
 /// Options of the reader from the keys of a flank.
 fn read_options(input: &FlankInput) -> ReadOptions {
+    // The other keys name the trace, its place, or roughness values.
+    let &FlankInput {
+        x_unit,
+        z_unit,
+        dx,
+        columns,
+        decimal,
+        separator,
+        encoding,
+        gaps,
+        row,
+        line,
+        abscissa,
+        base_radius,
+        uneven,
+        file: _,
+        traces: _,
+        mirrored: _,
+        from: _,
+        at: _,
+        rq: _,
+        ra: _,
+        rz: _,
+        rpk: _,
+        asperity_radius: _,
+    } = input;
     ReadOptions {
-        x_unit: input.x_unit,
-        z_unit: input.z_unit,
-        dx: input.dx,
-        columns: input.columns,
-        decimal: input.decimal,
-        separator: input.separator,
-        encoding: input.encoding,
-        gaps: input.gaps.unwrap_or_default(),
-        row: input.row,
-        line: input.line.unwrap_or_default(),
-        abscissa: input.abscissa,
-        uneven: input.uneven.unwrap_or_default(),
-        ..ReadOptions::default()
+        x_unit,
+        z_unit,
+        dx,
+        columns,
+        decimal,
+        separator,
+        encoding,
+        gaps: gaps.unwrap_or_default(),
+        row,
+        line: line.unwrap_or_default(),
+        abscissa,
+        base_radius,
+        uneven: uneven.unwrap_or_default(),
     }
 }

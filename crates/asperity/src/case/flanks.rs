@@ -7,30 +7,30 @@ use asperity_core::provenance::Provenance;
 use asperity_gear::MeasuredForm;
 
 use super::defaults::DefaultUsed;
-use super::domain::domain;
 use super::error::CaseError;
 use super::files::{FileSums, Files, Reader};
 use super::flank_pairs::{Meeting, all_placed, on_common_spacing};
 use super::flank_sample::{self, Listed};
-use super::flank_trace::{Flank, Given, Keys, flank, keys_of, traces_of};
-use super::input::Formulation;
+use super::flank_trace::{Context, Flank, Keys, flank, keys_of, traces_of};
+use super::model::Formulation;
 use super::resolve::Case;
+use super::section::domain;
 use super::source::Source;
 use crate::flanks::surfaces::{FlankReport, Surfaces};
 use crate::flanks::trace_pairs::{SampledFlanks, SampledTrace};
 use crate::message::Warning;
 
-/// Both flanks, how each was read and prepared, and the warnings on the way.
+/// Both flanks with the records of their reading and preparation, and the warnings.
 #[derive(Debug, Clone)]
 pub(super) struct Flanks {
     pub surfaces: Surfaces,
-    /// That of each first trace.
+    /// Report on the first trace of each flank.
     pub reports: Arc<[FlankReport; 2]>,
-    /// All traces, where a flank has several.
+    /// All traces, if a flank has several.
     pub sampled: Option<Arc<SampledFlanks>>,
-    /// Form of each gear, the mean of its traces, where its relief is taken from them.
+    /// Form of each gear, the mean of its traces, if its relief is taken from them.
     pub forms: [Option<MeasuredForm>; 2],
-    /// Places y/b between zones of the face with traces of their own.
+    /// Places y/b between zones of the face with separate traces.
     pub zones: Vec<f64>,
     pub warnings: Vec<Warning>,
     /// Roughness values that follow from others.
@@ -54,27 +54,27 @@ pub(super) fn flanks(case: &Case, source: &Source, files: &Files) -> Result<Flan
 }
 
 fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, CaseError> {
-    let given = Given {
+    let context = Context {
         case,
         source,
         files,
     };
     let mut warnings = Vec::new();
     let (pinion_input, own_wheel, side) = case.input.surface.loaded(case.torque);
-    // Flanks face each other: without a trace of its own the wheel is the pinion's, mirrored.
+    // Flanks face each other: a wheel without a trace has the trace of the pinion, mirrored.
     let wheel_input = own_wheel.cloned();
     let wheel_input = wheel_input.unwrap_or_else(|| pinion_input.for_wheel());
     let keys = keys_of(side, own_wheel.is_some());
     if pinion_input.traces.is_some() && own_wheel.is_none() {
         return Err(CaseError::Conflict {
-            place: source.place_of(keys[0].traces),
-            key: keys[1].table,
+            place: source.place_of(&keys[0].traces()),
+            key: keys[1].table.into(),
             rule: "the pinion has several traces, and the wheel's flanks are others: give traces of the wheel, or one file",
         });
     }
     let mut lists = [
-        traces_of(pinion_input, keys[0], given)?,
-        traces_of(&wheel_input, keys[1], given)?,
+        traces_of(pinion_input, &keys[0], context)?,
+        traces_of(&wheel_input, &keys[1], context)?,
     ];
     let named = [0, 1].map(|body: usize| flank_sample::teeth(&lists[body]));
     let teeth = flank_sample::paired(named);
@@ -88,12 +88,12 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     let mut flanks: [Vec<Flank>; 2] = Default::default();
     for (body, list) in lists.iter().enumerate() {
         for trace in list {
-            flanks[body].push(flank(trace, keys[body], given, &mut warnings)?);
+            flanks[body].push(flank(trace, &keys[body], context, &mut warnings)?);
         }
     }
     let mut assumed: Vec<DefaultUsed> = Vec::new();
-    let told_of = if own_wheel.is_some() { 2 } else { 1 };
-    for default in flanks[..told_of]
+    let stated = if own_wheel.is_some() { 2 } else { 1 };
+    for default in flanks[..stated]
         .iter_mut()
         .flatten()
         .flat_map(|f| std::mem::take(&mut f.assumed))
@@ -108,7 +108,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
             .and_then(|flank| flank.report.file.as_ref())
     };
     if is_several || (first_file(0).is_some() && first_file(0) == first_file(1)) {
-        // Said once, for the file they share.
+        // Once for the shared file.
         warnings.dedup();
         let mut seen = std::collections::BTreeSet::new();
         warnings.retain(|warning| seen.insert(warning.to_string()));
@@ -117,7 +117,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     let is_placed = all_placed(&flanks, &mut warnings);
     let width = case.gears.face_width;
     let zones = flank_sample::zones([&lists[0], &lists[1]], width);
-    check_across(case, &lists, &zones, keys, source)?;
+    check_across(case, &lists, &zones, &keys, source)?;
     let meeting = Meeting {
         case,
         flanks: &flanks,
@@ -148,7 +148,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     });
     let forms = flanks.each_ref().map(|flanks| {
         let forms = flanks.iter().filter_map(|flank| flank.report.form.as_ref());
-        MeasuredForm::mean(&forms.map(|found| found.form.clone()).collect::<Vec<_>>())
+        MeasuredForm::mean(&forms.map(|flank| flank.form.clone()).collect::<Vec<_>>())
     });
     let reports = flanks.map(|flanks| {
         flanks
@@ -170,7 +170,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     })
 }
 
-/// W427: teeth that no pair has.
+/// W427: teeth that are in no pair.
 fn left_out(named: [usize; 2], teeth: [usize; 2]) -> Warning {
     Warning::new(
         "W427",
@@ -185,12 +185,12 @@ fn left_out(named: [usize; 2], teeth: [usize; 2]) -> Warning {
     )
 }
 
-/// Refuses traces beside the face, and zones of the face where a single position stands for the mesh.
+/// Refuses traces outside of the face width, and zones of the face if a single position represents the mesh.
 fn check_across(
     case: &Case,
     lists: &[Vec<Listed>; 2],
     zones: &[f64],
-    keys: [Keys; 2],
+    keys: &[Keys; 2],
     source: &Source,
 ) -> Result<(), CaseError> {
     let width = case.gears.face_width;
@@ -198,15 +198,15 @@ fn check_across(
         for y in list.iter().filter_map(|trace| trace.y) {
             let rule = "must not exceed the face width";
             DomainError::require(y <= width, "y", y.si(), "m", rule)
-                .map_err(domain(source, keys.traces))?;
+                .map_err(domain(source, keys.traces()))?;
         }
     }
     let is_paper = case.formulation == Formulation::Paper;
     match is_paper && !zones.is_empty() {
         false => Ok(()),
         true => Err(CaseError::Conflict {
-            place: source.place_of(keys[0].traces),
-            key: keys[0].traces,
+            place: source.place_of(&keys[0].traces()),
+            key: keys[0].traces(),
             rule: "y tells traces of one tooth apart across the face, which the paper's single position has not",
         }),
     }

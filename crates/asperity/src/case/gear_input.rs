@@ -1,4 +1,4 @@
-//! Modifications of the flanks and root form of a gear, as its drawing gives them.
+//! Modifications of the flanks and root form of a gear, as on its drawing.
 
 use asperity_core::quantity::Length;
 use schemars::JsonSchema;

@@ -13,24 +13,25 @@ use asperity_efficiency::shaft_seal::seal_torque;
 use super::error::CaseError;
 use super::files::{Content, LOSS_TABLE, Reader};
 use super::gearbox_input::{BearingInput, BearingKind, GearboxInput, JetInput, Shaft};
+use super::section::Section;
 use super::source::Source;
 use crate::loss_table::read;
 
-/// The parts of a gearbox that lose beside the mesh.
+/// The parts of a gearbox with losses, in addition to the mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gearbox {
-    /// Temperature of their oil; none for that of the operation.
+    /// Temperature of their oil; `None` for the temperature of the operation.
     pub temperature: Option<Temperature>,
     /// The parts, in the order of the case file.
     pub parts: Vec<Part>,
 }
 
-/// A part that loses.
+/// A part with a loss.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// What it is.
+    /// Kind, with its numbers.
     pub kind: PartKind,
 }
 
@@ -52,7 +53,7 @@ pub enum PartKind {
         bearing: RollingBearing,
         /// Radial and axial load.
         load: [Force; 2],
-        /// Torque at the pinion at which the loads are as stated; none where they are constant.
+        /// Torque at the pinion at which the loads are as stated; `None` if they are constant.
         at_torque: Option<Torque>,
     },
     /// Oil jet.
@@ -66,76 +67,96 @@ pub enum PartKind {
     Table(Arc<LossTable>),
 }
 
-/// Place of the seals.
-const SEALS: &str = "gearbox.seals";
-/// Place of the bearings.
-const BEARINGS: &str = "gearbox.bearings";
-/// Place of the jet.
-const JET: &str = "gearbox.jet";
-
 /// The gearbox of a case, with its table read.
 pub(super) fn gearbox(
-    given: &GearboxInput,
+    stated: &GearboxInput,
     source: &Source,
     files: &Reader<'_>,
 ) -> Result<Gearbox, CaseError> {
+    let GearboxInput {
+        temperature,
+        loss_table,
+        seals,
+        bearings,
+        jet,
+    } = stated;
+    let section = Section::of(source, "gearbox");
     let mut parts = Vec::new();
-    for (number, seal) in given.seals.iter().enumerate() {
+    for (number, seal) in seals.iter().enumerate() {
         let name = named(seal.name.as_deref(), "seal", number);
-        seal_torque(seal.diameter).map_err(refused(source, SEALS, &name))?;
+        seal_torque(seal.diameter).map_err(refused(section, "seals", &name))?;
         let (shaft, diameter) = (seal.shaft, seal.diameter);
         let kind = PartKind::Seal { shaft, diameter };
         parts.push(Part { name, kind });
     }
-    for (number, bearing) in given.bearings.iter().enumerate() {
+    for (number, bearing) in bearings.iter().enumerate() {
         let name = named(bearing.name.as_deref(), "bearing", number);
-        let kind = rolling_bearing(bearing).map_err(refused(source, BEARINGS, &name))?;
+        let kind = rolling_bearing(bearing).map_err(refused(section, "bearings", &name))?;
         parts.push(Part { name, kind });
     }
-    if let Some(JetInput { flow, speed }) = given.jet {
+    if let Some(JetInput { flow, speed }) = *jet {
         let name = "oil jet".to_owned();
         let checked = DomainError::positive("flow", flow)
             .and_then(|_| DomainError::non_negative("speed", speed));
-        checked.map_err(|error| refused(source, JET, &name)(error.into()))?;
+        checked.map_err(|error| refused(section, "jet", &name)(error.into()))?;
         let kind = PartKind::Jet { flow, speed };
         parts.push(Part { name, kind });
     }
-    if let Some(file) = &given.loss_table {
-        parts.push(table(file, source, files)?);
+    if let Some(file) = loss_table {
+        parts.push(table(file, section, files)?);
     }
     if parts.is_empty() {
-        return Err(CaseError::Conflict {
-            place: source.place_of_key("gearbox"),
-            key: "gearbox",
-            rule: "names nothing that loses; give seals, bearings, jet or loss_table, or leave it out",
-        });
+        let rule =
+            "names nothing that loses; give seals, bearings, jet or loss_table, or leave it out";
+        return Err(section.conflict_of_key("", rule));
     }
     Ok(Gearbox {
-        temperature: given.temperature,
+        temperature: *temperature,
         parts,
     })
 }
 
-fn named(given: Option<&str>, kind: &str, number: usize) -> String {
-    given.map_or_else(|| format!("{kind} {}", number + 1), str::to_owned)
+fn named(stated: Option<&str>, kind: &str, number: usize) -> String {
+    stated.map_or_else(|| format!("{kind} {}", number + 1), str::to_owned)
 }
 
 fn refused<'a>(
-    source: &'a Source,
-    key: &'static str,
+    section: Section<'a>,
+    key: &'a str,
     part: &'a str,
 ) -> impl Fn(EfficiencyError) -> CaseError + use<'a> {
     move |error| CaseError::GearboxPart {
-        place: source.place_of(key),
-        key,
+        place: section.place(key),
+        key: section.key(key),
         part: part.to_owned(),
         source: error,
     }
 }
 
-fn rolling_bearing(given: &BearingInput) -> Result<PartKind, EfficiencyError> {
-    let axial = given.axial.unwrap_or(Force::from_si(0.0));
-    DomainError::positive("radial", given.radial)?;
+/// A rolling bearing with the constants that its kind needs.
+fn rolling_bearing(stated: &BearingInput) -> Result<PartKind, EfficiencyError> {
+    let &BearingInput {
+        name: _,
+        shaft,
+        kind,
+        bore,
+        outside_diameter,
+        radial,
+        axial,
+        at_torque,
+        static_rating,
+        axial_factor,
+        r1,
+        r2,
+        s1,
+        s2,
+        k_z,
+        k_rs,
+        mu_bl,
+        mu_ehl,
+    } = stated;
+    let axial = axial.unwrap_or(Force::from_si(0.0));
+    DomainError::positive("radial", radial)?;
     DomainError::non_negative("axial", axial)?;
     let positive = "is needed here, and must be greater than zero";
     let needed = |name, value: Option<f64>, unit| {
@@ -148,81 +169,76 @@ fn rolling_bearing(given: &BearingInput) -> Result<PartKind, EfficiencyError> {
             DomainError::require(false, name, value, unit, "is of another kind of bearing")
         }
     };
-    let rating = given.static_rating.map(Force::si);
-    let form = match given.kind {
+    let rating = static_rating.map(Force::si);
+    let form = match kind {
         BearingKind::DeepGrooveBall => {
-            unused("axial_factor", given.axial_factor, "-")?;
+            unused("axial_factor", axial_factor, "-")?;
             let rating = needed("static_rating", rating, "N")?;
             BearingForm::DeepGrooveBall {
                 static_rating: Force::from_si(rating),
             }
         }
         BearingKind::CylindricalRoller => {
-            unused("axial_factor", given.axial_factor, "-")?;
+            unused("axial_factor", axial_factor, "-")?;
             unused("static_rating", rating, "N")?;
-            unused("r2", given.r2, "-")?;
+            unused("r2", r2, "-")?;
             BearingForm::CylindricalRoller
         }
         BearingKind::TaperedRoller => {
             unused("static_rating", rating, "N")?;
             BearingForm::TaperedRoller {
-                axial_factor: needed("axial_factor", given.axial_factor, "-")?,
+                axial_factor: needed("axial_factor", axial_factor, "-")?,
             }
         }
     };
-    let r2 = match given.kind {
+    let r2 = match kind {
         BearingKind::CylindricalRoller => 0.0,
-        _ => needed("r2", given.r2, "-")?,
+        _ => needed("r2", r2, "-")?,
     };
-    if let Some(torque) = given.at_torque {
+    if let Some(torque) = at_torque {
         let (value, rule) = (torque.si(), "must be finite and not zero");
         let holds = value.is_finite() && value != 0.0;
         DomainError::require(holds, "at_torque", value, "N m", rule)?;
     }
     let bearing = RollingBearing {
         form,
-        bore: given.bore,
-        outside_diameter: given.outside_diameter,
+        bore,
+        outside_diameter,
         constants: BearingConstants {
-            r1: given.r1,
+            r1,
             r2,
-            s1: given.s1,
-            s2: given.s2,
-            k_z: given.k_z,
-            k_rs: given.k_rs,
-            mu_bl: given.mu_bl,
-            mu_ehl: given.mu_ehl,
+            s1,
+            s2,
+            k_z,
+            k_rs,
+            mu_bl,
+            mu_ehl,
         },
     };
     bearing.check()?;
     Ok(PartKind::Bearing {
-        shaft: given.shaft,
+        shaft,
         bearing,
-        load: [given.radial, axial],
-        at_torque: given.at_torque,
+        load: [radial, axial],
+        at_torque,
     })
 }
 
-fn table(file: &Path, source: &Source, files: &Reader<'_>) -> Result<Part, CaseError> {
-    let key = LOSS_TABLE;
+fn table(file: &Path, section: Section<'_>, files: &Reader<'_>) -> Result<Part, CaseError> {
     let name = file
         .file_name()
         .unwrap_or(file.as_os_str())
         .to_string_lossy();
-    let bytes = match files.open(file, source, key)? {
+    let bytes = match files.open(file, section.source, LOSS_TABLE)? {
         (Content::Bytes(bytes), _) => bytes,
         (Content::Heights(_), _) => {
-            return Err(CaseError::Value {
-                place: source.place_of(key),
-                key: Some(key.to_owned()),
-                message: "names a trace, not a table of losses".to_owned(),
-            });
+            return Err(section.value("loss_table", "names a trace, not a table of losses"));
         }
     };
     let table =
         read(&name, &String::from_utf8_lossy(&bytes)).map_err(|error| CaseError::LossTable {
-            place: source.place_of(key),
-            key,
+            place: section.place("loss_table"),
+            key: section.key("loss_table"),
             source: error,
         })?;
     Ok(Part {

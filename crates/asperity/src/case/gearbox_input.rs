@@ -1,4 +1,4 @@
-//! Keys of the losses beside the mesh: shaft seals, rolling bearings, an oil jet, a table.
+//! Keys of the losses other than the loss of the mesh: shaft seals, rolling bearings, an oil jet, a table.
 
 use std::path::PathBuf;
 
@@ -6,14 +6,14 @@ use asperity_core::quantity::{Force, Length, Speed, Temperature, Torque, VolumeF
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Losses of the gearbox beside that of the mesh, stated by the user; nothing is added that is not named here.
+/// Losses of the gearbox other than the loss of the mesh; only the losses stated here are added.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GearboxInput {
     /// Temperature of the oil at bearings and jet and in the table; default that of the operation.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub temperature: Option<Temperature>,
-    /// CSV file, relative to the case file, with the loss torque at the pinion of all that is not named beside it:
+    /// CSV file, relative to the case file, with the loss torque at the pinion of all other parts:
     /// columns `speed_rpm`, `loss_torque_nm` and, where the loss depends on them, `torque_nm` and `temperature_c`, as
     /// a grid; linear in between, nothing beyond.
     #[serde(skip_serializing_if = "Option::is_none")]

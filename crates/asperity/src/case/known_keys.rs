@@ -1,10 +1,8 @@
-//! Unknown keys and the known key nearest to each, read off the schema of the case file.
+//! Unknown keys with the nearest known key, from the schema of the case file.
 
 use serde_json::Value;
 
-/// The first key of `paths` that the schema does not have, with the nearest it does have.
-///
-/// A path is checked from its first segment; below an unknown key nothing is reported twice.
+/// The first key of `paths` that is not in the schema, with the nearest key that is.
 pub(super) fn first_unknown<'a>(
     schema: &Value,
     paths: impl Iterator<Item = &'a str>,
@@ -20,7 +18,7 @@ fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<Stri
             .flat_map(|node| objects(schema, node))
             .collect();
         if candidates.is_empty() {
-            // The value is free-form here (a table of a law with parameters): serde judges it.
+            // The value is a table of a law with parameters, which serde checks.
             return None;
         }
         let next: Vec<&Value> = candidates
@@ -45,7 +43,7 @@ pub(super) fn property<'a>(schema: &'a Value, path: &str) -> Option<&'a Value> {
     })
 }
 
-/// The object schemas that `node` can stand for, through references and alternatives.
+/// The object schemas of `node`, with its references and alternatives resolved.
 fn objects<'a>(schema: &'a Value, node: &'a Value) -> Vec<&'a Value> {
     if node.get("properties").is_some() {
         return vec![node];
@@ -76,7 +74,7 @@ fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
         .flat_map(|map| map.keys().map(String::as_str))
 }
 
-/// The name of `known` most like `seen`, whatever the case of its letters, if any is like it at all.
+/// The name of `known` most similar to `seen`, ignoring case; `None` if no name is similar.
 ///
 /// ```
 /// let known = ["18CrNiMo7-6", "42CrMo4"].map(str::to_owned);
@@ -85,12 +83,12 @@ fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
 /// ```
 pub fn nearest_name(seen: &str, known: &[String]) -> Option<String> {
     let lower: Vec<String> = known.iter().map(|name| name.to_lowercase()).collect();
-    let found = nearest(&seen.to_lowercase(), lower.iter().map(String::as_str))?;
-    let index = lower.iter().position(|name| *name == found)?;
+    let similar = nearest(&seen.to_lowercase(), lower.iter().map(String::as_str))?;
+    let index = lower.iter().position(|name| *name == similar)?;
     known.get(index).cloned()
 }
 
-/// Names that older versions and other programs have for a key, and ours.
+/// Names of a key in older versions and other programs, with the present name.
 const OTHER_NAMES: [(&str, &str); 6] = [
     ("load_sharing", "load_distribution"),
     ("friction", "film_friction"),
@@ -100,12 +98,12 @@ const OTHER_NAMES: [(&str, &str); 6] = [
     ("width", "face_width"),
 ];
 
-/// The known key of another name of it, else the one most like `seen`, if any is like it at all.
+/// The known key for another name of it, else the key most similar to `seen`; `None` if no key is similar.
 pub(super) fn nearest<'a>(
     seen: &str,
     known: impl Iterator<Item = &'a str> + Clone,
 ) -> Option<String> {
-    /// Below this Jaro-Winkler likeness a suggestion confuses more than it helps.
+    /// Jaro-Winkler similarity below which a suggestion confuses more than it helps.
     const LIKE: f64 = 0.75;
     let ours = (OTHER_NAMES.iter()).find_map(|(other, ours)| (*other == seen).then_some(*ours));
     if let Some(ours) = ours

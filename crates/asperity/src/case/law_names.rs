@@ -36,12 +36,12 @@ pub enum FilmFrictionLaw {
     Doleschel,
     /// Arana 2019: Eyring fits of three base oils.
     EyringArana,
-    /// A given constant.
+    /// A stated constant.
     Constant,
 }
 
 impl FilmFrictionLaw {
-    /// The shear law of a film alone; none for a published law.
+    /// The shear law of the film; `None` for a published law.
     #[must_use]
     pub const fn shear_law(self) -> Option<ShearLawName> {
         match self {
@@ -52,7 +52,7 @@ impl FilmFrictionLaw {
         }
     }
 
-    /// The published law; none for a film alone.
+    /// The published law; `None` for a shear law of the film.
     #[must_use]
     pub const fn published(self) -> Option<FrictionLaw> {
         match self {
@@ -69,7 +69,7 @@ impl FilmFrictionLaw {
     }
 }
 
-/// Law of the load shared by film and asperities.
+/// Law of the load sharing between film and asperities.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
@@ -116,7 +116,7 @@ impl FullFilmName {
 }
 
 impl LoadShareName {
-    /// Inlet supply of the laws that look at the solved contact.
+    /// Inlet supply of the laws that use the solved contact.
     #[must_use]
     pub const fn supply(self) -> Option<InletSupply> {
         match self {

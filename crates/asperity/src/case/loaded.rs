@@ -9,6 +9,7 @@ use asperity_gear::LoadConditions;
 use asperity_storage::whole_file;
 use asperity_tribo_friction::XuCalibration;
 
+use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{Content, FileSums, Files, Reader, XU_COEFFICIENTS};
@@ -16,12 +17,12 @@ use super::flank_form::shortest_form;
 use super::flanks::{Flanks, flanks};
 use super::gearbox::gearbox;
 use super::gears::check_load;
-use super::input::{CaseInput, Formulation, schema};
-use super::known_keys::first_unknown;
+use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
-use super::plain_words::plain;
+use super::model::Formulation;
 use super::plausibility::{of_files, unusual};
 use super::resolve::{Case, resolve_checked};
+use super::section::Section;
 use super::source::Source;
 use crate::error::Error;
 use crate::fingerprint::Fingerprint;
@@ -37,17 +38,15 @@ pub struct LoadedCase {
     pub case: Case,
     /// The flanks.
     pub surfaces: Surfaces,
-    /// Reading and preparation of each flank.
-    ///
-    /// Each by its first trace, where it has several.
+    /// Reading and preparation of each flank, of the first trace if it has several.
     pub flanks: Arc<[FlankReport; 2]>,
-    /// All traces, where a flank has several; none where each has one.
+    /// All traces if a flank has several; `None` if each has one.
     pub sampled: Option<Arc<SampledFlanks>>,
     /// Warnings about the files.
     pub warnings: Vec<Warning>,
     /// Equations that the preparation of oil, gears and traces used.
     pub provenance: Provenance,
-    /// Equations that the preparation of the traces used, which a change of the case may keep.
+    /// Equations that the preparation of the traces used, reused if a change of the case does not affect the traces.
     of_flanks: Provenance,
     /// Values that follow from the flanks and their files.
     assumed: Vec<DefaultUsed>,
@@ -58,14 +57,14 @@ pub struct LoadedCase {
     sums: [Arc<FileSums>; 3],
 }
 
-/// Resolver of the files that a case text names: from the name as it stands in the text to the bytes.
+/// Resolver of the files that a case text names: from the name in the text to the bytes.
 pub type Resolver<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
 
-/// Reads the case file `path` and the traces it names; `formulation` wins over the file's.
+/// Reads the case file `path` and the traces it names; `formulation` takes precedence over that of the file.
 ///
 /// # Errors
-/// When a file cannot be read or says something that cannot be. The source, where it could be
-/// read, goes with the error so that the place can be shown.
+/// When a file cannot be read or holds impossible values. The error holds the source if it could be read, so that the
+/// place can be shown.
 pub fn load(path: &Path, formulation: Option<Formulation>) -> Result<LoadedCase, Error> {
     load_with(path, &|input| {
         if formulation.is_some() {
@@ -74,7 +73,7 @@ pub fn load(path: &Path, formulation: Option<Formulation>) -> Result<LoadedCase,
     })
 }
 
-/// The same with keys set past the text, each by its path, as [`CaseInput::set`] takes them.
+/// Reads the case in `source`, whose files are in `folder`, with keys set by their paths as [`CaseInput::set`] takes them.
 ///
 /// # Errors
 /// As for [`load`], or when a key is not known or its value cannot be read.
@@ -87,7 +86,7 @@ pub fn load_set(
     load_holding(source, folder, &[], set, change)
 }
 
-/// The same with traces in memory, by the names that the text gives their files.
+/// Reads a case as [`load_set`] does, with traces in memory under the names that the text gives their files.
 ///
 /// # Errors
 /// As for [`load_set`].
@@ -121,52 +120,40 @@ pub fn load_holding(
     for (name, trace) in traces {
         files.hold(name, Content::Heights(Arc::new(trace.clone())));
     }
-    let read = |source: &mut Source| -> Result<LoadedCase, Error> {
-        let stated = read(source)?;
-        let mut input = stated.clone();
-        set_keys(&mut input, source, set)?;
-        change(&mut input);
-        keep_oil(&stated, &mut input);
-        Ok(complete(input, source, files.into(), None)?)
-    };
-    read(&mut source).map_err(|error| match error {
-        Error::Case(error) => Error::in_text(*error, source),
-        error => error,
-    })
-}
-
-/// Sets the keys one after the other and notes it in the source.
-pub(super) fn set_keys(
-    input: &mut CaseInput,
-    source: &mut Source,
-    set: &[(String, String)],
-) -> Result<(), CaseError> {
-    for (key, value) in set {
-        source.set(key, value);
-        input.set_at(source.place_of(key), key, value)?;
+    match changed(&mut source, files, set, change) {
+        Ok(case) => Ok(case),
+        Err(error) => Err(Error::in_text(error, source)),
     }
-    Ok(())
 }
 
-/// The same with the case changed by `change` before its defaults are filled in.
+/// Completes the case in `source` with keys set past the text and a change.
+fn changed(
+    source: &mut Source,
+    files: Files,
+    set: &[(String, String)],
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<LoadedCase, CaseError> {
+    let stated = CaseInput::read(source)?;
+    let mut input = stated.clone();
+    for (key, value) in set {
+        input.set_in(source, key, value)?;
+    }
+    change(&mut input);
+    keep_oil(&stated, &mut input);
+    complete(input, source, files.into(), None)
+}
+
+/// Reads the case file `path`, and changes the case before its defaults are filled in.
 ///
 /// # Errors
 /// As for [`load`].
 pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedCase, Error> {
-    let source = open(path)?;
     let folder = path.parent().unwrap_or(Path::new("."));
-    let read = || {
-        let stated = read(&source)?;
-        let mut input = stated.clone();
-        change(&mut input);
-        keep_oil(&stated, &mut input);
-        complete(input, &source, Files::in_folder(folder).into(), None)
-    };
-    read().map_err(|error| Error::in_text(error, source.clone()))
+    load_holding(open(path)?, folder, &[], &[], change)
 }
 
 /// Reads a case from its `text`; the files it names come from `resolver`, so that no file system is needed.
-/// `name` is that of messages; a text is JSON where it ends in `.json`, TOML otherwise.
+/// Messages use `name`; the text is JSON if it ends in `.json`, TOML otherwise.
 ///
 /// # Errors
 /// As for [`load`], or when the resolver refuses a file.
@@ -190,7 +177,7 @@ pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedC
 pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<LoadedCase, Error> {
     let source = Source::from_bytes(name, text.as_bytes())?;
     let read = || {
-        let input = read(&source)?;
+        let input = CaseInput::read(&source)?;
         let files = Files::gathered(&input, &source, resolver)?;
         complete(input, &source, files.into(), None)
     };
@@ -215,16 +202,15 @@ impl LoadedCase {
             .collect()
     }
 
-    /// Files that the case would read with any of `inputs` in place of its own, and their SHA-256; those that cannot be
-    /// read are left out.
+    /// Files that the case would read with any of `inputs`, and their SHA-256; unreadable files are left out.
     #[must_use]
     pub fn files_of(&self, inputs: &[CaseInput]) -> FileSums {
         self.files.sums_of(inputs)
     }
 
-    /// SHA-256 of all that decides the result: every key of the case, every byte of the files read for it, the version
-    /// of the program, and every user-defined law by its `Debug` text, which therefore must show all that the law
-    /// depends on. Fields that were set past the keys are not part of it, nor is the code of a law.
+    /// SHA-256 of everything that determines the result: every key of the case, every byte of the files read for it, the
+    /// version of the program, and every user-defined law by its `Debug` text, which must therefore show everything that
+    /// the law depends on. It does not include fields that were changed after the case was read, nor the code of a law.
     ///
     /// ```
     /// use asperity::case;
@@ -250,10 +236,9 @@ impl LoadedCase {
         sums.hex()
     }
 
-    /// The same case changed by `change`, rechecked; traces are read again only where the change concerns
-    /// them.
+    /// The case changed by `change`, checked again; traces are read again only if the change affects them.
     ///
-    /// The change applies to [`Case::input`]; what was set past it, in the public fields, is not kept.
+    /// The change applies to [`Case::input`]; other changes of the public fields are lost.
     ///
     /// # Errors
     /// When the changed case cannot be run.
@@ -263,7 +248,7 @@ impl LoadedCase {
         self.changed_to(input)
     }
 
-    /// The same case with the key at `path` set to `value`, as [`CaseInput::set`] takes them.
+    /// The case with the key at `path` set to `value`, as [`CaseInput::set`] takes them.
     ///
     /// # Errors
     /// When the key is not known, the value cannot be read, or the changed case cannot be run.
@@ -273,7 +258,7 @@ impl LoadedCase {
         self.changed_to(input)
     }
 
-    /// The same case with further traces in memory, by names that [`Self::with`] can then give as files.
+    /// The case with further traces in memory, under names that [`Self::with`] can state as files.
     #[must_use]
     pub fn holding(&self, traces: &[(PathBuf, Profile)]) -> Self {
         let mut files = Files::clone(&self.files);
@@ -286,8 +271,8 @@ impl LoadedCase {
         }
     }
 
-    /// Folder that records of mixed lubrication are kept in; none where the case turns that off, came without
-    /// files, or the user has no cache folder.
+    /// Cache folder of records of mixed lubrication; `None` if the case disables it, has no files, or the user has no cache
+    /// folder.
     pub(crate) fn record_folder(&self) -> Option<PathBuf> {
         let beside = self.files.folder()?;
         match self.case.model.ehl.cache.as_str() {
@@ -297,7 +282,7 @@ impl LoadedCase {
         }
     }
 
-    /// Whether traces have a place on the flanks, along them or across the face.
+    /// Whether traces have a place on the flanks, along the profile or across the face.
     fn is_placed(&self) -> bool {
         let is_rolled = |flank: &FlankReport| {
             let reading = flank.reading.as_ref();
@@ -309,7 +294,7 @@ impl LoadedCase {
 
     fn changed_to(&self, mut input: CaseInput) -> Result<Self, Error> {
         keep_oil(&self.case.input, &mut input);
-        // Lines of the file would be those of the values before.
+        // The lines of the file hold the earlier values.
         let source = Source::without_text(&self.name);
         Ok(complete(
             input,
@@ -336,12 +321,12 @@ impl TryFrom<CaseInput> for LoadedCase {
 /// The text of the case file `path`.
 ///
 /// # Errors
-/// When it cannot be read, or is no text in TOML (or JSON).
+/// When it cannot be read, or is not a text in TOML (or JSON).
 pub fn open_source(path: &Path) -> Result<Source, Error> {
     Ok(open(path)?)
 }
 
-/// Bytes of the largest case file: no case is longer.
+/// Bytes of the largest case file.
 const LARGEST_CASE: u64 = 10_000_000;
 
 fn open(path: &Path) -> Result<Source, CaseError> {
@@ -355,31 +340,7 @@ fn open(path: &Path) -> Result<Source, CaseError> {
     }
 }
 
-/// The case as it stands in the text.
-pub(super) fn read(source: &Source) -> Result<CaseInput, CaseError> {
-    let schema = schema();
-    if let Some((key, nearest)) = first_unknown(&schema, source.key_paths()) {
-        return Err(CaseError::UnknownKey {
-            place: source.place_of_key(key),
-            key: key.to_owned(),
-            nearest,
-        });
-    }
-    source.read().map_err(|error| match error {
-        CaseError::Value {
-            place,
-            key,
-            message,
-        } => CaseError::Value {
-            message: plain(&schema, key.as_deref(), &message),
-            place,
-            key,
-        },
-        error => error,
-    })
-}
-
-/// States the temperature of a viscosity and a density that hold at the temperature of the case, once that is changed.
+/// States the temperature of a viscosity and a density that hold at the temperature of the case, if that is changed.
 fn keep_oil(stated: &CaseInput, input: &mut CaseInput) {
     let temperature = stated.operation.temperature;
     if input.operation.temperature == temperature || input.lubricant != stated.lubricant {
@@ -391,7 +352,7 @@ fn keep_oil(stated: &CaseInput, input: &mut CaseInput) {
     }
 }
 
-/// Completes the case and reads its traces, or takes them from `before`, where they are the same.
+/// Completes the case and reads its traces, or takes them from `before` if they are the same.
 pub(super) fn complete(
     input: CaseInput,
     source: &Source,
@@ -399,7 +360,7 @@ pub(super) fn complete(
     before: Option<&LoadedCase>,
 ) -> Result<LoadedCase, CaseError> {
     let provenance = Provenance::new();
-    // The load over the teeth was checked where nothing but speed and temperature differ.
+    // The load over the teeth was checked if only speed and temperature differ.
     let is_checked = before.is_some_and(|before| loads_alike(&before.case.input, &input));
     let mut case = provenance.collect(|| resolve_checked(input, source, is_checked))?;
     let model_sums = match (before, &case.input.model.xu_coefficients) {
@@ -418,13 +379,13 @@ pub(super) fn complete(
     };
     let gearbox_sums;
     (case.gearbox, gearbox_sums) = match (before, &case.input.gearbox) {
-        (Some(before), given) if before.case.input.gearbox == *given => {
+        (Some(before), stated) if before.case.input.gearbox == *stated => {
             (before.case.gearbox.clone(), Arc::clone(&before.sums[1]))
         }
-        (_, Some(given)) => {
+        (_, Some(stated)) => {
             let reader = Reader::of(&files);
-            let found = gearbox(given, source, &reader)?;
-            (Some(found), reader.into_sums().into())
+            let parts = gearbox(stated, source, &reader)?;
+            (Some(parts), reader.into_sums().into())
         }
         (_, None) => (None, Arc::default()),
     };
@@ -455,17 +416,13 @@ pub(super) fn complete(
         },
         _ => flanks(&case, source, &files)?,
     };
-    // What a file states stands in place of the default.
-    let is_told = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
-    case.defaults.retain(is_told);
+    // Values that a file states replace the defaults.
+    let is_default = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
+    case.defaults.retain(is_default);
     case.defaults.extend(assumed.iter().cloned());
     if case.model.run_in && !surfaces.are_measured() {
-        let key = "model.run_in";
-        return Err(CaseError::Conflict {
-            place: source.place_of(key),
-            key,
-            rule: "needs the traces of both flanks",
-        });
+        let section = Section::of(source, "model");
+        return Err(section.conflict("run_in", "needs the traces of both flanks"));
     }
     case.face_zones = zones;
     if forms != [None, None] {
@@ -497,24 +454,21 @@ pub(super) fn complete(
     })
 }
 
-/// Refuses what looks at one pair of traces where there are several.
+/// Refuses models of one pair of traces if there are several.
 fn refuse_several(case: &Case, source: &Source) -> Result<(), CaseError> {
     let model = &case.model;
-    let one_pair = [
-        ("model.run_in", model.run_in),
-        ("model.load_share", model.load_share == LoadShareName::Ehl),
-        (
-            "model.full_film",
-            model.full_film == FullFilmName::EhlTransient,
-        ),
+    let of_one_pair = [
+        ("run_in", model.run_in),
+        ("load_share", model.load_share == LoadShareName::Ehl),
+        ("full_film", model.full_film == FullFilmName::EhlTransient),
     ];
-    match one_pair.into_iter().find(|(_, is_asked)| *is_asked) {
+    match of_one_pair.into_iter().find(|(_, is_chosen)| *is_chosen) {
         None => Ok(()),
-        Some((key, _)) => Err(CaseError::Conflict {
-            place: source.place_of(key),
-            key,
-            rule: "is of one pair of traces: name one trace of each flank, as surface.pinion.file",
-        }),
+        Some((key, _)) => {
+            let rule =
+                "is of one pair of traces: name one trace of each flank, as surface.pinion.file";
+            Err(Section::of(source, "model").conflict(key, rule))
+        }
     }
 }
 
@@ -527,7 +481,7 @@ fn loads_alike(before: &CaseInput, input: &CaseInput) -> bool {
         && before.operation.torque == input.operation.torque
 }
 
-/// Solves for the load once, so that a form that does not suit the model is reported with its place.
+/// Solves for the load once, so that a form that the model refuses is reported with its place.
 fn check_load_of(case: &Case, source: &Source) -> Result<(), CaseError> {
     let mesh = LoadConditions {
         pair: &case.gears,
@@ -544,7 +498,7 @@ fn same_flanks(before: &Case, case: &Case, is_placed: bool) -> bool {
     let (old, new) = (&before.input.surface, &case.input.surface);
     let shortest = |case| shortest_form(case).ok().flatten();
     let forms = [shortest(before), shortest(case)];
-    // A trace has its place, and its form, on a flank of certain gears.
+    // Place and form of a trace depend on the gears.
     let is_of_gears = is_placed || forms != [None, None];
     old == new
         && old.loaded(before.torque).2 == new.loaded(case.torque).2
@@ -569,13 +523,8 @@ fn xu_calibration(
     source: &Source,
     files: &Reader<'_>,
 ) -> Result<XuCalibration, CaseError> {
-    let key = XU_COEFFICIENTS;
-    let refused = |message: String| CaseError::Value {
-        place: source.place_of(key),
-        key: Some(key.to_owned()),
-        message,
-    };
-    let bytes = match files.open(file, source, key)? {
+    let refused = |message: String| Section::of(source, XU_COEFFICIENTS).value("", message);
+    let bytes = match files.open(file, source, XU_COEFFICIENTS)? {
         (Content::Bytes(bytes), _) => bytes,
         (Content::Heights(_), _) => {
             return Err(refused("names a trace, not coefficients".to_owned()));

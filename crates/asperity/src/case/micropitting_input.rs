@@ -4,8 +4,8 @@ use asperity_core::quantity::Length;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Local specific film thickness of the micropitting rating of ISO/TS 6336-22, with what the measured flanks show at the
-/// same places beside it; computed where this table is given.
+/// Local specific film thickness of the micropitting rating of ISO/TS 6336-22, compared with the measured flanks at the same
+/// places; computed if this table is stated.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MicropittingInput {

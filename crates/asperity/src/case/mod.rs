@@ -1,8 +1,7 @@
-//! The case: what is to be computed, completed with defaults.
+//! The case: the inputs of a run, completed with defaults.
 //!
-//! [`CaseInput`] is the case as the user writes it; [`Case`] is the same with every choice made and
-//! checked; [`LoadedCase`] is that with its flanks, ready for [`run`](crate::run). Every default used is
-//! listed.
+//! [`CaseInput`] is the case as the user writes it; [`Case`] has every choice made and checked; [`LoadedCase`] adds
+//! the flanks and is ready for [`run`](crate::run). All defaults in use are listed.
 //!
 //! | from | by |
 //! |---|---|
@@ -17,9 +16,9 @@ mod bulk;
 mod bulk_input;
 mod calibrated;
 mod calibration;
+mod case_file;
 mod check;
 mod defaults;
-mod domain;
 mod error;
 mod files;
 mod flank_form;
@@ -39,14 +38,17 @@ mod law_names;
 mod loaded;
 mod micropitting_input;
 mod model;
-mod model_defaults;
+mod one_or_two;
 mod own_laws;
 mod page;
+mod path_point;
 mod place;
 mod plain_words;
 pub mod planetary;
 mod plausibility;
 mod resolve;
+mod rows;
+mod section;
 mod set;
 mod source;
 mod steel;
@@ -68,9 +70,8 @@ pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput, ReliefSource};
 pub use gearbox::{Gearbox, Part, PartKind};
 pub use gearbox_input::{BearingInput, BearingKind, GearboxInput, JetInput, SealInput, Shaft};
 pub use input::{
-    BodyInput, CaseInput, CoastInput, EhlInput, FlankInput, Formulation, GearsInput, MapInput,
-    MaterialInput, ModelInput, NamedPoint, OneOrTwo, OperationInput, PathPoint, SurfaceInput,
-    VehicleInput, schema,
+    BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
+    OperationInput, SurfaceInput, VehicleInput, schema,
 };
 pub use known_keys::nearest_name;
 pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
@@ -78,8 +79,10 @@ pub use loaded::{
     LoadedCase, Resolver, from_text, load, load_holding, load_set, load_with, open_source,
 };
 pub use micropitting_input::MicropittingInput;
-pub use model::{EhlChoices, Model};
+pub use model::{EhlChoices, EhlInput, Formulation, Model, ModelInput};
+pub use one_or_two::OneOrTwo;
 pub use page::markdown;
+pub use path_point::{NamedPoint, PathPoint};
 pub use place::Place;
 pub use plausibility::possible_range;
 pub use resolve::{Case, resolve};

@@ -1,91 +1,190 @@
-//! Choices of the model: defaults by formulation, and what each may be.
+//! Choices of the model: one row for each key, with its default by formulation and its check.
+
+use std::path::PathBuf;
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
+use asperity_efficiency::swept::HYSTERESIS;
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
-use asperity_gear::{GearPair, LoadLaw};
+use asperity_gear::{GearPair, LoadLaw, LoadMapSettings};
 use asperity_ns_film::FluidModel;
 use asperity_oil::PressureLaw;
-use asperity_tribo_friction::boundary::BOUNDARY_LAYER;
+use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER};
 use asperity_tribo_friction::{FrictionSettings, RoughnessReading};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::defaults::Defaults;
-use super::domain::domain;
 use super::error::{CaseError, LOOSEST_TOLERANCE};
-use super::input::{EhlInput, Formulation, ModelInput, NamedPoint, OneOrTwo, PathPoint};
 use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
-use super::model_defaults::ModelDefaults;
+use super::one_or_two::OneOrTwo;
+use super::path_point::{NamedPoint, PathPoint};
+use super::rows::choices;
+use super::section::{Section, domain};
 use super::source::Source;
 use asperity_mixed_film::SpotSpeed;
 
-/// Choices of the model, all made.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Model {
-    /// Cells of the path of contact; one position in the paper's reading.
-    pub positions: usize,
-    /// The single position of the paper's reading, 0 at A and 1 at E.
-    pub position: f64,
-    /// Offsets along the traces.
-    pub offsets: usize,
-    /// Half width of the contact window in Hertz half-widths.
-    pub window: f64,
-    /// Load over the teeth in contact.
-    pub load_distribution: LoadLaw,
-    /// Friction in the film.
-    pub film_friction: FilmFrictionLaw,
-    /// Viscosity over pressure in it.
-    pub film_pressure_law: PressureLaw,
-    /// Choices that the laws leave open.
-    pub friction_settings: FrictionSettings,
-    /// Factor on the coefficient.
-    pub friction_scale: f64,
-    /// Lubricant factor X_L.
-    pub lubricant_factor: f64,
-    /// Coefficient of boundary friction.
-    pub boundary_friction: f64,
-    /// Height of the boundary layer on touching asperities.
-    pub boundary_layer: Length,
-    /// Lay of pinion and wheel.
-    pub lay: [Lay; 2],
-    /// Reading of the central film in film friction and load share.
-    pub central_film: CentralFilm,
-    /// Reading of the central film in Λ* and wherever the film is printed.
-    pub lambda_film: CentralFilm,
-    /// Speed that carries oil into touching asperities.
-    pub spot_speed: SpotSpeed,
-    /// Factor on the solved share of the asperities.
-    pub asperity_share_factor: f64,
-    /// Film thickness law.
-    pub film: FilmLaw,
-    /// Thermal reduction.
-    pub thermal: ThermalLaw,
-    /// Feed the flash temperature back.
-    pub flash_feedback: bool,
-    /// Share of the load that the film carries.
-    pub load_share: LoadShareName,
-    /// Source of a film that carries the whole load.
-    pub full_film: FullFilmName,
-    /// Elastohydrodynamic solutions.
-    pub ehl: EhlChoices,
-    /// Fluid pressure across the film.
-    pub fluid_pressure: FluidModel,
-    /// Step of the paper's marching.
-    pub delta_step: Length,
-    /// Load error at which the marching stops.
-    pub numerical_error: f64,
-    /// Tolerance of the contact solver.
-    pub tolerance: f64,
-    /// Count running-in among the losses.
-    pub include_running_in: bool,
-    /// Give the losses of run-in flanks as well.
-    pub run_in: bool,
-    /// Fraction of the elastic energy lost.
-    pub hysteresis: f64,
-    /// Number of depths of subsurface fields.
-    pub depths: usize,
+/// Reading of the 2022 model.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum Formulation {
+    /// Dimensionally and physically consistent.
+    #[default]
+    Corrected,
+    /// The paper's reading, only its misprints corrected.
+    Paper,
 }
+
+choices! {
+    /// Choices of the model.
+    ModelInput =>
+    /// Choices of the model, all made.
+    Model in "model" by Choices<'_>;
+
+    with {
+        /// Choices that the friction laws leave open.
+        friction_settings: FrictionSettings = friction_settings(constant_friction, clamp_roughness);
+    }
+
+    /// Number of cells along the path of contact, with one contact evaluated in each; default 16 (`paper`:
+    /// one position).
+    positions: usize = of_path(16),
+        check("positions", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
+    /// The single position of the `paper` formulation: 0 at A, 1 at E, or `A` … `E`; default `C`.
+    position: PathPoint => f64 = point_of_path(),
+        check("position", |s| (0.0..=1.0).contains(&s), "must be A to E, or 0 to 1");
+    /// Number of offsets along the traces at which the flanks meet; default 16 (`paper`: 1).
+    offsets: usize = each(16, 1),
+        check("offsets", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
+    /// Half-width of the contact window, in Hertz half-widths; default 3.
+    window: f64 = both(3.0),
+        check("window", |w| (1.5..=100.0).contains(&w), "must be 1.5 to 100 Hertz half-widths");
+    /// Law of the load distribution over the teeth in contact; default `elastic` (`paper`: `mean-length`).
+    load_distribution: LoadLaw = each(LoadLaw::Elastic, LoadLaw::MeanLength);
+    /// Correction factor C_M of the tooth stiffness, theoretical to measured; default 0.8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stiffness_factor: f64 =
+        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().stiffness_factor);
+    /// Length over which a tooth spreads a load along its face width, in modules; default 1.55.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    face_coupling: f64 =
+        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().face_coupling);
+    /// Include contact of tip edges outside the path of contact; default false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    edge_contact: bool = listed_if(load_distribution.is_elastic(), false);
+    /// Friction law of the film; default `eyring` (`paper`: `xu`). `eyring`, `carreau` and `newton` describe
+    /// the film alone; the others are published laws, most of which include asperity friction in their
+    /// coefficient.
+    film_friction: FilmFrictionLaw = each(FilmFrictionLaw::Eyring, FilmFrictionLaw::Xu);
+    /// Law of viscosity against pressure for the film friction laws `eyring`, `carreau` and `newton`; default
+    /// `barus`.
+    film_pressure_law: PressureLaw = corrected(PressureLaw::default());
+    /// Factor on the friction coefficient of the film (lubricant factor); default 1.
+    friction_scale: f64 = both(1.0),
+        check("friction scale", |k| k > 0.0 && k <= 10.0, "must be positive and at most 10");
+    /// Friction coefficient of `film_friction = "constant"`.
+    constant_friction: f64 => Option<f64> = coefficient_of_constant_law(film_friction);
+    /// Coefficients of Xu's law from your own calibration: a JSON file, relative to the case file.
+    xu_coefficients: PathBuf => Option<PathBuf> = as_stated();
+    /// Lubricant factor X_L of `iso-14179-2`; default 1 (mineral oil).
+    lubricant_factor: f64 = both(1.0),
+        check("lubricant factor", |x| x > 0.0 && x <= 10.0, "must be positive and at most 10");
+    /// Coefficient of boundary friction μ_b; default 0.08 (`paper`: 0.3, metal on metal).
+    boundary_friction: f64 = each(BOUNDARY_FRICTION, METAL_ON_METAL),
+        check("boundary friction", |mu| (0.0..=2.0).contains(&mu), "must be 0 to 2");
+    /// Thickness of the boundary layer on touching asperities; default 10 nm, which applies to λs = 2.5 um.
+    boundary_layer: Length = corrected(BOUNDARY_LAYER),
+        check("boundary layer", |h| (0.0..=1e-6).contains(&h), "must be 0 to 1 um");
+    /// Lay γ of the roughness, one value for both flanks or `[pinion, wheel]`: from 0 or `across`, ridges
+    /// across the whole face width (default), to 1 or `isotropic`.
+    lay: OneOrTwo<Lay> => [Lay; 2] = corrected(OneOrTwo::One(Lay::ACROSS));
+    /// Reading of the central film in film friction and load share: `mass-flow` (default) or `gap`.
+    central_film: CentralFilm = corrected(CentralFilm::MassFlow);
+    /// Reading of the central film in Λ* and in printed film thicknesses: `gap` (default) or `mass-flow`
+    /// (`paper`: `mass-flow`).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lambda_film: CentralFilm = each(CentralFilm::Gap, CentralFilm::MassFlow);
+    /// Speed at which oil is carried into touching asperities: `entrainment` (default) or `half-sliding`, for
+    /// the band.
+    spot_speed: SpotSpeed = corrected(SpotSpeed::Entrainment);
+    /// Factor on the solved asperity load share, for the band; default 1.
+    asperity_share_factor: f64 = corrected(1.0),
+        check("factor on the asperity share", |k| k > 0.0 && k <= 1.0, "must be above 0 and at most 1");
+    /// Film thickness law; default `dowson-toyoda` (`paper`: `hamrock-dowson`).
+    film: FilmLaw = each(FilmLaw::DowsonToyoda, FilmLaw::HamrockDowson);
+    /// Thermal reduction of the film and of rolling; default `gupta` (`paper`: `none`).
+    thermal: ThermalLaw = each(ThermalLaw::Gupta, ThermalLaw::None);
+    /// Feed the flash temperature back into the viscosity of the friction law; default false.
+    flash_feedback: bool = both(false);
+    /// Share of the load carried by the film: `solved` (default) from the rough contact; with `lambda-star`,
+    /// `zhu-hu`, `masjedi-khonsari` and `jgp` all load on asperities rubs with the boundary coefficient;
+    /// `ehl` takes shares and friction from records of transient mixed lubrication, which take a minute or
+    /// more.
+    load_share: LoadShareName = each(LoadShareName::Solved, LoadShareName::LambdaStar);
+    /// Source of a film that carries the whole load: `formulas` (default), `ehl`, the steady
+    /// elastohydrodynamic solution of smooth flanks, or `ehl-transient`, records with both traces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    full_film: FullFilmName = listed_if(false, FullFilmName::Formulas);
+    /// The elastohydrodynamic solutions of `load_share = "ehl"` and `full_film`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ehl: EhlInput => EhlChoices = ehl_solutions(load_share, full_film);
+    /// Model of the fluid pressure across the film; default `reynolds-cross` (`paper`: `paper`).
+    fluid_pressure: FluidModel = each(FluidModel::ReynoldsCross, FluidModel::Paper);
+    /// Clamp the roughness in Xu's law at 0.6 um; default true (`paper`: false).
+    clamp_roughness: bool = each(true, false);
+    /// Step by which `paper` lowers the surfaces into each other; default 80 nm.
+    delta_step: Length = both(Length::from_si(80e-9)),
+        check("step", |d| d > 0.0 && d < 1e-3, "must be positive and below 1 mm");
+    /// Load error at which the marching of `paper` stops; default 1 %.
+    numerical_error: Ratio => f64 = both(Ratio::new(0.01)),
+        check("numerical error", |e| e > 0.0 && e <= 0.2, "must be above 0 and at most 20 %");
+    /// Tolerance of the contact solver's certificate; default 1e-8.
+    tolerance: f64 = both(1e-8),
+        check("tolerance", |t| (1e-16..=LOOSEST_TOLERANCE).contains(&t), "must be 1e-16 to 1e-4");
+    /// Include the plastic work of running-in in the losses; default false.
+    include_running_in: bool = both(false);
+    /// Run the flanks in, and compute the losses of the run-in flanks in addition to those of the flanks as measured;
+    /// default false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    run_in: bool = of_corrected_only(false);
+    /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 1 % (`paper`: 0).
+    hysteresis: Ratio => f64 = each(Ratio::new(HYSTERESIS), Ratio::new(0.0)),
+        check("hysteresis", |h| (0.0..=1.0).contains(&h), "must be 0 to 1");
+    /// Number of depths at which subsurface stress is computed; default 24.
+    depths: usize = both(24), check("depths", |n| n <= 1000.0, "must be at most 1000");
+}
+
+choices! {
+    /// Grid and length of the elastohydrodynamic solutions, and where records are kept.
+    EhlInput =>
+    /// Choices of the elastohydrodynamic solutions.
+    EhlChoices in "model.ehl" by Choices<'_>;
+
+    with {}
+
+    /// Number of records along the path of contact; default 8. Shares and friction are interpolated between
+    /// them.
+    records: usize = of_records(8),
+        check("records along the path", |n| (2.0..=64.0).contains(&n), "must be 2 to 64");
+    /// Number of cells along the contact, a multiple of 64; default 512.
+    cells: usize = of_solutions(512), check(
+        "cells across the film",
+        |n| n % 64.0 == 0.0 && (64.0..=8192.0).contains(&n),
+        "must be a multiple of 64, 64 to 8192"
+    );
+    /// Travel of a record in half-widths of the contact; default 20.
+    travel: f64 = of_records(20.0),
+        check("travel of a record", |a| (2.0..=1000.0).contains(&a), "must be 2 to 1000 half-widths");
+    /// Cache folder for records, so that none is solved twice: `user` (default), the cache folder of the user
+    /// (`asperity` in `$XDG_CACHE_HOME`, `~/.cache` or `%LOCALAPPDATA%`), a folder relative to the case file,
+    /// or `off`.
+    cache: String = of_records("user".to_owned());
+}
+
+/// Coefficient of dry steel on steel, Table 2 of the 2022 paper.
+const METAL_ON_METAL: f64 = 0.3;
 
 impl Model {
     /// Whether load share or full film need the oil's rheology, whatever the law of film friction.
@@ -98,384 +197,175 @@ impl Model {
 
 /// Makes every choice that the case leaves open.
 pub(super) fn model(
-    given: &ModelInput,
+    stated: &ModelInput,
     formulation: Formulation,
     gears: &GearPair,
     source: &Source,
     defaults: &mut Defaults,
 ) -> Result<Model, CaseError> {
-    let own = ModelDefaults::of(formulation);
-    let pitch = PathPoint::Named(NamedPoint::C);
-    let has_pitch = (0.0..=1.0).contains(&pitch.fraction_of(gears.path()));
-    let point = match (own.one_position, given.position) {
-        (true, None) if !has_pitch => {
-            return Err(CaseError::Conflict {
-                place: source.place_of("gears"),
-                key: "gears",
-                rule: "the pitch point lies outside the path of contact, so model.position needs a value from 0 (A) to 1 (E)",
-            });
+    let mut choices = Choices {
+        formulation,
+        gears,
+        source,
+        defaults,
+        has_solutions: false,
+        has_records: false,
+    };
+    Model::of(stated, &mut choices)
+}
+
+/// Choice of one value after the other: the methods are the ways in which a row states its default.
+struct Choices<'a> {
+    formulation: Formulation,
+    gears: &'a GearPair,
+    source: &'a Source,
+    defaults: &'a mut Defaults,
+    /// Whether elastohydrodynamic solutions are needed.
+    has_solutions: bool,
+    /// Whether records of them along the path are needed.
+    has_records: bool,
+}
+
+type Key = &'static str;
+type Choice<T> = Result<T, CaseError>;
+
+impl Choices<'_> {
+    /// The same default in both formulations.
+    fn both<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
+        self.listed_if(key, stated, true, default)
+    }
+
+    /// A default of each formulation.
+    fn each<T: Serialize>(
+        &mut self,
+        key: Key,
+        stated: Option<T>,
+        corrected: T,
+        paper: T,
+    ) -> Choice<T> {
+        let default = match self.formulation {
+            Formulation::Corrected => corrected,
+            Formulation::Paper => paper,
+        };
+        self.both(key, stated, default)
+    }
+
+    /// A default of a value that only the corrected formulation uses, and lists.
+    fn corrected<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
+        let is_used = self.formulation == Formulation::Corrected;
+        self.listed_if(key, stated, is_used, default)
+    }
+
+    /// A default of elastohydrodynamic solutions.
+    fn of_solutions<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
+        self.listed_if(key, stated, self.has_solutions, default)
+    }
+
+    /// A default of records along the path.
+    fn of_records<T: Serialize>(&mut self, key: Key, stated: Option<T>, default: T) -> Choice<T> {
+        self.listed_if(key, stated, self.has_records, default)
+    }
+
+    /// A default that is listed only if the run uses the value.
+    fn listed_if<T: Serialize>(
+        &mut self,
+        key: Key,
+        stated: Option<T>,
+        is_used: bool,
+        default: T,
+    ) -> Choice<T> {
+        Ok(match is_used {
+            true => self.defaults.take(key, stated, default),
+            false => stated.unwrap_or(default),
+        })
+    }
+
+    /// No default.
+    fn as_stated<T>(&mut self, _: Key, stated: Option<T>) -> Choice<Option<T>> {
+        Ok(stated)
+    }
+
+    /// A switch that the paper's formulation does not have.
+    fn of_corrected_only(&mut self, key: Key, stated: Option<bool>, default: bool) -> Choice<bool> {
+        if self.formulation == Formulation::Paper && stated == Some(true) {
+            let rule = "belongs to the corrected formulation; leave one of the two out";
+            return Err(Section::of(self.source, key).conflict("", rule));
         }
-        (false, None) if !has_pitch => PathPoint::Fraction(0.5),
-        (true, given) => defaults.take("model.position", given, pitch),
-        (false, given) => given.unwrap_or(pitch),
-    };
-    let positions = match own.one_position {
-        true => 1,
-        false => defaults.take("model.positions", given.positions, 16),
-    };
-    // The paper's reading has none of these; its list of defaults leaves them out.
-    let mut unused = Defaults::default();
-    let of_share = match own.one_position {
-        true => &mut unused,
-        false => &mut *defaults,
-    };
-    let share_choices = ShareChoices::of(given, of_share);
-    let load_share = given.load_share.unwrap_or(own.load_share);
-    let full_film = given.full_film.unwrap_or_default();
-    let model = Model {
-        positions,
-        position: point.fraction_of(gears.path()),
-        offsets: defaults.take("model.offsets", given.offsets, own.offsets),
-        window: defaults.take("model.window", given.window, 3.0),
-        load_distribution: defaults.take(
-            "model.load_distribution",
-            given.load_distribution.clone(),
-            own.load_distribution.clone(),
-        ),
-        film_friction: defaults.take(
-            "model.film_friction",
-            given.film_friction,
-            own.film_friction,
-        ),
-        film_pressure_law: share_choices.film_pressure_law,
-        friction_settings: friction_settings(given, own.clamp_roughness, defaults),
-        lubricant_factor: defaults.take("model.lubricant_factor", given.lubricant_factor, 1.0),
-        friction_scale: defaults.take("model.friction_scale", given.friction_scale, 1.0),
-        boundary_friction: defaults.take(
-            "model.boundary_friction",
-            given.boundary_friction,
-            own.boundary_friction,
-        ),
-        boundary_layer: share_choices.boundary_layer,
-        lay: share_choices.lay,
-        central_film: share_choices.central_film,
-        lambda_film: defaults.take("model.lambda_film", given.lambda_film, own.lambda_film),
-        spot_speed: share_choices.spot_speed,
-        asperity_share_factor: share_choices.factor,
-        film: defaults.take("model.film", given.film, own.film),
-        thermal: defaults.take("model.thermal", given.thermal, own.thermal),
-        flash_feedback: defaults.take("model.flash_feedback", given.flash_feedback, false),
-        load_share: defaults.take("model.load_share", given.load_share, own.load_share),
-        full_film,
-        ehl: EhlChoices::of(given.ehl.as_ref(), load_share, full_film, defaults),
-        fluid_pressure: defaults.take(
-            "model.fluid_pressure",
-            given.fluid_pressure,
-            own.fluid_pressure,
-        ),
-        delta_step: defaults.take("model.delta_step", given.delta_step, Length::from_si(80e-9)),
-        numerical_error: defaults
-            .take(
-                "model.numerical_error",
-                given.numerical_error,
-                Ratio::new(0.01),
-            )
-            .value(),
-        tolerance: defaults.take("model.tolerance", given.tolerance, 1e-8),
-        include_running_in: defaults.take(
-            "model.include_running_in",
-            given.include_running_in,
-            false,
-        ),
-        run_in: share_choices.run_in,
-        hysteresis: defaults
-            .take(
-                "model.hysteresis",
-                given.hysteresis,
-                Ratio::new(own.hysteresis),
-            )
-            .value(),
-        depths: defaults.take("model.depths", given.depths, 24),
-    };
-    check_model(&model, source)?;
-    check_run_in(formulation, given, source)?;
-    check_constant(given.constant_friction, model.film_friction, source)?;
-    Ok(model)
-}
+        self.corrected(key, stated, default)
+    }
 
-/// Choices of the elastohydrodynamic solutions.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct EhlChoices {
-    /// Records along the path.
-    pub records: usize,
-    /// Cells across the film.
-    pub cells: usize,
-    /// Travel of a record in half-widths.
-    pub travel: f64,
-    /// Cache of records: `user`, `off`, or a folder.
-    pub cache: String,
-}
+    /// A number of positions, of which the paper's formulation has one.
+    fn of_path(&mut self, key: Key, stated: Option<usize>, default: usize) -> Choice<usize> {
+        match self.formulation {
+            Formulation::Corrected => self.both(key, stated, default),
+            Formulation::Paper => Ok(1),
+        }
+    }
 
-impl EhlChoices {
-    /// The choices; defaults are recorded where a solution is requested.
-    fn of(
-        given: Option<&EhlInput>,
+    /// The pitch point by default; the middle of a path that does not contain it.
+    fn point_of_path(&mut self, key: Key, stated: Option<PathPoint>) -> Choice<f64> {
+        let path = self.gears.path();
+        let pitch = PathPoint::Named(NamedPoint::C);
+        let has_pitch = (0.0..=1.0).contains(&pitch.fraction_of(path));
+        let point = match (self.formulation, stated) {
+            (Formulation::Paper, None) if !has_pitch => {
+                let rule = "the pitch point lies outside the path of contact, so model.position needs a value from 0 (A) to 1 (E)";
+                return Err(Section::of(self.source, "gears").conflict("", rule));
+            }
+            (Formulation::Corrected, None) if !has_pitch => PathPoint::Fraction(0.5),
+            (Formulation::Paper, stated) => self.defaults.take(key, stated, pitch),
+            (Formulation::Corrected, stated) => stated.unwrap_or(pitch),
+        };
+        Ok(point.fraction_of(path))
+    }
+
+    /// The coefficient that the law `constant` needs, and that no other law takes.
+    fn coefficient_of_constant_law(
+        &mut self,
+        key: Key,
+        stated: Option<f64>,
+        law: FilmFrictionLaw,
+    ) -> Choice<Option<f64>> {
+        let rule = match (stated, law == FilmFrictionLaw::Constant) {
+            (None, true) => {
+                "is missing, and film_friction = \"constant\" needs it, as constant_friction = 0.05"
+            }
+            (Some(_), false) => {
+                "is used with film_friction = \"constant\" only; leave it out or choose that law"
+            }
+            (Some(value), true) => {
+                let holds = (0.0..=2.0).contains(&value);
+                DomainError::require(holds, "constant friction", value, "-", "must be 0 to 2")
+                    .map_err(domain(self.source, key))?;
+                return Ok(stated);
+            }
+            (None, false) => return Ok(None),
+        };
+        Err(Section::of(self.source, key).conflict("", rule))
+    }
+
+    /// The choices of the solutions that load share and full film need.
+    fn ehl_solutions(
+        &mut self,
+        _: Key,
+        stated: Option<EhlInput>,
         share: LoadShareName,
         film: FullFilmName,
-        defaults: &mut Defaults,
-    ) -> Self {
-        let mut unused = Defaults::default();
-        let has_records = share == LoadShareName::Ehl || film == FullFilmName::EhlTransient;
-        let is_asked = has_records || film == FullFilmName::Ehl;
-        let given = given.cloned().unwrap_or_default();
-        let of_grid = if is_asked {
-            &mut *defaults
-        } else {
-            &mut unused
-        };
-        let cells = of_grid.take("model.ehl.cells", given.cells, 512);
-        let of_records = if has_records { defaults } else { &mut unused };
-        Self {
-            records: of_records.take("model.ehl.records", given.records, 8),
-            cells,
-            travel: of_records.take("model.ehl.travel", given.travel, 20.0),
-            cache: of_records.take("model.ehl.cache", given.cache, "user".to_owned()),
-        }
+    ) -> Choice<EhlChoices> {
+        self.has_records = share == LoadShareName::Ehl || film == FullFilmName::EhlTransient;
+        self.has_solutions = self.has_records || film == FullFilmName::Ehl;
+        EhlChoices::of(&stated.unwrap_or_default(), self)
     }
 }
 
-/// Choices of the load share and of film friction.
-struct ShareChoices {
-    boundary_layer: Length,
-    lay: [Lay; 2],
-    central_film: CentralFilm,
-    spot_speed: SpotSpeed,
-    factor: f64,
-    film_pressure_law: PressureLaw,
-    run_in: bool,
-}
-
-impl ShareChoices {
-    fn of(given: &ModelInput, defaults: &mut Defaults) -> Self {
-        let lay = OneOrTwo::One(Lay::ACROSS);
-        let (speed, factor) = (given.spot_speed, given.asperity_share_factor);
-        let (layer, film) = (given.boundary_layer, given.central_film);
-        Self {
-            boundary_layer: defaults.take("model.boundary_layer", layer, BOUNDARY_LAYER),
-            lay: defaults.take("model.lay", given.lay, lay).both(),
-            central_film: defaults.take("model.central_film", film, CentralFilm::MassFlow),
-            spot_speed: defaults.take("model.spot_speed", speed, SpotSpeed::Entrainment),
-            factor: defaults.take("model.asperity_share_factor", factor, 1.0),
-            run_in: defaults.take("model.run_in", given.run_in, false),
-            film_pressure_law: defaults.take(
-                "model.film_pressure_law",
-                given.film_pressure_law,
-                PressureLaw::default(),
-            ),
-        }
-    }
-}
-
-fn friction_settings(
-    given: &ModelInput,
-    clamp_roughness: bool,
-    defaults: &mut Defaults,
-) -> FrictionSettings {
+fn friction_settings(constant: Option<f64>, clamps_roughness: bool) -> FrictionSettings {
     let mut settings = FrictionSettings {
-        constant: given.constant_friction,
+        constant,
         ..FrictionSettings::default()
     };
-    let clamp = defaults.take(
-        "model.clamp_roughness",
-        given.clamp_roughness,
-        clamp_roughness,
-    );
-    settings.xu.roughness = if clamp {
-        RoughnessReading::Clamped
-    } else {
-        RoughnessReading::AsIs
+    settings.xu.roughness = match clamps_roughness {
+        true => RoughnessReading::Clamped,
+        false => RoughnessReading::AsIs,
     };
     settings
-}
-
-/// A row of [`check_model`]: key, what it is called, value, whether it may be, and the rule.
-type Check = (&'static str, &'static str, f64, bool, &'static str);
-
-fn check_model(model: &Model, source: &Source) -> Result<(), CaseError> {
-    let count = |n: usize| n as f64;
-    let checks: [Check; 17] = [
-        (
-            "model.positions",
-            "positions",
-            count(model.positions),
-            (1..=10_000).contains(&model.positions),
-            "must be 1 to 10000",
-        ),
-        (
-            "model.offsets",
-            "offsets",
-            count(model.offsets),
-            (1..=10_000).contains(&model.offsets),
-            "must be 1 to 10000",
-        ),
-        (
-            "model.depths",
-            "depths",
-            count(model.depths),
-            model.depths <= 1000,
-            "must be at most 1000",
-        ),
-        (
-            "model.position",
-            "position",
-            model.position,
-            (0.0..=1.0).contains(&model.position),
-            "must be A to E, or 0 to 1",
-        ),
-        (
-            "model.window",
-            "window",
-            model.window,
-            (1.5..=100.0).contains(&model.window),
-            "must be 1.5 to 100 Hertz half-widths",
-        ),
-        (
-            "model.friction_scale",
-            "friction scale",
-            model.friction_scale,
-            model.friction_scale > 0.0 && model.friction_scale <= 10.0,
-            "must be positive and at most 10",
-        ),
-        (
-            "model.lubricant_factor",
-            "lubricant factor",
-            model.lubricant_factor,
-            model.lubricant_factor > 0.0 && model.lubricant_factor <= 10.0,
-            "must be positive and at most 10",
-        ),
-        (
-            "model.boundary_friction",
-            "boundary friction",
-            model.boundary_friction,
-            (0.0..=2.0).contains(&model.boundary_friction),
-            "must be 0 to 2",
-        ),
-        (
-            "model.boundary_layer",
-            "boundary layer",
-            model.boundary_layer.si(),
-            (0.0..=1e-6).contains(&model.boundary_layer.si()),
-            "must be 0 to 1 um",
-        ),
-        (
-            "model.asperity_share_factor",
-            "factor on the asperity share",
-            model.asperity_share_factor,
-            model.asperity_share_factor > 0.0 && model.asperity_share_factor <= 1.0,
-            "must be above 0 and at most 1",
-        ),
-        (
-            "model.delta_step",
-            "step",
-            model.delta_step.si(),
-            model.delta_step.si() > 0.0 && model.delta_step.si() < 1e-3,
-            "must be positive and below 1 mm",
-        ),
-        (
-            "model.numerical_error",
-            "numerical error",
-            model.numerical_error,
-            model.numerical_error > 0.0 && model.numerical_error <= 0.2,
-            "must be above 0 and at most 20 %",
-        ),
-        (
-            "model.tolerance",
-            "tolerance",
-            model.tolerance,
-            (1e-16..=LOOSEST_TOLERANCE).contains(&model.tolerance),
-            "must be 1e-16 to 1e-4",
-        ),
-        (
-            "model.ehl.records",
-            "records along the path",
-            count(model.ehl.records),
-            (2..=64).contains(&model.ehl.records),
-            "must be 2 to 64",
-        ),
-        (
-            "model.ehl.cells",
-            "cells across the film",
-            count(model.ehl.cells),
-            model.ehl.cells.is_multiple_of(64) && (64..=8192).contains(&model.ehl.cells),
-            "must be a multiple of 64, 64 to 8192",
-        ),
-        (
-            "model.ehl.travel",
-            "travel of a record",
-            model.ehl.travel,
-            (2.0..=1000.0).contains(&model.ehl.travel),
-            "must be 2 to 1000 half-widths",
-        ),
-        (
-            "model.hysteresis",
-            "hysteresis",
-            model.hysteresis,
-            (0.0..=1.0).contains(&model.hysteresis),
-            "must be 0 to 1",
-        ),
-    ];
-    for (key, name, value, holds, rule) in checks {
-        DomainError::require(holds, name, value, "-", rule).map_err(domain(source, key))?;
-    }
-    Ok(())
-}
-
-/// Running-in is of the corrected formulation, whose contacts carry the load of the cells.
-fn check_run_in(
-    formulation: Formulation,
-    given: &ModelInput,
-    source: &Source,
-) -> Result<(), CaseError> {
-    let key = "model.run_in";
-    if formulation == Formulation::Corrected || given.run_in != Some(true) {
-        return Ok(());
-    }
-    Err(CaseError::Conflict {
-        place: source.place_of(key),
-        key,
-        rule: "belongs to the corrected formulation; leave one of the two out",
-    })
-}
-
-/// A constant coefficient is given with the law that uses it, and only with it.
-fn check_constant(
-    given: Option<f64>,
-    law: FilmFrictionLaw,
-    source: &Source,
-) -> Result<(), CaseError> {
-    let key = "model.constant_friction";
-    let conflict = |rule| CaseError::Conflict {
-        place: source.place_of(key),
-        key,
-        rule,
-    };
-    match (given, law) {
-        (None, FilmFrictionLaw::Constant) => Err(conflict(
-            "is missing, and film_friction = \"constant\" needs it, as constant_friction = 0.05",
-        )),
-        (Some(_), law) if law != FilmFrictionLaw::Constant => Err(conflict(
-            "is used with film_friction = \"constant\" only; leave it out or choose that law",
-        )),
-        (Some(value), _) => DomainError::require(
-            (0.0..=2.0).contains(&value),
-            "constant friction",
-            value,
-            "-",
-            "must be 0 to 2",
-        )
-        .map(|_| ())
-        .map_err(domain(source, key)),
-        (None, _) => Ok(()),
-    }
 }

@@ -1,4 +1,4 @@
-//! Laws of a user's own in a case.
+//! User-defined laws in a case.
 
 use std::sync::Arc;
 

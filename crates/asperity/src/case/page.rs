@@ -9,7 +9,7 @@ use super::loaded::from_text;
 use super::plausibility::usual_of;
 use crate::error::Error;
 
-/// The shortest case: what it leaves out shows the defaults.
+/// The shortest case: the keys that it leaves out show the defaults.
 const SHORTEST: &str = r#"
 gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" }
 operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
@@ -125,7 +125,7 @@ fn section(
     }
 }
 
-/// The keys below `node`, tables opened; the wheel's flank is described by that of the pinion.
+/// The keys below `node`, with tables opened; the flank of the pinion describes that of the wheel.
 fn collect(schema: &Value, path: &str, node: &Value, keys: &mut Vec<Key>) {
     for (name, inner) in properties(schema, node) {
         let path = format!("{path}.{name}");
@@ -155,12 +155,12 @@ fn key(schema: &Value, path: &str, node: &Value) -> Key {
     }
 }
 
-/// A node with its references followed and the absent value left out.
+/// A node with its references followed, without the alternative `null`.
 fn resolved<'a>(schema: &'a Value, node: &'a Value) -> Vec<&'a Value> {
     if let Some(name) = node.get("$ref").and_then(Value::as_str) {
         let name = name.trim_start_matches("#/$defs/");
-        let found = schema["$defs"].get(name);
-        return found.map_or(Vec::new(), |found| resolved(schema, found));
+        let definition = schema["$defs"].get(name);
+        return definition.map_or(Vec::new(), |node| resolved(schema, node));
     }
     for kind in ["anyOf", "oneOf", "allOf"] {
         if let Some(inner) = node.get(kind).and_then(Value::as_array) {
@@ -179,8 +179,8 @@ fn is_table(schema: &Value, node: &Value) -> bool {
 
 fn properties<'a>(schema: &'a Value, node: &'a Value) -> Vec<(&'a str, &'a Value)> {
     let fields = |node: &'a Value| node.get("properties")?.as_object();
-    let found = resolved(schema, node).into_iter().filter_map(fields);
-    found
+    let tables = resolved(schema, node).into_iter().filter_map(fields);
+    tables
         .flatten()
         .map(|(name, node)| (name.as_str(), node))
         .collect()

@@ -9,7 +9,7 @@ use serde::Serialize;
 pub struct Place {
     /// Name of the file as the user gave it; `case` for one that was built in memory.
     pub file: String,
-    /// Path of the key it is about, as `gears.module`, where it is about one.
+    /// Path of the key, as `gears.module`, if the place is of one.
     pub key: Option<String>,
     /// Line, counted from 1; `None` if there is no text or its format has no lines.
     pub line: Option<usize>,
@@ -17,13 +17,13 @@ pub struct Place {
     pub column: Option<usize>,
     /// Byte range in the text; `None` as for the line.
     pub span: Option<Range<usize>>,
-    /// Mesh of a planetary set that the key is about, whose gears are called pinion and wheel there.
+    /// Mesh of a planetary set, in which its gears are called pinion and wheel.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<&'static str>,
 }
 
 impl Place {
-    /// The same place, about this key.
+    /// The place with this key.
     pub(super) fn about(self, key: &str) -> Self {
         Self {
             key: Some(key.to_owned()),

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::known_keys::property;
 
-/// `message` of a parser about the value of `key`; the schema gives what is expected there.
+/// `message` of a parser about the value of `key`, with the meaning of the key in the schema.
 pub(super) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String {
     if let Some(missing) = between(message, "missing field `", "`") {
         let path = key.map_or(missing.to_owned(), |table| format!("{table}.{missing}"));
@@ -54,7 +54,7 @@ fn noun(expected: &str) -> &str {
 
 /// Description of a key in the schema, in brackets.
 fn meaning(schema: &Value, key: &str) -> String {
-    let Some(found) = property(schema, key) else {
+    let Some(node) = property(schema, key) else {
         return String::new();
     };
     let text = |node: &Value| {
@@ -62,13 +62,13 @@ fn meaning(schema: &Value, key: &str) -> String {
         let first = description.split("\n\n").next()?.replace('\n', " ");
         Some(first.trim_end_matches('.').to_owned())
     };
-    let of_type = found
+    let of_type = node
         .get("$ref")
         .and_then(Value::as_str)
         .and_then(|name| schema["$defs"].get(name.strip_prefix("#/$defs/")?))
         .filter(|node| node.get("type").and_then(Value::as_str) == Some("string"))
         .and_then(text);
-    let parts: Vec<String> = [text(found), of_type].into_iter().flatten().collect();
+    let parts: Vec<String> = [text(node), of_type].into_iter().flatten().collect();
     if parts.is_empty() {
         String::new()
     } else {

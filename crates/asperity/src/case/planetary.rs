@@ -1,11 +1,11 @@
 //! A planetary set as a case: sun, planets and ring, each mesh an ordinary case of its own.
 //!
-//! In the mesh of sun and planet the sun is the pinion; in that of planet and ring the planet is. Speeds are those
-//! relative to the carrier.
+//! The sun is the pinion of its mesh with a planet, the planet is the pinion of its mesh with the ring. Speeds are relative
+//! to the carrier.
 
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use asperity_core::quantity::{Angle, AngularSpeed, Length};
 use asperity_gear::GearError;
@@ -17,18 +17,20 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::calibration::CalibrationInput;
+use super::case_file::CaseFile;
 use super::check::{completed, readable};
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
 use super::files::Files;
 use super::gear_input::GearFlankInput;
 use super::input::{
-    BodyInput, CaseInput, FlankInput, Formulation, GearsInput, MaterialInput, ModelInput, OneOrTwo,
-    OperationInput, SurfaceInput,
+    BodyInput, CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput, SurfaceInput,
 };
 use super::known_keys::first_unknown;
 use super::loaded::{LoadedCase, complete, open_source};
-use super::set::set_key;
+use super::model::{Formulation, ModelInput};
+use super::one_or_two::OneOrTwo;
+use super::section::Section;
 use super::source::{MeshKeys, Source};
 use crate::error::Error;
 
@@ -143,7 +145,7 @@ pub struct LoadedPlanetary {
     pub meshes: [LoadedCase; 2],
     /// The case as read.
     pub input: PlanetaryCaseInput,
-    /// Every default that was used, by the keys of the set.
+    /// Every default in use, by the keys of the set.
     pub defaults: Vec<DefaultUsed>,
 }
 
@@ -157,12 +159,12 @@ pub fn is_planetary(source: &Source) -> bool {
     source.key_paths().any(|key| key == "planetary")
 }
 
-/// Reads the planetary case file `path` and the traces it names; none when the file holds no `[planetary]`.
+/// Reads the planetary case file `path` and the traces it names; `None` if the file holds no `[planetary]`.
 ///
 /// # Errors
-/// When a file cannot be read or says something that cannot be.
+/// When a file cannot be read or holds impossible values.
 pub fn load(path: &Path) -> Result<Option<LoadedPlanetary>, Error> {
-    // Files that cannot be read are told by the loader of ordinary cases.
+    // The loader of ordinary cases reports files that cannot be read.
     let Ok(source) = open_source(path) else {
         return Ok(None);
     };
@@ -172,8 +174,8 @@ pub fn load(path: &Path) -> Result<Option<LoadedPlanetary>, Error> {
     load_set(source, path.parent().unwrap_or(Path::new(".")), &[], None).map(Some)
 }
 
-/// The planetary case in `source`, whose files are in `folder`, with keys set past the text, each by its path,
-/// and with both meshes in `formulation` where that is given.
+/// Reads the planetary case in `source`, whose files are in `folder`, with keys set by their paths; `formulation` is that
+/// of both meshes.
 ///
 /// # Errors
 /// As for [`load`], or when a key is not known or its value cannot be read.
@@ -185,18 +187,9 @@ pub fn load_set(
 ) -> Result<LoadedPlanetary, Error> {
     let mut source = source;
     let read = |source: &mut Source| -> Result<LoadedPlanetary, CaseError> {
-        let schema = schema();
-        if let Some((key, nearest)) = first_unknown(&schema, source.key_paths()) {
-            return Err(CaseError::UnknownKey {
-                place: source.place_of_key(key),
-                key: key.to_owned(),
-                nearest,
-            });
-        }
-        let mut input: PlanetaryCaseInput = source.read()?;
+        let mut input = PlanetaryCaseInput::read(source)?;
         for (key, value) in keys {
-            source.set(key, value);
-            set_key(&mut input, &schema, source.place_of(key), key, value)?;
+            input.set_in(source, key, value)?;
         }
         let files = Arc::new(Files::in_folder(folder));
         let Derived {
@@ -223,9 +216,9 @@ pub fn load_set(
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct SetFindings {
-    /// Every error, in the order in which they were found; empty when the case runs.
+    /// Every error, in the order of the checks; empty if the case can be run.
     pub errors: Vec<Error>,
-    /// The case with its traces, where there is no error.
+    /// The case with its traces, if there is no error.
     pub case: Option<LoadedPlanetary>,
 }
 
@@ -250,16 +243,7 @@ fn all(
     keys: &[(String, String)],
     errors: &mut Vec<CaseError>,
 ) -> Option<LoadedPlanetary> {
-    let schema = schema();
-    let (mut input, mut mending) =
-        readable::<PlanetaryCaseInput>(source, schema.clone(), RIGHT, errors)?;
-    for (key, value) in keys {
-        source.set(key, value);
-        if let Err(error) = set_key(&mut input, &schema, source.place_of(key), key, value) {
-            mending.blame(key);
-            errors.push(error);
-        }
-    }
+    let (input, mending) = readable::<PlanetaryCaseInput>(source, keys, errors)?;
     let derived = match derived(&input, source) {
         Ok(derived) => derived,
         Err(error) => {
@@ -279,33 +263,36 @@ fn all(
     for (case, mesh) in cases.into_iter().zip(&MESHES) {
         let source = source.of_mesh(mesh.keys);
         let mending = mending.of_mesh(mesh.keys)?;
-        let mut found = Vec::new();
-        meshes.extend(completed(case, &source, folder, mending, &mut found));
-        // What both meshes share is wrong in both.
-        let told: BTreeSet<_> = errors.iter().map(identity).collect();
-        errors.extend(
-            found
-                .into_iter()
-                .filter(|error| !told.contains(&identity(error))),
-        );
+        let mut of_mesh = Vec::new();
+        meshes.extend(completed(case, &source, folder, mending, &mut of_mesh));
+        // Errors of shared keys occur in both meshes.
+        let known: BTreeSet<_> = errors.iter().map(identity).collect();
+        let is_new = |error: &CaseError| !known.contains(&identity(error));
+        errors.extend(of_mesh.into_iter().filter(is_new));
     }
     loaded(input, set, operation, defaults, meshes).ok()
 }
 
-/// Identity of an error: its code with the line it names, or with its text where it names none.
+/// Identity of an error: its code with its line, or with its text if it has no line.
 fn identity(error: &CaseError) -> (&'static str, Option<usize>, String) {
     let line = error.place().and_then(|place| place.line);
     let text = line.map_or_else(|| error.to_string(), |_| String::new());
     (error.code(), line, text)
 }
 
-/// A planetary case that is right, from which replacements are taken.
-const RIGHT: &str = r#"
+impl CaseFile for PlanetaryCaseInput {
+    const VALID: &'static str = r#"
 planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] }
 operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
 lubricant = { oil = "m100" }
 surface = { sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
 "#;
+
+    fn schema() -> &'static serde_json::Value {
+        static SCHEMA: LazyLock<serde_json::Value> = LazyLock::new(schema);
+        &SCHEMA
+    }
+}
 
 /// Set and mesh cases derived from a planetary case.
 struct Derived {
@@ -326,15 +313,15 @@ fn derived(input: &PlanetaryCaseInput, source: &Source) -> Result<Derived, CaseE
     })
 }
 
-/// The defaults of a mesh that are keys of the set, each once.
+/// Adds the defaults of a mesh that are keys of the set.
 fn add_defaults(defaults: &mut Vec<DefaultUsed>, mesh: &LoadedCase, keys: MeshKeys) {
-    let schema = schema();
+    let schema = PlanetaryCaseInput::schema();
     for default in &mesh.case.defaults {
         let key = match keys.in_set(&default.key) {
             Some(in_set) => in_set.into(),
             None => default.key.clone(),
         };
-        let is_known = first_unknown(&schema, std::iter::once(&*key)).is_none();
+        let is_known = first_unknown(schema, std::iter::once(&*key)).is_none();
         if is_known && defaults.iter().all(|before| before.key != key) {
             defaults.push(DefaultUsed {
                 key,
@@ -354,10 +341,8 @@ fn loaded(
     for (loaded, mesh) in meshes.iter().zip(&MESHES) {
         add_defaults(&mut defaults, loaded, mesh.keys);
     }
-    let meshes = <[LoadedCase; 2]>::try_from(meshes).map_err(|_| CaseError::Conflict {
-        place: Source::in_memory().place_of("planetary"),
-        key: "planetary",
-        rule: "needs both of its meshes",
+    let meshes = <[LoadedCase; 2]>::try_from(meshes).map_err(|_| {
+        Section::of(&Source::in_memory(), "planetary").conflict("", "needs both of its meshes")
     })?;
     Ok(LoadedPlanetary {
         title: input
@@ -372,6 +357,7 @@ fn loaded(
     })
 }
 
+/// A set that cannot mesh.
 fn refused(source: &Source) -> impl Fn(GearError) -> CaseError + '_ {
     |error| CaseError::Gears {
         place: source.place_of_key("planetary"),
@@ -383,50 +369,57 @@ fn set(
     input: &PlanetaryCaseInput,
     source: &Source,
 ) -> Result<(PlanetarySet, PlanetaryOperation, Vec<DefaultUsed>), CaseError> {
-    let given = &input.planetary;
-    let mut defaults = Defaults::default();
-    let teeth = given.teeth.map(i32::unsigned_abs);
-    let standard = PlanetarySetInput::standard(
+    // The other keys are of the meshes.
+    let PlanetaryInput {
         teeth,
-        given.planets,
-        given.module,
-        defaults.take("planetary.helix", given.helix, Angle::from_si(0.0)),
-        given.face_width[0],
+        planets,
+        module,
+        helix,
+        pressure_angle,
+        face_width,
+        profile_shift,
+        centre_distance,
+        tip_diameter,
+        addendum,
+        ring_speed,
+        load_share_factor,
+        sun: _,
+        planet: _,
+        ring: _,
+    } = input.planetary;
+    let mut defaults = Defaults::default();
+    let helix = defaults.take("planetary.helix", helix, Angle::from_si(0.0));
+    let standard = PlanetarySetInput::standard(
+        teeth.map(i32::unsigned_abs),
+        planets,
+        module,
+        helix,
+        face_width[0],
     );
-    if given.teeth[0] < 0 || given.teeth[1] < 0 {
-        return Err(CaseError::Conflict {
-            place: source.place_of("planetary.teeth"),
-            key: "planetary.teeth",
-            rule: "only the ring may have a negative number, as [27, 24, -75]",
-        });
+    if teeth[0] < 0 || teeth[1] < 0 {
+        let rule = "only the ring may have a negative number, as [27, 24, -75]";
+        return Err(Section::of(source, "planetary").conflict("teeth", rule));
     }
     let set = PlanetarySet::new(&PlanetarySetInput {
-        face_width: given.face_width,
+        face_width,
         pressure_angle: defaults.take(
             "planetary.pressure_angle",
-            given.pressure_angle,
+            pressure_angle,
             standard.pressure_angle,
         ),
-        profile_shift: defaults.take("planetary.profile_shift", given.profile_shift, [0.0; 3]),
-        centre_distance: given.centre_distance,
-        tip_radius: given.tip_diameter.map(|d| d.map(|d| d / 2.0)),
-        addendum: defaults.take("planetary.addendum", given.addendum, standard.addendum),
+        profile_shift: defaults.take("planetary.profile_shift", profile_shift, [0.0; 3]),
+        centre_distance,
+        tip_radius: tip_diameter.map(|d| d.map(|d| d / 2.0)),
+        addendum: defaults.take("planetary.addendum", addendum, standard.addendum),
         ..standard
     })
     .map_err(refused(source))?;
+    let held = AngularSpeed::from_si(0.0);
     let operation = PlanetaryOperation {
         sun_torque: input.operation.torque,
         sun_speed: input.operation.speed,
-        ring_speed: defaults.take(
-            "planetary.ring_speed",
-            given.ring_speed,
-            AngularSpeed::from_si(0.0),
-        ),
-        load_share_factor: defaults.take(
-            "planetary.load_share_factor",
-            given.load_share_factor,
-            1.0,
-        ),
+        ring_speed: defaults.take("planetary.ring_speed", ring_speed, held),
+        load_share_factor: defaults.take("planetary.load_share_factor", load_share_factor, 1.0),
     };
     Ok((set, operation, defaults.into_list()))
 }
@@ -520,11 +513,10 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
     let title = input.title.as_deref().unwrap_or("untitled set");
     CaseInput {
         title: Some(format!("{title}: {}", mesh.name)),
-        formulation: None,
         gears,
         material: MaterialInput {
             pinion: steels[i].unwrap_or(&steel.sun).clone(),
-            // Its own, that of the sun otherwise, which the planet need not share.
+            // The steel of the sun by default, which may differ from that of the planet.
             wheel: Some(steels[j].unwrap_or(&steel.sun).clone()),
         },
         operation: input.operation,
@@ -541,9 +533,6 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
         },
         model: input.model.clone(),
         calibration: input.calibration.clone(),
-        gearbox: None,
-        micropitting: None,
-        map: None,
-        vehicle: None,
+        ..CaseInput::default()
     }
 }

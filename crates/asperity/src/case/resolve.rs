@@ -1,4 +1,4 @@
-//! From the case as written to the case as computed: defaults filled in, numbers checked.
+//! Completion of a case: defaults filled in, numbers checked.
 
 use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
@@ -13,14 +13,15 @@ use super::bulk::{BulkModel, FoundBulk, bulk_model};
 use super::calibrated;
 use super::calibration::CalibrationInput;
 use super::defaults::{DefaultUsed, Defaults};
-use super::domain::domain;
 use super::error::CaseError;
 use super::gearbox::Gearbox;
 use super::gears::{check_load, gears, load_settings, micro_geometry};
-use super::input::{CaseInput, Formulation};
+use super::input::{CaseInput, OperationInput, SurfaceInput};
 use super::key_names::key_of;
-use super::model::{Model, model};
+use super::micropitting_input::MicropittingInput;
+use super::model::{Formulation, Model, model};
 use super::plausibility::{refuse_impossible, refuse_stiff_oil};
+use super::section::{Section, domain};
 use super::source::Source;
 use super::steel::{Steels, steels};
 use crate::lubrication::laws::Laws;
@@ -34,7 +35,7 @@ const NOISE_CUTOFF: Length = Length::from_si(2.5e-6);
 pub struct Case {
     /// Title.
     pub title: String,
-    /// Reading of the model.
+    /// Formulation of the model.
     pub formulation: Formulation,
     /// Derived gear geometry.
     pub gears: GearPair,
@@ -44,7 +45,7 @@ pub struct Case {
     pub load_settings: LoadMapSettings,
     /// Steel of pinion and wheel.
     pub materials: [Material; 2],
-    /// Pressure at which the softer flank flows.
+    /// Flow pressure of pinion and wheel.
     pub flow_pressure: [Pressure; 2],
     /// Reduced modulus E*.
     pub modulus: Pressure,
@@ -52,17 +53,17 @@ pub struct Case {
     pub torque: Torque,
     /// Speed of the pinion.
     pub speed: AngularSpeed,
-    /// Bulk temperature of the flanks; that of the oil where `bulk` has still to be found.
+    /// Bulk temperature of the flanks; the temperature of the oil if `bulk` is not evaluated yet.
     pub temperature: Temperature,
-    /// Law of the bulk temperature, where it has still to be found: [`settled`](crate::pipeline::settled).
+    /// Law of the bulk temperature if it follows from the loss and is not known yet.
     pub bulk: Option<BulkModel>,
-    /// The bulk temperature found from the loss, where that was asked for.
+    /// The bulk temperature that follows from the loss, once it is known.
     pub found_bulk: Option<FoundBulk>,
     /// The oil.
     pub lubricant: Lubricant,
     /// The oil at the bulk temperature.
     pub oil: LubricantState,
-    /// The oil in the film, where film friction or load share look at it.
+    /// The oil in the film, if film friction or load share use it.
     pub rheology: Option<FilmRheology>,
     /// Properties of the steels outside the range of their relations.
     pub steel_notes: Vec<OutOfRange>,
@@ -70,21 +71,21 @@ pub struct Case {
     pub oil_notes: Vec<OutOfRange>,
     /// Preparation of the traces.
     pub preparation: Preparation,
-    /// Places y/b between zones of the face that have traces of their own; empty where traces stand for the whole face.
+    /// Places y/b between zones of the face with separate traces; empty if the traces represent the whole face.
     pub face_zones: Vec<f64>,
     /// Choices of the model.
     pub model: Model,
-    /// Losses beside that of the mesh, where the case states any; filled in with the traces.
+    /// Losses other than that of the mesh, if the case states any; filled in with the traces.
     pub gearbox: Option<Gearbox>,
-    /// Laws of a user's own.
+    /// User-defined laws.
     pub laws: Laws,
     /// The case as read.
     pub input: CaseInput,
-    /// Every default that was used.
+    /// Every default in use.
     pub defaults: Vec<DefaultUsed>,
 }
 
-/// Completes `input` with defaults and checks it; `source` tells where things stand.
+/// Completes `input` with defaults and checks it; `source` gives the places of the keys.
 ///
 /// # Errors
 /// When a number is outside its domain, the gears cannot mesh, or the oil cannot be.
@@ -92,7 +93,7 @@ pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
     resolve_checked(input, source, false)
 }
 
-/// The same, where the load over the teeth may have been checked before.
+/// Completes and checks a case; the load over the teeth is not solved again if it was checked before.
 pub(super) fn resolve_checked(
     input: CaseInput,
     source: &Source,
@@ -111,35 +112,46 @@ pub(super) fn resolve_checked(
     } = steels(&input, source, &mut defaults)?;
     let modulus =
         reduced_modulus(&materials[0], &materials[1]).map_err(domain(source, "material.pinion"))?;
-    let operation = input.operation;
-    check_not_zero("torque", operation.torque, source, "operation.torque")?;
-    DomainError::positive("speed", operation.speed).map_err(domain(source, "operation.speed"))?;
+    let OperationInput {
+        torque,
+        speed,
+        temperature,
+        bulk,
+    } = input.operation;
+    let section = Section::of(source, "operation");
+    let is_loaded = torque.si().is_finite() && torque.si() != 0.0;
+    DomainError::require(
+        is_loaded,
+        "torque",
+        torque.si(),
+        Torque::SI_UNIT,
+        "must be finite and not zero",
+    )
+    .map_err(section.domain("torque"))?;
+    DomainError::positive("speed", speed).map_err(section.domain("speed"))?;
     let lubricant = input
         .lubricant
-        .resolve(operation.temperature)
+        .resolve(temperature)
         .map_err(lubricant_at(source))?;
     for assumption in lubricant.assumptions() {
         defaults.assume(assumption);
     }
-    let oil = lubricant
-        .at(operation.temperature)
-        .map_err(lubricant_at(source))?;
+    let oil = lubricant.at(temperature).map_err(lubricant_at(source))?;
     refuse_stiff_oil(&oil.value, source)?;
     let preparation = preparation(&input, source, &mut defaults)?;
-    let given = match &input.calibration {
+    let choices = match &input.calibration {
         None => input.model.clone(),
         Some(calibration) => {
             calibrated::check(calibration, &input.model, formulation, source)?;
             calibrated::put_into(calibration, &input.model)
         }
     };
-    let model = model(&given, formulation, &gears, source, &mut defaults)?;
-    let bulk = bulk_model(operation.bulk.as_ref(), formulation, &model, source)?;
-    let is_elastic = model.load_distribution.is_elastic();
-    let load_settings = load_settings(&input, is_elastic, &mut defaults);
+    let model = model(&choices, formulation, &gears, source, &mut defaults)?;
+    let bulk = bulk_model(bulk.as_ref(), formulation, &model, source)?;
+    let load_settings = load_settings(&input, &model, source, &mut defaults);
     let mesh = LoadConditions {
         pair: &gears,
-        torque: operation.torque,
+        torque,
         micro: &micro_geometry,
         materials: &materials,
         settings: &load_settings,
@@ -151,17 +163,11 @@ pub(super) fn resolve_checked(
     let rheology = match model.film_friction.shear_law().is_some() || model.shears_its_film() {
         false => None,
         true => {
-            let rheology = rheology(
-                &lubricant,
-                &model,
-                operation.temperature,
-                input.calibration.as_ref(),
-            )
-            .map_err(lubricant_at(source))?;
-            // One film in the whole run: as thick as the film friction has it.
-            let state = rheology
-                .state(operation.temperature)
+            let calibration = input.calibration.as_ref();
+            let rheology = rheology(&lubricant, &model, temperature, calibration)
                 .map_err(lubricant_at(source))?;
+            // The whole run uses the film thickness that follows from the oil of the film friction.
+            let state = rheology.state(temperature).map_err(lubricant_at(source))?;
             oil_state.pressure_viscosity = state.pressure_viscosity;
             oil_state.thermal_conductivity = state.conductivity;
             Some(rheology)
@@ -179,9 +185,9 @@ pub(super) fn resolve_checked(
         materials,
         flow_pressure,
         modulus,
-        torque: operation.torque,
-        speed: operation.speed,
-        temperature: operation.temperature,
+        torque,
+        speed,
+        temperature,
         bulk,
         found_bulk: None,
         lubricant,
@@ -199,7 +205,7 @@ pub(super) fn resolve_checked(
     })
 }
 
-/// The oil in the film: constants of its family, α as given at the temperature of the case or by Gold.
+/// The oil in the film: constants of its family, α as stated at the temperature of the case or by Gold.
 fn rheology(
     lubricant: &Lubricant,
     model: &Model,
@@ -208,14 +214,14 @@ fn rheology(
 ) -> Result<FilmRheology, LubricantError> {
     let family = lubricant.base_oil().ok_or(LubricantError::NoBaseOil)?;
     let mut constants = TractionConstants::of(family)?;
-    if let Some(given) = lubricant.given_thermal_conductivity() {
-        constants.conductivity = given;
+    if let Some(stated) = lubricant.given_thermal_conductivity() {
+        constants.conductivity = stated;
     }
-    if let Some(found) = calibration.and_then(|found| found.limiting_shear) {
-        constants.limiting_shear = found.value;
+    if let Some(fitted) = calibration.and_then(|fit| fit.limiting_shear) {
+        constants.limiting_shear = fitted.value;
     }
-    if let Some(found) = calibration.and_then(|found| found.eyring_stress) {
-        constants.eyring_stress = found.value;
+    if let Some(fitted) = calibration.and_then(|fit| fit.eyring_stress) {
+        constants.eyring_stress = fitted.value;
     }
     let rheology = match lubricant.given_pressure_viscosity() {
         Some(alpha) => FilmRheology::with_alpha(lubricant, constants, alpha, bulk)?,
@@ -225,28 +231,39 @@ fn rheology(
     Ok(rheology.with_laws(shear, model.film_pressure_law))
 }
 
+/// Filters of the traces.
 fn preparation(
     input: &CaseInput,
     source: &Source,
     defaults: &mut Defaults,
 ) -> Result<Preparation, CaseError> {
-    let given = &input.surface;
-    let cutoff = defaults.take("surface.cutoff", given.cutoff, CUTOFF);
-    let noise = defaults.take("surface.noise_cutoff", given.noise_cutoff, NOISE_CUTOFF);
-    DomainError::non_negative("cut-off", cutoff).map_err(domain(source, "surface.cutoff"))?;
-    DomainError::non_negative("noise cut-off", noise)
-        .map_err(domain(source, "surface.noise_cutoff"))?;
-    if let Some(deviations) = given.outliers {
+    // The other keys are of the traces.
+    let SurfaceInput {
+        form,
+        cutoff,
+        noise_cutoff,
+        ends,
+        outliers,
+        pinion: _,
+        wheel: _,
+        coast: _,
+    } = &input.surface;
+    let section = Section::of(source, "surface");
+    let cutoff = defaults.take("surface.cutoff", *cutoff, CUTOFF);
+    let noise = defaults.take("surface.noise_cutoff", *noise_cutoff, NOISE_CUTOFF);
+    DomainError::non_negative("cut-off", cutoff).map_err(section.domain("cutoff"))?;
+    DomainError::non_negative("noise cut-off", noise).map_err(section.domain("noise_cutoff"))?;
+    if let Some(deviations) = *outliers {
         let is_positive = deviations > 0.0 && deviations.is_finite();
         DomainError::require(is_positive, "outliers", deviations, "-", "must be positive")
-            .map_err(domain(source, "surface.outliers"))?;
+            .map_err(section.domain("outliers"))?;
     }
-    let kept = |length: Length| (length.si() > 0.0).then_some(length);
+    let unless_zero = |length: Length| (length.si() > 0.0).then_some(length);
     Ok(Preparation {
-        form: defaults.take("surface.form", given.form, Form::Level),
-        lambda_s: kept(noise),
-        lambda_c: kept(cutoff),
-        ends: defaults.take("surface.ends", given.ends, Ends::Cut),
+        form: defaults.take("surface.form", *form, Form::Level),
+        lambda_s: unless_zero(noise),
+        lambda_c: unless_zero(cutoff),
+        ends: defaults.take("surface.ends", *ends, Ends::Cut),
     })
 }
 
@@ -255,51 +272,32 @@ fn check_micropitting(
     formulation: Formulation,
     source: &Source,
 ) -> Result<(), CaseError> {
-    let Some(given) = &input.micropitting else {
+    let Some(stated) = &input.micropitting else {
         return Ok(());
     };
+    let section = Section::of(source, "micropitting");
     if formulation != Formulation::Corrected {
-        return Err(CaseError::Conflict {
-            place: source.place_of_key("micropitting"),
-            key: "micropitting",
-            rule: "rates the whole path, and the paper's formulation has one position; leave one of the two out",
-        });
+        let rule = "rates the whole path, and the paper's formulation has one position; leave one of the two out";
+        return Err(section.conflict_of_key("", rule));
     }
-    let rule = "must be finite and greater than zero";
+    let MicropittingInput {
+        load_factor,
+        permissible,
+        ra,
+    } = stated;
     for (key, name, value) in [
-        ("micropitting.load_factor", "load factor", given.load_factor),
-        (
-            "micropitting.permissible",
-            "permissible film",
-            given.permissible,
-        ),
+        ("load_factor", "load factor", load_factor),
+        ("permissible", "permissible film", permissible),
     ] {
-        let holds = value.is_none_or(|value| value.is_finite() && value > 0.0);
-        let checked = DomainError::require(holds, name, value.unwrap_or(1.0), "-", rule);
-        checked.map_err(domain(source, key))?;
+        let value = value.unwrap_or(1.0);
+        let holds = value.is_finite() && value > 0.0;
+        let rule = "must be finite and greater than zero";
+        DomainError::require(holds, name, value, "-", rule).map_err(section.domain(key))?;
     }
-    for ra in given.ra.iter().flatten() {
-        DomainError::positive("Ra", *ra).map_err(domain(source, "micropitting.ra"))?;
+    for ra in ra.iter().flatten() {
+        DomainError::positive("Ra", *ra).map_err(section.domain("ra"))?;
     }
     Ok(())
-}
-
-fn check_not_zero<Q: Quantity>(
-    name: &'static str,
-    quantity: Q,
-    source: &Source,
-    key: &'static str,
-) -> Result<(), CaseError> {
-    let value = quantity.si();
-    DomainError::require(
-        value.is_finite() && value != 0.0,
-        name,
-        value,
-        Q::SI_UNIT,
-        "must be finite and not zero",
-    )
-    .map(|_| ())
-    .map_err(domain(source, key))
 }
 
 fn lubricant_at(source: &Source) -> impl Fn(LubricantError) -> CaseError + use<'_> {
@@ -314,7 +312,7 @@ fn lubricant_at(source: &Source) -> impl Fn(LubricantError) -> CaseError + use<'
             };
             CaseError::Lubricant {
                 place: source.place_of_key(key),
-                key,
+                key: key.into(),
                 written: source.written(key).map(str::to_owned),
                 source: error,
             }

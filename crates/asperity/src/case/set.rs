@@ -1,15 +1,9 @@
-//! Keys of a case set by their path, and the case as text.
+//! Keys of a case set by their path; the case as text.
 
-use serde::Serialize;
-use serde::de::DeserializeOwned;
-use toml::{Table, Value};
-
+use super::case_file::{CaseFile, read_table, table_of};
 use super::error::CaseError;
-use super::input::{CaseInput, schema};
-use super::known_keys::{first_unknown, property};
-use super::place::Place;
-use super::plain_words::plain;
-use super::source::{Source, key_of};
+use super::input::CaseInput;
+use super::source::Source;
 use crate::error::Error;
 
 impl CaseInput {
@@ -38,30 +32,13 @@ impl CaseInput {
         Ok(self.set_at(Source::in_memory().place_of(path), path, value)?)
     }
 
-    /// The same for a key whose place is known.
-    pub(super) fn set_at(
-        &mut self,
-        place: Place,
-        path: &str,
-        value: &str,
-    ) -> Result<(), CaseError> {
-        set_key(self, &schema(), place, path, value)
-    }
-
-    /// Takes the key at `path` away, so that its default holds again.
+    /// Removes the key at `path`, so that its default applies.
     ///
     /// # Errors
     /// When the key is not known or has no default; the case is then unchanged.
     pub fn unset(&mut self, path: &str) -> Result<(), Error> {
         let place = Source::in_memory().place_of(path);
-        if let Some((key, nearest)) = first_unknown(&schema(), std::iter::once(path)) {
-            return Err(CaseError::UnknownKey {
-                place,
-                key: key.to_owned(),
-                nearest,
-            }
-            .into());
-        }
+        Self::refuse_unknown(std::iter::once(path), |_| place.clone())?;
         let mut root = table_of(self, &place)?;
         let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
         let mut table = Some(&mut root);
@@ -71,14 +48,14 @@ impl CaseInput {
         if let Some(table) = table {
             table.remove(last);
         }
-        *self = read(root, &schema(), &place)?;
+        *self = read_table(root, &place)?;
         Ok(())
     }
 
     /// The case as the text of a case file, which reads back to the same case.
     ///
     /// # Errors
-    /// When a value has no text, as a path that is no Unicode.
+    /// When a value cannot be written as text, such as a path that is not Unicode.
     pub fn to_toml(&self) -> Result<String, Error> {
         let place = Source::in_memory().place_of("");
         let unwritten = |message: String| CaseError::Value {
@@ -91,111 +68,12 @@ impl CaseInput {
     }
 }
 
-/// Sets the key at `path` of a case that `schema` describes; the case is unchanged where that fails.
-pub(super) fn set_key<T: Serialize + DeserializeOwned>(
-    case: &mut T,
-    schema: &serde_json::Value,
-    place: Place,
-    path: &str,
-    value: &str,
-) -> Result<(), CaseError> {
-    if let Some((key, nearest)) = first_unknown(schema, std::iter::once(path)) {
-        return Err(CaseError::UnknownKey {
-            place,
-            key: key.to_owned(),
-            nearest,
-        });
-    }
-    let typed = typed(value);
-    let is_text = typed.is_str();
-    let replaced = match replaced(case, schema, path, typed, &place) {
-        // Text that looks like something else, as a title of digits.
-        Err(_) if !is_text && takes_text(schema, path) => {
-            let text = Value::String(value.to_owned());
-            replaced(case, schema, path, text, &place)
-        }
-        replaced => replaced,
-    };
-    *case = replaced?;
-    Ok(())
-}
-
-fn table_of<T: Serialize>(case: &T, place: &Place) -> Result<Table, CaseError> {
-    Table::try_from(case).map_err(|error| CaseError::Value {
-        place: place.clone(),
-        key: None,
-        message: error.to_string(),
-    })
-}
-
-fn replaced<T: Serialize + DeserializeOwned>(
-    case: &T,
-    schema: &serde_json::Value,
-    path: &str,
-    value: Value,
-    place: &Place,
-) -> Result<T, CaseError> {
-    let mut root = table_of(case, place)?;
-    let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
-    let mut table = &mut root;
-    for part in above.split('.').filter(|part| !part.is_empty()) {
-        let entry = table
-            .entry(part)
-            .or_insert_with(|| Value::Table(Table::new()));
-        table = match entry {
-            Value::Table(inner) => inner,
-            other => {
-                return Err(CaseError::Value {
-                    place: place.clone(),
-                    key: Some(path.to_owned()),
-                    message: format!("{part} is {other} and no table"),
-                });
-            }
-        };
-    }
-    table.insert(last.to_owned(), value);
-    read(root, schema, place)
-}
-
-/// A value as a case file would have it; bare text where it is none.
-fn typed(text: &str) -> Value {
-    match text.trim().parse::<Value>() {
-        Ok(Value::Datetime(_)) | Err(_) => Value::String(text.trim().to_owned()),
-        Ok(value) => value,
-    }
-}
-
-/// Whether the schema lets plain text stand at `path`.
-fn takes_text(schema: &serde_json::Value, path: &str) -> bool {
-    property(schema, path).is_some_and(|found| match found.get("type") {
-        Some(serde_json::Value::String(kind)) => kind == "string",
-        Some(serde_json::Value::Array(kinds)) => kinds.iter().any(|kind| kind == "string"),
-        _ => false,
-    })
-}
-
-fn read<T: DeserializeOwned>(
-    root: Table,
-    schema: &serde_json::Value,
-    place: &Place,
-) -> Result<T, CaseError> {
-    serde_path_to_error::deserialize(Value::Table(root)).map_err(|error| {
-        let key = key_of(error.path());
-        let message = error.inner().message().to_owned();
-        CaseError::Value {
-            place: place.clone(),
-            message: plain(schema, key.as_deref(), &message),
-            key,
-        }
-    })
-}
-
-/// A case from the text of a case file in TOML; nothing that it names is opened.
+/// Reads a case from the text of a case file in TOML; files that it names are not opened.
 impl std::str::FromStr for CaseInput {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self, Error> {
         let source = Source::new("case", text)?;
-        super::loaded::read(&source).map_err(|error| Error::in_text(error, source.clone()))
+        Self::read(&source).map_err(|error| Error::in_text(error, source.clone()))
     }
 }

@@ -1,4 +1,4 @@
-//! The text of a case file, and where each key of it stands.
+//! The text of a case file with the places of its keys.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -30,23 +30,23 @@ pub struct Source {
     values: BTreeMap<String, Range<usize>>,
     keys: BTreeMap<String, Range<usize>>,
     written: BTreeMap<String, String>,
-    /// Keys that were set past the text.
+    /// Keys that were set after the text was read.
     changed: BTreeSet<String>,
-    /// Where the text is of a planetary set: the mesh that this is the source of.
+    /// The mesh that this is the source of, if the text describes a planetary set.
     mesh: Option<MeshKeys>,
 }
 
-/// Mesh of a planetary set, whose keys stand elsewhere in the text than those of an ordinary case.
+/// Mesh of a planetary set, whose keys have other places in the text than those of an ordinary case.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct MeshKeys {
     /// Name of the mesh, for messages.
     pub name: &'static str,
-    /// Tables of the case of the mesh, the longer before their beginnings, with those of the set.
+    /// Tables of the case of the mesh with those of the set; a table follows the tables below it.
     pub tables: &'static [(&'static str, &'static str)],
 }
 
 impl MeshKeys {
-    /// The key of the set that is meant by `key` of the mesh; none where both have the same.
+    /// The key of the set for `key` of the mesh; `None` if both are the same.
     pub fn in_set(&self, key: &str) -> Option<String> {
         self.tables.iter().find_map(|(of_mesh, of_set)| {
             let rest = key.strip_prefix(of_mesh)?;
@@ -54,7 +54,7 @@ impl MeshKeys {
         })
     }
 
-    /// The part of the mesh's case that `part` of the set goes into.
+    /// The part of the mesh's case that `part` of the set describes.
     pub fn in_mesh(&self, part: &str) -> Option<String> {
         self.tables.iter().find_map(|(of_mesh, of_set)| {
             let rest = part.strip_prefix(of_set)?;
@@ -64,12 +64,12 @@ impl MeshKeys {
 }
 
 impl Source {
-    /// The source of a case that was built in memory: no text, so that places name keys alone.
+    /// The source of a case built in memory: no text, so that places name only keys.
     pub fn in_memory() -> Self {
         Self::without_text(IN_MEMORY)
     }
 
-    /// A source of this name whose places name keys alone.
+    /// A source of this name without text, so that places name only keys.
     pub(super) fn without_text(name: &str) -> Self {
         Self {
             name: name.to_owned(),
@@ -116,7 +116,7 @@ impl Source {
         Ok(source)
     }
 
-    /// The same from the bytes of a file; a byte-order mark is no part of the text.
+    /// Indexes the text of a file; a byte-order mark is removed.
     ///
     /// # Errors
     /// When the bytes are not UTF-8, or the text is not TOML (or JSON), with the place.
@@ -127,14 +127,7 @@ impl Source {
                 let good = &bytes[..error.valid_up_to()];
                 let line = 1 + good.iter().filter(|byte| **byte == b'\n').count();
                 Err(CaseError::Encoding {
-                    place: Place {
-                        file: name.to_owned(),
-                        key: None,
-                        line: Some(line),
-                        column: None,
-                        span: None,
-                        mesh: None,
-                    },
+                    place: Self::without_text(name).at_line(line),
                 })
             }
         }
@@ -173,7 +166,7 @@ impl Source {
         self.nearest(&self.keys, key)
     }
 
-    /// Notes that `key` was set to `value` past the text, so that no line of the text is named for it, nor for what is
+    /// Records that `key` was set to `value` after the text was read, so that messages name no line for it or the keys
     /// below it.
     pub(super) fn set(&mut self, key: &str, value: &str) {
         self.changed.insert(key.to_owned());
@@ -198,7 +191,7 @@ impl Source {
         }
     }
 
-    /// The value of `key` as it stands in the file; none for a table, or where it is not there.
+    /// The value of `key` as written in the file; `None` for a table or a missing key.
     pub fn written(&self, key: &str) -> Option<&str> {
         let in_set = self.mesh.and_then(|mesh| mesh.in_set(key));
         let key = in_set.as_deref().unwrap_or(key);
@@ -317,16 +310,15 @@ impl Source {
         }
     }
 
-    /// Where a JSON key stands, if it stands in one place only; an empty range otherwise, since the
-    /// parser does not tell.
+    /// Place of a JSON key that occurs once; an empty range otherwise, since the parser does not report places.
     fn only_place_of(&self, name: &str) -> Range<usize> {
         let quoted = serde_json::Value::from(name).to_string();
-        let mut places = self.text.match_indices(&quoted).filter(|(at, found)| {
-            let after = self.text[at + found.len()..].trim_start();
+        let mut places = self.text.match_indices(&quoted).filter(|(at, name)| {
+            let after = self.text[at + name.len()..].trim_start();
             after.starts_with(':')
         });
         match (places.next(), places.next()) {
-            (Some((at, found)), None) => at..at + found.len(),
+            (Some((at, name)), None) => at..at + name.len(),
             _ => 0..0,
         }
     }
@@ -359,7 +351,7 @@ fn join(path: &str, name: &str) -> String {
     }
 }
 
-/// The key of a path; entries of a list are told by the key of the list, as in TOML.
+/// The key of a path; entries of a list have the key of the list, as in TOML.
 pub(super) fn key_of(path: &serde_path_to_error::Path) -> Option<String> {
     use serde_path_to_error::Segment;
     let names = path.iter().map_while(|segment| match segment {
@@ -370,7 +362,7 @@ pub(super) fn key_of(path: &serde_path_to_error::Path) -> Option<String> {
     (!key.is_empty()).then_some(key)
 }
 
-/// The message of the JSON parser without the place at its end, which is stated in front.
+/// The message of the JSON parser without the place at its end.
 fn without_place(message: &str) -> String {
     match message.rfind(" at line ") {
         Some(end) => message[..end].to_owned(),

@@ -1,5 +1,4 @@
-//! Steel of the gears: the values of the case, completed with those of the steel that it names, else of a
-//! case-hardened steel.
+//! Steel of the gears: the values of the case, completed from the steel that it names, or from a case-hardened steel.
 
 use asperity_core::material::Material;
 use asperity_core::powder_metal;
@@ -8,10 +7,10 @@ use asperity_core::quantity::{Density, Pressure, Quantity, SpecificHeat, Thermal
 use asperity_core::{Checked, DomainError, OutOfRange};
 
 use super::defaults::Defaults;
-use super::domain::domain;
 use super::error::CaseError;
-use super::input::{BodyInput, CaseInput};
+use super::input::{BodyInput, CaseInput, MaterialInput};
 use super::known_keys::nearest_name;
+use super::section::Section;
 use super::source::Source;
 
 /// Young's modulus and Poisson's ratio of steel, as in the reference case of the 2022 paper.
@@ -44,11 +43,15 @@ pub(super) fn steels(
     defaults: &mut Defaults,
 ) -> Result<Steels, CaseError> {
     let mut notes = Vec::new();
-    let given = &input.material;
-    let pinion = body(&given.pinion, &PINION_KEYS, source, defaults, &mut notes)?;
-    let wheel = match &given.wheel {
+    let MaterialInput { pinion, wheel } = &input.material;
+    let of_pinion = Section::of(source, "material.pinion");
+    let pinion = body(pinion, of_pinion, defaults, &mut notes)?;
+    let wheel = match wheel {
         None => pinion,
-        Some(wheel) => body(wheel, &WHEEL_KEYS, source, defaults, &mut notes)?,
+        Some(wheel) => {
+            let of_wheel = Section::of(source, "material.wheel");
+            body(wheel, of_wheel, defaults, &mut notes)?
+        }
     };
     Ok(Steels {
         materials: [pinion.0, wheel.0],
@@ -57,44 +60,7 @@ pub(super) fn steels(
     })
 }
 
-/// Keys of a body in the case file.
-struct BodyKeys {
-    steel: &'static str,
-    hardness: &'static str,
-    young: &'static str,
-    poisson: &'static str,
-    elastic_limit: &'static str,
-    flow_pressure: &'static str,
-    density: &'static str,
-    conductivity: &'static str,
-    heat_capacity: &'static str,
-}
-
-const PINION_KEYS: BodyKeys = BodyKeys {
-    steel: "material.pinion.steel",
-    hardness: "material.pinion.hardness",
-    young: "material.pinion.young",
-    poisson: "material.pinion.poisson",
-    elastic_limit: "material.pinion.elastic_limit",
-    flow_pressure: "material.pinion.flow_pressure",
-    density: "material.pinion.density",
-    conductivity: "material.pinion.conductivity",
-    heat_capacity: "material.pinion.heat_capacity",
-};
-
-const WHEEL_KEYS: BodyKeys = BodyKeys {
-    steel: "material.wheel.steel",
-    hardness: "material.wheel.hardness",
-    young: "material.wheel.young",
-    poisson: "material.wheel.poisson",
-    elastic_limit: "material.wheel.elastic_limit",
-    flow_pressure: "material.wheel.flow_pressure",
-    density: "material.wheel.density",
-    conductivity: "material.wheel.conductivity",
-    heat_capacity: "material.wheel.heat_capacity",
-};
-
-/// A value that stands in for one that is not given, and its source where it has one of its own.
+/// Default of a property, with its source if it has one.
 struct Standard<T> {
     value: T,
     source: Option<String>,
@@ -116,7 +82,7 @@ impl<T> Standard<T> {
     }
 }
 
-/// Everything that stands in for what a body does not give.
+/// Defaults of the properties of a body.
 struct Standards {
     young: Standard<Pressure>,
     poisson: Standard<f64>,
@@ -128,8 +94,8 @@ struct Standards {
 }
 
 impl Standards {
-    /// Case-hardened steel of no particular grade.
-    fn of_no_grade() -> Self {
+    /// Case-hardened steel of an unspecified grade.
+    fn of_unspecified_grade() -> Self {
         Self {
             young: Standard::plain(STEEL_YOUNG),
             poisson: Standard::plain(STEEL_POISSON),
@@ -141,7 +107,7 @@ impl Standards {
         }
     }
 
-    /// A steel of the library, its strength still that of no grade.
+    /// A steel of the library, with the strength of an unspecified grade.
     fn of(steel: &SteelPreset) -> Self {
         fn of<T: Copy>(steel: &SteelPreset, figure: &Figure<T>) -> Standard<T> {
             let (name, certainty, key) = (&steel.name, figure.certainty, &figure.source);
@@ -153,24 +119,20 @@ impl Standards {
             density: of(steel, &steel.density),
             conductivity: of(steel, &steel.conductivity),
             heat_capacity: of(steel, &steel.heat_capacity),
-            ..Self::of_no_grade()
+            ..Self::of_unspecified_grade()
         }
     }
 }
 
 /// The steel that a body names.
-fn named(
-    given: &BodyInput,
-    keys: &BodyKeys,
-    source: &Source,
-) -> Result<Option<SteelPreset>, CaseError> {
-    let Some(name) = &given.steel else {
+fn named(stated: &BodyInput, section: Section<'_>) -> Result<Option<SteelPreset>, CaseError> {
+    let Some(name) = &stated.steel else {
         return Ok(None);
     };
     let refused = |error| match error {
         PresetError::Unknown { name, known, .. } => CaseError::UnknownSteel {
-            place: source.place_of(keys.steel),
-            key: keys.steel,
+            place: section.place("steel"),
+            key: section.key("steel"),
             nearest: nearest_name(&name, &known),
             name,
             known,
@@ -180,14 +142,14 @@ fn named(
     presets::steel(name).map(Some).map_err(refused)
 }
 
-/// Sets what follows from the hardness.
+/// Sets the properties that follow from the hardness.
 fn harden(
     standards: &mut Standards,
-    given: &BodyInput,
+    stated: &BodyInput,
     steel: Option<&SteelPreset>,
     notes: &mut Vec<OutOfRange>,
 ) -> Result<(), DomainError> {
-    let (hardness, of) = match (given.hardness, steel) {
+    let (hardness, of) = match (stated.hardness, steel) {
         (Some(hardness), _) => (hardness, String::new()),
         (None, Some(steel)) => {
             let figure = &steel.hardness;
@@ -204,7 +166,7 @@ fn harden(
         flow,
         format!("9.80665 MPa per HV of the hardness {hardness}{of}"),
     );
-    if given.elastic_limit.is_none() && !steel.is_some_and(SteelPreset::is_powder_metal) {
+    if stated.elastic_limit.is_none() && !steel.is_some_and(SteelPreset::is_powder_metal) {
         let limit = six_digits(noted(hardness.yield_strength()?, notes));
         standards.elastic_limit = Standard::from(
             limit,
@@ -214,10 +176,10 @@ fn harden(
     Ok(())
 }
 
-/// Sets what follows from the density of a sintered steel.
+/// Sets the properties that follow from the density of a sintered steel.
 fn sinter(
     standards: &mut Standards,
-    given: &BodyInput,
+    stated: &BodyInput,
     density: Density,
     notes: &mut Vec<OutOfRange>,
 ) -> Result<(), DomainError> {
@@ -227,24 +189,24 @@ fn sinter(
     let conductivity = powder_metal::conductivity(standards.conductivity.value, density)?;
     let conductivity = six_digits(conductivity);
     standards.conductivity = Standard::from(conductivity, at("maxwell_1873"));
-    if given.young.is_none() {
+    if stated.young.is_none() {
         let young = six_digits(noted(powder_metal::young(density)?, notes));
         standards.young = Standard::from(young, at("mpif_35_1997"));
     }
-    if given.elastic_limit.is_none() {
+    if stated.elastic_limit.is_none() {
         let strength = six_digits(noted(powder_metal::strength(density)?, notes));
         standards.elastic_limit = Standard::from(strength, at("ace_powder_metal_mpif_35"));
     }
     Ok(())
 }
 
-/// A value that follows from a relation, to six digits: as the result lists it, and as a case could give it.
+/// A value that follows from a relation, rounded to the six digits that the result lists.
 fn six_digits<Q: Quantity>(quantity: Q) -> Q {
     let text = format!("{:.5e}", quantity.si());
     Q::from_si(text.parse().unwrap_or(quantity.si()))
 }
 
-/// The value, its notes kept once.
+/// The value; its distinct notes are added to `notes`.
 fn noted<T>(checked: Checked<T>, notes: &mut Vec<OutOfRange>) -> T {
     for note in checked.outside {
         if !notes.contains(&note) {
@@ -254,27 +216,29 @@ fn noted<T>(checked: Checked<T>, notes: &mut Vec<OutOfRange>) -> T {
     checked.value
 }
 
+/// Material and flow pressure of one body.
 fn body(
-    given: &BodyInput,
-    keys: &BodyKeys,
-    source: &Source,
+    stated: &BodyInput,
+    section: Section<'_>,
     defaults: &mut Defaults,
     notes: &mut Vec<OutOfRange>,
 ) -> Result<(Material, Pressure), CaseError> {
-    let steel = named(given, keys, source)?;
+    let steel = named(stated, section)?;
     let mut standards = steel
         .as_ref()
-        .map_or_else(Standards::of_no_grade, Standards::of);
-    harden(&mut standards, given, steel.as_ref(), notes).map_err(domain(source, keys.hardness))?;
+        .map_or_else(Standards::of_unspecified_grade, Standards::of);
+    harden(&mut standards, stated, steel.as_ref(), notes).map_err(section.domain("hardness"))?;
     if steel.as_ref().is_some_and(SteelPreset::is_powder_metal) {
-        let density = given.density.ok_or_else(|| CaseError::Conflict {
-            place: source.place_of(keys.steel),
-            key: keys.steel,
-            rule: "powder-metal needs density beside it, from which its constants follow, e.g. density = \"7.1 g/cm3\"",
-        })?;
-        sinter(&mut standards, given, density, notes).map_err(domain(source, keys.density))?;
+        let rule = "powder-metal needs density beside it, from which its constants follow, e.g. density = \"7.1 g/cm3\"";
+        let density = stated
+            .density
+            .ok_or_else(|| section.conflict("steel", rule))?;
+        sinter(&mut standards, stated, density, notes).map_err(section.domain("density"))?;
     }
-    let Standards {
+    // Every key of the body is used.
+    let BodyInput {
+        steel: _,
+        hardness: _,
         young,
         poisson,
         elastic_limit,
@@ -282,67 +246,64 @@ fn body(
         density,
         conductivity,
         heat_capacity,
-    } = standards;
-    let elastic_limit = take(
-        defaults,
-        keys.elastic_limit,
-        given.elastic_limit,
-        elastic_limit,
-    );
+    } = stated;
+    let mut body = Body { section, defaults };
+    let elastic_limit = body.take("elastic_limit", *elastic_limit, standards.elastic_limit);
     let material = Material {
-        young: take(defaults, keys.young, given.young, young),
-        poisson: take(defaults, keys.poisson, given.poisson, poisson),
+        young: body.take("young", *young, standards.young),
+        poisson: body.take("poisson", *poisson, standards.poisson),
         elastic_limit,
-        density: take(defaults, keys.density, given.density, density),
-        conductivity: take(
-            defaults,
-            keys.conductivity,
-            given.conductivity,
-            conductivity,
-        ),
-        heat_capacity: take(
-            defaults,
-            keys.heat_capacity,
-            given.heat_capacity,
-            heat_capacity,
-        ),
+        density: body.take("density", *density, standards.density),
+        conductivity: body.take("conductivity", *conductivity, standards.conductivity),
+        heat_capacity: body.take("heat_capacity", *heat_capacity, standards.heat_capacity),
     };
-    let flow = take(
-        defaults,
-        keys.flow_pressure,
-        given.flow_pressure,
-        flow_pressure,
-    );
-    positive("elastic limit", elastic_limit, source, keys.elastic_limit)?;
-    positive("flow pressure", flow, source, keys.flow_pressure)?;
-    positive("Young's modulus", material.young, source, keys.young)?;
-    positive("density", material.density, source, keys.density)?;
-    let (conductivity, heat) = (material.conductivity, material.heat_capacity);
-    positive("conductivity", conductivity, source, keys.conductivity)?;
-    positive("heat capacity", heat, source, keys.heat_capacity)?;
-    // What is left for it to refuse is Poisson's ratio.
-    material
-        .compliance()
-        .map_err(domain(source, keys.poisson))?;
+    let flow = body.take("flow_pressure", *flow_pressure, standards.flow_pressure);
+    positive(section, "elastic_limit", "elastic limit", elastic_limit)?;
+    positive(section, "flow_pressure", "flow pressure", flow)?;
+    positive(section, "young", "Young's modulus", material.young)?;
+    positive(section, "density", "density", material.density)?;
+    positive(
+        section,
+        "conductivity",
+        "conductivity",
+        material.conductivity,
+    )?;
+    positive(
+        section,
+        "heat_capacity",
+        "heat capacity",
+        material.heat_capacity,
+    )?;
+    // The only number that it can still refuse is Poisson's ratio.
+    material.compliance().map_err(section.domain("poisson"))?;
     Ok((material, flow))
 }
 
-fn take<T: serde::Serialize>(
-    defaults: &mut Defaults,
-    key: &'static str,
-    given: Option<T>,
-    standard: Standard<T>,
-) -> T {
-    defaults.take_from(key, given, standard.value, standard.source)
+/// A body whose properties are chosen.
+struct Body<'a, 'b> {
+    section: Section<'a>,
+    defaults: &'b mut Defaults,
+}
+
+impl Body<'_, '_> {
+    fn take<T: serde::Serialize>(
+        &mut self,
+        name: &str,
+        stated: Option<T>,
+        standard: Standard<T>,
+    ) -> T {
+        let key = self.section.key(name);
+        self.defaults
+            .take_from(key, stated, standard.value, standard.source)
+    }
 }
 
 fn positive<Q: Quantity>(
+    section: Section<'_>,
+    key: &str,
     name: &'static str,
     quantity: Q,
-    source: &Source,
-    key: &'static str,
 ) -> Result<(), CaseError> {
-    DomainError::positive(name, quantity)
-        .map(|_| ())
-        .map_err(domain(source, key))
+    let positive = DomainError::positive(name, quantity);
+    positive.map(|_| ()).map_err(section.domain(key))
 }

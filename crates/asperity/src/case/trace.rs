@@ -1,4 +1,4 @@
-//! Traces that are handed to a case: heights, bytes, or a file.
+//! Traces in memory for a case: heights, bytes, or a file.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -13,9 +13,9 @@ use super::input::FlankInput;
 use super::source::Source;
 use crate::error::Error;
 
-/// Fewest points of a trace, as for one that is read from a file.
+/// Least number of points of a trace, as for one that is read from a file.
 const FEWEST_POINTS: usize = 100;
-/// Spacings of styluses and optical instruments \[m\]; beyond them a unit was mistaken.
+/// Spacings of styluses and optical instruments \[m\]; others indicate a wrong unit.
 const SPACINGS: std::ops::RangeInclusive<f64> = 1e-11..=1e-2;
 
 /// The trace of a flank.
@@ -37,10 +37,10 @@ pub struct Trace {
 }
 
 impl Trace {
-    /// Heights \[m\] out of the material, `spacing` apart.
+    /// A trace of heights \[m\], positive out of the material, with this spacing.
     ///
     /// # Errors
-    /// When there are fewer than 100, one is not finite, or the spacing is that of no instrument.
+    /// When there are fewer than 100 heights, one is not finite, or no instrument has the spacing.
     pub fn from_heights(heights: &[f64], spacing: Length) -> Result<Self, Error> {
         let impossible = |what, value| ReadError::Impossible {
             file: "heights".to_owned(),
@@ -63,7 +63,7 @@ impl Trace {
         Ok(Self::of(Some(Content::Heights(Arc::new(profile))), None))
     }
 
-    /// A profile that was read or made.
+    /// A trace of a profile.
     ///
     /// # Errors
     /// As for [`from_heights`](Self::from_heights).
@@ -71,7 +71,7 @@ impl Trace {
         Self::from_heights(profile.heights(), profile.spacing())
     }
 
-    /// The content of a file called `name`, read as `options` say when the case is built.
+    /// The content of the file `name`, read with `options` when the case is built.
     pub fn from_bytes(
         name: impl Into<PathBuf>,
         bytes: impl Into<Vec<u8>>,
@@ -82,13 +82,13 @@ impl Trace {
         Self { options, ..trace }
     }
 
-    /// A file, relative to the working directory, read as `options` say when the case is built.
+    /// A file, relative to the working directory, read with `options` when the case is built.
     pub fn from_file(path: impl Into<PathBuf>, options: ReadOptions) -> Self {
         let trace = Self::of(None, Some(path.into()));
         Self { options, ..trace }
     }
 
-    /// The same trace run from its other end, as flanks face each other.
+    /// The trace from its other end, since flanks face each other.
     #[must_use]
     pub fn mirrored(self) -> Self {
         Self {
@@ -106,7 +106,7 @@ impl Trace {
         }
     }
 
-    /// The keys of a flank that runs on this trace, under this name.
+    /// The keys of a flank with this trace under this name.
     pub(super) fn into_input(self, name: PathBuf) -> FlankInput {
         let options = self.options;
         FlankInput {

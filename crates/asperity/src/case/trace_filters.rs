@@ -1,4 +1,4 @@
-//! Filters of a trace: those of the case, of its file, or by default.
+//! Filters of a trace: from the case, from its file, or by default.
 
 use asperity_core::quantity::Length;
 use asperity_gear::Gear;
@@ -8,24 +8,24 @@ use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
 
 use super::defaults::DefaultUsed;
-use super::flank_form::{FormError, is_wanted, shortest_form};
+use super::flank_form::{FormError, is_from_trace, shortest_form};
 use super::flank_place::ReadPlace;
 use super::resolve::Case;
 use crate::message::Warning;
 
-/// Filters of one trace: those of the case, else those its file states, else the defaults.
+/// Filters of one trace: from the case, else from its file, else the defaults.
 pub(super) struct Filters {
     pub preparation: Preparation,
     /// Cut-offs that the file states and the case leaves open.
     pub stated: Vec<DefaultUsed>,
-    /// The warning that the case asks for other cut-offs than the file states.
+    /// The warning that the cut-offs of the case differ from those of the file.
     pub overridden: Option<Warning>,
-    /// The warning that the cut-off is longer than asked for.
+    /// The warning that the cut-off is longer than stated.
     pub parted: Option<Warning>,
 }
 
 impl Filters {
-    /// Filters that lose nothing at the ends of a placed trace, unless the case says how they are treated.
+    /// Keeps the ends of a placed trace in filtering, unless the case states their treatment.
     pub(super) fn keep_ends(&mut self, case: &Case, key: &'static str, place: &ReadPlace) {
         if case.input.surface.ends.is_none() {
             self.preparation.ends = Ends::Reg1;
@@ -44,15 +44,15 @@ impl Filters {
         }
     }
 
-    /// Leaves the form of a trace that the relief is taken from where it is, to be parted from the roughness at the
-    /// cut-off that is found; none where the relief of the gear is drawn.
+    /// Leaves the form in a trace from which the relief is taken, and returns the cut-off at which it is separated from the
+    /// roughness; `None` if the relief of the gear is drawn.
     pub(super) fn part_form(
         &mut self,
         case: &Case,
         gear: Gear,
         reading: Option<&Reading>,
     ) -> Result<Option<Length>, FormError> {
-        let (true, Some(shortest)) = (is_wanted(case, gear), shortest_form(case)?) else {
+        let (true, Some(shortest)) = (is_from_trace(case, gear), shortest_form(case)?) else {
             return Ok(None);
         };
         if reading.is_some_and(|reading| reading.filter_state == FilterState::Roughness) {
@@ -68,15 +68,15 @@ impl Filters {
             Some(other) => return Err(FormError::Removed(other)),
         }
         self.preparation.form = Form::None;
-        let asked = self.preparation.lambda_c;
-        let cutoff = match asked {
-            Some(asked) if asked >= shortest => asked,
+        let stated = self.preparation.lambda_c;
+        let cutoff = match stated {
+            Some(stated) if stated >= shortest => stated,
             _ => {
-                let asked = asked.map_or("no cut-off".to_owned(), |asked| format!("{asked}"));
+                let stated = stated.map_or("no cut-off".to_owned(), |stated| format!("{stated}"));
                 self.parted = Some(Warning::new(
                     "W434",
                     format!(
-                        "form and roughness of the {gear} are parted at {:.2} mm, eight half-widths of the contact, instead of {asked}: shorter waves lie within a contact and count as roughness",
+                        "form and roughness of the {gear} are parted at {:.2} mm, eight half-widths of the contact, instead of {stated}: shorter waves lie within a contact and count as roughness",
                         shortest.si() * 1e3
                     ),
                 ));
@@ -90,32 +90,32 @@ impl Filters {
     pub(super) fn of(case: &Case, file: &str, reading: Option<&Reading>) -> Self {
         /// Cut-offs that differ by less are the same as printed.
         const SAME: f64 = 1e-6;
-        let asked = &case.input.surface;
+        let surface = &case.input.surface;
         let mut filters = Self {
             preparation: case.preparation,
             stated: Vec::new(),
             overridden: None,
             parted: None,
         };
-        // What was filtered before has been filtered with them.
+        // A roughness profile was filtered with the cut-offs of its file.
         let unfiltered = reading.filter(|r| r.filter_state != FilterState::Roughness);
         let Some(facts) = unfiltered.map(|reading| &reading.metadata) else {
             return filters;
         };
         let mut others = Vec::new();
         let preparation = &mut filters.preparation;
-        for (key, name, given, of_file, used) in [
+        for (key, name, stated, of_file, used) in [
             (
                 "surface.cutoff",
                 "λc",
-                asked.cutoff,
+                surface.cutoff,
                 facts.lambda_c,
                 &mut preparation.lambda_c,
             ),
             (
                 "surface.noise_cutoff",
                 "λs",
-                asked.noise_cutoff,
+                surface.noise_cutoff,
                 facts.lambda_s,
                 &mut preparation.lambda_s,
             ),
@@ -123,7 +123,7 @@ impl Filters {
             let Some(of_file) = of_file else {
                 continue;
             };
-            match given {
+            match stated {
                 None => {
                     *used = Some(of_file);
                     filters.stated.push(DefaultUsed {
@@ -132,8 +132,8 @@ impl Filters {
                         source: Some(format!("stated in {file}").into()),
                     });
                 }
-                Some(given) if (given / of_file - 1.0).abs() > SAME => {
-                    others.push(format!("{name} {of_file}, the case {key} = {given}"));
+                Some(stated) if (stated / of_file - 1.0).abs() > SAME => {
+                    others.push(format!("{name} {of_file}, the case {key} = {stated}"));
                 }
                 Some(_) => {}
             }

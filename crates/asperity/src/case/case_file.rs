@@ -1,0 +1,158 @@
+//! The two kinds of case file, an ordinary case and a planetary set: reading, and keys set by their path.
+
+use std::sync::LazyLock;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value as Json;
+use toml::{Table, Value};
+
+use super::error::CaseError;
+use super::input::{CaseInput, schema};
+use super::known_keys::{first_unknown, property};
+use super::place::Place;
+use super::plain_words::plain;
+use super::source::{Source, key_of};
+
+/// A kind of case file.
+pub(super) trait CaseFile: Serialize + DeserializeOwned {
+    /// A valid case, from which a check takes replacements.
+    const VALID: &'static str;
+
+    /// The JSON schema of the keys.
+    fn schema() -> &'static Json;
+
+    /// The case as the text states it.
+    fn read(source: &Source) -> Result<Self, CaseError> {
+        Self::refuse_unknown(source.key_paths(), |key| source.place_of_key(key))?;
+        source.read().map_err(|error| match error {
+            CaseError::Value {
+                place,
+                key,
+                message,
+            } => CaseError::Value {
+                message: plain(Self::schema(), key.as_deref(), &message),
+                place,
+                key,
+            },
+            error => error,
+        })
+    }
+
+    /// Refuses the first key that is not in the schema.
+    fn refuse_unknown<'a>(
+        paths: impl Iterator<Item = &'a str>,
+        place: impl Fn(&str) -> Place,
+    ) -> Result<(), CaseError> {
+        match first_unknown(Self::schema(), paths) {
+            None => Ok(()),
+            Some((key, nearest)) => Err(CaseError::UnknownKey {
+                place: place(key),
+                key: key.to_owned(),
+                nearest,
+            }),
+        }
+    }
+
+    /// Sets the key at `path`, which messages report at `place`; an error leaves the case unchanged.
+    fn set_at(&mut self, place: Place, path: &str, value: &str) -> Result<(), CaseError> {
+        Self::refuse_unknown(std::iter::once(path), |_| place.clone())?;
+        let typed = typed(value);
+        let is_text = typed.is_str();
+        *self = match replaced(self, path, typed, &place) {
+            // Text that parses as another type, such as a title of digits.
+            Err(_) if !is_text && takes_text(Self::schema(), path) => {
+                replaced(self, path, Value::String(value.to_owned()), &place)?
+            }
+            replaced => replaced?,
+        };
+        Ok(())
+    }
+
+    /// Sets a key and records it in the source.
+    fn set_in(&mut self, source: &mut Source, key: &str, value: &str) -> Result<(), CaseError> {
+        source.set(key, value);
+        self.set_at(source.place_of(key), key, value)
+    }
+}
+
+impl CaseFile for CaseInput {
+    const VALID: &'static str = r#"
+gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" }
+operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
+lubricant = { oil = "m100" }
+surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
+"#;
+
+    fn schema() -> &'static Json {
+        static SCHEMA: LazyLock<Json> = LazyLock::new(schema);
+        &SCHEMA
+    }
+}
+
+/// The table of the keys of a case.
+pub(super) fn table_of<T: Serialize>(case: &T, place: &Place) -> Result<Table, CaseError> {
+    Table::try_from(case).map_err(|error| CaseError::Value {
+        place: place.clone(),
+        key: None,
+        message: error.to_string(),
+    })
+}
+
+/// The case with `value` at `path`.
+fn replaced<T: CaseFile>(
+    case: &T,
+    path: &str,
+    value: Value,
+    place: &Place,
+) -> Result<T, CaseError> {
+    let mut root = table_of(case, place)?;
+    let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
+    let mut table = &mut root;
+    for part in above.split('.').filter(|part| !part.is_empty()) {
+        let entry = table
+            .entry(part)
+            .or_insert_with(|| Value::Table(Table::new()));
+        table = match entry {
+            Value::Table(inner) => inner,
+            other => {
+                return Err(CaseError::Value {
+                    place: place.clone(),
+                    key: Some(path.to_owned()),
+                    message: format!("{part} is {other} and no table"),
+                });
+            }
+        };
+    }
+    table.insert(last.to_owned(), value);
+    read_table(root, place)
+}
+
+/// A value as written in a case file; text that is not a value needs no quotation marks.
+fn typed(text: &str) -> Value {
+    match text.trim().parse::<Value>() {
+        Ok(Value::Datetime(_)) | Err(_) => Value::String(text.trim().to_owned()),
+        Ok(value) => value,
+    }
+}
+
+/// Whether the schema accepts text at `path`.
+fn takes_text(schema: &Json, path: &str) -> bool {
+    property(schema, path).is_some_and(|node| match node.get("type") {
+        Some(Json::String(kind)) => kind == "string",
+        Some(Json::Array(kinds)) => kinds.iter().any(|kind| kind == "string"),
+        _ => false,
+    })
+}
+
+/// Reads a case from the table of its keys.
+pub(super) fn read_table<T: CaseFile>(root: Table, place: &Place) -> Result<T, CaseError> {
+    serde_path_to_error::deserialize(Value::Table(root)).map_err(|error| {
+        let key = key_of(error.path());
+        CaseError::Value {
+            place: place.clone(),
+            message: plain(T::schema(), key.as_deref(), error.inner().message()),
+            key,
+        }
+    })
+}
