@@ -8,8 +8,7 @@
     reason = "helpers of tests may unwrap as tests do"
 )]
 
-mod reference_case;
-
+use crate::reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, Position, STEEL, conditions};
 use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
@@ -24,7 +23,6 @@ use asperity_tribo_friction::{
     FrictionLaw, FrictionSettings, RollingConditions, RoughnessReading, XuLaw, doleschel, eyring,
     flash_temperature, matsumoto, mixed_friction, rolling_force,
 };
-use reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, Position, STEEL, conditions};
 
 const ROUNDING: f64 = 1e-12;
 

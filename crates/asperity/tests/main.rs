@@ -1,0 +1,10 @@
+//! The tests of this crate as one program, which is linked only once.
+
+mod calibrated_draws;
+mod cases;
+mod examples;
+mod keys;
+mod mesh_load;
+mod records;
+mod rows;
+mod several_traces;
