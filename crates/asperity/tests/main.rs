@@ -7,4 +7,5 @@ mod keys;
 mod mesh_load;
 mod records;
 mod rows;
+mod run_in;
 mod several_traces;
