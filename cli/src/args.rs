@@ -36,6 +36,7 @@ pub use work::WorkArgs;
 #[derive(Debug, Parser)]
 #[command(
     name = "asperity",
+    bin_name = "asperity",
     version,
     propagate_version = true,
     max_term_width = 100

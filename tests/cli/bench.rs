@@ -4,7 +4,6 @@ use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::sync::OnceLock;
 
 use tempfile::TempDir;
 
@@ -18,36 +17,9 @@ pub fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
-/// The program, built as it stands: Cargo builds the programs of other packages for no test.
+/// The program, which Cargo builds with the tests of this package.
 pub fn program() -> &'static Path {
-    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM.get_or_init(|| {
-        let mut cargo = Command::new(env!("CARGO"));
-        cargo.args(["build", "--quiet", "--bin", "asperity"]);
-        cargo.args(["--message-format", "json"]);
-        // Where all tests are built, the program with them takes the features of what it shares with them; on its
-        // own it has fewer, and most of the workspace would be compiled a second time.
-        match std::env::var_os("CI").is_some() {
-            true => cargo.args(["--workspace", "--tests"]),
-            false => cargo.args(["--package", "asperity-cli"]),
-        };
-        if !cfg!(debug_assertions) {
-            cargo.arg("--release");
-        }
-        let built = cargo.current_dir(root()).output().unwrap();
-        let said = String::from_utf8_lossy(&built.stderr);
-        assert!(built.status.success(), "{said}");
-        let messages = String::from_utf8(built.stdout).unwrap();
-        let made = messages.lines().find_map(|line| {
-            let message: serde_json::Value = serde_json::from_str(line).ok()?;
-            let is_program = message["target"]["kind"][0] == "bin"
-                && message["target"]["name"] == "asperity"
-                && message["profile"]["test"] == false;
-            let file = message["executable"].as_str()?;
-            is_program.then(|| PathBuf::from(file))
-        });
-        made.unwrap()
-    })
+    Path::new(env!("CARGO_BIN_EXE_asperity-tested"))
 }
 
 fn said(output: Output) -> Said {

@@ -1,14 +1,12 @@
 //! Plastic flow: paths of load, energy, residual profiles.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
-mod common;
-
+use crate::common::{CYLINDER, hertz_problem, largest, relative_difference, rough_gap, tight};
 use asperity_contact::running_in::RunningIn;
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{Boundary, ContactProblem, Control, Solver};
 use asperity_core::Profile;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
-use common::{CYLINDER, hertz_problem, largest, relative_difference, rough_gap, tight};
 
 /// Approach under each load of a path, with plastic displacement carried on; and that displacement
 /// with the energy of its steps.
@@ -82,7 +80,7 @@ fn flanks_pressed_again_on_their_residual_profiles_stay_elastic() {
     let points = 1_500;
     let x: Vec<f64> = (0..points).map(|i| i as f64 / points as f64).collect();
     let flank = |seed: u64| {
-        let heights = common::self_affine(&x, 6..=200, seed);
+        let heights = crate::common::self_affine(&x, 6..=200, seed);
         let heights = heights.iter().map(|z| 1e-6 * z).collect();
         Profile::new(Length::from_si(0.4e-6), heights).unwrap()
     };
@@ -124,7 +122,7 @@ fn flanks_pressed_again_on_their_residual_profiles_stay_elastic() {
 fn each_flank_runs_in_by_its_own_share_where_it_meets_the_other() {
     let points = 800;
     let x: Vec<f64> = (0..points).map(|i| i as f64 / points as f64).collect();
-    let heights = common::self_affine(&x, 6..=100, 3);
+    let heights = crate::common::self_affine(&x, 6..=100, 3);
     let rough = heights.iter().map(|z| 1e-6 * z).collect();
     let rough = Profile::new(Length::from_si(0.6e-6), rough).unwrap();
     let smooth = Profile::new(Length::from_si(0.6e-6), vec![0.0; points]).unwrap();
@@ -151,7 +149,7 @@ fn each_flank_runs_in_by_its_own_share_where_it_meets_the_other() {
     assert_eq!(ran_in.cycles.len(), 2);
     assert!((cycle.dissipated / once.dissipated - 1.0).abs() < 1e-6);
     assert!((cycle.contact_fraction / once.contact_fraction - 1.0).abs() < 1e-9);
-    let largest = common::largest(&once.plastic_displacement);
+    let largest = crate::common::largest(&once.plastic_displacement);
     assert!((cycle.largest_flow.si() / largest - 1.0).abs() < 1e-6);
     let close = |found: &[f64], expected: &[f64]| {
         let off = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
@@ -172,7 +170,7 @@ fn each_flank_runs_in_by_its_own_share_where_it_meets_the_other() {
     let mean = |heights: &[f64]| heights.iter().sum::<f64>() / heights.len() as f64;
     for (k, flank) in ran_in.flanks.iter().enumerate() {
         let last = &ran_in.cycles[1];
-        let peak = common::largest(flank.heights()) - mean(flank.heights());
+        let peak = crate::common::largest(flank.heights()) - mean(flank.heights());
         assert!((last.peak[k].si() - peak).abs() < 1e-18);
     }
 }

@@ -1,8 +1,9 @@
 //! Ends of the range of problems: nothing touches, everything touches, everything flows.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
-mod common;
-
+use crate::common::{
+    CYLINDER, hertz_problem, periodic_problem, relative_difference, rough_gap, tight,
+};
 use asperity_contact::dense_reference::solve_dense;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::{
@@ -10,7 +11,6 @@ use asperity_contact::{
     PeriodicKernel, Solver, SolverSettings, solve,
 };
 use asperity_core::quantity::{Length, LineLoad, Pressure};
-use common::{CYLINDER, hertz_problem, periodic_problem, relative_difference, rough_gap, tight};
 
 fn approach(metres: f64) -> Control {
     Control::Approach {
@@ -196,7 +196,7 @@ fn a_single_point_that_carries_all_lets_go() {
     // Here clipping the direction and restoring the load leads back to where it came from.
     let points = 64;
     let x: Vec<f64> = (0..points).map(|i| i as f64 / points as f64).collect();
-    let gap: Vec<f64> = common::self_affine(&x, 1..=20, 525_262)
+    let gap: Vec<f64> = crate::common::self_affine(&x, 1..=20, 525_262)
         .iter()
         .map(|z| 1e-6 * z)
         .collect();
@@ -239,7 +239,7 @@ fn the_load_does_not_drift_from_step_to_step() {
     // Steps that reach far beyond the load here leave 5e-12 of it to be restored at the end.
     let points = 112;
     let x: Vec<f64> = (0..points).map(|i| i as f64 / points as f64).collect();
-    let gap: Vec<f64> = common::self_affine(&x, 1..=20, 522_829)
+    let gap: Vec<f64> = crate::common::self_affine(&x, 1..=20, 522_829)
         .iter()
         .map(|z| 1e-6 * z)
         .collect();

@@ -1,15 +1,13 @@
 //! How fast the errors against closed forms fall with the cell.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
-mod common;
-
+use crate::common::{CYLINDER, hertz_problem, periodic_problem, tight};
 use asperity_contact::hertz_line::{self, HertzLine};
 use asperity_contact::westergaard::Wave;
 use asperity_contact::{
     ContactProblem, ContactSolution, Control, PeriodicKernel, SolverSettings, flat_punch, solve,
 };
 use asperity_core::quantity::{Length, LineLoad};
-use common::{CYLINDER, hertz_problem, periodic_problem, tight};
 
 /// Slope of ln(error) over ln(1/n) by least squares.
 fn order(points: &[usize], error: impl Fn(usize) -> f64) -> f64 {

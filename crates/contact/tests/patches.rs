@@ -1,10 +1,8 @@
 //! Contacts of many patches take as few iterations as those of few.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
-mod common;
-
+use crate::common::peers::Peer;
 use asperity_contact::{ContactProblem, Control, SolverSettings, solve};
-use common::peers::Peer;
 
 #[test]
 fn iterations_grow_neither_with_the_grid_nor_with_the_patches() {

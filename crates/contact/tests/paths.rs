@@ -1,8 +1,7 @@
 //! Paths of contacts, many at once, and running-in.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
-mod common;
-
+use crate::common::{CYLINDER, hertz_problem, relative_difference, rough_gap, self_affine, tight};
 use asperity_contact::running_in::{Cycle, RunningIn};
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{
@@ -11,7 +10,6 @@ use asperity_contact::{
 };
 use asperity_core::Profile;
 use asperity_core::quantity::Pressure;
-use common::{CYLINDER, hertz_problem, relative_difference, rough_gap, self_affine, tight};
 
 /// The flanks of the composite gap of [`rough_gap`].
 fn rough_flanks(points: usize) -> [Profile; 2] {

@@ -1,8 +1,9 @@
 //! Properties of every rough contact.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
-mod common;
-
+use crate::common::{
+    CYLINDER, hertz_problem, largest, periodic_problem, relative_difference, self_affine, tight,
+};
 use asperity_contact::running_in::RunningIn;
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{
@@ -10,9 +11,6 @@ use asperity_contact::{
 };
 use asperity_core::Profile;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
-use common::{
-    CYLINDER, hertz_problem, largest, periodic_problem, relative_difference, self_affine, tight,
-};
 use proptest::prelude::*;
 
 /// Single pressures are right to about a hundred times the tolerance of 1e-12, and to about a

@@ -1,14 +1,12 @@
 //! Tags of the equations that a solution rests on.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
-mod common;
-
 use std::collections::BTreeSet;
 
+use crate::common::{hertz_problem, periodic_problem, rough_gap};
 use asperity_contact::{Boundary, ContactProblem, PeriodicKernel, Solver, SolverSettings};
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Pressure;
-use common::{hertz_problem, periodic_problem, rough_gap};
 
 fn tags(solver: &mut Solver, problem: &ContactProblem) -> BTreeSet<&'static str> {
     let used = Provenance::new();
@@ -49,7 +47,7 @@ fn a_solution_names_the_equations_that_it_rests_on_and_no_other() {
 
 #[test]
 fn a_periodic_solution_names_its_own_kernel() {
-    let (gap, spacing) = common::rough_wave(512);
+    let (gap, spacing) = crate::common::rough_wave(512);
     for (kernel, tag, other) in [
         (PeriodicKernel::Strip, "Periodic-1", "Periodic-2"),
         (PeriodicKernel::Spectral, "Periodic-2", "Periodic-1"),

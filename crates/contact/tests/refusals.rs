@@ -1,8 +1,7 @@
 //! Refusals: a problem that is none, or is not solved, is an error that says what to change.
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
-mod common;
-
+use crate::common::{CYLINDER, hertz_problem, rough_gap};
 use asperity_contact::dense_reference::{MAX_POINTS, solve_dense};
 use asperity_contact::flat_punch;
 use asperity_contact::half_plane::HalfPlane;
@@ -14,7 +13,6 @@ use asperity_contact::{
 };
 use asperity_core::Profile;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
-use common::{CYLINDER, hertz_problem, rough_gap};
 
 fn approach(metres: f64) -> Control {
     Control::Approach {

@@ -2,8 +2,10 @@
 //! `references/rough_contact.py`).
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
-mod common;
-
+use crate::common::{
+    CYLINDER, hertz_problem, largest, periodic_problem, relative_difference, rough_gap, rough_wave,
+    tight,
+};
 use asperity_contact::dense_reference::solve_dense;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::westergaard::Wave;
@@ -12,10 +14,6 @@ use asperity_contact::{
     certificate::duality_gap, flat_punch, hertz_line, solve,
 };
 use asperity_core::quantity::{Length, LineLoad, Pressure};
-use common::{
-    CYLINDER, hertz_problem, largest, periodic_problem, relative_difference, rough_gap, rough_wave,
-    tight,
-};
 
 fn cylinder_hertz() -> HertzLine {
     HertzLine::new(CYLINDER.load, CYLINDER.radius, CYLINDER.modulus).unwrap()
@@ -200,7 +198,7 @@ fn a_periodic_rough_surface_has_the_contact_of_independent_programs() {
     let slope: f64 = (16..=512)
         .map(|k| 0.5 * (std::f64::consts::TAU * f64::from(k).powf(-0.3)).powi(2))
         .sum();
-    let gap: Vec<f64> = common::self_affine(&x, 16..=512, 20_240_601)
+    let gap: Vec<f64> = crate::common::self_affine(&x, 16..=512, 20_240_601)
         .iter()
         .map(|z| -z / slope.sqrt())
         .collect();

@@ -11,8 +11,7 @@
     reason = "helpers of tests may unwrap as tests do"
 )]
 
-mod reference_case;
-
+use crate::reference_case::{MODULUS, OIL, POSITIONS, Position, conditions};
 use asperity_core::quantity::{
     DynamicViscosity, Force, Length, LineLoad, PerKelvin, Pressure, PressureViscosity, Speed,
     ThermalConductivity,
@@ -26,7 +25,6 @@ use asperity_ehl_regime::{
     AsperityShape, FilmConditions, FilmGroups, FilmLaw, LoadShareLaw, Orientation, Regime,
     ThermalLaw, film_line, film_ratio, lambda_star, thermal_loading,
 };
-use reference_case::{MODULUS, OIL, POSITIONS, Position, conditions};
 
 const ROUNDING: f64 = 1e-12;
 

@@ -6,15 +6,13 @@
     reason = "a problem that cannot be solved fails its test"
 )]
 
-mod common;
-
+use crate::common::{contact, gear_oil, uniform, waves};
 use asperity_core::quantity::{Length, Pressure, Speed};
 use asperity_ehl::{
     EhlError, LineContact, MovingProfile, NodeState, Oil, PlasticCeiling, Record, RecordSettings,
     RoughContact, Solved, SteadySettings, Window, steady, transient,
 };
 use asperity_oil::{PressureViscosityLaw, ShearLaw};
-use common::{contact, gear_oil, uniform, waves};
 
 fn settings(cells: usize, start: f64, length: f64) -> RecordSettings {
     RecordSettings {
@@ -177,7 +175,7 @@ fn one_set_of_numbers_has_one_film() {
         let solved = steady::solve(&pair, &oil, &SteadySettings::default())
             .unwrap()
             .value;
-        common::moes(&pair, &oil, solved.central_film)
+        crate::common::moes(&pair, &oil, solved.central_film)
     };
     let first = film(10e-3, 115.4e9, 1.0);
     // Equal up to the tolerance of the iteration.

@@ -6,14 +6,12 @@
     reason = "a record that cannot be solved fails its test"
 )]
 
-mod common;
-
+use crate::common::{WAVES, contact, gear_oil, remaining_amplitude, wave_length, waves};
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, PressureViscosity};
 use asperity_ehl::{
     FrictionLaw, MovingProfile, Oil, Record, RecordSettings, RoughContact, Solved, transient,
 };
 use asperity_oil::ShearLaw;
-use common::{WAVES, contact, gear_oil, remaining_amplitude, wave_length, waves};
 
 /// Two surfaces of the same `rq` \[m\] at the mean speed `u_m` \[m/s\], slide-to-roll ratio 0.2, Eyring stress 5 MPa.
 fn rough(rq: f64, u_m: f64) -> RoughContact {

@@ -1,8 +1,7 @@
 //! Published and independently computed numbers of lubricated line contacts; `references/smooth_film.py`
 //! computes the steady smooth ones.
 
-mod common;
-
+use crate::common::{contact, gear_oil, moes, of_moes, remaining_amplitude};
 use asperity_core::Profile;
 use asperity_core::material::Material;
 use asperity_core::quantity::{
@@ -13,7 +12,6 @@ use asperity_ehl::{
     MovingProfile, RecordSettings, RoughContact, SteadySettings, Window, graded, steady, transient,
 };
 use asperity_oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
-use common::{contact, gear_oil, moes, of_moes, remaining_amplitude};
 
 #[test]
 fn the_gear_case_has_its_film_and_rolling_force() {

@@ -2,11 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
-mod common;
-
+use crate::common::{ROUNDING, assert_close, degrees, mm};
 use asperity_core::quantity::Torque;
 use asperity_gear::{GearPair, GearPairInput, LoadSharing};
-use common::{ROUNDING, assert_close, degrees, mm};
 
 /// A row of the report files of GEARpie (C. Fernandes, FEUP), with the digits it prints.
 struct Printed {

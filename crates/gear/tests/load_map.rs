@@ -3,12 +3,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
-#[path = "common/reference.rs"]
-mod reference;
-
+use crate::reference::{Case, cells, golden, map, relief, unmodified};
 use asperity_core::quantity::Length;
 use asperity_gear::{GearPair, LoadLaw, LoadMapSettings, MicroGeometry};
-use reference::{Case, cells, golden, map, relief, unmodified};
 
 /// The reference values come with 64 to 256 cells and 36 phases; MESH tolerances: 1e-3 of H_V at 64
 /// cells, which is what the discretisation costs.

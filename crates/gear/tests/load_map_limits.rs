@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
-#[path = "common/reference.rs"]
-mod reference;
-
+use crate::reference::{cells, golden, map, relief, steel, unmodified};
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Power, Torque};
 use asperity_gear::edge_contact::PathEnd;
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySet, PlanetarySetInput};
@@ -14,7 +12,6 @@ use asperity_gear::{
     StiffnessSource,
 };
 use proptest::prelude::*;
-use reference::{cells, golden, map, relief, steel, unmodified};
 
 fn mm(value: f64) -> Length {
     Length::from_si(value * 1e-3)

@@ -2,15 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-#[path = "common/reference.rs"]
-mod reference;
-
+use crate::reference::{golden, unmodified};
 use asperity_core::quantity::Length;
 use asperity_gear::{
     AmountDirection, GearError, GearPair, LoadLaw, MeasuredForm, MicroGeometry, Relief,
     ReliefExtent, ReliefShape,
 };
-use reference::{golden, unmodified};
 
 /// The form over the roll length of gear `gear` that has the heights `height` at the distance ρ from the tip end of
 /// the active flank; sampled finely from root to tip.
@@ -98,7 +95,7 @@ fn a_level_form_changes_nothing_and_a_broken_one_is_refused() {
         let mut micro = level(0.0);
         change(micro.measured[0].as_mut().unwrap());
         let settings = Default::default();
-        let materials = [reference::steel(); 2];
+        let materials = [crate::reference::steel(); 2];
         let made = asperity_gear::LoadMap::new(
             &pair,
             case.torque(),

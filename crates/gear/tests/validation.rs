@@ -5,12 +5,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
-mod common;
-
+use crate::common::{ROUNDING, assert_close, degrees, mm};
 use asperity_core::quantity::{AngularSpeed, Length, Torque};
 use asperity_gear::involute::{ToothSection, tooth_thickness};
 use asperity_gear::{Gear, GearPair, GearPairInput, LoadSharing, PositionRule};
-use common::{ROUNDING, assert_close, degrees, mm};
 
 fn table_2() -> GearPair {
     let input = GearPairInput::standard([50, 120], mm(1.3), degrees(30.0), mm(50.0));

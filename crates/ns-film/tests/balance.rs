@@ -1,13 +1,11 @@
 //! Flow, momentum and shear of the film are in balance.
 #![allow(clippy::unwrap_used)] // Helpers outside test functions.
 
-mod common;
-
+use crate::common::close;
 use asperity_core::quantity::{Angle, Density, DynamicViscosity, Length, Pressure, Speed};
 use asperity_ns_film::paper::{LocalFlow, PaperFilm, radial_momentum};
 use asperity_ns_film::reynolds_cross::FilmSection;
 use asperity_ns_film::velocity_profile::VelocityProfile;
-use common::close;
 
 fn section() -> FilmSection {
     FilmSection {

@@ -1,10 +1,9 @@
 //! The film against closed forms and recomputed readings of the paper.
 #![allow(clippy::unwrap_used)] // Helpers outside test functions.
 
-mod common;
-
 use std::f64::consts::PI;
 
+use crate::common::close;
 use asperity_core::quantity::{Angle, AngularSpeed, Density, DynamicViscosity, Length, Speed};
 use asperity_ns_film::film_pressure::{Rupture, film_pressure};
 use asperity_ns_film::gap::{GapShape, exact_gap, paper_gap};
@@ -15,7 +14,6 @@ use asperity_ns_film::velocity_profile::VelocityProfile;
 use asperity_ns_film::{
     FilmConditions, FluidModel, pressure_difference_across, pressure_difference_over_thickness,
 };
-use common::close;
 
 /// Pinion 3000 1/min.
 const OMEGA_1: f64 = 100.0 * PI;

@@ -2,17 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-#[path = "common/drops.rs"]
-mod drops;
-
 use std::io::Cursor;
 
+use crate::drops::Drops;
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::{
     Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator, TraceLine,
     Uneven, read_bytes, read_stream,
 };
-use drops::Drops;
 use proptest::prelude::*;
 
 /// Options as a user might state them, right or wrong.

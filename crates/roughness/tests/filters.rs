@@ -2,10 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-mod common;
-
 use std::f64::consts::{PI, SQRT_2, TAU};
 
+use crate::common::{close, profile};
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_roughness::form::Form;
@@ -16,7 +15,6 @@ use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare, prepare_with};
 use asperity_roughness::robust_filter::robust_mean_line;
 use asperity_roughness::{Parameters, Warning};
-use common::{close, profile};
 
 /// Fractional noise without a random generator, for oracles.
 fn rough(n: usize) -> Vec<f64> {

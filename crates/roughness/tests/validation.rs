@@ -2,10 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-mod common;
-
 use std::f64::consts::{PI, SQRT_2, TAU};
 
+use crate::common::{close, profile};
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_roughness::Parameters;
@@ -17,7 +16,6 @@ use asperity_roughness::material_levels::MaterialLevels;
 use asperity_roughness::material_ratio::{Line, abbott_curve, rk_parameters, rk_parameters_with};
 use asperity_roughness::spectral::{moments, power_spectrum, slopes};
 use asperity_roughness::summits::{ReferenceLevel, asperity_radius};
-use common::{close, profile};
 
 #[test]
 fn a_sine_has_its_textbook_heights_in_both_modes() {

@@ -5,8 +5,7 @@
     reason = "helpers of tests may unwrap as tests do"
 )]
 
-mod reference_case;
-
+use crate::reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, STEEL, conditions};
 use asperity_core::DomainError;
 use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::{
@@ -17,7 +16,6 @@ use asperity_tribo_friction::{
     XuCalibration, XuCoefficients, XuLaw, doleschel, flash_temperature, matsumoto, mixed_friction,
     rolling_force,
 };
-use reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, STEEL, conditions};
 
 fn settings() -> FrictionSettings {
     FrictionSettings {

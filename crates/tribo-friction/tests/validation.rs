@@ -8,8 +8,7 @@
     reason = "helpers of tests may unwrap as tests do"
 )]
 
-mod reference_case;
-
+use crate::reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, Position, STEEL, conditions};
 use asperity_core::Treatment;
 use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
@@ -25,7 +24,6 @@ use asperity_tribo_friction::{
     FrictionLaw, FrictionSettings, RoughnessReading, XuLaw, doleschel, eyring, flash_temperature,
     matsumoto, mixed_friction, rolling_force,
 };
-use reference_case::{ALPHA, LOAD, MODULUS, OIL, POSITIONS, Position, STEEL, conditions};
 
 const ROUNDING: f64 = 1e-12;
 

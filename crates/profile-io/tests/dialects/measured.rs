@@ -7,7 +7,7 @@ use asperity_profile_io::read::{
     read_bytes,
 };
 
-use crate::table::*;
+use super::table::*;
 
 #[test]
 fn the_spacing_is_that_of_the_whole_length_when_x_is_rounded() {

@@ -2,7 +2,7 @@
 
 use asperity_profile_io::read::{DecimalSign, Format, ReadError, ReadOptions, read_bytes};
 
-use crate::table::*;
+use super::table::*;
 
 #[test]
 fn missing_heights_are_refused_by_line_whatever_they_are_called() {

@@ -7,7 +7,7 @@ use asperity_profile_io::read::{
     read_bytes,
 };
 
-use crate::table::*;
+use super::table::*;
 
 #[test]
 fn every_separator_and_decimal_sign_reads_the_same() {

@@ -5,7 +5,7 @@ use asperity_profile_io::read::{
     FilterState, Format, Gaps, LengthUnit, ReadError, ReadOptions, read_bytes,
 };
 
-use crate::samples::*;
+use super::samples::*;
 
 #[test]
 fn x3p_reads_in_every_data_type_with_and_without_folder_and_namespace() {

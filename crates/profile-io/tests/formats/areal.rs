@@ -6,7 +6,7 @@ use asperity_profile_io::read::{
     read_surface_bytes,
 };
 
-use crate::areal_files::*;
+use super::areal_files::*;
 
 fn surface(name: &str, bytes: &[u8]) -> Surface {
     let options = ReadOptions {
@@ -178,7 +178,7 @@ fn a_column_is_read_along_y_with_its_own_spacing() {
 
 #[test]
 fn a_unit_stated_for_a_file_that_scales_its_heights_changes_nothing_and_is_told() {
-    let text = ("text.sdf", crate::samples::sdf(1).into_bytes());
+    let text = ("text.sdf", super::samples::sdf(1).into_bytes());
     for (name, bytes) in all().into_iter().chain([text]) {
         let stated = ReadOptions {
             x_unit: "mm".parse().ok(),

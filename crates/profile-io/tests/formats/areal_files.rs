@@ -177,7 +177,7 @@ pub fn vk4() -> Vec<u8> {
 
 /// Keyence VK6: a picture, and a zip with a VK4.
 pub fn vk6() -> Vec<u8> {
-    let zip = crate::samples::zip(&[("Vk4File", &vk4())]);
+    let zip = super::samples::zip(&[("Vk4File", &vk4())]);
     [b"VK6\x10\0\0\0BM and a picture".to_vec(), zip].concat()
 }
 
@@ -225,7 +225,7 @@ pub fn plux() -> Vec<u8> {
         };
         value.to_le_bytes().to_vec()
     });
-    crate::samples::zip(&[
+    super::samples::zip(&[
         ("index.xml", index.as_bytes()),
         ("recipe.txt", b"<xml></xml>"),
         ("LAYER_0.raw", &heights),

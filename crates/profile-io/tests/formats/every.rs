@@ -6,8 +6,8 @@ use asperity_profile_io::read::{Metadata, ReadOptions, TraceLine, read_bytes, re
 use asperity_profile_io::write::{WrittenFormat, write};
 use proptest::prelude::*;
 
-use crate::areal_files;
-use crate::samples::*;
+use super::areal_files;
+use super::samples::*;
 
 #[test]
 fn hostile_archives_and_counts_are_refused() {

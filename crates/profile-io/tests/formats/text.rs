@@ -9,7 +9,7 @@ use asperity_profile_io::read::{
 };
 use asperity_profile_io::write::{WrittenFormat, write};
 
-use crate::samples::*;
+use super::samples::*;
 
 #[test]
 fn text_formats_of_instruments_read_with_what_they_say() {

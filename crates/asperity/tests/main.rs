@@ -1,0 +1,11 @@
+//! The tests of this crate as one program, which is linked only once.
+
+mod calibrated_draws;
+mod cases;
+mod examples;
+mod keys;
+mod mesh_load;
+mod records;
+mod rows;
+mod run_in;
+mod several_traces;

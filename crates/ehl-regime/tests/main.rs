@@ -1,0 +1,8 @@
+//! The tests of this crate as one program, which is linked only once.
+
+mod examples;
+mod limits;
+mod properties;
+mod reference_case;
+mod rough_inlet;
+mod validation;

@@ -1,0 +1,6 @@
+//! The tests of this crate as one program, which is linked only once.
+
+mod common;
+mod properties;
+mod thin_films;
+mod validation;
