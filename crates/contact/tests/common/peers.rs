@@ -1,5 +1,10 @@
 //! The problems that contact programs are compared on; `docs/PERFORMANCE.md` defines them in words.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
 use std::f64::consts::TAU;
 
 use asperity_contact::{Boundary, ContactProblem, Control, PeriodicKernel};

@@ -1,5 +1,10 @@
 //! Helpers of several test files.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 
