@@ -143,14 +143,14 @@ fn one_temperature_or_two_points_are_refused_for_the_share() {
     let parts = [
         "boundary layer",
         "2 points",
-        "temperature: 90 °C only",
+        "temperature: only 90 °C",
         "Lambda* from",
     ];
     said.refused(2, "E310", &parts);
     assert!(!bench.path("results").exists());
     // A design is refused alike.
     let said = bench.run(&["calibrate", "--design", "case.toml", "--temperature", "90"]);
-    said.refused(2, "E310", &["temperature: 90 °C only"]);
+    said.refused(2, "E310", &["temperature: only 90 °C"]);
 }
 
 #[test]

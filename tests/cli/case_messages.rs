@@ -117,7 +117,7 @@ const DOMAINS: &[Bad] = &[
     bad("cutoff", "cutoff = \"-1 mm\"", "E209", &["surface.cutoff = \"-1 mm\"", "not negative"]),
     bad("pinion", "pinion = { rq = \"-1 um\" }", "E209", &["surface.pinion.rq = \"-1 um\"", "greater than zero"]),
     bad("positions", "positions = 0", "E209", &["model.positions = 0", "1 to 10000"]),
-    bad("positions", "positions = 1", "E209", &["model.positions", "1 mesh positions asked for", "from 2 to"]),
+    bad("positions", "positions = 1", "E209", &["model.positions", "1 mesh positions were requested", "needs 2 to"]),
     bad("offsets", "offsets = 0", "E209", &["model.offsets = 0", "1 to 10000"]),
     bad("offsets", "window = nan", "E209", &["model.window = nan", "1.5 to 100"]),
     bad("offsets", "tolerance = 1e-30", "E209", &["model.tolerance = 1e-30", "1e-16 to 1e-4"]),

@@ -439,7 +439,7 @@ fn what_cannot_be_solved_is_refused_with_its_reason() {
         bench.run(&gear(&[&profile[..], &record].concat()))
     };
     // Waves of 60 um flow long before; those of 3 mm on 64 cells have no time step that is short enough.
-    steep(60.0).refused(4, "E308", &["which no steel bears"]);
+    steep(60.0).refused(4, "E308", &["which no steel withstands"]);
     steep(3000.0).refused(3, "E307", &["did not converge"]);
 }
 

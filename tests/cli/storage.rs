@@ -129,7 +129,7 @@ fn the_default_result_is_small_and_fields_are_kept_on_request() {
     assert!(
         refused
             .iter()
-            .any(|said| said.status == 2 && said.err.contains("were not kept"))
+            .any(|said| said.status == 2 && said.err.contains("were not stored"))
     );
     said(&["--fields", "1,4"]).well();
     assert!(bench.path("out/position_01/surface.csv").is_file());

@@ -1,8 +1,17 @@
 //! From two measured tooth flanks to the efficiency of a gear mesh.
 //!
+//! Start here: [`case`], [`Run`], [`result`], the user-defined [`laws`](lubrication::laws), and the physics crates, which
+//! are re-exported and work without this one.
+//!
 //! A case comes from a file ([`case::load`]), from a text ([`case::from_text`]) or from quantities and heights
-//! ([`Case::builder`]); [`run`] computes it, pure data in and pure data out. The physics lives in the crates
-//! below this one, which are re-exported; the order in which it is used lives in [`pipeline`] alone.
+//! ([`Case::builder`]); [`Run`] computes it, pure data in and pure data out. It passes through plain values:
+//!
+//! ```text
+//! Case -> Mesh -> windows of the flanks -> Contacts -> lubricated positions -> pictures -> RunResult
+//! ```
+//!
+//! [`pipeline`] has the functions between them: the bulk temperature, the interval of the loss, planetary sets, maps and
+//! calibrations are loops around them.
 //!
 //! ```
 //! use asperity::prelude::*;
@@ -16,11 +25,11 @@
 //! .change(|input| input.surface.cutoff = Some(Length::from_si(0.25e-3)))
 //! .change(|input| (input.model.positions, input.model.offsets) = (Some(8), Some(1)))
 //! .build()?;
-//! let summary = asperity::Run::new(&case).execute()?.result.summary;
+//! let summary = Run::new(&case).execute()?.result.summary;
 //! assert!((0.95..1.0).contains(&summary.efficiency));
 //! // A change rereads only the files that it affects.
 //! let cooler = case.with_key("operation.temperature", "70 °C")?;
-//! assert!(asperity::Run::new(&cooler).execute()?.result.summary.loss_w != summary.loss_w);
+//! assert!(Run::new(&cooler).execute()?.result.summary.loss_w != summary.loss_w);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -6,6 +6,7 @@ pub use crate::case::{
 };
 pub use crate::error::Error;
 pub use crate::result::{Outcome, RunResult};
+pub use crate::run::Run;
 pub use asperity_core::material::Material;
 pub use asperity_core::quantity::{
     Angle, AngularSpeed, Density, DynamicViscosity, KinematicViscosity, Length, LineLoad,

@@ -200,7 +200,7 @@ fn one_temperature_is_refused_for_the_share_and_not_without_it() {
     let error = calibrate(table.clone(), "", &cases(), &[], &Watch::SILENT).unwrap_err();
     assert_eq!(error.code(), "E310");
     assert!(
-        error.to_string().contains("temperature: 90 °C only"),
+        error.to_string().contains("temperature: only 90 °C"),
         "{error}"
     );
     let found = calibrate(table, "", &cases(), &[BoundaryLayer], &Watch::SILENT).unwrap();

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 
 use asperity_core::cite;
 
+#[cfg(any(test, feature = "oracle"))]
 use crate::grid::Grid;
 
 /// Images of the spectrum summed on either side for the inverse of the kernel.

@@ -117,7 +117,7 @@ impl Default for LoadShareSettings {
 ///
 /// ```no_run
 /// # use asperity_mixed_film::*;
-/// # fn example(contact: rheology: &asperity_tribo_friction::FilmRheology,
+/// # fn example(contact: asperity_core::line_contact::LineContact, rheology: &asperity_oil::FilmRheology,
 /// #     tables: &[ContactTable], spectra: [&asperity_ehl_regime::TraceSpectrum; 2], starts: &[[usize; 2]],
 /// #     points: usize) -> Result<(), Box<dyn std::error::Error>> {
 /// let settings = LoadShareSettings::default();

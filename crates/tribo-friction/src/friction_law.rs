@@ -65,7 +65,7 @@ friction_laws! {
     /// ISO/TR 14179-2 (Schlenk 1994): one coefficient for the mesh.
     Iso14179Part2 "iso-14179-2" "ISO/TR 14179-2" {
         asperities: Asperities::Included, fitted_to: "FZG gears; mineral, PAO and PAG by X_L",
-        excludes_rolling: true, is_whole: true, celsius: Some([30.0, 120.0]), gigapascals: Some([0.3, 2.0])
+        excludes_rolling: false, is_whole: true, celsius: Some([30.0, 120.0]), gigapascals: Some([0.3, 2.0])
     } = iso_part_2;
     /// ISO/TR 14179-1: one coefficient for the mesh.
     Iso14179Part1 "iso-14179-1" "ISO/TR 14179-1" {

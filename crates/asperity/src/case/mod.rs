@@ -1,7 +1,7 @@
 //! The case: the inputs of a run, completed with defaults.
 //!
 //! [`CaseInput`] is the case as the user writes it; [`Case`] has every choice made and checked; [`LoadedCase`] adds
-//! the flanks and is ready for [`run`](crate::run). All defaults in use are listed.
+//! the flanks and is ready for [`Run`](crate::Run). All defaults in use are listed.
 //!
 //! | from | by |
 //! |---|---|

@@ -4,7 +4,8 @@
 //! case -> Mesh -> windows of the flanks -> Contacts -> lubricated positions -> pictures -> result
 //! ```
 //!
-//! [`Mesh`] has the positions along the path with load, speeds and Hertz contact. [`Contacts`] has the rough contact of
+//! [`Mesh`](crate::mesh::Mesh) has the positions along the path with load, speeds and Hertz contact.
+//! [`Contacts`](crate::contacts::Contacts) has the rough contact of
 //! every window at every offset of the traces; it depends on neither oil, speed nor temperature. At one operating
 //! point every position is lubricated: film, Λ*, regime, load share, friction of film, lubricated asperities and
 //! boundary layer. Then the sums: cycle mean at each offset, mean and spread over the offsets. Pictures of a contact,
