@@ -37,7 +37,7 @@ pub enum PositionError {
     /// The lubricated contact has no solution, or did not converge.
     #[error(transparent)]
     Ehl(#[from] asperity_ehl::EhlError),
-    /// Traces that lie beside the contact.
+    /// Traces that lie outside of the contact.
     #[error(
         "the traces cover {:.0} % of the loss along the path of contact where they are placed, at least 30 % are needed",
         100.0 * coverage
@@ -64,7 +64,7 @@ pub enum PositionError {
     /// Roughness parameters of the window cannot be had.
     #[error(transparent)]
     Roughness(#[from] asperity_roughness::RoughnessError),
-    /// The oil has no state at the temperature asked for.
+    /// The oil has no state at the requested temperature.
     #[error(transparent)]
     Lubricant(#[from] asperity_oil::LubricantError),
     /// The flash temperature fed back into the oil does not settle.
@@ -114,7 +114,7 @@ pub enum PositionError {
     /// The rough contact presses measured profiles together and a flank has none.
     #[error("the rough contact presses two measured profiles together, and a flank has none")]
     NoProfile,
-    /// Marching did not meet the load.
+    /// Marching did not reach the load.
     #[error(
         "lowering the surfaces step by step left a load error of {} % after {steps} steps (allowed {} %)",
         digits(*load_error_percent), digits(*allowed_percent)
@@ -152,7 +152,7 @@ pub enum PositionError {
     Unbalanced(#[from] Unbalanced),
 }
 
-/// The rough contact that was not solved, to be looked at.
+/// The rough contact that was not solved.
 #[derive(Debug, Clone, thiserror::Error)]
 #[error("{source}")]
 pub struct UnsolvedContact {
@@ -192,7 +192,7 @@ impl PositionError {
         )
     }
 
-    /// The reason, without what was kept to look at.
+    /// The reason, without the stored contact.
     fn reason(&self) -> &Self {
         match self {
             Self::Unsolved(kept) => kept.source.reason(),

@@ -35,7 +35,7 @@ impl Default for Fingerprint {
 }
 
 impl Fingerprint {
-    /// The same with one more input.
+    /// Adds an input.
     #[must_use]
     pub fn with(mut self, input: impl AsRef<[u8]>) -> Self {
         let input = input.as_ref();

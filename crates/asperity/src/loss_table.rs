@@ -1,10 +1,10 @@
-//! Tables of losses beside the mesh, as files.
+//! Tables of gearbox losses, as files.
 
 use asperity_efficiency::EfficiencyError;
 use asperity_efficiency::loss_table::{LossRow, LossTable};
 use serde::Deserialize;
 
-/// Why a file is no table of losses.
+/// Reasons why a file is not a table of losses.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum LossTableError {
@@ -28,7 +28,7 @@ pub enum LossTableError {
 
 #[derive(Deserialize)]
 struct Row {
-    /// None where the loss depends on the speed alone.
+    /// `None` if the loss depends on the speed only.
     torque_nm: Option<f64>,
     speed_rpm: f64,
     temperature_c: Option<f64>,

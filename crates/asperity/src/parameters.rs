@@ -1,4 +1,4 @@
-//! Parameters that no case knows well, with their ranges.
+//! Uncertain parameters with their ranges.
 //!
 //! | parameter | range | drawn |
 //! |---|---|---|
@@ -39,7 +39,7 @@ const LIMITING_SHEAR: [f64; 2] = [0.85, 1.15];
 /// Eyring stress where the family has no band: that of polyalphaolefin, 3 to 5.5 MPa about 4 MPa.
 const EYRING_STRESS: [f64; 2] = [0.75, 1.375];
 
-/// A parameter that no case knows well.
+/// An uncertain parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum UncertainParameter {
     /// Coefficient of boundary friction μ_b.
@@ -88,7 +88,7 @@ impl UncertainParameter {
         }
     }
 
-    /// The value in a case, and the range that the band draws it from; none where the loss does not hang on it.
+    /// The value in a case, and the range that the band draws it from; `None` if the loss does not depend on it.
     ///
     /// # Errors
     /// When the family of the oil is not known.
@@ -137,7 +137,7 @@ impl UncertainParameter {
         }
     }
 
-    /// Whether the loss hangs on it.
+    /// Whether the loss depends on it.
     fn acts(self, loaded: &LoadedCase) -> bool {
         let case = &loaded.case;
         let supply = case.load_share().supply();
@@ -265,7 +265,7 @@ impl UncertainParameter {
     }
 }
 
-/// Sets the parameters of `to` to those of `from`, whose oil is the same.
+/// Copies the parameters of `from` to `to`, whose oil is the same.
 ///
 /// # Errors
 /// When a constant is outside its domain at the temperature of `to`.

@@ -13,7 +13,7 @@ use crate::result::rounded;
 use crate::result::{Outcome, RunResult};
 use crate::uncertainty::{has_band, quantiles_of_set, run_and_draw};
 
-/// The result of a planetary set; the results of its meshes stand beside it.
+/// The result of a planetary set, in addition to the results of its meshes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct PlanetaryResult {
@@ -21,12 +21,12 @@ pub struct PlanetaryResult {
     pub program: String,
     /// Title of the case.
     pub title: String,
-    /// What the result covers: the meshes alone.
+    /// Scope of the result: the meshes only.
     #[serde(default)]
     pub scope: Scope,
     /// Number of planets.
     pub planets: u32,
-    /// Efficiency of the set by its mesh losses alone.
+    /// Efficiency of the set from its mesh losses only.
     pub efficiency: f64,
     /// Loss of all meshes \[W\].
     pub loss_w: f64,

@@ -176,7 +176,7 @@ impl ContactTable {
         }
     }
 
-    /// The rows beside a share; below the first row that alone.
+    /// The neighbouring rows of a share; below the first row only that row.
     pub(crate) fn between(&self, asperity_share: f64) -> Between<'_> {
         let last = self.rows.len() - 1;
         let k = self
@@ -200,7 +200,7 @@ impl ContactTable {
     }
 }
 
-/// The share at the ends, where gap and supply do not meet between them.
+/// The share at the ends, if gap and supply are not equal between them.
 pub(crate) fn end_share(
     first_touch: f64,
     supply: &impl Fn(f64) -> f64,

@@ -27,7 +27,7 @@ pub enum LoadShareError {
     /// The oil has no state or no shear stress at a temperature of the film.
     #[error(transparent)]
     Lubricant(#[from] LubricantError),
-    /// A flow pressure that the film pressure alone reaches.
+    /// A flow pressure that the film pressure reaches without asperities.
     #[error(
         "flow pressure {flow_pressure} is below {least}, one and a half times the Hertz pressure: the flank would yield under the film alone"
     )]

@@ -46,7 +46,7 @@ pub enum InletSupply {
     /// More than the smooth film, by the attenuated roughness.
     #[default]
     Rough,
-    /// The smooth film, as Johnson, Greenwood and Poon have it: the share law `jgp`.
+    /// The smooth film, according to Johnson, Greenwood and Poon: the share law `jgp`.
     Smooth,
 }
 
@@ -146,7 +146,7 @@ pub struct PositionFilm<'a> {
     before: Option<f64>,
 }
 
-/// State of the contact at the share found.
+/// State of the contact at the solved share.
 struct Touching<'s> {
     share: Solved,
     mean_gap: Length,
@@ -199,7 +199,7 @@ impl<'a> PositionFilm<'a> {
         Ok(of_film)
     }
 
-    /// The same with the smooth film known; `settings` then name film law and thermal reduction in vain.
+    /// The film with a smooth film that is known; `film_law` and `thermal` of `settings` are ignored.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -257,8 +257,8 @@ impl<'a> PositionFilm<'a> {
         self.central
     }
 
-    /// Friction of a window that stays apart at this film, known by the gap of its first touch alone; none
-    /// when it touches.
+    /// Friction of a window that stays apart at this film, known by the gap of its first touch; `None`
+    /// if it touches.
     ///
     /// # Errors
     /// When σ_d is negative or an iteration does not end.
@@ -316,7 +316,7 @@ impl<'a> PositionFilm<'a> {
         self.conclude(&touching, attenuated_rms, psi)
     }
 
-    /// Load share and friction of a window by direct contact solves, with the contact at the share found.
+    /// Load share and friction of a window by direct contact solves, with the contact at the solved share.
     ///
     /// # Errors
     /// When σ_d is negative, a contact does not converge or an iteration does not end.
@@ -432,7 +432,7 @@ impl<'a> PositionFilm<'a> {
         Ok(Checked { value, outside })
     }
 
-    /// The smooth film, by the routine that film friction alone uses.
+    /// The smooth film, by the routine of film friction.
     fn film_alone(&mut self) -> Result<(SharedFriction, f64, Solved), LoadShareError> {
         let solution = self.film.solve()?.value;
         let shared = SharedFriction {

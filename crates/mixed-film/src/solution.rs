@@ -31,7 +31,7 @@ pub struct ShareEvidence {
     pub share: Solved,
     /// Friction coefficient against the temperature that it makes.
     pub friction: Solved,
-    /// Largest relative load error of the contact solutions beside the share; 0 without contact.
+    /// Largest relative load error of the contact solutions next to the share; 0 without contact.
     pub load_error: f64,
     /// Their largest certified duality gap.
     pub duality_gap: f64,

@@ -26,7 +26,7 @@ const MOST: f64 = 0.99;
 /// Part of the flow pressure from which a point counts as flowing.
 const FLOWING: f64 = 0.999;
 
-/// What the specification was made from, and where its form holds (ISO/TS 6336-22:2018, abstract).
+/// Range of the data behind the specification (ISO/TS 6336-22:2018, abstract).
 const SCOPE: [FittedRange; 5] = [
     range("module", 3.0, 11.0, "mm"),
     range("pitch line velocity", 8.0, 60.0, "m/s"),
@@ -88,7 +88,7 @@ pub(crate) fn report(
     }))
 }
 
-/// What lies outside of the scope.
+/// Inputs outside of the scope.
 fn outside(case: &Case) -> Vec<String> {
     let gears = &case.gears;
     let cosine = gears.base_helix.si().cos();
@@ -110,7 +110,7 @@ fn outside(case: &Case) -> Vec<String> {
     found
 }
 
-/// What all places share.
+/// Data common to all places.
 struct Rating<'a> {
     loaded: &'a LoadedCase,
     load_factor: f64,
@@ -178,7 +178,7 @@ impl<'a> Rating<'a> {
         })
     }
 
-    /// The oil at a temperature, as the film of the run has it.
+    /// State of the oil at a temperature, by the laws of the run.
     fn oil(&self, temperature: Temperature) -> Result<OilAt, PositionError> {
         let state = self.loaded.case.lubricant.at(temperature)?.value;
         Ok(OilAt {

@@ -43,7 +43,7 @@ use crate::result::{
 use crate::sampling::{means_of_pairs, pair_sampling};
 
 impl Solved<'_> {
-    /// Losses alone.
+    /// Losses, without the other parts of a result.
     pub(crate) fn losses(self) -> Result<Losses, PositionError> {
         let (summary, gearbox) = self.with_gearbox()?;
         let path = self.path()?;

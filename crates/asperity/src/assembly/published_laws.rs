@@ -1,4 +1,4 @@
-//! Published friction laws, each applied whole beside the result.
+//! Published friction laws, each applied as a whole for comparison with the result.
 
 use std::collections::BTreeSet;
 

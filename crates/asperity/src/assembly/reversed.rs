@@ -10,7 +10,7 @@ use crate::case::Case;
 use crate::error::{Error, PositionError};
 use crate::result::Losses;
 
-/// What the direction of the power changes: all else is that of [`Losses`].
+/// Numbers that the direction of the power changes; all others are those in [`Losses`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Reversed {

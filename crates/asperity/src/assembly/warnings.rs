@@ -61,7 +61,7 @@ pub(crate) fn warnings(
     Ok(found)
 }
 
-/// W426: a hotter state beside the bulk temperature found.
+/// W426: a hotter equilibrium exists in addition to the bulk temperature.
 fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
     let Some(report) = loaded.case.found_bulk.as_ref().map(|found| &found.report) else {
         return;
@@ -98,7 +98,7 @@ pub(crate) fn micropitting(rating: Option<&MicropittingReport>, found: &mut Vec<
     }
 }
 
-/// What left its range, each once: W401, W402, W403 and W405 with correlation and input.
+/// Distinct inputs outside their ranges: W401, W402, W403 and W405 with correlation and input.
 pub(crate) fn outside(
     loaded: &LoadedCase,
     positions: &[LubricatedPosition],
@@ -566,7 +566,7 @@ fn short_traces(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &m
     }
 }
 
-/// W417: contacts beside the ends of placed traces.
+/// W417: contacts beyond the ends of placed traces.
 fn covered(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
     let stations = positions.iter().map(|position| &position.at);
     let coverage = loaded.surfaces.coverage(stations);

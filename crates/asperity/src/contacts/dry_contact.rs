@@ -1,4 +1,4 @@
-//! The rough contact alone: both flanks pressed dry against each other at one position.
+//! The rough contact without a film: both flanks pressed dry against each other at one position.
 
 use asperity_contact::ContactSolution;
 use asperity_contact::hertz_line::HertzLine;

@@ -1,4 +1,4 @@
-//! Running-in of the two flanks of a case, so that film and friction can be had of run-in flanks.
+//! Running-in of the two flanks of a case, for film and friction of run-in flanks.
 //!
 //! In a cycle every place of the pinion's trace passes under a contact `COVERAGE` times on the mean. Each pass
 //! takes a mesh position and a place of either trace, and presses the windows together under the whole load, as
@@ -35,7 +35,7 @@ use crate::result::{FlankHeights, RunInCycle};
 const COVERAGE: f64 = 4.0;
 /// Most cycles.
 pub(crate) const MAX_CYCLES: usize = 12;
-/// Plastic work of a cycle over that of the first below which the flanks have run in.
+/// Plastic work of a cycle, relative to the first cycle, below which the flanks have run in.
 const SHAKEDOWN: f64 = 0.05;
 /// Steps of mesh position, pinion and wheel from pass to pass as parts of the whole: powers of the inverse of the
 /// real root of x⁴ = x + 1, which fill three dimensions evenly.

@@ -72,7 +72,7 @@ pub(crate) struct WindowContact {
     pub roughness: Roughness,
     /// Place of the window on the traces; `None` where no window is resolved.
     pub window: Option<Window>,
-    /// Mean gap at which the flanks first touch, once a film asked for it.
+    /// Mean gap at which the flanks first touch, computed at first need.
     pub first_touch: OnceLock<Length>,
     /// The contact at its shares, once the flanks touched.
     pub table: OnceLock<ContactTable>,
@@ -131,7 +131,7 @@ impl Contacts {
         }
     }
 
-    /// Refuses contacts of other flanks, steels, windows or offsets than those of `loaded`.
+    /// Refuses contacts whose flanks, steels, windows or offsets differ from `loaded`.
     pub(crate) fn check(&self, loaded: &LoadedCase) -> Result<(), PositionError> {
         let ours: Vec<&Surfaces> = self.surfaces.each().collect();
         let theirs: Vec<&Surfaces> = loaded.surfaces.each().collect();

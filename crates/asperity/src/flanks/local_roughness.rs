@@ -21,9 +21,9 @@ pub struct Roughness {
     pub ra: [f64; 2],
     /// Rz of both flanks \[m\]: of a trace the mean over its sections.
     pub rz: [f64; 2],
-    /// Reduced peak height of the composite profile \[m\]; none when it is not known.
+    /// Reduced peak height of the composite profile \[m\]; `None` if it is not known.
     pub reduced_peak: Option<f64>,
-    /// Mean radius of the asperities of the composite profile; none when it is not known.
+    /// Mean radius of the asperities of the composite profile; `None` if it is not known.
     pub asperity_radius: Option<Length>,
     /// Asperities measured.
     pub asperities: usize,

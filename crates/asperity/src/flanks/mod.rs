@@ -1,4 +1,4 @@
-//! Measured flanks: their traces, where these lie, and the windows that meet at a mesh position.
+//! Measured flanks: their traces, the places of these, and the windows in contact at a mesh position.
 
 pub mod flank_form;
 pub mod local_roughness;

@@ -1,4 +1,4 @@
-//! Where the traces lie on their flanks, and which windows meet in mesh.
+//! Places of the traces on their flanks, and the windows in contact.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|

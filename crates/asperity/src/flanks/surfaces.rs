@@ -19,7 +19,7 @@ use crate::mesh::MeshPosition;
 use asperity_mixed_film::AttenuatedTraces;
 use asperity_mixed_film::TraceSpectra;
 
-/// λs at which summits are measured when no noise filter was asked for: the usual stylus filter.
+/// λs at which summits are measured without a noise filter: the usual stylus filter.
 const SUMMIT_WINDOW: Length = Length::from_si(2.5e-6);
 
 /// Surface of one flank: measured, or known by its roughness values.
@@ -28,7 +28,7 @@ const SUMMIT_WINDOW: Length = Length::from_si(2.5e-6);
 pub enum Texture {
     /// A prepared trace.
     Trace(Profile),
-    /// Roughness values alone.
+    /// Roughness values without a trace.
     Values {
         /// Rq \[m\].
         rq: f64,
@@ -59,7 +59,7 @@ impl PartialEq for Surfaces {
 pub struct PairsOfTeeth {
     /// Teeth of pinion and wheel.
     pub teeth: [usize; 2],
-    /// The traces that meet in each zone of the face, pair by pair: those of a tooth of the pinion on all of the wheel,
+    /// The traces in contact in each zone of the face, pair by pair: a tooth of the pinion on all of the wheel,
     /// then those of the next.
     pub met: Vec<Vec<Surfaces>>,
 }
@@ -75,7 +75,7 @@ pub struct Surfaces {
     noise_cutoff: Option<Length>,
     /// Rz of the traces as roughness parameters; where it is not known, windows have the range of their heights.
     rz: [Option<Length>; 2],
-    /// Where the traces lie on their flanks; none where that is not known of both.
+    /// Places of the traces on their flanks; `None` unless both are known.
     placement: Option<Placement>,
     /// Several pairs, of which this is the first; none of one trace for each flank.
     sample: Option<Arc<PairsOfTeeth>>,
@@ -99,7 +99,7 @@ impl Surfaces {
         }
     }
 
-    /// The same with Rz of pinion and wheel, each the mean over the sections of its trace: laws that take Rz
+    /// Sets Rz of pinion and wheel, each the mean over the sections of its trace: laws that take Rz
     /// mean that, and no range of a window.
     #[must_use]
     pub fn with_rz(self, rz: [Option<Length>; 2]) -> Self {
@@ -110,15 +110,15 @@ impl Surfaces {
         }
     }
 
-    /// The same with the traces at their places on the flanks.
+    /// Sets the places of the traces on the flanks.
     #[must_use]
     pub fn placed(self, placement: Option<Placement>) -> Self {
         Self { placement, ..self }
     }
 
-    /// All pairs of several teeth; the first of them stands wherever a single one is looked at.
+    /// All pairs of several teeth; functions of a single pair use the first.
     ///
-    /// None of no pairs, or where a pair has no traces.
+    /// `None` without pairs, or if a pair has no traces.
     #[must_use]
     pub fn of_pairs(pairs: PairsOfTeeth) -> Option<Self> {
         let first = pairs.met.first()?.first()?.clone();
@@ -130,13 +130,13 @@ impl Surfaces {
         })
     }
 
-    /// Teeth of pinion and wheel of which traces were measured; none of one trace for each flank.
+    /// Teeth of pinion and wheel with measured traces; `None` with one trace for each flank.
     #[must_use]
     pub fn teeth(&self) -> Option<[usize; 2]> {
         self.sample.as_ref().map(|sample| sample.teeth)
     }
 
-    /// The same where there are several pairs, whose losses have an error of their mean.
+    /// Teeth of pinion and wheel, if there are several pairs: their losses have an error of the mean.
     #[must_use]
     pub fn several_teeth(&self) -> Option<[usize; 2]> {
         self.teeth().filter(|teeth| *teeth != [1, 1])
@@ -148,7 +148,7 @@ impl Surfaces {
         self.sample.as_ref().map_or(1, |sample| sample.met.len())
     }
 
-    /// Refuses several pairs, where a single contact is looked at.
+    /// Refuses several pairs where a single contact is solved.
     pub(crate) fn check_one_pair(&self) -> Result<(), PositionError> {
         match self.teeth() {
             None => Ok(()),
@@ -182,7 +182,7 @@ impl Surfaces {
         self.met(0, k, count).1 == 0
     }
 
-    /// The same with every pair of traces changed.
+    /// Applies `change` to every pair of traces.
     fn changed<E>(&self, change: impl Fn(&Self) -> Result<Self, E>) -> Result<Self, E> {
         let Some(sample) = &self.sample else {
             return change(self);
@@ -195,7 +195,7 @@ impl Surfaces {
         Ok(Self::of_pairs(pairs).unwrap_or_else(|| self.clone()))
     }
 
-    /// The same with placed traces misplaced by so many half-widths against each other; none where they are not placed.
+    /// Shifts placed traces by a number of half-widths against each other; `None` if they are not placed.
     pub(crate) fn misplaced(&self, half_widths: f64) -> Option<Self> {
         self.changed(|met| {
             let placement = met.placement.ok_or(())?;
@@ -208,13 +208,13 @@ impl Surfaces {
         .ok()
     }
 
-    /// Where the traces lie on their flanks; none where that is not known of both.
+    /// Places of the traces on their flanks; `None` unless both are known.
     #[must_use]
     pub fn placement(&self) -> Option<&Placement> {
         self.placement.as_ref()
     }
 
-    /// Share of the loss at places that both traces cover, the least of all pairs; none where they are not placed.
+    /// Share of the loss at places that both traces cover, the least of all pairs; `None` if they are not placed.
     pub(crate) fn coverage<'a>(
         &self,
         stations: impl Iterator<Item = &'a MeshPosition> + Clone,
@@ -244,7 +244,7 @@ impl Surfaces {
         self.rz[body].unwrap_or(window).si()
     }
 
-    /// The same flanks with other traces.
+    /// The flanks with other traces.
     pub(crate) fn with_traces(&self, traces: [Profile; 2]) -> Self {
         Self::new(
             traces.map(Texture::Trace),
@@ -254,7 +254,7 @@ impl Surfaces {
         .placed(self.placement)
     }
 
-    /// The same flanks with all heights times `factor`.
+    /// The flanks with all heights multiplied by `factor`.
     ///
     /// # Errors
     /// When heights are no longer finite.
@@ -292,7 +292,7 @@ impl Surfaces {
             .placed(self.placement))
     }
 
-    /// The same flanks with other heights on their traces; Rz of a trace goes with its Rq.
+    /// Changes the heights of the traces; Rz of a trace scales with its Rq.
     ///
     /// # Errors
     /// Those of `change`.
@@ -368,7 +368,7 @@ impl Surfaces {
         self.pairs() * of_a_pair
     }
 
-    /// Whether the traces of a flank, 0 of the pinion and 1 of the wheel, are those of other flanks.
+    /// Whether the traces of a flank, 0 of the pinion and 1 of the wheel, equal those in `other`.
     pub(crate) fn has_flank_of(&self, body: usize, other: &Self) -> bool {
         let textures = |surfaces: &Self| -> Vec<Arc<[Texture; 2]>> {
             surfaces
@@ -381,7 +381,7 @@ impl Surfaces {
         ours.len() == theirs.len() && pairs.all(|(a, b)| a[body] == b[body])
     }
 
-    /// Roughness of the windows that meet.
+    /// Roughness of two windows in contact.
     pub(crate) fn roughness_of(&self, windows: &[Profile; 2]) -> Result<Roughness, PositionError> {
         let (peak, summits) = peaks(windows, self.noise_cutoff.unwrap_or(SUMMIT_WINDOW))?;
         let [first, second] = [

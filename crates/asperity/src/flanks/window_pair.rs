@@ -1,4 +1,4 @@
-//! Two rough windows that meet at a mesh position, and their gap.
+//! Two rough windows in contact at a mesh position, and their gap.
 
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_core::Profile;
@@ -29,7 +29,7 @@ pub(crate) fn is_substituted(surfaces: &Surfaces, position: &MeshPosition) -> bo
     }
 }
 
-/// The windows of both traces that meet at a mesh position, by their places on the traces.
+/// The windows of both traces in contact at a mesh position, by their places on the traces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Window {
     /// First points of the window on the traces of pinion and wheel; negative where a placed trace begins within the
@@ -86,7 +86,7 @@ impl Window {
         Ok(Some(Self { starts, points: n }))
     }
 
-    /// Heights of both flanks in the windows at offset `k` of `count`, beyond the ends of a trace those of its mirror
+    /// Heights of both flanks in the windows at offset `k` of `count`, beyond the ends of a trace from its mirror
     /// image.
     pub(crate) fn cut(
         self,
@@ -107,7 +107,7 @@ impl Window {
 }
 
 impl Surfaces {
-    /// Roughness of the windows that meet at `position` at offset `k` of `count`, or of the flanks as a whole where no
+    /// Roughness of the windows in contact at `position` at offset `k` of `count`, or of the flanks as a whole where no
     /// window is resolved.
     ///
     /// # Errors
@@ -141,7 +141,7 @@ pub struct WindowPair {
 }
 
 impl WindowPair {
-    /// The windows of `window` half-widths to each side that meet at `position` at offset `k` of `count`, with the reduced
+    /// The windows of `window` half-widths to each side in contact at `position` at offset `k` of `count`, with the reduced
     /// modulus of the contact; `None` where no window is resolved.
     ///
     /// # Errors

@@ -23,7 +23,7 @@ pub(crate) struct FullFilm {
 }
 
 impl FullFilm {
-    /// The film of `position`: central gap, minimum film, and flow of mass over that of the formula; friction
+    /// The film of `position`: central gap, minimum film, and flow of mass relative to the formula; friction
     /// coefficient by the solution and by the law.
     pub(crate) fn new(
         (position, formula): (&MeshPosition, &FormulaFilm),
@@ -63,7 +63,7 @@ impl FullFilm {
         x.iter().map(value).collect()
     }
 
-    /// Films at the points `x` \[m\]; outside the solution that of its end and the parabola beyond.
+    /// Films at the points `x` \[m\]; outside the solution the film of its end and the parabola beyond.
     pub(crate) fn gap_at(&self, x: &[f64], radius: Length) -> Vec<f64> {
         let last = self.x.len() - 1;
         let value = |x: &f64| match self.cell(*x) {

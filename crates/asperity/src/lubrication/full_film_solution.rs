@@ -75,7 +75,7 @@ fn smooth(
     ))
 }
 
-/// Means over the records beside the position.
+/// Means over the neighbouring records.
 fn recorded(
     (position, formula): (&MeshPosition, &FormulaFilm),
     records: &PathRecords,

@@ -1,4 +1,4 @@
-//! Laws of a user's own in place of those that the case file names.
+//! User-defined laws that replace those of the case file.
 //!
 //! ```
 //! use std::{path::Path, sync::Arc};
@@ -40,7 +40,7 @@ use asperity_tribo_friction::FilmFriction;
 
 use crate::lubrication::load_share_law::LoadShare;
 
-/// Laws of a user's own; where there is none, the case's own choice holds.
+/// User-defined laws; without one the choice of the case applies.
 #[derive(Debug, Clone, Default)]
 #[non_exhaustive]
 pub struct Laws {

@@ -1,5 +1,5 @@
 //! Sharing of the load between film and asperities as an extension point: the laws of the case file
-//! and any law of a user's own.
+//! and user-defined laws.
 //!
 //! A law sees the mesh position, the film parameters and, where both flanks were measured, the heights
 //! of both under the contact. It says what part of the load the film carries, and at which friction
@@ -91,7 +91,7 @@ impl SharedLoad {
         }
     }
 
-    /// The same with only `boundary_part` of the asperities' load at the boundary coefficient and the
+    /// Sets only `boundary_part` of the asperities' load at the boundary coefficient and the
     /// rest at `coefficient`.
     #[must_use]
     pub const fn with_lubricated_asperities(self, boundary_part: f64, coefficient: f64) -> Self {
@@ -181,7 +181,7 @@ impl LoadShare for LoadShareName {
         *self == Self::Ehl
     }
 
-    /// Where the rough contact is not known, `solved`, `jgp` and `ehl` fall back on `lambda-star`.
+    /// If the rough contact is not known, `solved`, `jgp` and `ehl` fall back on `lambda-star`.
     fn share(&self, conditions: &ShareConditions<'_>) -> Result<SharedLoad, PositionError> {
         match (self, conditions.solved) {
             (Self::Solved, Some(solved)) => Ok(SharedLoad {

@@ -21,7 +21,7 @@ pub(crate) struct LubricatedPosition {
     pub at: MeshPosition,
     pub film: FormulaFilm,
     pub offsets: Vec<LubricatedWindow>,
-    /// The full film by its elastohydrodynamic solution, where the case asks for it and an offset has one.
+    /// Elastohydrodynamic solution of the full film, if the case requests it and an offset has a full film.
     pub full_film: Option<FullFilm>,
     /// Doubts about the rough contacts that were solved.
     pub doubts: Vec<ContactWarning>,
@@ -30,8 +30,8 @@ pub(crate) struct LubricatedPosition {
 }
 
 impl LubricatedPosition {
-    /// Largest pressure of the rough contact, as a mean over the offsets where the flanks touch \[MPa\]; none
-    /// where they don't.
+    /// Largest pressure of the rough contact, as a mean over the offsets where the flanks touch \[MPa\];
+    /// `None` if they do not touch.
     pub fn rough_pressure(&self) -> Option<f64> {
         let contacts = self.offsets.iter().filter_map(|offset| offset.contact);
         let pressures: Vec<f64> = contacts.map(|contact| contact.p_max * 1e-6).collect();
@@ -43,8 +43,8 @@ impl LubricatedPosition {
         (!pressures.is_empty()).then(|| sum() / pressures.len() as f64)
     }
 
-    /// The same, or the Hertz pressure where the flanks don't touch: a report shows the position where it is
-    /// highest.
+    /// Largest pressure of the rough contact, or the Hertz pressure if the flanks do not touch: a report shows the
+    /// position where it is highest.
     pub fn shown_pressure(&self) -> f64 {
         let hertz = self.at.hertz.max_pressure.si() * 1e-6;
         self.rough_pressure().unwrap_or(hertz)
@@ -66,7 +66,7 @@ impl LubricatedPosition {
 #[derive(Debug, Clone)]
 pub(crate) struct LubricatedWindow {
     pub roughness: Roughness,
-    /// Λ*; none when the peaks of the flanks are not known or there are none.
+    /// Λ*; `None` if the flanks have no peaks or these are not known.
     pub lambda_star: Option<f64>,
     /// h_min/S.
     pub film_ratio: f64,
@@ -77,9 +77,9 @@ pub(crate) struct LubricatedWindow {
     pub boundary_part: f64,
     /// Friction coefficient of the lubricated asperities.
     pub lubricated_coefficient: f64,
-    /// The rough contact at its share, where the law of the load share looks at it.
+    /// The rough contact at its share, if the load-share law depends on it.
     pub solved: Option<LoadShareSolution>,
-    /// Shares and friction of the records beside the position, where the law of the load share asks for them.
+    /// Shares and friction of the neighbouring records, if the load-share law requires them.
     pub recorded: Option<RecordedShare>,
     /// Friction in the film.
     pub friction: InFilm,
@@ -89,7 +89,7 @@ pub(crate) struct LubricatedWindow {
     pub friction_force: f64,
     /// Flash temperature of film and asperities together \[K\].
     pub flash: f64,
-    /// Numbers of the rough contact, where it was asked for and the flanks touch.
+    /// Numbers of the rough contact, if it was solved and the flanks touch.
     pub contact: Option<ContactNumbers>,
     /// Deformation loss of the paper's reading.
     pub deformation: PrintedDeformation,

@@ -1,4 +1,4 @@
-//! The records that a case asks for.
+//! The records that a case requires.
 
 use super::chosen_laws::ChosenLaws;
 use super::formula_film::FormulaFilm;
@@ -8,7 +8,7 @@ use crate::error::PositionError;
 use crate::mesh::MeshPosition;
 use crate::records::PathRecords;
 
-/// Records of mixed lubrication along `positions`, where the load share or the full film asks for them, and how
+/// Records of mixed lubrication along `positions`, if the load share or the full film requires them, and how
 /// many of them `progress` counts before the positions.
 ///
 /// # Errors

@@ -27,7 +27,7 @@ pub(crate) struct RoughFilm<'a> {
 }
 
 impl<'a> RoughFilm<'a> {
-    /// The film at `position`, where the law of the load share asks for the rough contact and both flanks are
+    /// The film at `position`, if the load-share law requires the rough contact and both flanks are
     /// measured.
     pub(crate) fn at(
         case: &'a Case,
@@ -121,7 +121,7 @@ impl<'a> RoughFilm<'a> {
     }
 }
 
-/// Whether the load share of the case looks at the rough contact.
+/// Whether the load share of the case depends on the rough contact.
 pub(crate) fn is_asked_for(case: &Case, laws: &ChosenLaws, surfaces: &Surfaces) -> bool {
     laws.load_share.supply().is_some()
         && case.rheology.is_some()

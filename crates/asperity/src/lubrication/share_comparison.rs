@@ -1,4 +1,4 @@
-//! Laws of load sharing beside the referee, at one place and over the same traces.
+//! Load-share laws compared with the reference solution, at one place and over the same traces.
 
 use asperity_contact::SolverSettings;
 use asperity_core::Profile;
@@ -34,7 +34,7 @@ pub struct LawShare {
     pub law: &'static str,
     /// Share of the load on the asperities; none where the law has no answer.
     pub solid_share: Option<f64>,
-    /// Solid share minus that of the referee.
+    /// Solid share minus that in the reference solution.
     pub minus_referee: Option<f64>,
     /// Mean gap of the flanks \[µm\], of laws that solve for it.
     pub mean_gap_um: Option<f64>,
@@ -42,12 +42,12 @@ pub struct LawShare {
     pub friction: Option<f64>,
 }
 
-/// The laws beside the referee.
+/// The laws compared with the reference solution.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ShareComparison {
-    /// Solid share of the referee that the laws are compared with: mean of the loads below 20 and 50 nm.
+    /// Solid share of the reference solution: mean of the loads below 20 and 50 nm.
     pub referee_share: f64,
-    /// Mean film of the referee \[µm\].
+    /// Mean film of the reference solution \[µm\].
     pub referee_mean_film_um: f64,
     /// Friction of the reference solution with the weight of the laws, e^(−h/h_b), on its boundary friction.
     pub referee_friction: Option<f64>,
@@ -66,7 +66,7 @@ struct Window {
     smooth_supply: LoadShareSolution,
 }
 
-/// Sets the laws of load sharing beside `record` of `contact`.
+/// Compares the load-share laws with `record` of `contact`.
 ///
 /// # Errors
 /// When a window leaves its trace, a rough contact does not converge or a law refuses the numbers.

@@ -321,7 +321,7 @@ impl Lubrication<'_> {
         }
     }
 
-    /// Friction in the film: that of the full film or of the load share if these solve for it, else by the law. The
+    /// Friction in the film: from the full film or the load share if these solve for it, else by the law. The
     /// friction of a film without asperities does not depend on the roughness: all offsets take it from the first one.
     fn in_film(
         &self,
@@ -349,7 +349,7 @@ impl Lubrication<'_> {
         }
     }
 
-    /// Whether the film friction of the case is that of a film without asperities, which a solved film can replace.
+    /// Whether the film friction of the case is for a film without asperities, which a solved film can replace.
     fn is_film_alone(&self) -> bool {
         let case = self.case;
         case.laws.friction.is_none() && case.model.film_friction.shear_law().is_some()

@@ -13,7 +13,7 @@ use crate::error::PositionError;
 pub enum Resolution {
     /// It must be, or there is no result.
     Required,
-    /// Where the points are too far apart, the roughness of the whole traces is used for the window: the
+    /// If the points are too far apart, the roughness of the whole traces is used for the window: the
     /// position carries so little of the loss, or none.
     WhereFine,
 }

@@ -24,7 +24,7 @@ struct March<'a> {
     position: &'a MeshPosition,
     pair: &'a WindowPair,
     solver: Solver,
-    /// Approach at which the highest points of the undeformed flanks meet.
+    /// Approach at which the highest points of the undeformed flanks touch.
     touch: f64,
     datum: Length,
     history: Vec<LoadStep>,

@@ -15,7 +15,7 @@ use crate::mesh::MeshPosition;
 pub(crate) struct PrintedDeformation {
     /// In contact: elastic and plastic displacement.
     pub in_contact: [f64; 2],
-    /// After contact: plastic displacement alone.
+    /// After contact: plastic displacement only.
     pub after_contact: [f64; 2],
 }
 

@@ -1,4 +1,4 @@
-//! The bulk temperature that the loss of the mesh keeps up.
+//! Equilibrium bulk temperature of the flanks.
 //!
 //! Film and friction see the flanks' bulk temperature; where a case gives that of the oil instead, the loss makes
 //! the rise and the rise changes the loss. The rough contacts are solved once: a further temperature costs film
@@ -17,7 +17,7 @@ use crate::mesh::Mesh;
 use crate::parameters::keep_parameters;
 use crate::result::Losses;
 
-/// The case at the bulk temperature of `model`; `losses` are those of a case whose bulk temperature is given.
+/// The case at the bulk temperature of `model`; `losses` computes a case whose bulk temperature is stated.
 pub(crate) fn settle(
     loaded: &LoadedCase,
     model: BulkModel,

@@ -71,7 +71,7 @@ fn placed_mesh(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Mesh,
     Ok(mesh)
 }
 
-/// What every mesh position has, in order; an error names the position.
+/// Values of all mesh positions, in order; an error names its position.
 fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Error> {
     let count = of_positions.len();
     let numbered = |(index, one): (usize, Result<T, PositionError>)| {
@@ -422,7 +422,7 @@ impl RunInSteps {
         Self(case.model.run_in)
     }
 
-    /// Steps after `measured`, those of the flanks as measured: the cycles, and the flanks run in.
+    /// Steps after `measured`, the steps of the flanks as measured: the cycles, and the flanks run in.
     fn after(&self, measured: usize) -> usize {
         match self.0 {
             true => running_in::MAX_CYCLES + measured,

@@ -1,4 +1,4 @@
-//! Film and regime along the path of contact alone, which the paper evaluates before it branches.
+//! Film and regime along the path of contact without friction, which the paper evaluates before it branches.
 
 use asperity_core::quantity::Length;
 use asperity_ns_film::{FluidModel, pressure_difference_across};
@@ -90,7 +90,7 @@ pub struct FilmRow {
     pub thickness_m: f64,
     /// Difference of the wall pressures with Reynolds and the cross-film term \[Pa\].
     pub reynolds_cross_pa: f64,
-    /// The same with the paper's radial momentum equation \[Pa\].
+    /// Difference with the paper's radial momentum equation \[Pa\].
     pub paper_pa: f64,
     /// The larger of both over the Hertz pressure.
     pub ratio_to_hertz: f64,

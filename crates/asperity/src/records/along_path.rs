@@ -40,7 +40,7 @@ struct Between {
 }
 
 impl PathRecords {
-    /// Solves the records of `loaded` along its `positions`, or finds them where they were kept; `smooth` gives
+    /// Solves the records of `loaded` along its `positions`, or reads them if they are stored; `smooth` gives
     /// the friction of the smooth film with its heat, and none for a published law. None where a flank was not
     /// measured, and in the paper's reading.
     ///

@@ -1,4 +1,4 @@
-//! Record of transient mixed lubrication as it is kept.
+//! Stored record of transient mixed lubrication.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -75,7 +75,7 @@ pub struct PathRecord {
 }
 
 impl PathRecord {
-    /// The parts kept of `solved`, the record of `contact` with a friction law.
+    /// The stored parts of `solved`, the record of `contact` with a friction law.
     pub(super) fn new(
         contact: &RefereeContact,
         solved: &Solved<Record>,
@@ -136,7 +136,7 @@ impl PathRecord {
         }
     }
 
-    /// Film friction of the record over that of the smooth film.
+    /// Film friction of the record relative to the smooth film.
     pub(super) fn film_ratio(&self) -> f64 {
         if self.smooth_friction > 0.0 {
             self.film_friction / self.smooth_friction

@@ -2,7 +2,7 @@
 
 use asperity_ehl::Estimate;
 
-/// Shares and friction at one mesh position, interpolated between the records beside it.
+/// Shares and friction at one mesh position, interpolated between the neighbouring records.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RecordedShare {

@@ -1,4 +1,4 @@
-//! Records kept by their content.
+//! Records stored by their content.
 
 use std::fs;
 use std::io::Write;
@@ -11,7 +11,7 @@ use super::path_record::PathRecord;
 use crate::fingerprint::Fingerprint;
 use crate::reference_solution::RefereeContact;
 
-/// Raised whenever the solver gives other numbers for the same contact, so that older records are left alone.
+/// Raised whenever the solver gives other numbers for the same contact, so that older records are not used.
 const REVISION: u32 = 2;
 /// Bytes of the largest record that is read.
 const LARGEST: u64 = 100_000_000;
@@ -25,7 +25,7 @@ pub struct RecordStore {
 }
 
 impl RecordStore {
-    /// Records in `folder`, made at need; without one nothing is kept.
+    /// Records in `folder`, made at need; without one nothing is stored.
     #[must_use]
     pub fn new(folder: Option<PathBuf>) -> Self {
         Self { folder }

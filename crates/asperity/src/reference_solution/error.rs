@@ -1,4 +1,4 @@
-//! Reasons why the referee has no answer.
+//! Errors of the reference solution.
 
 use asperity_ehl::EhlError;
 use asperity_oil::LubricantError;

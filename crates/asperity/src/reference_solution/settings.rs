@@ -1,4 +1,4 @@
-//! From a case and a place on its path to the rough contact that the referee solves.
+//! From a case and a place on its path to the rough contact of the reference solution.
 
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::{Length, Pressure};
@@ -18,12 +18,12 @@ use crate::error::PositionError;
 use crate::flanks::Texture;
 use crate::mesh::{Mesh, MeshPosition, position_at};
 
-/// Attenuated roughness over the smooth film beyond which ridges that cannot leak make the contact no referee:
+/// Attenuated roughness over the smooth film beyond which ridges that cannot leak make the contact no reference:
 /// compared with gear tests, gap and friction are off from about 3 on.
 pub const LARGEST_ROUGHNESS: f64 = 3.0;
 /// Roelands' exponent of the film; one that follows from α and η₀ moves the shares by some 2 %.
 const ROELANDS: f64 = 0.6;
-/// Shortest wavelength kept; shorter ones move the load below 20 nm by 2 %.
+/// Shortest wavelength in the traces; shorter ones move the load below 20 nm by 2 %.
 const SHORTEST_WAVE: Length = Length::from_si(8e-6);
 /// Cells that the shortest wave spans at least.
 const CELLS_A_WAVE: f64 = 8.0;
@@ -36,12 +36,12 @@ const OFFSETS: [f64; 2] = [0.07, 0.44];
 /// traces evenly and never the same pairs.
 const OFFSET_STEPS: [f64; 2] = [0.618_033_988_749_894_9, 0.414_213_562_373_095];
 
-/// Choices of the referee.
+/// Choices of the reference solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RefereeSettings {
     /// Grid, length and films of the record; its law of friction and ceiling are those of the case.
     pub record: RecordSettings,
-    /// Eyring stress in place of that of the base oil.
+    /// Eyring stress that replaces the value of the base oil.
     pub eyring_stress: Option<Pressure>,
     /// Number of the pair of places on the traces at which the record begins, from 0.
     pub beginning: usize,
@@ -180,7 +180,7 @@ fn line_contact(case: &Case, position: &MeshPosition) -> LineContact {
     }
 }
 
-/// The oil in the film: that of the case, or the constants of its base oil.
+/// The oil in the film, from the case or the constants of its base oil.
 pub(crate) fn rheology(case: &Case) -> Result<FilmRheology, RefereeError> {
     match (&case.rheology, case.lubricant.base_oil()) {
         (Some(rheology), _) => Ok(rheology.clone()),

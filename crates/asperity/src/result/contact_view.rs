@@ -27,7 +27,7 @@ impl ContactView {
     /// Half-widths of the contact that a view reaches to either side.
     pub const REACH: f64 = 1.5;
 
-    /// Whether the columns are of one length; those of a damaged file may not be.
+    /// Whether the columns have one length; in a damaged file they may not.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         let columns = [

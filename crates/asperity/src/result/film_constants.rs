@@ -63,7 +63,7 @@ pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, Lubricant
         .collect())
 }
 
-/// What a rig has found, with its 95 % band.
+/// A constant calibrated on a rig, with its 95 % band.
 fn calibrated(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
     let calibration = case.input.calibration.iter();
     calibration.flat_map(|calibration| {

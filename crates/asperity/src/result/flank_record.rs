@@ -98,7 +98,7 @@ pub struct ReadingRecord {
     pub points: usize,
     /// Points that were interpolated on request.
     pub gaps_filled: usize,
-    /// Statements of the file beside the heights.
+    /// Statements of the file in addition to the heights.
     pub metadata: Metadata,
     /// Warnings of the reader.
     pub warnings: Vec<Warning>,

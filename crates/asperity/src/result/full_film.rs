@@ -14,11 +14,11 @@ pub struct FullFilmRow {
     pub p_max_mpa: f64,
     /// Friction coefficient; absent where a published law gives it.
     pub mu: Option<f64>,
-    /// Central film over that of the formula minus 1, both as flow of mass at ambient density.
+    /// Central film relative to the formula, minus 1, both as flow of mass at ambient density.
     pub film_central_deviation: f64,
-    /// Minimum film over that of the formula, minus 1.
+    /// Minimum film relative to the formula, minus 1.
     pub film_minimum_deviation: f64,
-    /// Friction coefficient over that of the friction law, minus 1.
+    /// Friction coefficient relative to the friction law, minus 1.
     pub mu_deviation: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Losses of the gearbox beside that of the mesh, as its user states them.
+//! Losses of the gearbox in addition to the mesh, as its user states them.
 //!
 //! The mesh is computed with the whole torque of the case, and all losses count against the power in: what bearings and
 //! seals take before the mesh is not taken off its torque. No band belongs to these parts.
@@ -15,14 +15,14 @@ use crate::case::{Case, Part, PartKind, Shaft};
 use crate::error::PositionError;
 use crate::result::LossBand;
 
-/// What a result covers.
+/// Scope of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scope {
-    /// The mesh alone: no bearings, seals, churning.
+    /// The mesh only: no bearings, seals, churning.
     #[default]
     Mesh,
-    /// The mesh, and beside it the parts of the gearbox that the user states.
+    /// The mesh and the parts of the gearbox that the user states.
     Gearbox,
 }
 
@@ -34,7 +34,7 @@ pub struct GearboxReport {
     pub efficiency: f64,
     /// Losses of mesh and parts together \[W\].
     pub loss_w: f64,
-    /// Losses of the parts alone \[W\]: the user's, without a band.
+    /// Losses of the parts \[W\], from the user's input, without an uncertainty.
     pub parts_w: f64,
     /// Power into the gearbox \[W\].
     pub power_in_w: f64,
@@ -45,7 +45,7 @@ pub struct GearboxReport {
 }
 
 impl GearboxReport {
-    /// 5 % and 95 % quantiles of the loss \[W\]: those of the mesh, to which the parts are added as they are.
+    /// 5 % and 95 % quantiles of the loss \[W\]: the quantiles of the mesh plus the parts.
     #[must_use]
     pub fn quantiles_w(&self, band: &LossBand) -> [f64; 2] {
         band.quantiles_w.map(|loss| loss + self.parts_w)
@@ -73,7 +73,7 @@ pub struct GearboxPart {
     pub loss_w: f64,
     /// Torque \[N m\]: of a seal and a bearing at its own shaft, else at the pinion.
     pub torque_nm: f64,
-    /// What is outside the range of its law.
+    /// Inputs outside the range of their law.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub outside: Vec<String>,
 }
@@ -85,7 +85,7 @@ pub struct OperatingPoint {
     pub torque: Torque,
     /// Speed of the pinion.
     pub speed: AngularSpeed,
-    /// Temperature of the operation, which is that of the oil unless the gearbox has its own.
+    /// Temperature of the operation, used for the oil unless the gearbox states its own.
     pub temperature: Temperature,
 }
 

@@ -17,13 +17,13 @@ pub struct LoadReport {
     pub law: String,
     /// Loss factor H_V of the load map.
     pub loss_factor: f64,
-    /// Band of the loss factor from its uncertain constants; none for laws without deflections.
+    /// Band of the loss factor from its uncertain constants; `None` for laws without deflections.
     pub band: Option<LossFactorBand>,
     /// Loss factor if tip edges touch outside the path of contact, where they may.
     pub edge_contact: Option<EdgeContactNote>,
     /// Highest over mean load per width of the face, K_Hβ.
     pub face_load_factor: f64,
-    /// Mean transmission error \[µm\]; none for laws without deflections.
+    /// Mean transmission error \[µm\]; `None` for laws without deflections.
     pub transmission_error_um: Option<f64>,
     /// Transmission error from peak to peak \[µm\].
     pub transmission_error_peak_to_peak_um: Option<f64>,
@@ -41,7 +41,7 @@ pub struct LoadReport {
 pub struct LoadRow {
     /// Middle of the strip along the line of action from T1 \[mm\].
     pub s_mm: f64,
-    /// The same, 0 at A and 1 at E.
+    /// Place on the path, 0 at A and 1 at E.
     pub path_fraction: f64,
     /// Mean load per length of contact line \[N/mm\].
     pub mean_n_per_mm: f64,

@@ -15,7 +15,7 @@ pub struct LossBand {
     pub quantiles_w: [f64; 2],
     /// The same of the mesh efficiency, the lower first.
     pub efficiency_quantiles: [f64; 2],
-    /// 5 % and 95 % quantiles by the parameters alone \[W\].
+    /// 5 % and 95 % quantiles from the parameters only \[W\].
     pub parameter_quantiles_w: [f64; 2],
     /// Parameters that were drawn.
     pub parameters: Vec<BandParameter>,
@@ -25,11 +25,11 @@ pub struct LossBand {
     pub draws: usize,
     /// The loss of each draw \[W\], the same draws for every case.
     pub draws_w: Vec<f64>,
-    /// What the flanks sampled add.
+    /// Contribution of the sampling of the flanks.
     pub sampling: SamplingPart,
     /// The loss by other laws, each by its name; none is in the band.
     pub alternatives: Vec<AlternativeRow>,
-    /// How much the answer is to be trusted.
+    /// Trust in the result.
     pub trust: Trust,
     /// 5 % and 95 % quantiles of the sliding loss per metre of contact line by the parameters, at each position
     /// \[W/m\].
@@ -62,7 +62,7 @@ pub struct BandParameter {
     pub effect_w: f64,
 }
 
-/// What it adds that a trace is a sample of its flank.
+/// Contribution of a trace being a sample of its flank.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -134,17 +134,17 @@ impl PairSampling {
     }
 }
 
-/// The loss by another law or reading of the model.
+/// The loss by another law or formulation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct AlternativeRow {
-    /// What is taken instead.
+    /// The law or value used instead.
     pub name: String,
-    /// All losses \[W\]; none where it has no solution here.
+    /// All losses \[W\]; `None` if the model has no solution here.
     pub loss_w: Option<f64>,
 }
 
-/// How much the answer is to be trusted.
+/// Trust in the result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -153,12 +153,12 @@ pub enum Trust {
     SolvedContact,
     /// A formula shares the load between film and asperities.
     ShareFormula,
-    /// A flank is known by roughness values alone: the lowest trust.
+    /// A flank is known only by roughness values: the lowest trust.
     RoughnessValues,
 }
 
 impl LossBand {
-    /// Half the width of the band \[W\], which tells the digits of the loss that mean something.
+    /// Half the width of the interval \[W\], which limits the printed digits of the loss.
     #[must_use]
     pub fn half_width_w(&self) -> f64 {
         0.5 * (self.quantiles_w[1] - self.quantiles_w[0])

@@ -12,7 +12,7 @@ pub struct MicropittingReport {
     pub path_fraction: f64,
     /// The same place on both flanks, in words.
     pub place: String,
-    /// What of the gears or the operation the specification was not made from; empty inside its scope.
+    /// Properties of gears and operation outside the scope of the specification.
     pub outside: Vec<String>,
     /// Product of the load factors on the load, as the user states it.
     pub load_factor: f64,
@@ -42,7 +42,7 @@ pub struct MicropittingCell {
     pub film_um: f64,
     /// λ_GF.
     pub lambda: f64,
-    /// The same film over the composite Rq of the windows that meet, of wavelengths below 0.08 mm; none without traces.
+    /// The same film over the composite Rq of the windows in contact, for wavelengths below 0.08 mm; `None` without traces.
     pub lambda_short: Option<f64>,
     /// Share of the load on touching asperities.
     pub solid_share: f64,

@@ -47,7 +47,7 @@ pub struct RunResult {
     pub program: String,
     /// The case's title.
     pub title: String,
-    /// Reading of the model.
+    /// Formulation of the model.
     pub formulation: Formulation,
     /// Efficiency and losses.
     pub summary: Summary,
@@ -70,15 +70,15 @@ pub struct RunResult {
     /// The bulk temperature found from the loss; absent where it is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bulk: Option<BulkReport>,
-    /// Loss and efficiency of the gearbox, where the case states what loses beside the mesh.
+    /// Loss and efficiency of the gearbox, if the case states its other parts.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gearbox: Option<GearboxReport>,
-    /// The micropitting rating, where the case asks for it.
+    /// The micropitting rating, if the case requests it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub micropitting: Option<MicropittingReport>,
     /// Plastic work of the first engagement.
     pub running_in: RunningIn,
-    /// The mesh with flanks that have run in, where the case asks for it; all else is of the flanks as measured.
+    /// The mesh with flanks that have run in, if the case requests it; all else is of the flanks as measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub run_in: Option<RunInFlanks>,
     /// Warnings.
@@ -109,7 +109,7 @@ pub struct RunResult {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Summary {
-    /// What the result covers. All numbers here are of the mesh alone, but for those named `gearbox`.
+    /// Scope of the result. All numbers here are of the mesh, except those named `gearbox`.
     #[serde(default)]
     pub scope: Scope,
     /// Efficiency of the gearbox, where that is the scope.
@@ -147,7 +147,7 @@ pub struct Summary {
     pub deformation_in_contact_w: [f64; 2],
     /// Part of the rolling loss by hysteresis of the steel \[W\].
     pub hysteresis_w: f64,
-    /// Elastic work put into the flanks and given back, but for hysteresis \[W\]; no loss.
+    /// Elastic work put into the flanks and given back, except for hysteresis \[W\]; not a loss.
     pub elastic_cycling_w: f64,
     /// Share of the load on touching asperities, mean over mesh time.
     pub asperity_share: f64,
@@ -180,13 +180,13 @@ pub struct PublishedLawRow {
     pub law: String,
     /// Whether its coefficient includes asperity friction.
     pub includes_asperities: bool,
-    /// Whether it was made without the rolling loss, which is then that of this result.
+    /// Whether the law excludes the rolling loss, which is then taken from this result.
     pub excludes_rolling: bool,
     /// Data it was fitted to.
     pub fitted_to: String,
     /// Whether every input lies inside what it was fitted to.
     pub inside_its_range: bool,
-    /// Inputs outside that, each once.
+    /// Distinct inputs outside that range.
     pub outside: Vec<String>,
     /// Loss and efficiency, or why there are none.
     #[serde(flatten)]
@@ -273,7 +273,7 @@ pub struct PositionRow {
     pub boundary_share: f64,
     /// Mean gap of the rough flanks \[µm\], of load shares that solve the contact.
     pub mean_gap_um: Option<f64>,
-    /// The full film by its elastohydrodynamic solution, where the case asks for it and an offset has one.
+    /// Elastohydrodynamic solution of the full film, if the case requests it and an offset has a full film.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub full_film: Option<FullFilmRow>,
     /// Friction coefficient in the film.
@@ -290,7 +290,7 @@ pub struct PositionRow {
     /// Standard deviation of the sliding loss over the offsets \[W/m\]; absent with one offset.
     #[serde(default)]
     pub sliding_deviation_w_per_m: Option<f64>,
-    /// Standard error of the sliding loss over pairs of several teeth \[W/m\]; none of one trace for each flank.
+    /// Standard error of the sliding loss over pairs of several teeth \[W/m\]; `None` with one trace for each flank.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sliding_standard_error_w_per_m: Option<f64>,
     /// Degrees of freedom of that.
@@ -540,7 +540,7 @@ pub struct OffsetRow {
 pub struct Losses {
     /// Efficiency and losses, mean over the offsets.
     pub summary: Summary,
-    /// One row per mesh position; the columns of the rough contact are empty unless the losses hang on it.
+    /// One row per mesh position; the columns of the rough contact are empty unless the losses depend on it.
     pub path: Vec<PositionRow>,
     /// Efficiency and losses at each offset, whose mean is the summary.
     pub offsets: Vec<OffsetRow>,
@@ -550,16 +550,16 @@ pub struct Losses {
     /// Running-in loss of the first pass.
     #[serde(skip)]
     pub running_in: RunningIn,
-    /// Losses with flanks that have run in, where the case asks for them.
+    /// Losses with flanks that have run in, if the case requests them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub run_in: Option<RunInFlanks>,
     /// The bulk temperature found from the loss; absent where it is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bulk: Option<BulkReport>,
-    /// Loss and efficiency of the gearbox, where the case states what loses beside the mesh.
+    /// Loss and efficiency of the gearbox, if the case states its other parts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gearbox: Option<GearboxReport>,
-    /// What left the range of its correlation or of lubricated steel, each once: code, correlation, input.
+    /// Distinct inputs outside the range of a correlation or of lubricated steel: code, correlation, input.
     pub outside: Vec<String>,
     /// Equations used.
     pub equations: Vec<EquationUse>,
@@ -579,6 +579,6 @@ pub struct Outcome {
     pub views: Vec<ContactView>,
     /// Load over the flanks, point by point.
     pub load_map: LoadMap,
-    /// Traces of pinion and wheel as read; absent for a flank known by its roughness values alone.
+    /// Traces of pinion and wheel as read; absent for a flank known only by its roughness values.
     pub traces: [Option<Profile>; 2],
 }

@@ -83,7 +83,7 @@ pub fn pair_sampling(losses: &[f64], teeth: [usize; 2]) -> Option<PairSampling> 
     })
 }
 
-/// Means of `values`, one at each offset, over the offsets of each of so many pairs.
+/// Means of `values`, one at each offset, over the offsets of each of `pairs` pairs.
 pub(crate) fn means_of_pairs(values: &[f64], pairs: usize) -> Vec<f64> {
     let each = (values.len() / pairs.max(1)).max(1);
     let means = values.chunks(each);

@@ -24,7 +24,7 @@ use crate::result::WindowSampling;
 pub const CONFIDENCE: f64 = 0.95;
 /// Averaging width b_e in half-widths of the contact.
 const AVERAGING_WIDTH: f64 = 1.6;
-/// Least way of a window, in averaging widths, that an interval is told from.
+/// Least way of a window, in averaging widths, for an interval.
 const LEAST_WAY: f64 = 3.0;
 
 /// Way that a window of `window` half-widths to each side can take along the shorter trace; negative where it does
@@ -39,7 +39,7 @@ pub(crate) fn free_way(surfaces: &Surfaces, window: f64, half_width: Length) -> 
     Some(Length::from_si(shortest - 2.0 * window * half_width.si()))
 }
 
-/// Least way that an interval is told from.
+/// Least way for an interval.
 pub(crate) fn least_way(half_width: Length) -> Length {
     half_width * (LEAST_WAY * AVERAGING_WIDTH)
 }

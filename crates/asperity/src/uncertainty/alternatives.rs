@@ -1,4 +1,4 @@
-//! Other laws and readings of the model, printed beside the band and never in it.
+//! Other laws and formulations, printed next to the interval and never in it.
 
 use asperity_core::quantity::Length;
 use asperity_oil::PressureLaw;

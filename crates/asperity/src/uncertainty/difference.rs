@@ -6,7 +6,7 @@ use super::drawn_losses::{DrawnLosses, mean};
 use super::mixture::{Drawn, five_to_ninety_five};
 use crate::sampling::window_sampling;
 
-/// Loss of a finish minus that of another on the same gears.
+/// Difference of the losses of two finishes on the same gears.
 ///
 /// What both have in common, as the friction of their oil, cancels; the sampling errors of different flanks add.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -16,9 +16,9 @@ pub struct PairedDifference {
     pub nominal_w: f64,
     /// 5 % and 95 % quantiles \[W\].
     pub quantiles_w: [f64; 2],
-    /// The same by the parameters alone \[W\].
+    /// Interval from the parameters only \[W\].
     pub parameter_quantiles_w: [f64; 2],
-    /// Half the width of the 95 % interval by the sampling of both flanks \[W\]; none where one was not sampled.
+    /// Half the width of the 95 % interval by the sampling of both flanks \[W\]; `None` if one was not sampled.
     pub sampling_half_width_w: Option<f64>,
     /// The nominal difference over the first loss.
     pub nominal_share: f64,

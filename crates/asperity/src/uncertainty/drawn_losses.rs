@@ -70,7 +70,7 @@ impl DrawnLosses {
         }
     }
 
-    /// Windows that count as independent; none where there is no sampling error to tell.
+    /// Windows that count as independent; `None` without a sampling error.
     #[must_use]
     pub fn effective_windows(&self) -> Option<f64> {
         self.effective

@@ -21,7 +21,7 @@ pub(crate) struct Draws {
     pub losses: Vec<Losses>,
 }
 
-/// Losses of the flanks of `loaded` as measured, by its kept contacts if there are any.
+/// Losses of the flanks of `loaded` as measured, with its stored contacts if there are any.
 pub(crate) fn evaluated(loaded: &LoadedCase, tables: Option<&Contacts>) -> Result<Losses, Error> {
     let mut loaded = Cow::Borrowed(loaded);
     if loaded.case.model.run_in {

@@ -1,4 +1,4 @@
-//! One band for a loss: sampling of the flanks, parameters that nobody knows well, and other laws beside it.
+//! Interval of a loss: sampling of the flanks, uncertain parameters, and alternative models next to it.
 //!
 //! A run with its band costs no further contact: the contacts of the run are kept, and a draw of boundary and oil
 //! constants costs film laws only. The same draws serve every case, so that two finishes differ by their flanks and
@@ -122,7 +122,7 @@ pub fn quantiles(
     Ok(Some(drawn.quantiles()))
 }
 
-/// Adds the equations of the band to those of the run.
+/// Adds the equations of the interval to the equations of the run.
 fn note(result: &mut RunResult, tags: &BTreeSet<&'static str>) {
     let before = result.equations.iter().map(|found| found.tag.as_ref());
     let known = crate::equations::all().iter().map(|known| known.tag);
@@ -262,7 +262,7 @@ fn drawn_mean(row: &PositionRow, sampled: Option<&DrawnLosses>) -> Drawn {
 }
 
 impl DrawnLosses {
-    /// What the sampling of the flanks adds, or why there is no interval.
+    /// Contribution of the sampling of the flanks, or the reason why there is no interval.
     fn sampling(&self, loaded: &LoadedCase) -> SamplingPart {
         let nominal = self.nominal();
         let misplaced_w = match self.misplaced[..] {

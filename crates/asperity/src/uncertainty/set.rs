@@ -1,4 +1,4 @@
-//! The band of a planetary set, from those of its two kinds of meshes.
+//! Interval of a planetary set, from the losses of its two kinds of meshes.
 
 use asperity_core::cite;
 
