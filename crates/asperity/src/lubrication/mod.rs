@@ -25,7 +25,7 @@ pub(crate) use chosen_laws::ChosenLaws;
 pub(crate) use decision::Decision;
 pub(crate) use friction::film_contact;
 pub(crate) use full_film::NOTED_DEVIATION;
-pub(crate) use plausibility::check_mesh_position;
+pub(crate) use plausibility::{check_mesh_position, plausible_film};
 pub(crate) use position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 pub(crate) use records::records_of;
 pub(crate) use rolling::{rolling, rolling_surfaces};

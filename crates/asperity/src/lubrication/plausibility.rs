@@ -4,9 +4,10 @@
 //! nothing any more whatever its laws return.
 
 use asperity_core::quantity::Pressure;
-use asperity_ehl_regime::FilmThickness;
 
+use super::formula_film::FormulaFilm;
 use super::position::LubricatedPosition;
+use crate::case::Case;
 use crate::error::PositionError;
 use crate::mesh::MeshPosition;
 
@@ -32,12 +33,16 @@ pub(crate) fn check_mesh_position(position: &MeshPosition) -> Result<(), Positio
     below("speed of the flanks", speeds, "m/s", SPEED)
 }
 
-/// Refuses a smooth film that cannot be.
-pub(crate) fn check_film(film: &FilmThickness) -> Result<(), PositionError> {
-    below("central film", film.central.si(), "m", FILM)?;
-    let minimum = film.minimum.si();
+/// The film at `position` by the formulas, unless it cannot be.
+pub(crate) fn plausible_film(
+    case: &Case,
+    position: &MeshPosition,
+) -> Result<FormulaFilm, PositionError> {
+    let film = FormulaFilm::of(case, position)?;
+    below("central film", film.film.central.si(), "m", FILM)?;
+    let minimum = film.film.minimum.si();
     if minimum > 0.0 {
-        return Ok(());
+        return Ok(film);
     }
     Err(PositionError::Impossible {
         name: "minimum film",

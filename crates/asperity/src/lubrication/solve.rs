@@ -13,7 +13,7 @@ use super::formula_film::FormulaFilm;
 use super::friction::{self, InFilm, Rubbing};
 use super::full_film::FullFilm;
 use super::full_film_solution::full_film_at;
-use super::plausibility::{check_film, check_position};
+use super::plausibility::{check_position, plausible_film};
 use super::position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 use super::rough_film::RoughFilm;
 use crate::case::{Case, Formulation, FullFilmName};
@@ -53,8 +53,7 @@ impl Lubrication<'_> {
         at: &MeshPosition,
         contacts: &[WindowContact],
     ) -> Result<LubricatedPosition, PositionError> {
-        let film = FormulaFilm::of(self.case, at)?;
-        check_film(&film.film)?;
+        let film = plausible_film(self.case, at)?;
         let smooth = self.smooth_friction((at, &film))?;
         let records = self
             .records
@@ -187,8 +186,7 @@ impl Lubrication<'_> {
         at: &MeshPosition,
         contacts: &[WindowContact],
     ) -> Result<(FormulaFilm, Vec<Decision>), PositionError> {
-        let film = FormulaFilm::of(self.case, at)?;
-        check_film(&film.film)?;
+        let film = plausible_film(self.case, at)?;
         let records = self
             .records
             .filter(|_| self.laws.load_share.needs_records());

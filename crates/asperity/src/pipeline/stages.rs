@@ -17,7 +17,7 @@ use crate::error::{Error, PositionError};
 use crate::flanks::is_substituted;
 use crate::flanks::placement::check_coverage;
 use crate::lubrication::{
-    ChosenLaws, LubricatedPosition, Lubrication, check_mesh_position, records_of,
+    ChosenLaws, LubricatedPosition, Lubrication, check_mesh_position, plausible_film, records_of,
 };
 use crate::mesh::{Mesh, MeshPosition};
 use crate::pictures::Picture;
@@ -27,9 +27,9 @@ use crate::result::{Losses, Outcome, RunInFlanks};
 /// Progress callback, called with (done, total).
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
-/// Checks all that a run checks before it solves a contact: the table of the gearbox, the mesh positions, the place of
-/// the traces, and at the first offset of each pair of teeth the windows that meet. Records of mixed lubrication are
-/// not computed, and a bulk temperature that follows from the loss is not sought.
+/// Checks all that a run checks before it solves a contact: the table of the gearbox, the mesh positions with their
+/// smooth films, the place of the traces, and at the first offset of each pair of teeth the windows that meet.
+/// Records of mixed lubrication are not computed, and a bulk temperature that follows from the loss is not sought.
 ///
 /// # Errors
 /// The error with which a run ends.
@@ -47,6 +47,7 @@ pub fn check(loaded: &LoadedCase) -> Result<(), Error> {
     let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
     let firsts = |position: &MeshPosition| {
         check_mesh_position(position)?;
+        plausible_film(&loaded.case, position)?;
         WindowContact::check(loaded, position)
     };
     numbered(mesh.positions.par_iter().map(firsts).collect())?;
@@ -428,5 +429,48 @@ impl RunInSteps {
             true => running_in::MAX_CYCLES + measured,
             false => 0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use asperity_core::Checked;
+    use asperity_core::quantity::Length;
+    use asperity_ehl_regime::{FilmConditions, FilmThickness, FilmThicknessLaw, RegimeError};
+
+    use super::{check, losses};
+    use crate::case::load_with;
+    use crate::pipeline::film;
+
+    /// A film without thickness.
+    #[derive(Debug)]
+    struct NoFilm;
+
+    impl FilmThicknessLaw for NoFilm {
+        fn name(&self) -> &str {
+            "no film"
+        }
+
+        fn film(&self, _: &FilmConditions) -> Result<Checked<FilmThickness>, RegimeError> {
+            let [central, minimum] = [1e-7, 0.0].map(Length::from_si);
+            Ok(Checked::inside(FilmThickness { central, minimum }))
+        }
+
+        fn speed_exponent(&self) -> f64 {
+            0.7
+        }
+    }
+
+    #[test]
+    fn a_film_that_cannot_be_is_refused_by_check_survey_and_run_alike() {
+        let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+        let mut case = load_with(file, &|input| input.model.positions = Some(4)).unwrap();
+        check(&case).unwrap();
+        case.case = case.case.with_film_law(Arc::new(NoFilm));
+        assert_eq!(losses(&case).unwrap_err().code(), "E308");
+        assert_eq!(check(&case).unwrap_err().code(), "E308");
+        assert_eq!(film(&case, None).unwrap_err().code(), "E308");
     }
 }

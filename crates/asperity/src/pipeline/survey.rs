@@ -8,7 +8,7 @@ use super::stages::{Stages, settled};
 use crate::assembly::{mean, median};
 use crate::case::{Case, LoadedCase};
 use crate::error::{Error, PositionError};
-use crate::lubrication::{Decision, FormulaFilm, check_mesh_position};
+use crate::lubrication::{Decision, FormulaFilm, check_mesh_position, plausible_film};
 use crate::mesh::{MeshPosition, position_at};
 use crate::paper::film_at;
 use crate::result::Regime;
@@ -132,6 +132,7 @@ fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Posi
     let s = path.a + (path.e - path.a) * place;
     let position = position_at(case, s)?;
     check_mesh_position(&position)?;
+    let central = plausible_film(case, &position)?.shown.central;
     let hertz = position.hertz.max_pressure.si();
     let mut rows = Vec::new();
     for step in 0..=PER_DECADE * DECADES {
@@ -153,7 +154,7 @@ fn film_rows(loaded: &LoadedCase, place: Option<f64>) -> Result<FilmSurvey, Posi
     Ok(FilmSurvey {
         path_fraction: place,
         hertz_pressure_pa: hertz,
-        film_central_m: FormulaFilm::of(case, &position)?.shown.central.si(),
+        film_central_m: central.si(),
         rows,
     })
 }

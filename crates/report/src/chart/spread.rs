@@ -36,7 +36,7 @@ mod tests {
     use super::spread;
 
     #[test]
-    fn labels_that_touch_are_moved_spacing_and_others_stay() {
+    fn labels_that_touch_are_moved_apart_and_others_stay() {
         let positions = [0.0, 10.0, 12.0, 14.0, 60.0];
         let moved = spread(&positions, 8.0);
         assert_eq!(moved, [-3.0, 5.0, 13.0, 21.0, 60.0]);
