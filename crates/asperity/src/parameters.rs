@@ -1,20 +1,22 @@
-//! Uncertain parameters with their ranges.
+//! Uncertain constants with their distributions.
 //!
-//! | parameter | range | drawn |
-//! |---|---|---|
-//! | boundary friction μ_b | 0.065 to 0.12, gears and tribometers | evenly in the logarithm |
-//! | boundary layer h_b | 5 to 20 nm | evenly in the logarithm |
-//! | lay γ | 0, ridges across the whole face, to 1/6 | evenly |
-//! | limiting shear stress over pressure Λ | ±15 % | evenly in the logarithm |
-//! | Eyring stress τ₀ | the family's band; 3/4 to 11/8 of it where none is known | evenly in the logarithm |
+//! | constant | 5 % | median | 95 % | distribution |
+//! |---|---|---|---|---|
+//! | boundary friction μ_b | 0.066 | 0.09 | 0.123 | lognormal |
+//! | boundary layer h_b | 5 nm | 10 nm | 20 nm | lognormal |
+//! | lay γ | 0.008 | 1/12 | 0.158 | uniform, 0 to 1/6 |
+//! | limiting shear stress over pressure Λ | -13 % | of the family | +15 % | lognormal |
+//! | Eyring stress τ₀ | low of the family | √(low high) | its high | lognormal |
+//! | pressure-viscosity α, where it is estimated | -15 % | the estimate | +18 % | lognormal |
 //!
-//! What the case calibrates ([`CalibrationInput`](crate::case::CalibrationInput)) is drawn from the bands of that
-//! calibration instead: a normal distribution of the logarithms, 95 % of it in the band, with its correlations.
+//! The medians are the defaults of a run. What the case calibrates ([`CalibrationInput`](crate::case::CalibrationInput))
+//! has the bands of that calibration instead: 95 % of a normal distribution of the logarithms, with its correlations.
 //!
-//! The ranges are judgement of this project, that of τ₀ of polyalphaolefin is bracketed by measured losses. What the
-//! case states is not drawn: whoever measured it knows better.
+//! The distributions are judgement of this project, that of τ₀ of polyalphaolefin is bracketed by measured losses. What
+//! the case states is not drawn: whoever measured it knows better.
 
-use asperity_core::quantity::{Length, Pressure};
+use asperity_core::numerics::standard_normal_below;
+use asperity_core::quantity::{Length, Pressure, PressureViscosity};
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_oil::{ShearLawName, TractionConstants};
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_BAND};
@@ -22,25 +24,34 @@ use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_B
 use crate::case::{CalibratedName, LoadedCase};
 use crate::error::PositionError;
 use asperity_mixed_film::InletSupply;
+use serde::{Deserialize, Serialize};
 
-/// Parameters that can be drawn, each along its own axis of the hypercube whatever the others are.
-pub(crate) const AXES: [UncertainParameter; 5] = [
+/// Constants that can be drawn, each along its own axis of the hypercube whatever the others are.
+pub(crate) const AXES: [UncertainParameter; 6] = [
     UncertainParameter::BoundaryFriction,
     UncertainParameter::BoundaryLayer,
     UncertainParameter::Lay,
     UncertainParameter::LimitingShear,
     UncertainParameter::EyringStress,
+    UncertainParameter::PressureViscosity,
 ];
 
-/// Upper end of the lay of ground and superfinished flanks, whose ridges run across the face.
+/// Upper end of the lay of ground and superfinished flanks, whose ridges run nearly across the face.
 const MOST_LAY: f64 = 1.0 / 6.0;
-/// Limiting shear stress over pressure, down and up.
-const LIMITING_SHEAR: [f64; 2] = [0.85, 1.15];
-/// Eyring stress where the family has no band: that of polyalphaolefin, 3 to 5.5 MPa about 4 MPa.
-const EYRING_STRESS: [f64; 2] = [0.75, 1.375];
+/// 5 % and 95 % quantiles of the limiting shear stress over pressure, over its median.
+const LIMITING_SHEAR: [f64; 2] = [0.87, 1.15];
+/// The same of the Eyring stress of an oil without family.
+const EYRING_STRESS: [f64; 2] = [0.75, 4.0 / 3.0];
+/// The same of a pressure-viscosity coefficient that is estimated.
+const PRESSURE_VISCOSITY: [f64; 2] = [0.85, 1.18];
+/// Standard normal quantile of 95 %.
+const Z_PRIOR: f64 = 1.644_853_626_951_472_7;
+/// The same of 97.5 %: ends of the 95 % band of a calibration.
+const Z_CALIBRATED: f64 = 1.959_963_984_540_054;
 
-/// An uncertain parameter.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// An uncertain constant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum UncertainParameter {
     /// Coefficient of boundary friction μ_b.
     BoundaryFriction,
@@ -52,13 +63,17 @@ pub enum UncertainParameter {
     LimitingShear,
     /// Eyring stress τ₀ \[Pa\].
     EyringStress,
+    /// Pressure-viscosity coefficient α at the bulk temperature \[1/Pa\].
+    PressureViscosity,
 }
 
-/// A parameter with its range in a case.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A constant with its distribution in a case.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Ranged {
     pub kind: UncertainParameter,
+    /// The median.
     pub value: f64,
+    /// 5 % and 95 % quantiles, 2.5 % and 97.5 % of a calibrated one.
     pub low: f64,
     pub high: f64,
     /// Its name in the table of the case, where that gives value and range.
@@ -84,7 +99,7 @@ impl UncertainParameter {
             Self::BoundaryLayer => Some(CalibratedName::BoundaryLayer),
             Self::LimitingShear => Some(CalibratedName::LimitingShear),
             Self::EyringStress => Some(CalibratedName::EyringStress),
-            Self::Lay => None,
+            Self::Lay | Self::PressureViscosity => None,
         }
     }
 
@@ -109,6 +124,7 @@ impl UncertainParameter {
             Self::Lay => "lay",
             Self::LimitingShear => "limiting shear",
             Self::EyringStress => "Eyring stress",
+            Self::PressureViscosity => "pressure-viscosity",
         }
     }
 
@@ -118,6 +134,7 @@ impl UncertainParameter {
         match self {
             Self::BoundaryLayer => "m",
             Self::EyringStress => "Pa",
+            Self::PressureViscosity => "1/Pa",
             _ => "-",
         }
     }
@@ -134,6 +151,7 @@ impl UncertainParameter {
             Self::BoundaryLayer => model.boundary_layer.is_some(),
             Self::Lay => model.lay.is_some(),
             Self::LimitingShear | Self::EyringStress => false,
+            Self::PressureViscosity => loaded.case.lubricant.given_pressure_viscosity().is_some(),
         }
     }
 
@@ -144,7 +162,7 @@ impl UncertainParameter {
         let supply = supply.filter(|_| loaded.surfaces.are_measured());
         let shear = case.rheology.as_ref().map(|rheology| rheology.laws().0);
         match self {
-            Self::BoundaryFriction => true,
+            Self::BoundaryFriction | Self::PressureViscosity => true,
             // Where no contact is solved, or its spots rub dry, there is no layer to look at.
             Self::BoundaryLayer => supply == Some(InletSupply::Rough),
             Self::Lay => supply == Some(InletSupply::Rough),
@@ -185,7 +203,14 @@ impl UncertainParameter {
                 case.model.boundary_layer.si(),
                 BOUNDARY_LAYER_BAND.map(Length::si),
             ),
-            (Self::Lay, _) => range(case.model.lay[0].gamma(), [0.0, MOST_LAY]),
+            (Self::Lay, _) => {
+                let ends = [-Z_PRIOR, Z_PRIOR].map(|z| MOST_LAY * standard_normal_below(z));
+                range(case.model.lay[0].gamma(), ends)
+            }
+            (Self::PressureViscosity, _) => {
+                let value = case.oil.pressure_viscosity.si();
+                range(value, PRESSURE_VISCOSITY.map(|factor| factor * value))
+            }
             (Self::LimitingShear, Some(constants)) => {
                 let value = constants.limiting_shear;
                 range(value, LIMITING_SHEAR.map(|factor| factor * value))
@@ -214,19 +239,13 @@ fn eyring_range(loaded: &LoadedCase, value: f64) -> Result<[f64; 2], PositionErr
     })
 }
 
-/// An uncertain parameter and its axis.
-pub(crate) type OnAxis = (usize, Ranged);
-
-/// The uncertain parameters of a case by the axis of each, and names of those that the case states.
-pub(crate) fn parameters(loaded: &LoadedCase) -> Result<(Vec<OnAxis>, Vec<String>), PositionError> {
+/// The uncertain constants of a case, and names of those that the case states.
+pub(crate) fn parameters(loaded: &LoadedCase) -> Result<(Vec<Ranged>, Vec<String>), PositionError> {
     let (mut drawn, mut held) = (Vec::new(), Vec::new());
-    for (axis, kind) in AXES.into_iter().enumerate() {
-        if !kind.acts(loaded) {
-            continue;
-        }
+    for kind in AXES.into_iter().filter(|kind| kind.acts(loaded)) {
         match kind.ranged(loaded)? {
             _ if kind.is_stated(loaded) => held.push(kind.name().to_owned()),
-            Some(ranged) => drawn.push((axis, ranged)),
+            Some(ranged) => drawn.push(ranged),
             None => {}
         }
     }
@@ -234,12 +253,24 @@ pub(crate) fn parameters(loaded: &LoadedCase) -> Result<(Vec<OnAxis>, Vec<String
 }
 
 impl Ranged {
-    /// The value at the place `u` of the range, 0 at its lower end and 1 at its upper.
-    pub(crate) fn at(&self, u: f64) -> f64 {
-        match self.kind.is_logarithmic() {
-            true => self.low * (self.high / self.low).powf(u),
-            false => self.low + u * (self.high - self.low),
+    /// The value at `z` of the standard normal distribution of the constant.
+    ///
+    /// ```text
+    /// v = v₀ exp(s± z),  s± = ln(v±/v₀)/z₉₅;  lay: v = Φ(z)/6                  [Constant-draw]
+    /// ```
+    ///
+    /// v± are the 5 % and 95 % quantiles, on either side of v₀ its own; z₉₅ = 1.645, and 1.960 of a calibrated constant.
+    pub(crate) fn at(&self, z: f64) -> f64 {
+        asperity_core::cite!("Constant-draw");
+        if !self.kind.is_logarithmic() {
+            return MOST_LAY * standard_normal_below(z);
         }
+        let end = if z < 0.0 { self.low } else { self.high };
+        let z_end = match self.calibrated {
+            Some(_) => Z_CALIBRATED,
+            None => Z_PRIOR,
+        };
+        self.value * ((end / self.value).ln().abs() * z / z_end).exp()
     }
 }
 
@@ -260,6 +291,13 @@ impl UncertainParameter {
             Self::EyringStress => set_traction(loaded, |constants| {
                 constants.eyring_stress = Pressure::from_si(value);
             })?,
+            Self::PressureViscosity => {
+                let factor = value / case.oil.pressure_viscosity.si();
+                case.oil.pressure_viscosity = PressureViscosity::from_si(value);
+                // The same factor in film thickness and film friction.
+                let rheology = case.rheology.take();
+                case.rheology = rheology.map(|oil| oil.with_alpha_factor(factor));
+            }
         }
         Ok(())
     }
@@ -274,6 +312,7 @@ pub(crate) fn keep_parameters(from: &LoadedCase, to: &mut LoadedCase) -> Result<
     model.boundary_friction = kept.boundary_friction;
     model.boundary_layer = kept.boundary_layer;
     model.lay = kept.lay;
+    model.offsets = kept.offsets;
     match &from.case.rheology {
         Some(rheology) => set_traction(to, |constants| {
             constants.limiting_shear = rheology.constants().limiting_shear;

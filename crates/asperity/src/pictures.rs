@@ -1,6 +1,8 @@
 //! Pictures of one rough contact, computed after the losses: its fields, the stress below it, the flanks facing each
 //! other.
 
+use std::sync::Arc;
+
 use asperity_contact::ContactWarning;
 use asperity_contact::subsurface::{graded_depths, subsurface_stress};
 use asperity_core::quantity::{Length, Pressure};
@@ -40,7 +42,7 @@ impl Picture {
     pub(crate) fn of(
         lubrication: &Lubrication<'_>,
         position: &LubricatedPosition,
-        contacts: &[WindowContact],
+        contacts: &[Arc<WindowContact>],
         with_fields: bool,
     ) -> Result<Option<Self>, PositionError> {
         let case = lubrication.case;

@@ -97,6 +97,8 @@ impl JsonSchema for Lay {
 impl Lay {
     /// Ridges across the whole face width, γ = 0: ground and superfinished gear flanks.
     pub const ACROSS: Self = Self(0.0);
+    /// Ridges nearly across the face, γ = 1/12: the middle of 0 to 1/6 measured on ground flanks.
+    pub const GROUND: Self = Self(1.0 / 12.0);
     /// No lay, γ = 1.
     pub const ISOTROPIC: Self = Self(1.0);
 

@@ -101,7 +101,7 @@ impl Default for LoadShareSettings {
         Self {
             boundary_friction: BOUNDARY_FRICTION,
             boundary_layer: BOUNDARY_LAYER,
-            lay: Lay::ACROSS,
+            lay: Lay::GROUND,
             film_law: FilmLaw::DowsonToyoda,
             thermal: ThermalLaw::Gupta,
             central_film: CentralFilm::MassFlow,

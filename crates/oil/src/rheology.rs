@@ -197,6 +197,16 @@ impl FilmRheology {
         })
     }
 
+    /// The same oil with `factor` times the pressure-viscosity coefficient.
+    #[must_use]
+    pub fn with_alpha_factor(self, factor: f64) -> Self {
+        Self {
+            alpha_reference: self.alpha_reference * factor,
+            roelands_exponent: self.roelands_exponent * factor,
+            ..self
+        }
+    }
+
     /// Traction constants in use.
     #[must_use]
     pub fn constants(&self) -> &TractionConstants {

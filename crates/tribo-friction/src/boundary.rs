@@ -24,12 +24,12 @@ use asperity_core::{DomainError, cite};
 use crate::error::FrictionError;
 
 /// Default coefficient of boundary friction.
-pub const BOUNDARY_FRICTION: f64 = 0.08;
-/// Range of the coefficient of boundary friction.
-pub const BOUNDARY_FRICTION_BAND: [f64; 2] = [0.065, 0.12];
+pub const BOUNDARY_FRICTION: f64 = 0.09;
+/// 5 % and 95 % quantiles of the coefficient of boundary friction.
+pub const BOUNDARY_FRICTION_BAND: [f64; 2] = [0.066, 0.123];
 /// Default height of the boundary layer, at a short-wave cut-off of 2.5 um.
 pub const BOUNDARY_LAYER: Length = Length::from_si(10e-9);
-/// Range of the height of the boundary layer.
+/// 5 % and 95 % quantiles of the height of the boundary layer.
 pub const BOUNDARY_LAYER_BAND: [Length; 2] = [Length::from_si(5e-9), Length::from_si(20e-9)];
 
 /// Share of a touching spot's load on the boundary layer.

@@ -15,7 +15,7 @@ pub use reversed::Reversed;
 pub(crate) use cycle::operation;
 pub(crate) use provenance::equations_used;
 pub(crate) use solved::Solved;
-pub(crate) use statistics::{mean, median};
+pub(crate) use statistics::{deviation, mean, median};
 
 use asperity_core::quantity::Power;
 use asperity_efficiency::output_torque::power_flow;
@@ -23,7 +23,6 @@ use asperity_efficiency::{LossKind, MeshEfficiency, MeshOperation, equivalent_fr
 
 use self::deformation_losses::of_all_offsets;
 use self::published_laws::published_laws;
-use self::statistics::deviation;
 use crate::balance::{Unbalanced, efficiency, finite, sum};
 use crate::case::{BulkReport, Case, CaseInput};
 use crate::contacts::running_in::RanIn;
@@ -105,7 +104,7 @@ impl Solved<'_> {
             path: with_stress(path, &pictures),
             points: self.points(points)?,
             records,
-            band: None,
+            uncertainty: None,
             bulk: bulk_report(case),
             gearbox,
             micropitting,
@@ -477,6 +476,11 @@ fn row(case: &Case, position: &LubricatedPosition, rolling: f64, per_width: f64)
         boundary_of_asperities: (solid > 0.0).then(|| over(boundary_share) / solid),
         boundary_share: over(boundary_share),
         mean_gap_um: (!gaps.is_empty()).then(|| mean(gaps.iter().copied()) * 1e6),
+        roughness_over_film: {
+            let solved = offsets.iter().filter_map(|offset| offset.solved);
+            let ratios: Vec<f64> = solved.map(|share| share.attenuated_rms / share.smooth_film).collect();
+            (!ratios.is_empty()).then(|| mean(ratios.into_iter()))
+        },
         full_film: position.full_film.as_ref().map(|film| film.row),
         mu_film: over(|offset| offset.friction.mu),
         mu: force / at.load.si(),

@@ -2,7 +2,9 @@
 
 use asperity_core::quantity::Length;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{self, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// Modifications of the flanks of one gear, its tip and its root.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -12,9 +14,10 @@ pub struct GearFlankInput {
     /// trace of the flank, which must be placed and span the active flank.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub relief: Option<ReliefSource>,
-    /// Relief of the tips; default none.
+    /// Relief of the tips, `"none"` where there is none; where it is not stated it is uncertain, and half of the approach
+    /// of the teeth under load stands for it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub tip_relief: Option<ReliefInput>,
+    pub tip_relief: Option<TipRelief>,
     /// Relief of the roots; default none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub root_relief: Option<ReliefInput>,
@@ -75,6 +78,62 @@ pub struct ReliefInput {
     /// Power with which the relief grows: 1 (linear, default) or 2 (parabolic).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub power: Option<u8>,
+}
+
+/// Tip relief as a drawing states it: an amount over a length, or `"none"`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum TipRelief {
+    /// No relief.
+    None(NoRelief),
+    /// A relief.
+    Drawn(ReliefInput),
+}
+
+/// The word for no relief.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum NoRelief {
+    /// No relief.
+    None,
+}
+
+impl TipRelief {
+    /// The relief, if there is one.
+    #[must_use]
+    pub fn drawn(self) -> Option<ReliefInput> {
+        match self {
+            Self::None(_) => None,
+            Self::Drawn(relief) => Some(relief),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for TipRelief {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(TipReliefVisitor)
+    }
+}
+
+struct TipReliefVisitor;
+
+impl<'de> Visitor<'de> for TipReliefVisitor {
+    type Value = TipRelief;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "\"none\", or a relief like {{ amount = \"10 um\", length = \"3 mm\" }}")
+    }
+
+    fn visit_str<E: de::Error>(self, word: &str) -> Result<TipRelief, E> {
+        match word {
+            "none" => Ok(TipRelief::None(NoRelief::None)),
+            other => Err(E::invalid_value(de::Unexpected::Str(other), &self)),
+        }
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<TipRelief, A::Error> {
+        ReliefInput::deserialize(MapAccessDeserializer::new(map)).map(TipRelief::Drawn)
+    }
 }
 
 /// Relief of both ends of the face: `{ amount = "10 um", length = "3 mm" }`.

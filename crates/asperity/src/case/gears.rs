@@ -9,6 +9,7 @@ use asperity_gear::{
 
 use super::defaults::Defaults;
 use super::error::CaseError;
+use super::assumed_relief::AssumedRelief;
 use super::gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 use super::input::{CaseInput, GearsInput};
 use super::key_names::key_of;
@@ -115,11 +116,6 @@ pub(super) fn micro_geometry(
 ) -> Result<MicroGeometry, CaseError> {
     let flanks = flanks(&input.gears, source);
     for (flank, section) in &flanks {
-        if flank.tip_relief.is_none() && !flank.is_from_trace() {
-            defaults.note(section.key("tip_relief"), &"none");
-        }
-    }
-    for (flank, section) in &flanks {
         refuse_drawn_and_measured(flank, *section)?;
     }
     let sum = |amount: fn(&GearFlankInput) -> Option<Length>, sign: f64| {
@@ -148,7 +144,7 @@ pub(super) fn micro_geometry(
         })
     };
     let micro = MicroGeometry {
-        tip_relief: each("tip_relief", |flank| flank.tip_relief)?,
+        tip_relief: each("tip_relief", |flank| flank.tip_relief?.drawn())?,
         root_relief: each("root_relief", |flank| flank.root_relief)?,
         crowning: sum(|flank| flank.crowning, 1.0),
         end_relief: input.gears.end_relief.map(end_relief).transpose()?,
@@ -201,6 +197,34 @@ fn refuse_drawn_and_measured(
         )),
         _ => Ok(()),
     }
+}
+
+/// The tip relief that a case does not state; in the paper's formulation there is none.
+pub(super) fn assumed_relief(
+    input: &CaseInput,
+    formulation: Formulation,
+    (model, mesh): (&Model, &LoadConditions<'_>),
+    source: &Source,
+    defaults: &mut Defaults,
+) -> Result<Option<AssumedRelief>, CaseError> {
+    let assumed = match formulation {
+        Formulation::Paper => None,
+        Formulation::Corrected => AssumedRelief::of(input, &model.load_distribution, mesh)
+            .map_err(|error| refused(error, source))?,
+    };
+    let text = assumed.as_ref().map_or("none".to_owned(), |assumed| {
+        let [amount, length] = [
+            1e6 * AssumedRelief::AMOUNT * assumed.approach.si(),
+            1e3 * AssumedRelief::LENGTH * assumed.roll_length.si(),
+        ];
+        format!("{amount:.1} um over {length:.1} mm of roll length, drawn from 0 to {:.1} um", 2.0 * amount)
+    });
+    for (flank, section) in &flanks(&input.gears, source) {
+        if flank.tip_relief.is_none() && !flank.is_from_trace() {
+            defaults.note(section.key("tip_relief"), &text);
+        }
+    }
+    Ok(assumed)
 }
 
 fn relief(drawn: ReliefInput, section: Section<'_>, name: &str) -> Result<Relief, CaseError> {

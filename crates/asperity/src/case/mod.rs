@@ -11,6 +11,7 @@
 //! | a value | [`LoadedCase::try_from`] a [`CaseInput`] |
 //! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
 
+mod assumed_relief;
 mod builder;
 mod bulk;
 mod bulk_input;
@@ -56,6 +57,7 @@ mod trace;
 mod trace_filters;
 mod trace_list;
 
+pub use assumed_relief::AssumedRelief;
 pub use builder::CaseBuilder;
 pub use bulk::{BulkModel, BulkReport, FoundBulk};
 pub use bulk_input::{BulkInput, BulkLaw, Lubrication};

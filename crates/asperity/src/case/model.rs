@@ -55,7 +55,8 @@ choices! {
     /// The single position of the `paper` formulation: 0 at A, 1 at E, or `A` … `E`; default `C`.
     position: PathPoint => f64 = point_of_path(),
         check("position", |s| (0.0..=1.0).contains(&s), "must be A to E, or 0 to 1");
-    /// Number of offsets along the traces at which the flanks meet; default 16 (`paper`: 1).
+    /// Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the loss
+    /// scatters from offset to offset (`paper`: 1).
     offsets: usize = each(16, 1),
         check("offsets", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
     /// Half-width of the contact window, in Hertz half-widths; default 3.
@@ -91,15 +92,15 @@ choices! {
     /// Lubricant factor X_L of `iso-14179-2`; default 1 (mineral oil).
     lubricant_factor: f64 = both(1.0),
         check("lubricant factor", |x| x > 0.0 && x <= 10.0, "must be positive and at most 10");
-    /// Coefficient of boundary friction μ_b; default 0.08 (`paper`: 0.3, metal on metal).
+    /// Coefficient of boundary friction μ_b; default 0.09 (`paper`: 0.3, metal on metal).
     boundary_friction: f64 = each(BOUNDARY_FRICTION, METAL_ON_METAL),
         check("boundary friction", |mu| (0.0..=2.0).contains(&mu), "must be 0 to 2");
     /// Thickness of the boundary layer on touching asperities; default 10 nm, which applies to λs = 2.5 um.
     boundary_layer: Length = corrected(BOUNDARY_LAYER),
         check("boundary layer", |h| (0.0..=1e-6).contains(&h), "must be 0 to 1 um");
     /// Lay γ of the roughness, one value for both flanks or `[pinion, wheel]`: from 0 or `across`, ridges
-    /// across the whole face width (default), to 1 or `isotropic`.
-    lay: OneOrTwo<Lay> => [Lay; 2] = corrected(OneOrTwo::One(Lay::ACROSS));
+    /// across the whole face width, to 1 or `isotropic`; default 1/12, the middle of measured ground flanks.
+    lay: OneOrTwo<Lay> => [Lay; 2] = corrected(OneOrTwo::One(Lay::GROUND));
     /// Reading of the central film in film friction and load share: `mass-flow` (default) or `gap`.
     central_film: CentralFilm = corrected(CentralFilm::MassFlow);
     /// Reading of the central film in Λ* and in printed film thicknesses: `gap` (default) or `mass-flow`

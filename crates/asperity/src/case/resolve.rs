@@ -9,13 +9,14 @@ use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::Preparation;
 
+use super::assumed_relief::AssumedRelief;
 use super::bulk::{BulkModel, FoundBulk, bulk_model};
 use super::calibrated;
 use super::calibration::CalibrationInput;
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
 use super::gearbox::Gearbox;
-use super::gears::{check_load, gears, load_settings, micro_geometry};
+use super::gears::{assumed_relief, check_load, gears, load_settings, micro_geometry};
 use super::input::{CaseInput, OperationInput, SurfaceInput};
 use super::key_names::key_of;
 use super::micropitting_input::MicropittingInput;
@@ -39,8 +40,10 @@ pub struct Case {
     pub formulation: Formulation,
     /// Derived gear geometry.
     pub gears: GearPair,
-    /// Modifications of the flanks.
+    /// Modifications of the flanks, with the middle of the tip relief that is not stated.
     pub micro_geometry: MicroGeometry,
+    /// Tip relief that the case does not state; none where it states that of both gears, and in the paper's formulation.
+    pub assumed_relief: Option<AssumedRelief>,
     /// Numbers of the load map.
     pub load_settings: LoadMapSettings,
     /// Steel of pinion and wheel.
@@ -104,7 +107,7 @@ pub(super) fn resolve_checked(
     let formulation = defaults.take("formulation", input.formulation, Formulation::default());
     check_micropitting(&input, formulation, source)?;
     let gears = gears(&input, source, &mut defaults)?;
-    let micro_geometry = micro_geometry(&input, source, &mut defaults)?;
+    let mut micro_geometry = micro_geometry(&input, source, &mut defaults)?;
     let Steels {
         materials,
         flow_pressure,
@@ -159,6 +162,11 @@ pub(super) fn resolve_checked(
     if !load_is_checked {
         check_load(&mesh, &model, formulation, source)?;
     }
+    let assumed_relief = assumed_relief(&input, formulation, (&model, &mesh), source, &mut defaults)?;
+    if let Some(assumed) = &assumed_relief {
+        let [amount, length] = [AssumedRelief::AMOUNT, AssumedRelief::LENGTH];
+        micro_geometry = assumed.put_into(&micro_geometry, amount, length);
+    }
     let mut oil_state = oil.value;
     let rheology = match model.film_friction.shear_law().is_some() || model.shears_its_film() {
         false => None,
@@ -181,6 +189,7 @@ pub(super) fn resolve_checked(
         formulation,
         gears,
         micro_geometry,
+        assumed_relief,
         load_settings,
         materials,
         flow_pressure,

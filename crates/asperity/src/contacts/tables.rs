@@ -1,13 +1,14 @@
 //! Rough contacts of a whole mesh, stored for other oils, speeds and temperatures.
 
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use asperity_core::cancel::checkpoint;
 use asperity_core::material::Material;
 use asperity_core::quantity::{Length, Torque};
 use asperity_gear::{GearPair, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
 use asperity_mixed_film::ContactTable;
+use rayon::prelude::*;
 
 use crate::case::{Case, Formulation, LoadedCase};
 use crate::error::PositionError;
@@ -24,7 +25,9 @@ pub struct Contacts {
     fingerprint: Vec<u64>,
     surfaces: Surfaces,
     load: StoredLoad,
-    rows: BTreeMap<[u64; 4], Vec<WindowContact>>,
+    /// Offsets of each pair of traces.
+    each: usize,
+    rows: BTreeMap<[u64; 4], Vec<Arc<WindowContact>>>,
 }
 
 /// The load over the teeth and all that it follows from.
@@ -86,19 +89,25 @@ impl WindowContact {
     pub(crate) fn of_position(
         loaded: &LoadedCase,
         position: &MeshPosition,
-    ) -> Result<Vec<Self>, PositionError> {
+    ) -> Result<Vec<Arc<Self>>, PositionError> {
+        let count = loaded.surfaces.offsets(loaded.case.model.offsets);
+        (0..count).map(|k| Self::of_offset(loaded, position, (k, count))).collect()
+    }
+
+    /// The window of offset `k` of `count` at `position`, with its roughness.
+    fn of_offset(
+        loaded: &LoadedCase,
+        position: &MeshPosition,
+        (k, count): (usize, usize),
+    ) -> Result<Arc<Self>, PositionError> {
+        checkpoint()?;
         let (surfaces, model) = (&loaded.surfaces, &loaded.case.model);
-        let count = surfaces.offsets(model.offsets);
-        let contact = |k| {
-            checkpoint()?;
-            Ok(Self {
-                window: Window::at(surfaces, position, model.window, k, count)?,
-                roughness: surfaces.roughness_at(position, model.window, (k, count))?,
-                first_touch: OnceLock::new(),
-                table: OnceLock::new(),
-            })
-        };
-        (0..count).map(contact).collect()
+        Ok(Arc::new(Self {
+            window: Window::at(surfaces, position, model.window, k, count)?,
+            roughness: surfaces.roughness_at(position, model.window, (k, count))?,
+            first_touch: OnceLock::new(),
+            table: OnceLock::new(),
+        }))
     }
 
     /// Checks the windows at the first offset of each pair of teeth as [`of_position`](Self::of_position) does.
@@ -121,14 +130,61 @@ impl WindowContact {
 
 impl Contacts {
     /// The contacts of a case with the windows of each position of `mesh`.
-    pub(crate) fn new(loaded: &LoadedCase, mesh: &Mesh, rows: Vec<Vec<WindowContact>>) -> Self {
+    pub(crate) fn new(loaded: &LoadedCase, mesh: &Mesh, rows: Vec<Vec<Arc<WindowContact>>>) -> Self {
         let (case, surfaces) = (&loaded.case, &loaded.surfaces);
         Self {
+            each: case.model.offsets,
             fingerprint: fingerprint(case, surfaces),
             surfaces: surfaces.clone(),
             load: StoredLoad::new(case, mesh.load.clone()),
             rows: mesh.positions.iter().map(key).zip(rows).collect(),
         }
+    }
+
+    /// Number of offsets of each pair of traces.
+    #[must_use]
+    pub fn offsets(&self) -> usize {
+        self.each
+    }
+
+    /// The contacts of `loaded`, which has more offsets of each pair of traces at the positions of `mesh`; those that are
+    /// known are shared. The places of the windows nest.
+    pub(crate) fn extended(&self, loaded: &LoadedCase, mesh: &Mesh) -> Result<Self, PositionError> {
+        let (case, surfaces) = (&loaded.case, &loaded.surfaces);
+        let (each, more) = (self.each, case.model.offsets);
+        let count = surfaces.offsets(more);
+        let row = |position: &MeshPosition| {
+            let known = self.at(position)?;
+            let contact = |k: usize| match k % more < each {
+                true => Ok(Arc::clone(&known[k / more * each + k % more])),
+                false => WindowContact::of_offset(loaded, position, (k, count)),
+            };
+            let row: Result<Vec<_>, PositionError> = (0..count).map(contact).collect();
+            Ok((key(position), row?))
+        };
+        Ok(Self {
+            fingerprint: fingerprint(case, surfaces),
+            each: more,
+            rows: mesh.positions.par_iter().map(row).collect::<Result<_, PositionError>>()?,
+            ..self.clone()
+        })
+    }
+
+    /// The first `each` offsets of every pair of traces, shared with these.
+    #[must_use]
+    pub fn first(&self, each: usize) -> Self {
+        let first = |row: &Vec<Arc<WindowContact>>| {
+            let of_a_pair = (row.len() / self.surfaces.pairs()).max(1);
+            let pairs = row.chunks(of_a_pair);
+            pairs.flat_map(|pair| pair.iter().take(each).cloned()).collect()
+        };
+        let mut part = Self {
+            each: each.min(self.each),
+            rows: BTreeMap::new(),
+            ..self.clone()
+        };
+        part.rows = self.rows.iter().map(|(key, row)| (*key, first(row))).collect();
+        part
     }
 
     /// Refuses contacts whose flanks, steels, windows or offsets differ from `loaded`.
@@ -138,7 +194,10 @@ impl Contacts {
         let mut pairs = ours.iter().zip(&theirs);
         let has_textures =
             ours.len() == theirs.len() && pairs.all(|(one, other)| one.has_textures_of(other));
-        match has_textures && self.fingerprint == fingerprint(&loaded.case, &loaded.surfaces) {
+        let is_same = has_textures
+            && self.each == loaded.case.model.offsets
+            && self.fingerprint == fingerprint(&loaded.case, &loaded.surfaces);
+        match is_same {
             true => Ok(()),
             false => Err(PositionError::OtherTables {
                 differs: "flank, steel, window or number of offsets",
@@ -150,7 +209,7 @@ impl Contacts {
     ///
     /// # Errors
     /// When there is no such position.
-    pub(crate) fn at(&self, position: &MeshPosition) -> Result<&[WindowContact], PositionError> {
+    pub(crate) fn at(&self, position: &MeshPosition) -> Result<&[Arc<WindowContact>], PositionError> {
         let row = self.rows.get(&key(position)).map(Vec::as_slice);
         row.ok_or(PositionError::OtherTables {
             differs: "line load or radius",
@@ -199,7 +258,6 @@ fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
     ]
     .map(f64::to_bits)
     .to_vec();
-    bits.push(case.model.offsets as u64);
     let noise = case.preparation.lambda_s.map_or(0.0, |cutoff| cutoff.si());
     bits.push(noise.to_bits());
     bits.extend(case.face_zones.iter().map(|edge| edge.to_bits()));

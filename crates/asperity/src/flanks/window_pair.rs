@@ -13,8 +13,38 @@ use crate::mesh::{MeshPosition, Resolution};
 /// Least points per Hertz half-width at which a contact is resolved.
 pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 
-/// The golden section: multiples of it, minus their whole part, fill an interval evenly.
-const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+/// 1/p and 1/p² of p³ = p + 1: multiples of both, minus their whole parts, fill a square evenly (Roberts 2018).
+const SHIFTS: [f64; 2] = [0.569_840_290_998_053_3, 0.754_877_666_246_692_8];
+
+/// Places of the windows on both traces at offset `k` of `count` and position `number`, 0 to 1 where a window can start.
+///
+/// ```text
+/// [frac(u_k + i/p²), frac(v_k + i/p)],  p³ = p + 1                            [Window-places]
+/// ```
+///
+/// u_k and v_k are the radical inverses of k + 1 in bases 2 and 3 (Halton), 1/2 and 1/2 of a single offset, and i is the
+/// position along the path from 0. They nest: more offsets keep those before. They shift from position to position i, as the teeth of a pair meet at
+/// other places of their flanks along the path: the mean over the path then samples more of the traces.
+fn places(k: usize, count: usize, number: usize) -> [f64; 2] {
+    asperity_core::cite!("Window-places");
+    let first = match count {
+        1 => [0.5; 2],
+        _ => [2, 3].map(|base| radical_inverse(k + 1, base)),
+    };
+    let shift = number.saturating_sub(1) as f64;
+    [0, 1].map(|body| (first[body] + shift * SHIFTS[body]).fract())
+}
+
+/// The digits of `n` in `base` mirrored behind the point (van der Corput).
+fn radical_inverse(n: usize, base: usize) -> f64 {
+    let (mut left, mut place, mut found) = (n, 1.0, 0.0);
+    while left > 0 {
+        place /= base as f64;
+        found += (left % base) as f64 * place;
+        left /= base;
+    }
+    found
+}
 
 /// Whether the roughness of the whole traces is used for the windows at `position`.
 pub(crate) fn is_substituted(surfaces: &Surfaces, position: &MeshPosition) -> bool {
@@ -77,9 +107,7 @@ impl Window {
                 middles.map(|middle| middle as isize - reach as isize)
             }
             None => {
-                // Evenly along the pinion; along the wheel in another order, so that the pairs differ.
-                let along = (k as f64 + 0.5) / count as f64;
-                let across = (0.5 + k as f64 * GOLDEN_SECTION).fract();
+                let [along, across] = places(k, count, position.number);
                 [start(first, n, along)?, start(second, n, across)?]
             }
         };
@@ -199,4 +227,27 @@ fn start(profile: &Profile, n: usize, place: f64) -> Result<isize, PositionError
             needed_um: profile.spacing().si() * (n - 1) as f64 * 1e6,
         })?;
     Ok((place * free as f64).round() as isize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::places;
+
+    #[test]
+    fn places_nest_shift_along_the_path_and_fill_both_traces() {
+        assert_eq!(places(0, 1, 1), [0.5, 0.5]);
+        assert_eq!(places(0, 16, 1), places(0, 64, 1));
+        assert_eq!(places(1, 16, 1), [0.25, 2.0 / 3.0]);
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
+        let [along, across] = places(4, 16, 3);
+        let shifted = |first: f64, shift: f64| (first + 2.0 * shift).fract();
+        assert!(near(along, shifted(0.625, 0.569_840_290_998_053_3)));
+        assert!(near(across, shifted(7.0 / 9.0, 0.754_877_666_246_692_8)));
+        // Every eighth of both traces is met twice by 16 windows.
+        for body in [0, 1] {
+            let mut met = [0; 8];
+            (0..16).for_each(|k| met[(8.0 * places(k, 16, 5)[body]) as usize] += 1);
+            assert!(met.iter().all(|count| (1..=3).contains(count)), "{met:?}");
+        }
+    }
 }

@@ -1,5 +1,7 @@
 //! One mesh position at one operating point: film, load share and friction of every window.
 
+use std::sync::Arc;
+
 use asperity_contact::{ContactSolution, ContactWarning};
 use asperity_core::Checked;
 use asperity_core::cancel::checkpoint;
@@ -51,7 +53,7 @@ impl Lubrication<'_> {
     pub(crate) fn position(
         &self,
         at: &MeshPosition,
-        contacts: &[WindowContact],
+        contacts: &[Arc<WindowContact>],
     ) -> Result<LubricatedPosition, PositionError> {
         let film = plausible_film(self.case, at)?;
         let smooth = self.smooth_friction((at, &film))?;
@@ -133,7 +135,7 @@ impl Lubrication<'_> {
     fn decided<'b>(
         &'b self,
         of_position: (&'b MeshPosition, &'b FormulaFilm),
-        contacts: &'b [WindowContact],
+        contacts: &'b [Arc<WindowContact>],
         recorded: Option<RecordedShare>,
     ) -> impl Iterator<Item = Result<Decided, PositionError>> + use<'b> {
         let at = of_position.0;
@@ -184,7 +186,7 @@ impl Lubrication<'_> {
     pub(crate) fn decisions(
         &self,
         at: &MeshPosition,
-        contacts: &[WindowContact],
+        contacts: &[Arc<WindowContact>],
     ) -> Result<(FormulaFilm, Vec<Decision>), PositionError> {
         let film = plausible_film(self.case, at)?;
         let records = self
@@ -206,7 +208,7 @@ impl Lubrication<'_> {
     pub(crate) fn press(
         &self,
         position: &mut LubricatedPosition,
-        contacts: &[WindowContact],
+        contacts: &[Arc<WindowContact>],
     ) -> Result<(), PositionError> {
         let count = contacts.len();
         for (k, contact) in contacts.iter().enumerate() {

@@ -14,6 +14,7 @@
 
 mod bulk_temperature;
 mod kept_fields;
+mod offsets;
 mod stages;
 mod survey;
 

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use super::bulk_temperature;
 use super::kept_fields::KeptFields;
+use super::offsets::{chooses_offsets, offsets_needed, with_offsets};
 
 use crate::assembly::{Solved, equations_used};
 use crate::case::{Case, Formulation, LoadedCase};
@@ -90,8 +91,33 @@ fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Er
 /// # Errors
 /// When the traces are too coarse or too short for a contact.
 pub fn contacts(loaded: &LoadedCase) -> Result<Contacts, Error> {
+    Ok(sampled(loaded, None)?.1.into_owned())
+}
+
+/// The case with the number of offsets that it needs, and its contacts: those that are known, or new ones.
+pub(super) fn sampled<'a>(
+    loaded: &'a LoadedCase,
+    known: Option<&'a Contacts>,
+) -> Result<(Cow<'a, LoadedCase>, Cow<'a, Contacts>), Error> {
+    if let Some(known) = known {
+        let loaded = with_offsets(loaded, known.offsets());
+        known.check(&loaded).map_err(Box::new)?;
+        return Ok((loaded, Cow::Borrowed(known)));
+    }
     let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
-    contacts_of(loaded, &mesh)
+    let contacts = contacts_of(loaded, &mesh)?;
+    if !chooses_offsets(loaded) {
+        return Ok((Cow::Borrowed(loaded), Cow::Owned(contacts)));
+    }
+    let first = Stages::on(loaded, mesh, Cow::Borrowed(&contacts), &|_, _| {}, Provenance::new())?;
+    let wanted = offsets_needed(loaded, &first.lubricated()?);
+    let mesh = first.mesh;
+    let more = with_offsets(loaded, wanted);
+    let contacts = match wanted > contacts.offsets() {
+        true => contacts.extended(&more, &mesh).map_err(Box::new)?,
+        false => contacts,
+    };
+    Ok((more, Cow::Owned(contacts)))
 }
 
 fn contacts_of(loaded: &LoadedCase, mesh: &Mesh) -> Result<Contacts, Error> {
@@ -132,7 +158,6 @@ pub fn losses(loaded: &LoadedCase) -> Result<Losses, Error> {
 /// # Ok::<(), asperity::Error>(())
 /// ```
 pub fn losses_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Losses, Error> {
-    contacts.check(loaded).map_err(Box::new)?;
     losses_of(loaded, Some(contacts), &|_, _| {})
 }
 
@@ -159,18 +184,19 @@ pub fn settled<'a>(
     loaded: &'a LoadedCase,
     known: Option<&Contacts>,
 ) -> Result<Cow<'a, LoadedCase>, Error> {
+    if loaded.case.bulk.is_none() {
+        return Ok(Cow::Borrowed(loaded));
+    }
+    let (sampled, contacts) = sampled(loaded, known)?;
+    Ok(Cow::Owned(warmed(&sampled, &contacts)?.into_owned()))
+}
+
+/// The case at its equilibrium bulk temperature, with its contacts.
+fn warmed<'a>(loaded: &'a LoadedCase, contacts: &Contacts) -> Result<Cow<'a, LoadedCase>, Error> {
     let Some(model) = loaded.case.bulk else {
         return Ok(Cow::Borrowed(loaded));
     };
-    let computed;
-    let known = match known {
-        Some(known) => known,
-        None => {
-            computed = contacts(loaded)?;
-            &computed
-        }
-    };
-    let losses = |case: &LoadedCase| losses_with(known, case);
+    let losses = |case: &LoadedCase| losses_with(contacts, case);
     bulk_temperature::settle(loaded, model, losses).map(Cow::Owned)
 }
 
@@ -179,8 +205,10 @@ pub(crate) fn losses_of(
     known: Option<&Contacts>,
     progress: Progress<'_>,
 ) -> Result<Losses, Error> {
-    let settled = settled(loaded, known)?;
-    let stages = Stages::of(settled.as_ref(), known, progress)?;
+    let used = Provenance::new();
+    let (sampled, contacts) = used.collect(|| sampled(loaded, known))?;
+    let warmed = warmed(&sampled, &contacts)?;
+    let stages = Stages::of(&warmed, &contacts, progress, used)?;
     let positions = stages.lubricated()?;
     let mut losses = stages.summed(|| stages.solved(positions)?.losses())?;
     losses.run_in = stages.run_in()?;
@@ -188,14 +216,17 @@ pub(crate) fn losses_of(
     Ok(losses)
 }
 
-/// The outcome of a run, with its contacts; pictures of every position are computed unless `pictures` is `None`.
+/// The outcome of a run with the case and the contacts that it has in the end; pictures of every position are computed
+/// unless `pictures` is `None`.
 pub(crate) fn outcome(
     loaded: &LoadedCase,
     pictures: Option<&KeptFields>,
     progress: Progress<'_>,
-) -> Result<(Outcome, Contacts), Error> {
-    let settled = settled(loaded, None)?;
-    let stages = Stages::of(settled.as_ref(), None, progress)?;
+) -> Result<(Outcome, LoadedCase, Contacts), Error> {
+    let used = Provenance::new();
+    let (sampled, contacts) = used.collect(|| sampled(loaded, None))?;
+    let warmed = warmed(&sampled, &contacts)?;
+    let stages = Stages::of(&warmed, &contacts, progress, used)?;
     let mut positions = stages.lubricated()?;
     stages.press(&mut positions)?;
     let pictures = match pictures {
@@ -213,7 +244,8 @@ pub(crate) fn outcome(
     let result = &mut outcome.result;
     result.run_in = stages.run_in()?;
     (result.equations, result.references) = equations_used(&stages.tags());
-    Ok((outcome, stages.contacts.into_owned()))
+    drop(stages);
+    Ok((outcome, warmed.into_owned(), contacts.into_owned()))
 }
 
 /// The values of a run between its functions.
@@ -233,18 +265,14 @@ pub(super) struct Stages<'a> {
 impl<'a> Stages<'a> {
     pub fn of(
         loaded: &'a LoadedCase,
-        known: Option<&'a Contacts>,
+        contacts: &'a Contacts,
         progress: Progress<'a>,
+        used: Provenance,
     ) -> Result<Self, Error> {
-        let used = Provenance::new();
         let mesh = used
-            .collect(|| placed_mesh(loaded, known))
+            .collect(|| placed_mesh(loaded, Some(contacts)))
             .map_err(Box::new)?;
-        let contacts = match known {
-            Some(known) => Cow::Borrowed(known),
-            None => Cow::Owned(used.collect(|| contacts_of(loaded, &mesh))?),
-        };
-        Self::on(loaded, mesh, contacts, progress, used)
+        Self::on(loaded, mesh, Cow::Borrowed(contacts), progress, used)
     }
 
     /// The stages on flanks whose contacts are known, with their records.

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::{Case, Part, PartKind, Shaft};
 use crate::error::PositionError;
-use crate::result::LossBand;
+use crate::result::Uncertainty;
 
 /// Scope of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
@@ -47,14 +47,14 @@ pub struct GearboxReport {
 impl GearboxReport {
     /// 5 % and 95 % quantiles of the loss \[W\]: the quantiles of the mesh plus the parts.
     #[must_use]
-    pub fn quantiles_w(&self, band: &LossBand) -> [f64; 2] {
-        band.quantiles_w.map(|loss| loss + self.parts_w)
+    pub fn quantiles_w(&self, of_mesh: &Uncertainty) -> [f64; 2] {
+        of_mesh.loss.quantiles_w.map(|loss| loss + self.parts_w)
     }
 
     /// The same of the efficiency.
     #[must_use]
-    pub fn efficiency_quantiles(&self, band: &LossBand) -> [f64; 2] {
-        let [least, most] = self.quantiles_w(band);
+    pub fn efficiency_quantiles(&self, of_mesh: &Uncertainty) -> [f64; 2] {
+        let [least, most] = self.quantiles_w(of_mesh);
         [most, least].map(|loss| 1.0 - loss / self.power_in_w)
     }
 }

@@ -1,65 +1,99 @@
-//! The band of a loss as plain data: what is uncertain, by how much, and what other laws would give.
+//! The uncertainty of a loss as plain data, and the digits that it leaves.
 
 use serde::{Deserialize, Serialize};
 
-/// The loss with its band.
-///
-/// The nominal loss is that of the defaults. Draws of the parameters are not centred on the defaults, so the band is
-/// told by quantiles and not as ±.
+/// What is uncertain in the loss, by how much, and what other models give.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
-pub struct LossBand {
-    /// All losses with every parameter at its default \[W\].
-    pub nominal_w: f64,
-    /// 5 % and 95 % quantiles of the loss, parameters and sampling of the flanks together \[W\].
-    pub quantiles_w: [f64; 2],
-    /// The same of the mesh efficiency, the lower first.
+pub struct Uncertainty {
+    /// The loss as drawn.
+    pub loss: LossDistribution,
+    /// The loss of the run, with every constant at its median \[W\].
+    pub at_medians_w: f64,
+    /// Median of the mesh efficiency.
+    pub efficiency_median: f64,
+    /// 5 % and 95 % quantiles of the mesh efficiency, the lower first.
     pub efficiency_quantiles: [f64; 2],
-    /// 5 % and 95 % quantiles from the parameters only \[W\].
-    pub parameter_quantiles_w: [f64; 2],
-    /// Parameters that were drawn.
-    pub parameters: Vec<BandParameter>,
-    /// Parameters that were not drawn because the case states them.
+    /// Constants that were drawn.
+    pub constants: Vec<DrawnConstant>,
+    /// Constants that were not drawn because the case states them.
     pub held: Vec<String>,
-    /// Draws of the parameters; 0 where none is uncertain.
+    /// Draws.
     pub draws: usize,
-    /// The loss of each draw \[W\], the same draws for every case.
-    pub draws_w: Vec<f64>,
+    /// Draws whose loss exceeded the power into the mesh, and was set to it.
+    pub beyond_power: usize,
+    /// Evaluations of the losses that the draws interpolate.
+    pub evaluations: usize,
+    /// Root mean square error of the interpolation of ln loss, at evaluations that it was not fitted to.
+    pub interpolation_error: f64,
+    /// Roughness that the contact leaves over the film, weighted with the sliding loss: beyond 2 the model loses more
+    /// than records of mixed lubrication.
+    pub roughness_over_film: Option<f64>,
     /// Contribution of the sampling of the flanks.
     pub sampling: SamplingPart,
-    /// The loss by other laws, each by its name; none is in the band.
-    pub alternatives: Vec<AlternativeRow>,
+    /// The loss by each admissible structure of the model, which the draws choose from.
+    pub structures: Vec<AlternativeRow>,
+    /// The loss by models that measurements refute; none is drawn.
+    pub other_models: Vec<AlternativeRow>,
     /// Trust in the result.
     pub trust: Trust,
-    /// 5 % and 95 % quantiles of the sliding loss per metre of contact line by the parameters, at each position
-    /// \[W/m\].
+    /// 5 % and 95 % quantiles of the sliding loss per metre of contact line at each position \[W/m\].
     pub path_sliding_w_per_m: Vec<[f64; 2]>,
-    /// The same with the sampling of the flanks \[W/m\]; empty in older results.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub path_with_sampling_w_per_m: Vec<[f64; 2]>,
 }
 
-/// A parameter of the band.
+/// The loss as drawn, with the contribution of each component.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
-pub struct BandParameter {
+pub struct LossDistribution {
+    /// Median \[W\].
+    pub median_w: f64,
+    /// 5 % and 95 % quantiles \[W\].
+    pub quantiles_w: [f64; 2],
+    /// Standard deviation of the logarithm.
+    pub sd_ln: f64,
+    /// Components, each drawn alone, the largest first.
+    pub parts: Vec<UncertaintyPart>,
+}
+
+/// A component of the uncertainty, drawn alone.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct UncertaintyPart {
     /// Its name.
     pub name: String,
-    /// The default.
+    /// Standard deviation of ln loss.
+    pub sd_ln: f64,
+    /// 5 % and 95 % quantiles of the loss \[W\].
+    pub quantiles_w: [f64; 2],
+    /// What narrows it.
+    pub remedy: String,
+}
+
+impl UncertaintyPart {
+    /// Half the range from the 5 % to the 95 % quantile \[W\].
+    #[must_use]
+    pub fn half_range_w(&self) -> f64 {
+        0.5 * (self.quantiles_w[1] - self.quantiles_w[0])
+    }
+}
+
+/// A constant that is drawn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct DrawnConstant {
+    /// Its name.
+    pub name: String,
+    /// The median, which the run uses.
     pub value: f64,
-    /// Lower end of its range.
+    /// 5 % quantile; 2.5 % of a calibrated constant.
     pub low: f64,
-    /// Upper end of its range.
+    /// 95 % quantile; 97.5 % of a calibrated constant.
     pub high: f64,
     /// Unit of these; "-" for a number.
     pub unit: String,
-    /// Whether the logarithm is drawn evenly.
-    pub is_logarithmic: bool,
-    /// Whether the case calibrates it: the range is then the 95 % band of that, and draws are normal about the value.
+    /// Whether the case calibrates it.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub is_calibrated: bool,
-    /// Change of the loss from the lower to the upper end, by the plane through all draws \[W\].
-    pub effect_w: f64,
 }
 
 /// Contribution of a trace being a sample of its flank.
@@ -86,10 +120,12 @@ pub struct WindowSampling {
     pub offsets: usize,
     /// Windows that count as independent, n_e.
     pub effective_windows: f64,
-    /// Standard error of the mean loss \[W\].
-    pub standard_error_w: f64,
-    /// Half the width of the 95 % interval of the mean loss \[W\].
-    pub half_width_w: f64,
+    /// Standard error of ln loss for the flanks.
+    pub standard_error: f64,
+    /// Its degrees of freedom.
+    pub freedom: f64,
+    /// Standard error of the mean over the offsets as a value of these traces, over the mean.
+    pub numerical_error: f64,
 }
 
 /// Sampling error of the mean loss over all pairs of sampled teeth.
@@ -134,7 +170,7 @@ impl PairSampling {
     }
 }
 
-/// The loss by another law or formulation.
+/// The loss by another model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct AlternativeRow {
@@ -142,6 +178,9 @@ pub struct AlternativeRow {
     pub name: String,
     /// All losses \[W\]; `None` if the model has no solution here.
     pub loss_w: Option<f64>,
+    /// The measurement that refutes it, and by how much; empty of an admissible model.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub refuted_by: String,
 }
 
 /// Trust in the result.
@@ -157,11 +196,11 @@ pub enum Trust {
     RoughnessValues,
 }
 
-impl LossBand {
-    /// Half the width of the interval \[W\], which limits the printed digits of the loss.
+impl Uncertainty {
+    /// The last place of printed losses and their parts.
     #[must_use]
-    pub fn half_width_w(&self) -> f64 {
-        0.5 * (self.quantiles_w[1] - self.quantiles_w[0])
+    pub fn digits(&self) -> Digits {
+        Digits::of_interval(self.loss.quantiles_w)
     }
 }
 
@@ -179,13 +218,13 @@ impl Trust {
     }
 }
 
-/// `value` with the digits that an uncertainty of `half_width` leaves: two of the uncertainty.
+/// `value` with the digits that an interval of this half width leaves.
 ///
 /// ```
 /// use asperity::result::loss_band::rounded;
-/// assert_eq!(rounded(612.34, 95.0), "612");
-/// assert_eq!(rounded(612.34, 950.0), "610");
-/// assert_eq!(rounded(99.55231, 0.0701), "99.552");
+/// assert_eq!(rounded(612.34, 95.0), "610");
+/// assert_eq!(rounded(612.34, 950.0), "600");
+/// assert_eq!(rounded(99.55231, 0.0701), "99.55");
 /// assert_eq!(rounded(612.34, 0.0), "612.3400");
 /// ```
 #[must_use]
@@ -210,14 +249,41 @@ impl Digits {
         Self { decimals }
     }
 
-    /// Two digits of an uncertainty, and four decimals at most.
+    /// The last place that a quarter of the interval from `low` to `high` reaches, and four decimals at most.
+    ///
+    /// ```
+    /// use asperity::result::loss_band::Digits;
+    /// assert_eq!(Digits::of_interval([520.0, 840.0]).last_place(), "10");
+    /// assert_eq!(Digits::of_interval([49.2, 50.1]).last_place(), "0.1");
+    /// ```
+    #[must_use]
+    pub fn of_interval([low, high]: [f64; 2]) -> Self {
+        Self::of_uncertainty(0.5 * (high - low))
+    }
+
+    /// The same of an interval of this half width.
     #[must_use]
     pub fn of_uncertainty(half_width: f64) -> Self {
         let decimals = match half_width.is_finite() && half_width > 0.0 {
-            true => (1 - half_width.log10().floor() as i32).min(Self::MOST),
+            true => (-(0.5 * half_width).log10().floor() as i32).min(Self::MOST),
             false => Self::MOST,
         };
         Self { decimals }
+    }
+
+    /// Digits of a percentage of `power` for losses with these digits.
+    #[must_use]
+    pub fn of_percent(self, power: f64) -> Self {
+        let step = 100.0 * self.step() / power;
+        Self {
+            decimals: (-step.log10().floor() as i32).clamp(0, 6),
+        }
+    }
+
+    /// `value` rounded to the last place, as text.
+    #[must_use]
+    pub fn rounded(self, value: f64) -> String {
+        self.text(self.steps(value))
     }
 
     /// Whole steps nearest to `value`.

@@ -64,9 +64,9 @@ pub struct RunResult {
     /// Records of mixed lubrication that load share or full film rest on; none with other laws.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub records: Vec<RecordRow>,
-    /// Band of the loss; absent where the run was made without, or the model has none.
+    /// Uncertainty of the loss; absent where the run was made without, or the model has none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub band: Option<LossBand>,
+    pub uncertainty: Option<Uncertainty>,
     /// The bulk temperature found from the loss; absent where it is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bulk: Option<BulkReport>,
@@ -273,6 +273,10 @@ pub struct PositionRow {
     pub boundary_share: f64,
     /// Mean gap of the rough flanks \[µm\], of load shares that solve the contact.
     pub mean_gap_um: Option<f64>,
+    /// Roughness σ_d that the contact leaves over the central film of mass flow, mean over the offsets, of load shares that
+    /// solve the contact; absent from older results.
+    #[serde(default)]
+    pub roughness_over_film: Option<f64>,
     /// Elastohydrodynamic solution of the full film, if the case requests it and an offset has a full film.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub full_film: Option<FullFilmRow>,

@@ -1,10 +1,12 @@
 //! Sampling error of the loss: over windows of a trace, and over pairs of teeth.
 
+mod error;
 mod pairs;
 mod windows;
 
 pub use pairs::pair_sampling;
-pub use windows::{CONFIDENCE, effective_windows, window_sampling};
+pub use windows::independent_windows;
 
+pub(crate) use error::SamplingError;
 pub(crate) use pairs::means_of_pairs;
-pub(crate) use windows::{free_way, least_way};
+pub(crate) use windows::{Scatter, length_for, window_sampling, windows_of_traces};

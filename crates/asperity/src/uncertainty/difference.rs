@@ -1,176 +1,118 @@
-//! Difference of two finishes by the same draws.
+//! Difference of two finishes by the same draws, and what it decides.
 
 use serde::{Deserialize, Serialize};
 
-use super::drawn_losses::{DrawnLosses, mean};
-use super::mixture::{Drawn, five_to_ninety_five};
-use crate::sampling::window_sampling;
+use super::predictive::Predictive;
+use super::quantiles::sorted_quantiles;
+use crate::result::{AlternativeRow, Uncertainty};
 
-/// Difference of the losses of two finishes on the same gears.
-///
-/// What both have in common, as the friction of their oil, cancels; the sampling errors of different flanks add.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// Probability from which the sign of a difference holds.
+const SURE: f64 = 0.95;
+
+/// Difference of the losses of two finishes on the same gears, draw by draw: what both have in common, as the friction of
+/// their oil, cancels.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct PairedDifference {
-    /// Difference with every parameter at its default \[W\].
-    pub nominal_w: f64,
+    /// Difference of the runs, with every constant at its median \[W\].
+    pub at_medians_w: f64,
+    /// Median of the difference \[W\].
+    pub median_w: f64,
     /// 5 % and 95 % quantiles \[W\].
     pub quantiles_w: [f64; 2],
-    /// Interval from the parameters only \[W\].
-    pub parameter_quantiles_w: [f64; 2],
-    /// Half the width of the 95 % interval by the sampling of both flanks \[W\]; `None` if one was not sampled.
-    pub sampling_half_width_w: Option<f64>,
-    /// The nominal difference over the first loss.
-    pub nominal_share: f64,
+    /// Median of the difference over the loss of the first.
+    pub median_share: f64,
     /// 5 % and 95 % quantiles of that.
     pub share_quantiles: [f64; 2],
+    /// Share of the draws with the sign of the median.
+    pub probability: f64,
+    /// The difference by every model that was tried, the refuted ones included.
+    pub models: Vec<AlternativeRow>,
+}
+
+/// What a difference decides.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Verdict {
+    /// The cases do not differ.
+    Equal,
+    /// The sign holds in the draws and under every model.
+    Holds,
+    /// The sign holds in the draws, but not under these models.
+    Except(Vec<String>),
+    /// The draws leave the sign open.
+    Undecided,
+}
+
+impl PairedDifference {
+    /// The verdict, by the draws and the models.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        if self.quantiles_w == [0.0, 0.0] && self.median_w == 0.0 {
+            return Verdict::Equal;
+        }
+        if self.probability < SURE {
+            return Verdict::Undecided;
+        }
+        let disagrees = |row: &&AlternativeRow| row.loss_w.is_some_and(|d| d * self.median_w <= 0.0);
+        let others: Vec<String> =
+            self.models.iter().filter(disagrees).map(|row| row.name.clone()).collect();
+        match others.is_empty() {
+            true => Verdict::Holds,
+            false => Verdict::Except(others),
+        }
+    }
+
+    /// The least and the largest difference by the models \[W\]; none without models.
+    #[must_use]
+    pub fn model_range_w(&self) -> Option<[f64; 2]> {
+        let known: Vec<f64> = self.models.iter().filter_map(|row| row.loss_w).collect();
+        let ends = known.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| {
+            [low.min(*d), high.max(*d)]
+        });
+        (!known.is_empty()).then_some(ends)
+    }
 }
 
 /// The loss of `other` minus that of `first`, draw by draw. Cases that differ in nothing differ by exactly 0.
 ///
 /// ```text
-/// δ_j = P_other(θ_j) − P_first(θ_j),  SE_j² = SE_other² + SE_first²           [Paired-difference]
+/// δ_j = P_other,j − P_first,j                                                [Paired-difference]
 /// ```
 ///
-/// Where both have a flank in common their windows are the same, and the error is that of the differences from
-/// window to window, or from pair to pair of teeth.
+/// Constants, structure, tip relief and weights are the same in both; model error and sampling are drawn apart unless
+/// the flanks are the same (`same_flanks`).
 #[must_use]
-pub fn difference(first: &DrawnLosses, other: &DrawnLosses) -> PairedDifference {
+pub fn difference(
+    (first, of_first): (&Predictive, &Uncertainty),
+    (other, of_other): (&Predictive, &Uncertainty),
+    same_flanks: bool,
+) -> PairedDifference {
     asperity_core::cite!("Paired-difference");
-    let shared = first.shares_a_flank(other);
-    let pairs = || first.draws().iter().zip(other.draws());
-    let deltas: Vec<Drawn> = pairs()
-        .map(|(a, b)| delta(first, other, a, b, shared))
-        .collect();
-    let exact: Vec<Drawn> = deltas
-        .iter()
-        .map(|drawn| Drawn::exact(drawn.value))
-        .collect();
-    let shares: Vec<Drawn> = pairs()
-        .zip(&deltas)
-        .map(|((a, b), drawn)| share(first, other, a, b, drawn, shared))
-        .collect();
-    let nominal = delta(first, other, first.nominal(), other.nominal(), shared);
-    let both_sampled = first.is_sampled() && other.is_sampled();
-    let moves = moves(first, other, shared);
-    let (deltas, shares) = (
-        moved(&deltas, &moves, 1.0),
-        moved(&shares, &moves, base(first)),
-    );
-    PairedDifference {
-        nominal_w: nominal.value,
-        quantiles_w: five_to_ninety_five(&deltas),
-        parameter_quantiles_w: five_to_ninety_five(&exact),
-        sampling_half_width_w: both_sampled.then(|| half_width(&nominal)),
-        nominal_share: nominal.value / base(first),
-        share_quantiles: five_to_ninety_five(&shares),
-    }
-}
-
-fn base(first: &DrawnLosses) -> f64 {
-    mean(first.nominal())
-}
-
-/// Changes of the difference by where placed traces lie; flanks in common lie where they lie.
-fn moves(first: &DrawnLosses, other: &DrawnLosses, shared: bool) -> Vec<f64> {
-    if shared {
-        return vec![0.0];
-    }
-    let changes = other.places().into_iter();
-    let against = first.places();
-    changes
-        .flat_map(|change| {
-            against
-                .iter()
-                .map(move |by| change - by)
-                .collect::<Vec<_>>()
-        })
-        .collect()
-}
-
-/// Every draw with every change, over `scale`.
-fn moved(draws: &[Drawn], moves: &[f64], scale: f64) -> Vec<Drawn> {
-    let with = |drawn: &Drawn| {
-        let drawn = *drawn;
-        let moved = move |change: &f64| Drawn {
-            value: drawn.value + change / scale,
-            ..drawn
-        };
-        moves.iter().map(moved).collect::<Vec<_>>()
+    let own = first.losses(0);
+    let theirs = other.losses(usize::from(!same_flanks));
+    let deltas: Vec<f64> = own.iter().zip(&theirs).map(|(a, b)| b - a).collect();
+    let shares: Vec<f64> = own.iter().zip(&deltas).map(|(a, delta)| delta / a).collect();
+    let probabilities = [0.05, 0.5, 0.95];
+    let [low, median_w, high] = sorted_quantiles(&deltas, probabilities);
+    let [least, median_share, most] = sorted_quantiles(&shares, probabilities);
+    let agreeing = deltas.iter().filter(|delta| **delta * median_w > 0.0).count();
+    let rows = |of: &Uncertainty| -> Vec<AlternativeRow> {
+        of.structures.iter().chain(&of.other_models).cloned().collect()
     };
-    draws.iter().flat_map(with).collect()
-}
-
-fn half_width(drawn: &Drawn) -> f64 {
-    use asperity_core::numerics::student_t_quantile;
-    match drawn.standard_error > 0.0 {
-        true => {
-            drawn.standard_error * student_t_quantile(crate::sampling::CONFIDENCE, drawn.freedom)
-        }
-        false => 0.0,
-    }
-}
-
-fn delta(first: &DrawnLosses, other: &DrawnLosses, a: &[f64], b: &[f64], shared: bool) -> Drawn {
-    let value = mean(b) - mean(a);
-    if shared && a.len() == b.len() {
-        let differences: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
-        if first.teeth().is_some() && first.teeth() == other.teeth() {
-            return match first.between_pairs(&differences) {
-                None => Drawn::exact(value),
-                Some(found) => Drawn::between_traces(value, &found),
-            };
-        }
-        let windows = first.effective_windows().zip(other.effective_windows());
-        let effective = windows.map_or(0.0, |(a, b)| a.min(b));
-        return match window_sampling(&differences, effective) {
-            None => Drawn::exact(value),
-            Some(found) => Drawn {
-                value,
-                standard_error: found.standard_error_w,
-                freedom: effective - 1.0,
-            },
-        };
-    }
-    added(value, &first.drawn(a), &other.drawn(b), 1.0)
-}
-
-/// (P_other − P_first)/P_first with its error to first order.
-fn share(
-    first: &DrawnLosses,
-    other: &DrawnLosses,
-    a: &[f64],
-    b: &[f64],
-    delta: &Drawn,
-    shared: bool,
-) -> Drawn {
-    let base = mean(a);
-    let value = delta.value / base;
-    if shared {
-        return Drawn {
-            value,
-            standard_error: delta.standard_error / base,
-            freedom: delta.freedom,
-        };
-    }
-    let summed = added(value, &first.drawn(a), &other.drawn(b), 1.0 + value);
-    Drawn {
-        standard_error: summed.standard_error / base,
-        ..summed
-    }
-}
-
-/// `value` with the errors of both, the first's times `factor`; degrees of freedom after Welch and Satterthwaite.
-fn added(value: f64, first: &Drawn, other: &Drawn, factor: f64) -> Drawn {
-    let squares = [factor * first.standard_error, other.standard_error].map(|error| error * error);
-    let sum = squares[0] + squares[1];
-    if sum == 0.0 {
-        return Drawn::exact(value);
-    }
-    let fourth = squares[0] * squares[0] / first.freedom + squares[1] * squares[1] / other.freedom;
-    Drawn {
-        value,
-        standard_error: sum.sqrt(),
-        freedom: sum * sum / fourth,
+    let (ours, others) = (rows(of_first), rows(of_other));
+    let models = ours.into_iter().filter_map(|row| {
+        let other = others.iter().find(|other| other.name == row.name)?;
+        let loss_w = row.loss_w.zip(other.loss_w).map(|(a, b)| b - a);
+        Some(AlternativeRow { loss_w, ..row })
+    });
+    PairedDifference {
+        at_medians_w: other.at_medians_w - first.at_medians_w,
+        median_w,
+        quantiles_w: [low, high],
+        median_share,
+        share_quantiles: [least, most],
+        probability: agreeing as f64 / deltas.len() as f64,
+        models: models.collect(),
     }
 }

@@ -1,33 +1,38 @@
-//! Latin hypercube: draws that fill every parameter's range evenly with few runs.
+//! Latin hypercube: draws that fill the range of every factor evenly.
 
 use asperity_core::cite;
+use asperity_core::numerics::student_t_quantile;
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
-/// Seed of the draws: the same in every run and for every case, so that two finishes differ by their flanks.
-const SEED: u64 = 3;
-
-/// `draws` points of the unit cube of `dimensions`: along each axis one in each of as many even strata, at an
-/// even place in it, the strata in random order.
+/// `draws` points of the unit cube of `dimensions`: along each axis one in the middle of each of as many even strata,
+/// the strata in random order. Equal arguments give equal points.
 ///
 /// ```text
-/// u_jk = (π_k(j) + r_jk)/N,  j = 0 .. N − 1                                   [Latin-hypercube]
+/// u_jk = (π_k(j) + 1/2)/N,  j = 0 .. N − 1                                    [Latin-hypercube]
 /// ```
-pub(crate) fn latin_hypercube(draws: usize, dimensions: usize) -> Vec<Vec<f64>> {
+pub(super) fn latin_hypercube(draws: usize, dimensions: usize, seed: u64) -> Vec<Vec<f64>> {
+    let axes = permutations(draws, dimensions, seed);
+    let point = |j: usize| {
+        let place = |axis: &Vec<usize>| (axis[j] as f64 + 0.5) / draws as f64;
+        axes.iter().map(place).collect()
+    };
+    (0..draws).map(point).collect()
+}
+
+/// A random order of the strata along each axis.
+pub(super) fn permutations(draws: usize, dimensions: usize, seed: u64) -> Vec<Vec<usize>> {
     cite!("Latin-hypercube");
-    let mut random = ChaCha8Rng::seed_from_u64(SEED);
-    let mut points = vec![vec![0.0; dimensions]; draws];
-    for k in 0..dimensions {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let axis = |_| {
         let mut order: Vec<usize> = (0..draws).collect();
         for j in (1..draws).rev() {
             let other = (uniform(&mut random) * (j + 1) as f64) as usize;
             order.swap(j, other.min(j));
         }
-        for (point, stratum) in points.iter_mut().zip(order) {
-            point[k] = (stratum as f64 + uniform(&mut random)) / draws as f64;
-        }
-    }
-    points
+        order
+    };
+    (0..dimensions).map(axis).collect()
 }
 
 /// Even over 0 ≤ u < 1, by the upper 53 bits.
@@ -36,28 +41,78 @@ fn uniform(random: &mut ChaCha8Rng) -> f64 {
     (random.next_u64() >> 11) as f64 / STEPS
 }
 
+/// Quantiles of Student's t distribution where the standard normal one has its quantiles z.
+///
+/// The ratio t/z is smooth, so that a table of it over z is interpolated.
+pub(super) struct StudentOfNormal {
+    ratios: Vec<f64>,
+}
+
+impl StudentOfNormal {
+    /// Step of the table in z.
+    const STEP: f64 = 0.125;
+    /// Entries of the table.
+    const ENTRIES: usize = 33;
+
+    /// The table for `freedom` degrees of freedom.
+    pub fn new(freedom: f64) -> Self {
+        let ratio = |k: usize| {
+            // The limit at 0 is close to the ratio at a small z.
+            let z = Self::STEP * (k as f64).max(0.01);
+            let within = libm::erf(z / std::f64::consts::SQRT_2);
+            student_t_quantile(within, freedom) / z
+        };
+        Self {
+            ratios: (0..Self::ENTRIES).map(ratio).collect(),
+        }
+    }
+
+    /// t at the probability of `z`.
+    pub fn at(&self, z: f64) -> f64 {
+        let place = z.abs() / Self::STEP;
+        let k = (place as usize).min(Self::ENTRIES - 2);
+        let (low, high) = (self.ratios[k], self.ratios[k + 1]);
+        z * (low + (place - k as f64) * (high - low))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use asperity_core::numerics::standard_normal_quantile;
 
     #[test]
     fn every_stratum_of_every_axis_is_drawn_once() {
-        let points = latin_hypercube(24, 5);
+        let points = latin_hypercube(24, 5, 3);
         for k in 0..5 {
             let mut strata: Vec<usize> = points.iter().map(|p| (24.0 * p[k]) as usize).collect();
             strata.sort_unstable();
             assert_eq!(strata, (0..24).collect::<Vec<_>>());
         }
-        assert_eq!(points, latin_hypercube(24, 5));
+        assert_eq!(points, latin_hypercube(24, 5, 3));
+        assert_ne!(points, latin_hypercube(24, 5, 4));
     }
 
     #[test]
     fn axes_are_not_drawn_in_the_same_order() {
-        let points = latin_hypercube(24, 5);
+        let points = latin_hypercube(240, 5, 3);
         for (a, b) in [(0, 1), (1, 2), (3, 4)] {
             let product = |p: &Vec<f64>| (p[a] - 0.5) * (p[b] - 0.5);
-            let correlation = points.iter().map(product).sum::<f64>() / 24.0 * 12.0;
-            assert!(correlation.abs() < 0.5, "{a} {b} {correlation}");
+            let correlation = points.iter().map(product).sum::<f64>() / 240.0 * 12.0;
+            assert!(correlation.abs() < 0.2, "{a} {b} {correlation}");
+        }
+    }
+
+    #[test]
+    fn the_t_distribution_follows_from_its_table() {
+        for freedom in [4.0, 7.5, 60.0] {
+            let table = StudentOfNormal::new(freedom);
+            for p in [0.6, 0.9, 0.95, 0.999] {
+                let exact = student_t_quantile(2.0 * p - 1.0, freedom);
+                let found = table.at(standard_normal_quantile(p));
+                assert!((found / exact - 1.0).abs() < 2e-3, "{freedom} {p}: {found} {exact}");
+                assert_eq!(table.at(-1.0), -table.at(1.0));
+            }
         }
     }
 }

@@ -1,8 +1,9 @@
-//! Interval of a loss: sampling of the flanks, uncertain parameters, and alternative models next to it.
+//! Uncertainty of a loss: draws of its logarithm over constants, sampling of the flanks, tip relief that nobody states,
+//! error of the model and admissible structures of it; models that measurements refute in a table of their own.
 //!
-//! A run with its band costs no further contact: the contacts of the run are kept, and a draw of boundary and oil
-//! constants costs film laws only. The same draws serve every case, so that two finishes differ by their flanks and
-//! not by the luck of the draw.
+//! The draws are the same for every case, so that two finishes differ by their flanks and not by the luck of the draw.
+//! A surface through some fifty evaluations gives the sliding loss of every draw; an evaluation costs film laws only, as
+//! the contacts of the run are kept.
 //!
 //! ```
 //! use asperity::{Run, case};
@@ -11,19 +12,20 @@
 //!     (input.model.positions, input.model.offsets) = (Some(4), Some(4));
 //! })?;
 //! let result = Run::new(&case).band(true).execute()?.result;
-//! let band = result.band.ok_or("the default model has a band")?;
-//! assert!(band.quantiles_w[0] < band.nominal_w && band.nominal_w < band.quantiles_w[1]);
+//! let loss = result.uncertainty.ok_or("the default model has an uncertainty")?.loss;
+//! assert!(loss.quantiles_w[0] < loss.median_w && loss.median_w < loss.quantiles_w[1]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod alternatives;
-mod calibrated;
 mod difference;
-mod drawn_losses;
-mod draws;
+mod draw;
+mod evaluations;
 mod hypercube;
-mod mixture;
-mod set;
+mod other_models;
+mod predictive;
+mod quantiles;
+mod relief;
+mod surface;
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -32,30 +34,31 @@ use asperity_core::cancel::checkpoint;
 use asperity_core::provenance::Provenance;
 
 use crate::assembly::equations_used;
+use crate::balance::Unbalanced;
 use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use crate::contacts::Contacts;
-use crate::error::Error;
-use crate::parameters::parameters;
-use crate::pipeline::KeptFields;
-use crate::pipeline::{Progress, outcome, settled};
-use crate::result::{AlternativeRow, BandParameter, LossBand, PairSampling, SamplingPart, Trust};
-use crate::result::{Losses, Outcome, PositionRow, RunResult};
+use crate::error::{Error, PositionError};
+use crate::parameters::{Ranged, UncertainParameter as Constant};
+use crate::pipeline::{KeptFields, Progress, outcome, settled};
+use crate::result::{
+    AlternativeRow, DrawnConstant, LossDistribution, Losses, Outcome, PairSampling, PositionRow,
+    RunResult, SamplingPart, Trust, Uncertainty, UncertaintyPart,
+};
+use crate::sampling::{length_for, window_sampling, windows_of_traces};
 
 pub use crate::parameters::UncertainParameter;
-pub use crate::sampling::{CONFIDENCE, effective_windows, pair_sampling, window_sampling};
-pub use difference::{PairedDifference, difference};
-pub use drawn_losses::DrawnLosses;
-pub use mixture::{Drawn, five_to_ninety_five, quantile};
-pub(crate) use set::quantiles_of_set;
+pub use crate::sampling::{independent_windows, pair_sampling};
+pub use difference::{PairedDifference, Verdict, difference};
+pub use predictive::Predictive;
+pub use quantiles::Quantiles;
 
-use alternatives::Alternative;
-use draws::{Draws, evaluated};
+use evaluations::{Evaluated, Nominal, count, evaluate, evaluated, scatter, widest};
+use other_models::{OtherModel, other_models};
+use predictive::{Component, State};
+use quantiles::sorted_quantiles;
 
-/// Draws of the parameters.
-pub const DRAWS: usize = 24;
-
-/// Whether a case has a band: the paper's formulation takes everything as printed, and records of mixed
-/// lubrication take minutes a draw.
+/// Whether a case has an uncertainty: the paper's formulation takes everything as printed, and records of mixed
+/// lubrication take minutes an evaluation.
 #[must_use]
 pub fn has_band(loaded: &LoadedCase) -> bool {
     let model = &loaded.case.model;
@@ -64,65 +67,60 @@ pub fn has_band(loaded: &LoadedCase) -> bool {
         && model.full_film == FullFilmName::Formulas
 }
 
-/// Runs a case with the interval of its loss; the losses of every draw, which [`difference`] compares, are the nominal
-/// ones only of a case without an interval.
+/// Evaluations of a case for its draws, other models among them.
+#[must_use]
+pub fn evaluations(loaded: &LoadedCase) -> usize {
+    match has_band(loaded) {
+        true => count(loaded) + other_models(loaded).len(),
+        false => 0,
+    }
+}
+
+/// Runs a case with the uncertainty of its loss, and returns its draws; none of a case without an uncertainty.
 pub(crate) fn run_and_draw(
     loaded: &LoadedCase,
     pictures: Option<&KeptFields>,
     progress: Progress<'_>,
-) -> Result<(Outcome, DrawnLosses), Error> {
-    let found = settled(loaded, None)?;
-    let loaded = found.as_ref();
-    // Each draw and each alternative counts like a position.
-    let others = match has_band(loaded) {
-        true => alternatives::alternatives(loaded),
-        false => Vec::new(),
-    };
-    let more = if has_band(loaded) { DRAWS } else { 0 } + others.len();
+) -> Result<(Outcome, Option<Predictive>), Error> {
+    // Each evaluation counts like a position.
+    let more = evaluations(loaded);
     let before = AtomicUsize::new(0);
     let shown = |done, total| {
         before.store(total, Ordering::Relaxed);
         progress(done, total + more);
     };
-    let (mut outcome, contacts) = outcome(loaded, pictures, &shown)?;
-    if !has_band(loaded) {
-        let rows = &outcome.result.path;
-        let drawn = DrawnLosses::new(loaded, &outcome.offsets, rows, &[]);
-        return Ok((outcome, drawn));
+    let (mut outcome, loaded, contacts) = outcome(loaded, pictures, &shown)?;
+    if !has_band(&loaded) {
+        return Ok((outcome, None));
     }
     let used = Provenance::new();
     let before = before.into_inner();
     let done = |evaluated| progress(before + evaluated, before + more);
-    let found = used.collect(|| band(loaded, &outcome, &contacts, others, &done));
-    let (band, drawn) = found?;
-    outcome.result.band = Some(band);
+    let found = used.collect(|| uncertainty(&loaded, &outcome, &contacts, &done));
+    let (uncertainty, predictive) = found?;
+    outcome.result.uncertainty = Some(uncertainty);
     note(&mut outcome.result, &used.tags());
-    Ok((outcome, drawn))
+    Ok((outcome, Some(predictive)))
 }
 
-/// 5 % and 95 % quantiles of a loss \[W\] that is known already, those of a run with its interval at less cost: without fields,
-/// alternatives and effects, with contacts made before, if any. None of a case without a band.
+/// The draws of a loss that is known already, with contacts made before, if any; none of a case without an uncertainty.
 ///
 /// # Errors
 /// As [`losses`](crate::losses).
-pub fn quantiles(
+pub fn predictive(
     loaded: &LoadedCase,
     nominal: &Losses,
-    tables: Option<&Contacts>,
-) -> Result<Option<[f64; 2]>, Error> {
+    contacts: Option<&Contacts>,
+) -> Result<Option<Predictive>, Error> {
     if !has_band(loaded) {
         return Ok(None);
     }
-    let found = settled(loaded, tables)?;
-    let loaded = found.as_ref();
-    let (ranged, _) = parameters(loaded).map_err(|error| Error::Whole(Box::new(error)))?;
-    let draws = Draws::of(loaded, tables, &ranged, DRAWS, &|_| {})?;
-    let mut drawn = DrawnLosses::new(loaded, &nominal.offsets, &nominal.path, &draws.losses);
-    drawn.misplaced = misplaced(loaded, nominal.summary.loss_w)?;
-    Ok(Some(drawn.quantiles()))
+    let found = settled(loaded, contacts)?;
+    let evaluated = evaluate(found.as_ref(), &Nominal::of(nominal), contacts, &|_| {})?;
+    Ok(Some(evaluated.predictive))
 }
 
-/// Adds the equations of the interval to the equations of the run.
+/// Adds the equations of the uncertainty to the equations of the run.
 fn note(result: &mut RunResult, tags: &BTreeSet<&'static str>) {
     let before = result.equations.iter().map(|found| found.tag.as_ref());
     let known = crate::equations::all().iter().map(|known| known.tag);
@@ -133,79 +131,126 @@ fn note(result: &mut RunResult, tags: &BTreeSet<&'static str>) {
     (result.equations, result.references) = equations_used(&all);
 }
 
-fn band(
+fn uncertainty(
     loaded: &LoadedCase,
     outcome: &Outcome,
     contacts: &Contacts,
-    alternatives: Vec<Alternative>,
-    done: &dyn Fn(usize),
-) -> Result<(LossBand, DrawnLosses), Error> {
-    let (ranged, held) = parameters(loaded).map_err(|error| Error::Whole(Box::new(error)))?;
-    let draws = Draws::of(loaded, Some(contacts), &ranged, DRAWS, done)?;
-    let effects = draws.effects(&ranged);
-    let alternatives = alternatives.into_iter().zip(1..);
-    let alternatives = alternatives.map(|((name, other), number)| {
-        // An alternative without solution here is no error of the case.
-        let found = evaluated(&other, Some(contacts)).ok();
-        done(DRAWS + number);
-        AlternativeRow {
-            name: name.to_owned(),
-            loss_w: found.map(|found| found.summary.loss_w),
-        }
-    });
-    let rows = &outcome.result.path;
-    let mut drawn = DrawnLosses::new(loaded, &outcome.offsets, rows, &draws.losses);
-    drawn.misplaced = misplaced(loaded, outcome.result.summary.loss_w)?;
-    let summary = &outcome.result.summary;
-    let quantiles_w = drawn.quantiles();
-    let [low, high] = quantiles_w.map(|loss| 1.0 - loss / summary.power_in_w);
-    let parameters = ranged.iter().zip(&effects);
-    let band = LossBand {
-        nominal_w: summary.loss_w,
-        quantiles_w,
-        efficiency_quantiles: [high, low],
-        parameter_quantiles_w: five_to_ninety_five(&drawn.exact()),
-        parameters: parameters
-            .map(|((_, ranged), effect)| BandParameter {
-                name: ranged.kind.name().to_owned(),
-                value: ranged.value,
-                low: ranged.low,
-                high: ranged.high,
-                unit: ranged.kind.unit().to_owned(),
-                is_logarithmic: ranged.kind.is_logarithmic(),
-                is_calibrated: ranged.calibrated.is_some(),
-                effect_w: *effect,
-            })
-            .collect(),
+    done: &(dyn Fn(usize) + Sync),
+) -> Result<(Uncertainty, Predictive), Error> {
+    let nominal = Nominal::of_outcome(outcome);
+    let Evaluated {
+        predictive,
+        of_positions,
         held,
-        draws: draws.losses.len(),
-        draws_w: draws
-            .losses
-            .iter()
-            .map(|found| found.summary.loss_w)
-            .collect(),
-        sampling: drawn.sampling(loaded),
-        alternatives: alternatives.collect(),
-        trust: trust(loaded),
-        path_sliding_w_per_m: along_path(rows, &draws.losses, None),
-        path_with_sampling_w_per_m: along_path(rows, &draws.losses, Some(&drawn)),
+        evaluations,
+    } = evaluate(loaded, &nominal, Some(contacts), done)?;
+    let of_model = |(model, number): (OtherModel, usize)| {
+        // A model without solution here is no error of the case.
+        let found = evaluated(&model.case, Some(contacts)).ok();
+        done(evaluations + number);
+        AlternativeRow {
+            name: model.name.to_owned(),
+            loss_w: found.map(|found| found.summary.loss_w),
+            refuted_by: model.refuted_by.to_owned(),
+        }
     };
-    // A cancelled alternative is not one without solution.
+    let others = other_models(loaded).into_iter().zip(1..).map(of_model).collect();
+    // A cancelled model is not one without solution.
     checkpoint()?;
-    Ok((band, drawn))
+    let quantiles = predictive.quantiles();
+    let [low, high] = quantiles.quantiles_w;
+    let power = predictive.power_in_w;
+    if high >= power {
+        let impossible = Unbalanced::Efficiency {
+            of: "5 % quantile of the efficiency",
+            value: 1.0 - high / power,
+        };
+        return Err(Error::Whole(Box::new(PositionError::from(impossible))));
+    }
+    let structures = State::ALL.into_iter().filter_map(|state| {
+        Some(AlternativeRow {
+            name: state.name().to_owned(),
+            loss_w: Some(predictive.in_state(state)?),
+            refuted_by: String::new(),
+        })
+    });
+    let found = Uncertainty {
+        loss: LossDistribution {
+            median_w: quantiles.median_w,
+            quantiles_w: quantiles.quantiles_w,
+            sd_ln: quantiles.sd_ln,
+            parts: parts(loaded, &predictive, &nominal),
+        },
+        at_medians_w: predictive.at_medians_w,
+        efficiency_median: 1.0 - quantiles.median_w / power,
+        efficiency_quantiles: [1.0 - high / power, 1.0 - low / power],
+        constants: predictive.constants.iter().map(drawn_constant).collect(),
+        held,
+        draws: Predictive::count(),
+        beyond_power: predictive.beyond_power(),
+        evaluations,
+        interpolation_error: predictive.surface_rms,
+        roughness_over_film: predictive.roughness_over_film,
+        sampling: sampling(loaded, &predictive, &nominal),
+        structures: structures.collect(),
+        other_models: others,
+        trust: trust(loaded),
+        path_sliding_w_per_m: along_path(nominal.path, &predictive, &of_positions),
+    };
+    Ok((found, predictive))
 }
 
-/// Changes of the loss where placed traces are misplaced by two half-widths against each other; none where they are
-/// not placed.
-fn misplaced(loaded: &LoadedCase, nominal: f64) -> Result<Vec<f64>, Error> {
-    const HALF_WIDTHS: f64 = 2.0;
-    let changes = [-HALF_WIDTHS, HALF_WIDTHS].into_iter().filter_map(|by| {
-        let surfaces = loaded.surfaces.misplaced(by)?;
-        let mut other = loaded.clone();
-        other.surfaces = surfaces;
-        Some(evaluated(&other, None).map(|found| found.summary.loss_w - nominal))
+fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
+    DrawnConstant {
+        name: ranged.kind.name().to_owned(),
+        value: ranged.value,
+        low: ranged.low,
+        high: ranged.high,
+        unit: ranged.kind.unit().to_owned(),
+        is_calibrated: ranged.calibrated.is_some(),
+    }
+}
+
+/// Every component drawn alone, the largest first.
+fn parts(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>) -> Vec<UncertaintyPart> {
+    let constants = predictive.constants.iter().enumerate();
+    let constants = constants.map(|(k, ranged)| {
+        let remedy = match ranged.kind {
+            Constant::BoundaryFriction | Constant::BoundaryLayer => "losses measured on a rig (asperity calibrate)",
+            Constant::Lay => "an areal scan of the flank: model.lay",
+            Constant::LimitingShear | Constant::EyringStress => "a traction curve of the oil, or losses on a rig",
+            Constant::PressureViscosity => "lubricant.pressure_viscosity of the oil",
+        };
+        (Component::Constant(k), ranged.kind.name(), remedy.to_owned())
     });
-    changes.collect()
+    let half_width = widest(nominal.path);
+    let windows = windows_of_traces(loaded, half_width).unwrap_or(f64::INFINITY);
+    let longer = match windows < 8.0 {
+        true => {
+            let length = length_for(8.0, loaded.case.model.window, half_width);
+            format!("traces of {:.1} mm or more, or of more teeth", 1e3 * length.si())
+        }
+        false => "traces of more teeth".to_owned(),
+    };
+    let factors = [
+        (Component::Sampling, "sampling of the flanks", longer),
+        (Component::Relief, "tip relief not stated", "gears.pinion.tip_relief and gears.wheel.tip_relief".to_owned()),
+        (Component::Model, "error of the fast model", "model.load_share = \"ehl\"".to_owned()),
+        (Component::Structure, "boundary rule and feed of the spots", "losses measured on a rig".to_owned()),
+        (Component::Rolling, "rolling loss", "a spin-loss measurement".to_owned()),
+    ];
+    let alone = constants.chain(factors).filter_map(|(component, name, remedy)| {
+        let found = predictive.alone(component)?;
+        Some(UncertaintyPart {
+            name: name.to_owned(),
+            sd_ln: found.sd_ln,
+            quantiles_w: found.quantiles_w,
+            remedy,
+        })
+    });
+    let mut parts: Vec<UncertaintyPart> = alone.collect();
+    parts.sort_by(|a, b| b.sd_ln.total_cmp(&a.sd_ln));
+    parts
 }
 
 fn trust(loaded: &LoadedCase) -> Trust {
@@ -217,77 +262,35 @@ fn trust(loaded: &LoadedCase) -> Trust {
     }
 }
 
-/// Quantiles of the sliding loss of every position over the draws, each mean with its sampling error where the losses
-/// `sampled` have one.
+/// Quantiles of the sliding loss of every position over the draws, its own sampling error among them.
 fn along_path(
     nominal: &[PositionRow],
-    draws: &[Losses],
-    sampled: Option<&DrawnLosses>,
+    predictive: &Predictive,
+    of_positions: &[surface::QuadraticSurface],
 ) -> Vec<[f64; 2]> {
-    let at = |k: usize| {
-        let drawn = draws.iter().filter_map(|found| found.path.get(k));
-        let mut values: Vec<Drawn> = drawn.map(|row| drawn_mean(row, sampled)).collect();
-        if values.is_empty() {
-            values.push(drawn_mean(&nominal[k], sampled));
-        }
-        five_to_ninety_five(&values)
+    let draws = predictive.factors_of_sliding();
+    let at = |(k, row): (usize, &PositionRow)| {
+        let ln = |z: &[f64]| of_positions.get(k).map_or(0.0, |surface| surface.at(z));
+        let drawn = draws.iter().map(|(z, factor)| row.sliding_w_per_m * factor * ln(z).exp());
+        sorted_quantiles(&drawn.collect::<Vec<_>>(), [0.05, 0.95])
     };
-    (0..nominal.len()).map(at).collect()
+    nominal.iter().enumerate().map(at).collect()
 }
 
-/// The mean sliding loss of a position with its standard error: between traces, or s/√n_e over n_e windows that count
-/// as independent.
-fn drawn_mean(row: &PositionRow, sampled: Option<&DrawnLosses>) -> Drawn {
-    let value = row.sliding_w_per_m;
-    let Some(sampled) = sampled else {
-        return Drawn::exact(value);
-    };
-    let windows = sampled.effective_windows().filter(|windows| *windows > 1.0);
-    let between = row
-        .sliding_standard_error_w_per_m
-        .zip(row.sliding_error_freedom);
-    let error = match (between, row.sliding_deviation_w_per_m, windows) {
-        (Some((standard_error, freedom)), ..) => Some([standard_error, freedom]),
-        (None, Some(deviation), Some(windows)) => Some([deviation / windows.sqrt(), windows - 1.0]),
-        _ => None,
-    };
-    match error {
-        Some([standard_error, freedom]) if standard_error > 0.0 => Drawn {
-            value,
-            standard_error,
-            freedom,
-        },
-        _ => Drawn::exact(value),
+/// Contribution of the sampling of the flanks, or the reason why there is none.
+fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>) -> SamplingPart {
+    let misplaced_w = predictive.sampling.shifts.map(|shifts| {
+        shifts.map(|shift| predictive.at_medians_w * (shift.exp() - 1.0))
+    });
+    if let Some(found) = nominal.pairs {
+        return SamplingPart::Pairs(PairSampling { misplaced_w, ..found });
     }
-}
-
-impl DrawnLosses {
-    /// Contribution of the sampling of the flanks, or the reason why there is no interval.
-    fn sampling(&self, loaded: &LoadedCase) -> SamplingPart {
-        let nominal = self.nominal();
-        let misplaced_w = match self.misplaced[..] {
-            [down, up] => Some([down, up]),
-            _ => None,
-        };
-        if let Some(found) = self.between_pairs(nominal) {
-            return SamplingPart::Pairs(PairSampling {
-                misplaced_w,
-                ..found
-            });
-        }
-        if let Some(changes) = misplaced_w {
-            return SamplingPart::OnePair(changes);
-        }
-        match window_sampling(nominal, self.effective_windows().unwrap_or(0.0)) {
-            Some(found) => SamplingPart::Windows(found),
-            None if !loaded.surfaces.are_measured() => {
-                SamplingPart::None("no traces, no sampling error".to_owned())
-            }
-            None if nominal.len() < 2 => SamplingPart::None("one window, no interval".to_owned()),
-            None => SamplingPart::None(
-                "the traces leave the window less than three averaging widths: one window, no interval"
-                    .to_owned(),
-            ),
-        }
+    if let Some(changes) = misplaced_w {
+        return SamplingPart::OnePair(changes);
     }
+    let Some(windows) = windows_of_traces(loaded, widest(nominal.path)) else {
+        return SamplingPart::None("no traces, no sampling error".to_owned());
+    };
+    let offsets = nominal.summary.offsets;
+    SamplingPart::Windows(window_sampling(scatter(nominal.path), offsets, windows, predictive.asperity_share))
 }

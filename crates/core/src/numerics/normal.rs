@@ -1,5 +1,16 @@
 //! The standard normal distribution.
 
+/// Φ(z) = erfc(−z/√2)/2
+///
+/// ```
+/// use asperity_core::numerics::standard_normal_below;
+/// assert!((standard_normal_below(1.959_963_984_540_054) - 0.975).abs() < 1e-15);
+/// ```
+#[must_use]
+pub fn standard_normal_below(z: f64) -> f64 {
+    0.5 * libm::erfc(-z / std::f64::consts::SQRT_2)
+}
+
 /// z with Φ(z) = p, Φ(z) = erfc(−z/√2)/2, by bisection; p is held off 0 and 1.
 ///
 /// ```
@@ -16,7 +27,7 @@ pub fn standard_normal_quantile(p: f64) -> f64 {
     if p == 0.5 {
         return 0.0;
     }
-    let below = |z: f64| 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2) < p;
+    let below = |z: f64| standard_normal_below(z) < p;
     let (mut low, mut high) = (-END, END);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);

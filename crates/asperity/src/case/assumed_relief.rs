@@ -1,0 +1,90 @@
+//! Tip relief of gears whose drawing nobody states.
+
+use asperity_core::cite;
+use asperity_core::quantity::{Length, Torque};
+use asperity_gear::{
+    AmountDirection, GearError, LoadConditions, LoadLaw, MicroGeometry, Relief, ReliefExtent,
+    ReliefShape,
+};
+
+use super::input::CaseInput;
+
+/// Tip relief of gears whose drawing nobody states: between none and the approach of the teeth under their largest load.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct AssumedRelief {
+    /// Approach of the teeth without relief, normal to the flank.
+    pub approach: Length,
+    /// Roll length from the tip to the end of double contact.
+    pub roll_length: Length,
+    /// Gears whose relief is not stated.
+    pub gears: [bool; 2],
+}
+
+impl AssumedRelief {
+    /// Amount of a run, over the approach.
+    pub const AMOUNT: f64 = 0.5;
+    /// Roll length of a run, over that to the end of double contact.
+    pub const LENGTH: f64 = 0.75;
+
+    /// The relief that a case does not state, under the larger of its torque and the largest torque of its map; none
+    /// where both gears state theirs, and where a single pair of teeth carries the load throughout.
+    ///
+    /// ```text
+    /// C_a = c δ over the roll length l L,  L = (ε_α − 1) p_et                      [Assumed-relief]
+    /// ```
+    ///
+    /// # Errors
+    /// When the load over the teeth has no solution without relief.
+    pub(super) fn of(
+        input: &CaseInput,
+        law: &LoadLaw,
+        conditions: &LoadConditions<'_>,
+    ) -> Result<Option<Self>, GearError> {
+        let flanks = [input.gears.pinion, input.gears.wheel].map(Option::unwrap_or_default);
+        let gears = flanks.map(|flank| flank.tip_relief.is_none() && !flank.is_from_trace());
+        let pair = conditions.pair;
+        let path = pair.path();
+        let beyond = path.eps_alpha - 1.0;
+        if gears == [false; 2] || !law.is_elastic() || beyond <= 0.0 {
+            return Ok(None);
+        }
+        cite!("Assumed-relief");
+        let most = input.map.and_then(|map| map.torque_max);
+        let torque = most.map_or(conditions.torque.si().abs(), |most| {
+            most.si().abs().max(conditions.torque.si().abs())
+        });
+        let loaded = LoadConditions {
+            torque: Torque::from_si(torque),
+            ..*conditions
+        };
+        let Some(approach) = law.load_map(&loaded)?.evidence().mean_approach else {
+            return Ok(None);
+        };
+        Ok(Some(Self {
+            approach,
+            roll_length: path.base_pitch * beyond,
+            gears,
+        }))
+    }
+
+    /// `micro` with the amount `c` times the approach over `l` times the roll length, at the gears that state none.
+    #[must_use]
+    pub fn put_into(&self, micro: &MicroGeometry, c: f64, l: f64) -> MicroGeometry {
+        let relief = (c > 0.0).then(|| Relief {
+            amount: self.approach * c,
+            extent: ReliefExtent::RollLength(self.roll_length * l),
+            shape: ReliefShape::Linear,
+        });
+        let mut assumed = micro.clone();
+        for (gear, is_assumed) in self.gears.into_iter().enumerate() {
+            if is_assumed {
+                assumed.tip_relief[gear] = relief;
+            }
+        }
+        if micro.is_unmodified() {
+            assumed.direction = AmountDirection::Normal;
+        }
+        assumed
+    }
+}

@@ -1,0 +1,126 @@
+//! The draws that every case shares.
+
+use std::sync::OnceLock;
+
+use asperity_core::numerics::standard_normal_quantile;
+
+use super::hypercube::permutations;
+use crate::parameters::AXES;
+
+/// Number of draws.
+pub const DRAWS: usize = 4096;
+
+/// Share of each tail of a constant that is not drawn.
+const CUT: f64 = 0.005;
+/// Seed of the draws that all flanks share; those of flanks number k have the next ones.
+const SEED: u64 = 3;
+/// Axes besides those of the constants.
+const FACTORS: usize = 6;
+
+/// One draw of everything that is uncertain: standard normal where not said otherwise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Draw {
+    /// Constants by their axis.
+    pub constants: [f64; AXES.len()],
+    /// State of the structure, 0 to 1.
+    pub state: f64,
+    /// Weight of the bias of the model, 0 to 1.
+    pub weight: f64,
+    /// Rolling loss.
+    pub rolling: f64,
+    /// Tip relief over the approach of the teeth, 0 to 1.
+    pub relief: f64,
+    /// Length of the tip relief in its range, 0 to 1.
+    pub length: f64,
+    /// Power of the ratio of loss factors.
+    pub power: f64,
+    pub of_flanks: FlankDraw,
+}
+
+/// The part of a draw that differs from flanks to other flanks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FlankDraw {
+    /// Error of the model.
+    pub model: f64,
+    /// Sampling of the flanks.
+    pub sampling: f64,
+    /// Place of placed traces, 0 to 1.
+    pub place: f64,
+}
+
+impl Draw {
+    /// The middle of every distribution.
+    pub const fn middle() -> Self {
+        Self {
+            weight: 0.5,
+            ..Self::medians()
+        }
+    }
+
+    /// The run: medians, and no bias of the model.
+    pub const fn medians() -> Self {
+        Self {
+            constants: [0.0; AXES.len()],
+            state: 0.0,
+            weight: 0.0,
+            rolling: 0.0,
+            relief: 0.5,
+            length: 0.5,
+            power: 0.0,
+            of_flanks: FlankDraw {
+                model: 0.0,
+                sampling: 0.0,
+                place: 0.5,
+            },
+        }
+    }
+}
+
+/// The draws that all flanks share, with flanks in the middle.
+pub(super) fn shared_draws() -> impl Iterator<Item = Draw> {
+    static ORDERS: OnceLock<Vec<Vec<usize>>> = OnceLock::new();
+    let orders = ORDERS.get_or_init(|| permutations(DRAWS, AXES.len() + FACTORS, SEED));
+    let (cut, normal) = (cut_normal(), normal());
+    (0..DRAWS).map(move |j| {
+        let factor = |k: usize| orders[AXES.len() + k][j];
+        Draw {
+            constants: std::array::from_fn(|k| cut[orders[k][j]]),
+            state: place(factor(0)),
+            weight: place(factor(1)),
+            rolling: normal[factor(2)],
+            relief: place(factor(3)),
+            length: place(factor(4)),
+            power: normal[factor(5)],
+            ..Draw::middle()
+        }
+    })
+}
+
+/// The draws of flanks number `flanks`.
+pub(super) fn flank_draws(flanks: usize) -> impl Iterator<Item = FlankDraw> {
+    let orders = permutations(DRAWS, 3, SEED + 1 + flanks as u64);
+    let normal = normal();
+    (0..DRAWS).map(move |j| FlankDraw {
+        model: normal[orders[0][j]],
+        sampling: normal[orders[1][j]],
+        place: place(orders[2][j]),
+    })
+}
+
+/// The middle of a stratum.
+fn place(stratum: usize) -> f64 {
+    (stratum as f64 + 0.5) / DRAWS as f64
+}
+
+/// Standard normal quantiles of the strata.
+fn normal() -> &'static [f64] {
+    static STRATA: OnceLock<Vec<f64>> = OnceLock::new();
+    STRATA.get_or_init(|| (0..DRAWS).map(|k| standard_normal_quantile(place(k))).collect())
+}
+
+/// The same without the outermost 0.5 % of either side.
+fn cut_normal() -> &'static [f64] {
+    static STRATA: OnceLock<Vec<f64>> = OnceLock::new();
+    let cut = |k: usize| CUT + (1.0 - 2.0 * CUT) * place(k);
+    STRATA.get_or_init(|| (0..DRAWS).map(|k| standard_normal_quantile(cut(k))).collect())
+}

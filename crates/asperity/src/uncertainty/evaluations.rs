@@ -1,0 +1,334 @@
+//! Evaluations of the losses of a case over its constants, which the draws interpolate.
+
+use std::borrow::Cow;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use asperity_core::quantity::Length;
+use rayon::prelude::*;
+
+use super::hypercube::latin_hypercube;
+use super::predictive::{Predictive, Structure};
+use super::relief::ReliefFactors;
+use super::surface::QuadraticSurface;
+use crate::case::{LoadedCase, cholesky};
+use crate::contacts::Contacts;
+use crate::error::Error;
+use crate::parameters::{Ranged, UncertainParameter, parameters};
+use crate::pipeline::{losses, losses_with};
+use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summary};
+use crate::sampling::{SamplingError, Scatter, means_of_pairs, pair_sampling, window_sampling, windows_of_traces};
+use asperity_mixed_film::SpotSpeed;
+
+/// Offsets of the evaluations: a ratio of losses needs fewer than a loss.
+const OFFSETS: usize = 16;
+/// Evaluations that the surface is not fitted to.
+const HELD_OUT: usize = 4;
+/// Evaluations with spots fed at half the sliding speed.
+const HALF_SLIDING: usize = 8;
+/// Standard deviations that the evaluations reach to either side.
+const REACH: f64 = 2.4;
+/// Seed of their places.
+const SEED: u64 = 1;
+
+/// Losses of the flanks of `loaded` as measured, with its stored contacts if there are any.
+pub(super) fn evaluated(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Losses, Error> {
+    let mut loaded = Cow::Borrowed(loaded);
+    if loaded.case.model.run_in {
+        // No draw looks at the flanks run in.
+        loaded.to_mut().case.model.run_in = false;
+    }
+    match contacts {
+        Some(contacts) => losses_with(contacts, &loaded),
+        None => losses(&loaded),
+    }
+}
+
+/// The losses of a run at the medians.
+#[derive(Clone, Copy)]
+pub(super) struct Nominal<'a> {
+    pub summary: &'a Summary,
+    pub path: &'a [PositionRow],
+    pub offsets: &'a [OffsetRow],
+    pub pairs: Option<PairSampling>,
+}
+
+impl<'a> Nominal<'a> {
+    pub fn of(losses: &'a Losses) -> Self {
+        Self {
+            summary: &losses.summary,
+            path: &losses.path,
+            offsets: &losses.offsets,
+            pairs: losses.pairs,
+        }
+    }
+
+    pub fn of_outcome(outcome: &'a Outcome) -> Self {
+        let result = &outcome.result;
+        Self {
+            summary: &result.summary,
+            path: &result.path,
+            offsets: &outcome.offsets,
+            pairs: result.pairs.as_ref().and_then(|pairs| pairs.sampling),
+        }
+    }
+}
+
+/// The draws of a case, and what only its own result shows of them.
+pub(super) struct Evaluated {
+    pub predictive: Predictive,
+    /// ln of the sliding loss of each position over that at the medians.
+    pub of_positions: Vec<QuadraticSurface>,
+    pub held: Vec<String>,
+    pub evaluations: usize,
+}
+
+/// Number of evaluations of a case.
+pub(super) fn count(loaded: &LoadedCase) -> usize {
+    let dimensions = parameters(loaded).map_or(0, |(drawn, _)| drawn.len());
+    match dimensions {
+        0 => 0,
+        n => 1 + QuadraticSurface::evaluations(n) + HELD_OUT + if is_solved(loaded) { HALF_SLIDING } else { 0 },
+    }
+}
+
+/// Evaluates a case around `nominal`, its losses at the medians; `done` is called after each evaluation.
+pub(super) fn evaluate(
+    loaded: &LoadedCase,
+    nominal: &Nominal<'_>,
+    contacts: Option<&Contacts>,
+    done: &(dyn Fn(usize) + Sync),
+) -> Result<Evaluated, Error> {
+    let whole = |error| Error::Whole(Box::new(error));
+    let (constants, held) = parameters(loaded).map_err(whole)?;
+    let few = contacts.map(|contacts| contacts.first((OFFSETS / loaded.surfaces.pairs()).max(1)));
+    let base = Base { loaded, constants: &constants, contacts: few.as_ref(), number: AtomicUsize::new(0), done };
+    let dimensions = constants.len();
+    let wanted = QuadraticSurface::evaluations(dimensions);
+    let path = Path::of(nominal.path);
+    let mut predictive = Predictive {
+        at_medians_w: nominal.summary.loss_w,
+        power_in_w: nominal.summary.power_in_w,
+        parts_w: {
+            let s = &nominal.summary;
+            [s.sliding_w, s.rolling_w, s.loss_w - s.sliding_w - s.rolling_w]
+        },
+        correlations: correlations(loaded, &constants),
+        sliding: None,
+        share: None,
+        surface_rms: 0.0,
+        asperity_share: path.asperity_share,
+        structure: None,
+        relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
+        roughness_over_film: path.roughness_over_film,
+        film_m: path.film_m,
+        sampling: sampling_error(loaded, nominal, path.asperity_share)?,
+        constants,
+    };
+    let mut of_positions = Vec::new();
+    if dimensions > 0 {
+        let base = Base { constants: &predictive.constants, ..base };
+        let places = |count, seed| places(count, dimensions, seed);
+        let fitted = places(wanted, SEED);
+        let middle = base.at(&vec![0.0; dimensions], false)?;
+        let found = base.all(&fitted, false)?;
+        let ratio = |losses: &Losses| (losses.summary.sliding_w / middle.summary.sliding_w).ln();
+        let share = |losses: &Losses| Path::of(&losses.path).asperity_share - path_share(&middle);
+        let fit = |of: &dyn Fn(&Losses) -> f64| {
+            QuadraticSurface::fit(&fitted, &found.iter().map(of).collect::<Vec<_>>())
+        };
+        predictive.sliding = fit(&ratio);
+        predictive.share = fit(&share);
+        let of_position = |k: usize| {
+            let of = |losses: &Losses| losses.path[k].sliding_w_per_m;
+            let base = of(&middle);
+            fit(&|losses: &Losses| if base > 0.0 { (of(losses) / base).ln() } else { 0.0 })
+        };
+        of_positions = (0..middle.path.len()).filter_map(of_position).collect();
+        if let Some(surface) = &predictive.sliding {
+            let others = places(HELD_OUT, SEED + 1);
+            let found = base.all(&others, false)?;
+            let squares = others.iter().zip(&found).map(|(z, losses)| (surface.at(z) - ratio(losses)).powi(2));
+            predictive.surface_rms = (squares.sum::<f64>() / HELD_OUT as f64).sqrt();
+            if is_solved(loaded) {
+                let points = places(HALF_SLIDING, SEED + 2);
+                let found = base.all(&points, true)?;
+                let logs = points.iter().zip(&found).map(|(z, losses)| ratio(losses) - surface.at(z));
+                let half_sliding = plane(&predictive.constants, &points, &logs.collect::<Vec<_>>());
+                predictive.structure = Some(Structure {
+                    half_sliding,
+                    film_friction: path.film_friction,
+                    loss_factor_w: nominal.summary.loss_factor_local * nominal.summary.power_in_w,
+                    boundary_friction: loaded.case.model.boundary_friction,
+                });
+            }
+        }
+    }
+    Ok(Evaluated {
+        predictive,
+        of_positions,
+        held,
+        evaluations: count(loaded),
+    })
+}
+
+fn path_share(losses: &Losses) -> f64 {
+    Path::of(&losses.path).asperity_share
+}
+
+/// Whether the share of the asperities follows from solved contacts.
+fn is_solved(loaded: &LoadedCase) -> bool {
+    loaded.case.load_share().supply().is_some()
+        && loaded.surfaces.are_measured()
+        && loaded.case.model.spot_speed == SpotSpeed::Entrainment
+}
+
+/// What is the same for all evaluations.
+struct Base<'a> {
+    loaded: &'a LoadedCase,
+    constants: &'a [Ranged],
+    contacts: Option<&'a Contacts>,
+    number: AtomicUsize,
+    done: &'a (dyn Fn(usize) + Sync),
+}
+
+impl Base<'_> {
+    /// The losses with the constants at `z`.
+    fn at(&self, z: &[f64], half_sliding: bool) -> Result<Losses, Error> {
+        let mut drawn = self.loaded.clone();
+        for (constant, z) in self.constants.iter().zip(z) {
+            let value = constant.at(*z);
+            let set = constant.kind.set(&mut drawn, value);
+            set.map_err(|error| Error::Whole(Box::new(error)))?;
+        }
+        if half_sliding {
+            drawn.case.model.spot_speed = SpotSpeed::HalfSliding;
+        }
+        let found = evaluated(&drawn, self.contacts)?;
+        (self.done)(1 + self.number.fetch_add(1, Ordering::Relaxed));
+        Ok(found)
+    }
+
+    fn all(&self, points: &[Vec<f64>], half_sliding: bool) -> Result<Vec<Losses>, Error> {
+        points.par_iter().map(|z| self.at(z, half_sliding)).collect()
+    }
+}
+
+/// Places of evaluations, even over the standardised constants.
+fn places(count: usize, dimensions: usize, seed: u64) -> Vec<Vec<f64>> {
+    let mut points = latin_hypercube(count, dimensions, seed);
+    for value in points.iter_mut().flatten() {
+        *value = REACH * (2.0 * *value - 1.0);
+    }
+    points
+}
+
+/// Constant and slopes over boundary friction and boundary layer of the plane closest to `values` (least squares).
+fn plane(constants: &[Ranged], points: &[Vec<f64>], values: &[f64]) -> [f64; 3] {
+    let place = |kind| constants.iter().position(|constant| constant.kind == kind);
+    let axes = [
+        place(UncertainParameter::BoundaryFriction),
+        place(UncertainParameter::BoundaryLayer),
+    ];
+    let row = |z: &Vec<f64>| [1.0, axes[0].map_or(0.0, |k| z[k]), axes[1].map_or(0.0, |k| z[k])];
+    let rows: Vec<[f64; 3]> = points.iter().map(row).collect();
+    let matrix = nalgebra::DMatrix::from_row_iterator(rows.len(), 3, rows.into_iter().flatten());
+    let found = matrix.svd(true, true).solve(&nalgebra::DVector::from_column_slice(values), 1e-10);
+    found.map_or([0.0; 3], |found| [found[0], found[1], found[2]])
+}
+
+/// Rows of the lower triangle of the correlations of the calibrated constants.
+fn correlations(loaded: &LoadedCase, constants: &[Ranged]) -> Vec<Vec<f64>> {
+    let names: Vec<_> = constants.iter().filter_map(|constant| constant.calibrated).collect();
+    let Some(given) = &loaded.case.input.calibration else {
+        return Vec::new();
+    };
+    // A case whose correlations contradict each other is refused.
+    cholesky(given, &names).unwrap_or_default()
+}
+
+/// Means over a path, weighted with the sliding loss.
+struct Path {
+    asperity_share: f64,
+    film_friction: f64,
+    roughness_over_film: Option<f64>,
+    film_m: f64,
+}
+
+impl Path {
+    fn of(path: &[PositionRow]) -> Self {
+        let power = |row: &PositionRow| row.weight_m * row.sliding_w_per_m;
+        let total: f64 = path.iter().map(power).sum();
+        let mean = |of: &dyn Fn(&PositionRow) -> f64| match total > 0.0 {
+            true => path.iter().map(|row| power(row) * of(row)).sum::<f64>() / total,
+            false => 0.0,
+        };
+        let is_known = path.iter().any(|row| row.roughness_over_film.is_some());
+        Self {
+            asperity_share: mean(&|row| 1.0 - row.film_share),
+            film_friction: mean(&|row| row.mu_film),
+            roughness_over_film: is_known.then(|| mean(&|row| row.roughness_over_film.unwrap_or(0.0))),
+            film_m: mean(&|row| 1e-6 * row.film_central_um),
+        }
+    }
+}
+
+/// The scatter of the losses of the positions over the offsets.
+pub(super) fn scatter(path: &[PositionRow]) -> Scatter {
+    Scatter::of(path.iter().map(|row| {
+        let deviation = row.sliding_deviation_w_per_m.unwrap_or(0.0);
+        [row.sliding_w_per_m, deviation].map(|power| row.weight_m * power)
+    }))
+}
+
+/// Half width of the widest contact of a path.
+pub(super) fn widest(path: &[PositionRow]) -> Length {
+    let half_widths = path.iter().map(|row| 1e-6 * row.half_width_um);
+    Length::from_si(half_widths.fold(0.0, f64::max))
+}
+
+/// The sampling error of ln loss: between pairs of teeth, over windows, or by the misplacement of placed traces.
+fn sampling_error(loaded: &LoadedCase, nominal: &Nominal<'_>, asperity_share: f64) -> Result<SamplingError, Error> {
+    let surfaces = &loaded.surfaces;
+    let shifts = misplaced(loaded, nominal.summary.loss_w)?;
+    if let Some(teeth) = surfaces.several_teeth() {
+        let losses: Vec<f64> = nominal.offsets.iter().map(|row| row.loss_w).collect();
+        let logs: Vec<f64> = means_of_pairs(&losses, surfaces.pairs()).iter().map(|loss| loss.ln()).collect();
+        let found = pair_sampling(&logs, teeth).filter(|found| found.standard_error_w > 0.0);
+        return Ok(match found {
+            Some(found) => SamplingError {
+                standard_error: found.standard_error_w,
+                freedom: found.freedom,
+                shifts,
+            },
+            None => SamplingError { shifts, ..SamplingError::NONE },
+        });
+    }
+    if shifts.is_some() {
+        return Ok(SamplingError { shifts, ..SamplingError::NONE });
+    }
+    let Some(windows) = windows_of_traces(loaded, widest(nominal.path)) else {
+        return Ok(SamplingError::NONE);
+    };
+    let found = window_sampling(scatter(nominal.path), nominal.summary.offsets, windows, asperity_share);
+    Ok(SamplingError {
+        standard_error: found.standard_error,
+        freedom: found.freedom,
+        shifts,
+    })
+}
+
+/// Changes of ln loss where placed traces are misplaced by two half-widths against each other; none where they are
+/// not placed.
+fn misplaced(loaded: &LoadedCase, nominal: f64) -> Result<Option<[f64; 2]>, Error> {
+    const HALF_WIDTHS: f64 = 2.0;
+    let mut changes = [0.0; 2];
+    for (change, by) in changes.iter_mut().zip([-HALF_WIDTHS, HALF_WIDTHS]) {
+        let Some(surfaces) = loaded.surfaces.misplaced(by) else {
+            return Ok(None);
+        };
+        let mut other = loaded.clone();
+        other.surfaces = surfaces;
+        *change = (evaluated(&other, None)?.summary.loss_w / nominal).ln();
+    }
+    Ok(Some(changes))
+}

@@ -1,0 +1,326 @@
+//! Predictive draws of the loss of one case.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | P_j | loss of draw j | W |
+//! | S | sliding loss at the constants θ of the draw | W |
+//! | D | change by the step rule of the boundary layer | W |
+//! | F | loss factor with the drawn tip relief over that of the run | - |
+//! | γ | power of F, 1.15 ± 0.08 (standard deviation) | - |
+//! | Q | rolling loss | W |
+//! | φ | share of the load on the asperities, weighted with the sliding loss | - |
+//! | s | roughness σ_d that the contact leaves over the film, weighted with the sliding loss | - |
+//! | g | ln of the loss by the fast model over that by records of mixed lubrication, at its mean | - |
+//! | SE, ν | standard error of ln P by the sampling of the flanks, its degrees of freedom | - |
+//!
+//! The draws are the same for every case, those of the constants, the structure, the tip relief and the rolling loss for
+//! all flanks; those of model error and sampling differ from flanks to other flanks.
+
+use asperity_core::cite;
+use serde::{Deserialize, Serialize};
+
+use super::draw::{DRAWS, Draw, flank_draws, shared_draws};
+use super::hypercube::StudentOfNormal;
+use super::quantiles::Quantiles;
+use super::relief::ReliefFactors;
+use super::surface::QuadraticSurface;
+use crate::parameters::{Ranged, UncertainParameter};
+use crate::sampling::SamplingError;
+
+/// Probability of the exponential boundary rule with spots fed at the entrainment speed, and with the step rule added.
+const STATES: [f64; 2] = [0.65, 0.90];
+/// Slope of the change by the step rule: .24 to .44 of the share of the reference in 21 records.
+const STEP_RULE: f64 = 0.27;
+/// Mean and standard deviation of the power of the ratio of loss factors.
+const RELIEF_POWER: [f64; 2] = [1.15, 0.08];
+/// Standard deviation of ln of the fast model over records, of rough and of smooth films.
+const MODEL_ERROR: [f64; 2] = [0.05, 0.03];
+/// Asperity share below which a film is smooth.
+const SMOOTH: f64 = 0.02;
+
+/// The ingredients of the draws of one case.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Predictive {
+    /// Loss of the run, with every constant at its median \[W\].
+    pub at_medians_w: f64,
+    /// Power into the mesh \[W\].
+    pub power_in_w: f64,
+    /// Its sliding, rolling and other losses \[W\].
+    pub(crate) parts_w: [f64; 3],
+    /// Constants that are drawn.
+    pub(crate) constants: Vec<Ranged>,
+    /// Rows of the lower triangle of the correlations of the calibrated constants, in their order.
+    pub(crate) correlations: Vec<Vec<f64>>,
+    /// ln of the sliding loss over that at the medians; none where nothing is drawn.
+    pub(crate) sliding: Option<QuadraticSurface>,
+    /// φ less that at the medians.
+    pub(crate) share: Option<QuadraticSurface>,
+    /// Root mean square error of the first surface at points that it was not fitted to.
+    pub(crate) surface_rms: f64,
+    /// φ at the medians.
+    pub(crate) asperity_share: f64,
+    /// What a solved contact leaves open; none where the share of the asperities follows from a formula.
+    pub(crate) structure: Option<Structure>,
+    /// Loss factors over tip reliefs; none where the case states its relief.
+    pub(crate) relief: Option<ReliefFactors>,
+    /// s; none where it is not known.
+    pub(crate) roughness_over_film: Option<f64>,
+    /// Film weighted with the sliding loss \[m\].
+    pub(crate) film_m: f64,
+    /// Error by the sampling of the flanks.
+    pub(crate) sampling: SamplingError,
+}
+
+/// Structural choices of the solved share of the asperities.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Structure {
+    /// ln of the sliding loss with spots fed at half the sliding speed over that at the entrainment speed: constant, and
+    /// slopes over the standardised boundary friction and boundary layer.
+    pub half_sliding: [f64; 3],
+    /// Film friction weighted with the sliding loss.
+    pub film_friction: f64,
+    /// Loss factor times power into the mesh \[W\].
+    pub loss_factor_w: f64,
+    /// Boundary friction at the medians.
+    pub boundary_friction: f64,
+}
+
+/// The state of the structure in a draw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum State {
+    Entrainment,
+    StepRule,
+    HalfSliding,
+}
+
+impl State {
+    pub const ALL: [Self; 3] = [Self::Entrainment, Self::StepRule, Self::HalfSliding];
+
+    fn of(probability: f64) -> Self {
+        match probability {
+            p if p < STATES[0] => Self::Entrainment,
+            p if p < STATES[1] => Self::StepRule,
+            _ => Self::HalfSliding,
+        }
+    }
+
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Entrainment => "spots fed at the entrainment speed",
+            Self::StepRule => "step rule of the boundary layer",
+            Self::HalfSliding => "spots fed at half the sliding speed",
+        }
+    }
+
+    /// A probability that has this state.
+    const fn place(self) -> f64 {
+        match self {
+            Self::Entrainment => 0.0,
+            Self::StepRule => STATES[0],
+            Self::HalfSliding => STATES[1],
+        }
+    }
+}
+
+/// A component of the uncertainty.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Component {
+    Constant(usize),
+    Sampling,
+    Relief,
+    Model,
+    Structure,
+    Rolling,
+}
+
+impl Predictive {
+    /// The losses of all draws \[W\].
+    ///
+    /// ```text
+    /// P_j = [S(θ_j, z_j) + D(z_j)] F(c_j, l_j)^γ exp(−w_j g + e_j) + Q exp(q n_j),  ln P_j += SE t_ν,j   [Predictive-draw]
+    /// ```
+    ///
+    /// A draw above the power into the mesh is set to it.
+    #[must_use]
+    pub fn draws_w(&self) -> Vec<f64> {
+        self.losses(0)
+    }
+
+    /// The losses of all draws with model error and sampling of the flanks drawn as for flanks number `flanks`.
+    pub(super) fn losses(&self, flanks: usize) -> Vec<f64> {
+        cite!("Predictive-draw");
+        let table = StudentOfNormal::new(self.sampling.freedom);
+        let draws = shared_draws().zip(flank_draws(flanks));
+        let drawn = draws.map(|(draw, of_flanks)| {
+            let mut draw = draw;
+            draw.of_flanks = of_flanks;
+            self.loss(draw, &table).min(self.power_in_w)
+        });
+        drawn.collect()
+    }
+
+    /// Draws whose loss exceeds the power into the mesh.
+    pub(super) fn beyond_power(&self) -> usize {
+        self.draws_w().iter().filter(|loss| **loss >= self.power_in_w).count()
+    }
+
+    /// Median, quantiles and spread of the draws.
+    #[must_use]
+    pub fn quantiles(&self) -> Quantiles {
+        Quantiles::of(&self.draws_w())
+    }
+
+    /// The same with only `component` drawn; none where it changes nothing.
+    pub(super) fn alone(&self, component: Component) -> Option<Quantiles> {
+        let table = StudentOfNormal::new(self.sampling.freedom);
+        let draws = shared_draws().zip(flank_draws(0));
+        let drawn = draws.map(|(draw, of_flanks)| {
+            let mut alone = Draw::middle();
+            match component {
+                Component::Constant(k) => {
+                    let axis = self.axis(k);
+                    alone.constants[axis] = draw.constants[axis];
+                }
+                Component::Sampling => {
+                    alone.of_flanks.sampling = of_flanks.sampling;
+                    alone.of_flanks.place = of_flanks.place;
+                }
+                Component::Relief => {
+                    (alone.relief, alone.length, alone.power) = (draw.relief, draw.length, draw.power);
+                }
+                Component::Model => {
+                    alone.weight = draw.weight;
+                    alone.of_flanks.model = of_flanks.model;
+                }
+                Component::Structure => alone.state = draw.state,
+                Component::Rolling => alone.rolling = draw.rolling,
+            }
+            self.loss(alone, &table)
+        });
+        let found = Quantiles::of(&drawn.collect::<Vec<_>>());
+        (found.sd_ln > 1e-9).then_some(found)
+    }
+
+    /// Loss at the medians in a state of the structure \[W\]; none where there is no choice.
+    pub(super) fn in_state(&self, state: State) -> Option<f64> {
+        self.structure.as_ref()?;
+        let draw = Draw {
+            state: state.place(),
+            ..Draw::medians()
+        };
+        Some(self.loss(draw, &StudentOfNormal::new(self.sampling.freedom)))
+    }
+
+    fn axis(&self, constant: usize) -> usize {
+        let kind = self.constants[constant].kind;
+        crate::parameters::AXES.iter().position(|axis| *axis == kind).unwrap_or(0)
+    }
+
+    /// Standardised constants of a draw, calibrated ones correlated.
+    fn standardised(&self, draw: &Draw) -> Vec<f64> {
+        let mut z: Vec<f64> = (0..self.constants.len()).map(|k| draw.constants[self.axis(k)]).collect();
+        let calibrated: Vec<usize> =
+            (0..z.len()).filter(|k| self.constants[*k].calibrated.is_some()).collect();
+        let own: Vec<f64> = calibrated.iter().map(|k| z[*k]).collect();
+        for (k, row) in calibrated.iter().zip(&self.correlations) {
+            z[*k] = row.iter().zip(&own).map(|(l, z)| l * z).sum();
+        }
+        z
+    }
+
+    /// The loss of a draw \[W\].
+    fn loss(&self, draw: Draw, table: &StudentOfNormal) -> f64 {
+        let [sliding, rolling, other] = self.parts_w;
+        let z = self.standardised(&draw);
+        let at = |surface: &Option<QuadraticSurface>| surface.as_ref().map_or(0.0, |s| s.at(&z));
+        let state = self.structure.as_ref().map(|structure| (State::of(draw.state), structure));
+        let mut sheared = sliding * at(&self.sliding).exp();
+        match state {
+            Some((State::HalfSliding, structure)) => sheared *= self.half_sliding(structure, &z).exp(),
+            Some((State::StepRule, structure)) => sheared += self.step_rule(structure, &z, at(&self.share)),
+            _ => {}
+        }
+        let of_relief = self.relief.as_ref().map_or(1.0, |relief| {
+            let power = RELIEF_POWER[0] + RELIEF_POWER[1] * draw.power;
+            relief.ratio(draw.relief, draw.length).powf(power)
+        });
+        let of_model = (-draw.weight * self.bias() + self.model_error() * draw.of_flanks.model).exp();
+        let of_rolling = (self.rolling_error() * draw.rolling).exp();
+        let of_sampling = self.sampling.standard_error * table.at(draw.of_flanks.sampling)
+            + self.sampling.shift(draw.of_flanks.place);
+        (sheared * of_relief * of_model + rolling * of_rolling + other) * of_sampling.exp()
+    }
+
+    fn half_sliding(&self, structure: &Structure, z: &[f64]) -> f64 {
+        let of = |kind| {
+            let place = self.constants.iter().position(|constant| constant.kind == kind);
+            place.map_or(0.0, |k| z[k])
+        };
+        let [constant, friction, layer] = structure.half_sliding;
+        constant
+            + friction * of(UncertainParameter::BoundaryFriction)
+            + layer * of(UncertainParameter::BoundaryLayer)
+    }
+
+    /// D: the whole boundary friction on all films below h_b, instead of a share that falls with the film.
+    ///
+    /// ```text
+    /// D = 0.27 φ (μ_b − μ_film) H_V P_in ≥ 0                                       [Step-rule]
+    /// ```
+    fn step_rule(&self, structure: &Structure, z: &[f64], change_of_share: f64) -> f64 {
+        cite!("Step-rule");
+        let boundary = self.constants.iter().zip(z);
+        let mut drawn = boundary.filter(|(constant, _)| constant.kind == UncertainParameter::BoundaryFriction);
+        let friction = drawn
+            .next()
+            .map_or(structure.boundary_friction, |(constant, z)| constant.at(*z));
+        let share = (self.asperity_share + change_of_share).clamp(0.0, 1.0);
+        STEP_RULE * share * (friction - structure.film_friction).max(0.0) * structure.loss_factor_w
+    }
+
+    /// g: what the fast model loses more than records of mixed lubrication, where the roughness exceeds twice the film.
+    ///
+    /// ```text
+    /// g = min(0.2, 0.16 max(0, s − 2))                                            [Model-bias]
+    /// ```
+    ///
+    /// Fitted to 24 pairs of records; drawn with a weight of 0 to 1, as the records are no truth.
+    fn bias(&self) -> f64 {
+        cite!("Model-bias");
+        let s = self.roughness_over_film.unwrap_or(0.0);
+        (0.16 * (s - 2.0).max(0.0)).min(0.2)
+    }
+
+    fn model_error(&self) -> f64 {
+        let error = MODEL_ERROR[usize::from(self.asperity_share < SMOOTH)];
+        error.hypot(self.surface_rms)
+    }
+
+    /// q: standard deviation of ln Q, 0.12 up to a film of 0.5 um and 0.25 from 1 um.
+    fn rolling_error(&self) -> f64 {
+        let thick = ((self.film_m - 0.5e-6) / 0.5e-6).clamp(0.0, 1.0);
+        0.12 + 0.13 * thick
+    }
+
+    /// The factor of each draw on the sliding loss at constants, relief and model error, for the rows of a path: without
+    /// the constants' own part, which differs from position to position.
+    pub(super) fn factors_of_sliding(&self) -> Vec<(Vec<f64>, f64)> {
+        let [_, rolling, other] = self.parts_w;
+        let draws = shared_draws().zip(self.losses(0));
+        let factor = |(draw, loss): (Draw, f64)| {
+            let z = self.standardised(&draw);
+            let sliding = self.parts_w[0] * self.sliding.as_ref().map_or(0.0, |s| s.at(&z)).exp();
+            let of_rolling = rolling * (self.rolling_error() * draw.rolling).exp();
+            let factor = ((loss - of_rolling - other) / sliding).max(0.0);
+            (z, factor)
+        };
+        draws.map(factor).collect()
+    }
+
+    /// Number of draws.
+    #[must_use]
+    pub const fn count() -> usize {
+        DRAWS
+    }
+}

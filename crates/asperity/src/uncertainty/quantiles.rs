@@ -1,0 +1,53 @@
+//! Median, quantiles and spread of draws.
+
+use serde::{Deserialize, Serialize};
+
+/// Median, 5 % and 95 % quantiles of drawn losses, and the standard deviation of their logarithms.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Quantiles {
+    /// Median \[W\].
+    pub median_w: f64,
+    /// 5 % and 95 % quantiles \[W\].
+    pub quantiles_w: [f64; 2],
+    /// Standard deviation of the logarithm.
+    pub sd_ln: f64,
+}
+
+impl Quantiles {
+    /// Of drawn losses, interpolated between order statistics.
+    ///
+    /// ```
+    /// use asperity::uncertainty::Quantiles;
+    /// let found = Quantiles::of(&(0..=20).map(|k| 100.0 + f64::from(k)).collect::<Vec<_>>());
+    /// assert_eq!((found.median_w, found.quantiles_w), (110.0, [101.0, 119.0]));
+    /// ```
+    #[must_use]
+    pub fn of(draws: &[f64]) -> Self {
+        let [low, median_w, high] = sorted_quantiles(draws, [0.05, 0.5, 0.95]);
+        let logs: Vec<f64> = draws.iter().map(|loss| loss.ln()).collect();
+        let n = logs.len() as f64;
+        let mean = logs.iter().sum::<f64>() / n;
+        let squares: f64 = logs.iter().map(|log| (log - mean).powi(2)).sum();
+        Self {
+            median_w,
+            quantiles_w: [low, high],
+            sd_ln: (squares / (n - 1.0).max(1.0)).sqrt(),
+        }
+    }
+}
+
+/// Quantiles of `values` at `probabilities`, interpolated between order statistics; not numbers of no values.
+pub(crate) fn sorted_quantiles<const N: usize>(values: &[f64], probabilities: [f64; N]) -> [f64; N] {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let Some(last) = sorted.len().checked_sub(1) else {
+        return [f64::NAN; N];
+    };
+    probabilities.map(|probability| {
+        let place = probability * last as f64;
+        let k = (place as usize).min(last.saturating_sub(1));
+        let (low, high) = (sorted[k], sorted[(k + 1).min(last)]);
+        // Equal neighbours give their value to the last digit.
+        low + (place - k as f64) * (high - low)
+    })
+}

@@ -1,0 +1,73 @@
+//! Loss factors over tip reliefs, for gears whose relief nobody states.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | C_a | tip relief of both gears where it is not stated | m |
+//! | c | C_a over the approach δ of the teeth, 0 to 1 | - |
+//! | l | roll length of the relief over that of double contact, 1/2 to 1 | - |
+//! | H_V | loss factor of the load over the teeth | - |
+
+use asperity_core::cite;
+use serde::{Deserialize, Serialize};
+
+use crate::case::{AssumedRelief, Case};
+use crate::error::PositionError;
+
+/// Places c of the table.
+const AMOUNTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+/// Places l of the table.
+const LENGTHS: [f64; 2] = [0.5, 1.0];
+
+/// Loss factors over amount and length of the tip relief.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct ReliefFactors {
+    /// By length, then by amount.
+    factors: [[f64; 5]; 2],
+    /// With the relief of the run.
+    of_run: f64,
+}
+
+impl ReliefFactors {
+    /// The loss factors of a case over the reliefs that it may have; none where it states its relief.
+    pub fn of(case: &Case) -> Result<Option<Self>, PositionError> {
+        let Some(assumed) = &case.assumed_relief else {
+            return Ok(None);
+        };
+        let factor = |c: f64, l: f64| Ok::<f64, PositionError>(loss_factor(case, assumed, c, l)?);
+        let mut factors = [[0.0; 5]; 2];
+        for (row, l) in factors.iter_mut().zip(LENGTHS) {
+            for (place, c) in row.iter_mut().zip(AMOUNTS) {
+                *place = factor(c, l)?;
+            }
+        }
+        let of_run = factor(AssumedRelief::AMOUNT, AssumedRelief::LENGTH)?;
+        Ok(Some(Self { factors, of_run }))
+    }
+
+    /// F: the loss factor at c = `amount` and the place `length`, 0 to 1, in the range of l, over that of the run.
+    ///
+    /// ```text
+    /// F = H_V(c δ, l L)/H_V(δ/2, 3/4 L)                                        [Relief-factor]
+    /// ```
+    ///
+    /// Bilinear between ten solutions of the load over the teeth. Without relief the edges of the tips may carry load.
+    pub fn ratio(&self, amount: f64, length: f64) -> f64 {
+        cite!("Relief-factor");
+        let steps = AMOUNTS.len() - 1;
+        let place = amount * steps as f64;
+        let k = (place as usize).min(steps - 1);
+        let at = |row: &[f64; 5]| row[k] + (place - k as f64) * (row[k + 1] - row[k]);
+        let [short, long] = [at(&self.factors[0]), at(&self.factors[1])];
+        (short + length * (long - short)) / self.of_run
+    }
+}
+
+/// H_V with the relief c δ over the roll length l L; edge contact of the tips where there is none.
+fn loss_factor(case: &Case, assumed: &AssumedRelief, c: f64, l: f64) -> Result<f64, PositionError> {
+    let mut other = case.clone();
+    other.micro_geometry = assumed.put_into(&case.micro_geometry, c, l);
+    if c == 0.0 {
+        other.load_settings.edge_contact = true;
+    }
+    Ok(other.load_map()?.loss_factor())
+}

@@ -1,0 +1,72 @@
+//! A quadratic surface through evaluations of a function of a few standardised constants.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | z | standardised constants, 0 at their medians | - |
+//! | y | the function, less its value at the medians | - |
+//! | g, H | gradient and second derivatives | - |
+
+use asperity_core::cite;
+use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
+
+/// y(z) = g·z + z·H z/2, which is 0 at the medians.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct QuadraticSurface {
+    /// Coefficients of z₁ .. z_n, then of z_i z_j, i ≤ j.
+    coefficients: Vec<f64>,
+}
+
+impl QuadraticSurface {
+    /// Evaluations that determine the surface of `dimensions` constants with 20 to spare.
+    pub fn evaluations(dimensions: usize) -> usize {
+        match dimensions {
+            0 => 0,
+            n => (n + 1) * (n + 2) / 2 + 20,
+        }
+    }
+
+    /// The surface closest to `values` at `points` (least squares); none where they do not determine it.
+    ///
+    /// ```text
+    /// Σ_k (y_k − g·z_k − z_k·H z_k/2)² = min                                  [Quadratic-surface]
+    /// ```
+    pub fn fit(points: &[Vec<f64>], values: &[f64]) -> Option<Self> {
+        cite!("Quadratic-surface");
+        let rows: Vec<Vec<f64>> = points.iter().map(|point| terms(point)).collect();
+        let columns = rows.first()?.len();
+        let matrix = DMatrix::from_row_iterator(rows.len(), columns, rows.into_iter().flatten());
+        let found = matrix.svd(true, true).solve(&DVector::from_column_slice(values), 1e-10);
+        Some(Self {
+            coefficients: found.ok()?.iter().copied().collect(),
+        })
+    }
+
+    /// y at `z`.
+    pub fn at(&self, z: &[f64]) -> f64 {
+        let terms = terms(z);
+        terms.iter().zip(&self.coefficients).map(|(term, c)| term * c).sum()
+    }
+}
+
+fn terms(z: &[f64]) -> Vec<f64> {
+    let products = (0..z.len()).flat_map(|i| (i..z.len()).map(move |j| z[i] * z[j]));
+    z.iter().copied().chain(products).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::uncertainty::hypercube::latin_hypercube;
+
+    #[test]
+    fn a_quadratic_function_is_found_again() {
+        let function = |z: &[f64]| 0.3 * z[0] - 0.1 * z[1] + 0.05 * z[0] * z[2] - 0.02 * z[1] * z[1];
+        let points = latin_hypercube(QuadraticSurface::evaluations(3), 3, 1);
+        let values: Vec<f64> = points.iter().map(|point| function(point)).collect();
+        let surface = QuadraticSurface::fit(&points, &values).unwrap();
+        let other = [1.3, -0.7, 2.0];
+        assert!((surface.at(&other) - function(&other)).abs() < 1e-12);
+        assert_eq!(surface.at(&[0.0; 3]), 0.0);
+    }
+}
