@@ -126,9 +126,10 @@ fn a_calibration_tells_its_parameters_its_points_and_its_evidence() {
     }
     assert!(found.is_simulated && found.block.contains("SIMULATED"));
     assert_eq!((found.points.len(), found.held_out.len()), (42, 3));
-    // 42 points, of which the fit took four parameters and a few nuisance terms.
-    assert!((30.0..40.0).contains(&found.freedom), "{}", found.freedom);
-    assert!(found.chi_squared < found.freedom + 4.0 * (2.0 * found.freedom).sqrt());
+    assert_eq!(found.freedom, 38);
+    assert!(found.birge_ratio < 1.0 + 4.0 / (2.0 * 38.0f64).sqrt());
+    let ratio = format!("2 assemblies, Birge ratio {:.2}", found.birge_ratio);
+    assert!(found.block.contains(&ratio), "{}", found.block);
     // Response surfaces stand for the model to a small part of an error.
     assert!(
         found.evidence.largest_surface_error_sigma < 0.1,
