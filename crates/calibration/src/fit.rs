@@ -143,8 +143,9 @@ impl Rig {
                     is_settled,
                 });
             }
-            let next = next_region(&region, &minimum.x, &covariance);
-            region = next;
+            let widening = problem.scatter(&minimum.x).widening();
+            let widened = covariance * widening.min(Scatter::LARGEST_RATIO).powi(2);
+            region = next_region(&region, &minimum.x, &widened);
             made = surfaces(&self.model, &region, progress)?;
             start = Some(minimum.x);
             rounds += 1;
@@ -238,8 +239,9 @@ fn coordinates(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> 
 fn next_region(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> Region {
     /// Half width of a box in standard deviations.
     const WIDTH: f64 = 2.5;
-    /// Least width of a box relative to the last one.
-    const LEAST: f64 = 0.2;
+    /// Least and largest width of a box relative to the last one. It must be able to grow: a surface is not valid far
+    /// outside its box, which would cut off the band of a parameter that the points hardly determine.
+    const RANGE: [f64; 2] = [0.2, 2.0];
     let coordinates = coordinates(region, x, covariance);
     let axes = || {
         coordinates
@@ -254,7 +256,7 @@ fn next_region(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> 
             .map(
                 |([at, deviation], (centre, width))| match (at - centre).abs() > *width {
                     true => *width,
-                    false => (WIDTH * deviation).clamp(LEAST * width, *width),
+                    false => (WIDTH * deviation).clamp(RANGE[0] * width, RANGE[1] * width),
                 },
             )
             .collect(),
