@@ -155,6 +155,7 @@ fn one_temperature_or_two_points_are_refused_for_the_share() {
         "Lambda* from",
     ];
     said.refused(2, "E310", &parts);
+    assert!(said.err.contains("pass --hold boundary-layer") && said.err.contains("--speed-max"));
     assert!(!bench.path("results").exists());
 }
 
@@ -345,8 +346,7 @@ fn a_design_stays_within_the_rig_and_holds_what_the_rig_cannot_identify() {
     for part in [
         "W436 the boundary layer is held",
         "Lambda* from",
-        "--hold boundary-layer",
-        "--speed-max",
+        "largest torque and speed",
     ] {
         assert!(text.contains(part), "{part}: {text}");
     }

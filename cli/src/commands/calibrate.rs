@@ -26,7 +26,15 @@ pub fn calibrate(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
 
 impl From<CalibrationError> for Failure {
     fn from(error: CalibrationError) -> Self {
-        Self::new(error.code(), error.to_string())
+        let failure = Self::new(error.code(), error.to_string());
+        match error {
+            CalibrationError::Share { .. } => failure.advising(
+                "Measure the points that the message names as missing, or pass --hold boundary-layer. asperity calibrate \
+                 --design with --torque-max, --speed-max and --temperature of the rig proposes points and reports whether \
+                 they suffice.",
+            ),
+            _ => failure,
+        }
     }
 }
 

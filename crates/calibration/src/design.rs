@@ -129,8 +129,7 @@ pub fn plan(
             warnings.push(Warning::new(
                 "W436",
                 format!(
-                    "the boundary layer is held, because points within these limits do not identify it: {}; calibrate with --hold \
-                     boundary-layer, or state wider limits if the rig has them (--torque-max, --speed-max, --temperature)",
+                    "the boundary layer is held, because points within these limits do not identify it: {}; hold it in the calibration too, or state the largest torque and speed and the temperatures of the rig if it reaches further",
                     missing.join("; ")
                 ),
             ));
