@@ -162,6 +162,19 @@ pub fn petry_johnson_by_default(speed: u32) -> Sampled {
     Sampled::of(&measured("petry-johnson", &[("operation.speed", &speed)]))
 }
 
+/// The loss \[W\] at the bulk temperature that it keeps, the oil jet at the 110 °C of the case.
+fn with_bulk_temperature(speed: u32) -> f64 {
+    let keys = [
+        ("operation.speed", &*format!("{speed} 1/min")),
+        (
+            "lubricant.viscosity",
+            r#"{ law = "given", dynamic_viscosity = "10.6 mPa s", temperature = "110 °C" }"#,
+        ),
+        ("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#),
+    ];
+    losses(&measured("petry-johnson", &keys)).summary.loss_w
+}
+
 /// T2: within 25 % of the measured interval up to 8000 1/min.
 fn petry_johnson_gates() -> Vec<Gate> {
     let rows = [2000, 4000, 6000, 8000, 10_000].map(|speed| {
@@ -177,6 +190,10 @@ fn petry_johnson_gates() -> Vec<Gate> {
             (speed <= 8000).then_some([0.75 * low, 1.25 * high]),
             ("W", 0),
         )
+        .noted(format!(
+            " ({:.0} with its bulk temperature)",
+            with_bulk_temperature(speed)
+        ))
     });
     rows.into()
 }
