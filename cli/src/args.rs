@@ -141,11 +141,11 @@ pub enum Command {
     #[command(
         after_help = "Examples:\n  asperity calibrate rig.csv case.toml -o results/rig\n  \
         asperity calibrate rig.csv case.toml --hold boundary-layer\n  \
-        asperity calibrate --design case.toml --hours 8 --torque 60,180 --speed 30..3000:8:log\n\n\
+        asperity calibrate --design case.toml --hours 8 --torque-max 180 --speed-max 3000\n\n\
         The table has one row per measured point: torque_nm, speed_rpm, temperature_c, loss_w (or\n\
         torque_loss_nm), sigma_w, includes (mesh or mesh+bearings), and where known assembly, run, order,\n\
-        flank_state, case. What the points can find is printed before the fit. calibration.toml in the result\n\
-        holds the table [calibration] for the case."
+        flank_state, case. What the points can identify is printed before the fit. calibration.toml in the\n\
+        result holds the table [calibration] for the case."
     )]
     Calibrate(CalibrateArgs),
     /// Draw the figures of the 2022 paper, each with its table of values

@@ -41,6 +41,14 @@ fn bench() -> Bench {
     bench
 }
 
+impl Bench {
+    /// `calibration.json` of a folder.
+    fn calibrated(&self, folder: &str) -> serde_json::Value {
+        let text = fs::read_to_string(self.path(folder).join("calibration.json")).unwrap();
+        serde_json::from_str(&text).unwrap()
+    }
+}
+
 /// A design with simulated losses in the folder `design`.
 fn designed(bench: &Bench) -> String {
     let axes = ["--torque", "60,183.4", "--speed", "25..4400:7:log"];
@@ -147,10 +155,8 @@ fn one_temperature_or_two_points_are_refused_for_the_share() {
         "Lambda* from",
     ];
     said.refused(2, "E310", &parts);
+    assert!(said.err.contains("pass --hold boundary-layer") && said.err.contains("--speed-max"));
     assert!(!bench.path("results").exists());
-    // A design is refused alike.
-    let said = bench.run(&["calibrate", "--design", "case.toml", "--temperature", "90"]);
-    said.refused(2, "E310", &["temperature: only 90 °C"]);
 }
 
 #[test]
@@ -177,37 +183,226 @@ fn rows_that_cannot_be_used_are_named_with_their_lines() {
     said.refused(2, "E103", &["missing.csv"]);
 }
 
+/// The simulated table of the design with changed rows; `change` gets index and cells of a row.
+fn rewritten(bench: &Bench, name: &str, change: impl Fn(usize, &mut Vec<String>)) {
+    let text = fs::read_to_string(bench.path("design/simulated.csv")).unwrap();
+    let rows = text.lines().enumerate().map(|(k, line)| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if cells.get(3).is_some_and(|cell| cell.parse::<f64>().is_ok()) {
+            change(k, &mut cells);
+        }
+        cells.join(",") + "\n"
+    });
+    bench.write(name, rows.collect::<String>());
+}
+
+/// States the standard deviation of a row relative to its loss.
+fn stated(cells: &mut [String], sigma: f64) {
+    cells[4] = format!("{:.4}", sigma * cells[3].parse::<f64>().unwrap());
+}
+
 #[test]
-fn an_outlier_is_named_and_scatter_beyond_sigma_is_told() {
+fn outliers_and_points_that_the_model_does_not_explain_are_named() {
+    let bench = bench();
+    designed(&bench);
+    rewritten(&bench, "outlier.csv", |k, cells| {
+        if k == 7 {
+            cells[3] = format!("{:.4}", 2.0 * cells[3].parse::<f64>().unwrap());
+        }
+    });
+    let said = bench.run(&["calibrate", "outlier.csv", "case.toml"]);
+    said.refused(2, "E135", &["1 of 32 rows", "outlier.csv:8 by +"]);
+    // The errors of the table are 3 %.
+    rewritten(&bench, "half.csv", |_, cells| stated(cells, 0.015));
+    rewritten(&bench, "quarter.csv", |_, cells| stated(cells, 0.0075));
+    let calibrate = |table: &str| bench.run(&["calibrate", table, "case.toml", "-o", "s"]);
+    let said = bench.run(&[
+        "calibrate",
+        "quarter.csv",
+        "case.toml",
+        "-o",
+        "s",
+        "--quiet",
+    ]);
+    let message = "the model does not explain these points within 3 times your errors";
+    said.refused(4, "E315", &[message]);
+    assert_eq!(
+        said.err.matches("quarter.csv:").count(),
+        1 + 5,
+        "{}",
+        said.err
+    );
+    assert!(!bench.path("s").exists());
+    let said = calibrate("half.csv").well();
+    let ratio = bench.calibrated("s")["birge_ratio"].as_f64().unwrap();
+    assert!((1.5..2.5).contains(&ratio), "{ratio}");
+    let words = format!("errors are {ratio:.2} times what you stated: bands widened by {ratio:.2}");
+    assert!(said.unwrapped().contains(&words), "{}", said.out);
+    assert!(
+        said.out
+            .contains(&format!("2 assemblies, Birge ratio {ratio:.2}\"\n"))
+    );
+    // The same residuals with the errors that explain them: narrower bands of the same values.
+    let widths = |bench: &Bench, folder: &str| -> Vec<f64> {
+        let found = bench.calibrated(folder);
+        let parameters = found["parameters"].as_array().unwrap().iter();
+        let width = |one: &serde_json::Value| {
+            (one["band"][1].as_f64().unwrap() / one["band"][0].as_f64().unwrap()).ln()
+        };
+        parameters.map(width).collect()
+    };
+    bench
+        .run(&["calibrate", "design/simulated.csv", "case.toml", "-o", "t"])
+        .well();
+    // Nuisance terms and priors are widened too, so that the bands are not narrower than those of the true errors.
+    for (widened, honest) in widths(&bench, "s").iter().zip(widths(&bench, "t")) {
+        assert!(*widened > 0.9 * honest, "{widened} {honest}");
+    }
+}
+
+#[test]
+fn too_few_rows_to_confirm_their_errors_are_refused() {
     let bench = bench();
     designed(&bench);
     let text = fs::read_to_string(bench.path("design/simulated.csv")).unwrap();
-    let lines: Vec<&str> = text.lines().collect();
-    let changed = |change: &dyn Fn(usize, f64) -> [f64; 2]| -> String {
-        let rows = lines.iter().enumerate().map(|(k, line)| {
-            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
-            if let Some(loss) = cells.get(3).and_then(|cell| cell.parse::<f64>().ok()) {
-                let [loss, sigma] = change(k, loss);
-                (cells[3], cells[4]) = (format!("{loss:.4}"), format!("{sigma:.4}"));
-            }
-            cells.join(",") + "\n"
-        });
-        rows.collect()
+    let few: Vec<&str> = text.lines().take(2 + 5).collect();
+    bench.write("few.csv", few.join("\n"));
+    let hold = |more: &[&str]| {
+        let table = [
+            "calibrate",
+            "few.csv",
+            "case.toml",
+            "--hold",
+            "boundary-layer",
+        ];
+        bench.run(&[&table, more].concat())
     };
-    let outlier = changed(&|k, loss| [if k == 7 { 2.0 * loss } else { loss }, 0.03 * loss]);
-    bench.write("outlier.csv", outlier);
-    let said = bench.run(&["calibrate", "outlier.csv", "case.toml"]);
-    said.refused(2, "E135", &["1 of 32 rows", "outlier.csv:8 by +"]);
-    // A standard deviation of a third of the truth.
-    bench.write("scatter.csv", changed(&|_, loss| [loss, 0.01 * loss]));
-    let said = bench
-        .run(&["calibrate", "scatter.csv", "case.toml", "-o", "s"])
+    hold(&[]).refused(2, "E316", &["5 rows for 3 parameters; 6 or more"]);
+    hold(&["--hold", "limiting-shear"]).well();
+}
+
+#[test]
+fn residuals_that_drift_with_the_order_are_reported() {
+    let bench = bench();
+    designed(&bench);
+    bench
+        .run(&["calibrate", "design/simulated.csv", "case.toml", "-o", "s"])
         .well();
+    let points = bench.calibrated("s")["points"].clone();
+    let residual = |k: usize| points[k]["residual_sigma"].as_f64().unwrap();
+    let first = points[0]["line"].as_u64().unwrap() as usize - 1;
+    rewritten(&bench, "drift.csv", |k, cells| {
+        let own = residual(k - first);
+        let smaller = (0..32).filter(|other| residual(*other) < own).count();
+        cells[6] = smaller.to_string();
+    });
+    let said = bench
+        .run(&["calibrate", "drift.csv", "case.toml", "-o", "d"])
+        .well();
+    let drift = "W419 the residuals drift with the order of measurement (correlation +0.9";
+    assert!(said.unwrapped().contains(drift), "{}", said.out);
+}
+
+/// Largest torque and speed of these points.
+fn largest(points: &serde_json::Value) -> [f64; 2] {
+    ["torque_nm", "speed_rpm"].map(|key| {
+        let all = points.as_array().unwrap().iter();
+        all.map(|point| point[key].as_f64().unwrap())
+            .fold(0.0, f64::max)
+    })
+}
+
+#[test]
+fn a_design_stays_within_the_rig_and_holds_what_the_rig_cannot_identify() {
+    let bench = Bench::new();
+    bench.run(&["demo", "rig"]).well();
+    let coarse = ["--set", "model.positions=4", "--set", "model.offsets=2"];
+    let run = |arguments: &[&str]| bench.run(&[&["calibrate"], arguments, &coarse].concat());
+    let designed = |folder: &str| -> serde_json::Value {
+        let text = fs::read_to_string(bench.path(folder).join("design.json")).unwrap();
+        serde_json::from_str(&text).unwrap()
+    };
+    // The case states 145 N m, and 12 000 1/min for its map.
+    run(&["--design", "rig/case.toml", "-o", "a"]).well();
+    assert_eq!(largest(&designed("a")["points"]), [145.0, 12_000.0]);
+    let said = run(&[
+        "--design",
+        "rig/case.toml",
+        "--torque-max",
+        "120",
+        "--speed-max",
+        "6000",
+        "--temperature",
+        "60,90",
+        "--simulate",
+        "1",
+        "-o",
+        "b",
+    ])
+    .well();
+    let design = designed("b");
+    assert_eq!(largest(&design["points"]), [120.0, 6000.0]);
+    let text = said.unwrapped();
+    for part in [
+        "W436 the boundary layer is held",
+        "Lambda* from",
+        "largest torque and speed",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let keys: Vec<&str> = design["parameters"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|one| one["key"].as_str())
+        .collect();
+    assert_eq!(
+        keys,
+        ["boundary_friction", "limiting_shear", "eyring_stress"]
+    );
+    // One temperature is designed alike.
+    let said = run(&[
+        "--design",
+        "rig/case.toml",
+        "--temperature",
+        "90",
+        "-o",
+        "c",
+    ])
+    .well();
     assert!(
-        said.unwrapped().contains("W419 the residuals are"),
+        said.unwrapped().contains("temperature: only 90 °C"),
         "{}",
         said.out
     );
+
+    // Suggestions stay within the table, or within the limits that are stated.
+    let table = [
+        "b/simulated.csv",
+        "rig/case.toml",
+        "--hold",
+        "boundary-layer",
+    ];
+    let helpful = |more: &[&str], folder: &str| {
+        run(&[&table, more, &["-o", folder]].concat()).well();
+        bench.calibrated(folder)["identifiability"]["helpful"].clone()
+    };
+    let [torque, speed] = largest(&helpful(&[], "d"));
+    assert!(torque <= 120.0 && speed <= 6000.0, "{torque} {speed}");
+    let limits = [
+        "--torque-max",
+        "90",
+        "--speed-max",
+        "4000",
+        "--temperature",
+        "75",
+    ];
+    let suggested = helpful(&limits, "e");
+    let [torque, speed] = largest(&suggested);
+    assert!(torque <= 90.0 && speed <= 4000.0, "{torque} {speed}");
+    assert_eq!(suggested[0]["temperature_c"], 75.0);
+    let said = run(&["--design", "rig/case.toml", "--speed-max", "0"]);
+    said.refused(2, "E209", &["--speed-max = 0: must be positive"]);
 }
 
 #[test]
@@ -217,6 +412,20 @@ fn a_design_takes_no_table_and_its_limits_must_leave_points() {
     said.refused(2, "E205", &["--design"]);
     let said = bench.run(&["calibrate", "--design", "case.toml", "--hours", "0.5"]);
     said.refused(2, "E209", &["points of an assembly"]);
+    let said = bench.run(&[
+        "calibrate",
+        "--design",
+        "case.toml",
+        "--hours",
+        "1.25",
+        "--assemblies",
+        "1",
+    ]);
+    said.refused(
+        2,
+        "E209",
+        &["points = 5: are too few to confirm the errors"],
+    );
     let said = bench.run(&["calibrate", "--design", "case.toml", "--speed", "a..b"]);
     said.refused(2, "E209", &["--speed"]);
     fs::create_dir(bench.path("mine")).unwrap();

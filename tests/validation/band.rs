@@ -9,10 +9,10 @@ use asperity::result::Summary;
 use asperity::result::loss_band::{LossBand, SamplingPart};
 use asperity::uncertainty::{DrawnLosses, difference};
 
-use crate::load_share::{few, shipped};
+use crate::load_share::{REFERENCE, few, shipped};
 
 /// Summary, band and draws of a case.
-type Banded = (Summary, LossBand, DrawnLosses);
+pub type Banded = (Summary, LossBand, DrawnLosses);
 
 fn banded(name: &str) -> Banded {
     let (outcome, drawn) = Run::new(&shipped(name))
@@ -23,7 +23,7 @@ fn banded(name: &str) -> Banded {
 }
 
 /// Ground and superfinished.
-fn both() -> &'static [Banded; 2] {
+pub fn both() -> &'static [Banded; 2] {
     static BOTH: OnceLock<[Banded; 2]> = OnceLock::new();
     BOTH.get_or_init(|| ["e-drive", "e-drive-superfinished"].map(banded))
 }
@@ -43,7 +43,11 @@ pub fn table() -> String {
     };
     let names = ["e-drive", "e-drive-superfinished"];
     let whole = |power: f64| format!("{power:.0}");
-    let mean_length = [("model.load_distribution", "mean-length")];
+    let mean_length = [
+        ("model.load_distribution", "mean-length"),
+        REFERENCE[0],
+        REFERENCE[1],
+    ];
     row(
         "sliding W, 4 offsets, mean length of the contact lines",
         names.map(|name| whole(few(name, &mean_length).sliding_w)),
@@ -57,7 +61,7 @@ pub fn table() -> String {
     row(
         "sliding W, 16 offsets, elastic teeth",
         [ground, fine].map(|found| whole(found.0.sliding_w)),
-        "550 ± 8 with 8 to 64 offsets, first form",
+        "550 with 8 to 64 offsets (standard error 8), first form",
     );
     row(
         "loss W, nominal",
@@ -76,7 +80,7 @@ pub fn table() -> String {
         "-",
     );
     row(
-        "± by the sampling of the flanks (95 %)",
+        "half-width by the sampling of the flanks (95 %)",
         [ground, fine].map(|found| match &found.1.sampling {
             SamplingPart::Windows(found) => format!("{:.1}", found.half_width_w),
             other => format!("{other:?}"),

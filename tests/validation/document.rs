@@ -6,8 +6,8 @@
 use std::path::Path;
 
 use crate::{
-    band, fluid_film, full_film_losses, gear_tool, load_share, measured, paper_formulation,
-    petry_johnson, rough_contact, spot_values, steady_films, table_2,
+    band, fluid_film, full_film_losses, gates, gear_tool, load_share, measured, paper_formulation,
+    petry_johnson, rough_contact, share_laws, spot_values, steady_films, table_2,
 };
 
 /// Every table by the name of its place.
@@ -33,9 +33,9 @@ fn tables() -> Vec<(&'static str, String)> {
         .map(|table| (table.name, table.markdown()))
         .collect();
     tables.push(("petry-johnson-measured", petry_johnson::beside_measured()));
-    tables.push(("gates", measured::gate_table()));
+    tables.push(("gates", gates::gate_table()));
     tables.push(("load-share-reference", measured::reference_table()));
-    tables.push(("load-share-laws", measured::share_table()));
+    tables.push(("load-share-laws", share_laws::share_table()));
     tables.push(("cold-oil", measured::cold_table()));
     tables.push(("band", band::table()));
     tables.push(("one-key", load_share::one_key_changed()));

@@ -7,16 +7,23 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 
 mod band;
+mod britton;
 mod comparison;
 mod document;
+mod ehl_records;
 mod fluid_film;
 mod full_film_losses;
+mod gate;
+mod gates;
 mod gear_tool;
 mod load_share;
 mod measured;
+mod measured_cases;
 mod paper_formulation;
 mod petry_johnson;
 mod rough_contact;
+mod share_laws;
+mod shipped_cases;
 mod spot_values;
 mod steady_films;
 mod table_2;

@@ -23,18 +23,37 @@ pub struct CalibrateArgs {
     /// Hold a parameter at the value of the case instead of fitting it; repeat for several
     #[arg(long, value_enum, value_name = "PARAMETER")]
     pub hold: Vec<ParameterArg>,
-    /// Choose the points to measure: the points of the axes below with the best information on the parameters
+    /// Choose the points to measure: those within the limits below with the best information on the parameters
     #[arg(long)]
     pub design: bool,
-    /// Torques of the rig in N m: a..b:n, a..b:n:log or a list [default: a third of the torque of the case, and that torque]
-    #[arg(long, value_name = "AXIS", requires = "design")]
-    pub torque: Option<String>,
-    /// Speeds of the rig in 1/min [default: 8 speeds from a fiftieth of the speed of the case up to it]
-    #[arg(long, value_name = "AXIS", requires = "design")]
-    pub speed: Option<String>,
-    /// Oil temperatures of the rig in °C [default: 40,65,90]
-    #[arg(long, value_name = "AXIS", requires = "design")]
+    /// Largest torque of the rig at the pinion in N m [default: the largest of the table; with --design map.torque_max
+    /// of the case, or its torque]
+    #[arg(long, value_name = "N_M")]
+    pub torque_max: Option<f64>,
+    /// Largest speed of the rig at the pinion in 1/min [default: the largest of the table; with --design map.speed_max
+    /// of the case, or its speed]
+    #[arg(long, value_name = "RPM")]
+    pub speed_max: Option<f64>,
+    /// Oil temperatures of the rig in °C: a..b:n or a list [default: lowest, middle and highest of the table; with
+    /// --design 40,65,90, extended to the temperature of the case]
+    #[arg(long, value_name = "AXIS")]
     pub temperature: Option<String>,
+    /// Torques to choose from in N m: a..b:n, a..b:n:log or a list [default: a third of --torque-max, and --torque-max]
+    #[arg(
+        long,
+        value_name = "AXIS",
+        requires = "design",
+        conflicts_with = "torque_max"
+    )]
+    pub torque: Option<String>,
+    /// Speeds to choose from in 1/min [default: 8 speeds from a fiftieth of --speed-max up to it]
+    #[arg(
+        long,
+        value_name = "AXIS",
+        requires = "design",
+        conflicts_with = "speed_max"
+    )]
+    pub speed: Option<String>,
     /// Measuring time in hours, without heating
     #[arg(long, default_value_t = 8.0, value_name = "H")]
     pub hours: f64,

@@ -4,8 +4,9 @@ use std::time::Instant;
 
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
+use asperity_calibration::identifiability::rounded;
 use asperity_calibration::{
-    Calibration, CalibrationError, Design, Identifiability, Limits, RigFiles, Watch,
+    Calibration, CalibrationError, Design, Identifiability, Limits, Reach, RigFiles, Watch,
     before_the_fit, plan,
 };
 use asperity_studies::map::axis;
@@ -25,7 +26,15 @@ pub fn calibrate(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
 
 impl From<CalibrationError> for Failure {
     fn from(error: CalibrationError) -> Self {
-        Self::new(error.code(), error.to_string())
+        let failure = Self::new(error.code(), error.to_string());
+        match error {
+            CalibrationError::Share { .. } => failure.advising(
+                "Measure the points that the message names as missing, or pass --hold boundary-layer. asperity calibrate \
+                 --design with --torque-max, --speed-max and --temperature of the rig proposes points and reports whether \
+                 they suffice.",
+            ),
+            _ => failure,
+        }
     }
 }
 
@@ -38,7 +47,8 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let (file, case) = (&args.file, args.case.as_deref());
     let folder = study::folder(args.output.as_deref(), stem(file), "calibration");
     study::check_target::<Calibration>(&folder)?;
-    let rig = RigFiles::read(file, case, |path| load_case(path, &args.set, None))?;
+    let mut rig = RigFiles::read(file, case, |path| load_case(path, &args.set, None))?;
+    rig.table.reach = reach(args)?;
     let progress = Progress::of(common.quiet, "evaluations");
     let tell = |result: &Identifiability| {
         if !common.json {
@@ -81,32 +91,60 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     study::print(&result, simulated, Some(&folder), Some(begin), common)
 }
 
+/// Positive limit of a rig.
+fn limit(option: &str, value: Option<f64>) -> Result<Option<f64>, Failure> {
+    match value.filter(|value| !(value.is_finite() && *value > 0.0)) {
+        Some(value) => Err(Failure::new(
+            "E209",
+            format!("{option} = {value}: must be positive"),
+        )),
+        None => Ok(value),
+    }
+}
+
+fn nodes(option: &str, text: Option<&String>) -> Result<Option<Vec<f64>>, Failure> {
+    let parsed = text.map(|text| axis(text));
+    parsed
+        .transpose()
+        .map_err(|error| Failure::new("E209", format!("{option}: {error}")))
+}
+
+fn reach(args: &CalibrateArgs) -> Result<Reach, Failure> {
+    Ok(Reach {
+        torque_max_nm: limit("--torque-max", args.torque_max)?,
+        speed_max_rpm: limit("--speed-max", args.speed_max)?,
+        temperatures_c: nodes("--temperature", args.temperature.as_ref())?,
+    })
+}
+
 fn limits(args: &CalibrateArgs, case: &LoadedCase) -> Result<Limits, Failure> {
     /// Default number of speeds.
     const SPEEDS: usize = 8;
     /// Lowest default speed relative to the highest.
     const SLOWEST: f64 = 0.02;
-    let torque = case.case.torque.si();
-    let speed = case.case.speed.si() * 30.0 / std::f64::consts::PI;
-    let even = |k: usize| speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64);
-    let of = |option: &str, text: &Option<String>, default: Vec<f64>| match text {
-        None => Ok(default),
-        Some(text) => {
-            axis(text).map_err(|error| Failure::new("E209", format!("{option}: {error}")))
-        }
+    let reach = reach(args)?;
+    let case = &case.case;
+    let map = case.input.map.unwrap_or_default();
+    let torque = map.torque_max.unwrap_or(case.torque).si();
+    let torque = reach
+        .torque_max_nm
+        .map_or(torque, |most| most.copysign(case.torque.si()));
+    let speed = map.speed_max.unwrap_or(case.speed).si() * 30.0 / std::f64::consts::PI;
+    let speed = reach.speed_max_rpm.unwrap_or(speed);
+    let even = |k: usize| match k + 1 == SPEEDS {
+        true => speed,
+        false => rounded(speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64)),
     };
+    let at = case.temperature.celsius();
+    let [cold, hot] = [at.min(40.0), at.max(90.0)];
     Ok(Limits {
-        torques_nm: of(
-            "--torque",
-            &args.torque,
-            vec![(torque / 3.0).round(), torque],
-        )?,
-        speeds_rpm: of(
-            "--speed",
-            &args.speed,
-            (0..SPEEDS).map(|k| even(k).round()).collect(),
-        )?,
-        temperatures_c: of("--temperature", &args.temperature, vec![40.0, 65.0, 90.0])?,
+        torques_nm: nodes("--torque", args.torque.as_ref())?
+            .unwrap_or_else(|| vec![rounded(torque / 3.0), torque]),
+        speeds_rpm: nodes("--speed", args.speed.as_ref())?
+            .unwrap_or_else(|| (0..SPEEDS).map(even).collect()),
+        temperatures_c: reach
+            .temperatures_c
+            .unwrap_or_else(|| vec![cold, (0.5 * (cold + hot)).round(), hot]),
         hours: args.hours,
         minutes_per_point: args.minutes,
         sigma: args.sigma.value(),

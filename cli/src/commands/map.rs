@@ -7,7 +7,6 @@ use asperity::case::{self, CaseInput, LoadedCase};
 use asperity::pipeline::KeptFields;
 use asperity_storage::whole_text;
 use asperity_studies::compare::Finish;
-use asperity_studies::cycle::Cycle;
 use asperity_studies::export::{self, AddedLoss, With};
 use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 
@@ -44,6 +43,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         .collect();
     let folder = study::folder(args.output.as_deref(), stem(&args.case), "map");
     study::check_target::<Map>(&folder)?;
+    let added = args.add_loss.as_deref().map(added_loss).transpose()?;
     let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
     check_work(&args.work, &first.case, &KeptFields::Highest, torques)?;
     progress.begin("points");
@@ -51,7 +51,11 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let map = map::map(&finishes, &axes, args.band.points(), &watch)
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);
-    let exports = exports(args, &map, cycle.as_ref())?;
+    let with = With {
+        added: added.as_ref(),
+        cycle: cycle.as_ref(),
+    };
+    let exports = exports(args, &map, with)?;
     let extras = MapExtras {
         visited: &visited,
         exports: &exports,
@@ -62,16 +66,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
 }
 
 /// Files of all requested formats.
-fn exports(
-    args: &MapArgs,
-    map: &Map,
-    cycle: Option<&Cycle>,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-    let added = args.add_loss.as_deref().map(added_loss).transpose()?;
-    let with = With {
-        added: added.as_ref(),
-        cycle,
-    };
+fn exports(args: &MapArgs, map: &Map, with: With<'_>) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut files = Vec::new();
     for format in &args.export {
         let exported = export::export(map, format.format(), with).map_err(|error| {

@@ -40,11 +40,13 @@ enum Flanks {
 }
 
 /// A contact to record.
-struct Condition {
-    name: String,
+pub struct Condition {
+    /// Name in the table.
+    pub name: String,
+    /// Place on the path, 0 at A and 1 at E.
+    pub position: f64,
     case: &'static str,
     flanks: Flanks,
-    position: f64,
     keys: Vec<(&'static str, String)>,
 }
 
@@ -89,8 +91,9 @@ impl Condition {
         }
     }
 
-    fn load(&self) -> Outcome<LoadedCase> {
-        let mut loaded = load_with(Path::new(self.case), &|_| {})?;
+    /// Loads the case from the folder of the workspace.
+    pub fn load(&self, workspace: &Path) -> Outcome<LoadedCase> {
+        let mut loaded = load_with(&workspace.join(self.case), &|_| {})?;
         for (key, value) in &self.keys {
             loaded = loaded.with_key(key, value)?;
         }
@@ -100,7 +103,8 @@ impl Condition {
                 .map(|name| format!("../profiles/{name}.csv")),
             Flanks::Scaled(factor) => {
                 let names = ["pinion", "wheel"].map(|flank| format!("scaled {flank}"));
-                let traces = ["ground_pinion", "ground_wheel"].map(|name| scaled(name, factor));
+                let traces =
+                    ["ground_pinion", "ground_wheel"].map(|name| scaled(workspace, name, factor));
                 let [pinion, wheel] = traces;
                 let held = [
                     (PathBuf::from(&names[0]), pinion?),
@@ -127,9 +131,9 @@ impl Condition {
 }
 
 /// The ground trace `name` of the fixtures with its heights multiplied by `factor`.
-fn scaled(name: &str, factor: f64) -> Outcome<Profile> {
-    let text =
-        asperity_storage::whole_text(format!("fixtures/profiles/{name}.csv").as_ref(), 10_000_000)?;
+fn scaled(workspace: &Path, name: &str, factor: f64) -> Outcome<Profile> {
+    let file = workspace.join(format!("fixtures/profiles/{name}.csv"));
+    let text = asperity_storage::whole_text(&file, 10_000_000)?;
     let heights: Result<Vec<f64>, _> = text
         .lines()
         .skip(1)
@@ -154,7 +158,8 @@ fn self_affine(seed: u64) -> Outcome<Profile> {
     Ok(recipe.generate()?)
 }
 
-fn conditions() -> Vec<Condition> {
+/// The conditions of the table.
+pub fn conditions() -> Vec<Condition> {
     let mut all = Vec::new();
     let places = |temperatures: &[u32], positions: &[f64]| {
         let mut pairs = Vec::new();
@@ -242,7 +247,7 @@ fn conditions() -> Vec<Condition> {
 
 /// A row of the table.
 fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
-    let loaded = condition.load()?;
+    let loaded = condition.load(Path::new("."))?;
     let settings = RefereeSettings {
         record: settings.clone(),
         eyring_stress: None,

@@ -87,9 +87,9 @@ fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f64> {
 fn is_identified(parameter: &FittedParameter) -> bool {
     let width = |[low, high]: [f64; 2]| (high / low).ln();
     match parameter.verdict {
-        Verdict::Found => true,
+        Verdict::Identified => true,
         Verdict::Partly => width(parameter.band) < width(parameter.default_range),
-        Verdict::NotFound => false,
+        Verdict::NotIdentified => false,
     }
 }
 
@@ -137,10 +137,10 @@ mod tests {
     #[test]
     fn the_block_reads_back_as_the_table_of_a_case() {
         let all = [
-            fitted("boundary_friction", 0.083_21, Verdict::Found),
+            fitted("boundary_friction", 0.083_21, Verdict::Identified),
             fitted("boundary_layer", 11.234e-9, Verdict::Partly),
-            fitted("limiting_shear", 0.04, Verdict::NotFound),
-            fitted("eyring_stress", 4.321e6, Verdict::Found),
+            fitted("limiting_shear", 0.04, Verdict::NotIdentified),
+            fitted("eyring_stress", 4.321e6, Verdict::Identified),
         ];
         let correlations = vec![vec![-0.3; 4]; 4];
         let text = block("rig.csv \"first\"", &all, &correlations);

@@ -4,20 +4,22 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::CalibratedName;
 use asperity::message::Warning;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use sha2::{Digest, Sha256};
 
+use crate::birge::Scatter;
 use crate::block::block;
 use crate::bootstrap::{bootstrap, middle_95};
 use crate::error::CalibrationError;
 use crate::fit::Fit;
+use crate::identifiability::verdict;
 use crate::information::correlations;
 use crate::least_squares::minimum;
 use crate::parameters::{ASSEMBLY, BEARINGS, ROLLING, TEMPERATURE};
 use crate::problem::{Observation, Problem};
 use crate::result::{
     Calibration, Evidence, FittedParameter, FittedPoint, Identifiability, NuisanceRow,
-    SCHEMA_VERSION, Verdict,
+    SCHEMA_VERSION,
 };
 use crate::rig::{Rig, RigCase};
 use crate::rig_table::{RigTable, Scope};
@@ -49,12 +51,13 @@ const FEW_ASSEMBLIES: usize = 5;
 /// the hash of its `text`.
 ///
 /// ```text
-/// read, check -> contacts of every torque -> share refused? -> outliers -> information -> stages, fit -> bands
+/// read, check -> contacts of every torque -> share refused? -> outliers -> information -> stages, fit
+///   -> residuals within 3 stated errors? -> bands
 /// ```
 ///
 /// # Errors
-/// When a row has no case, the points do not identify the boundary share, rows are outliers, or the model has no
-/// solution.
+/// When a row has no case, the points do not identify the boundary share, rows are outliers, the model does not explain
+/// the measurements within three times their errors or too few are left to confirm that, or the model has no solution.
 pub fn calibrate(
     table: RigTable,
     text: &str,
@@ -81,6 +84,7 @@ pub fn calibrate(
         Ordering::Relaxed,
     );
     rig.check_share()?;
+    rig.check_freedom()?;
     rig.check_size()?;
     let first = rig.first_surfaces(&progress)?;
     let observations = rig.observations(&rig.table.rows);
@@ -90,6 +94,7 @@ pub fn calibrate(
     let identifiability = rig.identifiability(&problem, &progress)?;
     (watch.before_the_fit)(&identifiability);
     let fit = rig.fit(observations, first, &progress)?;
+    rig.check_scatter(&fit)?;
     let evaluations = done.load(Ordering::Relaxed);
     report(&rig, &fit, identifiability, text, evaluations)
 }
@@ -110,8 +115,7 @@ fn report(
         .collect();
     let problem = fit.problem();
     let residuals = problem.of_measurements(&fit.minimum.x);
-    let chi_squared: f64 = residuals.iter().map(|r| r * r).sum();
-    let freedom = freedom(&problem, fit);
+    let scatter = fit.scatter();
     let held_out = rig.held_out(fit)?;
     let (largest, in_sigma) = surface_error(rig, fit)?;
     let table = &rig.table;
@@ -121,7 +125,7 @@ fn report(
     };
     let assemblies = table.assemblies();
     let source = format!(
-        "{origin}{}, {} points, {} {}",
+        "{origin}{}, {} points, {} {}, Birge ratio {:.2}",
         table.name,
         table.rows.len(),
         assemblies.len(),
@@ -129,9 +133,10 @@ fn report(
             "assembly"
         } else {
             "assemblies"
-        }
+        },
+        scatter.ratio()
     );
-    let warnings = warnings(rig, fit, [chi_squared, freedom], &residuals);
+    let warnings = warnings(rig, fit, &residuals);
     Ok(Calibration {
         schema_version: SCHEMA_VERSION,
         program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
@@ -149,8 +154,9 @@ fn report(
         parameters,
         correlations: between,
         nuisance: nuisance(rig, fit),
-        chi_squared,
-        freedom,
+        chi_squared: scatter.chi_squared,
+        freedom: scatter.freedom,
+        birge_ratio: scatter.ratio(),
         held_out,
         evidence: Evidence {
             rounds: fit.rounds,
@@ -196,6 +202,45 @@ fn samples(rig: &Rig, fit: &Fit) -> Vec<Vec<f64>> {
 }
 
 impl Rig {
+    /// Rejects tables without the rows that confirm their stated errors.
+    ///
+    /// # Errors
+    /// When there are fewer than three rows more than parameters.
+    pub fn check_freedom(&self) -> Result<(), CalibrationError> {
+        let [rows, parameters] = [self.table.rows.len(), self.parameters.len()];
+        match rows < parameters + Scatter::LEAST_FREEDOM {
+            true => Err(CalibrationError::FewRows {
+                file: self.table.name.clone(),
+                rows,
+                parameters,
+            }),
+            false => Ok(()),
+        }
+    }
+
+    /// Rejects a fit that does not explain the measurements within three times their stated errors.
+    ///
+    /// # Errors
+    /// Names the five rows with the largest residuals.
+    pub fn check_scatter(&self, fit: &Fit) -> Result<(), CalibrationError> {
+        /// Rows named.
+        const NAMED: usize = 5;
+        let ratio = fit.scatter().ratio();
+        if ratio <= Scatter::LARGEST_RATIO {
+            return Ok(());
+        }
+        let residuals = fit.problem().of_measurements(&fit.minimum.x);
+        let lines = self.table.rows.iter().map(|row| row.line);
+        let mut largest: Vec<(usize, f64)> = lines.zip(residuals).collect();
+        largest.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        largest.truncate(NAMED);
+        Err(CalibrationError::Unexplained {
+            file: self.table.name.clone(),
+            ratio,
+            largest,
+        })
+    }
+
     /// The parameters of a fit with their bands; `samples` are the bootstrap estimates.
     ///
     /// # Errors
@@ -207,6 +252,7 @@ impl Rig {
         samples: &[Vec<f64>],
     ) -> Result<Vec<FittedParameter>, CalibrationError> {
         let assemblies = self.table.assemblies().len();
+        let widening = fit.scatter().widening();
         let one = |k: usize| -> Result<FittedParameter, CalibrationError> {
             let parameter = &self.parameters[k];
             let value = |logarithm: f64| parameter.centre * logarithm.exp();
@@ -236,22 +282,16 @@ impl Rig {
                 default: parameter.centre,
                 default_range: parameter.range,
                 deviation: fit.deviation(k),
-                verdict: identifiability
-                    .parameters
-                    .get(k)
-                    .map_or(Verdict::Found, |parameter| parameter.verdict),
+                verdict: verdict(
+                    identifiability.parameters[k]
+                        .deviation
+                        .map(|by_points| widening * by_points),
+                    parameter.prior(),
+                ),
             })
         };
         (0..self.parameters.len()).map(one).collect()
     }
-}
-
-/// Degrees of freedom: number of measurements minus the trace of the hat matrix.
-fn freedom(problem: &Problem<'_>, fit: &Fit) -> f64 {
-    let count = problem.observations.len();
-    let slopes: DMatrix<f64> = problem.slopes(&fit.minimum.x).rows(0, count).into_owned();
-    let trace = (&slopes * &fit.covariance).component_mul(&slopes).sum();
-    count as f64 - trace
 }
 
 /// Largest difference between the response surfaces and the model at the fit, in logarithms and in standard deviations.
@@ -356,27 +396,11 @@ fn points(rig: &Rig, problem: &Problem<'_>, fit: &Fit, residuals: &[f64]) -> Vec
     rows.map(point).collect()
 }
 
-/// Standard deviations above the mean of chi squared at which the scatter is reported.
-const WIDE: f64 = 3.0;
-
-fn warnings(
-    rig: &Rig,
-    fit: &Fit,
-    [chi_squared, freedom]: [f64; 2],
-    residuals: &[f64],
-) -> Vec<Warning> {
+fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if !fit.is_settled {
         let text = "the optimum lies far outside the usual ranges of the parameters and was not reached; check case, scope and units";
         warnings.push(Warning::new("W419", text));
-    }
-    let ratio = chi_squared / freedom;
-    if freedom > 0.0 && ratio > 1.0 + WIDE * (2.0 / freedom).sqrt() {
-        let factor = ratio.sqrt();
-        warnings.push(Warning::new(
-            "W419",
-            format!("the residuals are {factor:.1} times the stated sigma; the bands are too narrow by about this factor"),
-        ));
     }
     if let Some(drift) = drift(rig, residuals) {
         warnings.push(Warning::new(

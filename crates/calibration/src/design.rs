@@ -2,9 +2,11 @@
 
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
+use asperity::message::Warning;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
+use crate::birge::{NORMAL, Scatter};
 use crate::error::CalibrationError;
 use crate::identifiability::{check_share, lambda_star_range};
 use crate::information::{covariance, deviation_without_prior, information};
@@ -56,6 +58,8 @@ pub struct Design {
     pub parameters: Vec<ExpectedParameter>,
     /// Number of candidate points.
     pub candidates: usize,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
 }
 
 /// Point to measure.
@@ -91,14 +95,12 @@ pub struct ExpectedParameter {
     pub default_range: [f64; 2],
 }
 
-/// Standard deviations of a 95 % band.
-const BAND: f64 = 1.959_963_984_540_054;
-
 /// Chooses the D-optimal points within `limits` for the parameters of `case` that are not `held`. The points of the
-/// smallest and the largest Λ* are always included.
+/// smallest and the largest Λ* are always included. If the limits do not identify the boundary share, the boundary layer
+/// is held and a warning states what is missing.
 ///
 /// # Errors
-/// When the limits leave no candidates or do not identify the boundary share, or the model has no solution at a point.
+/// When the limits leave no candidates or too few points, or the model has no solution at a point.
 pub fn plan(
     case: &LoadedCase,
     limits: &Limits,
@@ -106,12 +108,11 @@ pub fn plan(
     progress: Progress<'_>,
 ) -> Result<Design, CalibrationError> {
     let count = points_per_assembly(limits)?;
-    let parameters = parameters(case, held)?;
+    let mut fitted = parameters(case, held)?;
     let operating_points = grid(limits);
-    let model = RigModel::new(std::slice::from_ref(case), &parameters, &operating_points)?;
-    let centre = vec![0.0; parameters.len() + 1];
+    let model = RigModel::new(std::slice::from_ref(case), &[], &operating_points)?;
     let nominal: Vec<PointLosses> = model
-        .evaluate(&[centre], progress)?
+        .evaluate(&[vec![0.0]], progress)?
         .into_iter()
         .flatten()
         .collect();
@@ -120,7 +121,31 @@ pub fn plan(
         .zip(&nominal)
         .map(|(point, parts)| (point.at, parts.lambda_star))
         .collect();
-    check_share(&case.case.title, &parameters, &lambda_stars)?;
+    let mut warnings = Vec::new();
+    match check_share(&case.case.title, &fitted, &lambda_stars) {
+        Err(CalibrationError::Share { missing, .. }) => {
+            let held = [held, &[CalibratedName::BoundaryLayer]].concat();
+            fitted = parameters(case, &held)?;
+            warnings.push(Warning::new(
+                "W436",
+                format!(
+                    "the boundary layer is held, because points within these limits do not identify it: {}; hold it in the calibration too, or state the largest torque and speed and the temperatures of the rig if it reaches further",
+                    missing.join("; ")
+                ),
+            ));
+        }
+        other => other?,
+    }
+    let parameters = fitted;
+    let rows = count * limits.assemblies;
+    if rows < parameters.len() + Scatter::LEAST_FREEDOM {
+        return Err(CalibrationError::Limit {
+            name: "points",
+            value: rows as f64,
+            rule: "are too few to confirm the errors; give more hours or fewer minutes per point",
+        });
+    }
+    let model = model.with_parameters(&parameters);
     let region = slope_region(&parameters);
     let planes = tangents(&model, &region, progress)?;
     let priors: Vec<f64> = parameters.iter().map(Parameter::prior).collect();
@@ -174,6 +199,7 @@ pub fn plan(
         points: numbers.iter().map(point).collect(),
         parameters: expected,
         candidates: operating_points.len(),
+        warnings,
     })
 }
 
@@ -319,7 +345,7 @@ fn expected(
                 verdict: crate::identifiability::verdict(deviation, parameter.prior()),
             },
             value: parameter.centre,
-            band: [-BAND, BAND].map(|z| parameter.centre * (z * width).exp()),
+            band: [-NORMAL, NORMAL].map(|z| parameter.centre * (z * width).exp()),
             default_range: parameter.range,
         }
     };

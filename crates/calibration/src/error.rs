@@ -64,6 +64,32 @@ pub enum CalibrationError {
         /// Rows of the table.
         rows: usize,
     },
+    /// The residuals are more than three times the stated errors.
+    #[error(
+        "{file}: the model does not explain these points within 3 times your errors: the residuals are {ratio:.1} times sigma_w; largest: {}",
+        listed_residuals(file, largest)
+    )]
+    Unexplained {
+        /// Name of the table.
+        file: String,
+        /// Birge ratio.
+        ratio: f64,
+        /// Lines with the largest residuals, in standard deviations.
+        largest: Vec<(usize, f64)>,
+    },
+    /// Too few measurements to confirm their stated errors.
+    #[error(
+        "{file}: {rows} rows for {parameters} parameters; {} or more are required to confirm the stated errors",
+        parameters + crate::birge::Scatter::LEAST_FREEDOM
+    )]
+    FewRows {
+        /// Name of the table.
+        file: String,
+        /// Its rows.
+        rows: usize,
+        /// Fitted parameters.
+        parameters: usize,
+    },
     /// The measurements do not identify the boundary layer, which determines the share of boundary friction.
     #[error("{file}: these {points} points do not identify the boundary layer (its share of the load): {}", missing.join("; "))]
     Share {
@@ -119,6 +145,8 @@ impl CalibrationError {
             Self::Open { .. } => "E103",
             Self::Outliers { .. } => "E135",
             Self::Share { .. } => "E310",
+            Self::Unexplained { .. } => "E315",
+            Self::FewRows { .. } => "E316",
             Self::NoParameter { .. } => "E205",
             Self::Limit { .. } => "E209",
             Self::Model { source, .. } => source.code(),
@@ -141,17 +169,21 @@ fn listed_faults(file: &str, faults: &[RowFault]) -> String {
 }
 
 fn listed_outliers(file: &str, outliers: &[(usize, f64)], rows: usize) -> String {
-    let named = outliers.iter().take(NAMED);
-    let lines: Vec<String> = named
-        .map(|(line, residual)| format!("{file}:{line} by {residual:+.0} sigma"))
-        .collect();
+    let named = listed_residuals(file, &outliers[..outliers.len().min(NAMED)]);
     let more = match outliers.len().saturating_sub(NAMED) {
         0 => String::new(),
         more => format!(" and {more} more"),
     };
     format!(
-        "{} of {rows} rows deviate from the fit by more than ten sigma: {}{more}",
+        "{} of {rows} rows deviate from the fit by more than ten sigma: {named}{more}",
         outliers.len(),
-        lines.join(", ")
     )
+}
+
+fn listed_residuals(file: &str, residuals: &[(usize, f64)]) -> String {
+    let lines: Vec<String> = residuals
+        .iter()
+        .map(|(line, residual)| format!("{file}:{line} by {residual:+.0} sigma"))
+        .collect();
+    lines.join(", ")
 }

@@ -4,6 +4,7 @@
 use asperity::case::CalibratedName;
 use nalgebra::{DMatrix, DVector};
 
+use crate::birge::Scatter;
 use crate::error::CalibrationError;
 use crate::information::{covariance, information};
 use crate::least_squares::{Minimum, minimum};
@@ -56,27 +57,44 @@ impl Fit {
         )
     }
 
-    /// Standard deviation of a variable.
+    /// Scatter of the measurements about the fit.
     #[must_use]
-    pub fn deviation(&self, k: usize) -> f64 {
-        self.covariance[(k, k)].sqrt()
+    pub fn scatter(&self) -> Scatter {
+        self.problem().scatter(&self.minimum.x)
     }
 
-    /// Band of parameter `k` by its profile likelihood, in logarithms relative to its centre.
+    /// Standard deviation of a variable, widened by the [`Scatter`].
+    #[must_use]
+    pub fn deviation(&self, k: usize) -> f64 {
+        self.scatter().widening() * self.covariance[(k, k)].sqrt()
+    }
+
+    /// Rise of the least sum of squares with parameter `k` at `value`, in widened variances.
+    ///
+    /// # Errors
+    /// When the fit of the other variables does not converge.
+    pub fn rise(&self, k: usize, value: f64) -> Result<f64, CalibrationError> {
+        let problem = self.problem();
+        let free: Vec<usize> = (0..problem.variables()).filter(|j| *j != k).collect();
+        let mut start = self.minimum.x.clone();
+        // The other variables start at their conditional means, close to their optimum.
+        let step = value - start[k];
+        let along = self.covariance.column(k) * (step / self.covariance[(k, k)]);
+        start += along;
+        start[k] = value;
+        let rise = minimum(&problem, &start, &free)?.squares - self.minimum.squares;
+        Ok(rise / self.scatter().widening().powi(2))
+    }
+
+    /// Band of parameter `k` by its profile likelihood, widened by the [`Scatter`], in logarithms relative to its
+    /// centre.
     ///
     /// # Errors
     /// When a fit of the profile does not converge.
     pub fn band(&self, k: usize) -> Result<ProfileBand, CalibrationError> {
-        let problem = self.problem();
-        let free: Vec<usize> = (0..problem.variables()).filter(|j| *j != k).collect();
-        profile_band(self.minimum.x[k], self.deviation(k), |value| {
-            let mut start = self.minimum.x.clone();
-            // The other variables start at their conditional means, close to their optimum.
-            let step = value - start[k];
-            let along = self.covariance.column(k) * (step / self.covariance[(k, k)]);
-            start += along;
-            start[k] = value;
-            Ok(minimum(&problem, &start, &free)?.squares - self.minimum.squares)
+        let quantile = self.scatter().quantile();
+        profile_band(self.minimum.x[k], self.deviation(k), quantile, |value| {
+            self.rise(k, value)
         })
     }
 }
@@ -125,8 +143,9 @@ impl Rig {
                     is_settled,
                 });
             }
-            let next = next_region(&region, &minimum.x, &covariance);
-            region = next;
+            let widening = problem.scatter(&minimum.x).widening();
+            let widened = covariance * widening.min(Scatter::LARGEST_RATIO).powi(2);
+            region = next_region(&region, &minimum.x, &widened);
             made = surfaces(&self.model, &region, progress)?;
             start = Some(minimum.x);
             rounds += 1;
@@ -220,8 +239,9 @@ fn coordinates(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> 
 fn next_region(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> Region {
     /// Half width of a box in standard deviations.
     const WIDTH: f64 = 2.5;
-    /// Least width of a box relative to the last one.
-    const LEAST: f64 = 0.2;
+    /// Least and largest width of a box relative to the last one. It must be able to grow: a surface is not valid far
+    /// outside its box, which would cut off the band of a parameter that the points hardly determine.
+    const RANGE: [f64; 2] = [0.2, 2.0];
     let coordinates = coordinates(region, x, covariance);
     let axes = || {
         coordinates
@@ -236,7 +256,7 @@ fn next_region(region: &Region, x: &DVector<f64>, covariance: &DMatrix<f64>) -> 
             .map(
                 |([at, deviation], (centre, width))| match (at - centre).abs() > *width {
                     true => *width,
-                    false => (WIDTH * deviation).clamp(LEAST * width, *width),
+                    false => (WIDTH * deviation).clamp(RANGE[0] * width, RANGE[1] * width),
                 },
             )
             .collect(),

@@ -25,6 +25,7 @@ impl Rig {
             (0..groups.len()).min_by(|a, b| far(a).total_cmp(&far(b)))
         };
         let problem = fit.problem();
+        let widening = fit.scatter().widening();
         let all: Vec<usize> = (0..problem.variables()).collect();
         let one = |k: usize| -> Result<HeldOut, CalibrationError> {
             let (held, fitted): (Vec<Observation>, Vec<Observation>) = problem
@@ -50,7 +51,7 @@ impl Rig {
                 points: held.len(),
                 mean_error: sum / count,
                 rms_error: (squares / count).sqrt(),
-                expected_error: (expected / count).sqrt(),
+                expected_error: widening * (expected / count).sqrt(),
             })
         };
         (0..groups.len()).map(one).collect()

@@ -216,33 +216,41 @@ impl Rig {
             .collect())
     }
 
-    /// Candidates around the points of the table: its least and largest torque, speeds from half its least to twice its
-    /// largest, three temperatures.
+    /// Candidates within the limits of the rig, by default the range of the table: least and largest torque, speeds
+    /// between the least and the largest, the temperatures or the ends and the middle of their range.
     fn candidates(&self) -> Vec<OperatingPoint> {
         const SPEEDS: usize = 6;
-        const TEMPERATURES: [f64; 3] = [40.0, 70.0, 100.0];
-        let speeds = self.operating_points.iter().map(|point| point.at[1]);
-        let [low, high] = speeds.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], speed| {
-            [low.min(speed), high.max(speed)]
-        });
-        let (low, high) = (0.5 * low, 2.0 * high);
-        let torques = self.model.torques(0);
-        let mut ends: Vec<f64> = torques
-            .first()
-            .into_iter()
-            .chain(torques.last())
-            .copied()
-            .collect();
+        let reach = &self.table.reach;
+        let range = |k: usize| {
+            let all = self.operating_points.iter().map(|point| point.at[k]);
+            all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                [low.min(value), high.max(value)]
+            })
+        };
+        let [least, most] = range(1);
+        let high = reach.speed_max_rpm.unwrap_or(most);
+        let low = least.min(high);
+        let [cold, hot] = range(2);
+        let middle = vec![cold, (0.5 * (cold + hot)).round(), hot];
+        let mut temperatures = reach.temperatures_c.clone().unwrap_or(middle);
+        temperatures.dedup();
+        let mut torques = self.model.torques(0);
+        torques.retain(|torque| reach.torque_max_nm.is_none_or(|most| torque.abs() <= most));
+        let ends = torques.first().into_iter().chain(torques.last());
+        let mut ends: Vec<f64> = ends.copied().collect();
         ends.dedup();
         let mut candidates = Vec::new();
         for torque in ends {
-            for temperature in TEMPERATURES {
+            for temperature in &temperatures {
                 for k in 0..SPEEDS {
                     let speed = low * (high / low).powf(k as f64 / (SPEEDS - 1) as f64);
-                    candidates.push(OperatingPoint {
+                    let point = OperatingPoint {
                         case: 0,
-                        at: [torque, rounded(speed), temperature],
-                    });
+                        at: [torque, rounded(speed).clamp(low, high), *temperature],
+                    };
+                    if candidates.last() != Some(&point) {
+                        candidates.push(point);
+                    }
                 }
             }
         }
@@ -251,16 +259,17 @@ impl Rig {
 }
 
 /// Rounds to two digits, as a rig is set.
-pub(crate) fn rounded(value: f64) -> f64 {
+#[must_use]
+pub fn rounded(value: f64) -> f64 {
     let power = 10f64.powf(value.abs().log10().floor() - 1.0);
     (value / power).round() * power
 }
 
 pub(crate) fn verdict(deviation: Option<f64>, prior: f64) -> Verdict {
     match deviation {
-        Some(deviation) if deviation <= 0.5 * prior => Verdict::Found,
+        Some(deviation) if deviation <= 0.5 * prior => Verdict::Identified,
         Some(deviation) if deviation <= prior => Verdict::Partly,
-        _ => Verdict::NotFound,
+        _ => Verdict::NotIdentified,
     }
 }
 

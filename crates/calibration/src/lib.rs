@@ -11,9 +11,10 @@
 //! | response surfaces in place of the model | [`response`], [`surfaces`] |
 //! | identifiability | [`information`], [`identifiability`] |
 //! | stages and the fit | [`least_squares`], [`problem`], [`fit`] |
-//! | bands | [`profile_likelihood`], [`bootstrap`](mod@bootstrap) |
+//! | bands | [`birge`], [`profile_likelihood`], [`bootstrap`](mod@bootstrap) |
 //! | optimal design | [`optimal_design`], [`design`] |
 
+pub mod birge;
 mod block;
 pub mod bootstrap;
 mod calibrate;
@@ -51,5 +52,5 @@ pub use result::{
     IdentifiedParameter, NuisanceRow, SCHEMA_VERSION, StageRow, Verdict,
 };
 pub use rig::{Rig, RigCase};
-pub use rig_table::{RigRow, RigTable, Scope};
+pub use rig_table::{Reach, RigRow, RigTable, Scope};
 pub use summary::before_the_fit;

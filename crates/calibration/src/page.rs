@@ -1,12 +1,14 @@
 //! Pages of a calibration and of a design.
 
+use asperity::message::Warning;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
+use crate::birge::Scatter;
 use crate::design::Design;
 use crate::result::{Calibration, FittedParameter, FittedPoint};
-use crate::summary::{percent, range, shown};
+use crate::summary::{percent, range, scatter, shown, tenths};
 
 /// Table of the points.
 const POINTS: &str = "points.csv";
@@ -53,14 +55,17 @@ fn parameters(calibration: &Calibration) -> Markup {
                 td { (one.verdict.text()) }
             } } }
         } }
-        p { "Chi squared " (format!("{:.1}", calibration.chi_squared)) " of " (format!("{:.1}", calibration.freedom)) " expected. "
-            "The bands include scatter and nuisance terms, but not the structure of the model: alternative models are listed with a run." }
+        p { "Fit: " (scatter(calibration)) ". The bands include scatter and nuisance terms, but not the structure of the model: alternative models are listed with a run." }
         (correlations(calibration))
         (held_out(calibration))
-        @if !calibration.warnings.is_empty() {
-            ul { @for warning in &calibration.warnings { li { (warning.to_string()) } } }
-        }
+        (warnings(&calibration.warnings))
     }
+}
+
+fn warnings(warnings: &[Warning]) -> Markup {
+    html! { @if !warnings.is_empty() {
+        ul { @for warning in warnings { li { (warning.to_string()) } } }
+    } }
 }
 
 fn correlations(calibration: &Calibration) -> Markup {
@@ -171,6 +176,10 @@ fn residuals(calibration: &Calibration) -> Markup {
 }
 
 fn profiles(calibration: &Calibration) -> Markup {
+    let scatter = Scatter {
+        chi_squared: calibration.chi_squared,
+        freedom: calibration.freedom,
+    };
     let drawn = |one: &FittedParameter| {
         let factor = match one.key.as_str() {
             "boundary_layer" => 1e9,
@@ -191,7 +200,7 @@ fn profiles(calibration: &Calibration) -> Markup {
             Axis::new(&one.name, unit),
             Axis::new("rise of the sum of squares", "").from_zero(),
         );
-        let chart = chart.level(crate::profile_likelihood::RISE, "95 %");
+        let chart = chart.level(scatter.quantile().powi(2), "95 %");
         charted(chart, vec![Series::new(&one.name, Line::Dots, &x, &y)])
     };
     html! { div.charts { @for one in &calibration.parameters { (drawn(one)) } } }
@@ -204,7 +213,7 @@ fn identifiability(calibration: &Calibration) -> Markup {
             @if let Some([low, high]) = design.lambda_star { (format!(", Lambda* from {low:.2} to {high:.2}")) }
             ". Before the fit, from the derivatives of the model; each parameter without its own prior." }
         div.scroll { table {
-            thead { tr { th { "parameter" } th.number { "by the points" } th.number { "prior" } th { "verdict" } } }
+            thead { tr { th { "parameter" } th.number { "standard deviation by the points" } th.number { "of the prior" } th { "verdict" } } }
             tbody { @for one in &design.parameters { tr {
                 th scope="row" { (one.name) } td.number { (percent(one.deviation)) } td.number { (percent(Some(one.prior))) } td { (one.verdict.text()) }
             } } }
@@ -212,11 +221,11 @@ fn identifiability(calibration: &Calibration) -> Markup {
         @if !design.helpful.is_empty() {
             h3 { "Further measurements that would help most" }
             div.scroll { table {
-                thead { tr { th.number { "torque" } th.number { "speed" } th.number { "temperature" } th { "helps most" } th.number { "from" } th.number { "to" } } }
+                thead { tr { th.number { "torque" } th.number { "speed" } th.number { "temperature" } th { "helps most" } th.number { "standard deviation now" } th.number { "with the point" } } }
                 tbody { @for one in &design.helpful { tr {
                     td.number { (format!("{:.0} N m", one.torque_nm)) } td.number { (format!("{:.0} 1/min", one.speed_rpm)) }
                     td.number { (format!("{:.0} °C", one.temperature_c)) } td { (one.gains_most) }
-                    td.number { (percent(Some(one.deviation[0]))) } td.number { (percent(Some(one.deviation[1]))) }
+                    td.number { (tenths(one.deviation[0])) } td.number { (tenths(one.deviation[1])) }
                 } } }
             } }
         }
@@ -225,7 +234,7 @@ fn identifiability(calibration: &Calibration) -> Markup {
 
 fn nuisance(calibration: &Calibration) -> Markup {
     html! { div.scroll { table {
-        thead { tr { th { "term" } th.number { "value" } th.number { "±" } th.number { "prior ±" } th { "unit" } } }
+        thead { tr { th { "term" } th.number { "value" } th.number { "standard deviation" } th.number { "of the prior" } th { "unit" } } }
         tbody { @for row in &calibration.nuisance { tr {
             th scope="row" { (row.name) } td.number { (format!("{:.3}", row.value)) } td.number { (format!("{:.3}", row.deviation)) }
             td.number { (format!("{:.3}", row.prior)) } td { (row.unit) }
@@ -268,7 +277,7 @@ pub(crate) fn render_design(design: &Design) -> String {
     let sections = [
         (
             "Points",
-            html! { div.charts { (charted(chart, all)) } (design_points(design)) },
+            html! { (warnings(&design.warnings)) div.charts { (charted(chart, all)) } (design_points(design)) },
         ),
         ("Expected bands", design_bands(design)),
     ];
@@ -290,7 +299,7 @@ fn design_points(design: &Design) -> Markup {
 
 fn design_bands(design: &Design) -> Markup {
     html! { div.scroll { table {
-        thead { tr { th { "parameter" } th.number { "by the points" } th.number { "95 % band" } th.number { "range without calibration" } th { "verdict" } } }
+        thead { tr { th { "parameter" } th.number { "standard deviation by the points" } th.number { "95 % band" } th.number { "range without calibration" } th { "verdict" } } }
         tbody { @for one in &design.parameters { tr {
             th scope="row" { (one.identified.name) } td.number { (percent(one.identified.deviation)) }
             td.number { (range(&one.identified.key, one.band)) } td.number { (range(&one.identified.key, one.default_range)) }

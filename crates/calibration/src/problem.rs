@@ -20,6 +20,7 @@
 use asperity_core::cite;
 use nalgebra::{DMatrix, DVector};
 
+use crate::birge::Scatter;
 use crate::least_squares::Residuals;
 use crate::parameters::{ASSEMBLY, BEARINGS, NO_LOAD, ROLLING, TEMPERATURE};
 use crate::response::{Region, Response};
@@ -199,6 +200,17 @@ impl<'a> Problem<'a> {
             (observation.log_loss - self.predicted(x, observation).0) / observation.sigma
         };
         self.observations.iter().map(residual).collect()
+    }
+
+    /// Scatter at the minimum `x`. The priors of the parameters do not count.
+    #[must_use]
+    pub fn scatter(&self, x: &DVector<f64>) -> Scatter {
+        let nuisance = x.iter().skip(self.parameters()).copied();
+        let residuals = self.of_measurements(x).into_iter().chain(nuisance);
+        Scatter {
+            chi_squared: residuals.map(|residual| residual * residual).sum(),
+            freedom: self.observations.len().saturating_sub(self.parameters()),
+        }
     }
 }
 

@@ -3,9 +3,6 @@
 use asperity_core::cite;
 use asperity_core::numerics::find_root;
 
-/// Rise of the sum of squares at the ends of a 95 % band: the quantile of chi squared with one degree of freedom.
-pub const RISE: f64 = 3.841_458_820_694_124;
-
 /// Band by the profile likelihood.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProfileBand {
@@ -18,10 +15,10 @@ pub struct ProfileBand {
 }
 
 /// Computes the values about `best` at which `rise`, the rise of the sum of squares minimised over all other variables,
-/// is 3.84.
+/// is the square of `quantile`, the standard deviations of an end of the band.
 ///
 /// ```text
-/// { θ : min χ²(θ, ·) − min χ² ≤ 3.84 }                                         [Profile-likelihood]
+/// { θ : min χ²(θ, ·) − min χ² ≤ q² }                                           [Profile-likelihood]
 /// ```
 ///
 /// `deviation` is the standard deviation by the curvature, the scale of the search. `rise` fails if there is no fit.
@@ -31,26 +28,27 @@ pub struct ProfileBand {
 ///
 /// ```
 /// use asperity_calibration::profile_likelihood::profile_band;
-/// // A parabola has the band ± 1.96 of its standard deviation.
-/// let band = profile_band(2.0, 0.5, |x| Ok::<f64, ()>(((x - 2.0) / 0.5).powi(2)))?;
-/// assert!((band.ends[1] - 2.0 - 0.5 * 1.959963984540054).abs() < 1e-6);
+/// // The band of a parabola ends at 1.96 standard deviations.
+/// let band = profile_band(2.0, 0.5, 1.96, |x| Ok::<f64, ()>(((x - 2.0) / 0.5).powi(2)))?;
+/// assert!((band.ends[1] - 2.0 - 0.5 * 1.96).abs() < 1e-6);
 /// # Ok::<(), ()>(())
 /// ```
 pub fn profile_band<E>(
     best: f64,
     deviation: f64,
+    quantile: f64,
     mut rise: impl FnMut(f64) -> Result<f64, E>,
 ) -> Result<ProfileBand, E> {
     cite!("Profile-likelihood");
     /// Points of the curve on either side.
     const POINTS: i32 = 4;
-    /// Standard deviations that the curve covers on either side.
-    const SHOWN: f64 = 2.5;
+    /// Length of the curve on either side relative to the band.
+    const SHOWN: f64 = 1.25;
     /// Standard deviations within which an end is searched.
     const REACH: f64 = 6.0;
     let mut curve = Vec::new();
     for k in -POINTS..=POINTS {
-        let at = best + deviation * SHOWN * f64::from(k) / f64::from(POINTS);
+        let at = best + deviation * quantile * SHOWN * f64::from(k) / f64::from(POINTS);
         let value = if k == 0 { 0.0 } else { rise(at)? };
         curve.push([at, value]);
     }
@@ -59,7 +57,7 @@ pub fn profile_band<E>(
     for (side, sign) in [-1.0, 1.0].into_iter().enumerate() {
         // The square root of a parabola is linear, so the search converges quickly.
         let mut above = |steps: f64| match rise(best + sign * steps * deviation) {
-            Ok(value) => value.max(0.0).sqrt() - RISE.sqrt(),
+            Ok(value) => value.max(0.0).sqrt() - quantile,
             Err(error) => {
                 fault = Some(error);
                 f64::NAN
@@ -95,10 +93,8 @@ mod tests {
             let y = c * x;
             Ok::<f64, ()>((x * x - 2.0 * c * x * y + y * y) / (1.0 - c * c))
         };
-        let band = profile_band(0.0, 1.0, rise).unwrap();
-        assert!(
-            (band.ends[0] + RISE.sqrt()).abs() < 1e-5 && (band.ends[1] - RISE.sqrt()).abs() < 1e-5
-        );
+        let band = profile_band(0.0, 1.0, 2.2, rise).unwrap();
+        assert!((band.ends[0] + 2.2).abs() < 1e-5 && (band.ends[1] - 2.2).abs() < 1e-5);
         assert_eq!((band.is_open, band.curve.len()), ([false; 2], 9));
     }
 
@@ -106,9 +102,12 @@ mod tests {
     fn a_band_is_as_skew_as_its_likelihood_and_says_where_it_is_open() {
         // Flat to the right.
         let rise = |x: f64| Ok::<f64, ()>(if x < 0.0 { 4.0 * x * x } else { 0.01 * x * x });
-        let band = profile_band(0.0, 1.0, rise).unwrap();
-        assert!((band.ends[0] + 0.5 * RISE.sqrt()).abs() < 1e-5);
+        let band = profile_band(0.0, 1.0, 1.96, rise).unwrap();
+        assert!((band.ends[0] + 0.5 * 1.96).abs() < 1e-5);
         assert_eq!((band.ends[1], band.is_open), (6.0, [false, true]));
-        assert_eq!(profile_band(0.0, 1.0, |_| Err("no fit")), Err("no fit"));
+        assert_eq!(
+            profile_band(0.0, 1.0, 1.96, |_| Err("no fit")),
+            Err("no fit")
+        );
     }
 }

@@ -4,18 +4,18 @@ use asperity::message::Warning;
 use serde::{Deserialize, Serialize};
 
 /// Version of the structure of `calibration.json`.
-pub const SCHEMA_VERSION: u32 = 1;
+pub const SCHEMA_VERSION: u32 = 2;
 
 /// Identification of a parameter by a design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// The points determine it to better than half its prior.
-    Found,
+    Identified,
     /// Points and prior have similar weight.
     Partly,
     /// The prior dominates; the parameter keeps its default and its range.
-    NotFound,
+    NotIdentified,
 }
 
 impl Verdict {
@@ -23,9 +23,9 @@ impl Verdict {
     #[must_use]
     pub const fn text(self) -> &'static str {
         match self {
-            Self::Found => "found",
+            Self::Identified => "identified",
             Self::Partly => "partly, held by its prior",
-            Self::NotFound => "not found",
+            Self::NotIdentified => "not identified",
         }
     }
 }
@@ -108,10 +108,12 @@ pub struct Calibration {
     pub correlations: Vec<Vec<f64>>,
     /// Nuisance terms.
     pub nuisance: Vec<NuisanceRow>,
-    /// Sum of the squared residuals of the measurements in standard deviations.
+    /// Sum of the squared residuals of measurements and nuisance terms in standard deviations.
     pub chi_squared: f64,
-    /// Degrees of freedom of the fit.
-    pub freedom: f64,
+    /// Measurements minus fitted parameters.
+    pub freedom: usize,
+    /// √(χ²/ν): the scatter relative to the stated errors. All bands are widened by a ratio above 1.
+    pub birge_ratio: f64,
     /// Cross-validation: every temperature predicted from the others.
     pub held_out: Vec<HeldOut>,
     /// Accuracy of the response surfaces.
@@ -152,7 +154,7 @@ pub struct FittedParameter {
     pub profile_band: [f64; 2],
     /// Whether an end of that band was not reached.
     pub is_open: [bool; 2],
-    /// Values with the rise of the sum of squares.
+    /// Values with the rise of the sum of squares over the square of the widening.
     pub profile: Vec<[f64; 2]>,
     /// Middle 95 % of the bootstrap over assemblies; `None` with a single assembly.
     pub bootstrap: Option<[f64; 2]>,
@@ -160,9 +162,9 @@ pub struct FittedParameter {
     pub default: f64,
     /// Range of a case without calibration.
     pub default_range: [f64; 2],
-    /// Standard deviation of its logarithm, prior included.
+    /// Standard deviation of its logarithm, prior included, widened by the Birge ratio.
     pub deviation: f64,
-    /// Identification by the design; a parameter that is not found is omitted from the block.
+    /// Identification by the points with their errors widened by the Birge ratio; a parameter that is not identified is omitted from the block.
     pub verdict: Verdict,
 }
 
@@ -194,7 +196,7 @@ pub struct HeldOut {
     pub mean_error: f64,
     /// Root mean square of ln(measured/predicted).
     pub rms_error: f64,
-    /// Expected root mean square from the uncertainty of measurements and parameters.
+    /// Expected root mean square from the uncertainty of measurements and parameters, widened by the Birge ratio.
     pub expected_error: f64,
 }
 

@@ -74,7 +74,15 @@ impl Rig {
             }
         }
         let all: Vec<LoadedCase> = cases.iter().map(|case| case.case.clone()).collect();
-        let model = RigModel::new(&all, &parameters, &operating_points)?;
+        let mut solved = operating_points.clone();
+        if let (Some(most), Some(first)) = (table.reach.torque_max_nm, operating_points.first()) {
+            let [torque, speed, temperature] = first.at;
+            solved.push(OperatingPoint {
+                at: [most.copysign(torque), speed, temperature],
+                ..*first
+            });
+        }
+        let model = RigModel::new(&all, &parameters, &solved)?.at_points(&operating_points);
         let centre = vec![0.0; parameters.len() + 1];
         let nominal = model
             .evaluate(&[centre], progress)?

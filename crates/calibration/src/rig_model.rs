@@ -115,6 +115,13 @@ impl RigModel {
         }
     }
 
+    /// The model with other parameters.
+    #[must_use]
+    pub fn with_parameters(mut self, parameters: &[Parameter]) -> Self {
+        self.parameters = parameters.to_vec();
+        self
+    }
+
     /// Torques of the stored contacts of a case \[N m\], in ascending order.
     #[must_use]
     pub fn torques(&self, case: usize) -> Vec<f64> {

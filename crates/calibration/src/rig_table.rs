@@ -105,6 +105,17 @@ impl RigRow {
     }
 }
 
+/// Limits of a rig for suggested measurements; by default the range of its table.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Reach {
+    /// Largest absolute torque of the pinion \[N m\].
+    pub torque_max_nm: Option<f64>,
+    /// Largest speed of the pinion \[1/min\].
+    pub speed_max_rpm: Option<f64>,
+    /// Oil temperatures \[°C\].
+    pub temperatures_c: Option<Vec<f64>>,
+}
+
 /// Table of measured points.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -117,6 +128,8 @@ pub struct RigTable {
     pub is_simulated: bool,
     /// Ignored columns.
     pub unused: Vec<String>,
+    /// Limits of the rig.
+    pub reach: Reach,
 }
 
 /// Known columns.
@@ -222,6 +235,7 @@ impl RigTable {
             rows,
             is_simulated,
             unused: unused.collect(),
+            reach: Reach::default(),
         })
     }
 
@@ -233,6 +247,7 @@ impl RigTable {
             rows,
             is_simulated,
             unused: Vec::new(),
+            reach: Reach::default(),
         }
     }
 

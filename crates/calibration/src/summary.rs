@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use asperity::message::Warning;
 use asperity_report::wrapped;
 
 use crate::design::Design;
@@ -23,11 +24,30 @@ fn bare(key: &str, value: f64) -> String {
 }
 
 pub(crate) fn range(key: &str, [low, high]: [f64; 2]) -> String {
-    format!("{}..{}", bare(key, low), bare(key, high))
+    format!("({}..{})", bare(key, low), bare(key, high))
 }
 
+/// A standard deviation of a logarithm.
 pub(crate) fn percent(deviation: Option<f64>) -> String {
-    deviation.map_or("-".to_owned(), |value| format!("±{:.0} %", 100.0 * value))
+    deviation.map_or("-".to_owned(), |value| format!("{:.0} %", 100.0 * value))
+}
+
+/// A standard deviation of a logarithm with the digits that show the gain of a single point.
+pub(crate) fn tenths(deviation: f64) -> String {
+    format!("{:.1} %", 100.0 * deviation)
+}
+
+/// The scatter of a fit relative to the stated errors.
+pub(crate) fn scatter(calibration: &Calibration) -> String {
+    let ratio = calibration.birge_ratio;
+    let widened = match ratio > 1.0 {
+        true => format!("errors are {ratio:.2} times what you stated: bands widened by {ratio:.2}"),
+        false => "the stated errors explain the scatter".to_owned(),
+    };
+    format!(
+        "chi squared {:.1} at {} degrees of freedom, Birge ratio {ratio:.2}: {widened}",
+        calibration.chi_squared, calibration.freedom
+    )
 }
 
 /// Summary of the identifiability, printed before the fit.
@@ -47,7 +67,7 @@ pub fn before_the_fit(identifiability: &Identifiability) -> String {
     // Writing into a string cannot fail.
     let _ = writeln!(
         text,
-        "identifiability by {} operating points (temperatures {} °C, Lambda* {lambda_star})",
+        "identifiability by {} operating points (temperatures {} °C, Lambda* {lambda_star}): standard deviations",
         identifiability.points,
         temperatures.join(", ")
     );
@@ -67,8 +87,8 @@ pub fn before_the_fit(identifiability: &Identifiability) -> String {
             best.speed_rpm,
             best.temperature_c,
             best.gains_most,
-            percent(Some(best.deviation[1])),
-            percent(Some(best.deviation[0])),
+            tenths(best.deviation[1]),
+            tenths(best.deviation[0]),
         );
         text.push_str(&wrapped(&line, "    "));
         text.push('\n');
@@ -93,24 +113,14 @@ pub(crate) fn summary(calibration: &Calibration) -> String {
     }
     let _ = writeln!(
         text,
-        "parameter                value   95 % band          default range"
+        "parameter                value   95 % band            default range"
     );
     for parameter in &calibration.parameters {
         text.push_str(&row(parameter));
     }
-    let _ = writeln!(
-        text,
-        "fit  chi squared {:.1} of {:.1} expected ({} points, {} {})",
-        calibration.chi_squared,
-        calibration.freedom,
-        calibration.points.len(),
-        calibration.assemblies.len(),
-        if calibration.assemblies.len() == 1 {
-            "assembly"
-        } else {
-            "assemblies"
-        }
-    );
+    let fit = format!("fit  {}", scatter(calibration));
+    text.push_str(&wrapped(&fit, "     "));
+    text.push('\n');
     for held in &calibration.held_out {
         let _ = writeln!(
             text,
@@ -121,10 +131,7 @@ pub(crate) fn summary(calibration: &Calibration) -> String {
             100.0 * held.mean_error,
         );
     }
-    for warning in &calibration.warnings {
-        text.push_str(&wrapped(&warning.to_string(), "     "));
-        text.push('\n');
-    }
+    text.push_str(&listed(&calibration.warnings));
     text.push_str("for the case:\n");
     text.push_str(&calibration.block);
     text
@@ -138,11 +145,11 @@ fn row(parameter: &FittedParameter) -> String {
         ""
     };
     let verdict = match parameter.verdict {
-        crate::result::Verdict::Found => String::new(),
+        crate::result::Verdict::Identified => String::new(),
         other => format!("   {}", other.text()),
     };
     let text = format!(
-        "{:<18} {:>11}   {:<16}   {:<13}{open}{verdict}",
+        "{:<18} {:>11}   {:<18}   {:<15}{open}{verdict}",
         parameter.name,
         shown(key, parameter.value),
         range(key, parameter.band),
@@ -175,14 +182,14 @@ pub(crate) fn design_summary(design: &Design) -> String {
     }
     let _ = writeln!(
         text,
-        "expected with {:.1} % per point   95 % band          default range",
+        "expected with {:.1} % per point   95 % band            default range",
         100.0 * design.limits.sigma
     );
     for parameter in &design.parameters {
         let identified = &parameter.identified;
         let _ = writeln!(
             text,
-            "{:<18} {:>9}   {:<16}   {:<13}   {}",
+            "{:<18} {:>9}   {:<18}   {:<15}   {}",
             identified.name,
             percent(identified.deviation),
             range(&identified.key, parameter.band),
@@ -190,5 +197,13 @@ pub(crate) fn design_summary(design: &Design) -> String {
             identified.verdict.text(),
         );
     }
+    text.push_str(&listed(&design.warnings));
     text
+}
+
+fn listed(warnings: &[Warning]) -> String {
+    let lines = warnings
+        .iter()
+        .map(|warning| wrapped(&warning.to_string(), "     ") + "\n");
+    lines.collect()
 }

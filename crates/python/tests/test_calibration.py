@@ -54,7 +54,7 @@ def test_a_table_gives_the_same_parameters_as_the_command(rig, found):
     assert ours.pop("table") == theirs.pop("table")
     assert ours == theirs and found.is_simulated
     assert list(found.parameters.key)[:2] == ["boundary_friction", "boundary_layer"]
-    assert "boundary friction" in str(found) and "found" in repr(found) and "<table" in found._repr_html_()
+    assert "boundary friction" in str(found) and "identified" in repr(found) and "<table" in found._repr_html_()
 
 
 def test_columns_and_frames_are_taken_as_tables(rig, columns, found):

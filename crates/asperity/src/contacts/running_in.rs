@@ -46,8 +46,10 @@ const STEPS: [f64; 3] = [
 ];
 
 /// Flanks that have run in.
-pub(crate) struct RanIn {
+pub struct RanIn {
+    /// The flanks.
     pub surfaces: Surfaces,
+    /// Every cycle of the running-in.
     pub cycles: Vec<RunInCycle>,
     /// Roughness as measured and run in.
     pub heights: [FlankHeights; 2],
@@ -57,7 +59,7 @@ pub(crate) struct RanIn {
 ///
 /// # Errors
 /// When a flank has no trace or a contact no solution.
-pub(crate) fn run_in(
+pub fn run_in(
     case: &Case,
     measured: &Surfaces,
     positions: &[MeshPosition],

@@ -116,6 +116,18 @@ pub fn shares(
     })
 }
 
+/// Solved load share of the windows of `contact`, over which [`shares`] averages.
+///
+/// # Errors
+/// When a window leaves its trace or a rough contact does not converge.
+pub fn solved_shares(
+    loaded: &LoadedCase,
+    contact: &RefereeContact,
+) -> Result<Vec<LoadShareSolution>, RefereeError> {
+    let windows = windows(loaded, contact)?;
+    Ok(windows.into_iter().map(|window| window.solved).collect())
+}
+
 /// Mean of the loads below 20 and 50 nm: what touches is between the two.
 fn referee_share(record: &Record) -> f64 {
     let below = |nm: f64| {

@@ -60,12 +60,12 @@ class Calibration(Record):
         return self._raw.summary()
 
     def __repr__(self) -> str:
-        found = ", ".join(f"{one['name']} {one['verdict']}" for one in self._values["parameters"])
-        return f"<Calibration {self._values['title']!r}: {found}>"
+        parameters = ", ".join(f"{one['name']} {one['verdict']}" for one in self._values["parameters"])
+        return f"<Calibration {self._values['title']!r}: {parameters}>"
 
     def _repr_html_(self) -> str:
         rows = [
-            (str(one["name"]), f"{one['value']:.4g} ({one['band'][0]:.4g} to {one['band'][1]:.4g}), {one['verdict']}")
+            (str(one["name"]), f"{one['value']:.4g} ({one['band'][0]:.4g}..{one['band'][1]:.4g}), {one['verdict']}")
             for one in self._values["parameters"]
         ]
         return page(str(self._values["title"]), rows, None)

@@ -1,0 +1,225 @@
+//! Gates of measurement: a value with its standard error, judged by a rule.
+
+use std::fmt::Write as _;
+
+/// A value with its standard error, 0 where nothing was sampled.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    pub value: f64,
+    pub standard_error: f64,
+}
+
+impl Estimate {
+    pub const fn exact(value: f64) -> Self {
+        Self {
+            value,
+            standard_error: 0.0,
+        }
+    }
+
+    /// `self`/`other` − 1 of quantities with independent errors.
+    pub fn change_to(self, other: Self) -> Self {
+        let ratio = self.value / other.value;
+        let relative = |of: Self| of.standard_error / of.value;
+        Self {
+            value: ratio - 1.0,
+            standard_error: (ratio * relative(self).hypot(relative(other))).abs(),
+        }
+    }
+
+    pub fn times(self, factor: f64) -> Self {
+        Self {
+            value: self.value * factor,
+            standard_error: self.standard_error * factor.abs(),
+        }
+    }
+}
+
+/// Standard errors on each side of the end of a rule within which the gate is undecided: the 95 % quantile of a normal
+/// distribution, so that a gate fails or passes at a one-sided level of 5 %.
+const UNDECIDED: f64 = 1.65;
+
+/// What a gate came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    Pass,
+    Fail,
+    Undecided,
+    /// No rule: the value is printed only.
+    Printed,
+}
+
+impl Verdict {
+    const fn text(self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Fail => "**FAIL**",
+            Self::Undecided => "undecided",
+            Self::Printed => "-",
+        }
+    }
+}
+
+/// The verdict on an estimate: undecided if an end of `rule`, (least, largest), lies within 1.65 standard errors of the
+/// value. Ends may be infinite.
+pub fn judge(found: Estimate, rule: Option<[f64; 2]>) -> Verdict {
+    let Some([least, largest]) = rule else {
+        return Verdict::Printed;
+    };
+    let is_near = |end: f64| (found.value - end).abs() < UNDECIDED * found.standard_error;
+    match (least..=largest).contains(&found.value) {
+        _ if is_near(least) || is_near(largest) => Verdict::Undecided,
+        true => Verdict::Pass,
+        false => Verdict::Fail,
+    }
+}
+
+/// A measurement, our value for it, and the rule that the value is judged by.
+pub struct Gate {
+    /// Gate and condition; distinct, without numbers that are computed.
+    pub name: String,
+    /// What was measured.
+    pub measured: String,
+    pub value: Estimate,
+    /// Least and largest value; `None` if the value is only printed.
+    pub rule: Option<[f64; 2]>,
+    pub unit: &'static str,
+    /// Decimals of the value.
+    pub digits: usize,
+    /// What is printed with the value.
+    pub note: String,
+}
+
+impl Gate {
+    /// A gate with its unit and the decimals of its value.
+    pub fn new(
+        name: impl Into<String>,
+        measured: impl Into<String>,
+        value: Estimate,
+        rule: Option<[f64; 2]>,
+        (unit, digits): (&'static str, usize),
+    ) -> Self {
+        let (name, measured, note) = (name.into(), measured.into(), String::new());
+        Self {
+            name,
+            measured,
+            value,
+            rule,
+            unit,
+            digits,
+            note,
+        }
+    }
+
+    pub fn noted(self, note: String) -> Self {
+        Self { note, ..self }
+    }
+
+    pub fn verdict(&self) -> Verdict {
+        judge(self.value, self.rule)
+    }
+
+    fn rule_text(&self) -> String {
+        let text = |end: f64| format!("{end:.*}", self.rule_digits());
+        match self.rule {
+            None => "printed only".to_owned(),
+            Some([f64::NEG_INFINITY, largest]) => format!("at most {}", text(largest)),
+            Some([least, f64::INFINITY]) => format!("at least {}", text(least)),
+            Some([least, largest]) => format!("{} to {}", text(least), text(largest)),
+        }
+    }
+
+    /// Decimals of the ends, without zeros at the end.
+    fn rule_digits(&self) -> usize {
+        let ends = self
+            .rule
+            .into_iter()
+            .flatten()
+            .filter(|end| end.is_finite());
+        let ends: Vec<f64> = ends.collect();
+        let is_whole = |digits: &usize| {
+            let steps = 10f64.powi(*digits as i32);
+            ends.iter()
+                .all(|end| (end * steps - (end * steps).round()).abs() < 1e-9)
+        };
+        (0..self.digits).find(is_whole).unwrap_or(self.digits)
+    }
+}
+
+/// The gates as Markdown.
+pub fn table(gates: &[Gate]) -> String {
+    let mut text = String::from(
+        "| gate | measured | rule | unit | here | standard error | verdict |\n|---|---|---|---|---|---|---|\n",
+    );
+    for gate in gates {
+        let digits = gate.digits;
+        let last_digit = 10f64.powi(-(digits as i32));
+        let error = match gate.value.standard_error {
+            0.0 => "-".to_owned(),
+            error if error < 0.5 * last_digit => format!("< {last_digit:.digits$}"),
+            error => format!("{error:.digits$}"),
+        };
+        // What rounds to nothing is nothing, on every processor.
+        let value = format!("{:.digits$}", gate.value.value);
+        let value = match value.trim_start_matches(['-', '0', '.']).is_empty() {
+            true => value.trim_start_matches('-'),
+            false => &value,
+        };
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {value}{} | {error} | {} |",
+            gate.name,
+            gate.measured,
+            gate.rule_text(),
+            gate.unit,
+            gate.note,
+            gate.verdict().text()
+        );
+    }
+    text
+}
+
+#[test]
+fn a_gate_is_undecided_where_an_end_of_its_rule_lies_within_1_65_standard_errors() {
+    let of = |value, standard_error| {
+        let found = Estimate {
+            value,
+            standard_error,
+        };
+        judge(found, Some([0.055, 0.068]))
+    };
+    assert_eq!(of(0.060, 0.001), Verdict::Pass);
+    assert_eq!(of(0.050, 0.001), Verdict::Fail);
+    assert_eq!(of(0.070, 0.001), Verdict::Fail);
+    // The ends of the band of 1.65 standard errors, on both sides of both ends of the rule.
+    for (value, verdict) in [
+        (0.055 - 0.00166, Verdict::Fail),
+        (0.055 - 0.00164, Verdict::Undecided),
+        (0.055 + 0.00164, Verdict::Undecided),
+        (0.055 + 0.00166, Verdict::Pass),
+        (0.068 - 0.00166, Verdict::Pass),
+        (0.068 - 0.00164, Verdict::Undecided),
+        (0.068 + 0.00164, Verdict::Undecided),
+        (0.068 + 0.00166, Verdict::Fail),
+    ] {
+        assert_eq!(of(value, 0.001), verdict, "{value}");
+    }
+    // Without an error the rule alone decides, its ends included.
+    assert_eq!(of(0.055, 0.0), Verdict::Pass);
+    assert_eq!(of(0.0549, 0.0), Verdict::Fail);
+    let one_sided = Some([f64::NEG_INFINITY, 0.04]);
+    assert_eq!(judge(Estimate::exact(-3.0), one_sided), Verdict::Pass);
+    assert_eq!(judge(Estimate::exact(0.05), one_sided), Verdict::Fail);
+    assert_eq!(judge(Estimate::exact(0.05), None), Verdict::Printed);
+}
+
+#[test]
+fn errors_of_independent_quantities_add_in_squares() {
+    let of = |value, standard_error| Estimate {
+        value,
+        standard_error,
+    };
+    let change = of(60.0, 1.8).change_to(of(100.0, 4.0));
+    assert!((change.value + 0.4).abs() < 1e-15);
+    assert!((change.standard_error - 0.6 * 0.05).abs() < 1e-15);
+}
