@@ -1,0 +1,155 @@
+//! Surrogates: profiles for a flank of which only the finish and roughness values are known.
+//!
+//! The values leave the shape of the texture open, so it differs from surrogate to surrogate. Ranges of the shape are
+//! judgement: ground and superfinished gear flanks measured with a stylus lie within them.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | z_g, z_b | grooves of the grits and self-affine background, each of unit Rq | - |
+//! | r | ratio of their Rq, 0.5 to 3 | - |
+//! | u_d(k) | place of surrogate k in the range of the shape number d, 0 to 1 | - |
+//! | k | number of the surrogate, from 0 | - |
+
+use asperity_core::Profile;
+use asperity_core::cite;
+use asperity_core::quantity::Length;
+
+use super::ground::Ground;
+use super::self_affine::SelfAffine;
+use crate::error::RoughnessError;
+use crate::form::Form;
+use crate::gaussian_filter::Ends;
+use crate::height_parameters::Mode;
+use crate::parameters::Parameters;
+use crate::preparation::{Preparation, prepare};
+
+/// A machined finish with a recipe.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Finish {
+    /// Grooves of grits on a self-affine background.
+    Ground,
+    /// A self-affine texture: the grooves are polished away.
+    Superfinished,
+}
+
+/// Recipe of a surrogate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Surrogate {
+    /// Finish of the flank.
+    pub finish: Finish,
+    /// Number from 0, which fixes the shape.
+    pub number: usize,
+    /// Flank of the pair, which has the shape of the other one and heights of its own.
+    pub body: usize,
+    /// Length after filtering.
+    pub length: Length,
+    /// Distance between points.
+    pub spacing: Length,
+    /// Cut-off λs of the stated values; if it is not known, each number has one of its own.
+    pub lambda_s: Option<Length>,
+    /// Cut-off λc of the stated values; `None` for no filter.
+    pub lambda_c: Option<Length>,
+}
+
+/// Cut-offs λs of unknown values: that of a fine stylus to that of a coarse one.
+pub const LAMBDA_S: [Length; 2] = [Length::from_si(2.5e-6), Length::from_si(25e-6)];
+
+/// Dimensions of the shape.
+const DIMENSIONS: i32 = 5;
+/// Positive root of x⁶ = x + 1.
+const GENERALISED_GOLDEN_RATIO: f64 = 1.134_724_138_401_519_4;
+
+impl Surrogate {
+    /// Filtered profile and its parameters, with heights of no particular size: they are to be scaled.
+    ///
+    /// ```text
+    /// z = r z_g + z_b (ground),  z = z_b (superfinished)                         [Surrogate-1]
+    /// ```
+    ///
+    /// # Errors
+    /// When a length is not positive, or the profile cannot be filtered.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_roughness::generate::{Finish, Surrogate};
+    /// let recipe = Surrogate {
+    ///     finish: Finish::Ground, number: 0, body: 0, length: Length::from_si(3e-3), spacing: Length::from_si(0.5e-6),
+    ///     lambda_s: None, lambda_c: Some(Length::from_si(0.25e-3)),
+    /// };
+    /// let (profile, parameters) = recipe.generate()?;
+    /// assert!((profile.length().si() - 3e-3).abs() < 1e-6);
+    /// let ratio = parameters.heights.rz.si() / parameters.heights.ra.si();
+    /// assert!(ratio > 4.0 && ratio < 9.0);
+    /// # Ok::<(), asperity_roughness::RoughnessError>(())
+    /// ```
+    pub fn generate(&self) -> Result<(Profile, Parameters), RoughnessError> {
+        cite!("Surrogate-1");
+        /// Seeds far from those of other profiles.
+        const FIRST_SEED: u64 = 0x5EED_0000;
+        const UNIT: Length = Length::from_si(1e-6);
+        let [dx, lambda_s] = [self.spacing, self.lambda_s()];
+        let dropped = self.lambda_c.unwrap_or_default();
+        let points = ((self.length + dropped) / dx).round() as usize + 1;
+        let seed = FIRST_SEED + 4 * self.number as u64 + 2 * self.body as u64;
+        let background = SelfAffine {
+            points,
+            spacing: dx,
+            rq: UNIT,
+            hurst: self.between(3, 0.6, 0.9),
+            roll_off: Length::from_si(self.on_logarithm(2, 30e-6, 150e-6)),
+            // Shorter waves are the part of the filter.
+            short_cut: Length::from_si((0.5 * lambda_s.si()).max(2.0 * dx.si())),
+            seed,
+        };
+        let mut heights = background.generate()?.into_heights();
+        if self.finish == Finish::Ground {
+            let grooves = Ground {
+                points,
+                spacing: dx,
+                rq: UNIT * self.on_logarithm(1, 0.5, 3.0),
+                grit_spacing: Length::from_si(self.on_logarithm(0, 6e-6, 20e-6)),
+                grit_radius: Length::from_si(60e-6),
+                grit_protrusion: Length::from_si(0.5e-6),
+                seed: seed + 1,
+            };
+            let grooves = grooves.generate()?;
+            (heights.iter_mut().zip(grooves.heights())).for_each(|(z, groove)| *z += groove);
+        }
+        let filters = Preparation {
+            form: Form::Mean,
+            lambda_s: Some(Length::from_si(lambda_s.si().max(dx.si()))),
+            lambda_c: self.lambda_c,
+            ends: Ends::Cut,
+        };
+        let profile = prepare(&Profile::new(dx, heights)?, &filters)?.profile;
+        let section = self.lambda_c.unwrap_or_else(|| profile.length() / 5.0);
+        let parameters = Parameters::of(&profile, Mode::Iso4287, section)?;
+        Ok((profile, parameters))
+    }
+
+    /// The cut-off λs that is stated, or that of this number.
+    #[must_use]
+    pub fn lambda_s(&self) -> Length {
+        let [low, high] = LAMBDA_S.map(Length::si);
+        let drawn = || Length::from_si(self.on_logarithm(4, low, high));
+        self.lambda_s.unwrap_or_else(drawn)
+    }
+
+    /// u_d(k) = frac(½ + k φ^−(d+1)), φ⁶ = φ + 1                                 [Surrogate-2]
+    ///
+    /// Few numbers fill the range of every dimension evenly, and the first has the middle of all.
+    fn place(&self, dimension: i32) -> f64 {
+        cite!("Surrogate-2");
+        debug_assert!(dimension < DIMENSIONS);
+        (0.5 + self.number as f64 * GENERALISED_GOLDEN_RATIO.powi(-dimension - 1)).fract()
+    }
+
+    fn between(&self, dimension: i32, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.place(dimension)
+    }
+
+    fn on_logarithm(&self, dimension: i32, low: f64, high: f64) -> f64 {
+        low * (high / low).powf(self.place(dimension))
+    }
+}
