@@ -414,7 +414,7 @@ pub(super) fn complete(
         provenance: of_flanks,
         sums: flank_sums,
     } = match before {
-        Some(before) if same_flanks(&before.case, &case, before.is_placed()) => Flanks {
+        Some(before) if same_flanks(before, &case) => Flanks {
             surfaces: before.surfaces.clone(),
             reports: before.flanks.clone(),
             sampled: before.sampled.clone(),
@@ -505,12 +505,13 @@ fn check_load_of(case: &Case, source: &Source) -> Result<(), CaseError> {
 }
 
 /// Whether the same flanks carry the load in both cases, prepared alike.
-fn same_flanks(before: &Case, case: &Case, is_placed: bool) -> bool {
+fn same_flanks(loaded: &LoadedCase, case: &Case) -> bool {
+    let before = &loaded.case;
     let (old, new) = (&before.input.surface, &case.input.surface);
     let shortest = |case| shortest_form(case).ok().flatten();
     let forms = [shortest(before), shortest(case)];
-    // Place and form of a trace depend on the gears.
-    let is_of_gears = is_placed || forms != [None, None];
+    // Place and form of a trace and the length of a surrogate depend on the gears.
+    let is_of_gears = loaded.is_placed() || loaded.surfaces.is_surrogate() || forms != [None, None];
     old == new
         // Flanks without a trace are surrogates only where their contact is solved.
         && solves_contact(before) == solves_contact(case)

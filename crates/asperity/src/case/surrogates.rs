@@ -135,7 +135,7 @@ pub(super) fn surrogates(
     let known_flanks = || known.iter().flatten();
     let is_open = known_flanks().any(|known| known.finishes[0] != known.finishes[1]);
     let is_selected = known_flanks().any(|known| known.values.len() > 1);
-    let number = if is_selected { CANDIDATES } else { PAIRS };
+    let count = if is_selected { CANDIDATES } else { PAIRS };
     let spacing = flanks
         .iter()
         .flatten()
@@ -146,15 +146,15 @@ pub(super) fn surrogates(
     let lambda_c = case.preparation.lambda_c;
     let recipe = |body: usize, number: usize, known: &Known| Surrogate {
         finish: known.finishes[number % 2],
-        number,
+        number: [number, count],
         body,
         length: trace_length(case),
         spacing: spacing.unwrap_or(SPACING),
         lambda_s: known.lambda_s,
         lambda_c,
     };
-    let mut candidates = Vec::with_capacity(number);
-    for k in 0..number {
+    let mut candidates = Vec::with_capacity(count);
+    for k in 0..count {
         let make = |body: usize| {
             let made = known[body]
                 .as_ref()

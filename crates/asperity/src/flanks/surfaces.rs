@@ -175,7 +175,7 @@ impl Surfaces {
     }
 
     /// The traces of every pair in every zone of the face.
-    pub(crate) fn each(&self) -> impl Iterator<Item = &Self> {
+    pub fn each(&self) -> impl Iterator<Item = &Self> {
         let sampled = self
             .sample
             .iter()

@@ -7,14 +7,16 @@
 //! |---|---|---|
 //! | z_g, z_b | grooves of the grits and self-affine background, each of unit Rq | - |
 //! | r | ratio of their Rq, 0.5 to 3 | - |
-//! | u_d(k) | place of surrogate k in the range of the shape number d, 0 to 1 | - |
-//! | k | number of the surrogate, from 0 | - |
+//! | k, n | number of the surrogate from 0, and of all | - |
+//! | u_d(k) | place of surrogate k in the range of dimension d of the shape, 0 to 1 | - |
+//! | ρ_d(k) | rank of k in an order drawn for d, in which the first is in the middle | - |
 
-use asperity_core::Profile;
 use asperity_core::cite;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
 
 use super::ground::Ground;
+use super::random::Random;
 use super::self_affine::SelfAffine;
 use crate::error::RoughnessError;
 use crate::form::Form;
@@ -38,8 +40,8 @@ pub enum Finish {
 pub struct Surrogate {
     /// Finish of the flank.
     pub finish: Finish,
-    /// Number from 0, which fixes the shape.
-    pub number: usize,
+    /// Number from 0, and number of all surrogates; together they fix the shape.
+    pub number: [usize; 2],
     /// Flank of the pair, which has the shape of the other one and heights of its own.
     pub body: usize,
     /// Length after filtering.
@@ -55,10 +57,8 @@ pub struct Surrogate {
 /// Cut-offs λs of unknown values: that of a fine stylus to that of a coarse one.
 pub const LAMBDA_S: [Length; 2] = [Length::from_si(2.5e-6), Length::from_si(25e-6)];
 
-/// Dimensions of the shape.
-const DIMENSIONS: i32 = 5;
-/// Positive root of x⁶ = x + 1.
-const GENERALISED_GOLDEN_RATIO: f64 = 1.134_724_138_401_519_4;
+/// Seeds far from those of other profiles.
+const FIRST_SEED: u64 = 0x5EED_0000;
 
 impl Surrogate {
     /// Filtered profile and its parameters, with heights of no particular size: they are to be scaled.
@@ -68,13 +68,13 @@ impl Surrogate {
     /// ```
     ///
     /// # Errors
-    /// When a length is not positive, or the profile cannot be filtered.
+    /// When a length is not positive, the number is not below that of all, or the profile cannot be filtered.
     ///
     /// ```
     /// use asperity_core::quantity::Length;
     /// use asperity_roughness::generate::{Finish, Surrogate};
     /// let recipe = Surrogate {
-    ///     finish: Finish::Ground, number: 0, body: 0, length: Length::from_si(3e-3), spacing: Length::from_si(0.5e-6),
+    ///     finish: Finish::Ground, number: [0, 12], body: 0, length: Length::from_si(3e-3), spacing: Length::from_si(0.5e-6),
     ///     lambda_s: None, lambda_c: Some(Length::from_si(0.25e-3)),
     /// };
     /// let (profile, parameters) = recipe.generate()?;
@@ -85,13 +85,20 @@ impl Surrogate {
     /// ```
     pub fn generate(&self) -> Result<(Profile, Parameters), RoughnessError> {
         cite!("Surrogate-1");
-        /// Seeds far from those of other profiles.
-        const FIRST_SEED: u64 = 0x5EED_0000;
         const UNIT: Length = Length::from_si(1e-6);
+        let [number, count] = self.number;
+        let rule = "must be below the number of all";
+        DomainError::require(
+            number < count,
+            "number of the surrogate",
+            number as f64,
+            "-",
+            rule,
+        )?;
         let [dx, lambda_s] = [self.spacing, self.lambda_s()];
         let dropped = self.lambda_c.unwrap_or_default();
-        let points = ((self.length + dropped) / dx).round() as usize + 1;
-        let seed = FIRST_SEED + 4 * self.number as u64 + 2 * self.body as u64;
+        let points = (((self.length + dropped) / dx).round() as usize).saturating_add(1);
+        let seed = FIRST_SEED + 4 * self.number[0] as u64 + 2 * self.body as u64;
         let background = SelfAffine {
             points,
             spacing: dx,
@@ -136,20 +143,29 @@ impl Surrogate {
         self.lambda_s.unwrap_or_else(drawn)
     }
 
-    /// u_d(k) = frac(½ + k φ^−(d+1)), φ⁶ = φ + 1                                 [Surrogate-2]
+    /// u_d(k) = (ρ_d(k) + ½)/n                                                    [Surrogate-2]
     ///
-    /// Few numbers fill the range of every dimension evenly, and the first has the middle of all.
-    fn place(&self, dimension: i32) -> f64 {
+    /// A Latin hypercube: few surrogates fill the range of every dimension evenly, and the first is in the middle of all.
+    fn place(&self, dimension: u64) -> f64 {
         cite!("Surrogate-2");
-        debug_assert!(dimension < DIMENSIONS);
-        (0.5 + self.number as f64 * GENERALISED_GOLDEN_RATIO.powi(-dimension - 1)).fract()
+        let [number, count] = self.number;
+        let mut random = Random::new(FIRST_SEED + dimension);
+        let keys: Vec<f64> = (0..count).map(|_| random.uniform()).collect();
+        let rank = |k: usize| keys.iter().filter(|key| Some(*key) < keys.get(k)).count();
+        let middle = count / 2;
+        let rank = match (number, rank(number)) {
+            (0, _) => middle,
+            (_, own) if own == middle => rank(0),
+            (_, own) => own,
+        };
+        (rank as f64 + 0.5) / count as f64
     }
 
-    fn between(&self, dimension: i32, low: f64, high: f64) -> f64 {
+    fn between(&self, dimension: u64, low: f64, high: f64) -> f64 {
         low + (high - low) * self.place(dimension)
     }
 
-    fn on_logarithm(&self, dimension: i32, low: f64, high: f64) -> f64 {
+    fn on_logarithm(&self, dimension: u64, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.place(dimension))
     }
 }
