@@ -56,41 +56,39 @@ struct Known {
 /// One surrogate: its profile with the stated size.
 struct Made {
     profile: Profile,
-    /// The known values of the profile \[m\], and its Rz and Rpk.
-    values: Vec<f64>,
-    rz: Length,
-    rpk: Length,
-    ra: Length,
+    /// Parameters before the profile was scaled by the factor.
+    parameters: Parameters,
+    factor: f64,
     lambda_s: Length,
     finish: Finish,
+}
+
+impl Made {
+    fn value(&self, parameter: Parameter) -> Length {
+        parameter(&self.parameters) * self.factor
+    }
 }
 
 impl Known {
     /// Sum of the squared logarithms by which `made` misses the stated values.
     fn distance(&self, made: &Made) -> f64 {
-        let stated = self.values.iter().map(|(_, stated, _)| stated.si());
-        let ratios = made.values.iter().zip(stated).skip(1);
-        ratios
-            .map(|(found, stated)| (found / stated).ln().powi(2))
+        let values = self.values.iter();
+        values
+            .map(|(_, stated, parameter)| (made.value(*parameter) / *stated).ln().powi(2))
             .sum()
     }
 
     fn make(&self, recipe: Surrogate) -> Result<Made, RoughnessError> {
         let (profile, parameters) = recipe.generate()?;
-        let factor = match self.values.first() {
-            Some((_, stated, parameter)) => *stated / parameter(&parameters),
-            None => 1.0,
-        };
+        let scaled_to = self.values.first();
+        let factor = scaled_to.map_or(1.0, |(_, stated, parameter)| {
+            *stated / parameter(&parameters)
+        });
         let heights = profile.heights().iter().map(|z| factor * z).collect();
-        let values = self.values.iter();
         Ok(Made {
             profile: Profile::new(profile.spacing(), heights)?,
-            values: values
-                .map(|(.., parameter)| factor * parameter(&parameters).si())
-                .collect(),
-            rz: parameters.heights.rz * factor,
-            rpk: parameters.material.rpk * factor,
-            ra: parameters.heights.ra * factor,
+            parameters,
+            factor,
             lambda_s: recipe.lambda_s(),
             finish: recipe.finish,
         })
@@ -133,6 +131,13 @@ pub(super) fn surrogates(
         };
     }
     let known_flanks = || known.iter().flatten();
+    if traced == [false; 2] && known_flanks().all(|known| known.lambda_s.is_none()) {
+        assumed.push(DefaultUsed {
+            key: "surface.noise_cutoff".into(),
+            value: "\"2.5 um\" to \"25 um\"".to_owned(),
+            source: Some("of the stated roughness values, drawn for each surrogate pair".into()),
+        });
+    }
     let is_open = known_flanks().any(|known| known.finishes[0] != known.finishes[1]);
     let is_selected = known_flanks().any(|known| known.values.len() > 1);
     let count = if is_selected { CANDIDATES } else { PAIRS };
@@ -233,13 +238,6 @@ fn known_of(
         // No stylus resolves less than the shortest cut-off.
         Length::from_si(stated.si().max(LAMBDA_S[0].si()))
     });
-    if lambda_s.is_none() {
-        assumed.push(DefaultUsed {
-            key: "surface.noise_cutoff".into(),
-            value: "\"2.5 um\" to \"25 um\"".to_owned(),
-            source: Some("of the stated roughness values, drawn for each surrogate pair".into()),
-        });
-    }
     Ok(Known {
         values,
         finishes,
@@ -328,7 +326,7 @@ fn in_contact(
         .flatten()
         .reduce(longer);
     let rz = [0, 1].map(|body: usize| match &pair[body] {
-        Some(made) => Some(made.rz),
+        Some(made) => Some(made.value(|of| of.heights.rz)),
         None => {
             let parameters = traced(body).report.parameters.as_ref();
             parameters.map(|parameters| parameters.heights.rz)
@@ -341,8 +339,11 @@ fn in_contact(
 fn record(chosen: &[[Option<Made>; 2]], body: usize) -> Option<SurrogateRecord> {
     let made = || chosen.iter().filter_map(|pair| pair[body].as_ref());
     let count = made().count();
-    let mean = |value: fn(&Made) -> Length| {
-        made().map(|made| 1e6 * value(made).si()).sum::<f64>() / count as f64
+    let mean = |parameter: Parameter| {
+        made()
+            .map(|made| 1e6 * made.value(parameter).si())
+            .sum::<f64>()
+            / count as f64
     };
     let has = |finish: Finish| made().any(|made| made.finish == finish);
     let lambda_s = || made().map(|made| 1e6 * made.lambda_s.si());
@@ -355,9 +356,9 @@ fn record(chosen: &[[Option<Made>; 2]], body: usize) -> Option<SurrogateRecord> 
         finishes: (names.iter().filter(|(finish, _)| has(*finish)))
             .map(|(_, name)| name.name().to_owned())
             .collect(),
-        ra_um: mean(|made| made.ra),
-        rz_um: mean(|made| made.rz),
-        rpk_um: mean(|made| made.rpk),
+        ra_um: mean(|of| of.heights.ra),
+        rz_um: mean(|of| of.heights.rz),
+        rpk_um: mean(|of| of.material.rpk),
         lambda_s_um: [
             lambda_s().fold(f64::INFINITY, f64::min),
             lambda_s().fold(0.0, f64::max),
