@@ -233,7 +233,7 @@ pub struct SurfaceInput {
     /// gear flanks; "0 mm" keeps the waviness.
     pub cutoff: Option<Length>,
     /// Cut-off λs below which detail counts as noise; default as the file states, else 2.5 um; "0 um" for
-    /// none. State that of the instrument next to Ra of a flank without a file: else 2.5 to 25 um is assumed.
+    /// none. State the cut-off of the instrument next to Ra of a flank without a file: else 2.5 to 25 um is assumed.
     pub noise_cutoff: Option<Length>,
     /// Treatment of the ends of a trace in filtering; default `cut`.
     pub ends: Option<Ends>,
@@ -266,7 +266,7 @@ pub(super) enum Side {
 }
 
 table! {
-    /// One flank: a file with its trace, or roughness values alone.
+    /// One flank: a file with its trace, or only roughness values.
     #[derive(Default)]
     FlankInput;
 

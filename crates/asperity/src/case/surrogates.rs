@@ -42,7 +42,7 @@ pub(super) fn solves_contact(case: &Case) -> bool {
 /// A roughness parameter.
 type Parameter = fn(&Parameters) -> Length;
 
-/// What is known of a flank without a trace.
+/// Stated values of a flank without a trace, its finish and cut-off.
 #[derive(Clone)]
 struct Known {
     /// Name, stated value and parameter; the heights are scaled to the first.

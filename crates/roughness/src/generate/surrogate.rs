@@ -40,7 +40,7 @@ pub enum Finish {
 pub struct Surrogate {
     /// Finish of the flank.
     pub finish: Finish,
-    /// Number from 0, and number of all surrogates; together they fix the shape.
+    /// Number from 0, and count of all surrogates; together they fix the shape.
     pub number: [usize; 2],
     /// Flank of the pair, which has the shape of the other one and heights of its own.
     pub body: usize,
@@ -54,10 +54,10 @@ pub struct Surrogate {
     pub lambda_c: Option<Length>,
 }
 
-/// Cut-offs λs of unknown values: that of a fine stylus to that of a coarse one.
+/// Range of the cut-off λs of values without one, from a fine to a coarse stylus.
 pub const LAMBDA_S: [Length; 2] = [Length::from_si(2.5e-6), Length::from_si(25e-6)];
 
-/// Seeds far from those of other profiles.
+/// First seed; other profiles of the project have small ones.
 const FIRST_SEED: u64 = 0x5EED_0000;
 
 impl Surrogate {
@@ -68,7 +68,7 @@ impl Surrogate {
     /// ```
     ///
     /// # Errors
-    /// When a length is not positive, the number is not below that of all, or the profile cannot be filtered.
+    /// When a length is not positive, the number is not below the count, or the profile cannot be filtered.
     ///
     /// ```
     /// use asperity_core::quantity::Length;
@@ -135,7 +135,7 @@ impl Surrogate {
         Ok((profile, parameters))
     }
 
-    /// The cut-off λs that is stated, or that of this number.
+    /// The stated cut-off λs, or the cut-off of this number.
     #[must_use]
     pub fn lambda_s(&self) -> Length {
         let [low, high] = LAMBDA_S.map(Length::si);
