@@ -1,6 +1,6 @@
 //! Flanks known by roughness values: surrogates with these values, and what their contact loses.
 
-#![allow(clippy::unwrap_used, reason = "tests may panic")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests may panic")]
 
 use std::path::PathBuf;
 
