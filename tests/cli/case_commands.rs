@@ -241,7 +241,14 @@ fn a_flank_known_by_ra_or_rz_alone_runs_and_lists_what_follows() {
             with_line("pinion", &format!("pinion = {given}")),
         );
         let said = bench
-            .run(&["run", "case.toml", "--no-output", "--explain-defaults"])
+            .run(&[
+                "run",
+                "case.toml",
+                "--no-output",
+                "--explain-defaults",
+                "--set",
+                "model.load_share=lambda-star",
+            ])
             .well();
         assert!(said.out.contains(follows), "{}", said.out);
     }

@@ -335,6 +335,8 @@ fn a_full_film_off_its_formulas_is_told() {
             "--set",
             "model.full_film=ehl",
             "--set",
+            "model.load_share=lambda-star",
+            "--set",
             &film,
         ];
         bench.run(&options).well().out

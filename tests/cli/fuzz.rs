@@ -240,7 +240,7 @@ fn wild_case() -> impl Strategy<Value = String> {
              [lubricant]\nviscosity = {{ law = \"astm-d341\", at_40 = {}, at_100 = {} }}\n\
              density = \"850 kg/m3\"\nbase_oil = \"mineral\"\n\
              [surface]\npinion = {{ rq = {}, rpk = {}, asperity_radius = {} }}\n\
-             [model]\nfriction = \"{law}\"\npositions = 5\n",
+             [model]\nload_share = \"lambda-star\"\nfriction = \"{law}\"\npositions = 5\n",
             g.0, g.1, g.2, g.3, g.4, o.0, o.1, o.2, oil.0, oil.1, s.0, s.1, s.2
         )
     })

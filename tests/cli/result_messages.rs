@@ -120,8 +120,15 @@ fn the_paper_and_the_contact_alone_need_a_trace() {
     let says = ["two measured profiles", "Give surface.pinion.file"];
     run_is_refused(&bench, &["--formulation", "paper"], 4, "E303", &says);
     bench
-        .run(&["contact", "case.toml"])
+        .run(&[
+            "contact",
+            "case.toml",
+            "--set",
+            "model.load_share=lambda-star",
+        ])
         .refused(4, "E303", &says);
+    // Where the contact is solved, the surrogates of the first pair are pressed.
+    bench.run(&["contact", "case.toml"]).well();
 }
 
 #[test]
@@ -340,13 +347,26 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
     let values = bench_with("pinion", "pinion = { rq = \"0.3 um\" }");
     warns(
         &values,
-        &[],
+        &["--set", "model.load_share=zhu-hu"],
         "W408",
+        &["roughness values", "without rpk and asperity_radius"],
+    );
+    warns(
+        &values,
+        &[],
+        "W438",
         &[
-            "roughness values",
-            "so \"lambda-star\" replaces it",
-            "without rpk and asperity_radius",
+            "pinion: no trace was measured",
+            "12 surrogates (ground) have the stated Rq",
+            "state surface.noise_cutoff",
         ],
+    );
+    let open = bench_with("pinion", "pinion = { ra = \"0.1 um\" }");
+    warns(
+        &open,
+        &[],
+        "W437",
+        &["may be ground or superfinished", "State surface.finish"],
     );
 }
 

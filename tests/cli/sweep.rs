@@ -35,7 +35,7 @@ vary."gears.profile_shift.0" = { triangular = [-0.02, 0.0, 40.0] }
 vary."lubricant.viscosity.at_100" = { normal = ["5.9 mm2/s", "0.15 mm2/s"] }
 "#;
 
-/// Cheap cases: one flank known by a value, so that no contact is solved.
+/// Cheap cases: flanks known by a value and a formula of the load share, so that no contact is solved.
 const QUICK: &str = r#"case = "quick.toml"
 columns = ["loss_w"]
 
@@ -55,7 +55,8 @@ fn quick() -> Bench {
         .replace(
             "wheel = { file = \"wheel.csv\", mirrored = true }",
             "wheel = { rq = \"0.3 um\" }",
-        );
+        )
+        .replace("[model]", "[model]\nload_share = \"lambda-star\"");
     bench.write("quick.toml", case);
     bench
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity::Run;
 use asperity::case::{LoadedCase, load_with};
 use asperity::pipeline::KeptFields;
-use asperity::result::loss_band::{LossBand, SamplingPart, Trust};
+use asperity::result::loss_band::{LossBand, Trust};
 use asperity::uncertainty::difference;
 
 const KEPT: KeptFields = KeptFields::Highest;
@@ -133,7 +133,7 @@ fn every_parameter_that_rubs_more_loses_more() {
 }
 
 #[test]
-fn flanks_known_by_their_ra_get_an_answer_of_low_trust() {
+fn flanks_known_by_their_ra_get_an_answer_on_surrogates() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
     let case = load_with(&file, &|input| {
         input.surface.pinion = asperity::case::FlankInput {
@@ -141,12 +141,11 @@ fn flanks_known_by_their_ra_get_an_answer_of_low_trust() {
             ..Default::default()
         };
         input.surface.wheel = None;
-        input.model.positions = Some(6);
+        (input.model.positions, input.model.offsets) = (Some(6), Some(2));
     })
     .unwrap();
     let band = band(&case);
-    assert_eq!(band.trust, Trust::RoughnessValues);
-    assert!(matches!(band.sampling, SamplingPart::None(_)));
+    assert_eq!(band.trust, Trust::Surrogates);
     assert!(band.half_width_w() > 0.0);
     let text = asperity_report::summary(
         &Run::new(&case)
@@ -156,7 +155,7 @@ fn flanks_known_by_their_ra_get_an_answer_of_low_trust() {
             .unwrap()
             .result,
     );
-    assert!(text.contains("trust  low"), "{text}");
+    assert!(text.contains("surrogate"), "{text}");
 }
 
 #[test]

@@ -79,5 +79,12 @@ pub fn petry_johnson() -> CaseText {
     };
     let file =
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/measured/petry-johnson.toml");
-    CaseText::new(&std::fs::read_to_string(file).unwrap()).with("model", model)
+    let case = CaseText::new(&std::fs::read_to_string(file).unwrap()).with("model", model);
+    // Peaks for Lambda*, which are not printed.
+    let peaks = [("rpk", "10 nm"), ("asperity_radius", "0.1 mm")];
+    ["pinion", "wheel"].iter().fold(case, |case, flank| {
+        peaks.iter().fold(case, |case, (key, value)| {
+            case.with(&format!("surface.{flank}.{key}"), *value)
+        })
+    })
 }

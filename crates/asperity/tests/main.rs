@@ -9,3 +9,4 @@ mod records;
 mod rows;
 mod run_in;
 mod several_traces;
+mod surrogates;

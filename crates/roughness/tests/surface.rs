@@ -8,7 +8,7 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_roughness::autocorrelation::{autocorrelation, lengths};
 use asperity_roughness::generate::{
-    Achieved, Amplitudes, Generated, PlateauHoned, Recipe, SelfAffine, Surface,
+    Achieved, Amplitudes, Finish, Generated, PlateauHoned, Recipe, SelfAffine, Surface, Surrogate,
 };
 use asperity_roughness::hurst::hurst_fit;
 use asperity_roughness::involute::{Involute, heights, remove};
@@ -273,4 +273,83 @@ fn a_recipe_reads_from_text_and_returns_what_it_achieved() {
     assert_eq!(achieved, Achieved::of(&profile));
     assert!(achieved.rt.si() > 3e-6 && achieved.rsk.unwrap() < -1.0);
     assert_eq!(recipe.generate().unwrap().profile, profile);
+}
+
+fn surrogate(finish: Finish, number: usize, body: usize) -> Surrogate {
+    Surrogate {
+        finish,
+        number: [number, 12],
+        body,
+        length: length(3e-3),
+        spacing: length(0.5e-6),
+        lambda_s: Some(length(2.5e-6)),
+        lambda_c: Some(length(0.25e-3)),
+    }
+}
+
+#[test]
+fn ground_surrogates_are_superfinished_ones_with_grooves() {
+    for number in [0, 7] {
+        let of = |finish| surrogate(finish, number, 0).generate().unwrap().0;
+        let (ground, fine) = (of(Finish::Ground), of(Finish::Superfinished));
+        let grooves = ground.heights().iter().zip(fine.heights());
+        let grooves = grooves.map(|(z, background)| z - background).collect();
+        let grooves = Achieved::of(&Profile::new(ground.spacing(), grooves).unwrap());
+        let ratio = grooves.rq / Achieved::of(&fine).rq;
+        // The filter takes its part of both.
+        assert!(ratio > 0.4 && ratio < 4.0, "{ratio}");
+        // Cusps stand up between the grooves.
+        assert!(grooves.rsk.unwrap() > 0.5, "{grooves:?}");
+    }
+}
+
+#[test]
+fn shapes_of_surrogates_fill_their_ranges() {
+    let free = |number| Surrogate {
+        lambda_s: None,
+        ..surrogate(Finish::Ground, number, 0)
+    };
+    let third = |k: usize| {
+        let place = (free(k).lambda_s() / length(2.5e-6)).log10();
+        assert!((0.0..1.0).contains(&place), "{place}");
+        (3.0 * place) as usize
+    };
+    let thirds: Vec<usize> = (0..12).map(third).collect();
+    for part in 0..3 {
+        assert_eq!(thirds.iter().filter(|third| **third == part).count(), 4);
+    }
+    // The first is in the middle of the range.
+    assert_eq!(thirds[0], 1);
+    let ratios: Vec<f64> = (0..12)
+        .map(|k| {
+            let (_, found) = surrogate(Finish::Ground, k, 0).generate().unwrap();
+            found.material.rpk / found.heights.ra
+        })
+        .collect();
+    let (low, high) = asperity_core::numerics::extremes(&ratios);
+    assert!(high > 1.3 * low, "{ratios:?}");
+}
+
+#[test]
+fn a_surrogate_is_always_the_same_and_the_flanks_of_a_pair_differ() {
+    let pinion = surrogate(Finish::Ground, 3, 0).generate().unwrap();
+    assert_eq!(pinion, surrogate(Finish::Ground, 3, 0).generate().unwrap());
+    let wheel = surrogate(Finish::Ground, 3, 1).generate().unwrap().0;
+    let product = |a: &Profile, b: &Profile| -> f64 {
+        let pairs = a.heights().iter().zip(b.heights());
+        pairs.map(|(a, b)| a * b).sum()
+    };
+    let correlation = product(&pinion.0, &wheel)
+        / (product(&pinion.0, &pinion.0) * product(&wheel, &wheel)).sqrt();
+    assert!(correlation.abs() < 0.2, "{correlation}");
+}
+
+#[test]
+fn an_impossible_surrogate_is_refused() {
+    let none = Surrogate {
+        spacing: length(0.0),
+        ..surrogate(Finish::Ground, 0, 0)
+    };
+    assert!(none.generate().is_err());
+    assert!(surrogate(Finish::Ground, 12, 0).generate().is_err());
 }

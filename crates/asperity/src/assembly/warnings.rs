@@ -484,7 +484,11 @@ fn roughness(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut 
                 .iter()
                 .all(|offset| offset.lambda_star.is_some())
         });
-        found.push(Warning::new("W408", values_alone(loaded, known)));
+        found.push(Warning::new("W408", values_alone(known)));
+        return;
+    }
+    if loaded.surfaces.is_surrogate() {
+        // W438 reports them, and there is no trace to improve.
         return;
     }
     let mixed = |offset: &&LubricatedWindow| offset.regime == Regime::Mixed;
@@ -522,23 +526,14 @@ fn roughness(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut 
     covered(loaded, positions, found);
 }
 
-/// Text of W408: the law that replaces one that needs the rough contact, and the film ratio used.
-fn values_alone(loaded: &LoadedCase, lambda_star_known: bool) -> String {
-    let named = loaded.case.model.load_share;
-    let own = loaded.case.laws.load_share.is_some();
-    let law = match named.supply() {
-        Some(_) if !own => format!(
-            "load_share = \"{}\" needs the traces of both, so \"lambda-star\" replaces it and all asperity load rubs with the boundary coefficient",
-            named.name()
-        ),
-        _ => "the load share follows from the film ratio".to_owned(),
-    };
+/// Text of W408: the film ratio from which the load share follows.
+fn values_alone(lambda_star_known: bool) -> String {
     let ratio = match lambda_star_known {
         true => "Lambda*",
         false => "without rpk and asperity_radius the classical film ratio",
     };
     format!(
-        "a flank is given by roughness values alone, so the rough contact was not computed: {law}; {ratio} decides"
+        "a flank is given by roughness values only, so the rough contact was not computed: the load share follows from the film ratio, {ratio}"
     )
 }
 

@@ -174,6 +174,18 @@ pub enum CaseError {
         /// The folder that was searched; `None` for a case without files.
         folder: Option<String>,
     },
+    /// A finish of which no surrogates can be generated.
+    #[error(
+        "{place}: {key} = \"{finish}\": only ground and superfinished have a recipe of surrogates; give the trace of the flank"
+    )]
+    NoRecipe {
+        /// Place in the case file.
+        place: Place,
+        /// The key, with its table.
+        key: Cow<'static, str>,
+        /// Name of the finish.
+        finish: &'static str,
+    },
     /// A part of the gearbox with impossible numbers.
     #[error("{place}: {key}: {part}: {source}")]
     GearboxPart {
@@ -275,6 +287,7 @@ impl CaseError {
             Self::NoTraces { .. } => "E137",
             Self::LossTable { .. } => "E138",
             Self::GearboxPart { .. } => "E222",
+            Self::NoRecipe { .. } => "E223",
             Self::Profile { source, .. } => source.code(),
             Self::Preparation { .. } => "E120",
         }
@@ -316,6 +329,7 @@ impl CaseError {
             | Self::NoTraces { place, .. }
             | Self::LossTable { place, .. }
             | Self::GearboxPart { place, .. }
+            | Self::NoRecipe { place, .. }
             | Self::Profile { place, .. } => Some(place),
             Self::Open { .. }
             | Self::Folder { .. }

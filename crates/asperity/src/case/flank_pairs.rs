@@ -83,7 +83,7 @@ impl Meeting<'_> {
             middles.iter().map(zone).collect()
         };
         PairsOfTeeth {
-            teeth,
+            teeth: Some(teeth),
             met: (0..teeth[0] * teeth[1]).map(of_pair).collect(),
         }
     }
@@ -122,7 +122,8 @@ pub(super) fn on_common_spacing(
         Texture::Values { .. } => None,
     };
     let first_of = |flanks: &[Flank]| flanks.iter().find_map(spacing);
-    let (Some(a), Some(b)) = (first_of(&flanks[0]), first_of(&flanks[1])) else {
+    let [pinion, wheel] = [first_of(&flanks[0]), first_of(&flanks[1])];
+    let (Some(a), Some(b)) = (pinion.or(wheel), wheel.or(pinion)) else {
         return Ok(());
     };
     let all = flanks.iter().flatten().filter_map(spacing);

@@ -289,6 +289,7 @@ fn trace(
         preparation: Some(prepared.record),
         parameters: Some(parameters),
         reading: read.reading,
+        surrogates: None,
         roll_lengths: placed.map(|placed| placed.roll_lengths(&prepared.profile)),
     };
     Ok(Flank {
@@ -456,6 +457,7 @@ fn read_options(input: &FlankInput) -> ReadOptions {
         mirrored: _,
         from: _,
         at: _,
+        finish: _,
         rq: _,
         ra: _,
         rz: _,

@@ -16,6 +16,7 @@ use super::model::Formulation;
 use super::resolve::Case;
 use super::section::domain;
 use super::source::Source;
+use super::surrogates::{Surrogates, surrogates};
 use crate::flanks::surfaces::{FlankReport, Surfaces};
 use crate::flanks::trace_pairs::{SampledFlanks, SampledTrace};
 use crate::message::Warning;
@@ -91,7 +92,19 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
             flanks[body].push(flank(trace, &keys[body], context, &mut warnings)?);
         }
     }
+    on_common_spacing(&mut flanks, &mut warnings)?;
+    let inputs = [0, 1].map(|body: usize| (&lists[body][0].input, &keys[body]));
+    let surrogates = surrogates(context, inputs, &flanks, &mut warnings)?;
     let mut assumed: Vec<DefaultUsed> = Vec::new();
+    if let Some(surrogates) = &surrogates {
+        for (flanks, record) in flanks.iter_mut().zip(&surrogates.records) {
+            if let (Some(flank), Some(_)) = (flanks.first_mut(), record) {
+                flank.report.surrogates.clone_from(record);
+                flank.assumed.clear();
+            }
+        }
+        assumed.clone_from(&surrogates.assumed);
+    }
     let stated = if own_wheel.is_some() { 2 } else { 1 };
     for default in flanks[..stated]
         .iter_mut()
@@ -113,7 +126,6 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
         let mut seen = std::collections::BTreeSet::new();
         warnings.retain(|warning| seen.insert(warning.to_string()));
     }
-    on_common_spacing(&mut flanks, &mut warnings)?;
     let is_placed = all_placed(&flanks, &mut warnings);
     let width = case.gears.face_width;
     let zones = flank_sample::zones([&lists[0], &lists[1]], width);
@@ -123,9 +135,10 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
         flanks: &flanks,
         is_placed,
     };
-    let surfaces = match is_several {
-        false => meeting.surfaces([0, 0]),
-        true => {
+    let surfaces = match (surrogates, is_several) {
+        (Some(Surrogates { surfaces, .. }), _) => surfaces,
+        (None, false) => meeting.surfaces([0, 0]),
+        (None, true) => {
             let pairs = meeting.pairs(&lists, teeth, (&zones, width));
             Surfaces::of_pairs(pairs).unwrap_or_else(|| meeting.surfaces([0, 0]))
         }

@@ -22,6 +22,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bulk_input::BulkInput;
 use super::calibration::CalibrationInput;
+use super::finish::FinishName;
 use super::flank_place::{FlankPlaceInput, TraceStart};
 use super::gear_input::{EndReliefInput, GearFlankInput};
 use super::gearbox_input::GearboxInput;
@@ -222,13 +223,17 @@ pub struct SurfaceInput {
     pub pinion: FlankInput,
     /// Trace of the wheel's flank; default: the pinion's trace, mirrored.
     pub wheel: Option<FlankInput>,
+    /// Finish of flanks without a file: `ground` or `superfinished`; default by Ra, `ground` above 0.15 um and
+    /// `superfinished` below 0.08 um, half of the surrogates each between.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub finish: Option<FinishName>,
     /// Form removed from each trace; default `level` (a straight line).
     pub form: Option<Form>,
     /// Cut-off λc that separates waviness from roughness; default as the file states, else 0.25 mm, usual on
     /// gear flanks; "0 mm" keeps the waviness.
     pub cutoff: Option<Length>,
     /// Cut-off λs below which detail counts as noise; default as the file states, else 2.5 um; "0 um" for
-    /// none.
+    /// none. State the cut-off of the instrument next to Ra of a flank without a file: else 2.5 to 25 um is assumed.
     pub noise_cutoff: Option<Length>,
     /// Treatment of the ends of a trace in filtering; default `cut`.
     pub ends: Option<Ends>,
@@ -261,7 +266,7 @@ pub(super) enum Side {
 }
 
 table! {
-    /// One flank: a file with its trace, or roughness values alone.
+    /// One flank: a file with its trace, or only roughness values.
     #[derive(Default)]
     FlankInput;
 
@@ -310,16 +315,21 @@ table! {
     base_radius: Option<Length>;
     /// Unevenly spaced positions: `refuse` (default) or `resample`.
     uneven: Option<Uneven>;
-    /// Rq of a flank without a file; the rough contact is then not computed.
+    /// Finish of a flank without a file: `ground` or `superfinished`; default `surface.finish`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    finish: Option<FinishName>;
+    /// Rq of a flank without a file. Surrogate flanks of its finish with the stated values are generated and solved,
+    /// unless a law of `model.load_share` takes the values themselves.
     rq: Option<Length> = "um" usual [0.01, 5.0] possible [0.0, 200.0];
-    /// Ra of a flank without a file; default Rq·√(2/π), as for a Gaussian surface. If given alone, Rq follows
-    /// from it.
+    /// Ra of a flank without a file, to which its surrogates are scaled; for a law that takes the values, Rq·√(2/π) by
+    /// default.
     ra: Option<Length> = "um" usual [0.01, 4.0] possible [0.0, 200.0];
-    /// Rz of a flank without a file; default 6·Rq. If given alone, Rq follows from it.
+    /// Rz of a flank without a file; next to Ra it selects the surrogates with the nearest Rz/Ra. For a law that takes
+    /// the values, 6·Rq by default.
     rz: Option<Length> = "um" usual [0.05, 40.0] possible [0.0, 2000.0];
-    /// Rpk of a flank without a file.
+    /// Rpk of a flank without a file; next to Ra it selects the surrogates with the nearest Rpk/Ra.
     rpk: Option<Length> = "um" usual [0.005, 10.0] possible [0.0, 500.0];
-    /// Mean tip radius of the asperities of a flank without a file.
+    /// Mean tip radius of the asperities of a flank without a file, for `load_share = "lambda-star"`.
     asperity_radius: Option<Length> = "um" usual [0.5, 10_000.0] possible [1e-3, 1e7];
 }
 
@@ -341,6 +351,7 @@ impl FlankInput {
         Self {
             file: Some(file.to_owned()),
             traces: None,
+            finish: None,
             rq: None,
             ra: None,
             rz: None,

@@ -24,6 +24,7 @@ use super::plausibility::{of_files, unusual};
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
 use super::source::Source;
+use super::surrogates::solves_contact;
 use crate::error::Error;
 use crate::fingerprint::Fingerprint;
 use crate::flanks::surfaces::{FlankReport, Surfaces};
@@ -258,6 +259,16 @@ impl LoadedCase {
         self.changed_to(input)
     }
 
+    /// The case on its first pair of traces, where several teeth or surrogates are in contact.
+    #[must_use]
+    pub fn first_pair(&self) -> Self {
+        Self {
+            surfaces: self.surfaces.first_pair(),
+            sampled: None,
+            ..self.clone()
+        }
+    }
+
     /// The case with further traces in memory, under names that [`Self::with`] can state as files.
     #[must_use]
     pub fn holding(&self, traces: &[(PathBuf, Profile)]) -> Self {
@@ -403,7 +414,7 @@ pub(super) fn complete(
         provenance: of_flanks,
         sums: flank_sums,
     } = match before {
-        Some(before) if same_flanks(&before.case, &case, before.is_placed()) => Flanks {
+        Some(before) if same_flanks(before, &case) => Flanks {
             surfaces: before.surfaces.clone(),
             reports: before.flanks.clone(),
             sampled: before.sampled.clone(),
@@ -420,7 +431,7 @@ pub(super) fn complete(
     let is_default = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
     case.defaults.retain(is_default);
     case.defaults.extend(assumed.iter().cloned());
-    if case.model.run_in && !surfaces.are_measured() {
+    if case.model.run_in && (!surfaces.are_measured() || surfaces.is_surrogate()) {
         let section = Section::of(source, "model");
         return Err(section.conflict("run_in", "needs the traces of both flanks"));
     }
@@ -433,7 +444,7 @@ pub(super) fn complete(
             check_load_of(&case, source)?;
         }
     }
-    if surfaces.teeth().is_some() {
+    if surfaces.teeth().is_some() || surfaces.is_surrogate() {
         refuse_several(&case, source)?;
     }
     let mut warnings = warnings;
@@ -494,13 +505,16 @@ fn check_load_of(case: &Case, source: &Source) -> Result<(), CaseError> {
 }
 
 /// Whether the same flanks carry the load in both cases, prepared alike.
-fn same_flanks(before: &Case, case: &Case, is_placed: bool) -> bool {
+fn same_flanks(loaded: &LoadedCase, case: &Case) -> bool {
+    let before = &loaded.case;
     let (old, new) = (&before.input.surface, &case.input.surface);
     let shortest = |case| shortest_form(case).ok().flatten();
     let forms = [shortest(before), shortest(case)];
-    // Place and form of a trace depend on the gears.
-    let is_of_gears = is_placed || forms != [None, None];
+    // Place and form of a trace and the length of a surrogate depend on the gears.
+    let is_of_gears = loaded.is_placed() || loaded.surfaces.is_surrogate() || forms != [None, None];
     old == new
+        // Flanks without a trace are surrogates only where their contact is solved.
+        && solves_contact(before) == solves_contact(case)
         && old.loaded(before.torque).2 == new.loaded(case.torque).2
         && (!is_of_gears || before.input.gears == case.input.gears)
         && forms[0] == forms[1]

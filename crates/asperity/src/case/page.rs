@@ -14,7 +14,7 @@ const SHORTEST: &str = r#"
 gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" }
 operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
 lubricant = { oil = "m100" }
-surface = { pinion = { rq = "0.3 um" } }
+surface = { pinion = { file = "flank", dx = "0.5 um", z_unit = "um" } }
 "#;
 
 const HEAD: &str = "\
@@ -65,9 +65,10 @@ struct Key {
 /// # Ok::<(), asperity::Error>(())
 /// ```
 pub fn markdown() -> Result<String, Error> {
-    let shortest = from_text("case.toml", SHORTEST, &|_| {
-        Err(std::io::ErrorKind::NotFound.into())
-    })?;
+    let flank: String = (0..4000)
+        .map(|i| format!("{:.4}\n", (0.3 * f64::from(i)).sin()))
+        .collect();
+    let shortest = from_text("case.toml", SHORTEST, &|_| Ok(flank.clone().into_bytes()))?;
     let defaults: BTreeMap<&str, &str> = shortest
         .case
         .defaults

@@ -22,6 +22,7 @@ use super::check::{completed, readable};
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
 use super::files::Files;
+use super::finish::FinishName;
 use super::gear_input::GearFlankInput;
 use super::input::{
     BodyInput, CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput, SurfaceInput,
@@ -118,6 +119,9 @@ pub struct PlanetarySurfaceInput {
     pub planet: Option<FlankInput>,
     /// Trace of the ring's flank; default: the planet's trace, mirrored.
     pub ring: Option<FlankInput>,
+    /// Finish of flanks without a file; default by Ra.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub finish: Option<FinishName>,
     /// Form removed from each trace; default `level` (a straight line).
     pub form: Option<Form>,
     /// Cut-off λc; default as the file states, else 0.25 mm.
@@ -524,6 +528,7 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
         surface: SurfaceInput {
             pinion: traces[i].clone().unwrap_or_else(|| surface.sun.clone()),
             wheel: traces[j].clone(),
+            finish: surface.finish,
             form: surface.form,
             cutoff: surface.cutoff,
             noise_cutoff: surface.noise_cutoff,

@@ -255,6 +255,7 @@ fn preparation(
         outliers,
         pinion: _,
         wheel: _,
+        finish: _,
         coast: _,
     } = &input.surface;
     let section = Section::of(source, "surface");

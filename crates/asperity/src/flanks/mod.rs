@@ -4,6 +4,7 @@ pub mod flank_form;
 pub mod local_roughness;
 pub mod placement;
 pub mod surfaces;
+pub mod surrogate_record;
 pub mod trace_pairs;
 mod window_pair;
 

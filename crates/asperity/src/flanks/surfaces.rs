@@ -15,6 +15,7 @@ use crate::error::PositionError;
 use crate::flanks::flank_form::FlankForm;
 use crate::flanks::local_roughness::{Roughness, peaks};
 use crate::flanks::placement::Placement;
+use crate::flanks::surrogate_record::SurrogateRecord;
 use crate::mesh::MeshPosition;
 use asperity_mixed_film::AttenuatedTraces;
 use asperity_mixed_film::TraceSpectra;
@@ -54,11 +55,11 @@ impl PartialEq for Surfaces {
     }
 }
 
-/// All pairs of several teeth, of which traces were measured.
+/// All pairs of several teeth, of which traces were measured, or pairs of surrogates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairsOfTeeth {
-    /// Teeth of pinion and wheel.
-    pub teeth: [usize; 2],
+    /// Teeth of pinion and wheel; `None` of surrogates, each of which is in one pair.
+    pub teeth: Option<[usize; 2]>,
     /// The traces in contact in each zone of the face, pair by pair: a tooth of the pinion on all of the wheel,
     /// then those of the next.
     pub met: Vec<Vec<Surfaces>>,
@@ -133,7 +134,24 @@ impl Surfaces {
     /// Teeth of pinion and wheel with measured traces; `None` with one trace for each flank.
     #[must_use]
     pub fn teeth(&self) -> Option<[usize; 2]> {
-        self.sample.as_ref().map(|sample| sample.teeth)
+        self.sample.as_ref().and_then(|sample| sample.teeth)
+    }
+
+    /// Whether a flank has no trace, so that the pairs are of surrogates.
+    #[must_use]
+    pub fn is_surrogate(&self) -> bool {
+        self.sample
+            .as_ref()
+            .is_some_and(|sample| sample.teeth.is_none())
+    }
+
+    /// Only the first pair, in the first zone of the face.
+    #[must_use]
+    pub fn first_pair(&self) -> Self {
+        Self {
+            sample: None,
+            ..self.clone()
+        }
     }
 
     /// Teeth of pinion and wheel, if there are several pairs: their losses have an error of the mean.
@@ -142,7 +160,7 @@ impl Surfaces {
         self.teeth().filter(|teeth| *teeth != [1, 1])
     }
 
-    /// Pairs of teeth.
+    /// Pairs of teeth, or of surrogates.
     #[must_use]
     pub fn pairs(&self) -> usize {
         self.sample.as_ref().map_or(1, |sample| sample.met.len())
@@ -157,7 +175,7 @@ impl Surfaces {
     }
 
     /// The traces of every pair in every zone of the face.
-    pub(crate) fn each(&self) -> impl Iterator<Item = &Self> {
+    pub fn each(&self) -> impl Iterator<Item = &Self> {
         let sampled = self
             .sample
             .iter()
@@ -350,7 +368,7 @@ impl Surfaces {
         Arc::ptr_eq(&self.textures, &other.textures) || self.textures == other.textures
     }
 
-    /// Whether both flanks were measured.
+    /// Whether both flanks have traces, measured ones or those of surrogates.
     pub fn are_measured(&self) -> bool {
         self.textures
             .iter()
@@ -481,6 +499,9 @@ pub struct FlankReport {
     /// Form of the flank, where the relief of its gear is taken from the trace.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub form: Option<FlankForm>,
+    /// The surrogates of a flank without a trace.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surrogates: Option<SurrogateRecord>,
     /// Roll lengths of the first and the last point of the prepared trace, where its place on the flank is known.
     #[serde(skip)]
     pub roll_lengths: Option<[Length; 2]>,

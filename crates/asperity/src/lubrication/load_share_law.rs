@@ -181,7 +181,7 @@ impl LoadShare for LoadShareName {
         *self == Self::Ehl
     }
 
-    /// If the rough contact is not known, `solved`, `jgp` and `ehl` fall back on `lambda-star`.
+    /// In light cells whose contact the traces do not resolve, `solved`, `jgp` and `ehl` fall back on `lambda-star`.
     fn share(&self, conditions: &ShareConditions<'_>) -> Result<SharedLoad, PositionError> {
         match (self, conditions.solved) {
             (Self::Solved, Some(solved)) => Ok(SharedLoad {

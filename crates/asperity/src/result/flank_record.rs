@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::flanks::flank_form::FlankForm;
 use crate::flanks::surfaces::FlankReport;
+use crate::flanks::surrogate_record::SurrogateRecord;
 
 /// One flank of a result.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -31,6 +32,9 @@ pub struct FlankRecord {
     pub preparation: Option<PreparationRecord>,
     /// Parameters of the prepared trace.
     pub parameters: Option<Parameters>,
+    /// The surrogates of a flank without a trace.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub surrogates: Option<SurrogateRecord>,
     /// Roll lengths of the first and the last point of the prepared trace \[mm\], where its place on the flank is
     /// known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -135,6 +139,7 @@ impl From<&FlankReport> for FlankRecord {
             outliers: flank.outliers.clone(),
             preparation: flank.preparation.clone(),
             parameters: flank.parameters.clone(),
+            surrogates: flank.surrogates.clone(),
             roll_lengths_mm: flank
                 .roll_lengths
                 .map(|ends| ends.map(|end| end.si() * 1e3)),

@@ -192,7 +192,9 @@ pub enum Trust {
     SolvedContact,
     /// A formula shares the load between film and asperities.
     ShareFormula,
-    /// A flank is known only by roughness values: the lowest trust.
+    /// A flank has no trace, and the contact was solved on surrogates with its roughness values.
+    Surrogates,
+    /// A flank is known only by roughness values, from which a formula shares the load: the lowest trust.
     RoughnessValues,
 }
 
@@ -211,6 +213,9 @@ impl Trust {
         match self {
             Self::SolvedContact => "both traces measured, their contact solved",
             Self::ShareFormula => "lower: a formula shares the load between film and asperities",
+            Self::Surrogates => {
+                "from roughness values, contact solved on surrogate flanks: no trace was measured"
+            }
             Self::RoughnessValues => {
                 "low: a flank is known by roughness values alone, no contact was solved"
             }

@@ -126,7 +126,7 @@ def _inline(value: Any) -> str:
     return json.dumps(value, ensure_ascii=False)
 
 
-_OF_VALUES = ("rq", "ra", "rz", "rpk", "asperity_radius")
+_OF_VALUES = ("finish", "rq", "ra", "rz", "rpk", "asperity_radius")
 
 
 def changes(

@@ -22,7 +22,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
         .flatten()
         .collect();
     if drawings.is_empty() {
-        return html! { p { "The flanks are given only by roughness values: there are no traces." } };
+        return html! { p { "The flanks are given only by roughness values: no trace was measured." } };
     }
     html! {
         @if let Some(pairs) = &result.pairs { (super::pairs::traces(pairs)) }

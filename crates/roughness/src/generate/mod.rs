@@ -14,6 +14,7 @@ mod random;
 mod recipe;
 mod scaling;
 mod self_affine;
+mod surrogate;
 
 pub use achieved::{Achieved, Generated};
 pub use damage::{Pits, Scratches};
@@ -23,3 +24,4 @@ pub use plateau::{PlateauHoned, lower_envelope, truncated};
 pub use pores::Pores;
 pub use recipe::{Recipe, Surface};
 pub use self_affine::{Amplitudes, SelfAffine};
+pub use surrogate::{Finish, LAMBDA_S, Surrogate};
