@@ -50,10 +50,10 @@ fn map(bench: &Bench, folder: &str, more: &[&str]) {
 }
 
 #[test]
-fn bands_of_a_map_are_those_of_runs() {
+fn quantiles_at_the_nodes_of_a_map_are_those_of_runs() {
     let bench = bench(E_DRIVE);
     let axes = [
-        "--torque=0.5,20,50,80,100",
+        "--torque=-50,0.5,20,50,80,100",
         "--speed=500,4000,9000,12000",
         "--set",
         "model.load_share=lambda-star",
@@ -61,20 +61,18 @@ fn bands_of_a_map_are_those_of_runs() {
     let of = |folder: &str, more: &[&str]| {
         let arguments = [&["map", "case.toml", "-o", folder][..], &axes, more].concat();
         let said = bench.run(&arguments).well().out;
-        let rows = table(&bench, &format!("{folder}/map.csv"));
-        let banded = rows
-            .into_iter()
-            .filter(|row| !row["loss_torque_q05_nm"].is_empty());
-        (said, banded.collect::<Vec<_>>())
+        (said, table(&bench, &format!("{folder}/map.csv")))
     };
-    let (said, nodes) = of("m", &[]);
-    assert!(said.contains("sampling at 9 points"), "{said}");
-    let torques: Vec<f64> = nodes.iter().map(|row| number(row, "torque_nm")).collect();
-    assert_eq!(
-        torques,
-        [20.0, 20.0, 20.0, 50.0, 50.0, 50.0, 100.0, 100.0, 100.0]
-    );
-    let row = &nodes[4];
+    let (said, rows) = of("m", &[]);
+    assert!(said.contains("5 and 95 % quantiles"), "{said}");
+    let at = |torque: f64, speed: f64| {
+        let is = |row: &&BTreeMap<String, String>| {
+            number(row, "torque_nm") == torque && number(row, "speed_rpm") == speed
+        };
+        rows.iter().find(is).unwrap()
+    };
+    let columns = ["loss_median_w", "loss_p05_w", "loss_p95_w"];
+    let row = at(50.0, 4000.0);
     let run = bench.run(&[
         "run",
         "case.toml",
@@ -83,25 +81,38 @@ fn bands_of_a_map_are_those_of_runs() {
         "--set",
         "model.load_share=lambda-star",
         "--set",
-        &format!("operation.torque={} N m", row["torque_nm"]),
+        "operation.torque=50 N m",
         "--set",
-        &format!("operation.speed={} 1/min", row["speed_rpm"]),
+        "operation.speed=4000 1/min",
     ]);
-    let omega = number(row, "speed_rpm") * std::f64::consts::PI / 30.0;
-    let quantiles = &run.well().json()["band"]["quantiles_w"];
-    for (k, column) in ["loss_torque_q05_nm", "loss_torque_q95_nm"]
-        .iter()
-        .enumerate()
-    {
-        let there = quantiles[k].as_f64().unwrap() / omega;
+    let loss = &run.well().json()["uncertainty"]["loss"];
+    let there = [
+        &loss["median_w"],
+        &loss["quantiles_w"][0],
+        &loss["quantiles_w"][1],
+    ];
+    for (column, there) in columns.iter().zip(there) {
+        let (here, there) = (number(row, column), there.as_f64().unwrap());
         assert!(
-            (number(row, column) / there - 1.0).abs() < 1e-14,
-            "{column}"
+            (here / there - 1.0).abs() < 1e-12,
+            "{column}: {here} {there}"
         );
     }
-    let (_, all) = of("f", &["--band", "full"]);
-    assert_eq!(all.len(), 16);
-    assert!(of("n", &["--band", "none"]).1.is_empty());
+    for row in &rows {
+        let [median, low, high] = columns.map(|column| number(row, column));
+        match number(row, "speed_rpm") == 0.0 {
+            true => assert_eq!([median, low, high], [0.0; 3]),
+            false => assert!(0.0 < low && low < median && median < high, "{row:?}"),
+        }
+    }
+    // The same flanks carry the load at negative torque.
+    assert_eq!(
+        columns.map(|column| number(at(-50.0, 4000.0), column)),
+        columns.map(|column| number(row, column))
+    );
+    let (_, without) = of("n", &["--band", "none"]);
+    assert!(without.iter().all(|row| row["loss_median_w"].is_empty()));
+    assert_eq!(without[9]["loss_w"], rows[9]["loss_w"]);
 }
 
 #[test]
@@ -110,7 +121,7 @@ fn a_map_has_nodes_at_rest_and_its_points_are_those_of_runs() {
     map(&bench, "m", &[]);
     let text = fs::read_to_string(bench.path("m/map.csv")).unwrap();
     assert!(text.starts_with(
-        "torque_nm,speed_rpm,temperature_c,loss_w,loss_torque_nm,efficiency,efficiency_deviation,\
+        "torque_nm,speed_rpm,temperature_c,loss_w,loss_median_w,loss_p05_w,loss_p95_w,loss_torque_nm,efficiency,efficiency_deviation,\
          sliding_w,rolling_w,mu_equivalent,mixed_share,outside,code"
     ));
     let rows = table(&bench, "m/map.csv");

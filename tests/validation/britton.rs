@@ -7,7 +7,7 @@ use asperity::mixed_film::{
     AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
 };
 use asperity::oil::{BaseOil, FilmRheology, LubricantInput, ViscosityLaw};
-use asperity::uncertainty::{effective_windows, window_sampling};
+use asperity::uncertainty::independent_windows;
 use asperity_contact::SolverSettings;
 use asperity_core::Profile;
 use asperity_core::line_contact::LineContact;
@@ -108,7 +108,7 @@ impl Windows {
         }
         let free = flanks.iter().map(Profile::len).min().unwrap() - points;
         let free = Length::from_si(free as f64 * spacing.si());
-        let effective = effective_windows(WINDOWS, free, Length::from_si(half_width)).unwrap();
+        let effective = independent_windows(free, Length::from_si(half_width));
         Self {
             flanks,
             contacts,
@@ -156,10 +156,13 @@ fn friction(celsius: f64, windows: &Windows) -> (Estimate, f64) {
         film.share(table, rms).unwrap().value.coefficient
     });
     let coefficients: Vec<f64> = coefficients.collect();
-    let sampling = window_sampling(&coefficients, windows.effective).unwrap();
+    let value = coefficients.iter().sum::<f64>() / WINDOWS as f64;
+    let squares: f64 = coefficients.iter().map(|one| (one - value).powi(2)).sum();
+    // Windows of one trace scatter about the mean of the trace, which is itself off the mean of the flank.
+    let variance = squares / (WINDOWS as f64 - 1.0) / (1.0 - 1.0 / windows.effective);
     let found = Estimate {
-        value: coefficients.iter().sum::<f64>() / WINDOWS as f64,
-        standard_error: sampling.standard_error_w,
+        value,
+        standard_error: (variance / windows.effective).sqrt(),
     };
     (found, film.smooth_film().si() / windows.rq)
 }

@@ -96,8 +96,16 @@ fn compared() -> &'static [Compared] {
 fn solved(condition: &mixed_ehl_records::Condition) -> Estimate {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let loaded = condition.load(&workspace).unwrap();
-    let loaded = loaded.with_key("model.thermal", "none").unwrap();
-    let loaded = loaded.with_key("model.lay", "0").unwrap();
+    // As the records: isothermal, ridges across the face, no tip relief.
+    let keys = [
+        ("model.thermal", "none"),
+        ("model.lay", "0"),
+        ("gears.pinion.tip_relief", "none"),
+        ("gears.wheel.tip_relief", "none"),
+    ];
+    let loaded = keys.iter().fold(loaded, |loaded, (key, value)| {
+        loaded.with_key(key, value).unwrap()
+    });
     let settings = RefereeSettings {
         record: RecordSettings::default(),
         eyring_stress: None,

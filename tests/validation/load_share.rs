@@ -32,8 +32,14 @@ pub fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
 /// Few offsets, as the reference computation took.
 pub const FEW: [(&str, &str); 2] = [("model.positions", "16"), ("model.offsets", "4")];
 
-/// Boundary friction and lay of the reference computation.
-pub const REFERENCE: [(&str, &str); 2] = [("model.boundary_friction", "0.08"), ("model.lay", "0")];
+/// Boundary friction, lay, tip relief and load distribution of the reference computation.
+pub const REFERENCE: [(&str, &str); 5] = [
+    ("model.boundary_friction", "0.08"),
+    ("model.lay", "0"),
+    ("gears.pinion.tip_relief", "none"),
+    ("gears.wheel.tip_relief", "none"),
+    ("model.load_distribution", "mean-length"),
+];
 
 pub fn few(name: &str, keys: &[(&str, &str)]) -> Summary {
     summary(name, &[&FEW[..], keys].concat())
@@ -43,12 +49,7 @@ pub fn few(name: &str, keys: &[(&str, &str)]) -> Summary {
 fn the_shipped_drive_loses_what_the_reference_computation_has() {
     // 32 places weighted to 8, 4 offsets, mean length of the contact lines and another expansion of the oil
     // there: ground 569 W, superfinished 397 W.
-    let mean = [
-        ("model.load_distribution", "mean-length"),
-        REFERENCE[0],
-        REFERENCE[1],
-    ];
-    let (ground, fine) = (few("e-drive", &mean), few("e-drive-superfinished", &mean));
+    let [ground, fine] = ["e-drive", "e-drive-superfinished"].map(|name| few(name, &REFERENCE));
     assert_close("ground", ground.sliding_w, 569.0, 0.05);
     assert_close("superfinished", fine.sliding_w, 397.0, 0.02);
     let change = fine.loss_w / ground.loss_w - 1.0;
@@ -133,6 +134,8 @@ fn the_first_version_is_found_again_by_names() {
             ("model.film_friction", "xu"),
             ("model.boundary_friction", "0.1"),
             ("model.lay", "0"),
+            ("gears.pinion.tip_relief", "none"),
+            ("gears.wheel.tip_relief", "none"),
             ("model.hysteresis", "0 %"),
             ("model.load_distribution", "mean-length"),
             ("model.positions", "32"),

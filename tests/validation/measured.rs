@@ -9,13 +9,6 @@ use crate::gates::{britton_at, measured_loss, null_pair, petry_johnson_by_defaul
 use crate::load_share::{FEW, REFERENCE, few, losses, summary, with};
 use crate::measured_cases::{FZG_SPEEDS, Kept, measured, turns};
 
-/// Load distribution, boundary friction and lay of the independent computation, which took the same flanks.
-const LIKE_REFERENCE: [(&str, &str); 3] = [
-    ("model.load_distribution", "mean-length"),
-    REFERENCE[0],
-    REFERENCE[1],
-];
-
 /// Speeds 1/min of the Petry-Johnson gears and the losses \[W\] of the independent computation.
 const PETRY_JOHNSON: [(u32, f64); 5] = [
     (2000, 152.0),
@@ -91,7 +84,7 @@ fn drive_references() -> Vec<Reference> {
     let kept =
         |name: &str, keys: &[(&str, &str)]| Kept::new(with(name, &[&FEW[..], keys].concat()));
     let pairs = ["e-drive", "e-drive-superfinished"];
-    let [ground, fine] = pairs.map(|name| [kept(name, &LIKE_REFERENCE), kept(name, &[])]);
+    let [ground, fine] = pairs.map(|name| [kept(name, &REFERENCE), kept(name, &[])]);
     let mut rows = Vec::new();
     let temperatures = [
         (40, 530.0, 495.0),
@@ -131,7 +124,7 @@ fn drive_references() -> Vec<Reference> {
 fn fzg_references() -> Vec<Reference> {
     let fzg =
         |keys: &[(&str, &str)]| Kept::new(measured("fzg-c-ground", &[&FEW[..], keys].concat()));
-    let kept = [fzg(&LIKE_REFERENCE), fzg(&[])];
+    let kept = [fzg(&REFERENCE), fzg(&[])];
     let rows = FZG_SPEEDS.iter().map(|(speed, independent)| {
         let turns = turns(*speed);
         let [alike, default] = kept

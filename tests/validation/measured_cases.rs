@@ -4,7 +4,7 @@ use asperity::Contacts;
 use asperity::case::LoadedCase;
 use asperity::pipeline::{contacts, losses_with};
 use asperity::result::{Losses, OffsetRow};
-use asperity::uncertainty::{DrawnLosses, window_sampling};
+use asperity::uncertainty::standard_error;
 
 use crate::gate::Estimate;
 use crate::load_share::with;
@@ -43,11 +43,9 @@ impl Sampled {
     }
 
     fn with(case: &LoadedCase, losses: Losses) -> Self {
-        let drawn = DrawnLosses::of(case, &losses);
-        let effective = drawn.effective_windows();
-        let sampling = effective.and_then(|effective| window_sampling(drawn.nominal(), effective));
+        let error = standard_error(case, &losses).unwrap();
         Self {
-            error_w: sampling.map_or(0.0, |found| found.standard_error_w),
+            error_w: error * losses.summary.loss_w,
             losses,
         }
     }

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use asperity::Run;
 use asperity::case::LoadedCase;
-use asperity::uncertainty::{DrawnLosses, difference};
+use asperity::uncertainty::{Verdict, difference};
 
 use crate::band::{Banded, both};
 use crate::load_share::with;
@@ -80,22 +80,12 @@ const OTHERS_BEFORE: [[&str; 9]; 2] = [
     ],
 ];
 
-/// A loss and what a comparison needs of it.
-struct Computed {
-    text: String,
-    drawn: DrawnLosses,
+/// The median with its quantiles.
+fn text((_, found, _): &Banded) -> String {
+    rounded(found.loss.median_w, found.loss.quantiles_w)
 }
 
-impl Computed {
-    fn of((_, band, drawn): &Banded) -> Self {
-        Self {
-            text: rounded(band.nominal_w, band.quantiles_w),
-            drawn: drawn.clone(),
-        }
-    }
-}
-
-fn computed(case: &str, torque_nm: f64, celsius: f64) -> Computed {
+fn computed(case: &str, torque_nm: f64, celsius: f64) -> Banded {
     let (torque, temperature) = (format!("{torque_nm} N m"), format!("{celsius} °C"));
     let keys = [
         ("operation.torque", &*torque),
@@ -109,14 +99,22 @@ fn computed(case: &str, torque_nm: f64, celsius: f64) -> Computed {
         loaded = loaded.with_key("lubricant.viscosity", viscosity).unwrap();
     }
     let (outcome, drawn) = Run::new(&loaded).without_pictures().draw().unwrap();
-    Computed::of(&(outcome.result.summary, outcome.result.band.unwrap(), drawn))
+    let result = outcome.result;
+    (result.summary, result.uncertainty.unwrap(), drawn.unwrap())
 }
 
-/// Saving of `other` in per cent of the loss of `first`.
-fn saving(first: &Computed, other: &Computed) -> String {
-    let change = difference(&first.drawn, &other.drawn);
+/// Saving of `other` in per cent of the loss of `first`, and whether its sign holds.
+fn saving(first: &Banded, other: &Banded) -> String {
+    let change = difference((&first.2, &first.1), (&other.2, &other.1), false);
     let [low, high] = change.share_quantiles;
-    rounded(-100.0 * change.nominal_share, [-100.0 * high, -100.0 * low])
+    let verdict = match change.verdict() {
+        Verdict::Holds => format!("holds under {} models", change.models.len()),
+        Verdict::Except(models) => format!("except under {}", models.join(", ")),
+        Verdict::Undecided => "undecided".to_owned(),
+        other => format!("{other:?}"),
+    };
+    let saved = rounded(-100.0 * change.median_share, [-100.0 * high, -100.0 * low]);
+    format!("{saved} | {verdict}")
 }
 
 /// Value and ends in steps of the power of ten below a quarter of the width.
@@ -133,14 +131,15 @@ fn rounded(value: f64, [low, high]: [f64; 2]) -> String {
 fn e_drive_row(k: usize) -> String {
     let (torque, celsius) = (E_DRIVE.torques_nm[k / 3], E_DRIVE.temperatures_c[k % 3]);
     let [ground, fine] = match k {
-        SHIPPED => both().each_ref().map(Computed::of),
+        SHIPPED => both().clone(),
         _ => ["e-drive", "e-drive-superfinished"].map(|case| computed(case, torque, celsius)),
     };
     let saved = saving(&ground, &fine);
     let [before_ground, before_fine, before_saved] = E_DRIVE_BEFORE[k];
     format!(
         "| {torque} | {celsius} | {before_ground} | {} | {before_fine} | {} | {before_saved} | {saved} |",
-        ground.text, fine.text
+        text(&ground),
+        text(&fine)
     )
 }
 
@@ -151,14 +150,15 @@ fn other_row(which: usize, k: usize) -> String {
     let before = OTHERS_BEFORE[which][k];
     format!(
         "| {} | {torque} | {celsius} | {before} | {} |",
-        study.case, found.text
+        study.case,
+        text(&found)
     )
 }
 
 fn tables() -> String {
     let mut text = String::from(
-        "| e-drive N m | °C | ground W, before | ground W | superfinished W, before | superfinished W | saving %, before | saving % |\n\
-         |---|---|---|---|---|---|---|---|\n",
+        "| e-drive N m | °C | ground W, before | ground W | superfinished W, before | superfinished W | saving %, before | saving % | sign |\n\
+         |---|---|---|---|---|---|---|---|---|\n",
     );
     for k in 0..9 {
         let _ = writeln!(text, "{}", e_drive_row(k));

@@ -30,7 +30,7 @@ pub struct MapArgs {
     /// A finish and its traces; give several to see their difference [default: the flanks of the case]
     #[arg(long = "finish", value_name = "NAME=PINION.csv[,WHEEL.csv]")]
     pub finishes: Vec<FinishArg>,
-    /// Points whose loss torque has a 5-95 % band over parameters and sampling, as in asperity run
+    /// Whether the loss has median, 5 and 95 % quantiles, as in asperity run
     #[arg(long, value_enum, default_value_t, value_name = "POINTS")]
     pub band: BandArg,
     /// Cycle whose points are drawn over the map, in the format of asperity cycle
@@ -51,16 +51,14 @@ pub struct MapArgs {
     pub work: WorkArgs,
 }
 
-/// Points of a map with a band.
+/// Points of a map whose draws are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum BandArg {
-    /// None
+    /// None: no quantiles
     None,
-    /// Lowest, middle and highest torque and speed at every temperature
+    /// Three torques and three speeds at three temperatures, interpolated between them
     #[default]
     Nodes,
-    /// All points whose contacts the traces resolve: about twenty times the work
-    Full,
 }
 
 impl BandArg {
@@ -69,7 +67,6 @@ impl BandArg {
         match self {
             Self::None => MapBand::None,
             Self::Nodes => MapBand::Nodes,
-            Self::Full => MapBand::Full,
         }
     }
 }

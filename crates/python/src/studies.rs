@@ -154,9 +154,8 @@ pub fn map(
     let band = match band {
         "none" => MapBand::None,
         "nodes" => MapBand::Nodes,
-        "full" => MapBand::Full,
         other => {
-            let message = format!("band = {other:?}: \"none\", \"nodes\" or \"full\"");
+            let message = format!("band = {other:?}: \"none\" or \"nodes\"");
             return Err(Failure::new("E205", message).into());
         }
     };
@@ -177,16 +176,13 @@ pub fn read_map(py: Python<'_>, folder: PathBuf) -> PyResult<Map> {
 type Column = (&'static str, fn(&Numbers) -> Option<f64>);
 
 /// The numbers of a point.
-const COLUMNS: [Column; 15] = [
+const COLUMNS: [Column; 16] = [
     ("loss_w", |n| Some(n.loss_w)),
+    ("loss_median_w", |n| n.loss_median_w),
+    ("loss_p05_w", |n| Some(n.loss_quantiles_w?[0])),
+    ("loss_p95_w", |n| Some(n.loss_quantiles_w?[1])),
     ("loss_torque_nm", |n| Some(n.loss_torque_nm)),
     ("loss_torque_deviation_nm", |n| n.loss_torque_deviation_nm),
-    ("loss_torque_q05_nm", |n| {
-        Some(n.loss_torque_quantiles_nm?[0])
-    }),
-    ("loss_torque_q95_nm", |n| {
-        Some(n.loss_torque_quantiles_nm?[1])
-    }),
     ("efficiency", |n| n.efficiency),
     ("efficiency_deviation", |n| n.efficiency_deviation),
     ("sliding_w", |n| Some(n.sliding_w)),

@@ -237,8 +237,8 @@ def map(
         speed: nodes, rad/s; default 16 to the largest. A node at standstill is added.
         temperature: nodes of the flanks, K; default that of the case.
         finishes: finishes by name, as in `compare`; default the traces of the case.
-        band: where the loss torque has 5 % and 95 % quantiles over parameters and sampling (``loss_torque_q05_nm``,
-            ``loss_torque_q95_nm``, nan elsewhere): at three torques and three speeds (``"nodes"``), ``"full"`` or ``"none"``.
+        band: ``"nodes"``: median, 5 % and 95 % quantiles of the loss (``loss_median_w``, ``loss_p05_w``, ``loss_p95_w``), from
+            draws at three torques and three speeds; ``"none"``: nan.
         threads, progress: as in `Case.run`.
 
     Nodes are numbers in SI units, texts with units (``["1000 1/min", "9000 1/min"]``), or a range in N m, 1/min or

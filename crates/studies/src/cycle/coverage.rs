@@ -87,7 +87,8 @@ pub(super) fn share(
     let all: f64 = cycle.points.iter().map(of).sum();
     let selected = cycle.points.iter().filter(|point| is_selected(point));
     if all > 0.0 {
-        selected.map(of).sum::<f64>() / all
+        // A sum of nothing is -0.
+        selected.map(of).sum::<f64>() / all + 0.0
     } else {
         0.0
     }

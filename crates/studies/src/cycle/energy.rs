@@ -2,10 +2,11 @@
 
 use std::f64::consts::PI;
 
-use asperity::balance::{Unbalanced, efficiency, finite, sum};
+use asperity::balance::{Unbalanced, efficiency, sum};
 use serde::Serialize;
 
 use super::coverage::{Coverage, Uncovered, moving_time, share};
+use super::draws::{add_differences, add_draws};
 use super::trace::{Cycle, CyclePoint};
 use crate::map::{FinishMap, Map, Surface};
 
@@ -51,10 +52,14 @@ pub struct CycleResult {
 pub struct CycleFinish {
     /// Name.
     pub name: String,
-    /// Energy lost \[Wh\].
+    /// Energy lost, with every constant at its median \[Wh\].
     pub lost_wh: f64,
-    /// Standard deviation over the offsets of the traces \[Wh\], with full correlation between the points.
-    pub deviation_wh: f64,
+    /// Median of the drawn energies \[Wh\]; `None` on a map without draws.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lost_median_wh: Option<f64>,
+    /// Their 5 % and 95 % quantiles \[Wh\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lost_quantiles_wh: Option<[f64; 2]>,
     /// Part of it while the pinion drives \[Wh\].
     pub lost_drive_wh: f64,
     /// Part of it while the wheel drives \[Wh\], and at no torque.
@@ -67,15 +72,33 @@ pub struct CycleFinish {
     pub wh_per_100_km: Option<f64>,
     /// Energy lost minus the energy lost with the first finish \[Wh\]; `None` for the first.
     pub difference_wh: Option<f64>,
-    /// Standard deviation of the difference, with independent finishes \[Wh\].
-    pub difference_deviation_wh: Option<f64>,
+    /// Median of the difference over the draws \[Wh\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub difference_median_wh: Option<f64>,
+    /// Its 5 % and 95 % quantiles \[Wh\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub difference_quantiles_wh: Option<[f64; 2]>,
     /// Loss at each point \[W\].
     #[serde(skip)]
     pub loss_w: Vec<f64>,
+    /// Median, 5 % and 95 % quantiles of the loss at each point \[W\]; empty on a map without draws.
+    #[serde(skip)]
+    pub drawn_w: Vec<[f64; 3]>,
+}
+
+impl CycleFinish {
+    /// Median of the energy over the energy with every constant at its median; 1 on a map without draws.
+    #[must_use]
+    pub fn median_over_medians(&self) -> f64 {
+        match self.lost_median_wh {
+            Some(median) if self.lost_wh > 0.0 => median / self.lost_wh,
+            _ => 1.0,
+        }
+    }
 }
 
 /// Joules per watt-hour.
-const WATT_HOUR: f64 = 3600.0;
+pub(super) const WATT_HOUR: f64 = 3600.0;
 
 /// Error of the energies of a cycle on a map.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -121,6 +144,7 @@ pub fn evaluate(
     if !takes_any {
         coverage.check()?;
     }
+    let celsius = map.axes.temperature_c[temperature];
     for (finish, surface) in map.finishes.iter().zip(&surfaces) {
         let mut result = of_finish(finish, surface, cycle);
         result.share_of_drive = (drive_wh > 0.0).then(|| result.lost_wh / drive_wh);
@@ -131,11 +155,12 @@ pub fn evaluate(
             .map(|km| result.lost_wh * 100.0 / km);
         if let Some(first) = finishes.first() {
             result.difference_wh = Some(result.lost_wh - first.lost_wh);
-            result.difference_deviation_wh = Some(result.deviation_wh.hypot(first.deviation_wh));
         }
+        add_draws(&mut result, finish, cycle, celsius);
         check(&result, drive_wh)?;
         finishes.push(result);
     }
+    add_differences(&mut finishes, map, cycle, celsius);
     let time = |point: Option<&CyclePoint>| point.map_or(0.0, |point| point.time_s);
     Ok(CycleResult {
         program: map.program.clone(),
@@ -146,7 +171,7 @@ pub fn evaluate(
             .gearbox
             .as_ref()
             .map_or_else(Vec::new, |gearbox| gearbox.parts.clone()),
-        temperature_c: map.axes.temperature_c[temperature],
+        temperature_c: celsius,
         duration_s: time(cycle.points.last()) - time(cycle.points.first()),
         distance_km: cycle.distance_km,
         drive_wh,
@@ -167,7 +192,6 @@ pub fn evaluate(
 fn check(finish: &CycleFinish, drive_wh: f64) -> Result<(), Unbalanced> {
     let parts = [finish.lost_drive_wh, finish.lost_coast_wh];
     sum("energy lost over the cycle", "Wh", finish.lost_wh, &parts)?;
-    finite("deviation of the energy lost", "Wh", finish.deviation_wh)?;
     let of = "efficiency while the pinion drives";
     finish.drive_efficiency.map_or(Ok(()), |value| {
         efficiency(of, value, finish.lost_drive_wh, drive_wh)
@@ -177,27 +201,28 @@ fn check(finish: &CycleFinish, drive_wh: f64) -> Result<(), Unbalanced> {
 /// Energies of a finish.
 fn of_finish(finish: &FinishMap, surface: &Surface, cycle: &Cycle) -> CycleFinish {
     let mut lost = [0.0; 2];
-    let mut deviation = 0.0;
     let mut loss_w = Vec::with_capacity(cycle.points.len());
     for point in &cycle.points {
         let loss = surface.loss_torque(point.torque_nm, point.speed_rpm);
         let omega = point.speed_rpm.abs() * PI / 30.0;
         let energy = loss.value * omega * point.weight_s / WATT_HOUR;
         lost[usize::from(point.torque_nm <= 0.0)] += energy;
-        deviation += loss.deviation * omega * point.weight_s / WATT_HOUR;
         loss_w.push(loss.value * omega);
     }
     CycleFinish {
         name: finish.name.clone(),
         lost_wh: lost[0] + lost[1],
-        deviation_wh: deviation,
+        lost_median_wh: None,
+        lost_quantiles_wh: None,
         lost_drive_wh: lost[0],
         lost_coast_wh: lost[1],
         share_of_drive: None,
         drive_efficiency: None,
         wh_per_100_km: None,
         difference_wh: None,
-        difference_deviation_wh: None,
+        difference_median_wh: None,
+        difference_quantiles_wh: None,
         loss_w,
+        drawn_w: Vec::new(),
     }
 }

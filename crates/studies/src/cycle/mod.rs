@@ -14,6 +14,7 @@
 //! The torque of a vehicle follows from its resistances, without the losses of the drive.
 
 mod coverage;
+mod draws;
 mod energy;
 mod page;
 mod summary;

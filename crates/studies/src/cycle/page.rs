@@ -4,8 +4,8 @@ use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
-use super::energy::{CycleFinish, CycleResult};
-use super::summary::left_aside;
+use super::energy::CycleResult;
+use super::summary::{difference, left_aside, lost};
 use crate::map::{Map, loss_field};
 
 /// Number of torque bins.
@@ -39,22 +39,14 @@ fn energy(result: &CycleResult) -> Markup {
                 th.number { "of drive energy" } th.number { "per 100 km" } th.number { "minus the first" } } }
             tbody { @for finish in &result.finishes { tr {
                 th scope="row" { (finish.name) }
-                td.number { (format!("{:.2} ± {:.2} Wh", finish.lost_wh, finish.deviation_wh)) }
-                td.number { (format!("{:.2} Wh", finish.lost_drive_wh)) }
-                td.number { (format!("{:.2} Wh", finish.lost_coast_wh)) }
-                td.number { (or_none(finish.share_of_drive.map(percent))) }
-                td.number { (or_none(finish.wh_per_100_km.map(|value| format!("{value:.1} Wh")))) }
-                td.number { (difference(finish)) }
+                @for text in lost(finish) { td.number { (text) " Wh" } }
+                td.number { (or_none(finish.share_of_drive.map(|share| percent(share * finish.median_over_medians())))) }
+                td.number { (or_none(finish.wh_per_100_km.map(|value| format!("{:.1} Wh", value * finish.median_over_medians())))) }
+                td.number { (difference(finish)) @if finish.difference_wh.is_some() { " Wh" } }
             } } }
         } }
-        p { "± is the standard deviation over the offsets of the traces, fully correlated between the points of the cycle; in a difference the finishes are independent." }
-    }
-}
-
-fn difference(finish: &CycleFinish) -> String {
-    match (finish.difference_wh, finish.difference_deviation_wh) {
-        (Some(value), Some(deviation)) => format!("{value:+.2} ± {deviation:.2} Wh"),
-        _ => "reference".to_owned(),
+        p { "Medians, in brackets 5 and 95 % quantiles over the draws of the map, which are common to all points of the cycle and to "
+            "both finishes of a difference." }
     }
 }
 

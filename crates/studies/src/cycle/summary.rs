@@ -1,9 +1,11 @@
 //! Summary of a cycle for the terminal.
 
+use asperity::result::loss_band::Digits;
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
-use super::energy::CycleResult;
+use super::energy::{CycleFinish, CycleResult};
+use crate::map::banded;
 
 /// Summary of a cycle for the terminal.
 pub(super) fn summary(result: &CycleResult) -> String {
@@ -21,32 +23,29 @@ pub(super) fn summary(result: &CycleResult) -> String {
         result.scope
     );
     text.push_str(&format!(
-        "{:<16} {:>16} {:>10} {:>10} {:>10} {:>12} {:>18}\n",
+        "{:<16} {:>22} {:>10} {:>10} {:>10} {:>12} {:>24}\n",
         "finish", "lost Wh", "driving", "braking", "of drive", "Wh/100 km", "minus the first Wh"
     ));
     for finish in &result.finishes {
-        let spread = |value: f64, deviation: f64| format!("{value:.2} ± {deviation:.2}");
-        let difference = match (finish.difference_wh, finish.difference_deviation_wh) {
-            (Some(value), Some(deviation)) => format!("{value:+.2} ± {deviation:.2}"),
-            _ => "reference".to_owned(),
-        };
         let share = finish
             .share_of_drive
-            .map(|share| format!("{:.3} %", 100.0 * share));
-        let way = finish.wh_per_100_km.map(|value| format!("{value:.1}"));
+            .map(|share| format!("{:.3} %", 100.0 * share * finish.median_over_medians()));
+        let way = finish.wh_per_100_km;
+        let way = way.map(|value| format!("{:.1}", value * finish.median_over_medians()));
+        let [lost, drive, coast] = lost(finish);
         text.push_str(&format!(
-            "{:<16} {:>16} {:>10.2} {:>10.2} {:>10} {:>12} {:>18}\n",
+            "{:<16} {:>22} {:>10} {:>10} {:>10} {:>12} {:>24}\n",
             one_line(&finish.name),
-            spread(finish.lost_wh, finish.deviation_wh),
-            finish.lost_drive_wh,
-            finish.lost_coast_wh,
+            lost,
+            drive,
+            coast,
             share.unwrap_or_else(|| "-".to_owned()),
             way.unwrap_or_else(|| "-".to_owned()),
-            difference
+            difference(finish)
         ));
     }
     text.push_str(&format!(
-        "± is the standard deviation over the offsets of the traces; {:.1} % of the energy ({:.1} % of the moving time) is outside of the map, {:.1} % of the moving time below the torque that the traces resolve\n",
+        "in brackets 5 and 95 % quantiles; {:.1} % of the energy ({:.1} % of the moving time) is outside of the map, {:.1} % of the moving time below the torque that the traces resolve\n",
         100.0 * result.outside_energy_share,
         100.0 * result.outside_share,
         100.0 * result.extended_share
@@ -55,6 +54,38 @@ pub(super) fn summary(result: &CycleResult) -> String {
         text.push_str(&format!("{}\n", wrapped(&note, "     ")));
     }
     text
+}
+
+/// Energy lost with its quantiles, and its parts while the pinion and while the wheel drives, which add up to it as printed.
+pub(super) fn lost(finish: &CycleFinish) -> [String; 3] {
+    let parts = [finish.lost_drive_wh, finish.lost_coast_wh];
+    let drawn = finish.lost_median_wh.zip(finish.lost_quantiles_wh);
+    let digits = match drawn {
+        Some((_, quantiles)) => Digits::of_interval(quantiles),
+        None => Digits::of_decimals(2),
+    };
+    let factor = finish.median_over_medians();
+    let total = digits.steps(factor * finish.lost_wh);
+    let parts = digits.parts(total, &parts.map(|part| factor * part));
+    let whole = match drawn {
+        Some(_) => banded(finish.lost_wh, drawn),
+        None => digits.text(total),
+    };
+    [whole, digits.text(parts[0]), digits.text(parts[1])]
+}
+
+/// Difference from the first finish with its quantiles.
+pub(super) fn difference(finish: &CycleFinish) -> String {
+    let Some(value) = finish.difference_wh else {
+        return "reference".to_owned();
+    };
+    match finish
+        .difference_median_wh
+        .zip(finish.difference_quantiles_wh)
+    {
+        Some(drawn) => banded(value, Some(drawn)),
+        None => format!("{value:+.2}"),
+    }
 }
 
 /// W431, if the case of the map states a gearbox.

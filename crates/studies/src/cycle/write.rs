@@ -18,6 +18,9 @@ struct CyclePointRow<'a> {
     torque_nm: f64,
     speed_rpm: f64,
     loss_w: f64,
+    loss_median_w: Option<f64>,
+    loss_p05_w: Option<f64>,
+    loss_p95_w: Option<f64>,
     finish: Cow<'a, str>,
 }
 
@@ -38,12 +41,19 @@ impl StudyResult for CycleResult {
     fn write_tables(&self, _: &Map, folder: &Path) -> Result<(), ReportError> {
         let rows = self.finishes.iter().flat_map(|finish| {
             let points = self.points.iter().zip(&finish.loss_w);
-            points.map(move |(point, loss_w)| CyclePointRow {
-                time_s: point.time_s,
-                torque_nm: point.torque_nm,
-                speed_rpm: point.speed_rpm,
-                loss_w: *loss_w,
-                finish: cell(&finish.name),
+            points.enumerate().map(move |(k, (point, loss_w))| {
+                let drawn = finish.drawn_w.get(k);
+                let of = |which: usize| drawn.map(|drawn| drawn[which]);
+                CyclePointRow {
+                    time_s: point.time_s,
+                    torque_nm: point.torque_nm,
+                    speed_rpm: point.speed_rpm,
+                    loss_w: *loss_w,
+                    loss_median_w: of(0),
+                    loss_p05_w: of(1),
+                    loss_p95_w: of(2),
+                    finish: cell(&finish.name),
+                }
             })
         });
         tables::write(&folder.join("cycle.csv"), rows)

@@ -107,7 +107,6 @@ impl Field {
         Surface {
             torque_nm: self.torque_nm.clone(),
             speed_rpm: self.speed_rpm.clone(),
-            deviation_nm: vec![0.0; loss_torque_nm.len()],
             loss_torque_nm,
         }
     }

@@ -9,7 +9,7 @@ use asperity::mesh::Resolution;
 use asperity::pipeline::{contacts, losses, losses_with};
 use asperity::result::Losses;
 use asperity::result::gearbox::{self, OperatingPoint};
-use asperity::uncertainty;
+use asperity::uncertainty::{Predictive, predictive};
 use asperity::{Contacts, Error};
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;
@@ -24,8 +24,8 @@ pub(super) struct Evaluated {
     pub reversed: Option<Reversed>,
     /// Speed of the pinion \[rad/s\].
     pub omega: f64,
-    /// 5 % and 95 % quantiles of the loss \[W\], if requested.
-    pub quantiles_w: Option<[f64; 2]>,
+    /// Draws of the loss, at a node.
+    pub predictive: Option<Predictive>,
 }
 
 /// Speed at which standstill is computed \[1/min\].
@@ -66,12 +66,12 @@ pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase,
     })
 }
 
-/// Evaluates all speeds and temperatures at one torque, by temperature, with a band at the speeds that have one.
+/// Evaluates all speeds and temperatures at one torque, by temperature, with draws at the nodes.
 pub(super) fn evaluate(
     case: &LoadedCase,
     torque: Torque,
     (speeds, temperatures): (&[f64], &[f64]),
-    is_banded: &(dyn Fn(f64) -> bool + Sync),
+    is_node: &(dyn Fn(f64, f64) -> bool + Sync),
     progress: &(dyn Fn() + Sync),
 ) -> Vec<Result<Evaluated, String>> {
     let prepared = at_torque(case, torque).and_then(|case| {
@@ -93,7 +93,7 @@ pub(super) fn evaluate(
     nodes
         .into_par_iter()
         .map(|node| {
-            let losses = at(case, tables.as_ref(), node, is_banded(node.0));
+            let losses = at(case, tables.as_ref(), node, is_node(node.0, node.1));
             progress();
             losses.map_err(|error| code(&error))
         })
@@ -104,7 +104,7 @@ fn at(
     case: &LoadedCase,
     tables: Option<&Contacts>,
     (speed, temperature): (f64, f64),
-    is_banded: bool,
+    is_node: bool,
 ) -> Result<Evaluated, Error> {
     let (speed, temperature) = (speed_of(speed), temperature_of(temperature));
     let case = case.with(|input| {
@@ -115,12 +115,12 @@ fn at(
         Some(tables) => losses_with(tables, &case)?,
         None => losses(&case)?,
     };
-    let quantiles_w = match is_banded {
-        true => uncertainty::quantiles(&case, &losses, tables)?,
+    let predictive = match is_node {
+        true => predictive(&case, &losses, tables)?,
         false => None,
     };
     Ok(Evaluated {
-        quantiles_w,
+        predictive,
         reversed: losses.reversed(&case.case).ok(),
         losses,
         omega: speed.si(),

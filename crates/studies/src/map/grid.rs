@@ -10,9 +10,10 @@ use asperity::core::cancel::checkpoint;
 use asperity::fingerprint::Fingerprint;
 use asperity::pipeline::Progress;
 use asperity::result::{Losses, OffsetRow};
+use rayon::prelude::*;
 
 use super::axes::Axes;
-use super::band::{Banded, MapBand};
+use super::draws::{DrawnNodes, MapBand, Nodes};
 use super::evaluation::{
     Evaluated, at_torque, computed_speed, computed_speeds, evaluate, gearbox_of, resolved_from,
     torque_of,
@@ -23,7 +24,7 @@ use crate::compare::{Finish, files};
 /// Version of the structure of `map.json`.
 const SCHEMA_VERSION: u32 = 1;
 
-/// Computes the losses of every finish at every node of `axes`, with bands at the points of `band`. A point without a
+/// Computes the losses of every finish at every node of `axes`, with draws at the points of `band`. A point without a
 /// result has its error code.
 ///
 /// # Errors
@@ -105,12 +106,6 @@ impl Sides {
         })
     }
 
-    /// Points with a band of one side; of both sides for a finish without coast flanks.
-    fn banded(&self, band: MapBand, axes: &Axes, side: usize) -> Banded {
-        let is_side = |torque: f64| side == usize::from(self.has_coast && torque < 0.0);
-        Banded::of(band, axes, self.from[side], is_side)
-    }
-
     /// Side and torque of all contacts that are solved.
     fn torques(&self) -> Vec<(usize, f64)> {
         let of = |side: usize| self.torques[side].iter().map(move |torque| (side, *torque));
@@ -128,14 +123,17 @@ fn of_finish(
     band: MapBand,
     progress: &(dyn Fn() + Sync),
 ) -> Result<FinishMap, Error> {
-    let banded = [0, 1].map(|side| sides.banded(band, axes, side));
+    let drawn = sides
+        .torques
+        .each_ref()
+        .map(|torques| Nodes::of(band, torques, axes));
     let mut computed = Computed::new();
     for (side, torque) in sides.torques() {
         let sign = if side == 1 { -1.0 } else { 1.0 };
         let nodes = (speeds, axes.temperature_c.as_slice());
-        let is_banded = |speed: f64| banded[side].has(torque, speed);
+        let is_node = |speed, temperature| drawn[side].has(torque, speed, temperature);
         let torque_there = torque_of(sign * torque);
-        let evaluated = evaluate(&finish.case, torque_there, nodes, &is_banded, progress);
+        let evaluated = evaluate(&finish.case, torque_there, nodes, &is_node, progress);
         checkpoint()?;
         computed.insert((side, torque.to_bits()), evaluated);
     }
@@ -166,14 +164,68 @@ fn of_finish(
         .fold(Fingerprint::default(), |sum, case| {
             sum.with(case.fingerprint())
         });
-    Ok(FinishMap {
+    let mut map = FinishMap {
         name: finish.name.clone(),
         fingerprint: fingerprint.hex(),
         files: files(&drive),
         coast_files: coast.as_ref().map(files).unwrap_or_default(),
         resolved_from_nm: sides.from,
+        draws: draws(&computed, drawn, sides.has_coast, (axes, speeds)),
         points,
-    })
+    };
+    add_quantiles(&mut map);
+    Ok(map)
+}
+
+/// Draws at the nodes of every side; none if a node has no result or the case no draws.
+fn draws(
+    computed: &Computed,
+    nodes: [Nodes; 2],
+    has_coast: bool,
+    (axes, speeds): (&Axes, &[f64]),
+) -> Vec<DrawnNodes> {
+    let side = |(side, nodes): (usize, Nodes)| {
+        let mut predictive = Vec::new();
+        for temperature in &nodes.temperature_c {
+            let row = axes
+                .temperature_c
+                .partition_point(|node| node < temperature);
+            for torque in &nodes.torque_nm {
+                let evaluated = computed.get(&(side, torque.to_bits()))?;
+                for speed in &nodes.speed_rpm {
+                    let column = speeds.partition_point(|node| node < speed);
+                    let found = evaluated.get(row * speeds.len() + column)?;
+                    predictive.push(found.as_ref().ok()?.predictive.clone()?);
+                }
+            }
+        }
+        (!predictive.is_empty()).then_some(DrawnNodes {
+            torque_nm: nodes.torque_nm,
+            speed_rpm: nodes.speed_rpm,
+            temperature_c: nodes.temperature_c,
+            predictive,
+        })
+    };
+    let sides = nodes.into_iter().take(1 + usize::from(has_coast));
+    let sides = sides.enumerate().map(side).collect::<Option<_>>();
+    sides.unwrap_or_default()
+}
+
+/// Adds median and quantiles to every point.
+fn add_quantiles(map: &mut FinishMap) {
+    let mut points = std::mem::take(&mut map.points);
+    if let Some(drawn) = map.drawn(0, 1.0) {
+        points.par_iter_mut().for_each(|point| {
+            let place = drawn.place(point.torque_nm, point.speed_rpm, point.temperature_c);
+            if let Some(numbers) = &mut point.numbers {
+                let [median, low, high] =
+                    drawn.quantiles(place).map(|ratio| ratio * numbers.loss_w);
+                numbers.loss_median_w = Some(median);
+                numbers.loss_quantiles_w = Some([low, high]);
+            }
+        });
+    }
+    map.points = points;
 }
 
 fn point(
@@ -270,9 +322,8 @@ fn numbers(evaluated: &Evaluated, is_reversed: bool) -> Numbers {
         loss_w: summary.loss_w,
         loss_torque_nm: summary.loss_w / evaluated.omega,
         loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / evaluated.omega),
-        loss_torque_quantiles_nm: evaluated
-            .quantiles_w
-            .map(|both| both.map(|w| w / evaluated.omega)),
+        loss_median_w: None,
+        loss_quantiles_w: None,
         efficiency,
         efficiency_deviation: deviation,
         sliding_w: summary.sliding_w,
@@ -311,7 +362,8 @@ fn extended(evaluated: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
         loss_w,
         loss_torque_nm: loss_w / evaluated.omega,
         loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / evaluated.omega),
-        loss_torque_quantiles_nm: None,
+        loss_median_w: None,
+        loss_quantiles_w: None,
         efficiency,
         efficiency_deviation: is_whole.then(|| deviation_of(&efficiencies)).flatten(),
         sliding_w: share * summary.sliding_w,
@@ -401,7 +453,7 @@ mod tests {
         });
         let places: (&[f64], &[f64]) = (&[3000.0], &[90.0]);
         let torque = torque_of(40.0);
-        let mut found = evaluate(&case.unwrap(), torque, places, &|_| false, &|| ());
+        let mut found = evaluate(&case.unwrap(), torque, places, &|_, _| false, &|| ());
         let whole = found.remove(0).unwrap();
         // As computed, with the wheel driving, and below the smallest torque that the traces resolve.
         for torque_nm in [40.0, -40.0, 10.0] {

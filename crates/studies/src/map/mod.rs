@@ -10,6 +10,8 @@
 //! | torque below the smallest resolved by the traces | sliding loss at that torque, scaled; marked `extended` |
 //! | speed 0 | loss torque at 1 1/min |
 //!
+//! Median and quantiles of the loss come from draws at three torques and three speeds, see [`DrawnNodes`].
+//!
 //! ```
 //! use asperity::case;
 //! use asperity_studies::compare::Finish;
@@ -29,7 +31,7 @@
 //! ```
 
 mod axes;
-mod band;
+mod draws;
 mod evaluation;
 mod grid;
 mod page;
@@ -41,10 +43,12 @@ mod table;
 mod write;
 
 pub use axes::{Axes, AxisError, axis};
-pub use band::MapBand;
+pub(crate) use draws::Place;
+pub use draws::{Drawn, DrawnNodes, MapBand};
 pub use grid::map;
 pub use page::loss_field;
 pub use point::{EXTENDED, FinishMap, Map, MapGearbox, MapWarning, Numbers, Point, ranges};
 pub use read::{MapError, read};
+pub(crate) use summary::banded;
 pub use surface::{Interpolated, Surface};
 pub use write::{EXPORTS, MapExtras};

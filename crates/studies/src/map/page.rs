@@ -6,7 +6,7 @@ use maud::{Markup, html};
 
 use super::axes::Axes;
 use super::point::{FinishMap, Map, Numbers, Point};
-use super::summary::left_aside;
+use super::summary::{banded, left_aside};
 
 /// Contour levels of the efficiency \[%\].
 const EFFICIENCIES: [f64; 11] = [
@@ -247,38 +247,41 @@ fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
 /// Largest number of rows of the table of bands.
 const MOST_BANDS: usize = 40;
 
-/// Loss torques with a band: the first points, and a reference to the others.
+/// Losses with their quantiles at the nodes of the draws: the first points, and a reference to the others.
 fn bands(map: &Map) -> Markup {
+    let is_node = |finish: &FinishMap, point: &Point| {
+        let side = usize::from(point.torque_nm < 0.0);
+        finish.draws.get(side).is_some_and(|draws| {
+            draws.torque_nm.contains(&point.torque_nm.abs())
+                && draws.speed_rpm.contains(&point.speed_rpm)
+                && draws.temperature_c.contains(&point.temperature_c)
+        })
+    };
     let rows: Vec<_> = map
         .finishes
         .iter()
         .flat_map(|finish| finish.points.iter().map(move |point| (finish, point)))
-        .filter(|(finish, point)| {
-            // The same flanks have the same loss in either direction, and at standstill the loss torque of 1 1/min.
-            let is_own = point.torque_nm > 0.0 || !finish.coast_files.is_empty();
-            is_own && point.speed_rpm > 0.0
-        })
+        .filter(|(finish, point)| is_node(finish, point))
         .filter_map(|(finish, point)| {
             let numbers = point.numbers?;
-            let quantiles = numbers.loss_torque_quantiles_nm?;
-            Some((finish, point, numbers.loss_torque_nm, quantiles))
+            let drawn = numbers.loss_median_w.zip(numbers.loss_quantiles_w)?;
+            Some((finish, point, banded(numbers.loss_w, Some(drawn))))
         })
         .collect();
     if rows.is_empty() {
         return html! {};
     }
-    let percent = |value: f64, nominal: f64| format!("{:+.0} %", 100.0 * (value / nominal - 1.0));
     html! {
-        p { "Loss torque with its 5 to 95 % band over the uncertain parameters and the sampling of the flanks, as "
-            "for a run; the same at negative torque, unless there are coast flanks." }
+        p { "Median of the loss with its 5 and 95 % quantiles, as for a run, at the nodes of torque and speed whose draws were "
+            "computed; between them the logarithms of the draws are interpolated. The same at negative torque, unless there are "
+            "coast flanks. All points are in map.csv." }
         div.scroll { table {
             thead { tr { th { "finish" } th.number { "torque, N m" } th.number { "speed, 1/min" }
-                th.number { "temperature, °C" } th.number { "loss torque, N m" } th.number { "5 %" } th.number { "95 %" } } }
-            tbody { @for (finish, point, nominal, [low, high]) in rows.iter().take(MOST_BANDS) { tr {
+                th.number { "temperature, °C" } th.number { "loss, W" } } }
+            tbody { @for (finish, point, loss) in rows.iter().take(MOST_BANDS) { tr {
                 td { (finish.name) }
                 td.number { (format!("{:.2}", point.torque_nm)) } td.number { (format!("{:.0}", point.speed_rpm)) }
-                td.number { (point.temperature_c) } td.number { (format!("{nominal:.4}")) }
-                td.number { (percent(*low, *nominal)) } td.number { (percent(*high, *nominal)) }
+                td.number { (point.temperature_c) } td.number { (loss) }
             } } }
         } }
         @if rows.len() > MOST_BANDS { p { (rows.len() - MOST_BANDS) " more in map.csv." } }

@@ -4,6 +4,7 @@ use asperity::case::{CaseInput, DefaultUsed};
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
+use super::draws::DrawnNodes;
 use super::surface::Surface;
 
 /// Mark of points below the smallest torque that the traces resolve.
@@ -62,6 +63,9 @@ pub struct FinishMap {
     pub coast_files: Vec<[String; 2]>,
     /// Smallest torques that the traces resolve, drive and coast \[N m\]; points below are extended.
     pub resolved_from_nm: [f64; 2],
+    /// Draws at a few nodes, for the drive and, where they are others, the coast flanks; empty for a map without draws.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub draws: Vec<DrawnNodes>,
     /// All points, in the order of [`Axes::index`]; written to the table, not to the JSON.
     #[serde(skip)]
     pub points: Vec<Point>,
@@ -106,8 +110,10 @@ pub struct Numbers {
     pub loss_torque_nm: f64,
     /// Standard deviation of the loss torque over the offsets of the traces \[N m\]; `None` with one offset.
     pub loss_torque_deviation_nm: Option<f64>,
-    /// 5 % and 95 % quantiles of the loss torque \[N m\] over parameters and sampling, if computed.
-    pub loss_torque_quantiles_nm: Option<[f64; 2]>,
+    /// Median of the drawn losses \[W\]; `None` for a map without draws.
+    pub loss_median_w: Option<f64>,
+    /// Their 5 % and 95 % quantiles \[W\].
+    pub loss_quantiles_w: Option<[f64; 2]>,
     /// Efficiency; `None` without power.
     pub efficiency: Option<f64>,
     /// Standard deviation of the efficiency over the offsets.
@@ -145,7 +151,6 @@ impl FinishMap {
             torque_nm: axes.torque_nm.clone(),
             speed_rpm: axes.speed_rpm.clone(),
             loss_torque_nm: value(&|numbers| numbers.loss_torque_nm)?,
-            deviation_nm: value(&|numbers| numbers.loss_torque_deviation_nm.unwrap_or(0.0))?,
         })
     }
 

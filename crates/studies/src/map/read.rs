@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity_storage::{check_finite, whole_file};
 
 use super::axes::Axes;
+use super::draws::DrawnNodes;
 use super::point::{Map, Point};
 use super::table::PointRow;
 
@@ -133,6 +134,20 @@ fn check(map: &Map) -> Result<(), String> {
     }
     if map.finishes.is_empty() {
         return Err("it has no finishes".to_owned());
+    }
+    let is_whole = |draws: &DrawnNodes| {
+        let nodes = [&draws.torque_nm, &draws.speed_rpm, &draws.temperature_c];
+        let rises = |values: &&Vec<f64>| !values.is_empty() && values.is_sorted_by(|a, b| a < b);
+        nodes.iter().all(rises)
+            && draws.predictive.len() == nodes.iter().map(|values| values.len()).product::<usize>()
+    };
+    if !map
+        .finishes
+        .iter()
+        .flat_map(|finish| &finish.draws)
+        .all(is_whole)
+    {
+        return Err("its draws do not fill their nodes".to_owned());
     }
     let is_whole = |loss: &[f64]| loss.len() == axes.points();
     match &map.gearbox {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use asperity::result::loss_band::Digits;
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
@@ -20,7 +21,7 @@ pub(super) fn summary(map: &Map) -> String {
         map.scope
     );
     text.push_str(&format!(
-        "{:<16} {:>14} {:>12} {:>16} {:>18}\n",
+        "{:<16} {:>22} {:>12} {:>16} {:>18}\n",
         "finish", "largest loss W", "share %", "best efficiency", "largest torque N m"
     ));
     for finish in &map.finishes {
@@ -40,10 +41,10 @@ pub(super) fn summary(map: &Map) -> String {
             .fold(0.0, f64::max);
         let power = at.torque_nm.abs() * at.speed_rpm * std::f64::consts::PI / 30.0;
         text.push_str(&format!(
-            "{:<16} {:>14.1} {:>12.4} {:>14.4} % {:>18.4}\n",
+            "{:<16} {:>22} {:>12.4} {:>14.4} % {:>18.4}\n",
             finish.name,
-            most.loss_w,
-            100.0 * most.loss_w / power,
+            banded(most.loss_w, most.loss_median_w.zip(most.loss_quantiles_w)),
+            100.0 * most.loss_median_w.unwrap_or(most.loss_w) / power,
             100.0 * best,
             torque
         ));
@@ -56,6 +57,16 @@ pub(super) fn summary(map: &Map) -> String {
     text
 }
 
+/// A median with its quantiles, or the `value` of a map without draws.
+pub(crate) fn banded(value: f64, drawn: Option<(f64, [f64; 2])>) -> String {
+    let Some((median, [low, high])) = drawn else {
+        return format!("{value:.1}");
+    };
+    let digits = Digits::of_interval([low, high]);
+    let [median, low, high] = [median, low, high].map(|value| digits.rounded(value));
+    format!("{median} ({low}..{high})")
+}
+
 /// W431, if the case states a gearbox.
 pub(super) fn left_aside(map: &Map) -> Option<String> {
     let gearbox = map.gearbox.as_ref()?;
@@ -65,14 +76,14 @@ pub(super) fn left_aside(map: &Map) -> Option<String> {
     ))
 }
 
-/// Largest deviations of the bands from the loss torque, in percent.
+/// Largest distances of the quantiles from the median, in percent.
 fn bands(map: &Map) -> String {
     let of = |finish: &FinishMap| {
         let shares = finish.points.iter().filter_map(|point| {
             let numbers = point.numbers?;
-            let [low, high] = numbers.loss_torque_quantiles_nm?;
-            let percent = |value: f64| 100.0 * (value / numbers.loss_torque_nm - 1.0);
-            Some([percent(low), percent(high)])
+            let (median, [low, high]) = numbers.loss_median_w.zip(numbers.loss_quantiles_w)?;
+            let percent = |value: f64| 100.0 * (value / median - 1.0);
+            (median > 0.0).then(|| [percent(low), percent(high)])
         });
         let shares: Vec<[f64; 2]> = shares.collect();
         let low = shares
@@ -84,7 +95,7 @@ fn bands(map: &Map) -> String {
         let points = shares.len();
         (points > 0).then(|| {
             let text = format!(
-                "{}: 5-95 % of the loss torque {low:+.0} .. {high:+.0} % at most, over parameters and sampling at {points} points",
+                "{}: 5 and 95 % quantiles of the loss at most {low:+.0} and {high:+.0} % from its median, over {points} points",
                 finish.name
             );
             format!("{}\n", wrapped(&text, "     "))

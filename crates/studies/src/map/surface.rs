@@ -12,8 +12,6 @@ pub struct Surface {
     pub speed_rpm: Vec<f64>,
     /// Loss torques \[N m\], torque by torque.
     pub loss_torque_nm: Vec<f64>,
-    /// Standard deviations over the offsets of the traces \[N m\].
-    pub deviation_nm: Vec<f64>,
 }
 
 /// Interpolated value.
@@ -21,8 +19,6 @@ pub struct Surface {
 pub struct Interpolated {
     /// Loss torque \[N m\].
     pub value: f64,
-    /// Standard deviation over the offsets \[N m\].
-    pub deviation: f64,
     /// Whether the point is outside of the nodes or NaN.
     pub is_outside: bool,
 }
@@ -36,21 +32,14 @@ impl Surface {
         let (i, a) = cell(&self.torque_nm, at);
         let (j, b) = cell(&self.speed_rpm, speed_rpm.abs());
         let across = self.speed_rpm.len();
-        let of = |values: &[f64]| {
-            let at = |i: usize, j: usize| {
-                let (i, j) = (
-                    i.min(self.torque_nm.len() - 1),
-                    j.min(self.speed_rpm.len() - 1),
-                );
-                values[i * across + j]
-            };
-            let low = (1.0 - b) * at(i, j) + b * at(i, j + 1);
-            let high = (1.0 - b) * at(i + 1, j) + b * at(i + 1, j + 1);
-            factor * ((1.0 - a) * low + a * high)
+        let at = |i: usize, j: usize| {
+            let (i, j) = (i.min(self.torque_nm.len() - 1), j.min(across - 1));
+            self.loss_torque_nm[i * across + j]
         };
+        let low = (1.0 - b) * at(i, j) + b * at(i, j + 1);
+        let high = (1.0 - b) * at(i + 1, j) + b * at(i + 1, j + 1);
         Interpolated {
-            value: of(&self.loss_torque_nm),
-            deviation: of(&self.deviation_nm),
+            value: factor * ((1.0 - a) * low + a * high),
             is_outside: !reaches(&self.torque_nm, torque_nm)
                 || !reaches(&self.speed_rpm, speed_rpm.abs()),
         }
@@ -105,7 +94,6 @@ mod tests {
             torque_nm: vec![-10.0, 0.0, 20.0],
             speed_rpm: vec![0.0, 100.0],
             loss_torque_nm: vec![3.0, 4.0, 1.0, 2.0, 5.0, 7.0],
-            deviation_nm: vec![0.3, 0.4, 0.1, 0.2, 0.5, 0.7],
         }
     }
 
@@ -118,7 +106,6 @@ mod tests {
         assert!(!surface.loss_torque(10.0, 50.0).is_outside);
         let beyond = surface.loss_torque(30.0, 100.0);
         assert!(beyond.is_outside && (beyond.value - 7.0 * 1.5).abs() < 1e-14);
-        assert!((beyond.deviation - 0.7 * 1.5).abs() < 1e-14);
         let beyond = surface.loss_torque(-40.0, 200.0);
         assert!(beyond.is_outside && beyond.value == 4.0 * 4.0);
         let faster = surface.loss_torque(20.0, 200.0);
@@ -130,7 +117,6 @@ mod tests {
         let one_sided = Surface {
             torque_nm: vec![0.0, 20.0],
             loss_torque_nm: vec![1.0, 2.0, 5.0, 7.0],
-            deviation_nm: vec![0.0; 4],
             ..surface()
         };
         let back = one_sided.loss_torque(-20.0, 100.0);

@@ -15,6 +15,12 @@ pub(super) struct PointRow<'a> {
     speed_rpm: f64,
     temperature_c: f64,
     loss_w: Option<f64>,
+    #[serde(default)]
+    loss_median_w: Option<f64>,
+    #[serde(default)]
+    loss_p05_w: Option<f64>,
+    #[serde(default)]
+    loss_p95_w: Option<f64>,
     loss_torque_nm: Option<f64>,
     efficiency: Option<f64>,
     efficiency_deviation: Option<f64>,
@@ -29,10 +35,6 @@ pub(super) struct PointRow<'a> {
     lubricated_asperity_w: Option<f64>,
     boundary_w: Option<f64>,
     finish: Cow<'a, str>,
-    #[serde(default)]
-    loss_torque_q05_nm: Option<f64>,
-    #[serde(default)]
-    loss_torque_q95_nm: Option<f64>,
     /// Absent in older maps.
     #[serde(default)]
     deformation_w: Option<f64>,
@@ -45,12 +47,15 @@ impl<'a> PointRow<'a> {
     fn of(finish: &'a FinishMap, point: &'a Point) -> Self {
         let numbers = point.numbers.as_ref();
         let of = |value: fn(&Numbers) -> f64| numbers.map(value);
-        let quantile = |which: usize| Some(numbers?.loss_torque_quantiles_nm?[which]);
+        let quantile = |which: usize| Some(numbers?.loss_quantiles_w?[which]);
         Self {
             torque_nm: point.torque_nm,
             speed_rpm: point.speed_rpm,
             temperature_c: point.temperature_c,
             loss_w: of(|n| n.loss_w),
+            loss_median_w: numbers.and_then(|n| n.loss_median_w),
+            loss_p05_w: quantile(0),
+            loss_p95_w: quantile(1),
             loss_torque_nm: of(|n| n.loss_torque_nm),
             efficiency: numbers.and_then(|n| n.efficiency),
             efficiency_deviation: numbers.and_then(|n| n.efficiency_deviation),
@@ -65,8 +70,6 @@ impl<'a> PointRow<'a> {
             lubricated_asperity_w: of(|n| n.lubricated_asperity_w),
             boundary_w: of(|n| n.boundary_w),
             finish: asperity_storage::cell(&finish.name),
-            loss_torque_q05_nm: quantile(0),
-            loss_torque_q95_nm: quantile(1),
             deformation_w: of(|n| n.deformation_w),
         }
     }
@@ -79,10 +82,8 @@ impl<'a> PointRow<'a> {
                 loss_w,
                 loss_torque_nm: self.loss_torque_nm?,
                 loss_torque_deviation_nm: self.loss_torque_deviation_nm,
-                loss_torque_quantiles_nm: self
-                    .loss_torque_q05_nm
-                    .zip(self.loss_torque_q95_nm)
-                    .map(|(low, high)| [low, high]),
+                loss_median_w: self.loss_median_w,
+                loss_quantiles_w: self.loss_p05_w.zip(self.loss_p95_w).map(<[f64; 2]>::from),
                 efficiency: self.efficiency,
                 efficiency_deviation: self.efficiency_deviation,
                 sliding_w,

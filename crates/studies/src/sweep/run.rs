@@ -8,7 +8,8 @@ use std::time::{Duration, Instant};
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::{contacts, losses, losses_with};
-use asperity::result::Summary;
+use asperity::result::{Losses, Summary};
+use asperity::uncertainty::{Quantiles, predictive};
 use asperity::{Contacts, Error, Run};
 use rayon::prelude::*;
 
@@ -133,17 +134,22 @@ pub(super) fn row_of(
 ) -> Result<Vec<String>, SweepError> {
     let inputs = list.inputs(number);
     let names = outputs(study);
-    let (id, summary) = match resolved(study, &inputs) {
+    let (id, found) = match resolved(study, &inputs) {
         Err(error @ SweepError::Changed { .. }) => return Err(error),
         Err(error) => (String::new(), Err(error.code_of_case())),
         Ok((case, id)) => {
-            let summary = summary(study, &case, shared);
-            (id, summary.map_err(|error| error.code().to_owned()))
+            let found = result(
+                study,
+                &case,
+                shared,
+                names.iter().any(|name| is_drawn(name)),
+            );
+            (id, found.map_err(|error| error.code().to_owned()))
         }
     };
     let mut row = vec![number.to_string(), id];
     row.extend(inputs.columns);
-    match summary.and_then(|summary| values(&summary, &names)) {
+    match found.and_then(|found| values(&found, &names)) {
         Ok(values) => {
             row.extend(values);
             row.push(String::new());
@@ -156,22 +162,50 @@ pub(super) fn row_of(
     Ok(row)
 }
 
-fn summary(
+/// Columns that need the draws of a case.
+const DRAWN: [&str; 3] = ["loss_median_w", "loss_p05_w", "loss_p95_w"];
+
+fn is_drawn(name: &str) -> bool {
+    DRAWN.contains(&name)
+}
+
+/// Summary of a case, and median, 5 and 95 % quantiles of its draws if they are requested and the case has some.
+type Found = (Summary, Option<[f64; 3]>);
+
+fn result(
     study: &Study,
     case: &LoadedCase,
     shared: Option<&SharedTables>,
-) -> Result<Summary, Error> {
+    with_draws: bool,
+) -> Result<Found, Error> {
+    let columns = |median, [low, high]: [f64; 2]| [median, low, high];
     if study.input.detail.unwrap_or_default() == Detail::Contacts {
-        let run = Run::new(case).without_pictures();
-        return Ok(run.execute()?.result.summary);
+        let run = Run::new(case).without_pictures().band(with_draws);
+        let found = run.execute()?.result;
+        let drawn = found.uncertainty.map(|found| found.loss);
+        return Ok((
+            found.summary,
+            drawn.map(|loss| columns(loss.median_w, loss.quantiles_w)),
+        ));
     }
+    let drawn = |losses: Losses, tables: Option<&Contacts>| {
+        let draws = match with_draws {
+            true => predictive(case, &losses, tables)?,
+            false => None,
+        };
+        let found = draws.map(|draws| Quantiles::of(&draws.draws_w()));
+        Ok((
+            losses.summary,
+            found.map(|found| columns(found.median_w, found.quantiles_w)),
+        ))
+    };
     if let Some(tables) = shared.and_then(|shared| tables(case, shared)) {
         // Tables of another contact are an error here; the case is then computed without them.
         if let Ok(losses) = losses_with(&tables, case) {
-            return Ok(losses.summary);
+            return drawn(losses, Some(&tables));
         }
     }
-    Ok(losses(case)?.summary)
+    drawn(losses(case)?, None)
 }
 
 /// The contact tables of a case, computed on first use.
@@ -190,10 +224,15 @@ fn tables(case: &LoadedCase, shared: &SharedTables) -> Option<Arc<Contacts>> {
     Some(made)
 }
 
-/// The columns of a summary, or an error code.
-fn values(summary: &Summary, names: &[String]) -> Result<Vec<String>, String> {
+/// The columns of a case, or an error code.
+fn values((summary, drawn): &Found, names: &[String]) -> Result<Vec<String>, String> {
     let value = serde_json::to_value(summary).map_err(|_| "E501".to_owned())?;
+    let of_draws = |name: &str| {
+        let place = DRAWN.iter().position(|drawn| *drawn == name)?;
+        Some(drawn.as_ref()?[place].to_string())
+    };
     let of = |name: &String| match value.get(name) {
+        _ if is_drawn(name) => Ok(of_draws(name).unwrap_or_default()),
         Some(serde_json::Value::Number(number)) => Ok(number.to_string()),
         Some(serde_json::Value::Null) => Ok(String::new()),
         _ => Err("E402".to_owned()),

@@ -1,0 +1,236 @@
+//! Draws of the loss over torque, speed and temperature, from draws at a few nodes.
+//!
+//! ```text
+//! L_j = ln(P_j/P),  linear in ln T, ln ω and the temperature between the nodes, held constant outside
+//! ```
+//!
+//! P_j is the loss of draw j and P the loss with every constant at its median. Draws are the same at all nodes, so that
+//! the constants, the structure and the tip relief of a draw hold for the whole map.
+
+use asperity::uncertainty::{Predictive, Quantiles};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::axes::Axes;
+use super::point::FinishMap;
+
+/// Points of a map whose draws are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MapBand {
+    /// None: the map has no quantiles.
+    None,
+    /// Three torques and three speeds, at the lowest, the middle and the highest temperature.
+    #[default]
+    Nodes,
+}
+
+/// Smallest torque and speed of a node relative to the largest.
+const SMALLEST: f64 = 0.02;
+/// Parts of an interval between nodes to which a place is rounded.
+const PARTS: u32 = 64;
+
+/// Ingredients of the draws at nodes of torque, speed and temperature, for one side of the teeth.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrawnNodes {
+    /// Absolute torques \[N m\], ascending.
+    pub torque_nm: Vec<f64>,
+    /// Speeds \[1/min\], ascending.
+    pub speed_rpm: Vec<f64>,
+    /// Temperatures \[°C\], ascending.
+    pub temperature_c: Vec<f64>,
+    /// Draws at the nodes, in the order of temperature, torque and speed.
+    pub predictive: Vec<Predictive>,
+}
+
+/// Torques, speeds and temperatures of the nodes, chosen from the axes of a map.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Nodes {
+    pub torque_nm: Vec<f64>,
+    pub speed_rpm: Vec<f64>,
+    pub temperature_c: Vec<f64>,
+}
+
+impl Nodes {
+    /// Nodes among the absolute torques at which one side of the teeth is computed, and the other axes of the map.
+    pub fn of(band: MapBand, torques: &[f64], axes: &Axes) -> Self {
+        let temperatures = &axes.temperature_c;
+        let Some(last) = temperatures.len().checked_sub(1) else {
+            return Self::default();
+        };
+        if band == MapBand::None {
+            return Self::default();
+        }
+        let temperatures = [0, last / 2, last].map(|k| temperatures[k]);
+        Self {
+            torque_nm: three(torques),
+            speed_rpm: three(&axes.speed_rpm),
+            temperature_c: distinct(temperatures.into_iter()),
+        }
+    }
+
+    pub fn has(&self, torque: f64, speed: f64, temperature: f64) -> bool {
+        self.torque_nm.contains(&torque)
+            && self.speed_rpm.contains(&speed)
+            && self.temperature_c.contains(&temperature)
+    }
+}
+
+/// The lowest of the positive `values` from 2 % of the largest, the largest, and the one nearest to their geometric mean.
+fn three(values: &[f64]) -> Vec<f64> {
+    let positive = values.iter().copied().filter(|value| *value > 0.0);
+    let all = distinct(positive);
+    let Some(&high) = all.last() else {
+        return all;
+    };
+    let from = all.partition_point(|value| *value < SMALLEST * high);
+    let all = &all[from..];
+    let low = all[0];
+    let off = |value: &&f64| (*value * *value / (low * high)).ln().abs();
+    let middle = all.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+    distinct([low, high].into_iter().chain(middle.copied()))
+}
+
+fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
+}
+
+/// L_j at the nodes of one side.
+struct Side<'a> {
+    nodes: &'a DrawnNodes,
+    logs: Vec<Vec<f64>>,
+}
+
+/// Draws of a finish between its nodes.
+pub struct Drawn<'a> {
+    /// Drive and, if they differ, coast flanks.
+    sides: Vec<Side<'a>>,
+}
+
+/// Place between nodes: side, then coordinates over temperature, torque and speed in parts of an interval.
+pub(crate) type Place = [u32; 4];
+
+impl FinishMap {
+    /// The draws, with the errors of model and sampling that flanks number `flanks` of a comparison have, and the standard
+    /// error of the sampling multiplied by `sampling`. `None` for a map without draws.
+    #[must_use]
+    pub fn drawn(&self, flanks: usize, sampling: f64) -> Option<Drawn<'_>> {
+        let logs = |predictive: &Predictive| -> Vec<f64> {
+            let draws = predictive.draws_of_sum_w(flanks, sampling);
+            let logs = draws
+                .iter()
+                .map(|loss| (loss / predictive.at_medians_w).ln());
+            logs.collect()
+        };
+        let sides = self.draws.iter().map(|nodes| Side {
+            nodes,
+            logs: nodes.predictive.par_iter().map(logs).collect(),
+        });
+        let sides: Vec<Side<'_>> = sides.collect();
+        (!sides.is_empty()).then_some(Drawn { sides })
+    }
+}
+
+impl Drawn<'_> {
+    /// The place of an operating point, rounded to a 64th of the interval between nodes.
+    pub(crate) fn place(&self, torque_nm: f64, speed_rpm: f64, temperature_c: f64) -> Place {
+        let side = usize::from(torque_nm < 0.0).min(self.sides.len() - 1);
+        let nodes = self.sides[side].nodes;
+        let ln = |nodes: &[f64], value: f64| {
+            let nodes: Vec<f64> = nodes.iter().map(|node| node.ln()).collect();
+            coordinate(&nodes, value.abs().ln())
+        };
+        [
+            side as u32,
+            coordinate(&nodes.temperature_c, temperature_c),
+            ln(&nodes.torque_nm, torque_nm),
+            ln(&nodes.speed_rpm, speed_rpm),
+        ]
+    }
+
+    /// exp(L_j) of all draws.
+    pub(crate) fn ratios(&self, place: Place) -> Vec<f64> {
+        let [side, at @ ..] = place;
+        let side = &self.sides[side as usize];
+        let (torques, speeds) = (side.nodes.torque_nm.len(), side.nodes.speed_rpm.len());
+        let corners = |k: usize| {
+            let (below, part) = (at[k] / PARTS, at[k] % PARTS);
+            let above = f64::from(part) / f64::from(PARTS);
+            [(below, 1.0 - above), (below + 1, above)]
+        };
+        let mut logs = vec![0.0; Predictive::count()];
+        for (temperature, a) in corners(0) {
+            for (torque, b) in corners(1) {
+                for (speed, c) in corners(2) {
+                    let weight = a * b * c;
+                    if weight == 0.0 {
+                        continue;
+                    }
+                    let node = (temperature as usize * torques + torque as usize) * speeds;
+                    let values = &side.logs[node + speed as usize];
+                    for (sum, value) in logs.iter_mut().zip(values) {
+                        *sum += weight * value;
+                    }
+                }
+            }
+        }
+        logs.into_iter().map(f64::exp).collect()
+    }
+
+    /// Median, 5 and 95 % quantiles over the loss with every constant at its median.
+    pub(crate) fn quantiles(&self, place: Place) -> [f64; 3] {
+        let found = Quantiles::of(&self.ratios(place));
+        let [low, high] = found.quantiles_w;
+        [found.median_w, low, high]
+    }
+}
+
+/// Coordinate of `value` among ascending `nodes` in parts of an interval, held at the ends.
+fn coordinate(nodes: &[f64], value: f64) -> u32 {
+    let after = nodes.partition_point(|node| *node <= value);
+    let (Some(below), Some(above)) = (after.checked_sub(1), nodes.get(after)) else {
+        // Below the first node, NaN included, or from the last one on.
+        return PARTS * after.saturating_sub(1) as u32;
+    };
+    let share = (value - nodes[below]) / (above - nodes[below]);
+    PARTS * below as u32 + (share * f64::from(PARTS)).round() as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nodes_are_the_ends_and_the_middle_of_the_ratios_from_a_fiftieth_of_the_largest() {
+        let speeds = [0.0, 1.0, 10.0, 100.0];
+        let axes = Axes::new(&[100.0], &speeds, &[20.0, 40.0, 60.0, 90.0]).unwrap();
+        let torques = [1.0, 3.0, 20.0, 50.0, 80.0, 100.0];
+        let nodes = Nodes::of(MapBand::Nodes, &torques, &axes);
+        assert_eq!(nodes.torque_nm, [3.0, 20.0, 100.0]);
+        assert_eq!(nodes.speed_rpm, [10.0, 100.0]);
+        assert_eq!(nodes.temperature_c, [20.0, 40.0, 90.0]);
+        assert!(nodes.has(20.0, 10.0, 90.0) && !nodes.has(50.0, 10.0, 90.0));
+        assert_eq!(three(&torques[2..]), [20.0, 50.0, 100.0]);
+        assert_eq!(Nodes::of(MapBand::None, &torques, &axes), Nodes::default());
+    }
+
+    #[test]
+    fn places_are_held_at_the_ends() {
+        let nodes = [1.0, 3.0, 4.0];
+        for (value, expected) in [
+            (0.0, 0),
+            (1.0, 0),
+            (2.0, 32),
+            (3.0, 64),
+            (3.75, 112),
+            (4.0, 128),
+            (9.0, 128),
+            (f64::NAN, 0),
+        ] {
+            assert_eq!(coordinate(&nodes, value), expected, "{value}");
+        }
+        assert_eq!(coordinate(&[5.0], 7.0), 0);
+    }
+}

@@ -1,0 +1,135 @@
+//! Energies of a cycle from draws interpolated between nodes of a map, against draws at every point; quantiles of a sweep.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic")]
+
+use std::path::Path;
+
+use asperity::pipeline::{contacts, losses_with};
+use asperity::uncertainty::{Quantiles, predictive};
+use asperity::{LoadedCase, Run};
+use asperity_studies::compare::Finish;
+use asperity_studies::cycle::{Cycle, CycleResult, cycle, evaluate};
+use asperity_studies::map::{Axes, MapBand, map};
+use asperity_studies::sweep::{Cases, Study};
+
+/// Torque N m and speed 1/min of the cycle of acceptance: part load, full load, slow and fast.
+const POINTS: [[u32; 2]; 6] = [
+    [20, 5000],
+    [30, 8000],
+    [60, 3000],
+    [100, 6000],
+    [145, 9000],
+    [10, 9000],
+];
+
+fn six_points() -> Cycle {
+    let mut text = "time_s,torque_nm,speed_rpm\n".to_owned();
+    for (time, [torque, speed]) in POINTS.iter().enumerate() {
+        text.push_str(&format!("{time},{torque},{speed}\n"));
+    }
+    cycle(&text, None).unwrap()
+}
+
+fn ground(positions: usize, offsets: usize) -> LoadedCase {
+    let file = Path::new("../../fixtures/cases/e-drive.toml");
+    let case = asperity::case::load_with(file, &|input| {
+        (input.model.positions, input.model.offsets) = (Some(positions), Some(offsets));
+    });
+    case.unwrap()
+}
+
+/// Energies over a map whose axes hold every point of the cycle, so that the losses at the medians are exact.
+fn energies(finishes: &[(&str, &LoadedCase)], cycle: &Cycle) -> CycleResult {
+    let finishes: Vec<Finish> = finishes
+        .iter()
+        .map(|(name, case)| Finish {
+            name: (*name).to_owned(),
+            case: (*case).clone(),
+        })
+        .collect();
+    let torques = POINTS.map(|[torque, _]| f64::from(torque));
+    let speeds = POINTS.map(|[_, speed]| f64::from(speed));
+    let axes = Axes::new(&torques, &speeds, &[90.0]).unwrap();
+    let found = map(&finishes, &axes, MapBand::Nodes, &|_, _| {}).unwrap();
+    let draws = &found.finishes[0].draws[0];
+    assert_eq!(draws.torque_nm, [10.0, 30.0, 145.0]);
+    assert_eq!(draws.speed_rpm, [3000.0, 5000.0, 9000.0]);
+    evaluate(&found, 0, (cycle, "six points"), false).unwrap()
+}
+
+#[test]
+fn quantiles_of_an_energy_from_nine_nodes_are_those_of_draws_at_every_point() {
+    let (case, cycle) = (ground(8, 16), six_points());
+    let result = energies(&[("ground", &case)], &cycle);
+    let mut direct = Vec::new();
+    for point in &cycle.points {
+        let there = case.with(|input| {
+            input.operation.torque = format!("{} N m", point.torque_nm).parse().unwrap();
+            input.operation.speed = format!("{} 1/min", point.speed_rpm).parse().unwrap();
+        });
+        let there = there.unwrap();
+        let tables = contacts(&there).unwrap();
+        let losses = losses_with(&tables, &there).unwrap();
+        let drawn = predictive(&there, &losses, Some(&tables)).unwrap().unwrap();
+        let draws = drawn.draws_of_sum_w(0, 0.75);
+        direct.resize(draws.len(), 0.0);
+        for (sum, loss) in direct.iter_mut().zip(draws) {
+            *sum += loss * point.weight_s / 3600.0;
+        }
+    }
+    let direct = Quantiles::of(&direct);
+    let finish = &result.finishes[0];
+    let [low, high] = finish.lost_quantiles_wh.unwrap();
+    let found = [low, finish.lost_median_wh.unwrap(), high];
+    let expected = [
+        direct.quantiles_w[0],
+        direct.median_w,
+        direct.quantiles_w[1],
+    ];
+    println!("{found:?} {expected:?}");
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found / expected - 1.0).abs() < 0.015, "{found} {expected}");
+    }
+    // At a node the quantiles are those of the node: 145 N m at 9000 1/min.
+    let [median, low, high] = finish.drawn_w[4];
+    assert!(low < median && median < high && finish.loss_w[4] > low);
+}
+
+#[test]
+fn equal_finishes_differ_by_nothing_over_a_cycle() {
+    let (case, cycle) = (ground(3, 2), six_points());
+    let smooth = case.with_key("surface.pinion.file", "../profiles/superfinished.csv");
+    let finishes = [
+        ("ground", &case),
+        ("again", &case),
+        ("smoother", &smooth.unwrap()),
+    ];
+    let result = energies(&finishes, &cycle);
+    let again = &result.finishes[1];
+    assert_eq!(again.difference_quantiles_wh, Some([0.0, 0.0]));
+    assert_eq!(again.difference_median_wh, Some(0.0));
+    let smoother = &result.finishes[2];
+    assert!(smoother.difference_quantiles_wh.unwrap()[1] < 0.0);
+}
+
+#[test]
+fn columns_of_a_sweep_hold_the_quantiles_of_runs() {
+    let case = ground(3, 2);
+    let loss = Run::new(&case).without_pictures().band(true).execute();
+    let loss = loss.unwrap().result.uncertainty.unwrap().loss;
+    let expected = [loss.median_w, loss.quantiles_w[0], loss.quantiles_w[1]];
+    for detail in ["losses", "contacts"] {
+        let text = format!(
+            r#"{{ "axis": [{{ "key": "operation.temperature", "values": ["90 °C", "60 °C"] }}], "detail": "{detail}",
+            "columns": ["loss_median_w", "loss_p05_w", "loss_p95_w"] }}"#
+        );
+        let cases = Cases::of(Study::of_case(case.clone(), &text, ".".as_ref()).unwrap()).unwrap();
+        let rows = cases.rows(0..2).unwrap();
+        let numbers = |row: &[String]| {
+            let of = |k: usize| row[k].parse::<f64>().unwrap();
+            [of(3), of(4), of(5)]
+        };
+        assert_eq!(numbers(&rows[0]), expected, "{detail}");
+        assert!(numbers(&rows[1]) != expected, "{detail}");
+    }
+}
