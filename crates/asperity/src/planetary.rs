@@ -9,9 +9,9 @@ use crate::error::{Error, PositionError};
 use crate::pipeline::KeptFields;
 use crate::pipeline::Progress;
 use crate::result::gearbox::Scope;
-use crate::result::rounded;
+use crate::result::{Digits, rounded};
 use crate::result::{Outcome, RunResult};
-use crate::uncertainty::{has_band, quantiles_of_set, run_and_draw};
+use crate::uncertainty::{Quantiles, run_and_draw};
 
 /// The result of a planetary set, in addition to the results of its meshes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -30,10 +30,9 @@ pub struct PlanetaryResult {
     pub efficiency: f64,
     /// Loss of all meshes \[W\].
     pub loss_w: f64,
-    /// Its 5 % and 95 % quantiles over the draws of oil and boundary layer, with the sampling of the flanks \[W\]; none of
-    /// a formulation without a band.
+    /// Its median, quantiles and spread as drawn; none of a formulation without uncertainty.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub loss_quantiles_w: Option<[f64; 2]>,
+    pub loss_distribution: Option<Quantiles>,
     /// Power that enters through sun, ring and carrier \[W\].
     pub power_in_w: f64,
     /// Power that passes the meshes: torque of the sun times its speed relative to the carrier \[W\].
@@ -66,6 +65,9 @@ pub struct MeshRow {
     pub speed_rad_per_s: f64,
     /// Loss of one such mesh \[W\].
     pub loss_w: f64,
+    /// Its median as drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_median_w: Option<f64>,
     /// Its 5 % quantile.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss_q05_w: Option<f64>,
@@ -109,9 +111,12 @@ pub fn run_planetary(
     let meshes = [of_first, of_second];
     let mut result = result(loaded, [&meshes[0].result, &meshes[1].result])
         .map_err(|error| Error::Whole(Box::new(error)))?;
-    if loaded.meshes.iter().all(has_band) {
-        let quantiles = quantiles_of_set([&drawn_first, &drawn_second], result.planets);
-        result.loss_quantiles_w = Some(quantiles);
+    if let (Some(first), Some(second)) = (drawn_first, drawn_second) {
+        // The meshes share oil and constants, so that these are drawn together, their flanks apart.
+        let planets = f64::from(result.planets);
+        let both = first.draws_w().into_iter().zip(second.draws_of_sum_w(1, 1.0));
+        let drawn: Vec<f64> = both.map(|(a, b)| planets * (a + b)).collect();
+        result.loss_distribution = Some(Quantiles::of(&drawn));
     }
     Ok(PlanetaryOutcome { result, meshes })
 }
@@ -140,7 +145,7 @@ fn result(
         planets: set.planets,
         efficiency: 1.0 - loss / power_in,
         loss_w: loss,
-        loss_quantiles_w: None,
+        loss_distribution: None,
         power_in_w: power_in,
         rolling_power_w: set.rolling_power(operation)?.si(),
         sun_rad_per_s: sun.si(),
@@ -159,14 +164,15 @@ fn result(
 fn row(name: &str, load: &PlanetaryMesh, run: &RunResult, share: f64) -> MeshRow {
     let pressures = run.path.iter().map(|row| row.hertz_pressure_mpa);
     let highest = pressures.fold(0.0, f64::max);
-    let band = run.band.as_ref().map(|band| band.quantiles_w);
+    let drawn = run.uncertainty.as_ref().map(|found| &found.loss);
     MeshRow {
         mesh: name.to_owned(),
         torque_nm: load.torque.si(),
         speed_rad_per_s: load.speed.si(),
         loss_w: run.summary.loss_w,
-        loss_q05_w: band.map(|[low, _]| low),
-        loss_q95_w: band.map(|[_, high]| high),
+        loss_median_w: drawn.map(|loss| loss.median_w),
+        loss_q05_w: drawn.map(|loss| loss.quantiles_w[0]),
+        loss_q95_w: drawn.map(|loss| loss.quantiles_w[1]),
         efficiency: run.summary.efficiency,
         loss_factor: run.summary.loss_factor_local,
         mu_equivalent: run.summary.mu_equivalent,
@@ -179,22 +185,18 @@ impl PlanetaryResult {
     /// Loss \[W\] and efficiency \[%\] with their bands, each with the digits that its band leaves.
     #[must_use]
     pub fn with_bands(&self) -> [String; 2] {
-        let Some([low, high]) = self.loss_quantiles_w else {
+        let Some(drawn) = &self.loss_distribution else {
             return [self.loss_w, 100.0 * self.efficiency].map(|value| format!("{value:.4}"));
         };
-        let percent = |loss: f64| 100.0 * (1.0 - loss / self.power_in_w);
-        let half = 0.5 * (high - low);
-        let loss = |value: f64| rounded(value, half);
-        let efficiency = |loss: f64| rounded(percent(loss), 100.0 * half / self.power_in_w);
-        [
-            format!("{} ({}..{})", loss(self.loss_w), loss(low), loss(high)),
-            format!(
-                "{} ({}..{})",
-                efficiency(self.loss_w),
-                efficiency(high),
-                efficiency(low)
-            ),
-        ]
+        let [low, high] = drawn.quantiles_w;
+        let digits = Digits::of_interval(drawn.quantiles_w);
+        let loss = |value: f64| digits.rounded(value);
+        let percent = digits.of_percent(self.power_in_w);
+        let efficiency = |loss: f64| percent.rounded(100.0 * (1.0 - loss / self.power_in_w));
+        let text = |of: &dyn Fn(f64) -> String, [from, to]: [f64; 2]| {
+            format!("{} ({}..{})", of(drawn.median_w), of(from), of(to))
+        };
+        [text(&loss, [low, high]), text(&efficiency, [high, low])]
     }
 }
 

@@ -4,7 +4,7 @@ use crate::case::LoadedCase;
 use crate::error::Error;
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::{Losses, Outcome};
-use crate::uncertainty::{self, DrawnLosses};
+use crate::uncertainty::{self, Predictive};
 
 /// A run of a case, built by its options.
 ///
@@ -31,7 +31,7 @@ pub struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// A run with pictures of every position, the fields of all of them, and without the interval of the loss.
+    /// A run with pictures of every position, the fields of all of them, and without the uncertainty of the loss.
     pub fn new(case: &'a LoadedCase) -> Self {
         Self {
             case,
@@ -57,7 +57,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Computes the interval of the loss, if `band` is set and the model of the case has one. It costs no further
+    /// Computes the uncertainty of the loss, if `band` is set and the model of the case has one. It costs no further
     /// contact.
     pub fn band(self, band: bool) -> Self {
         Self { band, ..self }
@@ -80,12 +80,12 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Runs the case with the interval of its loss, and returns the losses of every draw, which
-    /// [`difference`](crate::uncertainty::difference) compares; of a case without an interval the nominal ones only.
+    /// Runs the case with the uncertainty of its loss, and returns its draws, which
+    /// [`difference`](crate::uncertainty::difference) compares; none of a case without an uncertainty.
     ///
     /// # Errors
     /// As [`execute`](Self::execute).
-    pub fn draw(self) -> Result<(Outcome, DrawnLosses), Error> {
+    pub fn draw(self) -> Result<(Outcome, Option<Predictive>), Error> {
         uncertainty::run_and_draw(self.case, self.pictures, self.progress)
     }
 

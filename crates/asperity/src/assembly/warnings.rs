@@ -10,7 +10,6 @@ use asperity_efficiency::equivalent_friction;
 use asperity_ehl::PlasticCeiling;
 use asperity_gear::{Gear, StiffnessSource};
 
-use super::statistics::mean;
 use crate::case::{Case, Formulation, LoadedCase};
 use crate::error::PositionError;
 use crate::flanks::is_substituted;
@@ -22,7 +21,7 @@ use crate::pictures::Picture;
 use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
 use crate::result::LoadReport;
 use crate::result::{FullFilmRow, GearboxReport, MicropittingReport, RecordRow, Regime, Summary};
-use crate::sampling::{free_way, least_way};
+use crate::sampling::{length_for, windows_of_traces};
 
 /// Warnings about the positions and the summary.
 pub(crate) fn warnings(
@@ -537,28 +536,28 @@ fn values_alone(lambda_star_known: bool) -> String {
     )
 }
 
-/// W407: traces too short for an interval of the sampling.
+/// W407: traces of few independent windows.
 fn short_traces(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+    const FEW: f64 = 4.0;
+    const ENOUGH: f64 = 8.0;
     let offsets = positions.iter().map(|position| position.offsets.len());
     // The traces of several teeth are the sample, however long each is.
     if offsets.max() <= Some(1) || loaded.surfaces.several_teeth().is_some() {
         return;
     }
-    let half_width = loss_weighted_half_width(positions);
-    let Some(way) = free_way(&loaded.surfaces, loaded.case.model.window, half_width) else {
+    let half_widths = positions.iter().map(|position| position.at.hertz.half_width.si());
+    let widest = Length::from_si(half_widths.fold(0.0, f64::max));
+    let Some(windows) = windows_of_traces(loaded, widest).filter(|windows| *windows < FEW) else {
         return;
     };
-    let needed = least_way(half_width);
-    if way < needed {
-        found.push(Warning::new(
-            "W407",
-            format!(
-                "the window of the contact can move {:.0} um along the shorter trace, less than the {:.0} um that an interval needs: this is one window, and its sampling error is not known",
-                1e6 * way.si(),
-                1e6 * needed.si(),
-            ),
-        ));
-    }
+    let length = length_for(ENOUGH, loaded.case.model.window, widest);
+    found.push(Warning::new(
+        "W407",
+        format!(
+            "the traces hold only {windows:.1} independent windows of the contact: the sampling error rests on experience with like flanks; measure {:.1} mm or more",
+            1e3 * length.si(),
+        ),
+    ));
 }
 
 /// W417: contacts beyond the ends of placed traces.
@@ -574,18 +573,4 @@ fn covered(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Ve
             ),
         ));
     }
-}
-
-/// Half width of the contact, weighted with the sliding loss.
-fn loss_weighted_half_width(positions: &[LubricatedPosition]) -> Length {
-    let weights = positions.iter().map(|position| {
-        let forces = position.offsets.iter().map(|offset| offset.friction_force);
-        position.at.weight * position.at.mean_sliding() * mean(forces)
-    });
-    let (mut sum, mut total) = (0.0, 0.0);
-    for (position, weight) in positions.iter().zip(weights) {
-        sum += weight * position.at.hertz.half_width.si();
-        total += weight;
-    }
-    Length::from_si(sum / total)
 }

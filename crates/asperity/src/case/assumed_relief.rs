@@ -3,7 +3,7 @@
 use asperity_core::cite;
 use asperity_core::quantity::{Length, Torque};
 use asperity_gear::{
-    AmountDirection, GearError, LoadConditions, LoadLaw, MicroGeometry, Relief, ReliefExtent,
+    AmountDirection, GearError, LoadConditions, LoadDistribution, LoadLaw, MicroGeometry, Relief, ReliefExtent,
     ReliefShape,
 };
 

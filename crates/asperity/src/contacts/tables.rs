@@ -187,14 +187,25 @@ impl Contacts {
         part
     }
 
+    /// The contacts of the first pair of traces, which `first` has alone.
+    pub(crate) fn of_first_pair(&self, first: &LoadedCase) -> Self {
+        let of_a_pair = |row: &Vec<Arc<WindowContact>>| {
+            let count = row.len() / self.surfaces.pairs();
+            row.iter().take(count.max(1)).cloned().collect()
+        };
+        let mut part = Self {
+            fingerprint: fingerprint(&first.case, &first.surfaces),
+            surfaces: first.surfaces.clone(),
+            rows: BTreeMap::new(),
+            ..self.clone()
+        };
+        part.rows = self.rows.iter().map(|(key, row)| (*key, of_a_pair(row))).collect();
+        part
+    }
+
     /// Refuses contacts whose flanks, steels, windows or offsets differ from `loaded`.
     pub(crate) fn check(&self, loaded: &LoadedCase) -> Result<(), PositionError> {
-        let ours: Vec<&Surfaces> = self.surfaces.each().collect();
-        let theirs: Vec<&Surfaces> = loaded.surfaces.each().collect();
-        let mut pairs = ours.iter().zip(&theirs);
-        let has_textures =
-            ours.len() == theirs.len() && pairs.all(|(one, other)| one.has_textures_of(other));
-        let is_same = has_textures
+        let is_same = self.surfaces.has_flanks_of(&loaded.surfaces)
             && self.each == loaded.case.model.offsets
             && self.fingerprint == fingerprint(&loaded.case, &loaded.surfaces);
         match is_same {

@@ -386,17 +386,12 @@ impl Surfaces {
         self.pairs() * of_a_pair
     }
 
-    /// Whether the traces of a flank, 0 of the pinion and 1 of the wheel, equal those in `other`.
-    pub(crate) fn has_flank_of(&self, body: usize, other: &Self) -> bool {
-        let textures = |surfaces: &Self| -> Vec<Arc<[Texture; 2]>> {
-            surfaces
-                .each()
-                .map(|met| Arc::clone(&met.textures))
-                .collect()
-        };
-        let (ours, theirs) = (textures(self), textures(other));
+    /// Whether both flanks are those of `other`, in every pair.
+    #[must_use]
+    pub fn has_flanks_of(&self, other: &Self) -> bool {
+        let (ours, theirs): (Vec<&Self>, Vec<&Self>) = (self.each().collect(), other.each().collect());
         let mut pairs = ours.iter().zip(&theirs);
-        ours.len() == theirs.len() && pairs.all(|(a, b)| a[body] == b[body])
+        ours.len() == theirs.len() && pairs.all(|(one, other)| one.has_textures_of(other))
     }
 
     /// Roughness of two windows in contact.

@@ -192,7 +192,7 @@ pub fn settled<'a>(
 }
 
 /// The case at its equilibrium bulk temperature, with its contacts.
-fn warmed<'a>(loaded: &'a LoadedCase, contacts: &Contacts) -> Result<Cow<'a, LoadedCase>, Error> {
+pub(super) fn warmed<'a>(loaded: &'a LoadedCase, contacts: &Contacts) -> Result<Cow<'a, LoadedCase>, Error> {
     let Some(model) = loaded.case.bulk else {
         return Ok(Cow::Borrowed(loaded));
     };

@@ -4,7 +4,9 @@ use asperity_core::quantity::Length;
 use asperity_ns_film::{FluidModel, pressure_difference_across};
 use serde::Serialize;
 
-use super::stages::{Stages, settled};
+use asperity_core::provenance::Provenance;
+
+use super::stages::{Stages, sampled, settled, warmed};
 use crate::assembly::{mean, median};
 use crate::case::{Case, LoadedCase};
 use crate::error::{Error, PositionError};
@@ -47,9 +49,10 @@ pub struct RegimeRow {
 /// # Errors
 /// When an equation refuses the numbers at a position.
 pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
-    let settled = settled(loaded, None)?;
-    let case = &settled.case;
-    let stages = Stages::of(settled.as_ref(), None, &|_, _| {})?;
+    let (sampled, contacts) = sampled(loaded, None)?;
+    let warmed = warmed(&sampled, &contacts)?;
+    let case = &warmed.case;
+    let stages = Stages::of(&warmed, &contacts, &|_, _| {}, Provenance::new())?;
     let rows = stages.mesh.positions.iter().map(|at| {
         let (film, decisions) = stages
             .lubrication()

@@ -9,6 +9,9 @@ pub(crate) struct SamplingError {
     pub standard_error: f64,
     /// Its degrees of freedom.
     pub freedom: f64,
+    /// Standard deviation by the form of surrogates, which roughness values do not determine.
+    #[serde(default)]
+    pub form: f64,
     /// Changes of ln loss where placed traces are misplaced to either side.
     pub shifts: Option<[f64; 2]>,
 }
@@ -18,6 +21,7 @@ impl SamplingError {
     pub const NONE: Self = Self {
         standard_error: 0.0,
         freedom: 4.0,
+        form: 0.0,
         shifts: None,
     };
 

@@ -15,8 +15,10 @@
 use asperity_core::cite;
 use asperity_core::numerics::student_t_quantile;
 
-use super::windows::CONFIDENCE;
 use crate::result::PairSampling;
+
+/// Confidence of the interval of the mean.
+const CONFIDENCE: f64 = 0.95;
 
 /// Standard error of the mean of `losses`, those of the teeth of the pinion one after the other, each on all
 /// `teeth[1]` of the wheel.

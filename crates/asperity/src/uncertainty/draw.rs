@@ -46,6 +46,8 @@ pub(super) struct FlankDraw {
     pub sampling: f64,
     /// Place of placed traces, 0 to 1.
     pub place: f64,
+    /// Form of surrogates.
+    pub form: f64,
 }
 
 impl Draw {
@@ -71,6 +73,7 @@ impl Draw {
                 model: 0.0,
                 sampling: 0.0,
                 place: 0.5,
+                form: 0.0,
             },
         }
     }
@@ -98,12 +101,13 @@ pub(super) fn shared_draws() -> impl Iterator<Item = Draw> {
 
 /// The draws of flanks number `flanks`.
 pub(super) fn flank_draws(flanks: usize) -> impl Iterator<Item = FlankDraw> {
-    let orders = permutations(DRAWS, 3, SEED + 1 + flanks as u64);
+    let orders = permutations(DRAWS, 4, SEED + 1 + flanks as u64);
     let normal = normal();
     (0..DRAWS).map(move |j| FlankDraw {
         model: normal[orders[0][j]],
         sampling: normal[orders[1][j]],
         place: place(orders[2][j]),
+        form: normal[orders[3][j]],
     })
 }
 

@@ -10,6 +10,7 @@ use super::hypercube::latin_hypercube;
 use super::predictive::{Predictive, Structure};
 use super::relief::ReliefFactors;
 use super::surface::QuadraticSurface;
+use crate::assembly::deviation;
 use crate::case::{LoadedCase, cholesky};
 use crate::contacts::Contacts;
 use crate::error::Error;
@@ -100,8 +101,18 @@ pub(super) fn evaluate(
 ) -> Result<Evaluated, Error> {
     let whole = |error| Error::Whole(Box::new(error));
     let (constants, held) = parameters(loaded).map_err(whole)?;
-    let few = contacts.map(|contacts| contacts.first((OFFSETS / loaded.surfaces.pairs()).max(1)));
-    let base = Base { loaded, constants: &constants, contacts: few.as_ref(), number: AtomicUsize::new(0), done };
+    // A ratio of losses needs one pair of surrogates.
+    let (loaded_few, few) = match loaded.surfaces.is_surrogate() {
+        true => {
+            let first = loaded.first_pair();
+            let contacts = contacts.map(|contacts| contacts.of_first_pair(&first).first(OFFSETS));
+            (Cow::Owned(first), contacts)
+        }
+        false => {
+            let each = (OFFSETS / loaded.surfaces.pairs()).max(1);
+            (Cow::Borrowed(loaded), contacts.map(|contacts| contacts.first(each)))
+        }
+    };
     let dimensions = constants.len();
     let wanted = QuadraticSurface::evaluations(dimensions);
     let path = Path::of(nominal.path);
@@ -126,7 +137,13 @@ pub(super) fn evaluate(
     };
     let mut of_positions = Vec::new();
     if dimensions > 0 {
-        let base = Base { constants: &predictive.constants, ..base };
+        let base = Base {
+            loaded: &loaded_few,
+            constants: &predictive.constants,
+            contacts: few.as_ref(),
+            number: AtomicUsize::new(0),
+            done,
+        };
         let places = |count, seed| places(count, dimensions, seed);
         let fitted = places(wanted, SEED);
         let middle = base.at(&vec![0.0; dimensions], false)?;
@@ -290,15 +307,20 @@ pub(super) fn widest(path: &[PositionRow]) -> Length {
 fn sampling_error(loaded: &LoadedCase, nominal: &Nominal<'_>, asperity_share: f64) -> Result<SamplingError, Error> {
     let surfaces = &loaded.surfaces;
     let shifts = misplaced(loaded, nominal.summary.loss_w)?;
+    let losses: Vec<f64> = nominal.offsets.iter().map(|row| row.loss_w).collect();
+    let of_pairs = means_of_pairs(&losses, surfaces.pairs());
+    let logs: Vec<f64> = of_pairs.iter().map(|loss| loss.ln()).collect();
+    if surfaces.is_surrogate() {
+        return Ok(of_surrogates(&logs, asperity_share));
+    }
     if let Some(teeth) = surfaces.several_teeth() {
-        let losses: Vec<f64> = nominal.offsets.iter().map(|row| row.loss_w).collect();
-        let logs: Vec<f64> = means_of_pairs(&losses, surfaces.pairs()).iter().map(|loss| loss.ln()).collect();
         let found = pair_sampling(&logs, teeth).filter(|found| found.standard_error_w > 0.0);
         return Ok(match found {
             Some(found) => SamplingError {
                 standard_error: found.standard_error_w,
                 freedom: found.freedom,
                 shifts,
+                ..SamplingError::NONE
             },
             None => SamplingError { shifts, ..SamplingError::NONE },
         });
@@ -313,8 +335,30 @@ fn sampling_error(loaded: &LoadedCase, nominal: &Nominal<'_>, asperity_share: f6
     Ok(SamplingError {
         standard_error: found.standard_error,
         freedom: found.freedom,
-        shifts,
+        ..SamplingError::NONE
     })
+}
+
+/// The error of flanks that are known by roughness values: the scatter of the pairs of surrogates, and their form.
+///
+/// ```text
+/// ln P = mean ln P_k + s_k t(n − 1) + N(0, (0.27 φ)²)                           [Surrogate-error]
+/// ```
+fn of_surrogates(logs: &[f64], asperity_share: f64) -> SamplingError {
+    const FORM: f64 = 0.27;
+    asperity_core::cite!("Surrogate-error");
+    SamplingError {
+        standard_error: deviation(logs).unwrap_or(0.0),
+        freedom: (logs.len() as f64 - 1.0).max(1.0),
+        form: FORM * asperity_share,
+        shifts: None,
+    }
+}
+
+/// Standard error of ln loss by the sampling of the flanks.
+pub(super) fn standard_error(loaded: &LoadedCase, nominal: &Nominal<'_>) -> Result<f64, Error> {
+    let share = Path::of(nominal.path).asperity_share;
+    Ok(sampling_error(loaded, nominal, share)?.standard_error)
 }
 
 /// Changes of ln loss where placed traces are misplaced by two half-widths against each other; none where they are

@@ -120,6 +120,14 @@ pub fn predictive(
     Ok(Some(evaluated.predictive))
 }
 
+/// Standard error of ln loss by the sampling of the flanks, as in the draws; 0 without traces.
+///
+/// # Errors
+/// As [`losses`](crate::losses), of misplaced traces.
+pub fn standard_error(loaded: &LoadedCase, nominal: &Losses) -> Result<f64, Error> {
+    evaluations::standard_error(loaded, &Nominal::of(nominal))
+}
+
 /// Adds the equations of the uncertainty to the equations of the run.
 fn note(result: &mut RunResult, tags: &BTreeSet<&'static str>) {
     let before = result.equations.iter().map(|found| found.tag.as_ref());
@@ -255,6 +263,9 @@ fn parts(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>) ->
 
 fn trust(loaded: &LoadedCase) -> Trust {
     let law = loaded.case.load_share();
+    if loaded.surfaces.is_surrogate() {
+        return Trust::Surrogates;
+    }
     match (loaded.surfaces.are_measured(), law.supply()) {
         (false, _) => Trust::RoughnessValues,
         (true, Some(_)) => Trust::SolvedContact,
@@ -282,6 +293,10 @@ fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>)
     let misplaced_w = predictive.sampling.shifts.map(|shifts| {
         shifts.map(|shift| predictive.at_medians_w * (shift.exp() - 1.0))
     });
+    if loaded.surfaces.is_surrogate() {
+        let pairs = loaded.surfaces.pairs();
+        return SamplingPart::None(format!("{pairs} pairs of surrogate flanks, no trace was measured"));
+    }
     if let Some(found) = nominal.pairs {
         return SamplingPart::Pairs(PairSampling { misplaced_w, ..found });
     }

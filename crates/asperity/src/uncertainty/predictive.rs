@@ -160,6 +160,15 @@ impl Predictive {
         drawn.collect()
     }
 
+    /// The losses of all draws \[W\] as parts of a sum, as over a cycle: model error and sampling drawn as for flanks number
+    /// `flanks`, and the standard error of the sampling times `sampling`.
+    #[must_use]
+    pub fn draws_of_sum_w(&self, flanks: usize, sampling: f64) -> Vec<f64> {
+        let mut scaled = self.clone();
+        scaled.sampling.standard_error *= sampling;
+        scaled.losses(flanks)
+    }
+
     /// Draws whose loss exceeds the power into the mesh.
     pub(super) fn beyond_power(&self) -> usize {
         self.draws_w().iter().filter(|loss| **loss >= self.power_in_w).count()
@@ -184,6 +193,7 @@ impl Predictive {
                 }
                 Component::Sampling => {
                     alone.of_flanks.sampling = of_flanks.sampling;
+                    alone.of_flanks.form = of_flanks.form;
                     alone.of_flanks.place = of_flanks.place;
                 }
                 Component::Relief => {
@@ -248,6 +258,7 @@ impl Predictive {
         let of_model = (-draw.weight * self.bias() + self.model_error() * draw.of_flanks.model).exp();
         let of_rolling = (self.rolling_error() * draw.rolling).exp();
         let of_sampling = self.sampling.standard_error * table.at(draw.of_flanks.sampling)
+            + self.sampling.form * draw.of_flanks.form
             + self.sampling.shift(draw.of_flanks.place);
         (sheared * of_relief * of_model + rolling * of_rolling + other) * of_sampling.exp()
     }
