@@ -86,7 +86,7 @@ fn summary_page(result: &PlanetaryResult) -> String {
                 td { (format!("{:.0}", row.hertz_pressure_most_loaded_mpa)) }
             } } }
         }
-        @if result.loss_quantiles_w.is_some() {
+        @if result.loss_distribution.is_some() {
             p { "In brackets 5 and 95 % over the same draws of oil and boundary layer for both kinds of meshes, with the sampling of
                 the flanks. Each mesh has its own page with teeth, flanks and losses along the path." }
         }

@@ -1,6 +1,6 @@
 //! Formatted loss of a mesh and its parts: the printed parts add up to the printed loss.
 
-use asperity::result::loss_band::{Digits, LossBand};
+use asperity::result::loss_band::{Digits, Uncertainty};
 use asperity::result::{RunningIn, Summary};
 
 /// Loss and its parts as text with units.
@@ -22,28 +22,32 @@ pub(crate) struct PrintedLoss {
 }
 
 impl PrintedLoss {
-    /// Formats with the digits that `band` justifies; three or four digits of the loss without a band.
-    pub(crate) fn of(s: &Summary, running_in: &RunningIn, band: Option<&LossBand>) -> Self {
+    /// The median with the parts of the run scaled to it and the digits that its interval leaves; three or four digits of
+    /// the run without uncertainty.
+    pub(crate) fn of(
+        s: &Summary,
+        running_in: &RunningIn,
+        uncertainty: Option<&Uncertainty>,
+    ) -> Self {
         let powers = Powers {
-            digits: match band {
-                Some(band) => Digits::of_uncertainty(band.half_width_w()),
-                None => digits_of(s.loss_w),
-            },
-            is_banded: band.is_some(),
-            is_in_kilowatts: band.is_none() && s.loss_w >= KILOWATTS_FROM,
+            digits: uncertainty.map_or_else(|| digits_of(s.loss_w), Uncertainty::digits),
+            is_banded: uncertainty.is_some(),
+            is_in_kilowatts: uncertainty.is_none() && s.loss_w >= KILOWATTS_FROM,
         };
-        let loss = powers.digits.steps(s.loss_w);
+        let scale = uncertainty.map_or(1.0, Uncertainty::scale);
+        let median = scale * s.loss_w;
+        let loss = powers.digits.steps(median);
         let first_pass = included(running_in);
         let [pinion, wheel] = s.deformation_w;
-        let all = [s.sliding_w, s.rolling_w, pinion, wheel, first_pass];
+        let all = [s.sliding_w, s.rolling_w, pinion, wheel, first_pass].map(|part| scale * part);
         let steps = powers.digits.parts(loss, &all);
-        let sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w];
-        let rolling = [s.rolling_w - s.hysteresis_w, s.hysteresis_w];
+        let sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w].map(|part| scale * part);
+        let rolling = [s.rolling_w - s.hysteresis_w, s.hysteresis_w].map(|part| scale * part);
         let [film, lubricated, boundary] = powers.parts(steps[0], sliding);
         let [rolling_friction, hysteresis] = powers.parts(steps[1], rolling);
         let text = |k: usize| powers.text(all[k], steps[k]);
         Self {
-            loss: powers.text(s.loss_w, loss),
+            loss: powers.text(median, loss),
             sliding: text(0),
             rolling: text(1),
             deformation: [text(2), text(3)],
@@ -108,7 +112,7 @@ impl Powers {
 
     fn text(&self, power: f64, steps: f64) -> String {
         match (steps == 0.0, power > 0.0) {
-            (true, true) if self.is_banded => format!("below {} W", self.digits.last_place()),
+            (true, true) if self.is_banded => format!("< {} W", self.digits.last_place()),
             (true, true) => format!("{power:.1e} W"),
             (true, false) => "0 W".to_owned(),
             _ if self.is_in_kilowatts => {

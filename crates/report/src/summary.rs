@@ -6,7 +6,7 @@ use crate::printed::{PrintedLoss, included, stated, stated_parts, watts};
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped};
 use asperity::message::Warning;
-use asperity::result::loss_band::{LossBand, SamplingPart, Trust, rounded};
+use asperity::result::loss_band::{Trust, Uncertainty, rounded};
 use asperity::result::{
     BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
     RunResult, Summary,
@@ -67,10 +67,10 @@ fn numbers(result: &RunResult) -> String {
     // Writing into a string cannot fail.
     let _ = write_losses(&mut text, result);
     if let Some(gearbox) = &result.gearbox {
-        text.push_str(&gearbox_text(gearbox, result.band.as_ref()));
+        text.push_str(&gearbox_text(gearbox, result.uncertainty.as_ref()));
     }
-    if let Some(band) = &result.band {
-        text.push_str(&band_text(band));
+    if let Some(uncertainty) = &result.uncertainty {
+        text.push_str(&uncertainty_text(uncertainty));
     }
     if let Some(pairs) = result
         .pairs
@@ -100,10 +100,10 @@ fn pairs_text(pairs: &PairSampling) -> String {
     });
     let [s1, s2] = pairs.between_w;
     let line = format!(
-        "pairs  {pinion} traced teeth of the pinion on {wheel} of the wheel, mean {} ±{} W (95 %{bound}); \
+        "pairs  {pinion} traced teeth of the pinion on {wheel} of the wheel, mean {} W, standard error {} W{bound}; \
         s_1 {} between teeth of the pinion, s_2 {} of the wheel, s_12 {} W from pair to pair",
         own(pairs.mean_w),
-        own(pairs.half_width_w),
+        two_digits(pairs.standard_error_w),
         two_digits(s1),
         two_digits(s2),
         two_digits(pairs.interaction_w),
@@ -142,7 +142,7 @@ pub(crate) fn two_digits(power: f64) -> String {
 }
 
 /// The gearbox: its efficiency, and the losses from the input by part.
-fn gearbox_text(gearbox: &GearboxReport, band: Option<&LossBand>) -> String {
+fn gearbox_text(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> String {
     let losses: Vec<f64> = gearbox.parts.iter().map(|part| part.loss_w).collect();
     let parts = gearbox.parts.iter().zip(stated_parts(&losses));
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
@@ -155,27 +155,26 @@ fn gearbox_text(gearbox: &GearboxReport, band: Option<&LossBand>) -> String {
         ),
         "  ",
     );
-    format!("{}\n{beside}\n", gearbox_headline(gearbox, band))
+    format!("{}\n{beside}\n", gearbox_headline(gearbox, of_mesh))
 }
 
-fn gearbox_headline(gearbox: &GearboxReport, band: Option<&LossBand>) -> String {
-    let Some(band) = band else {
+fn gearbox_headline(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> String {
+    let Some(of_mesh) = of_mesh else {
         return format!(
             "efficiency (gearbox)    {:.4} %   loss {}",
             100.0 * gearbox.efficiency,
             watts(gearbox.loss_w)
         );
     };
-    let [low, high] = gearbox.efficiency_quantiles(band);
-    let percent = |share: f64| rounded(100.0 * share, 50.0 * (high - low));
-    let loss = |power: f64| rounded(power, band.half_width_w());
-    let [least, most] = gearbox.quantiles_w(band).map(loss);
+    let digits = of_mesh.digits();
+    let percent = digits.of_percent(gearbox.power_in_w);
+    let median = of_mesh.loss.median_w + gearbox.parts_w;
+    let [low, high] = gearbox.efficiency_quantiles(of_mesh).map(|share| percent.rounded(100.0 * share));
+    let [least, most] = gearbox.quantiles_w(of_mesh).map(|loss| digits.rounded(loss));
     format!(
-        "efficiency (gearbox)    {} % ({}..{})   loss {} W ({least}..{most})",
-        percent(gearbox.efficiency),
-        percent(low),
-        percent(high),
-        loss(gearbox.loss_w),
+        "efficiency (gearbox)    {} % ({low}..{high})   loss {} W ({least}..{most})",
+        percent.rounded(100.0 * (1.0 - median / gearbox.power_in_w)),
+        digits.rounded(median),
     )
 }
 
@@ -213,10 +212,10 @@ fn bulk_text(bulk: &BulkReport) -> String {
 
 fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
     let s = &result.summary;
-    let printed = PrintedLoss::of(s, &result.running_in, result.band.as_ref());
+    let printed = PrintedLoss::of(s, &result.running_in, result.uncertainty.as_ref());
     writeln!(text, "{}", one_line(&result.title))?;
-    match &result.band {
-        Some(band) => writeln!(text, "{}", headline(s, band))?,
+    match &result.uncertainty {
+        Some(uncertainty) => writeln!(text, "{}", headline(s, uncertainty))?,
         None => writeln!(
             text,
             "efficiency (mesh only)  {:.4} %   loss {}   power in {}",
@@ -298,12 +297,12 @@ fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
     if let Some(error) = s.asperity_share_standard_error {
         writeln!(
             text,
-            "share of the load below 20 nm  {:.3} ±{error:.3} ({} records of mixed lubrication)",
+            "share of the load below 20 nm  {:.3}, standard error {error:.3} ({} records of mixed lubrication)",
             s.asperity_share,
             result.records.len()
         )?;
     }
-    if s.offsets > 1 && result.band.is_none() && result.pairs.is_none() {
+    if s.offsets > 1 && result.uncertainty.is_none() && result.pairs.is_none() {
         writeln!(text, "spread  over {} profile offsets", s.offsets)?;
     }
     if result.running_in.energy_per_engagement_j > 0.0 {
@@ -349,92 +348,76 @@ fn write_run_in(text: &mut String, result: &RunResult) -> std::fmt::Result {
     )
 }
 
-/// Efficiency and loss with the digits that their band justifies.
-fn headline(s: &Summary, band: &LossBand) -> String {
-    let percent = |share: f64| {
-        let half = 0.5 * (band.efficiency_quantiles[1] - band.efficiency_quantiles[0]);
-        rounded(100.0 * share, 100.0 * half)
-    };
-    let loss = |power: f64| rounded(power, band.half_width_w());
-    let [low, high] = band.efficiency_quantiles.map(percent);
-    let [least, most] = band.quantiles_w.map(loss);
+/// Medians of efficiency and loss with their intervals, and the digits that these leave.
+fn headline(s: &Summary, uncertainty: &Uncertainty) -> String {
+    let digits = uncertainty.digits();
+    let percent = digits.of_percent(s.power_in_w);
+    let efficiency = |share: f64| percent.rounded(100.0 * share);
+    let [low, high] = uncertainty.efficiency_quantiles.map(efficiency);
+    let [least, most] = uncertainty.loss.quantiles_w.map(|loss| digits.rounded(loss));
     format!(
         "efficiency (mesh only)  {} % ({low}..{high})   loss {} W ({least}..{most})\n  power in {}",
-        percent(s.efficiency),
-        loss(s.loss_w),
+        efficiency(uncertainty.efficiency_median),
+        digits.rounded(uncertainty.loss.median_w),
         watts(s.power_in_w),
     )
 }
 
-/// A change with its sign and two digits.
-fn signed(change: f64) -> String {
-    let sign = if change > 0.0 { "+" } else { "" };
-    format!("{sign}{}", rounded(change, change.abs()))
+/// Largest parts of the uncertainty that the first screen names.
+const LARGEST_PARTS: usize = 3;
+/// Deviation of the median from the run that is worth a line.
+const NOTED_SHIFT: f64 = 0.03;
+
+/// The largest parts of the uncertainty, what narrows them, and the trust in the flanks.
+fn uncertainty_text(uncertainty: &Uncertainty) -> String {
+    const INDENT: &str = "  ";
+    let digits = uncertainty.digits();
+    let parts = uncertainty.loss.parts.iter().take(LARGEST_PARTS);
+    let parts: Vec<_> = parts.filter(|part| digits.steps(part.half_range_w()) > 0.0).collect();
+    let mut lines = Vec::new();
+    if !parts.is_empty() {
+        let named = parts.iter().map(|part| format!("{} {} W", part.name, digits.rounded(part.half_range_w())));
+        let named: Vec<String> = named.collect();
+        lines.push(format!("uncertain  {} (half of 5 to 95 %, each alone)", named.join(", ")));
+        let mut remedies: Vec<&str> = Vec::new();
+        for part in &parts {
+            if !remedies.contains(&part.remedy.as_str()) {
+                remedies.push(&part.remedy);
+            }
+        }
+        lines.push(format!("narrower with  {}", remedies.join("; ")));
+    }
+    let shift = uncertainty.scale() - 1.0;
+    if shift.abs() > NOTED_SHIFT {
+        lines.push(format!(
+            "the run with every constant at its median loses {} W, the median of the draws lies {:+.0} % off: \
+            the boundary rule, the feed of the spots and the bias of the model change the loss in one direction",
+            digits.rounded(uncertainty.at_medians_w),
+            100.0 * shift,
+        ));
+    }
+    if uncertainty.trust != Trust::SolvedContact {
+        lines.push(format!("trust  {}", uncertainty.trust.text()));
+    }
+    lines.iter().map(|line| wrapped(line, INDENT) + "\n").collect()
 }
 
-/// Contributions to the band, and the losses of alternative models.
-fn band_text(band: &LossBand) -> String {
-    const INDENT: &str = "  ";
-    let whole = |power: f64| rounded(power, band.half_width_w());
-    let [low, high] = band.parameter_quantiles_w.map(whole);
-    let sampling = match &band.sampling {
-        SamplingPart::Windows(windows) => format!(
-            "sampling of the flanks ±{} W (95 %, {:.0} of {} windows independent)",
-            rounded(windows.half_width_w, windows.half_width_w),
-            windows.effective_windows,
-            windows.offsets,
-        ),
-        SamplingPart::Pairs(pairs) => {
-            let misplaced = pairs.misplaced_w.map_or(String::new(), |[down, up]| {
-                let (down, up) = (signed(down), signed(up));
-                format!("; {down} and {up} W with the traces shifted by two half-widths")
-            });
-            format!(
-                "sampling of the flanks ±{} W (95 %, {} pairs of traced teeth){misplaced}",
-                rounded(pairs.half_width_w, pairs.half_width_w),
-                pairs.pairs(),
-            )
-        }
-        SamplingPart::OnePair([down, up]) => format!(
-            "one pair of traces, {} and {} W if shifted by two half-widths",
-            signed(*down),
-            signed(*up),
-        ),
-        SamplingPart::None(why) => format!("sampling of the flanks: {why}"),
-        _ => String::new(),
+/// Losses by the admissible structures of the model, and by models that measurements refute.
+pub fn models(result: &RunResult) -> String {
+    let Some(uncertainty) = &result.uncertainty else {
+        return "no other models without an uncertainty\n".to_owned();
     };
-    let mut text = wrapped(
-        &format!("band, 5 to 95 %  parameters {low}..{high} W; {sampling}"),
-        INDENT,
-    );
-    text.push('\n');
-    let mut parameters: Vec<_> = band.parameters.iter().collect();
-    parameters.sort_by(|a, b| b.effect_w.abs().total_cmp(&a.effect_w.abs()));
-    let effects = parameters
-        .iter()
-        .map(|parameter| format!("{} {} W", parameter.name, signed(parameter.effect_w)));
-    let effects: Vec<String> = effects.collect();
-    if !effects.is_empty() {
-        let line = format!("  from low to high end: {}", effects.join(", "));
-        text.push_str(&wrapped(&line, INDENT));
-        text.push('\n');
-    }
-    let others = band.alternatives.iter().map(|other| match other.loss_w {
-        Some(loss) => format!("{} {} W", other.name, whole(loss)),
-        None => format!("{}: no solution", other.name),
+    let digits = uncertainty.digits();
+    let rows = uncertainty.structures.iter().chain(&uncertainty.other_models);
+    let rows = rows.map(|row| {
+        let loss = row.loss_w.map_or("-".to_owned(), |loss| format!("{} W", digits.rounded(loss)));
+        let refuted = match row.refuted_by.is_empty() {
+            true => "admissible, in the draws",
+            false => &row.refuted_by,
+        };
+        wrapped(&format!("{:<52}  {loss:>8}  {refuted}", row.name), "    ") + "\n"
     });
-    let others: Vec<String> = others.collect();
-    if !others.is_empty() {
-        let line = format!("other models  {}", others.join(", "));
-        text.push_str(&wrapped(&line, INDENT));
-        text.push('\n');
-    }
-    if band.trust != Trust::SolvedContact {
-        let line = format!("trust  {}", band.trust.text());
-        text.push_str(&wrapped(&line, INDENT));
-        text.push('\n');
-    }
-    text
+    std::iter::once("other models, and what refutes them\n".to_owned()).chain(rows).collect()
 }
 
 /// Table of the published laws, each in place of film and asperity friction.

@@ -12,7 +12,7 @@ use asperity::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use asperity::flanks::Texture;
 use asperity::mesh::Mesh;
 use asperity::pipeline::KeptFields;
-use asperity::uncertainty::{DRAWS, has_band};
+use asperity::uncertainty;
 use asperity::{Error, PositionError, Run};
 
 /// Estimated time and memory of a run.
@@ -65,7 +65,7 @@ const PIECE: f64 = 5.0;
 /// Number of pieces whose total points a trace must exceed to be transformed in pieces.
 const PIECES: f64 = 16.0;
 /// Evaluations of the film for a bulk temperature, and for the alternative models of a band in addition to its draws.
-const EVALUATIONS: [f64; 2] = [8.0, 5.0];
+const EVALUATIONS: f64 = 8.0;
 /// Time per cell and step of an elastohydrodynamic record \[s\]; measured: 3 to 13e-6 with 512 cells, more with fewer.
 const SECONDS_OF_A_CELL: f64 = 1e-5;
 /// Share of the cells of a record per half-width, and half-widths before the record begins.
@@ -287,16 +287,12 @@ impl Work {
     }
 }
 
-/// Evaluations of the film per position: for the loss, for the draws and alternatives of its band, and for a bulk
-/// temperature.
+/// Evaluations of the film per position: for the loss, for its draws and other models, and for a bulk temperature.
 fn evaluations(loaded: &LoadedCase) -> f64 {
-    let of_band = match has_band(loaded) {
-        true => DRAWS as f64 + EVALUATIONS[1],
-        false => 0.0,
-    };
+    let of_draws = uncertainty::evaluations(loaded) as f64;
     let of_bulk = match loaded.case.bulk {
-        Some(_) => EVALUATIONS[0],
+        Some(_) => EVALUATIONS,
         None => 0.0,
     };
-    1.0 + of_band + of_bulk
+    1.0 + of_draws + of_bulk
 }

@@ -71,7 +71,9 @@ pub use error::CaseError;
 pub use files::{FILE_KEYS, FileSums};
 pub use finish::FinishName;
 pub use flank_place::{FlankPlaceInput, TraceStart};
-pub use gear_input::{EndReliefInput, GearFlankInput, ReliefInput, ReliefSource};
+pub use gear_input::{
+    EndReliefInput, GearFlankInput, NoRelief, ReliefInput, ReliefSource, TipRelief,
+};
 pub use gearbox::{Gearbox, Part, PartKind};
 pub use gearbox_input::{BearingInput, BearingKind, GearboxInput, JetInput, SealInput, Shaft};
 pub use input::{

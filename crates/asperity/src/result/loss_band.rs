@@ -199,6 +199,15 @@ pub enum Trust {
 }
 
 impl Uncertainty {
+    /// The median of the loss over the loss of the run, with which the parts of the run are parts of the median.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        match self.at_medians_w > 0.0 {
+            true => self.loss.median_w / self.at_medians_w,
+            false => 1.0,
+        }
+    }
+
     /// The last place of printed losses and their parts.
     #[must_use]
     pub fn digits(&self) -> Digits {

@@ -31,9 +31,10 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::cancel::checkpoint;
+use asperity_core::numerics::student_t_quantile;
 use asperity_core::provenance::Provenance;
 
-use crate::assembly::equations_used;
+use crate::assembly::{deviation, equations_used, mean};
 use crate::balance::Unbalanced;
 use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use crate::contacts::Contacts;
@@ -44,7 +45,7 @@ use crate::result::{
     AlternativeRow, DrawnConstant, LossDistribution, Losses, Outcome, PairSampling, PositionRow,
     RunResult, SamplingPart, Trust, Uncertainty, UncertaintyPart,
 };
-use crate::sampling::{length_for, window_sampling, windows_of_traces};
+use crate::sampling::{length_for, means_of_pairs, window_sampling, windows_of_traces};
 
 pub use crate::parameters::UncertainParameter;
 pub use crate::sampling::{independent_windows, pair_sampling};
@@ -118,6 +119,31 @@ pub fn predictive(
     let found = settled(loaded, contacts)?;
     let evaluated = evaluate(found.as_ref(), &Nominal::of(nominal), contacts, &|_| {})?;
     Ok(Some(evaluated.predictive))
+}
+
+/// 5 % and 95 % quantiles of the mean of `differences` of losses, one at each offset of a case with the losses `base` \[W\], by
+/// the sampling of the flanks; none without traces or with a single offset.
+#[must_use]
+pub fn sampling_interval(loaded: &LoadedCase, base: &Losses, differences: &[f64]) -> Option<[f64; 2]> {
+    const CONFIDENCE: f64 = 0.90;
+    let surfaces = &loaded.surfaces;
+    let mean = mean(differences.iter().copied());
+    let [error, freedom] = match surfaces.several_teeth() {
+        Some(teeth) => {
+            let found = pair_sampling(&means_of_pairs(differences, surfaces.pairs()), teeth)?;
+            [found.standard_error_w, found.freedom]
+        }
+        None => {
+            let windows = windows_of_traces(loaded, widest(&base.path))?;
+            let effective = windows.min(differences.len() as f64).max(2.0);
+            [deviation(differences)? / effective.sqrt(), effective - 1.0]
+        }
+    };
+    let half = match error > 0.0 {
+        true => error * student_t_quantile(CONFIDENCE, freedom),
+        false => 0.0,
+    };
+    Some([mean - half, mean + half])
 }
 
 /// Standard error of ln loss by the sampling of the flanks, as in the draws; 0 without traces.

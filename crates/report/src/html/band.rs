@@ -1,104 +1,124 @@
-//! The band of the loss: its contributions, and the losses of alternative models.
+//! The uncertainty of the loss: its components, constants and structures, and the losses of other models.
 
-use asperity::result::loss_band::{BandParameter, LossBand, SamplingPart, rounded};
+use asperity::result::loss_band::{AlternativeRow, DrawnConstant, SamplingPart, Uncertainty};
 use maud::{Markup, html};
 
 use crate::chart::{Axis, Bar, BarChart, Drawing};
 
-pub(super) fn section(band: &LossBand) -> Markup {
+pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
+    let digits = uncertainty.digits();
     html! {
-        h3 { "Contributions to the band" }
+        h3 { "Components of the uncertainty" }
         p {
-            "5 to 95 % of the loss over " (band.draws) " draws of the parameters below, each with the sampling of the flanks; the nominal \
-            loss is computed with the defaults, which are not the centre of the draws. Trust: " (band.trust.text()) "."
+            "Median and 5 to 95 % of the loss over " (uncertainty.draws) " draws, which interpolate "
+            (uncertainty.evaluations) " evaluations (error of ln loss " (format!("{:.4}", uncertainty.interpolation_error))
+            "). Each component is drawn alone. Trust: " (uncertainty.trust.text()) "."
+            @if uncertainty.beyond_power > 0 {
+                " " (uncertainty.beyond_power) " draws exceeded the power into the mesh and were set to it."
+            }
         }
         div.scroll { table {
-            thead { tr { th { "parameter" } th.number { "default" } th.number { "from" } th.number { "to" } th.number { "change of the loss" } } }
-            tbody {
-                @for parameter in &band.parameters {
-                    @let [value, low, high] = values(parameter);
-                    tr {
-                        th scope="row" { (parameter.name) @if parameter.is_calibrated { " (calibrated)" } }
-                        td.number { (value) } td.number { (low) } td.number { (high) }
-                        td.number { (format!("{:+.0} W", parameter.effect_w)) }
-                    }
-                }
+            thead { tr { th { "component" } th.number { "5 %" } th.number { "95 %" } th.number { "sd of ln loss" } th { "narrower with" } } }
+            tbody { @for part in &uncertainty.loss.parts {
+                @let [low, high] = part.quantiles_w;
                 tr {
-                    th scope="row" { "sampling of the flanks" }
-                    @match &band.sampling {
-                        SamplingPart::Windows(sampling) => {
-                            td colspan="3" {
-                                (format!("{:.1} of {} windows count as independent", sampling.effective_windows, sampling.offsets))
-                            }
-                            td.number { (format!("±{} W (95 %)", rounded(sampling.half_width_w, sampling.half_width_w))) }
-                        }
-                        SamplingPart::Pairs(sampling) => {
-                            td colspan="3" {
-                                (sampling.pairs()) " pairs of traced teeth"
-                                @if let Some(gear) = sampling.not_sampled() { ", " (gear) " not sampled: lower bound" }
-                                @if let Some([down, up]) = sampling.misplaced_w {
-                                    (format!("; with the traces shifted by two half-widths {down:+.1} and {up:+.1} W"))
-                                }
-                            }
-                            td.number { (format!("±{} W (95 %)", rounded(sampling.half_width_w, sampling.half_width_w))) }
-                        }
-                        SamplingPart::OnePair([down, up]) => {
-                            td colspan="3" { "one pair of placed traces; each shifted by two half-widths" }
-                            td.number { (format!("{down:+.1} and {up:+.1} W")) }
-                        }
-                        SamplingPart::None(why) => { td colspan="3" { (why) } td.number { "-" } }
-                        _ => { td colspan="4" { "-" } }
-                    }
+                    th scope="row" { (part.name) }
+                    td.number { (digits.rounded(low)) " W" } td.number { (digits.rounded(high)) " W" }
+                    td.number { (format!("{:.3}", part.sd_ln)) } td { (part.remedy) }
                 }
-            }
+            } }
         } }
-        @if !band.held.is_empty() {
-            p { "Not varied, because the case states it: " (band.held.join(", ")) "." }
+        p { "Sampling of the flanks: " (sampling(&uncertainty.sampling)) "." }
+        h3 { "Constants" }
+        div.scroll { table {
+            thead { tr { th { "constant" } th.number { "median" } th.number { "from" } th.number { "to" } } }
+            tbody { @for constant in &uncertainty.constants {
+                @let [value, low, high] = values(constant);
+                tr {
+                    th scope="row" { (constant.name) @if constant.is_calibrated { " (calibrated)" } }
+                    td.number { (value) } td.number { (low) } td.number { (high) }
+                }
+            } }
+        } }
+        @if !uncertainty.held.is_empty() {
+            p { "Not varied, because the case states it: " (uncertainty.held.join(", ")) "." }
         }
+        h3 { "Other models, and what refutes them" }
+        div.scroll { table {
+            thead { tr { th { "model" } th.number { "loss" } th { "refuted by" } } }
+            tbody { @for row in uncertainty.structures.iter().chain(&uncertainty.other_models) {
+                tr {
+                    th scope="row" { (row.name) }
+                    td.number { (loss(row, uncertainty)) }
+                    td { @if row.refuted_by.is_empty() { "admissible, in the draws" } @else { (row.refuted_by) } }
+                }
+            } }
+        } }
     }
 }
 
-/// Value and range of a parameter as text.
-fn values(parameter: &BandParameter) -> [String; 3] {
-    let (factor, unit) = match parameter.unit.as_str() {
-        "m" => (1e9, " nm"),
-        "Pa" => (1e-6, " MPa"),
-        _ => (1.0, ""),
+/// What is known of the sampling of the flanks.
+fn sampling(part: &SamplingPart) -> String {
+    match part {
+        SamplingPart::Windows(windows) => format!(
+            "{:.1} of {} windows count as independent, standard error of ln loss {:.3}, of the mean over these traces {:.3}",
+            windows.effective_windows, windows.offsets, windows.standard_error, windows.numerical_error,
+        ),
+        SamplingPart::Pairs(pairs) => {
+            let bound = pairs.not_sampled().map_or(String::new(), |gear| format!(", {gear} not sampled: lower bound"));
+            let misplaced = pairs.misplaced_w.map_or(String::new(), |[down, up]| {
+                format!("; with the traces shifted by two half-widths {down:+.1} and {up:+.1} W")
+            });
+            format!(
+                "{} pairs of traced teeth{bound}, standard error {:.2} W{misplaced}",
+                pairs.pairs(),
+                pairs.standard_error_w
+            )
+        }
+        SamplingPart::OnePair([down, up]) => {
+            format!("one pair of placed traces; each shifted by two half-widths {down:+.1} and {up:+.1} W")
+        }
+        SamplingPart::None(why) => why.clone(),
+        _ => "-".to_owned(),
+    }
+}
+
+/// Value and range of a constant as text.
+fn values(constant: &DrawnConstant) -> [String; 3] {
+    let (factor, unit, digits) = match constant.unit.as_str() {
+        "m" => (1e9, " nm", 1),
+        "Pa" => (1e-6, " MPa", 1),
+        "1/Pa" => (1e9, " 1/GPa", 1),
+        _ => (1.0, "", 3),
     };
-    let digits = if factor == 1.0 { 3 } else { 1 };
-    [parameter.value, parameter.low, parameter.high]
+    [constant.value, constant.low, constant.high]
         .map(|value| format!("{:.digits$}{unit}", factor * value))
 }
 
-/// The nominal loss with its band, and the alternative models.
-pub(super) fn loss_chart(band: &LossBand) -> Drawing {
-    let whole = |power: f64| rounded(power, band.half_width_w());
-    let [low, high] = band.quantiles_w;
-    let nominal = Bar {
-        name: "this result".to_owned(),
-        value: Some(band.nominal_w),
-        spread: Some(band.quantiles_w),
-        text: format!(
-            "{} W ({}..{})",
-            whole(band.nominal_w),
-            whole(low),
-            whole(high)
-        ),
+fn loss(row: &AlternativeRow, uncertainty: &Uncertainty) -> String {
+    let digits = uncertainty.digits();
+    row.loss_w.map_or("no solution".to_owned(), |loss| format!("{} W", digits.rounded(loss)))
+}
+
+/// The median with its interval, and that of each component alone.
+pub(super) fn loss_chart(uncertainty: &Uncertainty) -> Drawing {
+    let digits = uncertainty.digits();
+    let bar = |name: &str, [low, high]: [f64; 2]| Bar {
+        name: name.to_owned(),
+        value: Some(uncertainty.loss.median_w),
+        spread: Some([low, high]),
+        text: format!("{}..{} W", digits.rounded(low), digits.rounded(high)),
     };
-    let others = band.alternatives.iter().map(|row| Bar {
-        name: row.name.clone(),
-        value: row.loss_w,
-        spread: None,
-        text: match row.loss_w {
-            Some(loss) => format!("{} W", whole(loss)),
-            None => "no solution".to_owned(),
-        },
-    });
+    let all = bar("all together", uncertainty.loss.quantiles_w);
+    // About the median of all, whatever the median of a component alone is.
+    let scale = uncertainty.scale();
+    let parts = uncertainty.loss.parts.iter();
+    let parts = parts.map(|part| bar(&part.name, part.quantiles_w.map(|loss| scale * loss)));
     Drawing::Bars(BarChart {
         id: "band".to_owned(),
-        title: "Loss with its band, and alternative models".to_owned(),
+        title: "Loss with its uncertainty, and each component alone".to_owned(),
         source: "result.json".to_owned(),
         axis: Axis::new("loss", "W"),
-        bars: std::iter::once(nominal).chain(others).collect(),
+        bars: std::iter::once(all).chain(parts).collect(),
     })
 }

@@ -1,7 +1,7 @@
 //! The gearbox: its efficiency, and the losses that the user states.
 
 use asperity::result::gearbox::GearboxReport;
-use asperity::result::loss_band::{LossBand, rounded};
+use asperity::result::loss_band::Uncertainty;
 use maud::{Markup, html};
 
 use crate::printed::{stated, stated_parts};
@@ -10,30 +10,23 @@ use crate::printed::{stated, stated_parts};
 type Tile = (&'static str, String, &'static str);
 
 /// Efficiency and loss of the mesh and the other parts.
-pub(super) fn tiles(gearbox: &GearboxReport, band: Option<&LossBand>) -> Vec<Tile> {
-    let (efficiency, loss) = match band {
+pub(super) fn tiles(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> Vec<Tile> {
+    let (efficiency, loss) = match of_mesh {
         None => (
             format!("{:.4} %", 100.0 * gearbox.efficiency),
             format!("{:.1} W", gearbox.loss_w),
         ),
-        Some(band) => {
-            let [low, high] = gearbox.efficiency_quantiles(band);
-            let [least, most] = gearbox.quantiles_w(band);
-            let share = |share: f64| rounded(100.0 * share, 50.0 * (high - low));
-            let loss = |power: f64| rounded(power, band.half_width_w());
+        Some(of_mesh) => {
+            let digits = of_mesh.digits();
+            let percent = digits.of_percent(gearbox.power_in_w);
+            let median = of_mesh.loss.median_w + gearbox.parts_w;
+            let [low, high] =
+                gearbox.efficiency_quantiles(of_mesh).map(|share| percent.rounded(100.0 * share));
+            let [least, most] = gearbox.quantiles_w(of_mesh).map(|loss| digits.rounded(loss));
+            let efficiency = percent.rounded(100.0 * (1.0 - median / gearbox.power_in_w));
             (
-                format!(
-                    "{} % ({}..{})",
-                    share(gearbox.efficiency),
-                    share(low),
-                    share(high)
-                ),
-                format!(
-                    "{} W ({}..{})",
-                    loss(gearbox.loss_w),
-                    loss(least),
-                    loss(most)
-                ),
+                format!("{efficiency} % ({low}..{high})"),
+                format!("{} W ({least}..{most})", digits.rounded(median)),
             )
         }
     };
@@ -53,7 +46,7 @@ pub(super) fn section(gearbox: &GearboxReport, has_band: bool) -> Markup {
             "These losses are not computed from the flanks: their constants, loads and tables are input, without an uncertainty. \
             Oil at " (format!("{:.0} °C", gearbox.temperature_c)) ". The mesh is computed with the full torque of the case; all losses are \
             subtracted from the power in."
-            @if has_band { " The band of the gearbox is the band of the mesh." }
+            @if has_band { " The uncertainty of the gearbox is that of the mesh." }
         }
         div.scroll { table {
             thead { tr { th { "part" } th { "kind" } th { "law" } th.number { "torque [N m]" } th.number { "loss" } } }

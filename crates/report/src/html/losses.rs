@@ -61,14 +61,9 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> 
     Drawing::Curves(chart.with(Series::new("all", Line::Ink, &s, &of(&whole))))
 }
 
-/// 5 % and 95 % quantiles of the total local loss along the path \[kW/m\]: sliding varies with parameters and sampling
-/// of the flanks, rolling is constant.
+/// 5 % and 95 % quantiles of the total local loss along the path \[kW/m\]: sliding as drawn, rolling of the run.
 fn band(result: &RunResult) -> Option<[Vec<f64>; 2]> {
-    let band = result.band.as_ref()?;
-    let quantiles = match band.path_with_sampling_w_per_m.is_empty() {
-        true => &band.path_sliding_w_per_m,
-        false => &band.path_with_sampling_w_per_m,
-    };
+    let quantiles = &result.uncertainty.as_ref()?.path_sliding_w_per_m;
     if quantiles.len() != result.path.len() {
         return None;
     }

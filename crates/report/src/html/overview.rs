@@ -1,6 +1,6 @@
 //! Summary: key numbers, warnings, losses, friction laws, lubrication regime.
 
-use asperity::result::loss_band::{Digits, rounded};
+use asperity::result::loss_band::Digits;
 use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Scope, Summary};
 use maud::{Markup, html};
 
@@ -11,14 +11,14 @@ use crate::printed::{PrintedLoss, included};
 pub(super) fn section(result: &RunResult) -> Markup {
     let mut first = headline(result);
     if let Some(gearbox) = &result.gearbox {
-        first.extend(super::gearbox::tiles(gearbox, result.band.as_ref()));
+        first.extend(super::gearbox::tiles(gearbox, result.uncertainty.as_ref()));
     }
     let rows = [
         ("tiles first", first),
         ("tiles", parts(result)),
         ("tiles last", evidence(result)),
     ];
-    let band_chart = result.band.as_ref().map(super::band::loss_chart);
+    let band_chart = result.uncertainty.as_ref().map(super::band::loss_chart);
     let others = [losses(result), laws(result), super::path::strip(result)];
     let charts: Vec<Drawing> = band_chart.into_iter().chain(others).collect();
     html! {
@@ -29,8 +29,8 @@ pub(super) fn section(result: &RunResult) -> Markup {
                 }
             }
         }
-        @if let Some(gearbox) = &result.gearbox { (super::gearbox::section(gearbox, result.band.is_some())) }
-        @if let Some(band) = &result.band { (super::band::section(band)) }
+        @if let Some(gearbox) = &result.gearbox { (super::gearbox::section(gearbox, result.uncertainty.is_some())) }
+        @if let Some(uncertainty) = &result.uncertainty { (super::band::section(uncertainty)) }
         @if let Some(pairs) = &result.pairs { @if let Some(sampling) = &pairs.sampling {
             (super::pairs::section(pairs, sampling))
         } }
@@ -113,7 +113,7 @@ fn headline(result: &RunResult) -> Vec<Tile> {
         format!("{:.1} %", 100.0 * s.mixed_share),
         "summary.mixed_share",
     );
-    let Some(band) = &result.band else {
+    let Some(uncertainty) = &result.uncertainty else {
         return vec![
             (
                 "efficiency (mesh only)",
@@ -124,25 +124,22 @@ fn headline(result: &RunResult) -> Vec<Tile> {
             mixed,
         ];
     };
-    let [least, most] = band.quantiles_w;
-    let loss = |power: f64| rounded(power, band.half_width_w());
-    let [low, high] = band.efficiency_quantiles;
-    let share = |share: f64| rounded(100.0 * share, 50.0 * (high - low));
+    let digits = uncertainty.digits();
+    let percent = digits.of_percent(s.power_in_w);
+    let loss = |power: f64| digits.rounded(power);
+    let share = |share: f64| percent.rounded(100.0 * share);
+    let [least, most] = uncertainty.loss.quantiles_w.map(loss);
+    let [low, high] = uncertainty.efficiency_quantiles.map(share);
     vec![
         (
             "efficiency (mesh only), in brackets 5 to 95 %",
-            format!(
-                "{} % ({}..{})",
-                share(s.efficiency),
-                share(low),
-                share(high)
-            ),
-            "summary.efficiency",
+            format!("{} % ({low}..{high})", share(uncertainty.efficiency_median)),
+            "uncertainty.efficiency_median",
         ),
         (
             "loss, in brackets 5 to 95 %",
-            format!("{} W ({}..{})", loss(s.loss_w), loss(least), loss(most)),
-            "summary.loss_w",
+            format!("{} W ({least}..{most})", loss(uncertainty.loss.median_w)),
+            "uncertainty.loss.median_w",
         ),
         mixed,
     ]
@@ -150,7 +147,7 @@ fn headline(result: &RunResult) -> Vec<Tile> {
 
 /// The loss and its parts as text.
 fn printed(result: &RunResult) -> PrintedLoss {
-    PrintedLoss::of(&result.summary, &result.running_in, result.band.as_ref())
+    PrintedLoss::of(&result.summary, &result.running_in, result.uncertainty.as_ref())
 }
 
 /// Parts of the loss, input power and output torque.
@@ -264,13 +261,12 @@ fn losses(result: &RunResult) -> Drawing {
             text: format!("{text}, {share}"),
         })
         .collect();
-    let of_power = s.loss_w / s.power_in_w;
-    let of_power = match &result.band {
-        Some(band) => format!(
-            "{} %",
-            rounded(100.0 * of_power, 100.0 * band.half_width_w() / s.power_in_w)
-        ),
-        None => percent(of_power),
+    let of_power = match &result.uncertainty {
+        Some(uncertainty) => {
+            let share = 100.0 * uncertainty.loss.median_w / s.power_in_w;
+            format!("{} %", uncertainty.digits().of_percent(s.power_in_w).rounded(share))
+        }
+        None => percent(s.loss_w / s.power_in_w),
     };
     Drawing::Bars(BarChart {
         id: "losses".to_owned(),
@@ -290,14 +286,14 @@ fn shares_of_loss(parts: &[f64], result: &RunResult) -> Vec<String> {
     if loss <= 0.0 {
         return parts.iter().map(|_| percent(0.0)).collect();
     }
-    let digits = match &result.band {
-        Some(band) => Digits::of_uncertainty(100.0 * band.half_width_w() / loss),
+    let digits = match &result.uncertainty {
+        Some(uncertainty) => uncertainty.digits().of_percent(loss),
         None => Digits::of_decimals(2),
     };
     let shares: Vec<f64> = parts.iter().map(|watts| 100.0 * watts / loss).collect();
     let steps = digits.parts(digits.steps(100.0), &shares);
     let text = |(share, steps): (&f64, f64)| match steps == 0.0 && *share > 0.0 {
-        true => format!("below {} %", digits.last_place()),
+        true => format!("< {} %", digits.last_place()),
         false => format!("{} %", digits.text(steps)),
     };
     shares.iter().zip(steps).map(text).collect()

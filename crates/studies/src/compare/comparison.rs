@@ -5,9 +5,10 @@ use asperity::Run;
 use asperity::case::LoadedCase;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::Progress;
-use asperity::result::loss_band::LossBand;
+use asperity::flanks::Surfaces;
+use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Scope};
-use asperity::uncertainty::{self, DrawnLosses, PairedDifference};
+use asperity::uncertainty::{self, PairedDifference, Predictive};
 use serde::Serialize;
 
 use super::statistics::rank_correlation;
@@ -52,13 +53,12 @@ pub struct FinishResult {
     pub efficiency: f64,
     /// Power into the mesh \[W\].
     pub power_in_w: f64,
-    /// Mean loss with all parameters at their defaults \[W\].
+    /// Mean loss with every constant at its median \[W\].
     pub loss_w: f64,
-    /// 5 % and 95 % quantiles of the loss \[W\].
-    pub quantiles_w: [f64; 2],
-    /// The band with its contributions; `None` if the model has no band, and the quantiles include only the sampling.
-    pub band: Option<LossBand>,
-    /// Loss minus the loss of the first finish with the same draws; `None` for the first.
+    /// The uncertainty of the loss; `None` if the model has none.
+    pub uncertainty: Option<Uncertainty>,
+    /// Loss minus the loss of the first finish with the same draws; `None` for the first, and if the model has no
+    /// uncertainty.
     pub difference: Option<PairedDifference>,
     /// Losses of the gearbox, if the case states them; the same parts for every finish.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -70,9 +70,12 @@ pub struct FinishResult {
     /// Losses by offset.
     #[serde(skip)]
     pub offsets: Vec<OffsetRow>,
-    /// Losses by draw and offset.
+    /// Draws of the loss.
     #[serde(skip)]
-    pub(crate) drawn: DrawnLosses,
+    pub(crate) predictive: Option<Predictive>,
+    /// The flanks.
+    #[serde(skip)]
+    pub(crate) surfaces: Surfaces,
     /// Roughness under the contact by offset.
     #[serde(skip)]
     pub(crate) roughness: Vec<WindowRoughness>,
@@ -98,10 +101,10 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
     let (mut title, mut power_in_w) = (String::new(), 0.0);
     for finish in finishes {
         let fields = KeptFields::Highest;
-        let (outcome, drawn) = Run::new(&finish.case).fields(&fields).draw()?;
+        let (outcome, predictive) = Run::new(&finish.case).fields(&fields).draw()?;
         title.clone_from(&outcome.result.title);
         power_in_w = outcome.result.summary.power_in_w;
-        results.push(finish_result(finish, outcome, drawn, results.first())?);
+        results.push(finish_result(finish, outcome, predictive, results.first())?);
         progress(results.len(), finishes.len());
     }
     let pooled = |finish: &FinishResult| finish.roughness.len().min(finish.offsets.len());
@@ -133,27 +136,33 @@ pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
 fn finish_result(
     finish: &Finish,
     outcome: Outcome,
-    drawn: DrawnLosses,
+    predictive: Option<Predictive>,
     first: Option<&FinishResult>,
 ) -> Result<FinishResult, Error> {
     let roughness =
         windows::roughness(&finish.case).map_err(|error| Error::Whole(Box::new(error)))?;
-    let difference = first.map(|first| uncertainty::difference(&first.drawn, &drawn));
     let result = outcome.result;
+    let difference = first.and_then(|first| {
+        Some(uncertainty::difference(
+            (first.predictive.as_ref()?, first.uncertainty.as_ref()?),
+            (predictive.as_ref()?, result.uncertainty.as_ref()?),
+            first.surfaces.has_flanks_of(&finish.case.surfaces),
+        ))
+    });
     Ok(FinishResult {
         name: finish.name.clone(),
         files: files(&finish.case),
         efficiency: result.summary.efficiency,
         power_in_w: result.summary.power_in_w,
         loss_w: result.summary.loss_w,
-        quantiles_w: drawn.quantiles(),
-        band: result.band,
+        uncertainty: result.uncertainty,
         difference,
         gearbox: result.gearbox,
         mixed_share: result.summary.mixed_share,
         warnings: result.warnings.iter().map(ToString::to_string).collect(),
         offsets: outcome.offsets,
-        drawn,
+        predictive,
+        surfaces: finish.case.surfaces.clone(),
         roughness,
     })
 }

@@ -1,12 +1,12 @@
 //! Page of a comparison.
 
-use asperity::result::loss_band::{LossBand, SamplingPart};
+use asperity::result::loss_band::Uncertainty;
 use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
 use super::comparison::Comparison;
-use super::summary::{cells, efficiency, note, scope};
+use super::summary::{cells, efficiency, note, scope, verdicts};
 use super::windows::PARAMETERS;
 
 pub(super) fn render(comparison: &Comparison) -> String {
@@ -47,57 +47,54 @@ fn losses(comparison: &Comparison) -> Markup {
                 }
             } }
         } }
-        p { "Nominal values, " (note(comparison)) ". Common contributions, such as the friction of the oil, cancel in the \
-            differences; the sampling errors of different flanks add." }
+        @for verdict in verdicts(comparison) { p { strong { (verdict) "." } } }
+        p { (note(comparison)) ". Common contributions, such as the friction of the oil, cancel in the differences." }
         p { (scope(comparison)) "." }
         (contributions(comparison))
         div.charts { (figure(&bars(comparison))) @if let Some(chart) = differences(comparison) { (figure(&chart)) } }
     }
 }
 
-/// Contributions to the bands, and losses of the alternative models.
+/// Components of the uncertainties, and losses by other models.
 fn contributions(comparison: &Comparison) -> Markup {
-    let banded: Vec<_> = comparison
+    let drawn: Vec<_> = comparison
         .finishes
         .iter()
-        .filter_map(|finish| Some((finish, finish.band.as_ref()?)))
+        .filter_map(|finish| Some((finish, finish.uncertainty.as_ref()?)))
         .collect();
-    let Some((_, first)) = banded.first() else {
+    let Some((_, first)) = drawn.first() else {
         return html! {};
     };
-    let effect = |band: &LossBand, name: &str| {
-        let entry = band.parameters.iter().find(|p| p.name == name);
-        entry.map_or("-".to_owned(), |p| format!("{:+.0} W", p.effect_w))
+    let part = |of: &Uncertainty, name: &str| {
+        let digits = of.digits();
+        let entry = of.loss.parts.iter().find(|part| part.name == name);
+        entry.map_or("-".to_owned(), |part| {
+            let [low, high] = part.quantiles_w.map(|loss| digits.rounded(loss));
+            format!("{low}..{high} W")
+        })
     };
-    let other = |band: &LossBand, name: &str| {
-        let entry = band.alternatives.iter().find(|row| row.name == name);
-        let loss = entry.and_then(|row| row.loss_w);
-        loss.map_or("-".to_owned(), |loss| format!("{loss:.0} W"))
+    let other = |of: &Uncertainty, name: &str| {
+        let mut rows = of.structures.iter().chain(&of.other_models);
+        let loss = rows.find(|row| row.name == name).and_then(|row| row.loss_w);
+        loss.map_or("-".to_owned(), |loss| format!("{} W", of.digits().rounded(loss)))
     };
     html! {
-        h3 { "Contributions to the bands" }
+        h3 { "Components of the uncertainty, each drawn alone, 5 to 95 %" }
         div.scroll { table {
-            thead { tr { th { "from the low to the high end of" } @for (finish, _) in &banded { th.number { (finish.name) } } } }
-            tbody {
-                @for parameter in &first.parameters {
-                    tr { th scope="row" { (parameter.name) } @for (_, band) in &banded { td.number { (effect(band, &parameter.name)) } } }
-                }
-                tr { th scope="row" { "sampling of the flanks, ± 95 %" } @for (_, band) in &banded { td.number {
-                    @match &band.sampling {
-                        SamplingPart::Windows(entry) => (format!("{:.1} W", entry.half_width_w)),
-                        SamplingPart::Pairs(entry) => (format!("{:.1} W, {} pairs", entry.half_width_w, entry.pairs())),
-                        SamplingPart::OnePair([down, up]) => (format!("one pair, {down:+.1} and {up:+.1} W if shifted")),
-                        SamplingPart::None(why) => (why),
-                        _ => "-",
-                    }
-                } } }
-            }
+            thead { tr { th { "component" } @for (finish, _) in &drawn { th.number { (finish.name) } } } }
+            tbody { @for row in &first.loss.parts {
+                tr { th scope="row" { (row.name) } @for (_, of) in &drawn { td.number { (part(of, &row.name)) } } }
+            } }
         } }
-        h3 { "Alternative models, not in the bands" }
+        h3 { "Other models, and what refutes them" }
         div.scroll { table {
-            thead { tr { th { "model" } @for (finish, _) in &banded { th.number { (finish.name) } } } }
-            tbody { @for row in &first.alternatives {
-                tr { th scope="row" { (row.name) } @for (_, band) in &banded { td.number { (other(band, &row.name)) } } }
+            thead { tr { th { "model" } @for (finish, _) in &drawn { th.number { (finish.name) } } th { "refuted by" } } }
+            tbody { @for row in first.structures.iter().chain(&first.other_models) {
+                tr {
+                    th scope="row" { (row.name) }
+                    @for (_, of) in &drawn { td.number { (other(of, &row.name)) } }
+                    td { @if row.refuted_by.is_empty() { "admissible, in the draws" } @else { (row.refuted_by) } }
+                }
             } }
         } }
     }
@@ -106,8 +103,8 @@ fn contributions(comparison: &Comparison) -> Markup {
 fn bars(comparison: &Comparison) -> Drawing {
     let bars = comparison.finishes.iter().map(|finish| Bar {
         name: finish.name.clone(),
-        value: Some(finish.loss_w),
-        spread: Some(finish.quantiles_w),
+        value: Some(finish.uncertainty.as_ref().map_or(finish.loss_w, |drawn| drawn.loss.median_w)),
+        spread: finish.uncertainty.as_ref().map(|drawn| drawn.loss.quantiles_w),
         text: format!("{} W", cells(finish)[0]),
     });
     Drawing::Bars(BarChart {

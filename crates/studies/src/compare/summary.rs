@@ -3,7 +3,8 @@
 use asperity_report::{stated, stated_parts, wrapped};
 use asperity_storage::one_line;
 
-use asperity::result::loss_band::rounded;
+use asperity::result::loss_band::Digits;
+use asperity::uncertainty::{PairedDifference, Verdict};
 
 use super::comparison::{Comparison, FinishResult};
 
@@ -29,6 +30,9 @@ pub(super) fn summary(comparison: &Comparison) -> String {
             efficiency(finish),
         ));
     }
+    for verdict in verdicts(comparison) {
+        text.push_str(&format!("{}\n", wrapped(&one_line(&verdict), "  ")));
+    }
     text.push_str(&format!("{}\n", wrapped(&note(comparison), "  ")));
     text.push_str(&format!("{}\n", wrapped(&scope(comparison), "  ")));
     let best: Vec<String> = comparison
@@ -48,32 +52,30 @@ pub(super) fn summary(comparison: &Comparison) -> String {
     text
 }
 
-/// Efficiency in percent, with the digits that its band justifies.
+/// Median of the efficiency in percent, with the digits that its interval leaves; that of the run without one.
 pub(super) fn efficiency(finish: &FinishResult) -> String {
-    let [low, high] = finish.quantiles_w;
-    let half = 50.0 * (high - low) / finish.power_in_w;
-    rounded(100.0 * finish.efficiency, half)
+    match &finish.uncertainty {
+        Some(uncertainty) => {
+            let percent = uncertainty.digits().of_percent(finish.power_in_w);
+            percent.rounded(100.0 * uncertainty.efficiency_median)
+        }
+        None => format!("{:.4}", 100.0 * finish.efficiency),
+    }
 }
 
 /// Loss, difference and change of a finish, each with its quantiles.
 pub(super) fn cells(finish: &FinishResult) -> [String; 3] {
-    let banded = |value: f64, [low, high]: [f64; 2], sign: bool| {
-        let half = 0.5 * (high - low);
-        let text = |value: f64| match (sign, half == 0.0 && value == 0.0) {
-            (_, true) => "0".to_owned(),
-            (true, _) if value > 0.0 => format!("+{}", rounded(value, half)),
-            _ => rounded(value, half),
-        };
-        format!("{} ({}..{})", text(value), text(low), text(high))
+    let loss = match &finish.uncertainty {
+        Some(uncertainty) => interval(uncertainty.loss.median_w, uncertainty.loss.quantiles_w, false),
+        None => Digits::of_decimals(1).rounded(finish.loss_w),
     };
-    let loss = banded(finish.loss_w, finish.quantiles_w, false);
     match &finish.difference {
         None => [loss, "reference".to_owned(), "reference".to_owned()],
         Some(difference) => [
             loss,
-            banded(difference.nominal_w, difference.quantiles_w, true),
-            banded(
-                100.0 * difference.nominal_share,
+            interval(difference.median_w, difference.quantiles_w, true),
+            interval(
+                100.0 * difference.median_share,
                 difference.share_quantiles.map(|share| 100.0 * share),
                 true,
             ),
@@ -81,23 +83,79 @@ pub(super) fn cells(finish: &FinishResult) -> [String; 3] {
     }
 }
 
-/// Explanation of the bands.
-pub(super) fn note(comparison: &Comparison) -> String {
-    let bands = comparison.finishes.iter().filter_map(|f| f.band.as_ref());
-    let mut names: Vec<&str> = Vec::new();
-    for parameter in bands.clone().flat_map(|band| &band.parameters) {
-        if !names.contains(&parameter.name.as_str()) {
-            names.push(&parameter.name);
+/// A median with its interval and the digits that this leaves, with signs if `is_signed`.
+fn interval(median: f64, [low, high]: [f64; 2], is_signed: bool) -> String {
+    let digits = Digits::of_interval([low, high]);
+    let text = |value: f64| match (is_signed, low == high && value == 0.0) {
+        (_, true) => "0".to_owned(),
+        (true, _) if digits.steps(value) > 0.0 => format!("+{}", digits.rounded(value)),
+        _ => digits.rounded(value),
+    };
+    format!("{} ({}..{})", text(median), text(low), text(high))
+}
+
+/// What each difference decides, in words.
+pub(super) fn verdicts(comparison: &Comparison) -> Vec<String> {
+    let Some((first, others)) = comparison.finishes.split_first() else {
+        return Vec::new();
+    };
+    let of = |finish: &FinishResult| {
+        let difference = finish.difference.as_ref()?;
+        Some(verdict([&first.name, &finish.name], difference))
+    };
+    others.iter().filter_map(of).collect()
+}
+
+fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> String {
+    // The words name savings, which are positive.
+    let sign = if difference.median_w < 0.0 { -1.0 } else { 1.0 };
+    let turned = |[low, high]: [f64; 2]| match sign < 0.0 {
+        true => [-high, -low],
+        false => [low, high],
+    };
+    let share = interval(
+        100.0 * sign * difference.median_share,
+        turned(difference.share_quantiles.map(|share| 100.0 * share)),
+        false,
+    );
+    let watts = interval(sign * difference.median_w, turned(difference.quantiles_w), false);
+    let less = if sign < 0.0 { "less" } else { "more" };
+    let by = format!("{other} loses {share} % {less} than {first}, {watts} W");
+    let count = difference.models.len();
+    let range = difference.model_range_w().map_or(String::new(), |range| {
+        let digits = Digits::of_interval(difference.quantiles_w);
+        let [low, high] = turned(range).map(|loss| digits.rounded(loss));
+        format!(" ({low}..{high} W)")
+    });
+    match difference.verdict() {
+        Verdict::Equal => format!("{other} loses exactly as much as {first}"),
+        Verdict::Holds if count == 0 => format!("{by}; the sign holds"),
+        Verdict::Holds => format!("{by}; the sign holds under all {count} models{range}"),
+        Verdict::Except(models) => format!(
+            "{by}; the sign holds under all {count} models{range} except {}",
+            models.join(", ")
+        ),
+        _ => {
+            let digits = Digits::of_interval(difference.quantiles_w);
+            let [low, high] = difference.quantiles_w;
+            format!(
+                "{other} against {first}: undecided, between {} and +{} W",
+                digits.rounded(low),
+                digits.rounded(high)
+            )
         }
     }
-    let draws = bands.map(|band| band.draws).max().unwrap_or(0);
-    if names.is_empty() {
-        return "in brackets 5 to 95 % by the sampling of the flanks".to_owned();
+}
+
+/// Explanation of the intervals.
+pub(super) fn note(comparison: &Comparison) -> String {
+    let drawn = comparison.finishes.iter().filter_map(|finish| finish.uncertainty.as_ref());
+    match drawn.map(|uncertainty| uncertainty.draws).max() {
+        None => "without an uncertainty of the loss".to_owned(),
+        Some(draws) => format!(
+            "medians, in brackets 5 to 95 % over {draws} draws, the same for every finish but for model error and sampling of the flanks"
+        ),
     }
-    format!(
-        "in brackets 5 to 95 % over {draws} draws of {}, the same for every finish, and the sampling of the flanks",
-        names.join(", ")
-    )
 }
 
 /// Scope of the comparison, with the efficiency of the gearbox if it is included.
@@ -108,8 +166,14 @@ pub(super) fn scope(comparison: &Comparison) -> String {
     };
     let with = |finish: &FinishResult| {
         let gearbox = finish.gearbox.as_ref()?;
-        let half = 50.0 * (finish.quantiles_w[1] - finish.quantiles_w[0]) / gearbox.power_in_w;
-        let efficiency = rounded(100.0 * gearbox.efficiency, half);
+        let efficiency = match &finish.uncertainty {
+            Some(uncertainty) => {
+                let percent = uncertainty.digits().of_percent(gearbox.power_in_w);
+                let median = uncertainty.loss.median_w + gearbox.parts_w;
+                percent.rounded(100.0 * (1.0 - median / gearbox.power_in_w))
+            }
+            None => format!("{:.4}", 100.0 * gearbox.efficiency),
+        };
         Some(format!("{} {efficiency} %", finish.name))
     };
     let efficiencies: Vec<String> = comparison.finishes.iter().filter_map(with).collect();

@@ -39,45 +39,41 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         finish: Cow<'a, str>,
         efficiency_percent: f64,
         loss_w: f64,
-        loss_low_w: f64,
-        loss_high_w: f64,
+        loss_median_w: Option<f64>,
+        loss_p05_w: Option<f64>,
+        loss_p95_w: Option<f64>,
         difference_w: Option<f64>,
-        difference_low_w: Option<f64>,
-        difference_high_w: Option<f64>,
+        difference_p05_w: Option<f64>,
+        difference_p95_w: Option<f64>,
         change_percent: Option<f64>,
-        change_low_percent: Option<f64>,
-        change_high_percent: Option<f64>,
+        change_p05_percent: Option<f64>,
+        change_p95_percent: Option<f64>,
         mixed_share_percent: f64,
         gearbox_efficiency_percent: Option<f64>,
         gearbox_loss_w: Option<f64>,
     }
     write_table(
         file,
-        comparison.finishes.iter().map(|finish| FinishRow {
+        comparison.finishes.iter().map(|finish| {
+            let loss = finish.uncertainty.as_ref().map(|uncertainty| &uncertainty.loss);
+            let difference = finish.difference.as_ref();
+            FinishRow {
             finish: cell(&finish.name),
             efficiency_percent: 100.0 * finish.efficiency,
             loss_w: finish.loss_w,
-            loss_low_w: finish.quantiles_w[0],
-            loss_high_w: finish.quantiles_w[1],
-            difference_w: finish.difference.map(|difference| difference.nominal_w),
-            difference_low_w: finish
-                .difference
-                .map(|difference| difference.quantiles_w[0]),
-            difference_high_w: finish
-                .difference
-                .map(|difference| difference.quantiles_w[1]),
-            change_percent: finish
-                .difference
-                .map(|difference| 100.0 * difference.nominal_share),
-            change_low_percent: finish
-                .difference
-                .map(|difference| 100.0 * difference.share_quantiles[0]),
-            change_high_percent: finish
-                .difference
-                .map(|difference| 100.0 * difference.share_quantiles[1]),
+            loss_median_w: loss.map(|loss| loss.median_w),
+            loss_p05_w: loss.map(|loss| loss.quantiles_w[0]),
+            loss_p95_w: loss.map(|loss| loss.quantiles_w[1]),
+            difference_w: difference.map(|difference| difference.median_w),
+            difference_p05_w: difference.map(|difference| difference.quantiles_w[0]),
+            difference_p95_w: difference.map(|difference| difference.quantiles_w[1]),
+            change_percent: difference.map(|difference| 100.0 * difference.median_share),
+            change_p05_percent: difference.map(|difference| 100.0 * difference.share_quantiles[0]),
+            change_p95_percent: difference.map(|difference| 100.0 * difference.share_quantiles[1]),
             mixed_share_percent: 100.0 * finish.mixed_share,
             gearbox_efficiency_percent: finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency),
             gearbox_loss_w: finish.gearbox.as_ref().map(|g| g.loss_w),
+            }
         }),
     )
 }

@@ -1,10 +1,11 @@
 //! The changes of a case in a sensitivity study, one at a time.
 
-use asperity::case::{GearFlankInput, LoadedCase, ReliefInput};
+use asperity::case::{GearFlankInput, LoadedCase, ReliefInput, TipRelief};
 use asperity::flanks::{Surfaces, Texture};
 use asperity::oil::{BaseOil, ViscosityLaw};
 use asperity::{Error, PositionError};
 use asperity_core::Profile;
+use asperity::gear::{ReliefExtent, ReliefShape};
 use asperity_core::quantity::{KinematicViscosity, Length, Temperature};
 use asperity_roughness::RoughnessError;
 
@@ -256,8 +257,8 @@ fn relief(loaded: &LoadedCase) -> Vec<Change> {
         // Relief from a trace has no single amount.
         return Vec::new();
     }
-    let present =
-        [&gears.pinion, &gears.wheel].map(|gear| gear.as_ref().and_then(|gear| gear.tip_relief));
+    // As stated, or the middle of what is assumed.
+    let present = loaded.case.micro_geometry.tip_relief;
     let um = |amount: Length| digits(1e6 * amount.si(), 3);
     let amounts = present.map(|relief| relief.map_or(Length::from_si(0.0), |relief| relief.amount));
     let steps = [-RELIEF, RELIEF];
@@ -272,13 +273,19 @@ fn relief(loaded: &LoadedCase) -> Vec<Change> {
             let case = loaded.with(|input| {
                 let gears = [&mut input.gears.pinion, &mut input.gears.wheel];
                 for ((gear, present), amount) in gears.into_iter().zip(present).zip(to) {
-                    let shape = present.unwrap_or(ReliefInput {
+                    let (length, start_diameter) = match present.map(|relief| relief.extent) {
+                        None => (Some(double_contact), None),
+                        Some(ReliefExtent::RollLength(length)) => (Some(length), None),
+                        Some(ReliefExtent::StartDiameter(diameter)) => (None, Some(diameter)),
+                    };
+                    let is_parabolic = present.is_some_and(|relief| relief.shape == ReliefShape::Parabolic);
+                    let drawn = ReliefInput {
                         amount,
-                        length: Some(double_contact),
-                        start_diameter: None,
-                        power: None,
-                    });
-                    gear.get_or_insert_default().tip_relief = Some(ReliefInput { amount, ..shape });
+                        length,
+                        start_diameter,
+                        power: is_parabolic.then_some(2),
+                    };
+                    gear.get_or_insert_default().tip_relief = Some(TipRelief::Drawn(drawn));
                 }
             });
             Change {

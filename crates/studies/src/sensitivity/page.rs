@@ -28,11 +28,14 @@ fn chart(study: &Sensitivity) -> Drawing {
     rows.sort_by(|(_, a), (_, b)| b.difference_w.abs().total_cmp(&a.difference_w.abs()));
     let bars = rows.iter().map(|(row, effect)| {
         let size = effect.difference_w.abs();
-        let spread = |half: f64| [(size - half).max(0.0), size + half];
+        let spread = |[low, high]: [f64; 2]| {
+            let half = 0.5 * (high - low);
+            [(size - half).max(0.0), size + half]
+        };
         Bar {
             name: format!("{} → {}", row.what, row.to),
             value: Some(size),
-            spread: effect.sampling_half_width_w.map(spread),
+            spread: effect.sampling_quantiles_w.map(spread),
             text: format!("{} W", difference(effect)),
         }
     });

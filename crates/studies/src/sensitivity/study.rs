@@ -4,7 +4,7 @@ use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::{Progress, contacts, losses, losses_with};
 use asperity::result::{Losses, Summary};
-use asperity::uncertainty::DrawnLosses;
+use asperity::uncertainty::sampling_interval;
 use asperity::{Contacts, Error};
 use serde::Serialize;
 
@@ -61,8 +61,8 @@ pub struct Effect {
     pub difference_w: f64,
     /// Change relative to the loss.
     pub change: f64,
-    /// Half width of its 95 % interval by the sampling of the flanks; `None` if the sampling has no interval.
-    pub sampling_half_width_w: Option<f64>,
+    /// 5 % and 95 % quantiles by the sampling of the flanks; `None` without traces.
+    pub sampling_quantiles_w: Option<[f64; 2]>,
     /// Change of the friction in the film.
     pub film_w: f64,
     /// Change of the friction of lubricated asperities.
@@ -84,16 +84,21 @@ pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitiv
     // The gearbox is removed: its loss table need not cover the temperatures of the changes.
     let mut mesh = case.clone();
     mesh.case.gearbox = None;
+    let tables = contacts(&mesh).ok();
+    if let Some(tables) = &tables {
+        // Every change is computed at the same windows.
+        let offsets = tables.offsets();
+        mesh = mesh.with(|input| input.model.offsets = Some(offsets))?;
+        mesh.case.gearbox = None;
+    }
     let case = &mesh;
     let changes = changes(case);
     let runs = 1 + changes.len();
-    let tables = contacts(case).ok();
     let base = run(case, tables.as_ref())?;
     progress(1, runs);
-    let sampled = DrawnLosses::of(case, &base);
     let mut rows = Vec::new();
     for change in changes {
-        rows.push(row(change, (&base, &sampled), tables.as_ref()));
+        rows.push(row(change, (case, &base), tables.as_ref()));
         checkpoint()?;
         progress(1 + rows.len(), runs);
     }
@@ -118,13 +123,13 @@ fn run(case: &LoadedCase, tables: Option<&Contacts>) -> Result<Losses, Error> {
 
 fn row(
     change: Change,
-    (base, sampled): (&Losses, &DrawnLosses),
+    (case, base): (&LoadedCase, &Losses),
     tables: Option<&Contacts>,
 ) -> SensitivityRow {
     let tables = tables.filter(|_| change.keeps_contacts);
-    let losses = change.case.and_then(|case| run(&case, tables));
+    let losses = change.case.and_then(|changed| run(&changed, tables));
     let (effect, refused) = match losses {
-        Ok(changed) => (Some(effect(base, &changed, sampled)), None),
+        Ok(changed) => (Some(effect(case, base, &changed)), None),
         Err(error) => {
             let refused = Refused {
                 code: error.code().to_owned(),
@@ -142,7 +147,7 @@ fn row(
     }
 }
 
-fn effect(base: &Losses, changed: &Losses, sampled: &DrawnLosses) -> Effect {
+fn effect(case: &LoadedCase, base: &Losses, changed: &Losses) -> Effect {
     let difference = |of: fn(&Summary) -> f64| of(&changed.summary) - of(&base.summary);
     let difference_w = difference(|summary| summary.loss_w);
     // The windows are the same, so the sampling error is that of the differences.
@@ -151,7 +156,7 @@ fn effect(base: &Losses, changed: &Losses, sampled: &DrawnLosses) -> Effect {
     Effect {
         difference_w,
         change: difference_w / base.summary.loss_w,
-        sampling_half_width_w: sampled.half_width_of(&by_window),
+        sampling_quantiles_w: sampling_interval(case, base, &by_window),
         film_w: difference(|summary| summary.film_w),
         lubricated_asperity_w: difference(|summary| summary.lubricated_asperity_w),
         boundary_w: difference(|summary| summary.boundary_w),

@@ -7,8 +7,8 @@ use asperity_storage::one_line;
 use super::study::{Effect, Sensitivity, SensitivityRow};
 
 /// Explanation of the numbers.
-pub(super) const NOTE: &str = "Each row is a run of the model with one thing changed, at the same windows of the traces; ± is \
-    the 95 % interval by the sampling of the flanks. These are answers of the model, not measurements: what it leaves out or \
+pub(super) const NOTE: &str = "Each row is a run of the model with one thing changed, at the same windows of the traces; in brackets \
+    5 to 95 % by the sampling of the flanks. These are answers of the model, not measurements: what it leaves out or \
     has wrong, they leave out or have wrong.";
 
 /// Summary of the study for the terminal.
@@ -22,14 +22,14 @@ pub(super) fn summary(study: &Sensitivity) -> String {
     let width = study.rows.iter().map(|row| name(row).chars().count());
     let width = width.max().unwrap_or(0);
     text.push_str(&format!(
-        "{:width$} {:>16} {:>8} {:>7} {:>10} {:>9} {:>8}\n",
+        "{:width$} {:>20} {:>8} {:>7} {:>10} {:>9} {:>8}\n",
         "", "W", "%", "film", "asperities", "boundary", "rolling"
     ));
     for row in &study.rows {
         let Some(effect) = &row.effect else {
             let code = row.refused.as_ref().map_or("", |refused| &refused.code);
             text.push_str(&format!(
-                "{:width$} {:>16}\n",
+                "{:width$} {:>20}\n",
                 name(row),
                 format!("- {code}")
             ));
@@ -43,7 +43,7 @@ pub(super) fn summary(study: &Sensitivity) -> String {
         ];
         let [film, asperities, boundary, rolling] = parts.map(|part| part_text(part, effect));
         text.push_str(&format!(
-            "{:width$} {:>16} {:>8} {film:>7} {asperities:>10} {boundary:>9} {rolling:>8}\n",
+            "{:width$} {:>20} {:>8} {film:>7} {asperities:>10} {boundary:>9} {rolling:>8}\n",
             name(row),
             difference(effect),
             share(effect),
@@ -81,8 +81,11 @@ pub(super) fn headline(study: &Sensitivity) -> String {
 pub(super) fn difference(effect: &Effect) -> String {
     let half = digits(effect);
     let value = signed(&rounded(effect.difference_w, half));
-    match effect.sampling_half_width_w {
-        Some(width) if width > 0.0 => format!("{value} ± {}", rounded(width, half)),
+    match effect.sampling_quantiles_w {
+        Some([low, high]) if low < high => {
+            let [low, high] = [low, high].map(|end| signed(&rounded(end, half)));
+            format!("{value} ({low}..{high})")
+        }
         _ => value,
     }
 }
@@ -105,7 +108,8 @@ pub(super) fn part_text(part: f64, effect: &Effect) -> String {
 /// Uncertainty that determines the digits of a change: its sampling error, or a fiftieth of the change.
 fn digits(effect: &Effect) -> f64 {
     let least = 0.02 * effect.difference_w.abs();
-    let half = effect.sampling_half_width_w.unwrap_or(0.0).max(least);
+    let sampling = effect.sampling_quantiles_w.map_or(0.0, |[low, high]| 0.5 * (high - low));
+    let half = sampling.max(least);
     half.max(0.1)
 }
 
