@@ -271,7 +271,10 @@ pub struct RunArgs {
     /// Also print the published friction laws, each in place of the model
     #[arg(long)]
     pub laws: bool,
-    /// Omit the band of the loss, which takes 24 evaluations of the laws with the contacts of the run
+    /// Also print the loss by other models, and what refutes them
+    #[arg(long)]
+    pub models: bool,
+    /// Omit the uncertainty of the loss, which takes some 60 evaluations of the laws with the contacts of the run
     #[arg(long)]
     pub no_band: bool,
     /// Do not write a result folder

@@ -161,14 +161,9 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
         // The same along the path.
         ("temperatures", _) => None,
         ("local-loss", "5 to 95 %") => {
-            let band = &json(folder, "result.json")["band"];
+            let drawn = &json(folder, "result.json")["uncertainty"];
             let rolling = path.column("rolling_w_per_m");
-            let ends = band["path_with_sampling_w_per_m"]
-                .as_array()
-                .filter(|rows| !rows.is_empty());
-            let ends = ends
-                .or_else(|| band["path_sliding_w_per_m"].as_array())
-                .unwrap();
+            let ends = drawn["path_sliding_w_per_m"].as_array().unwrap();
             let pairs = ends.iter().zip(rolling);
             Some(
                 pairs

@@ -160,7 +160,7 @@ fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
         .well()
         .json();
     assert_eq!(json["meshes"].as_array().unwrap().len(), 2);
-    // The band of the set is about three times the sum of those of its meshes.
+    // The quantiles of the set are about three times the sum of those of its meshes.
     let w = |value: &serde_json::Value| value.as_f64().unwrap();
     let of_meshes = |name: &str| {
         json["meshes"]
@@ -171,14 +171,14 @@ fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
             .sum::<f64>()
     };
     for (k, name) in ["loss_q05_w", "loss_q95_w"].into_iter().enumerate() {
-        let of_set = w(&json["loss_quantiles_w"][k]);
+        let of_set = w(&json["loss_distribution"]["quantiles_w"][k]);
         assert!(
             (of_set / (3.0 * of_meshes(name)) - 1.0).abs() < 0.05,
             "{json:#}"
         );
     }
     assert!((w(&json["loss_w"]) / (3.0 * of_meshes("loss_w")) - 1.0).abs() < 1e-12);
-    assert!(w(&json["loss_quantiles_w"][0]) < w(&json["loss_w"]));
+    assert!(w(&json["loss_distribution"]["quantiles_w"][0]) < w(&json["loss_w"]));
     bench.write("case.toml", SET.replace("planets = 3", "planets = 12"));
     bench
         .run(&["run", "case.toml"])

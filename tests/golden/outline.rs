@@ -257,13 +257,11 @@ fn steady_solutions_of_full_films_give_what_they_gave() {
 fn the_difference_of_two_finishes_is_what_it_was() {
     let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"].map(|name| {
         let case = coarse(name, &[("model.load_share", "lambda-star")]);
-        Run::new(&case)
-            .fields(&KeptFields::Highest)
-            .draw()
-            .unwrap()
-            .1
+        let (outcome, drawn) = Run::new(&case).fields(&KeptFields::Highest).draw().unwrap();
+        (drawn.unwrap(), outcome.result.uncertainty.unwrap())
     });
-    let value = serde_json::json!({ "difference": difference(&ground, &polished) });
+    let found = difference((&ground.0, &ground.1), (&polished.0, &polished.1), false);
+    let value = serde_json::json!({ "difference": found });
     hold("finishes-whole", &value);
 }
 

@@ -1,12 +1,12 @@
-//! The band of a loss: what it must be in plain cases.
+//! The uncertainty of a loss: what it must be in plain cases.
 
 use std::path::Path;
 
 use asperity::Run;
 use asperity::case::{LoadedCase, load_with};
 use asperity::pipeline::KeptFields;
-use asperity::result::loss_band::{LossBand, Trust};
-use asperity::uncertainty::difference;
+use asperity::result::loss_band::{Trust, Uncertainty};
+use asperity::uncertainty::{PairedDifference, Verdict, difference};
 
 const KEPT: KeptFields = KeptFields::Highest;
 
@@ -20,9 +20,19 @@ fn case(name: &str) -> LoadedCase {
     .unwrap()
 }
 
-fn band(case: &LoadedCase) -> LossBand {
+fn uncertainty(case: &LoadedCase) -> Uncertainty {
     let outcome = Run::new(case).fields(&KEPT).band(true).execute().unwrap();
-    outcome.result.band.unwrap()
+    outcome.result.uncertainty.unwrap()
+}
+
+/// Difference of two cases.
+fn between(first: &LoadedCase, other: &LoadedCase) -> PairedDifference {
+    let [a, b] = [first, other].map(|case| {
+        let (outcome, drawn) = Run::new(case).fields(&KEPT).draw().unwrap();
+        (drawn.unwrap(), outcome.result.uncertainty.unwrap())
+    });
+    let same = first.surfaces.has_flanks_of(&other.surfaces);
+    difference((&a.0, &a.1), (&b.0, &b.1), same)
 }
 
 #[test]
@@ -33,10 +43,10 @@ fn a_run_with_its_band_has_the_result_of_the_run() {
     assert_eq!(plain.result.summary, banded.result.summary);
     assert_eq!(plain.result.path, banded.result.path);
     assert_eq!(plain.offsets, banded.offsets);
-    let band = banded.result.band.unwrap();
-    assert_eq!(band.nominal_w, plain.result.summary.loss_w);
+    let found = banded.result.uncertainty.unwrap();
+    assert_eq!(found.at_medians_w, plain.result.summary.loss_w);
     let tags: Vec<&str> = banded.result.equations.iter().map(|e| &*e.tag).collect();
-    for tag in ["Latin-hypercube", "Effective-windows", "Sampling-error"] {
+    for tag in ["Latin-hypercube", "Predictive-draw", "Quadratic-surface", "Sampling-error"] {
         assert!(tags.contains(&tag), "{tag}");
     }
     assert!(
@@ -51,53 +61,67 @@ fn a_run_with_its_band_has_the_result_of_the_run() {
 #[test]
 fn kept_contacts_give_the_losses_of_fresh_ones() {
     let case = case("e-drive.toml");
-    let band = band(&case);
-    // An alternative is evaluated by the contacts of the run; alone it solves its own.
-    let other = case.with_key("model.boundary_layer", "20 nm").unwrap();
+    let found = uncertainty(&case);
+    // Another model is evaluated by the contacts of the run; alone it solves its own.
+    let other = case.with_key("model.asperity_share_factor", "0.5").unwrap();
     let alone = Run::new(&other).fields(&KEPT).execute().unwrap();
-    let row = band
-        .alternatives
-        .iter()
-        .find(|row| row.name.contains("boundary layer"));
+    let row = found.other_models.iter().find(|row| row.name.contains("halved"));
     assert_eq!(row.unwrap().loss_w, Some(alone.result.summary.loss_w));
+}
+
+#[test]
+fn the_draws_with_spots_fed_at_half_the_sliding_speed_are_runs_of_that_model() {
+    let case = case("e-drive.toml");
+    let found = uncertainty(&case);
+    let other = case.with_key("model.spot_speed", "\"half-sliding\"").unwrap();
+    let run = asperity::losses(&other).unwrap().summary.loss_w;
+    let row = found.structures.iter().find(|row| row.name.contains("half the sliding"));
+    let drawn = row.unwrap().loss_w.unwrap();
+    assert!((drawn / run - 1.0).abs() < 0.03, "{drawn} {run}");
+}
+
+#[test]
+fn a_draw_is_a_run_with_its_constants() {
+    let case = case("e-drive.toml");
+    let found = uncertainty(&case);
+    assert!(found.interpolation_error < 0.02, "{}", found.interpolation_error);
+    let friction = found.constants.iter().find(|one| one.name == "boundary friction").unwrap();
+    let part = found.loss.parts.iter().find(|part| part.name == "boundary friction").unwrap();
+    // The loss rises with the friction, so that the quantiles of one are those of the other.
+    for (value, drawn) in [(friction.low, part.quantiles_w[0]), (friction.high, part.quantiles_w[1])] {
+        let other = case.with_key("model.boundary_friction", &value.to_string()).unwrap();
+        let run = asperity::losses(&other).unwrap().summary.loss_w;
+        assert!((drawn / run - 1.0).abs() < 0.02, "{value}: {drawn} {run}");
+    }
 }
 
 #[test]
 fn identical_finishes_differ_by_exactly_nothing() {
     let case = case("e-drive.toml");
-    let [first, other] = [0, 1].map(|_| Run::new(&case).fields(&KEPT).draw().unwrap().1);
-    let found = difference(&first, &other);
-    assert_eq!(found.nominal_w, 0.0);
-    assert_eq!(found.quantiles_w, [0.0, 0.0]);
-    assert_eq!(found.parameter_quantiles_w, [0.0, 0.0]);
-    assert_eq!(found.share_quantiles, [0.0, 0.0]);
-    assert_eq!(found.sampling_half_width_w, Some(0.0));
+    let found = between(&case, &case);
+    assert_eq!((found.at_medians_w, found.median_w), (0.0, 0.0));
+    assert_eq!((found.quantiles_w, found.share_quantiles), ([0.0; 2], [0.0; 2]));
+    assert_eq!(found.verdict(), Verdict::Equal);
 }
 
 #[test]
 fn finishes_differ_less_than_each_is_uncertain() {
-    let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"]
-        .map(|name| Run::new(&case(name)).fields(&KEPT).draw().unwrap().1);
-    let found = difference(&ground, &polished);
-    assert!(
-        found.nominal_w < 0.0 && found.quantiles_w[1] < 0.0,
-        "{found:?}"
-    );
+    let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"].map(case);
+    let found = between(&ground, &polished);
+    assert!(found.median_w < 0.0 && found.quantiles_w[1] < 0.0, "{found:?}");
     let width = |[low, high]: [f64; 2]| high - low;
     // The draws are the same, so what both finishes share cancels.
-    let unpaired = width(ground.quantiles()).hypot(width(polished.quantiles()));
-    assert!(width(found.quantiles_w) < unpaired, "{found:?} {unpaired}");
-    // Of the other finish seen from this one all turns round, but for the last digits of the quantiles.
-    let back = difference(&polished, &ground);
-    assert_eq!(back.nominal_w, -found.nominal_w);
-    assert!((back.quantiles_w[0] + found.quantiles_w[1]).abs() < 1e-6);
+    let each = [&ground, &polished].map(|case| width(uncertainty(case).loss.quantiles_w));
+    assert!(width(found.quantiles_w) < each[0].hypot(each[1]), "{found:?} {each:?}");
+    assert_eq!(found.verdict(), Verdict::Holds);
+    assert!(found.models.len() >= 7, "{:?}", found.models);
 }
 
 #[test]
 fn what_the_case_states_is_not_drawn() {
-    let all = band(&case("e-drive.toml"));
-    let names = |band: &LossBand| -> Vec<String> {
-        band.parameters.iter().map(|p| p.name.clone()).collect()
+    let all = uncertainty(&case("e-drive.toml"));
+    let names = |found: &Uncertainty| -> Vec<String> {
+        found.constants.iter().map(|one| one.name.clone()).collect()
     };
     let every = [
         "boundary friction",
@@ -105,31 +129,34 @@ fn what_the_case_states_is_not_drawn() {
         "lay",
         "limiting shear",
         "Eyring stress",
+        "pressure-viscosity",
     ];
     assert_eq!(names(&all), every);
     let stated = case("e-drive.toml")
-        .with_key("model.boundary_friction", "0.08")
+        .with_key("model.boundary_friction", "0.09")
         .unwrap();
-    let stated = band(&stated);
+    let stated = uncertainty(&stated);
     assert_eq!(names(&stated), every[1..]);
     assert_eq!(stated.held, ["boundary friction"]);
-    // The same draws of the others, so the band is narrower and the loss the same.
-    assert_eq!(stated.nominal_w, all.nominal_w);
-    assert!(stated.half_width_w() < all.half_width_w());
+    // The same draws of the others, so the spread is smaller and the run the same.
+    assert_eq!(stated.at_medians_w, all.at_medians_w);
+    assert!(stated.loss.sd_ln < all.loss.sd_ln);
 }
 
 #[test]
-fn every_parameter_that_rubs_more_loses_more() {
-    for parameter in band(&case("e-drive.toml")).parameters {
-        assert!(parameter.effect_w > 0.0, "{parameter:?}");
-        let range = parameter.low..=parameter.high;
-        assert!(range.contains(&parameter.value), "{parameter:?}");
+fn every_component_widens_the_loss_and_none_exceeds_all() {
+    let found = uncertainty(&case("e-drive.toml"));
+    let names: Vec<&str> = found.loss.parts.iter().map(|part| part.name.as_str()).collect();
+    for name in ["tip relief not stated", "sampling of the flanks", "error of the fast model", "rolling loss"] {
+        assert!(names.contains(&name), "{names:?}");
     }
-    // Where hardly anything touches, only the film counts.
-    for parameter in band(&case("e-drive-superfinished.toml")).parameters {
-        let of_film = ["limiting shear", "Eyring stress"].contains(&parameter.name.as_str());
-        assert!(of_film || parameter.effect_w.abs() < 10.0, "{parameter:?}");
-    }
+    assert!(found.loss.parts.iter().all(|part| part.sd_ln < found.loss.sd_ln && !part.remedy.is_empty()));
+    assert!(found.loss.parts.is_sorted_by(|a, b| a.sd_ln >= b.sd_ln));
+    let stated = case("e-drive.toml").with_key("gears.pinion.tip_relief", "\"none\"").unwrap();
+    let stated = stated.with_key("gears.wheel.tip_relief", "\"none\"").unwrap();
+    let stated = uncertainty(&stated);
+    assert!(stated.loss.parts.iter().all(|part| part.name != "tip relief not stated"));
+    assert!(stated.loss.sd_ln < found.loss.sd_ln);
 }
 
 #[test]
@@ -144,9 +171,9 @@ fn flanks_known_by_their_ra_get_an_answer_on_surrogates() {
         (input.model.positions, input.model.offsets) = (Some(6), Some(2));
     })
     .unwrap();
-    let band = band(&case);
-    assert_eq!(band.trust, Trust::Surrogates);
-    assert!(band.half_width_w() > 0.0);
+    let found = uncertainty(&case);
+    assert_eq!(found.trust, Trust::Surrogates);
+    assert!(found.loss.parts.iter().any(|part| part.name == "sampling of the flanks"));
     let text = asperity_report::summary(
         &Run::new(&case)
             .fields(&KEPT)
@@ -166,17 +193,17 @@ fn the_paper_has_no_band() {
     })
     .unwrap();
     let outcome = Run::new(&case).fields(&KEPT).band(true).execute().unwrap();
-    assert!(outcome.result.band.is_none());
+    assert!(outcome.result.uncertainty.is_none());
 }
 
 /// A rig's calibration: the defaults with narrow bands, boundary friction and layer correlated.
 const CALIBRATION: &str = r#"
 [calibration]
 source = "made up for a test"
-boundary_friction = { value = 0.08, low = 0.074, high = 0.087 }
+boundary_friction = { value = 0.09, low = 0.084, high = 0.097 }
 boundary_layer = { value = "10 nm", low = "8 nm", high = "13 nm" }
 limiting_shear = { value = 0.035, low = 0.034, high = 0.036 }
-eyring_stress = { value = "4 MPa", low = "3.8 MPa", high = "4.2 MPa" }
+eyring_stress = { value = "4.06 MPa", low = "3.8 MPa", high = "4.3 MPa" }
 correlations = [{ between = ["boundary_layer", "boundary_friction"], value = -0.8 }]
 "#;
 
@@ -192,20 +219,21 @@ fn calibrated() -> LoadedCase {
 }
 
 #[test]
-fn a_calibrated_case_has_the_same_loss_and_a_narrower_band() {
-    let (plain, narrow) = (band(&case("e-drive.toml")), band(&calibrated()));
+fn a_calibrated_case_has_the_same_loss_and_smaller_parts() {
+    let (plain, narrow) = (uncertainty(&case("e-drive.toml")), uncertainty(&calibrated()));
     // The values are the defaults.
-    assert_eq!(plain.nominal_w, narrow.nominal_w);
-    let width = |[low, high]: [f64; 2]| high - low;
-    let ratio = width(narrow.parameter_quantiles_w) / width(plain.parameter_quantiles_w);
-    assert!(ratio < 0.5, "{ratio}");
+    assert_eq!(plain.at_medians_w, narrow.at_medians_w);
+    for name in ["boundary friction", "boundary layer", "limiting shear", "Eyring stress"] {
+        let sd = |found: &Uncertainty| found.loss.parts.iter().find(|part| part.name == name).map_or(0.0, |part| part.sd_ln);
+        assert!(sd(&narrow) < 0.6 * sd(&plain), "{name}: {} {}", sd(&narrow), sd(&plain));
+    }
     let names: Vec<(&str, bool)> = narrow
-        .parameters
+        .constants
         .iter()
         .map(|one| (one.name.as_str(), one.is_calibrated))
         .collect();
     assert!(names.contains(&("boundary friction", true)) && names.contains(&("lay", false)));
-    assert!(plain.parameters.iter().all(|one| !one.is_calibrated));
+    assert!(plain.constants.iter().all(|one| !one.is_calibrated));
 }
 
 #[test]

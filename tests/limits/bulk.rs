@@ -185,6 +185,7 @@ fn parameters_set_past_the_keys_act_at_the_temperature_found() {
         UncertainParameter::BoundaryLayer,
         UncertainParameter::LimitingShear,
         UncertainParameter::EyringStress,
+        UncertainParameter::PressureViscosity,
     ] {
         let [less, more] = [0.8, 1.25].map(|factor| loss(parameter, factor));
         assert!(more > 1.0001 * less, "{}: {less} {more}", parameter.name());

@@ -132,6 +132,9 @@ fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instan
         true => report::summary(result),
         false => report::brief(result),
     };
+    if args.models {
+        text.push_str(&report::models(result));
+    }
     if args.laws {
         text.push_str(&report::published_laws(result));
     }

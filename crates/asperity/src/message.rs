@@ -204,6 +204,7 @@ explanations! {
     "W436" "the boundary layer is held in the design": "Within the limits of the rig no points identify the boundary layer. The design is for the other parameters, and the boundary layer keeps its default and range." => "Hold the boundary layer in the calibration on these points too. If the rig reaches further, state its largest torque and speed and its temperatures.";
     "W437" "finish not known": "Ra of a flank without a trace lies between superfinished and ground flanks, and no finish is stated. Half of the surrogates are of each." => "State surface.finish.";
     "W438" "surrogate flanks": "A flank has no trace. Profiles of its finish are generated and scaled to the stated roughness values, with shapes and, if surface.noise_cutoff is not stated, cut-offs of 12 kinds, and the contact is solved on all of them." => "Measure the flanks: traces narrow the interval of the loss. State surface.finish, surface.noise_cutoff and Rz or Rpk, if there are no traces.";
+    "W439" "tip relief not stated": "The drawing of a gear is not known: its tip relief lies between none and the approach of the teeth under the largest load. A run takes the middle, the draws of the loss all of it." => "State gears.pinion.tip_relief and gears.wheel.tip_relief, \"none\" where there is none.";
 }
 
 #[cfg(test)]

@@ -191,47 +191,32 @@ fn kept_contacts_are_those_of_every_pair() {
 }
 
 #[test]
-fn the_band_has_the_error_between_traces() {
+fn the_draws_have_the_error_between_traces() {
     let several = case("traces = [\"0\", \"1\", \"5\"]", "traces = [\"2\", \"3\"]");
-    let (outcome, drawn) = Run::new(&several)
-        .fields(&KeptFields::Highest)
-        .draw()
-        .unwrap();
-    let result = outcome.result;
-    let (band, pairs) = (result.band.unwrap(), result.pairs.unwrap());
-    let SamplingPart::Pairs(found) = band.sampling else {
-        panic!("{:?}", band.sampling)
+    let run = Run::new(&several).fields(&KeptFields::Highest);
+    let (outcome, drawn) = run.draw().unwrap();
+    let (result, drawn) = (outcome.result, drawn.unwrap());
+    let (found, pairs) = (result.uncertainty.unwrap(), result.pairs.unwrap());
+    let SamplingPart::Pairs(sampling) = found.sampling else {
+        panic!("{:?}", found.sampling)
     };
-    assert_eq!(found.traces, [3, 2]);
-    assert!((found.half_width_w / pairs.sampling.unwrap().half_width_w - 1.0).abs() < 1e-12);
-    assert_eq!(found.misplaced_w, None);
-    let width = |[low, high]: [f64; 2]| high - low;
-    assert!(width(band.quantiles_w) > width(band.parameter_quantiles_w));
-    let path = band.path_with_sampling_w_per_m.iter();
-    let wider = path
-        .zip(&band.path_sliding_w_per_m)
-        .all(|(a, b)| width(*a) > width(*b));
-    assert!(
-        wider
-            && result
-                .path
-                .iter()
-                .all(|row| row.sliding_standard_error_w_per_m.is_some())
-    );
+    assert_eq!(sampling.traces, [3, 2]);
+    let of_pairs = pairs.sampling.unwrap();
+    assert!((sampling.standard_error_w / of_pairs.standard_error_w - 1.0).abs() < 1e-12);
+    assert_eq!(sampling.misplaced_w, None);
+    // Of ln loss: the same over the mean, to second order.
+    let part = found.loss.parts.iter().find(|part| part.name == "sampling of the flanks").unwrap();
+    let relative = of_pairs.standard_error_w / of_pairs.mean_w;
+    // Student's t with d degrees of freedom spreads more than its standard error; the draws end at 4 of these.
+    assert!((0.9..2.5).contains(&(part.sd_ln / relative)), "{} {relative}", part.sd_ln);
+    assert!(result.path.iter().all(|row| row.sliding_standard_error_w_per_m.is_some()));
     // A finish compared with itself.
-    let nothing = difference(&drawn, &drawn);
-    assert_eq!((nothing.nominal_w, nothing.quantiles_w), (0.0, [0.0, 0.0]));
-    // Other pinions on the same wheel: what the wheel's teeth scatter is in both.
-    let other = case("traces = [\"6\", \"7\", \"8\"]", "traces = [\"2\", \"3\"]");
-    let (_, other) = Run::new(&other)
-        .fields(&KeptFields::Highest)
-        .draw()
-        .unwrap();
-    let change = difference(&drawn, &other);
-    assert!(
-        change.sampling_half_width_w.is_some_and(|half| half > 0.0),
-        "{change:?}"
-    );
+    let uncertainty = Run::new(&several).fields(&KeptFields::Highest).band(true).execute().unwrap().result.uncertainty;
+    let uncertainty = uncertainty.unwrap();
+    let own = (&drawn, &uncertainty);
+    let nothing = difference(own, own, true);
+    assert_eq!((nothing.at_medians_w, nothing.quantiles_w), (0.0, [0.0, 0.0]));
+    assert!(difference(own, own, false).quantiles_w[1] > 0.0);
 }
 
 #[test]
@@ -301,14 +286,8 @@ fn each_trace_may_lie_at_a_place_of_its_own() {
     };
     let expected = 0.5 * (alone(0, 3.9) + alone(1, 4.4));
     assert!((found.summary.loss_w / expected - 1.0).abs() < 1e-14);
-    let band = Run::new(&placed)
-        .fields(&KeptFields::Highest)
-        .draw()
-        .unwrap()
-        .0
-        .result
-        .band;
-    let SamplingPart::Pairs(sampling) = band.unwrap().sampling else {
+    let result = Run::new(&placed).fields(&KeptFields::Highest).band(true).execute().unwrap().result;
+    let SamplingPart::Pairs(sampling) = result.uncertainty.unwrap().sampling else {
         panic!("two pairs were sampled")
     };
     assert!(sampling.misplaced_w.is_some());

@@ -34,6 +34,6 @@ pub use page_tables::PageTables;
 pub use planetary::{check_planetary_place, write_planetary};
 pub use printed::{stated, stated_parts};
 pub use study::StudyResult;
-pub use summary::{brief, published_laws, summary};
+pub use summary::{brief, models, published_laws, summary};
 pub use thin::thin;
 pub use wrap::{COLUMNS, wrapped};

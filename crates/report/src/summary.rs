@@ -54,7 +54,7 @@ const LARGE_LOAD_ERROR: f64 = 0.011;
 const SHOWN_NOTES: usize = 2;
 /// Codes of warnings that put the efficiency in doubt and name a remedy, the most important first.
 const MATTERS: &[&str] = &[
-    "W402", "W426", "W412", "W415", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125",
+    "W402", "W439", "W426", "W412", "W415", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125",
     "W117", "W113", "W437", "W438", "W408", "W404", "W410",
 ];
 

@@ -10,6 +10,6 @@ mod window_pair;
 
 pub use local_roughness::Roughness;
 pub use surfaces::{Surfaces, Texture};
-pub use window_pair::{LEAST_POINTS_PER_HALF_WIDTH, WindowPair};
+pub use window_pair::{LEAST_POINTS_PER_HALF_WIDTH, WindowPair, window_places};
 
 pub(crate) use window_pair::{Window, is_substituted};

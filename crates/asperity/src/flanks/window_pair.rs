@@ -25,7 +25,14 @@ const SHIFTS: [f64; 2] = [0.569_840_290_998_053_3, 0.754_877_666_246_692_8];
 /// u_k and v_k are the radical inverses of k + 1 in bases 2 and 3 (Halton), 1/2 and 1/2 of a single offset, and i is the
 /// position along the path from 0. They nest: more offsets keep those before. They shift from position to position i, as the teeth of a pair meet at
 /// other places of their flanks along the path: the mean over the path then samples more of the traces.
-fn places(k: usize, count: usize, number: usize) -> [f64; 2] {
+///
+/// ```
+/// use asperity::flanks::window_places;
+/// assert_eq!(window_places(1, 16, 1), [0.25, 2.0 / 3.0]);
+/// assert_eq!(window_places(1, 64, 1), window_places(1, 16, 1));
+/// ```
+#[must_use]
+pub fn window_places(k: usize, count: usize, number: usize) -> [f64; 2] {
     asperity_core::cite!("Window-places");
     let first = match count {
         1 => [0.5; 2],
@@ -107,7 +114,7 @@ impl Window {
                 middles.map(|middle| middle as isize - reach as isize)
             }
             None => {
-                let [along, across] = places(k, count, position.number);
+                let [along, across] = window_places(k, count, position.number);
                 [start(first, n, along)?, start(second, n, across)?]
             }
         };
@@ -231,7 +238,7 @@ fn start(profile: &Profile, n: usize, place: f64) -> Result<isize, PositionError
 
 #[cfg(test)]
 mod tests {
-    use super::places;
+    use super::window_places as places;
 
     #[test]
     fn places_nest_shift_along_the_path_and_fill_both_traces() {

@@ -5,8 +5,8 @@ mod pairs;
 mod windows;
 
 pub use pairs::pair_sampling;
-pub use windows::independent_windows;
+pub use windows::{independent_windows, window_sampling};
 
 pub(crate) use error::SamplingError;
 pub(crate) use pairs::means_of_pairs;
-pub(crate) use windows::{Scatter, length_for, window_sampling, windows_of_traces};
+pub(crate) use windows::{Scatter, length_for, windows_of_traces};

@@ -114,14 +114,23 @@ pub(crate) fn windows_of_traces(loaded: &LoadedCase, half_width: Length) -> Opti
 /// SE_num² = Σ d_i²/(K (Σ P_i)²)
 /// ```
 ///
-/// The error of ln loss has a t distribution with 3 + n_e degrees of freedom.
-pub(crate) fn window_sampling(
-    scatter: Scatter,
+/// `positions` are P_i and d_i of each. The error of ln loss has a t distribution with 3 + n_e degrees of freedom.
+///
+/// ```
+/// use asperity::uncertainty::window_sampling;
+/// // One window says nothing of the scatter: SE = s₀.
+/// let found = window_sampling(&[[3.0, 0.3], [1.0, 0.4]], 16, 1.0, 0.2);
+/// assert!((found.standard_error - 0.1).abs() < 1e-15 && found.freedom == 4.0);
+/// ```
+#[must_use]
+pub fn window_sampling(
+    positions: &[[f64; 2]],
     offsets: usize,
     windows: f64,
     asperity_share: f64,
 ) -> WindowSampling {
     cite!("Sampling-error");
+    let scatter = Scatter::of(positions.iter().copied());
     let k = offsets as f64;
     let effective = k.min(windows);
     let [prior, weight] = [PRIOR[0] * asperity_share, PRIOR[1]];
@@ -150,18 +159,11 @@ mod tests {
     }
 
     #[test]
-    fn few_windows_have_the_error_of_flanks_like_them() {
-        let scatter = Scatter {
-            squares: 0.01,
-            sum: 0.4,
-        };
-        // One window says nothing of the scatter: SE = s₀ = φ/2 with 4 degrees of freedom.
-        let one = window_sampling(scatter, 16, 1.0, 0.2);
-        assert!((one.standard_error - 0.1).abs() < 1e-15 && one.freedom == 4.0);
-        // s′ = 0.3: (4·0.01 + 15·0.09)/19 over 16.
-        let many = window_sampling(scatter, 16, 40.0, 0.2);
+    fn many_windows_have_their_own_scatter() {
+        // s′ = 0.75·0.4 = 0.3, s₀ = 0.1: (4·0.01 + 15·0.09)/19 over 16.
+        let many = window_sampling(&[[1.0, 0.4]], 16, 40.0, 0.2);
         assert!((many.standard_error.powi(2) - 1.39 / 19.0 / 16.0).abs() < 1e-15);
-        assert!((many.numerical_error - 0.025).abs() < 1e-15);
+        assert!((many.numerical_error - 0.1).abs() < 1e-15);
         assert_eq!((many.effective_windows, many.freedom), (16.0, 19.0));
     }
 }

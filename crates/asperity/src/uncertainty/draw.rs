@@ -51,14 +51,6 @@ pub(super) struct FlankDraw {
 }
 
 impl Draw {
-    /// The middle of every distribution.
-    pub const fn middle() -> Self {
-        Self {
-            weight: 0.5,
-            ..Self::medians()
-        }
-    }
-
     /// The run: medians, and no bias of the model.
     pub const fn medians() -> Self {
         Self {
@@ -79,7 +71,7 @@ impl Draw {
     }
 }
 
-/// The draws that all flanks share, with flanks in the middle.
+/// The draws that all flanks share, with the flanks of the run.
 pub(super) fn shared_draws() -> impl Iterator<Item = Draw> {
     static ORDERS: OnceLock<Vec<Vec<usize>>> = OnceLock::new();
     let orders = ORDERS.get_or_init(|| permutations(DRAWS, AXES.len() + FACTORS, SEED));
@@ -94,7 +86,7 @@ pub(super) fn shared_draws() -> impl Iterator<Item = Draw> {
             relief: place(factor(3)),
             length: place(factor(4)),
             power: normal[factor(5)],
-            ..Draw::middle()
+            ..Draw::medians()
         }
     })
 }

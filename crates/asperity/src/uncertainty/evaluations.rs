@@ -17,7 +17,7 @@ use crate::error::Error;
 use crate::parameters::{Ranged, UncertainParameter, parameters};
 use crate::pipeline::{losses, losses_with};
 use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summary};
-use crate::sampling::{SamplingError, Scatter, means_of_pairs, pair_sampling, window_sampling, windows_of_traces};
+use crate::sampling::{SamplingError, means_of_pairs, pair_sampling, window_sampling, windows_of_traces};
 use asperity_mixed_film::SpotSpeed;
 
 /// Offsets of the evaluations: a ratio of losses needs fewer than a loss.
@@ -289,12 +289,13 @@ impl Path {
     }
 }
 
-/// The scatter of the losses of the positions over the offsets.
-pub(super) fn scatter(path: &[PositionRow]) -> Scatter {
-    Scatter::of(path.iter().map(|row| {
+/// The sliding loss of each position and its standard deviation over the offsets \[W\].
+pub(super) fn losses_of_positions(path: &[PositionRow]) -> Vec<[f64; 2]> {
+    let of = |row: &PositionRow| {
         let deviation = row.sliding_deviation_w_per_m.unwrap_or(0.0);
         [row.sliding_w_per_m, deviation].map(|power| row.weight_m * power)
-    }))
+    };
+    path.iter().map(of).collect()
 }
 
 /// Half width of the widest contact of a path.
@@ -331,7 +332,7 @@ fn sampling_error(loaded: &LoadedCase, nominal: &Nominal<'_>, asperity_share: f6
     let Some(windows) = windows_of_traces(loaded, widest(nominal.path)) else {
         return Ok(SamplingError::NONE);
     };
-    let found = window_sampling(scatter(nominal.path), nominal.summary.offsets, windows, asperity_share);
+    let found = window_sampling(&losses_of_positions(nominal.path), nominal.summary.offsets, windows, asperity_share);
     Ok(SamplingError {
         standard_error: found.standard_error,
         freedom: found.freedom,

@@ -45,15 +45,15 @@ use crate::result::{
     AlternativeRow, DrawnConstant, LossDistribution, Losses, Outcome, PairSampling, PositionRow,
     RunResult, SamplingPart, Trust, Uncertainty, UncertaintyPart,
 };
-use crate::sampling::{length_for, means_of_pairs, window_sampling, windows_of_traces};
+use crate::sampling::{length_for, means_of_pairs, windows_of_traces};
 
 pub use crate::parameters::UncertainParameter;
-pub use crate::sampling::{independent_windows, pair_sampling};
+pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use difference::{PairedDifference, Verdict, difference};
 pub use predictive::Predictive;
 pub use quantiles::Quantiles;
 
-use evaluations::{Evaluated, Nominal, count, evaluate, evaluated, scatter, widest};
+use evaluations::{Evaluated, Nominal, count, evaluate, evaluated, losses_of_positions, widest};
 use other_models::{OtherModel, other_models};
 use predictive::{Component, State};
 use quantiles::sorted_quantiles;
@@ -100,6 +100,9 @@ pub(crate) fn run_and_draw(
     let found = used.collect(|| uncertainty(&loaded, &outcome, &contacts, &done));
     let (uncertainty, predictive) = found?;
     outcome.result.uncertainty = Some(uncertainty);
+    if let (Some(assumed), Some(ends)) = (&loaded.case.assumed_relief, predictive.at_ends_of_relief()) {
+        outcome.result.warnings.insert(0, relief::warning(assumed, ends));
+    }
     note(&mut outcome.result, &used.tags());
     Ok((outcome, Some(predictive)))
 }
@@ -333,5 +336,5 @@ fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>)
         return SamplingPart::None("no traces, no sampling error".to_owned());
     };
     let offsets = nominal.summary.offsets;
-    SamplingPart::Windows(window_sampling(scatter(nominal.path), offsets, windows, predictive.asperity_share))
+    SamplingPart::Windows(window_sampling(&losses_of_positions(nominal.path), offsets, windows, predictive.asperity_share))
 }

@@ -185,7 +185,7 @@ impl Predictive {
         let table = StudentOfNormal::new(self.sampling.freedom);
         let draws = shared_draws().zip(flank_draws(0));
         let drawn = draws.map(|(draw, of_flanks)| {
-            let mut alone = Draw::middle();
+            let mut alone = Draw::medians();
             match component {
                 Component::Constant(k) => {
                     let axis = self.axis(k);
@@ -220,6 +220,14 @@ impl Predictive {
             ..Draw::medians()
         };
         Some(self.loss(draw, &StudentOfNormal::new(self.sampling.freedom)))
+    }
+
+    /// The loss without tip relief and with the largest, over that of the run; none where the relief is stated.
+    pub(super) fn at_ends_of_relief(&self) -> Option<[f64; 2]> {
+        self.relief.as_ref()?;
+        let table = StudentOfNormal::new(self.sampling.freedom);
+        let at = |relief: f64| self.loss(Draw { relief, ..Draw::medians() }, &table);
+        Some([0.0, 1.0].map(|relief| at(relief) / at(0.5)))
     }
 
     fn axis(&self, constant: usize) -> usize {

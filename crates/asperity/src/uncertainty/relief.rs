@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::{AssumedRelief, Case};
 use crate::error::PositionError;
+use crate::message::Warning;
 
 /// Places c of the table.
 const AMOUNTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -60,6 +61,23 @@ impl ReliefFactors {
         let [short, long] = [at(&self.factors[0]), at(&self.factors[1])];
         (short + length * (long - short)) / self.of_run
     }
+}
+
+/// W439: the amounts that the tip relief may have, and the loss at both ends.
+pub(super) fn warning(assumed: &AssumedRelief, at_ends: [f64; 2]) -> Warning {
+    let gears = match assumed.gears {
+        [true, false] => "of the pinion",
+        [false, true] => "of the wheel",
+        _ => "of both gears",
+    };
+    let [none, whole] = at_ends.map(|ratio| 100.0 * (ratio - 1.0));
+    let most = 1e6 * assumed.approach.si();
+    Warning::new(
+        "W439",
+        format!(
+            "tip relief {gears} not stated, taken from 0 to {most:.0} um: none changes the loss by {none:+.0} %, {most:.0} um by {whole:+.0} %"
+        ),
+    )
 }
 
 /// H_V with the relief c δ over the roll length l L; edge contact of the tips where there is none.
