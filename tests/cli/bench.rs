@@ -176,6 +176,8 @@ teeth = [23, 68]
 module = "1.8 mm"
 helix = "23.4 deg"
 face_width = ["35 mm", "32 mm"]
+pinion = { tip_relief = "none" }
+wheel = { tip_relief = "none" }
 
 [material.pinion]
 elastic_limit = "1500 MPa"
