@@ -6,9 +6,9 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use asperity::case::load;
-use asperity::flanks::Texture;
-use asperity::flanks::window_places;
+use asperity::case::{load, load_with};
+use asperity::flanks::{Texture, window_places};
+use asperity::losses;
 use asperity::uncertainty::{independent_windows, window_sampling};
 use asperity_core::numerics::student_t_quantile;
 use asperity_core::quantity::Length;
@@ -187,4 +187,27 @@ fn intervals_of_ninety_percent_cover_the_mean_of_the_flank() {
             assert!((0.86..=0.97).contains(&share), "{millimetres} mm, {offsets} offsets: {share}");
         }
     }
+}
+
+#[test]
+fn part_load_takes_the_offsets_that_it_needs() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
+    let at = |torque: &str, offsets: Option<usize>| {
+        let case = load_with(&file, &|input| {
+            input.operation.torque = torque.parse().unwrap();
+            input.model.offsets = offsets;
+        });
+        losses(&case.unwrap()).unwrap().summary
+    };
+    let full = at("145 N m", None);
+    let part = at("20 N m", None);
+    assert!((16..48).contains(&full.offsets), "{}", full.offsets);
+    assert!((32..=256).contains(&part.offsets), "{}", part.offsets);
+    // The mean over many more offsets, within 1.5 %.
+    for (found, torque) in [(full, "145 N m"), (part, "20 N m")] {
+        let many = at(torque, Some(256)).loss_w;
+        assert!((found.loss_w / many - 1.0).abs() < 0.015, "{torque}: {} {many}", found.loss_w);
+    }
+    // What the case states is taken.
+    assert_eq!(at("20 N m", Some(4)).offsets, 4);
 }

@@ -337,3 +337,26 @@ fn set_traction(
     };
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constants_have_the_quantiles_of_their_distributions() {
+        let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
+        let of = |kind, calibrated| Ranged {
+            kind,
+            value: 0.09,
+            low: 0.066,
+            high: 0.123,
+            calibrated,
+        };
+        let prior = of(UncertainParameter::BoundaryFriction, None);
+        assert!(near(prior.at(-Z_PRIOR), 0.066) && near(prior.at(0.0), 0.09) && near(prior.at(Z_PRIOR), 0.123));
+        let calibrated = of(UncertainParameter::BoundaryFriction, Some(CalibratedName::BoundaryFriction));
+        assert!(near(calibrated.at(Z_CALIBRATED), 0.123) && calibrated.at(Z_PRIOR) < 0.123);
+        let lay = of(UncertainParameter::Lay, None);
+        assert!(near(lay.at(0.0), 1.0 / 12.0) && near(lay.at(Z_PRIOR), 0.95 / 6.0));
+    }
+}

@@ -377,3 +377,16 @@ fn misplaced(loaded: &LoadedCase, nominal: f64) -> Result<Option<[f64; 2]>, Erro
     }
     Ok(Some(changes))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn surrogates_scatter_as_their_pairs_do() {
+        let found = of_surrogates(&[6.0, 6.1, 6.2, 6.1], 0.2);
+        assert!((found.standard_error - (0.02_f64 / 3.0).sqrt()).abs() < 1e-12);
+        assert_eq!(found.freedom, 3.0);
+        assert!((found.form - 0.054).abs() < 1e-15);
+    }
+}

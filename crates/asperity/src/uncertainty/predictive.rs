@@ -343,3 +343,175 @@ impl Predictive {
         DRAWS
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::CalibratedName;
+    use crate::parameters::AXES;
+
+    /// A case of which nothing is uncertain but the error of the model and the rolling loss.
+    fn plain() -> Predictive {
+        Predictive {
+            at_medians_w: 100.0,
+            power_in_w: 1e4,
+            parts_w: [90.0, 10.0, 0.0],
+            constants: Vec::new(),
+            correlations: Vec::new(),
+            sliding: None,
+            share: None,
+            surface_rms: 0.0,
+            asperity_share: 0.2,
+            structure: None,
+            relief: None,
+            roughness_over_film: Some(1.0),
+            film_m: 0.3e-6,
+            sampling: SamplingError::NONE,
+        }
+    }
+
+    fn constant(kind: UncertainParameter, [low, value, high]: [f64; 3]) -> Ranged {
+        Ranged {
+            kind,
+            value,
+            low,
+            high,
+            calibrated: None,
+        }
+    }
+
+    #[test]
+    fn draws_have_the_spread_of_their_components() {
+        let found = plain();
+        // Error of the model 0.05 on 90 W, of the rolling loss 0.12 on 10 W: ln P to first order.
+        let expected = (0.9_f64 * 0.05).hypot(0.1 * 0.12);
+        let drawn = found.quantiles();
+        assert!((drawn.median_w / 100.0 - 1.0).abs() < 2e-3, "{drawn:?}");
+        assert!((drawn.sd_ln / expected - 1.0).abs() < 0.03, "{drawn:?} {expected}");
+        let sampled = Predictive {
+            sampling: SamplingError {
+                standard_error: 0.1,
+                freedom: 1e6,
+                ..SamplingError::NONE
+            },
+            ..found.clone()
+        };
+        let alone = sampled.alone(Component::Sampling).unwrap();
+        assert!((alone.sd_ln - 0.1).abs() < 1e-3, "{alone:?}");
+        assert!((sampled.quantiles().sd_ln / expected.hypot(0.1) - 1.0).abs() < 0.03);
+        assert_eq!(found.alone(Component::Sampling), None);
+        assert_eq!(found.draws_w(), found.clone().draws_w());
+        // Other flanks have other errors.
+        assert_ne!(found.losses(0), found.losses(1));
+    }
+
+    #[test]
+    fn no_draw_loses_more_than_the_power_or_nothing() {
+        for k in 0..300 {
+            let size = |j: u32| (0.618_034 * f64::from(7 * k + j)).fract();
+            let found = Predictive {
+                parts_w: [1e4 * size(1), 1e3 * size(2), 0.0],
+                power_in_w: 1e4,
+                asperity_share: size(3),
+                roughness_over_film: Some(6.0 * size(4)),
+                sampling: SamplingError {
+                    standard_error: size(5),
+                    freedom: 4.0 + 30.0 * size(6),
+                    ..SamplingError::NONE
+                },
+                ..plain()
+            };
+            let drawn = found.draws_w();
+            assert!(drawn.iter().all(|loss| *loss > 0.0 && *loss <= 1e4), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn calibrated_constants_are_drawn_with_their_correlation() {
+        let calibrated = |kind, ends, name| Ranged {
+            calibrated: Some(name),
+            ..constant(kind, ends)
+        };
+        let found = Predictive {
+            constants: vec![
+                calibrated(
+                    UncertainParameter::BoundaryFriction,
+                    [0.08, 0.09, 0.12],
+                    CalibratedName::BoundaryFriction,
+                ),
+                constant(UncertainParameter::Lay, [0.008, 1.0 / 12.0, 0.158]),
+                calibrated(
+                    UncertainParameter::LimitingShear,
+                    [0.033, 0.035, 0.037],
+                    CalibratedName::LimitingShear,
+                ),
+            ],
+            correlations: vec![vec![1.0], vec![-0.9, 0.19_f64.sqrt()]],
+            ..plain()
+        };
+        let drawn: Vec<Vec<f64>> = shared_draws().map(|draw| found.standardised(&draw)).collect();
+        let n = drawn.len() as f64;
+        let product = |a: usize, b: usize| drawn.iter().map(|z| z[a] * z[b]).sum::<f64>() / n;
+        let correlation = product(0, 2) / (product(0, 0) * product(2, 2)).sqrt();
+        assert!((correlation + 0.9).abs() < 0.01, "{correlation}");
+        assert!((product(0, 1) / product(1, 1)).abs() < 0.05);
+        // 2.5 % beyond the ends of the bands of a calibration, but for the cut tails.
+        let beyond = drawn.iter().filter(|z| found.constants[0].at(z[0]) > 0.12).count() as f64 / n;
+        assert!((0.018..0.027).contains(&beyond), "{beyond}");
+    }
+
+    #[test]
+    fn a_rule_with_a_step_adds_its_share() {
+        let structure = Structure {
+            half_sliding: [0.1, 0.0, 0.0],
+            film_friction: 0.04,
+            loss_factor_w: 1000.0,
+            boundary_friction: 0.09,
+        };
+        let found = Predictive {
+            structure: Some(structure),
+            ..plain()
+        };
+        assert_eq!(found.in_state(State::Entrainment), Some(100.0));
+        // 0.27·0.2·(0.09 − 0.04)·1000 W.
+        assert!((found.in_state(State::StepRule).unwrap() - 102.7).abs() < 1e-9);
+        assert!((found.in_state(State::HalfSliding).unwrap() - (90.0 * 0.1_f64.exp() + 10.0)).abs() < 1e-9);
+        let drawn = found.quantiles();
+        assert!(drawn.median_w > 100.0, "{drawn:?}");
+        assert_eq!(plain().in_state(State::StepRule), None);
+    }
+
+    #[test]
+    fn thin_films_are_corrected_downwards() {
+        let of = |s: f64| Predictive {
+            roughness_over_film: Some(s),
+            ..plain()
+        };
+        assert_eq!(of(2.0).bias(), 0.0);
+        assert!((of(2.5).bias() - 0.08).abs() < 1e-15);
+        assert_eq!(of(6.0).bias(), 0.2);
+        assert!(of(6.0).quantiles().median_w < 95.0);
+        let [thin, thick] = [0.4e-6, 1.2e-6].map(|film_m| Predictive { film_m, ..plain() }.rolling_error());
+        assert_eq!((thin, thick), (0.12, 0.25));
+    }
+
+    #[test]
+    fn a_constant_alone_moves_the_loss_along_its_surface() {
+        // S = μ_b/0.09: the loss has the distribution of the friction.
+        let friction = constant(UncertainParameter::BoundaryFriction, [0.066, 0.09, 0.123]);
+        let slope = (0.123_f64 / 0.09).ln() / 1.644_853_626_951_472_7;
+        let points: Vec<Vec<f64>> = (-4..=4).map(|k| vec![0.5 * f64::from(k)]).collect();
+        let values: Vec<f64> = points.iter().map(|z| slope * z[0]).collect();
+        let found = Predictive {
+            parts_w: [90.0, 0.0, 0.0],
+            at_medians_w: 90.0,
+            constants: vec![friction],
+            sliding: QuadraticSurface::fit(&points, &values),
+            ..plain()
+        };
+        let alone = found.alone(Component::Constant(0)).unwrap();
+        let [low, high] = alone.quantiles_w.map(|loss| loss * 1e-3);
+        assert!((high / 0.123 - 1.0).abs() < 0.01 && (low / 0.066 - 1.0).abs() < 0.01, "{alone:?}");
+        assert_eq!(AXES[found.axis(0)], UncertainParameter::BoundaryFriction);
+    }
+}
