@@ -74,7 +74,7 @@ def test_columns_and_frames_are_taken_as_tables(rig, columns, found):
 def test_a_calibrated_case_has_a_narrower_band(found):
     case = asperity.Case(CASE)
     calibrated = found.apply(case)
-    width = [run.band.quantiles_w[1] - run.band.quantiles_w[0] for run in (case.run(), calibrated.run())]
+    width = [run.uncertainty.loss.sd_ln for run in (case.run(), calibrated.run())]
     assert width[1] < 0.8 * width[0]
 
 

@@ -79,9 +79,9 @@ def test_a_notebook_shows_summary_and_chart(result):
 
 def test_the_band_goes_with_a_run():
     case = asperity.Case(CASES / "e-drive.toml", model={"positions": 4, "offsets": 4})
-    band = case.run().band
-    low, high = band.quantiles_w
-    assert low < band.nominal_w < high and band.draws == 24
+    uncertainty = case.run().uncertainty
+    low, high = uncertainty.loss.quantiles_w
+    assert low < uncertainty.loss.median_w < high and uncertainty.draws == 4096
     assert "5 to 95 %" in case.run()._repr_html_()
 
 

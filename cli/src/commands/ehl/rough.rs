@@ -259,7 +259,7 @@ impl Recorded {
 /// Mean with its standard error, which a record of few blocks does not have.
 pub(super) fn with_error(mean: f64, standard_error: f64) -> String {
     match standard_error.is_finite() {
-        true => format!("{mean:.4} +- {standard_error:.4}"),
+        true => format!("{mean:.4} (standard error {standard_error:.4})"),
         false => format!("{mean:.4} (record too short for a standard error)"),
     }
 }

@@ -253,7 +253,7 @@ fn spectral(page: &mut Page, evaluated: &Evaluated, details: &Details) {
 fn summits(page: &mut Page, details: &Details) {
     let shown = details.summits.map_or("none".to_owned(), |summits| {
         format!(
-            "{:.1} per mm (Gaussian {:.1}), {:.4} ±{:.4} um high, radius {}",
+            "{:.1} per mm (Gaussian {:.1}), {:.4} um high (standard deviation {:.4} um), radius {}",
             1e-3 * summits.density,
             1e-3 * summits.spectral_density,
             um(summits.mean_height),
@@ -273,7 +273,7 @@ fn hurst(page: &mut Page, details: &Details) {
     );
     let shown = match &details.hurst {
         Ok(fit) => format!(
-            "{:.3} ±{:.3} over {over} ({} bands){}",
+            "{:.3}, standard error {:.3}, over {over} ({} bands){}",
             fit.hurst,
             fit.standard_error,
             fit.bands,

@@ -37,10 +37,20 @@ def cases_of(case: CaseLike, finishes: Mapping[str, Finish], offsets: Optional[i
     return found
 
 
+def _loss(finish: dict[str, Any]) -> str:
+    """Median of the loss with its 5 and 95 % quantiles, or the loss of the run."""
+    uncertainty = finish.get("uncertainty")
+    if not uncertainty:
+        return f"{finish['loss_w']:.4g} W"
+    loss = uncertainty["loss"]
+    low, high = loss["quantiles_w"]
+    return f"{loss['median_w']:.4g} ({low:.4g}..{high:.4g}) W"
+
+
 class Comparison(Record):
     """Finishes side by side; the first is the one that the others are compared with.
 
-    ``finishes`` (name, loss_w, quantiles_w, difference ...), ``correlations`` (parameter, with_loss,
+    ``finishes`` (name, loss_w, uncertainty, difference ...), ``correlations`` (parameter, with_loss,
     within_finishes).
     """
 
@@ -81,7 +91,10 @@ class Comparison(Record):
         rows = []
         for finish in self._values["finishes"]:
             row = {key: value for key, value in finish.items() if isinstance(value, (int, float, str))}
-            row["loss_low_w"], row["loss_high_w"] = finish["quantiles_w"]
+            if uncertainty := finish.get("uncertainty"):
+                loss = uncertainty["loss"]
+                row["loss_median_w"] = loss["median_w"]
+                row["loss_p05_w"], row["loss_p95_w"] = loss["quantiles_w"]
             difference = finish.get("difference") or {}
             row.update({f"difference_{key}": value for key, value in difference.items() if isinstance(value, (int, float))})
             for key, value in difference.items():
@@ -110,8 +123,7 @@ class Comparison(Record):
 
     def _repr_html_(self) -> str:
         rows = [
-            (str(of["name"]), f"{of['loss_w']:.4g} W ({of['quantiles_w'][0]:.4g} to {of['quantiles_w'][1]:.4g})")
-            for of in self._values["finishes"]
+            (str(of["name"]), _loss(of)) for of in self._values["finishes"]
         ]
         return page(str(self._values["title"]), rows, None)
 

@@ -214,10 +214,11 @@ class RunResult(Record):
             ("mixed_share", "share of the path in mixed lubrication", ""),
         )
         rows = [("efficiency", f"{100 * self.efficiency:.4f} %")]
-        band = self._values.get("band")
-        if band:
-            low, high = band["quantiles_w"]
-            rows.append(("loss, 5 to 95 %", f"{low:.4g} to {high:.4g} W"))
+        uncertainty = self._values.get("uncertainty")
+        if uncertainty:
+            loss = uncertainty["loss"]
+            low, high = loss["quantiles_w"]
+            rows.append(("loss, median and 5 to 95 %", f"{loss['median_w']:.4g} ({low:.4g}..{high:.4g}) W"))
         rows += [(name, f"{of[key]:.4g} {unit}".strip()) for key, name, unit in names if key in of]
         rows += [(str(warning.code), str(warning.text)) for warning in self.warnings]
         chart = str(self.plot()) if "path_fraction" in self.path.columns else None

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import pandas
 
 COLUMNS = [
-    "group", "what", "to", "difference_w", "change", "sampling_half_width_w", "film_w", "lubricated_asperity_w",
+    "group", "what", "to", "difference_w", "change", "sampling_quantiles_w", "film_w", "lubricated_asperity_w",
     "boundary_w", "rolling_w", "code",
 ]
 

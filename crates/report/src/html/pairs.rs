@@ -13,8 +13,8 @@ pub(super) fn section(pairs: &TracePairs, sampling: &PairSampling) -> Markup {
     html! {
         h3 { "The traced teeth, pair by pair" }
         p {
-            (pinion) " traced teeth of the pinion on " (wheel) " of the wheel: the mean loss is " (watts(sampling.mean_w)) " W, ±"
-            (watts(sampling.half_width_w)) " W (95 %, " (format!("{:.1}", sampling.freedom)) " degrees of freedom)."
+            (pinion) " traced teeth of the pinion on " (wheel) " of the wheel: the mean loss is " (watts(sampling.mean_w)) " W, standard error "
+            (two_digits(sampling.standard_error_w)) " W with " (format!("{:.1}", sampling.freedom)) " degrees of freedom."
             @if let Some(gear) = sampling.not_sampled() {
                 " A single tooth of the " (gear) " was traced, so that the error is a lower bound."
             }

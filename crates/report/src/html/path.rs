@@ -33,10 +33,10 @@ fn records(result: &RunResult) -> Markup {
         return html! {};
     }
     let with_error =
-        |value: f64, error: f64, digits: usize| format!("{value:.digits$} ± {error:.digits$}");
+        |value: f64, error: f64, digits: usize| format!("{value:.digits$} ({error:.digits$})");
     html! {
         h3 { "Records of mixed lubrication" }
-        p { "Means over the travel with their standard errors; values are interpolated between the records." }
+        p { "Means over the travel, in brackets their standard errors; values are interpolated between the records." }
         div.wide {
             table {
                 thead {

@@ -20,10 +20,18 @@ pub struct Effect {
     pub high: f64,
     /// Difference between the two.
     pub difference: f64,
-    /// Half width of its 95 % interval.
-    pub half_width: f64,
+    /// Its 5 % and 95 % quantiles.
+    pub quantiles: [f64; 2],
     /// Correlation of input and result.
     pub correlation: f64,
+}
+
+impl Effect {
+    /// The difference with its quantiles as text.
+    pub(super) fn text(&self) -> String {
+        let [low, high] = self.quantiles;
+        format!("{:+.3e} ({low:+.1e}..{high:+.1e})", self.difference)
+    }
 }
 
 /// Sobol's indices of an input, each with its 95 % interval.
@@ -43,8 +51,8 @@ pub struct Indices {
 const RESAMPLINGS: usize = 1000;
 /// Quantiles at the ends of the intervals.
 const ENDS: [f64; 2] = [0.025, 0.975];
-/// Half width of the 95 % interval of a normal distribution in standard deviations.
-const NORMAL: f64 = 1.959_963_984_540_054;
+/// 95 % quantile of the standard normal distribution.
+const NORMAL: f64 = 1.644_853_626_951_472_7;
 
 /// Main effect of an input `x` on a result `y`; `None` for fewer than eight points or if either is constant.
 #[must_use]
@@ -66,7 +74,7 @@ pub fn effects(x: &[f64], y: &[f64]) -> Option<Effect> {
         low,
         high,
         difference: high - low,
-        half_width: NORMAL * error,
+        quantiles: [-NORMAL, NORMAL].map(|z| high - low + z * error),
         correlation: product / (sx * sy).sqrt(),
     })
 }

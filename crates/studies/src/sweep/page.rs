@@ -14,7 +14,7 @@ pub(super) fn render(merged: &Merged) -> String {
         .collect();
     outputs.dedup();
     let tornados = html! {
-        p { "Change of the mean of a result from the lowest to the highest quarter of an input, with its 95 % interval." }
+        p { "Change of the mean of a result from the lowest to the highest quarter of an input, with its 5 and 95 % quantiles." }
         div.charts { @for output in &outputs { @if let Some(chart) = tornado(merged, output) { (figure(&chart)) } } }
     };
     let sections = [
@@ -46,7 +46,7 @@ fn tornado(merged: &Merged, output: &str) -> Option<Drawing> {
         .effects
         .iter()
         .filter(|row| row.output == output)
-        .filter_map(|row| Some((row, row.effect?.difference, row.effect?.half_width)))
+        .filter_map(|row| Some((row, row.effect?.difference, 0.5 * (row.effect?.quantiles[1] - row.effect?.quantiles[0]))))
         .collect();
     rows.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
     let bars: Vec<Bar> = rows
@@ -81,7 +81,7 @@ fn table(merged: &Merged) -> Markup {
             th.number { "first index" } th.number { "total index" } } }
         tbody { @for row in &merged.effects { tr {
             td { (row.output) } td { code { (row.input) } }
-            td.number { @if let Some(e) = row.effect { (format!("{:+.3e} ± {:.1e}", e.difference, e.half_width)) } }
+            td.number { @if let Some(e) = row.effect { (e.text()) } }
             td.number { @if let Some(e) = row.effect { (format!("{:+.2}", e.correlation)) } }
             td.number { @if let Some(i) = row.indices { (index(i.first, i.first_interval)) } }
             td.number { @if let Some(i) = row.indices { (index(i.total, i.total_interval)) } }

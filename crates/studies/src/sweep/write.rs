@@ -37,7 +37,7 @@ fn summary(merged: &Merged) -> String {
     );
     if merged.effects.iter().any(|row| row.effect.is_some()) {
         text.push_str(&format!(
-            "{:<16} {:<36} {:>22} {:>22} {:>22}\n",
+            "{:<16} {:<36} {:>30} {:>22} {:>22}\n",
             "result", "input", "change", "first index", "total index"
         ));
     }
@@ -51,9 +51,9 @@ fn summary(merged: &Merged) -> String {
             ),
             None => ("-".to_owned(), "-".to_owned()),
         };
-        let change = format!("{:+.3e} ± {:.1e}", effect.difference, effect.half_width);
+        let change = effect.text();
         text.push_str(&format!(
-            "{:<16} {:<36} {change:>22} {first:>22} {total:>22}\n",
+            "{:<16} {:<36} {change:>30} {first:>22} {total:>22}\n",
             row.output, row.input
         ));
     }
@@ -69,7 +69,8 @@ fn effects_table(merged: &Merged, file: &Path) -> Result<(), ReportError> {
         low: Option<f64>,
         high: Option<f64>,
         difference: Option<f64>,
-        half_width: Option<f64>,
+        difference_p05: Option<f64>,
+        difference_p95: Option<f64>,
         correlation: Option<f64>,
         first: Option<f64>,
         first_low: Option<f64>,
@@ -84,7 +85,8 @@ fn effects_table(merged: &Merged, file: &Path) -> Result<(), ReportError> {
         low: row.effect.map(|effect| effect.low),
         high: row.effect.map(|effect| effect.high),
         difference: row.effect.map(|effect| effect.difference),
-        half_width: row.effect.map(|effect| effect.half_width),
+        difference_p05: row.effect.map(|effect| effect.quantiles[0]),
+        difference_p95: row.effect.map(|effect| effect.quantiles[1]),
         correlation: row.effect.map(|effect| effect.correlation),
         first: row.indices.map(|indices| indices.first),
         first_low: row.indices.map(|indices| indices.first_interval[0]),
