@@ -326,8 +326,8 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         &[],
         "W407",
         &[
-            "along the shorter trace, less than the",
-            "this is one window",
+            "independent windows of the contact",
+            "experience with like flanks",
         ],
     );
     let deep = bench_with("depths", "depths = 12");

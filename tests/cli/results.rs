@@ -272,7 +272,7 @@ fn the_summary_keeps_to_80_columns() {
 /// The power behind `name` in a line of the summary \[W\]; 0 for one below the last place.
 fn power(text: &str, name: &str) -> f64 {
     let rest = text.split(name).nth(1).unwrap().trim_start();
-    match rest.strip_prefix("below ") {
+    match rest.strip_prefix("< ") {
         Some(_) => 0.0,
         None => rest.split(' ').next().unwrap().parse().unwrap(),
     }
