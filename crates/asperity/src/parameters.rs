@@ -313,13 +313,19 @@ pub(crate) fn keep_parameters(from: &LoadedCase, to: &mut LoadedCase) -> Result<
     model.boundary_layer = kept.boundary_layer;
     model.lay = kept.lay;
     model.offsets = kept.offsets;
-    match &from.case.rheology {
-        Some(rheology) => set_traction(to, |constants| {
-            constants.limiting_shear = rheology.constants().limiting_shear;
-            constants.eyring_stress = rheology.constants().eyring_stress;
-        }),
-        None => Ok(()),
+    let Some(rheology) = &from.case.rheology else {
+        return Ok(());
+    };
+    set_traction(to, |constants| {
+        constants.limiting_shear = rheology.constants().limiting_shear;
+        constants.eyring_stress = rheology.constants().eyring_stress;
+    })?;
+    if let Some(own) = to.case.rheology.take() {
+        let factor = rheology.alpha_over(&own);
+        to.case.oil.pressure_viscosity = to.case.oil.pressure_viscosity * factor;
+        to.case.rheology = Some(own.with_alpha_factor(factor));
     }
+    Ok(())
 }
 
 fn set_traction(

@@ -207,6 +207,12 @@ impl FilmRheology {
         }
     }
 
+    /// The pressure-viscosity coefficient over that of `other`, each at its own reference temperature.
+    #[must_use]
+    pub fn alpha_over(&self, other: &Self) -> f64 {
+        self.alpha_reference / other.alpha_reference
+    }
+
     /// Traction constants in use.
     #[must_use]
     pub fn constants(&self) -> &TractionConstants {

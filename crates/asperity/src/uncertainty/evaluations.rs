@@ -101,18 +101,17 @@ pub(super) fn evaluate(
 ) -> Result<Evaluated, Error> {
     let whole = |error| Error::Whole(Box::new(error));
     let (constants, held) = parameters(loaded).map_err(whole)?;
-    // A ratio of losses needs one pair of surrogates.
-    let (loaded_few, few) = match loaded.surfaces.is_surrogate() {
-        true => {
-            let first = loaded.first_pair();
-            let contacts = contacts.map(|contacts| contacts.of_first_pair(&first).first(OFFSETS));
-            (Cow::Owned(first), contacts)
-        }
-        false => {
-            let each = (OFFSETS / loaded.surfaces.pairs()).max(1);
-            (Cow::Borrowed(loaded), contacts.map(|contacts| contacts.first(each)))
-        }
+    // A ratio of losses needs one pair of surrogates and few offsets, whatever the case states.
+    let mut base_case = match loaded.surfaces.is_surrogate() {
+        true => loaded.first_pair(),
+        false => loaded.clone(),
     };
+    let each = (OFFSETS / base_case.surfaces.pairs()).max(1).min(loaded.case.model.offsets);
+    base_case.case.model.offsets = each;
+    let few = contacts.map(|contacts| match loaded.surfaces.is_surrogate() {
+        true => contacts.of_first_pair(&base_case).first(each),
+        false => contacts.first(each),
+    });
     let dimensions = constants.len();
     let wanted = QuadraticSurface::evaluations(dimensions);
     let path = Path::of(nominal.path);
@@ -138,7 +137,7 @@ pub(super) fn evaluate(
     let mut of_positions = Vec::new();
     if dimensions > 0 {
         let base = Base {
-            loaded: &loaded_few,
+            loaded: &base_case,
             constants: &predictive.constants,
             contacts: few.as_ref(),
             number: AtomicUsize::new(0),
