@@ -96,7 +96,7 @@ pub(super) fn count(loaded: &LoadedCase) -> usize {
 pub(super) fn evaluate(
     loaded: &LoadedCase,
     nominal: &Nominal<'_>,
-    contacts: Option<&Contacts>,
+    contacts: &Contacts,
     done: &(dyn Fn(usize) + Sync),
 ) -> Result<Evaluated, Error> {
     let whole = |error| Error::Whole(Box::new(error));
@@ -108,10 +108,10 @@ pub(super) fn evaluate(
     };
     let each = (OFFSETS / base_case.surfaces.pairs()).max(1).min(loaded.case.model.offsets);
     base_case.case.model.offsets = each;
-    let few = contacts.map(|contacts| match loaded.surfaces.is_surrogate() {
+    let few = match loaded.surfaces.is_surrogate() {
         true => contacts.of_first_pair(&base_case).first(each),
         false => contacts.first(each),
-    });
+    };
     let dimensions = constants.len();
     let wanted = QuadraticSurface::evaluations(dimensions);
     let path = Path::of(nominal.path);
@@ -139,7 +139,7 @@ pub(super) fn evaluate(
         let base = Base {
             loaded: &base_case,
             constants: &predictive.constants,
-            contacts: few.as_ref(),
+            contacts: &few,
             number: AtomicUsize::new(0),
             done,
         };
@@ -202,7 +202,7 @@ fn is_solved(loaded: &LoadedCase) -> bool {
 struct Base<'a> {
     loaded: &'a LoadedCase,
     constants: &'a [Ranged],
-    contacts: Option<&'a Contacts>,
+    contacts: &'a Contacts,
     number: AtomicUsize,
     done: &'a (dyn Fn(usize) + Sync),
 }
@@ -219,7 +219,7 @@ impl Base<'_> {
         if half_sliding {
             drawn.case.model.spot_speed = SpotSpeed::HalfSliding;
         }
-        let found = evaluated(&drawn, self.contacts)?;
+        let found = evaluated(&drawn, Some(self.contacts))?;
         (self.done)(1 + self.number.fetch_add(1, Ordering::Relaxed));
         Ok(found)
     }

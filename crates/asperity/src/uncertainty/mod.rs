@@ -40,7 +40,7 @@ use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use crate::contacts::Contacts;
 use crate::error::{Error, PositionError};
 use crate::parameters::{Ranged, UncertainParameter as Constant};
-use crate::pipeline::{KeptFields, Progress, outcome, settled};
+use crate::pipeline::{self, KeptFields, Progress, outcome, settled};
 use crate::result::{
     AlternativeRow, DrawnConstant, LossDistribution, Losses, Outcome, PairSampling, PositionRow,
     RunResult, SamplingPart, Trust, Uncertainty, UncertaintyPart,
@@ -119,7 +119,15 @@ pub fn predictive(
     if !has_band(loaded) {
         return Ok(None);
     }
-    let found = settled(loaded, contacts)?;
+    let computed;
+    let contacts = match contacts {
+        Some(contacts) => contacts,
+        None => {
+            computed = pipeline::contacts(loaded)?;
+            &computed
+        }
+    };
+    let found = settled(loaded, Some(contacts))?;
     let evaluated = evaluate(found.as_ref(), &Nominal::of(nominal), contacts, &|_| {})?;
     Ok(Some(evaluated.predictive))
 }
@@ -180,7 +188,7 @@ fn uncertainty(
         of_positions,
         held,
         evaluations,
-    } = evaluate(loaded, &nominal, Some(contacts), done)?;
+    } = evaluate(loaded, &nominal, contacts, done)?;
     let of_model = |(model, number): (OtherModel, usize)| {
         // A model without solution here is no error of the case.
         let found = evaluated(&model.case, Some(contacts)).ok();
