@@ -135,7 +135,8 @@ pub(super) fn evaluate(
         constants,
     };
     let mut of_positions = Vec::new();
-    if dimensions > 0 {
+    // Without sliding there is no ratio.
+    if dimensions > 0 && nominal.summary.sliding_w > 0.0 {
         let base = Base {
             loaded: &base_case,
             constants: &predictive.constants,
