@@ -122,6 +122,8 @@ fn limits(args: &CalibrateArgs, case: &LoadedCase) -> Result<Limits, Failure> {
     const SPEEDS: usize = 8;
     /// Lowest default speed relative to the highest.
     const SLOWEST: f64 = 0.02;
+    /// Ends of the default range of oil temperatures \[°C\].
+    const TEMPERATURES: [f64; 2] = [40.0, 90.0];
     let reach = reach(args)?;
     let case = &case.case;
     let map = case.input.map.unwrap_or_default();
@@ -136,7 +138,7 @@ fn limits(args: &CalibrateArgs, case: &LoadedCase) -> Result<Limits, Failure> {
         false => rounded(speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64)),
     };
     let at = case.temperature.celsius();
-    let [cold, hot] = [at.min(40.0), at.max(90.0)];
+    let [cold, hot] = [at.min(TEMPERATURES[0]), at.max(TEMPERATURES[1])];
     Ok(Limits {
         torques_nm: nodes("--torque", args.torque.as_ref())?
             .unwrap_or_else(|| vec![rounded(torque / 3.0), torque]),
