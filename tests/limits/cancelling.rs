@@ -1,7 +1,6 @@
 //! Work that is cancelled ends with an error and nothing else.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Instant;
 
 use asperity::core::cancel::Token;
 use asperity::{case, pipeline};
@@ -39,9 +38,7 @@ fn a_cancelled_run_is_an_error_whatever_was_computed() {
     assert!(error.position().unwrap().is_cancelled());
     // One position a thread was under way.
     assert!(done.into_inner() <= 2);
-    let begun = Instant::now();
     assert!(pool.install(|| pipeline::contacts(&case)).is_err());
-    assert!(begun.elapsed().as_secs() < 5);
 }
 
 #[test]

@@ -1,158 +1,65 @@
-//! The estimate of a run against the time that it takes.
-//!
-//! Times are processor times of one thread, so that other work of the machine does not count, and compared with those of a
-//! reference case in the same process: the ratio depends neither on the machine nor on the profile of the build.
+//! The work that an estimate counts. How close it is to the time taken is measured by the bench of the same name.
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
-#![allow(
-    clippy::disallowed_methods,
-    reason = "the system counts processor time in a file without a size"
-)]
 
 use std::path::Path;
-use std::time::Instant;
 
-use asperity::Run;
-use asperity::case::{CaseInput, LoadedCase, load_with};
-use asperity::core::Profile;
-use asperity::core::quantity::Length;
-use asperity::pipeline::KeptFields;
+use asperity::case::{LoadedCase, load};
+use asperity::pipeline::{KeptFields, contacts};
 use asperity_studies::estimate::{Estimate, estimate, measured};
 
-/// The e-drive with few offsets, changed.
-fn e_drive(change: &dyn Fn(&mut CaseInput)) -> LoadedCase {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
-    load_with(&file, &|input| {
-        input.model.offsets = Some(4);
-        input.model.positions = Some(12);
-        change(input);
-    })
-    .unwrap()
-}
+const KEPT: KeptFields = KeptFields::Highest;
 
-/// Set by a key of the case.
+/// The e-drive with 4 offsets and 12 positions, and further keys.
 fn with(keys: &[(&str, &str)]) -> LoadedCase {
-    e_drive(&|input| {
-        for (key, value) in keys {
-            input.set(key, value).unwrap();
-        }
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
+    let few = [("model.offsets", "4"), ("model.positions", "12")];
+    let keys = few.iter().chain(keys);
+    keys.fold(load(&file, None).unwrap(), |case, (key, value)| {
+        case.with_key(key, value).unwrap()
     })
 }
 
-/// Processor time of this thread, or the time of day where the system does not tell it.
-fn seconds(begin: Instant) -> f64 {
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
-    nanoseconds.map_or_else(|| begin.elapsed().as_secs_f64(), |found| found / 1e9)
-}
-
-/// Time of the case over its estimate, both on one thread.
-fn taken_over_estimated(make: &(dyn Fn() -> LoadedCase + Sync)) -> (f64, Estimate) {
-    let alone = rayon::ThreadPoolBuilder::new().num_threads(1);
-    alone.build().unwrap().install(|| {
-        let clock = Instant::now();
-        let begin = seconds(clock);
-        let case = make();
-        Run::new(&case)
-            .fields(&KeptFields::Highest)
-            .band(true)
-            .execute()
-            .unwrap();
-        let taken = seconds(clock) - begin;
-        let estimated = estimate(&case, &KeptFields::Highest).unwrap();
-        println!("  {taken:.2} s for {:.2} s", estimated.seconds);
-        (taken / estimated.seconds, estimated)
-    })
-}
-
-/// A rough trace of `points` points, half a micrometre apart.
-fn long_trace(points: usize, seed: f64) -> Profile {
-    let height = |i: usize| {
-        let waves = (0..12).map(|k| {
-            let length = 8e-6 * 1.4_f64.powi(k);
-            let size = 0.12e-6 * (length / 100e-6).powf(0.5);
-            let phase = seed * f64::from(k * k + 1);
-            size * (std::f64::consts::TAU * 0.5e-6 * i as f64 / length + phase).sin()
-        });
-        waves.sum()
-    };
-    let heights = (0..points).map(height).collect();
-    Profile::new(Length::from_si(0.5e-6), heights).unwrap()
-}
-
-/// The e-drive on traces of `points` points.
-fn on_long_traces(points: usize) -> LoadedCase {
-    let traces =
-        [("a", 0.37), ("b", 0.71)].map(|(name, seed)| (name.into(), long_trace(points, seed)));
-    let held = with(&[]).holding(&traces);
-    held.with(|input| {
-        input.surface.pinion.file = Some("a".into());
-        input.surface.wheel.as_mut().unwrap().file = Some("b".into());
-    })
-    .unwrap()
+/// The estimate on one thread, whatever the machine has.
+fn alone(case: &LoadedCase) -> Estimate {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    pool.unwrap().install(|| estimate(case, &KEPT).unwrap())
 }
 
 #[test]
-fn the_estimate_is_within_a_factor_of_three_of_the_time_taken() {
-    println!("reference");
-    let (reference, _) = taken_over_estimated(&|| with(&[]));
-    type Make<'a> = &'a (dyn Fn() -> LoadedCase + Sync);
-    let cases: [(&str, Make<'_>); 8] = [
-        ("16 offsets", &|| with(&[("model.offsets", "16")])),
-        ("running-in", &|| with(&[("model.run_in", "true")])),
-        ("share by Lambda*", &|| {
-            with(&[("model.load_share", "lambda-star")])
-        }),
-        ("bulk temperature", &|| {
-            with(&[("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#)])
-        }),
-        ("200 depths", &|| with(&[("model.depths", "200")])),
-        ("half a million points", &|| on_long_traces(500_000)),
-        ("records", &|| {
-            with(&[
-                ("model.load_share", "ehl"),
-                (
-                    "model.ehl",
-                    r#"{ records = 2, cells = 192, travel = 4.0, cache = "off" }"#,
-                ),
-            ])
-        }),
-        ("paper", &|| {
-            with(&[("formulation", "paper"), ("model.delta_step", "50 nm")])
-        }),
-    ];
-    let mut off = Vec::new();
-    for (name, make) in cases {
-        println!("{name}");
-        let (ratio, _) = taken_over_estimated(make);
-        let found = ratio / reference;
-        println!("  {found:.2} times the reference");
-        if !(1.0 / 3.0..=3.0).contains(&found) {
-            off.push(format!("{name}: {found:.2}"));
-        }
+fn the_contacts_counted_are_the_contacts_solved() {
+    for offsets in [1, 4] {
+        let case = with(&[
+            ("model.offsets", &offsets.to_string()),
+            ("model.positions", "6"),
+        ]);
+        let solved = contacts(&case).unwrap();
+        // One of each position and offset.
+        assert_eq!(solved.len(), 6 * offsets);
+        assert_eq!(alone(&case).contacts, solved.len());
     }
-    assert!(off.is_empty(), "{off:?}");
 }
 
 #[test]
-fn a_trace_of_a_million_points_costs_its_windows_and_its_reading() {
-    let work = |points: usize| {
-        let case = on_long_traces(points);
-        let alone = rayon::ThreadPoolBuilder::new().num_threads(1);
-        alone.build().unwrap().install(|| {
-            let clock = Instant::now();
-            let begin = seconds(clock);
-            Run::new(&case)
-                .fields(&KeptFields::Highest)
-                .band(true)
-                .execute()
-                .unwrap();
-            seconds(clock) - begin
-        })
-    };
-    let (short, long) = (work(16_000), work(1_000_000));
-    // The windows are the same number of points; the points A to E look at the whole traces once.
-    assert!(long < 3.0 * short + 1.0, "{short} s and {long} s");
+fn more_work_takes_longer() {
+    let reference = alone(&with(&[]));
+    let more = |keys: &[(&str, &str)]| alone(&with(keys));
+    let fourfold = more(&[("model.offsets", "16")]);
+    assert_eq!(fourfold.contacts, 4 * reference.contacts);
+    assert!((fourfold.points / reference.points - 4.0).abs() < 1e-12);
+    assert!(fourfold.seconds > 1.5 * reference.seconds);
+    let bulk = r#"{ law = "iso", lubrication = "jet" }"#;
+    for keys in [
+        ("model.run_in", "true"),
+        ("operation.bulk", bulk),
+        ("model.depths", "200"),
+        ("model.load_share", "ehl"),
+    ] {
+        let found = more(&[keys]).seconds / reference.seconds;
+        assert!(found > 1.2, "{keys:?}: {found}");
+    }
+    let table = more(&[("model.load_share", "lambda-star")]);
+    assert!(table.seconds < reference.seconds);
 }
 
 #[test]
@@ -161,9 +68,8 @@ fn a_measured_estimate_computes_no_records() {
         ("model.load_share", "ehl"),
         ("model.ehl", r#"{ cache = "off" }"#),
     ]);
-    let kept = KeptFields::Highest;
-    let found = measured(&case, &kept).unwrap();
+    let found = measured(&case, &KEPT).unwrap();
     // Solving a contact or a record would have changed the time.
-    assert_eq!(found, estimate(&case, &kept).unwrap());
+    assert_eq!(found, estimate(&case, &KEPT).unwrap());
     assert!(found.seconds > 1.0, "{found:?}");
 }
