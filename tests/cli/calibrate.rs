@@ -118,7 +118,10 @@ fn a_design_is_rehearsed_and_its_calibration_narrows_the_band_of_a_run() {
             .run(&["run", case, "--no-output", "--json"])
             .well()
             .json();
-        let ends = result["uncertainty"]["loss"]["quantiles_w"].as_array().unwrap().clone();
+        let ends = result["uncertainty"]["loss"]["quantiles_w"]
+            .as_array()
+            .unwrap()
+            .clone();
         ends[1].as_f64().unwrap() - ends[0].as_f64().unwrap()
     };
     let (plain, calibrated) = (width("case.toml"), width("calibrated.toml"));

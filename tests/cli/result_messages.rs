@@ -44,7 +44,7 @@ fn a_trace_shorter_than_the_contact_is_refused() {
     let bench = bench_with("offsets", "window = 99");
     let says = [
         "position 1 of 4",
-        "2750 um is shorter than the contact window of",
+        "2750 um is shorter than the",
         "set model.window to fewer half-widths",
     ];
     run_is_refused(&bench, &[], 2, "E122", &says);

@@ -46,7 +46,12 @@ fn a_run_with_its_band_has_the_result_of_the_run() {
     let found = banded.result.uncertainty.unwrap();
     assert_eq!(found.at_medians_w, plain.result.summary.loss_w);
     let tags: Vec<&str> = banded.result.equations.iter().map(|e| &*e.tag).collect();
-    for tag in ["Latin-hypercube", "Predictive-draw", "Quadratic-surface", "Sampling-error"] {
+    for tag in [
+        "Latin-hypercube",
+        "Predictive-draw",
+        "Quadratic-surface",
+        "Sampling-error",
+    ] {
         assert!(tags.contains(&tag), "{tag}");
     }
     assert!(
@@ -65,7 +70,10 @@ fn kept_contacts_give_the_losses_of_fresh_ones() {
     // Another model is evaluated by the contacts of the run; alone it solves its own.
     let other = case.with_key("model.asperity_share_factor", "0.5").unwrap();
     let alone = Run::new(&other).fields(&KEPT).execute().unwrap();
-    let row = found.other_models.iter().find(|row| row.name.contains("halved"));
+    let row = found
+        .other_models
+        .iter()
+        .find(|row| row.name.contains("halved"));
     assert_eq!(row.unwrap().loss_w, Some(alone.result.summary.loss_w));
 }
 
@@ -73,9 +81,14 @@ fn kept_contacts_give_the_losses_of_fresh_ones() {
 fn the_draws_with_spots_fed_at_half_the_sliding_speed_are_runs_of_that_model() {
     let case = case("e-drive.toml");
     let found = uncertainty(&case);
-    let other = case.with_key("model.spot_speed", "\"half-sliding\"").unwrap();
+    let other = case
+        .with_key("model.spot_speed", "\"half-sliding\"")
+        .unwrap();
     let run = asperity::losses(&other).unwrap().summary.loss_w;
-    let row = found.structures.iter().find(|row| row.name.contains("half the sliding"));
+    let row = found
+        .structures
+        .iter()
+        .find(|row| row.name.contains("half the sliding"));
     let drawn = row.unwrap().loss_w.unwrap();
     assert!((drawn / run - 1.0).abs() < 0.03, "{drawn} {run}");
 }
@@ -84,12 +97,30 @@ fn the_draws_with_spots_fed_at_half_the_sliding_speed_are_runs_of_that_model() {
 fn a_draw_is_a_run_with_its_constants() {
     let case = case("e-drive.toml");
     let found = uncertainty(&case);
-    assert!(found.interpolation_error < 0.02, "{}", found.interpolation_error);
-    let friction = found.constants.iter().find(|one| one.name == "boundary friction").unwrap();
-    let part = found.loss.parts.iter().find(|part| part.name == "boundary friction").unwrap();
+    assert!(
+        found.interpolation_error < 0.02,
+        "{}",
+        found.interpolation_error
+    );
+    let friction = found
+        .constants
+        .iter()
+        .find(|one| one.name == "boundary friction")
+        .unwrap();
+    let part = found
+        .loss
+        .parts
+        .iter()
+        .find(|part| part.name == "boundary friction")
+        .unwrap();
     // The loss rises with the friction, so that the quantiles of one are those of the other.
-    for (value, drawn) in [(friction.low, part.quantiles_w[0]), (friction.high, part.quantiles_w[1])] {
-        let other = case.with_key("model.boundary_friction", &value.to_string()).unwrap();
+    for (value, drawn) in [
+        (friction.low, part.quantiles_w[0]),
+        (friction.high, part.quantiles_w[1]),
+    ] {
+        let other = case
+            .with_key("model.boundary_friction", &value.to_string())
+            .unwrap();
         let run = asperity::losses(&other).unwrap().summary.loss_w;
         assert!((drawn / run - 1.0).abs() < 0.02, "{value}: {drawn} {run}");
     }
@@ -100,7 +131,10 @@ fn identical_finishes_differ_by_exactly_nothing() {
     let case = case("e-drive.toml");
     let found = between(&case, &case);
     assert_eq!((found.at_medians_w, found.median_w), (0.0, 0.0));
-    assert_eq!((found.quantiles_w, found.share_quantiles), ([0.0; 2], [0.0; 2]));
+    assert_eq!(
+        (found.quantiles_w, found.share_quantiles),
+        ([0.0; 2], [0.0; 2])
+    );
     assert_eq!(found.verdict(), Verdict::Equal);
 }
 
@@ -108,11 +142,17 @@ fn identical_finishes_differ_by_exactly_nothing() {
 fn finishes_differ_less_than_each_is_uncertain() {
     let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"].map(case);
     let found = between(&ground, &polished);
-    assert!(found.median_w < 0.0 && found.quantiles_w[1] < 0.0, "{found:?}");
+    assert!(
+        found.median_w < 0.0 && found.quantiles_w[1] < 0.0,
+        "{found:?}"
+    );
     let width = |[low, high]: [f64; 2]| high - low;
     // The draws are the same, so what both finishes share cancels.
     let each = [&ground, &polished].map(|case| width(uncertainty(case).loss.quantiles_w));
-    assert!(width(found.quantiles_w) < each[0].hypot(each[1]), "{found:?} {each:?}");
+    assert!(
+        width(found.quantiles_w) < each[0].hypot(each[1]),
+        "{found:?} {each:?}"
+    );
     assert_eq!(found.verdict(), Verdict::Holds);
     assert!(found.models.len() >= 7, "{:?}", found.models);
 }
@@ -146,27 +186,60 @@ fn what_the_case_states_is_not_drawn() {
 #[test]
 fn every_component_widens_the_loss_and_none_exceeds_all() {
     let stated = uncertainty(&case("e-drive.toml"));
-    assert!(stated.loss.parts.iter().all(|part| part.name != "tip relief not stated"));
-    let unstated = case("e-drive.toml").with(|input| (input.gears.pinion, input.gears.wheel) = (None, None));
+    assert!(
+        stated
+            .loss
+            .parts
+            .iter()
+            .all(|part| part.name != "tip relief not stated")
+    );
+    let unstated =
+        case("e-drive.toml").with(|input| (input.gears.pinion, input.gears.wheel) = (None, None));
     let found = uncertainty(&unstated.unwrap());
-    let names: Vec<&str> = found.loss.parts.iter().map(|part| part.name.as_str()).collect();
-    for name in ["tip relief not stated", "sampling of the flanks", "error of the fast model", "rolling loss"] {
+    let names: Vec<&str> = found
+        .loss
+        .parts
+        .iter()
+        .map(|part| part.name.as_str())
+        .collect();
+    for name in [
+        "tip relief not stated",
+        "sampling of the flanks",
+        "error of the fast model",
+        "rolling loss",
+    ] {
         assert!(names.contains(&name), "{names:?}");
     }
-    assert!(found.loss.parts.iter().all(|part| part.sd_ln < found.loss.sd_ln && !part.remedy.is_empty()));
+    assert!(
+        found
+            .loss
+            .parts
+            .iter()
+            .all(|part| part.sd_ln < found.loss.sd_ln && !part.remedy.is_empty())
+    );
     assert!(found.loss.parts.is_sorted_by(|a, b| a.sd_ln >= b.sd_ln));
     assert!(stated.loss.sd_ln < found.loss.sd_ln);
     // Half of the approach of the teeth lowers the loss.
-    assert!(found.at_medians_w < 0.97 * stated.at_medians_w, "{}", found.at_medians_w);
+    assert!(
+        found.at_medians_w < 0.97 * stated.at_medians_w,
+        "{}",
+        found.at_medians_w
+    );
 }
 
 #[test]
 fn the_factor_of_a_relief_is_that_of_a_run_with_it() {
-    let unstated = case("e-drive.toml").with(|input| (input.gears.pinion, input.gears.wheel) = (None, None));
+    let unstated =
+        case("e-drive.toml").with(|input| (input.gears.pinion, input.gears.wheel) = (None, None));
     let unstated = unstated.unwrap();
     let assumed = unstated.case.assumed_relief.clone().unwrap();
     let found = uncertainty(&unstated);
-    let part = found.loss.parts.iter().find(|part| part.name == "tip relief not stated").unwrap();
+    let part = found
+        .loss
+        .parts
+        .iter()
+        .find(|part| part.name == "tip relief not stated")
+        .unwrap();
     let loss = |c: f64| {
         let mut other = unstated.clone();
         other.case.micro_geometry = assumed.put_into(&other.case.micro_geometry, c, 0.75);
@@ -176,7 +249,10 @@ fn the_factor_of_a_relief_is_that_of_a_run_with_it() {
     let [low, high] = part.quantiles_w;
     let [none, whole] = [0.0, 1.0].map(loss);
     assert!(whole < none, "{whole} {none}");
-    assert!(low > 0.94 * whole && high < 1.06 * none, "{low} {high}: {whole} {none}");
+    assert!(
+        low > 0.94 * whole && high < 1.06 * none,
+        "{low} {high}: {whole} {none}"
+    );
 }
 
 #[test]
@@ -193,7 +269,13 @@ fn flanks_known_by_their_ra_get_an_answer_on_surrogates() {
     .unwrap();
     let found = uncertainty(&case);
     assert_eq!(found.trust, Trust::Surrogates);
-    assert!(found.loss.parts.iter().any(|part| part.name == "sampling of the flanks"));
+    assert!(
+        found
+            .loss
+            .parts
+            .iter()
+            .any(|part| part.name == "sampling of the flanks")
+    );
     let text = asperity_report::summary(
         &Run::new(&case)
             .fields(&KEPT)
@@ -240,12 +322,32 @@ fn calibrated() -> LoadedCase {
 
 #[test]
 fn a_calibrated_case_has_the_same_loss_and_smaller_parts() {
-    let (plain, narrow) = (uncertainty(&case("e-drive.toml")), uncertainty(&calibrated()));
+    let (plain, narrow) = (
+        uncertainty(&case("e-drive.toml")),
+        uncertainty(&calibrated()),
+    );
     // The values are the defaults.
     assert_eq!(plain.at_medians_w, narrow.at_medians_w);
-    for name in ["boundary friction", "boundary layer", "limiting shear", "Eyring stress"] {
-        let sd = |found: &Uncertainty| found.loss.parts.iter().find(|part| part.name == name).map_or(0.0, |part| part.sd_ln);
-        assert!(sd(&narrow) < 0.6 * sd(&plain), "{name}: {} {}", sd(&narrow), sd(&plain));
+    for name in [
+        "boundary friction",
+        "boundary layer",
+        "limiting shear",
+        "Eyring stress",
+    ] {
+        let sd = |found: &Uncertainty| {
+            found
+                .loss
+                .parts
+                .iter()
+                .find(|part| part.name == name)
+                .map_or(0.0, |part| part.sd_ln)
+        };
+        assert!(
+            sd(&narrow) < 0.6 * sd(&plain),
+            "{name}: {} {}",
+            sd(&narrow),
+            sd(&plain)
+        );
     }
     let names: Vec<(&str, bool)> = narrow
         .constants

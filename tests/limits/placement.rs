@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::case::{LoadedCase, ReliefInput, from_text};
+use asperity::case::{LoadedCase, ReliefInput, TipRelief, from_text};
 use asperity::gear::AmountDirection;
 use asperity::quantity::Length;
 use asperity::result::PositionRow;
@@ -254,14 +254,14 @@ fn the_form_of_a_trace_is_the_relief_that_was_ground() {
         for (body, gear) in tips.into_iter().enumerate() {
             // It grows with the square of the arc, which is nearly that of the roll length.
             let roll = |arc: f64| (2.0 * BASE[body] * arc).sqrt();
-            gear.get_or_insert_default().tip_relief = Some(ReliefInput {
+            gear.get_or_insert_default().tip_relief = Some(TipRelief::Drawn(ReliefInput {
                 amount: Length::from_si(amount),
                 length: Some(Length::from_si(
                     roll(TIPS[body]) - roll(TIPS[body] - length),
                 )),
                 start_diameter: None,
                 power: Some(2),
-            });
+            }));
         }
     });
     let factors = [&measured, &drawn.unwrap(), &placed].map(loss_factor);

@@ -177,14 +177,22 @@ fn intervals_of_ninety_percent_cover_the_mean_of_the_flank() {
         for offsets in [16, 64] {
             let covered = (0..REPEATS).into_par_iter().filter(|seed| {
                 let losses = flanks.losses(&flanks.traces(points, *seed), offsets);
-                let positions: Vec<[f64; 2]> = losses.iter().map(|one| [mean(one), deviation(one)]).collect();
+                let positions: Vec<[f64; 2]> = losses
+                    .iter()
+                    .map(|one| [mean(one), deviation(one)])
+                    .collect();
                 let found = window_sampling(&positions, offsets, windows, SHARE);
                 let half = found.standard_error * student_t_quantile(0.90, found.freedom);
                 (whole(&losses).ln() - truth).abs() <= half
             });
             let share = covered.count() as f64 / REPEATS as f64;
-            println!("{millimetres} mm, {offsets} offsets: {windows:.1} windows, covers {share:.3}");
-            assert!((0.86..=0.97).contains(&share), "{millimetres} mm, {offsets} offsets: {share}");
+            println!(
+                "{millimetres} mm, {offsets} offsets: {windows:.1} windows, covers {share:.3}"
+            );
+            assert!(
+                (0.86..=0.97).contains(&share),
+                "{millimetres} mm, {offsets} offsets: {share}"
+            );
         }
     }
 }
@@ -206,7 +214,11 @@ fn part_load_takes_the_offsets_that_it_needs() {
     // The mean over many more offsets, within 1.5 %.
     for (found, torque) in [(full, "145 N m"), (part, "20 N m")] {
         let many = at(torque, Some(256)).loss_w;
-        assert!((found.loss_w / many - 1.0).abs() < 0.015, "{torque}: {} {many}", found.loss_w);
+        assert!(
+            (found.loss_w / many - 1.0).abs() < 0.015,
+            "{torque}: {} {many}",
+            found.loss_w
+        );
     }
     // What the case states is taken.
     assert_eq!(at("20 N m", Some(4)).offsets, 4);

@@ -124,7 +124,7 @@ proptest! {
             let checked = check(&loaded).map_err(|error| error.to_string());
             let run = asperity::losses(&loaded).map_err(|error| error.to_string());
             if let Err(error) = &run {
-                prop_assert!(error.contains("is shorter than the contact window"), "{error}");
+                prop_assert!(error.contains("that the windows of the contact need"), "{error}");
             }
             prop_assert_eq!(checked.err(), run.err());
         }

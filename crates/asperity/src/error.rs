@@ -103,12 +103,12 @@ pub enum PositionError {
     },
     /// The prepared trace does not cover the window.
     #[error(
-        "the prepared trace of {available_um:.0} um is shorter than the contact window of {needed_um:.0} um"
+        "the prepared trace of {available_um:.0} um is shorter than the {needed_um:.0} um that the windows of the contact need"
     )]
     TraceTooShort {
         /// Prepared length \[µm\].
         available_um: f64,
-        /// Window \[µm\].
+        /// Window, with several of them the way that they need to differ \[µm\].
         needed_um: f64,
     },
     /// The rough contact presses measured profiles together and a flank has none.

@@ -359,8 +359,15 @@ mod tests {
             calibrated,
         };
         let prior = of(UncertainParameter::BoundaryFriction, None);
-        assert!(near(prior.at(-Z_PRIOR), 0.066) && near(prior.at(0.0), 0.09) && near(prior.at(Z_PRIOR), 0.123));
-        let calibrated = of(UncertainParameter::BoundaryFriction, Some(CalibratedName::BoundaryFriction));
+        assert!(
+            near(prior.at(-Z_PRIOR), 0.066)
+                && near(prior.at(0.0), 0.09)
+                && near(prior.at(Z_PRIOR), 0.123)
+        );
+        let calibrated = of(
+            UncertainParameter::BoundaryFriction,
+            Some(CalibratedName::BoundaryFriction),
+        );
         assert!(near(calibrated.at(Z_CALIBRATED), 0.123) && calibrated.at(Z_PRIOR) < 0.123);
         let lay = of(UncertainParameter::Lay, None);
         assert!(near(lay.at(0.0), 1.0 / 12.0) && near(lay.at(Z_PRIOR), 0.95 / 6.0));

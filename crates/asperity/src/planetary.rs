@@ -114,7 +114,10 @@ pub fn run_planetary(
     if let (Some(first), Some(second)) = (drawn_first, drawn_second) {
         // The meshes share oil and constants, so that these are drawn together, their flanks apart.
         let planets = f64::from(result.planets);
-        let both = first.draws_w().into_iter().zip(second.draws_of_sum_w(1, 1.0));
+        let both = first
+            .draws_w()
+            .into_iter()
+            .zip(second.draws_of_sum_w(1, 1.0));
         let drawn: Vec<f64> = both.map(|(a, b)| planets * (a + b)).collect();
         result.loss_distribution = Some(Quantiles::of(&drawn));
     }

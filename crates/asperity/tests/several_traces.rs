@@ -205,17 +205,40 @@ fn the_draws_have_the_error_between_traces() {
     assert!((sampling.standard_error_w / of_pairs.standard_error_w - 1.0).abs() < 1e-12);
     assert_eq!(sampling.misplaced_w, None);
     // Of ln loss: the same over the mean, to second order.
-    let part = found.loss.parts.iter().find(|part| part.name == "sampling of the flanks").unwrap();
+    let part = found
+        .loss
+        .parts
+        .iter()
+        .find(|part| part.name == "sampling of the flanks")
+        .unwrap();
     let relative = of_pairs.standard_error_w / of_pairs.mean_w;
     // Student's t with d degrees of freedom spreads more than its standard error; the draws end at 4 of these.
-    assert!((0.9..2.5).contains(&(part.sd_ln / relative)), "{} {relative}", part.sd_ln);
-    assert!(result.path.iter().all(|row| row.sliding_standard_error_w_per_m.is_some()));
+    assert!(
+        (0.9..2.5).contains(&(part.sd_ln / relative)),
+        "{} {relative}",
+        part.sd_ln
+    );
+    assert!(
+        result
+            .path
+            .iter()
+            .all(|row| row.sliding_standard_error_w_per_m.is_some())
+    );
     // A finish compared with itself.
-    let uncertainty = Run::new(&several).fields(&KeptFields::Highest).band(true).execute().unwrap().result.uncertainty;
+    let uncertainty = Run::new(&several)
+        .fields(&KeptFields::Highest)
+        .band(true)
+        .execute()
+        .unwrap()
+        .result
+        .uncertainty;
     let uncertainty = uncertainty.unwrap();
     let own = (&drawn, &uncertainty);
     let nothing = difference(own, own, true);
-    assert_eq!((nothing.at_medians_w, nothing.quantiles_w), (0.0, [0.0, 0.0]));
+    assert_eq!(
+        (nothing.at_medians_w, nothing.quantiles_w),
+        (0.0, [0.0, 0.0])
+    );
     assert!(difference(own, own, false).quantiles_w[1] > 0.0);
 }
 
@@ -286,7 +309,12 @@ fn each_trace_may_lie_at_a_place_of_its_own() {
     };
     let expected = 0.5 * (alone(0, 3.9) + alone(1, 4.4));
     assert!((found.summary.loss_w / expected - 1.0).abs() < 1e-14);
-    let result = Run::new(&placed).fields(&KeptFields::Highest).band(true).execute().unwrap().result;
+    let result = Run::new(&placed)
+        .fields(&KeptFields::Highest)
+        .band(true)
+        .execute()
+        .unwrap()
+        .result;
     let SamplingPart::Pairs(sampling) = result.uncertainty.unwrap().sampling else {
         panic!("two pairs were sampled")
     };

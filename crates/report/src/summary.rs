@@ -54,8 +54,8 @@ const LARGE_LOAD_ERROR: f64 = 0.011;
 const SHOWN_NOTES: usize = 2;
 /// Codes of warnings that put the efficiency in doubt and name a remedy, the most important first.
 const MATTERS: &[&str] = &[
-    "W402", "W439", "W426", "W412", "W415", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125",
-    "W117", "W113", "W437", "W438", "W408", "W404", "W410",
+    "W402", "W439", "W426", "W412", "W415", "W405", "W201", "W124", "W128", "W112", "W118", "W111",
+    "W125", "W117", "W113", "W437", "W438", "W408", "W404", "W410",
 ];
 
 fn note(warning: &Warning) -> String {
@@ -169,8 +169,12 @@ fn gearbox_headline(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> S
     let digits = of_mesh.digits();
     let percent = digits.of_percent(gearbox.power_in_w);
     let median = of_mesh.loss.median_w + gearbox.parts_w;
-    let [low, high] = gearbox.efficiency_quantiles(of_mesh).map(|share| percent.rounded(100.0 * share));
-    let [least, most] = gearbox.quantiles_w(of_mesh).map(|loss| digits.rounded(loss));
+    let [low, high] = gearbox
+        .efficiency_quantiles(of_mesh)
+        .map(|share| percent.rounded(100.0 * share));
+    let [least, most] = gearbox
+        .quantiles_w(of_mesh)
+        .map(|loss| digits.rounded(loss));
     format!(
         "efficiency (gearbox)    {} % ({low}..{high})   loss {} W ({least}..{most})",
         percent.rounded(100.0 * (1.0 - median / gearbox.power_in_w)),
@@ -354,7 +358,10 @@ fn headline(s: &Summary, uncertainty: &Uncertainty) -> String {
     let percent = digits.of_percent(s.power_in_w);
     let efficiency = |share: f64| percent.rounded(100.0 * share);
     let [low, high] = uncertainty.efficiency_quantiles.map(efficiency);
-    let [least, most] = uncertainty.loss.quantiles_w.map(|loss| digits.rounded(loss));
+    let [least, most] = uncertainty
+        .loss
+        .quantiles_w
+        .map(|loss| digits.rounded(loss));
     format!(
         "efficiency (mesh only)  {} % ({low}..{high})   loss {} W ({least}..{most})\n  power in {}",
         efficiency(uncertainty.efficiency_median),
@@ -373,12 +380,19 @@ fn uncertainty_text(uncertainty: &Uncertainty) -> String {
     const INDENT: &str = "  ";
     let digits = uncertainty.digits();
     let parts = uncertainty.loss.parts.iter().take(LARGEST_PARTS);
-    let parts: Vec<_> = parts.filter(|part| digits.steps(part.half_range_w()) > 0.0).collect();
+    let parts: Vec<_> = parts
+        .filter(|part| digits.steps(part.half_range_w()) > 0.0)
+        .collect();
     let mut lines = Vec::new();
     if !parts.is_empty() {
-        let named = parts.iter().map(|part| format!("{} {} W", part.name, digits.rounded(part.half_range_w())));
+        let named = parts
+            .iter()
+            .map(|part| format!("{} {} W", part.name, digits.rounded(part.half_range_w())));
         let named: Vec<String> = named.collect();
-        lines.push(format!("uncertain  {} (half of 5 to 95 %, each alone)", named.join(", ")));
+        lines.push(format!(
+            "uncertain  {} (half of 5 to 95 %, each alone)",
+            named.join(", ")
+        ));
         let mut remedies: Vec<&str> = Vec::new();
         for part in &parts {
             if !remedies.contains(&part.remedy.as_str()) {
@@ -397,9 +411,12 @@ fn uncertainty_text(uncertainty: &Uncertainty) -> String {
         ));
     }
     if uncertainty.trust != Trust::SolvedContact {
-        lines.push(format!("trust  {}", uncertainty.trust.text()));
+        lines.push(format!("trust  {}", uncertainty.trust_text()));
     }
-    lines.iter().map(|line| wrapped(line, INDENT) + "\n").collect()
+    lines
+        .iter()
+        .map(|line| wrapped(line, INDENT) + "\n")
+        .collect()
 }
 
 /// Losses by the admissible structures of the model, and by models that measurements refute.
@@ -408,16 +425,23 @@ pub fn models(result: &RunResult) -> String {
         return "no other models without an uncertainty\n".to_owned();
     };
     let digits = uncertainty.digits();
-    let rows = uncertainty.structures.iter().chain(&uncertainty.other_models);
+    let rows = uncertainty
+        .structures
+        .iter()
+        .chain(&uncertainty.other_models);
     let rows = rows.map(|row| {
-        let loss = row.loss_w.map_or("-".to_owned(), |loss| format!("{} W", digits.rounded(loss)));
+        let loss = row
+            .loss_w
+            .map_or("-".to_owned(), |loss| format!("{} W", digits.rounded(loss)));
         let refuted = match row.refuted_by.is_empty() {
             true => "admissible, in the draws",
             false => &row.refuted_by,
         };
         wrapped(&format!("{:<52}  {loss:>8}  {refuted}", row.name), "    ") + "\n"
     });
-    std::iter::once("other models, and what refutes them\n".to_owned()).chain(rows).collect()
+    std::iter::once("other models, and what refutes them\n".to_owned())
+        .chain(rows)
+        .collect()
 }
 
 /// Table of the published laws, each in place of film and asperity friction.

@@ -545,7 +545,9 @@ fn short_traces(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &m
     if offsets.max() <= Some(1) || loaded.surfaces.several_teeth().is_some() {
         return;
     }
-    let half_widths = positions.iter().map(|position| position.at.hertz.half_width.si());
+    let half_widths = positions
+        .iter()
+        .map(|position| position.at.hertz.half_width.si());
     let widest = Length::from_si(half_widths.fold(0.0, f64::max));
     let Some(windows) = windows_of_traces(loaded, widest).filter(|windows| *windows < FEW) else {
         return;

@@ -3,8 +3,8 @@
 use asperity_core::cite;
 use asperity_core::quantity::{Length, Torque};
 use asperity_gear::{
-    AmountDirection, GearError, LoadConditions, LoadDistribution, LoadLaw, MicroGeometry, Relief, ReliefExtent,
-    ReliefShape,
+    AmountDirection, GearError, LoadConditions, LoadDistribution, LoadLaw, MicroGeometry, Relief,
+    ReliefExtent, ReliefShape,
 };
 
 use super::input::CaseInput;

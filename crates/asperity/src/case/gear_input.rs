@@ -121,7 +121,10 @@ impl<'de> Visitor<'de> for TipReliefVisitor {
     type Value = TipRelief;
 
     fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "\"none\", or a relief like {{ amount = \"10 um\", length = \"3 mm\" }}")
+        write!(
+            f,
+            "\"none\", or a relief like {{ amount = \"10 um\", length = \"3 mm\" }}"
+        )
     }
 
     fn visit_str<E: de::Error>(self, word: &str) -> Result<TipRelief, E> {

@@ -7,9 +7,9 @@ use asperity_gear::{
     RootForm,
 };
 
+use super::assumed_relief::AssumedRelief;
 use super::defaults::Defaults;
 use super::error::CaseError;
-use super::assumed_relief::AssumedRelief;
 use super::gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 use super::input::{CaseInput, GearsInput};
 use super::key_names::key_of;
@@ -217,7 +217,10 @@ pub(super) fn assumed_relief(
             1e6 * AssumedRelief::AMOUNT * assumed.approach.si(),
             1e3 * AssumedRelief::LENGTH * assumed.roll_length.si(),
         ];
-        format!("{amount:.1} um over {length:.1} mm of roll length, drawn from 0 to {:.1} um", 2.0 * amount)
+        format!(
+            "{amount:.1} um over {length:.1} mm of roll length, drawn from 0 to {:.1} um",
+            2.0 * amount
+        )
     });
     for (flank, section) in &flanks(&input.gears, source) {
         if flank.tip_relief.is_none() && !flank.is_from_trace() {

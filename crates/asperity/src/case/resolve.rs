@@ -162,7 +162,8 @@ pub(super) fn resolve_checked(
     if !load_is_checked {
         check_load(&mesh, &model, formulation, source)?;
     }
-    let assumed_relief = assumed_relief(&input, formulation, (&model, &mesh), source, &mut defaults)?;
+    let assumed_relief =
+        assumed_relief(&input, formulation, (&model, &mesh), source, &mut defaults)?;
     if let Some(assumed) = &assumed_relief {
         let [amount, length] = [AssumedRelief::AMOUNT, AssumedRelief::LENGTH];
         micro_geometry = assumed.put_into(&micro_geometry, amount, length);

@@ -91,7 +91,9 @@ impl WindowContact {
         position: &MeshPosition,
     ) -> Result<Vec<Arc<Self>>, PositionError> {
         let count = loaded.surfaces.offsets(loaded.case.model.offsets);
-        (0..count).map(|k| Self::of_offset(loaded, position, (k, count))).collect()
+        (0..count)
+            .map(|k| Self::of_offset(loaded, position, (k, count)))
+            .collect()
     }
 
     /// The window of offset `k` of `count` at `position`, with its roughness.
@@ -130,7 +132,11 @@ impl WindowContact {
 
 impl Contacts {
     /// The contacts of a case with the windows of each position of `mesh`.
-    pub(crate) fn new(loaded: &LoadedCase, mesh: &Mesh, rows: Vec<Vec<Arc<WindowContact>>>) -> Self {
+    pub(crate) fn new(
+        loaded: &LoadedCase,
+        mesh: &Mesh,
+        rows: Vec<Vec<Arc<WindowContact>>>,
+    ) -> Self {
         let (case, surfaces) = (&loaded.case, &loaded.surfaces);
         Self {
             each: case.model.offsets,
@@ -165,7 +171,11 @@ impl Contacts {
         Ok(Self {
             fingerprint: fingerprint(case, surfaces),
             each: more,
-            rows: mesh.positions.par_iter().map(row).collect::<Result<_, PositionError>>()?,
+            rows: mesh
+                .positions
+                .par_iter()
+                .map(row)
+                .collect::<Result<_, PositionError>>()?,
             ..self.clone()
         })
     }
@@ -176,14 +186,20 @@ impl Contacts {
         let first = |row: &Vec<Arc<WindowContact>>| {
             let of_a_pair = (row.len() / self.surfaces.pairs()).max(1);
             let pairs = row.chunks(of_a_pair);
-            pairs.flat_map(|pair| pair.iter().take(each).cloned()).collect()
+            pairs
+                .flat_map(|pair| pair.iter().take(each).cloned())
+                .collect()
         };
         let mut part = Self {
             each: each.min(self.each),
             rows: BTreeMap::new(),
             ..self.clone()
         };
-        part.rows = self.rows.iter().map(|(key, row)| (*key, first(row))).collect();
+        part.rows = self
+            .rows
+            .iter()
+            .map(|(key, row)| (*key, first(row)))
+            .collect();
         part
     }
 
@@ -199,7 +215,11 @@ impl Contacts {
             rows: BTreeMap::new(),
             ..self.clone()
         };
-        part.rows = self.rows.iter().map(|(key, row)| (*key, of_a_pair(row))).collect();
+        part.rows = self
+            .rows
+            .iter()
+            .map(|(key, row)| (*key, of_a_pair(row)))
+            .collect();
         part
     }
 
@@ -220,7 +240,10 @@ impl Contacts {
     ///
     /// # Errors
     /// When there is no such position.
-    pub(crate) fn at(&self, position: &MeshPosition) -> Result<&[Arc<WindowContact>], PositionError> {
+    pub(crate) fn at(
+        &self,
+        position: &MeshPosition,
+    ) -> Result<&[Arc<WindowContact>], PositionError> {
         let row = self.rows.get(&key(position)).map(Vec::as_slice);
         row.ok_or(PositionError::OtherTables {
             differs: "line load or radius",

@@ -12,4 +12,4 @@ pub use local_roughness::Roughness;
 pub use surfaces::{Surfaces, Texture};
 pub use window_pair::{LEAST_POINTS_PER_HALF_WIDTH, WindowPair, window_places};
 
-pub(crate) use window_pair::{Window, is_substituted};
+pub(crate) use window_pair::{AVERAGING_WIDTH, Window, is_substituted};

@@ -389,7 +389,8 @@ impl Surfaces {
     /// Whether both flanks are those of `other`, in every pair.
     #[must_use]
     pub fn has_flanks_of(&self, other: &Self) -> bool {
-        let (ours, theirs): (Vec<&Self>, Vec<&Self>) = (self.each().collect(), other.each().collect());
+        let (ours, theirs): (Vec<&Self>, Vec<&Self>) =
+            (self.each().collect(), other.each().collect());
         let mut pairs = ours.iter().zip(&theirs);
         ours.len() == theirs.len() && pairs.all(|(one, other)| one.has_textures_of(other))
     }

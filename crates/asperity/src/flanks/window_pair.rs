@@ -13,6 +13,9 @@ use crate::mesh::{MeshPosition, Resolution};
 /// Least points per Hertz half-width at which a contact is resolved.
 pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 
+/// Averaging width b_e of a contact in its half-widths, that of a loss weighted with the pressure of Hertz.
+pub(crate) const AVERAGING_WIDTH: f64 = 1.6;
+
 /// 1/p and 1/p² of p³ = p + 1: multiples of both, minus their whole parts, fill a square evenly (Roberts 2018).
 const SHIFTS: [f64; 2] = [0.569_840_290_998_053_3, 0.754_877_666_246_692_8];
 
@@ -115,7 +118,13 @@ impl Window {
             }
             None => {
                 let [along, across] = window_places(k, count, position.number);
-                [start(first, n, along)?, start(second, n, across)?]
+                // Several windows must differ.
+                let least = match count {
+                    1 => 0,
+                    _ => (AVERAGING_WIDTH * points).ceil() as usize,
+                };
+                let start = |trace, place| start(trace, n, least, place);
+                [start(first, along)?, start(second, across)?]
             }
         };
         Ok(Some(Self { starts, points: n }))
@@ -224,15 +233,14 @@ impl WindowPair {
     }
 }
 
-/// First point of a window of `n` neighbouring points of `profile`, at the fraction `place` of where they can start.
-fn start(profile: &Profile, n: usize, place: f64) -> Result<isize, PositionError> {
-    let free = profile
-        .len()
-        .checked_sub(n)
-        .ok_or(PositionError::TraceTooShort {
-            available_um: profile.length().si() * 1e6,
-            needed_um: profile.spacing().si() * (n - 1) as f64 * 1e6,
-        })?;
+/// First point of a window of `n` neighbouring points of `profile`, at the fraction `place` of where they can start,
+/// which is `least` points or more.
+fn start(profile: &Profile, n: usize, least: usize, place: f64) -> Result<isize, PositionError> {
+    let free = profile.len().checked_sub(n).filter(|free| *free >= least);
+    let free = free.ok_or(PositionError::TraceTooShort {
+        available_um: profile.length().si() * 1e6,
+        needed_um: profile.spacing().si() * (n + least - 1) as f64 * 1e6,
+    })?;
     Ok((place * free as f64).round() as isize)
 }
 

@@ -62,14 +62,24 @@ pub(super) fn offsets_needed(loaded: &LoadedCase, positions: &[LubricatedPositio
     let least = loaded.case.model.offsets;
     let found = Scatter::of(positions.iter().map(|position| {
         let sliding = position.at.weight * position.at.mean_sliding();
-        let losses = position.offsets.iter().map(|offset| sliding * offset.friction_force);
+        let losses = position
+            .offsets
+            .iter()
+            .map(|offset| sliding * offset.friction_force);
         let losses: Vec<f64> = losses.collect();
-        [mean(losses.iter().copied()), deviation(&losses).unwrap_or(0.0)]
+        [
+            mean(losses.iter().copied()),
+            deviation(&losses).unwrap_or(0.0),
+        ]
     }));
-    let half_widths = positions.iter().map(|position| position.at.hertz.half_width.si());
+    let half_widths = positions
+        .iter()
+        .map(|position| position.at.hertz.half_width.si());
     let widest = Length::from_si(half_widths.fold(0.0, f64::max));
     let windows = windows_of_traces(loaded, widest).unwrap_or(f64::INFINITY);
-    let wanted = (found.squares / (SOUGHT * SOUGHT)).ceil().min(OVERLAP * windows);
+    let wanted = (found.squares / (SOUGHT * SOUGHT))
+        .ceil()
+        .min(OVERLAP * windows);
     // Several pairs share the error.
     let of_each = (wanted / loaded.surfaces.pairs() as f64).ceil() as usize;
     of_each.max(least).min(MOST.max(least))

@@ -109,7 +109,13 @@ pub(super) fn sampled<'a>(
     if !chooses_offsets(loaded) {
         return Ok((Cow::Borrowed(loaded), Cow::Owned(contacts)));
     }
-    let first = Stages::on(loaded, mesh, Cow::Borrowed(&contacts), &|_, _| {}, Provenance::new())?;
+    let first = Stages::on(
+        loaded,
+        mesh,
+        Cow::Borrowed(&contacts),
+        &|_, _| {},
+        Provenance::new(),
+    )?;
     let wanted = offsets_needed(loaded, &first.lubricated()?);
     let mesh = first.mesh;
     let more = with_offsets(loaded, wanted);
@@ -192,7 +198,10 @@ pub fn settled<'a>(
 }
 
 /// The case at its equilibrium bulk temperature, with its contacts.
-pub(super) fn warmed<'a>(loaded: &'a LoadedCase, contacts: &Contacts) -> Result<Cow<'a, LoadedCase>, Error> {
+pub(super) fn warmed<'a>(
+    loaded: &'a LoadedCase,
+    contacts: &Contacts,
+) -> Result<Cow<'a, LoadedCase>, Error> {
     let Some(model) = loaded.case.bulk else {
         return Ok(Cow::Borrowed(loaded));
     };

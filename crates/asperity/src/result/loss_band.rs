@@ -37,6 +37,9 @@ pub struct Uncertainty {
     pub other_models: Vec<AlternativeRow>,
     /// Trust in the result.
     pub trust: Trust,
+    /// The quantiles of the loss that traces of surrogate flanks would leave \[W\]; none of other flanks.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub with_traces_w: Option<[f64; 2]>,
     /// 5 % and 95 % quantiles of the sliding loss per metre of contact line at each position \[W/m\].
     pub path_sliding_w_per_m: Vec<[f64; 2]>,
 }
@@ -205,6 +208,20 @@ impl Uncertainty {
         match self.at_medians_w > 0.0 {
             true => self.loss.median_w / self.at_medians_w,
             false => 1.0,
+        }
+    }
+
+    /// The trust in the result in words, and the interval that traces would leave.
+    #[must_use]
+    pub fn trust_text(&self) -> String {
+        let text = self.trust.text();
+        let digits = self.digits();
+        match self
+            .with_traces_w
+            .map(|ends| ends.map(|loss| digits.rounded(loss)))
+        {
+            Some([low, high]) => format!("{text}; traces would narrow the band to {low}..{high} W"),
+            None => text.to_owned(),
         }
     }
 

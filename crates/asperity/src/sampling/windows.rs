@@ -19,11 +19,9 @@ use asperity_core::cite;
 use asperity_core::quantity::Length;
 
 use crate::case::LoadedCase;
-use crate::flanks::{Surfaces, Texture};
+use crate::flanks::{AVERAGING_WIDTH, Surfaces, Texture};
 use crate::result::loss_band::WindowSampling;
 
-/// Averaging width b_e in half-widths of the contact.
-const AVERAGING_WIDTH: f64 = 1.6;
 /// Scatter of the whole loss over the sum of the scatters of its positions, which meet at one place of the flank: 0.68
 /// to 0.77 measured.
 const COMMON: f64 = 0.75;
@@ -43,7 +41,11 @@ impl Scatter {
     /// Of the loss of each position and its standard deviation.
     pub fn of(positions: impl Iterator<Item = [f64; 2]>) -> Self {
         let add = |[loss, squares, sum]: [f64; 3], [of_one, deviation]: [f64; 2]| {
-            [loss + of_one, squares + deviation * deviation, sum + deviation]
+            [
+                loss + of_one,
+                squares + deviation * deviation,
+                sum + deviation,
+            ]
         };
         let [loss, squares, sum] = positions.fold([0.0; 3], add);
         match loss > 0.0 {
@@ -102,7 +104,9 @@ pub(crate) fn length_for(windows: f64, window: f64, half_width: Length) -> Lengt
 pub(crate) fn windows_of_traces(loaded: &LoadedCase, half_width: Length) -> Option<f64> {
     let surfaces = &loaded.surfaces;
     let free = free_way(surfaces, loaded.case.model.window, half_width)?;
-    let teeth = surfaces.teeth().map_or(1, |[pinion, wheel]| pinion.min(wheel));
+    let teeth = surfaces
+        .teeth()
+        .map_or(1, |[pinion, wheel]| pinion.min(wheel));
     Some(teeth as f64 * independent_windows(free, half_width))
 }
 

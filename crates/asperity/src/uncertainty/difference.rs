@@ -54,9 +54,14 @@ impl PairedDifference {
         if self.probability < SURE {
             return Verdict::Undecided;
         }
-        let disagrees = |row: &&AlternativeRow| row.loss_w.is_some_and(|d| d * self.median_w <= 0.0);
-        let others: Vec<String> =
-            self.models.iter().filter(disagrees).map(|row| row.name.clone()).collect();
+        let disagrees =
+            |row: &&AlternativeRow| row.loss_w.is_some_and(|d| d * self.median_w <= 0.0);
+        let others: Vec<String> = self
+            .models
+            .iter()
+            .filter(disagrees)
+            .map(|row| row.name.clone())
+            .collect();
         match others.is_empty() {
             true => Verdict::Holds,
             false => Verdict::Except(others),
@@ -67,9 +72,11 @@ impl PairedDifference {
     #[must_use]
     pub fn model_range_w(&self) -> Option<[f64; 2]> {
         let known: Vec<f64> = self.models.iter().filter_map(|row| row.loss_w).collect();
-        let ends = known.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| {
-            [low.min(*d), high.max(*d)]
-        });
+        let ends = known
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| {
+                [low.min(*d), high.max(*d)]
+            });
         (!known.is_empty()).then_some(ends)
     }
 }
@@ -92,13 +99,24 @@ pub fn difference(
     let own = first.losses(0);
     let theirs = other.losses(usize::from(!same_flanks));
     let deltas: Vec<f64> = own.iter().zip(&theirs).map(|(a, b)| b - a).collect();
-    let shares: Vec<f64> = own.iter().zip(&deltas).map(|(a, delta)| delta / a).collect();
+    let shares: Vec<f64> = own
+        .iter()
+        .zip(&deltas)
+        .map(|(a, delta)| delta / a)
+        .collect();
     let probabilities = [0.05, 0.5, 0.95];
     let [low, median_w, high] = sorted_quantiles(&deltas, probabilities);
     let [least, median_share, most] = sorted_quantiles(&shares, probabilities);
-    let agreeing = deltas.iter().filter(|delta| **delta * median_w > 0.0).count();
+    let agreeing = deltas
+        .iter()
+        .filter(|delta| **delta * median_w > 0.0)
+        .count();
     let rows = |of: &Uncertainty| -> Vec<AlternativeRow> {
-        of.structures.iter().chain(&of.other_models).cloned().collect()
+        of.structures
+            .iter()
+            .chain(&of.other_models)
+            .cloned()
+            .collect()
     };
     let (ours, others) = (rows(of_first), rows(of_other));
     let models = ours.into_iter().filter_map(|row| {

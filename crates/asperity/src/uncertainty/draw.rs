@@ -111,12 +111,20 @@ fn place(stratum: usize) -> f64 {
 /// Standard normal quantiles of the strata.
 fn normal() -> &'static [f64] {
     static STRATA: OnceLock<Vec<f64>> = OnceLock::new();
-    STRATA.get_or_init(|| (0..DRAWS).map(|k| standard_normal_quantile(place(k))).collect())
+    STRATA.get_or_init(|| {
+        (0..DRAWS)
+            .map(|k| standard_normal_quantile(place(k)))
+            .collect()
+    })
 }
 
 /// The same without the outermost 0.5 % of either side.
 fn cut_normal() -> &'static [f64] {
     static STRATA: OnceLock<Vec<f64>> = OnceLock::new();
     let cut = |k: usize| CUT + (1.0 - 2.0 * CUT) * place(k);
-    STRATA.get_or_init(|| (0..DRAWS).map(|k| standard_normal_quantile(cut(k))).collect())
+    STRATA.get_or_init(|| {
+        (0..DRAWS)
+            .map(|k| standard_normal_quantile(cut(k)))
+            .collect()
+    })
 }

@@ -17,7 +17,9 @@ use crate::error::Error;
 use crate::parameters::{Ranged, UncertainParameter, parameters};
 use crate::pipeline::{losses, losses_with};
 use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summary};
-use crate::sampling::{SamplingError, means_of_pairs, pair_sampling, window_sampling, windows_of_traces};
+use crate::sampling::{
+    SamplingError, means_of_pairs, pair_sampling, window_sampling, windows_of_traces,
+};
 use asperity_mixed_film::SpotSpeed;
 
 /// Offsets of the evaluations: a ratio of losses needs fewer than a loss.
@@ -88,7 +90,11 @@ pub(super) fn count(loaded: &LoadedCase) -> usize {
     let dimensions = parameters(loaded).map_or(0, |(drawn, _)| drawn.len());
     match dimensions {
         0 => 0,
-        n => 1 + QuadraticSurface::evaluations(n) + HELD_OUT + if is_solved(loaded) { HALF_SLIDING } else { 0 },
+        n => {
+            1 + QuadraticSurface::evaluations(n)
+                + HELD_OUT
+                + if is_solved(loaded) { HALF_SLIDING } else { 0 }
+        }
     }
 }
 
@@ -106,7 +112,9 @@ pub(super) fn evaluate(
         true => loaded.first_pair(),
         false => loaded.clone(),
     };
-    let each = (OFFSETS / base_case.surfaces.pairs()).max(1).min(loaded.case.model.offsets);
+    let each = (OFFSETS / base_case.surfaces.pairs())
+        .max(1)
+        .min(loaded.case.model.offsets);
     base_case.case.model.offsets = each;
     let few = match loaded.surfaces.is_surrogate() {
         true => contacts.of_first_pair(&base_case).first(each),
@@ -120,7 +128,11 @@ pub(super) fn evaluate(
         power_in_w: nominal.summary.power_in_w,
         parts_w: {
             let s = &nominal.summary;
-            [s.sliding_w, s.rolling_w, s.loss_w - s.sliding_w - s.rolling_w]
+            [
+                s.sliding_w,
+                s.rolling_w,
+                s.loss_w - s.sliding_w - s.rolling_w,
+            ]
         },
         correlations: correlations(loaded, &constants),
         sliding: None,
@@ -158,18 +170,30 @@ pub(super) fn evaluate(
         let of_position = |k: usize| {
             let of = |losses: &Losses| losses.path[k].sliding_w_per_m;
             let base = of(&middle);
-            fit(&|losses: &Losses| if base > 0.0 { (of(losses) / base).ln() } else { 0.0 })
+            fit(&|losses: &Losses| {
+                if base > 0.0 {
+                    (of(losses) / base).ln()
+                } else {
+                    0.0
+                }
+            })
         };
         of_positions = (0..middle.path.len()).filter_map(of_position).collect();
         if let Some(surface) = &predictive.sliding {
             let others = places(HELD_OUT, SEED + 1);
             let found = base.all(&others, false)?;
-            let squares = others.iter().zip(&found).map(|(z, losses)| (surface.at(z) - ratio(losses)).powi(2));
+            let squares = others
+                .iter()
+                .zip(&found)
+                .map(|(z, losses)| (surface.at(z) - ratio(losses)).powi(2));
             predictive.surface_rms = (squares.sum::<f64>() / HELD_OUT as f64).sqrt();
             if is_solved(loaded) {
                 let points = places(HALF_SLIDING, SEED + 2);
                 let found = base.all(&points, true)?;
-                let logs = points.iter().zip(&found).map(|(z, losses)| ratio(losses) - surface.at(z));
+                let logs = points
+                    .iter()
+                    .zip(&found)
+                    .map(|(z, losses)| ratio(losses) - surface.at(z));
                 let half_sliding = plane(&predictive.constants, &points, &logs.collect::<Vec<_>>());
                 predictive.structure = Some(Structure {
                     half_sliding,
@@ -226,7 +250,10 @@ impl Base<'_> {
     }
 
     fn all(&self, points: &[Vec<f64>], half_sliding: bool) -> Result<Vec<Losses>, Error> {
-        points.par_iter().map(|z| self.at(z, half_sliding)).collect()
+        points
+            .par_iter()
+            .map(|z| self.at(z, half_sliding))
+            .collect()
     }
 }
 
@@ -246,16 +273,27 @@ fn plane(constants: &[Ranged], points: &[Vec<f64>], values: &[f64]) -> [f64; 3] 
         place(UncertainParameter::BoundaryFriction),
         place(UncertainParameter::BoundaryLayer),
     ];
-    let row = |z: &Vec<f64>| [1.0, axes[0].map_or(0.0, |k| z[k]), axes[1].map_or(0.0, |k| z[k])];
+    let row = |z: &Vec<f64>| {
+        [
+            1.0,
+            axes[0].map_or(0.0, |k| z[k]),
+            axes[1].map_or(0.0, |k| z[k]),
+        ]
+    };
     let rows: Vec<[f64; 3]> = points.iter().map(row).collect();
     let matrix = nalgebra::DMatrix::from_row_iterator(rows.len(), 3, rows.into_iter().flatten());
-    let found = matrix.svd(true, true).solve(&nalgebra::DVector::from_column_slice(values), 1e-10);
+    let found = matrix
+        .svd(true, true)
+        .solve(&nalgebra::DVector::from_column_slice(values), 1e-10);
     found.map_or([0.0; 3], |found| [found[0], found[1], found[2]])
 }
 
 /// Rows of the lower triangle of the correlations of the calibrated constants.
 fn correlations(loaded: &LoadedCase, constants: &[Ranged]) -> Vec<Vec<f64>> {
-    let names: Vec<_> = constants.iter().filter_map(|constant| constant.calibrated).collect();
+    let names: Vec<_> = constants
+        .iter()
+        .filter_map(|constant| constant.calibrated)
+        .collect();
     let Some(given) = &loaded.case.input.calibration else {
         return Vec::new();
     };
@@ -283,7 +321,8 @@ impl Path {
         Self {
             asperity_share: mean(&|row| 1.0 - row.film_share),
             film_friction: mean(&|row| row.mu_film),
-            roughness_over_film: is_known.then(|| mean(&|row| row.roughness_over_film.unwrap_or(0.0))),
+            roughness_over_film: is_known
+                .then(|| mean(&|row| row.roughness_over_film.unwrap_or(0.0))),
             film_m: mean(&|row| 1e-6 * row.film_central_um),
         }
     }
@@ -305,7 +344,11 @@ pub(super) fn widest(path: &[PositionRow]) -> Length {
 }
 
 /// The sampling error of ln loss: between pairs of teeth, over windows, or by the misplacement of placed traces.
-fn sampling_error(loaded: &LoadedCase, nominal: &Nominal<'_>, asperity_share: f64) -> Result<SamplingError, Error> {
+fn sampling_error(
+    loaded: &LoadedCase,
+    nominal: &Nominal<'_>,
+    asperity_share: f64,
+) -> Result<SamplingError, Error> {
     let surfaces = &loaded.surfaces;
     let shifts = misplaced(loaded, nominal.summary.loss_w)?;
     let losses: Vec<f64> = nominal.offsets.iter().map(|row| row.loss_w).collect();
@@ -323,16 +366,27 @@ fn sampling_error(loaded: &LoadedCase, nominal: &Nominal<'_>, asperity_share: f6
                 shifts,
                 ..SamplingError::NONE
             },
-            None => SamplingError { shifts, ..SamplingError::NONE },
+            None => SamplingError {
+                shifts,
+                ..SamplingError::NONE
+            },
         });
     }
     if shifts.is_some() {
-        return Ok(SamplingError { shifts, ..SamplingError::NONE });
+        return Ok(SamplingError {
+            shifts,
+            ..SamplingError::NONE
+        });
     }
     let Some(windows) = windows_of_traces(loaded, widest(nominal.path)) else {
         return Ok(SamplingError::NONE);
     };
-    let found = window_sampling(&losses_of_positions(nominal.path), nominal.summary.offsets, windows, asperity_share);
+    let found = window_sampling(
+        &losses_of_positions(nominal.path),
+        nominal.summary.offsets,
+        windows,
+        asperity_share,
+    );
     Ok(SamplingError {
         standard_error: found.standard_error,
         freedom: found.freedom,

@@ -110,7 +110,10 @@ mod tests {
             for p in [0.6, 0.9, 0.95, 0.999] {
                 let exact = student_t_quantile(2.0 * p - 1.0, freedom);
                 let found = table.at(standard_normal_quantile(p));
-                assert!((found / exact - 1.0).abs() < 2e-3, "{freedom} {p}: {found} {exact}");
+                assert!(
+                    (found / exact - 1.0).abs() < 2e-3,
+                    "{freedom} {p}: {found} {exact}"
+                );
                 assert_eq!(table.at(-1.0), -table.at(1.0));
             }
         }

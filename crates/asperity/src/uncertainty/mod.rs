@@ -39,6 +39,7 @@ use crate::balance::Unbalanced;
 use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use crate::contacts::Contacts;
 use crate::error::{Error, PositionError};
+use crate::message::Warning;
 use crate::parameters::{Ranged, UncertainParameter as Constant};
 use crate::pipeline::{self, KeptFields, Progress, outcome, settled};
 use crate::result::{
@@ -67,6 +68,9 @@ pub fn has_band(loaded: &LoadedCase) -> bool {
         && model.load_share != LoadShareName::Ehl
         && model.full_film == FullFilmName::Formulas
 }
+
+/// Error of ln loss by the interpolation of the draws that is worth a warning.
+const PRECISE: f64 = 0.02;
 
 /// Evaluations of a case for its draws, other models among them.
 #[must_use]
@@ -100,8 +104,22 @@ pub(crate) fn run_and_draw(
     let found = used.collect(|| uncertainty(&loaded, &outcome, &contacts, &done));
     let (uncertainty, predictive) = found?;
     outcome.result.uncertainty = Some(uncertainty);
-    if let (Some(assumed), Some(ends)) = (&loaded.case.assumed_relief, predictive.at_ends_of_relief()) {
-        outcome.result.warnings.insert(0, relief::warning(assumed, ends));
+    if let (Some(assumed), Some(ends)) =
+        (&loaded.case.assumed_relief, predictive.at_ends_of_relief())
+    {
+        outcome
+            .result
+            .warnings
+            .insert(0, relief::warning(assumed, ends));
+    }
+    if predictive.surface_rms > PRECISE {
+        outcome.result.warnings.push(Warning::new(
+            "W440",
+            format!(
+                "the draws interpolate ln loss over the constants to {:.1} %",
+                100.0 * predictive.surface_rms
+            ),
+        ));
     }
     note(&mut outcome.result, &used.tags());
     Ok((outcome, Some(predictive)))
@@ -135,7 +153,11 @@ pub fn predictive(
 /// 5 % and 95 % quantiles of the mean of `differences` of losses, one at each offset of a case with the losses `base` \[W\], by
 /// the sampling of the flanks; none without traces or with a single offset.
 #[must_use]
-pub fn sampling_interval(loaded: &LoadedCase, base: &Losses, differences: &[f64]) -> Option<[f64; 2]> {
+pub fn sampling_interval(
+    loaded: &LoadedCase,
+    base: &Losses,
+    differences: &[f64],
+) -> Option<[f64; 2]> {
     const CONFIDENCE: f64 = 0.90;
     let surfaces = &loaded.surfaces;
     let mean = mean(differences.iter().copied());
@@ -199,7 +221,11 @@ fn uncertainty(
             refuted_by: model.refuted_by.to_owned(),
         }
     };
-    let others = other_models(loaded).into_iter().zip(1..).map(of_model).collect();
+    let others = other_models(loaded)
+        .into_iter()
+        .zip(1..)
+        .map(of_model)
+        .collect();
     // A cancelled model is not one without solution.
     checkpoint()?;
     let quantiles = predictive.quantiles();
@@ -240,6 +266,7 @@ fn uncertainty(
         structures: structures.collect(),
         other_models: others,
         trust: trust(loaded),
+        with_traces_w: predictive.with_traces().map(|found| found.quantiles_w),
         path_sliding_w_per_m: along_path(nominal.path, &predictive, &of_positions),
     };
     Ok((found, predictive))
@@ -257,42 +284,75 @@ fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
 }
 
 /// Every component drawn alone, the largest first.
-fn parts(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>) -> Vec<UncertaintyPart> {
+fn parts(
+    loaded: &LoadedCase,
+    predictive: &Predictive,
+    nominal: &Nominal<'_>,
+) -> Vec<UncertaintyPart> {
     let constants = predictive.constants.iter().enumerate();
     let constants = constants.map(|(k, ranged)| {
         let remedy = match ranged.kind {
-            Constant::BoundaryFriction | Constant::BoundaryLayer => "losses measured on a rig (asperity calibrate)",
+            Constant::BoundaryFriction | Constant::BoundaryLayer => {
+                "losses measured on a rig (asperity calibrate)"
+            }
             Constant::Lay => "an areal scan of the flank: model.lay",
-            Constant::LimitingShear | Constant::EyringStress => "a traction curve of the oil, or losses on a rig",
+            Constant::LimitingShear | Constant::EyringStress => {
+                "a traction curve of the oil, or losses on a rig"
+            }
             Constant::PressureViscosity => "lubricant.pressure_viscosity of the oil",
         };
-        (Component::Constant(k), ranged.kind.name(), remedy.to_owned())
+        (
+            Component::Constant(k),
+            ranged.kind.name(),
+            remedy.to_owned(),
+        )
     });
     let half_width = widest(nominal.path);
     let windows = windows_of_traces(loaded, half_width).unwrap_or(f64::INFINITY);
     let longer = match windows < 8.0 {
         true => {
             let length = length_for(8.0, loaded.case.model.window, half_width);
-            format!("traces of {:.1} mm or more, or of more teeth", 1e3 * length.si())
+            format!(
+                "traces of {:.1} mm or more, or of more teeth",
+                1e3 * length.si()
+            )
         }
         false => "traces of more teeth".to_owned(),
     };
     let factors = [
         (Component::Sampling, "sampling of the flanks", longer),
-        (Component::Relief, "tip relief not stated", "gears.pinion.tip_relief and gears.wheel.tip_relief".to_owned()),
-        (Component::Model, "error of the fast model", "model.load_share = \"ehl\"".to_owned()),
-        (Component::Structure, "boundary rule and feed of the spots", "losses measured on a rig".to_owned()),
-        (Component::Rolling, "rolling loss", "a spin-loss measurement".to_owned()),
+        (
+            Component::Relief,
+            "tip relief not stated",
+            "gears.pinion.tip_relief and gears.wheel.tip_relief".to_owned(),
+        ),
+        (
+            Component::Model,
+            "error of the fast model",
+            "model.load_share = \"ehl\"".to_owned(),
+        ),
+        (
+            Component::Structure,
+            "boundary rule and feed of the spots",
+            "losses measured on a rig".to_owned(),
+        ),
+        (
+            Component::Rolling,
+            "rolling loss",
+            "a spin-loss measurement".to_owned(),
+        ),
     ];
-    let alone = constants.chain(factors).filter_map(|(component, name, remedy)| {
-        let found = predictive.alone(component)?;
-        Some(UncertaintyPart {
-            name: name.to_owned(),
-            sd_ln: found.sd_ln,
-            quantiles_w: found.quantiles_w,
-            remedy,
-        })
-    });
+    let alone = constants
+        .chain(factors)
+        .filter_map(|(component, name, remedy)| {
+            let found = predictive.alone(component)?;
+            Some(UncertaintyPart {
+                name: name.to_owned(),
+                sd_ln: found.sd_ln,
+                quantiles_w: found.quantiles_w,
+                remedy,
+            })
+        });
     let mut parts: Vec<UncertaintyPart> = alone.collect();
     parts.sort_by(|a, b| b.sd_ln.total_cmp(&a.sd_ln));
     parts
@@ -319,7 +379,9 @@ fn along_path(
     let draws = predictive.factors_of_sliding();
     let at = |(k, row): (usize, &PositionRow)| {
         let ln = |z: &[f64]| of_positions.get(k).map_or(0.0, |surface| surface.at(z));
-        let drawn = draws.iter().map(|(z, factor)| row.sliding_w_per_m * factor * ln(z).exp());
+        let drawn = draws
+            .iter()
+            .map(|(z, factor)| row.sliding_w_per_m * factor * ln(z).exp());
         sorted_quantiles(&drawn.collect::<Vec<_>>(), [0.05, 0.95])
     };
     nominal.iter().enumerate().map(at).collect()
@@ -327,15 +389,21 @@ fn along_path(
 
 /// Contribution of the sampling of the flanks, or the reason why there is none.
 fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>) -> SamplingPart {
-    let misplaced_w = predictive.sampling.shifts.map(|shifts| {
-        shifts.map(|shift| predictive.at_medians_w * (shift.exp() - 1.0))
-    });
+    let misplaced_w = predictive
+        .sampling
+        .shifts
+        .map(|shifts| shifts.map(|shift| predictive.at_medians_w * (shift.exp() - 1.0)));
     if loaded.surfaces.is_surrogate() {
         let pairs = loaded.surfaces.pairs();
-        return SamplingPart::None(format!("{pairs} pairs of surrogate flanks, no trace was measured"));
+        return SamplingPart::None(format!(
+            "{pairs} pairs of surrogate flanks, no trace was measured"
+        ));
     }
     if let Some(found) = nominal.pairs {
-        return SamplingPart::Pairs(PairSampling { misplaced_w, ..found });
+        return SamplingPart::Pairs(PairSampling {
+            misplaced_w,
+            ..found
+        });
     }
     if let Some(changes) = misplaced_w {
         return SamplingPart::OnePair(changes);
@@ -344,5 +412,10 @@ fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>)
         return SamplingPart::None("no traces, no sampling error".to_owned());
     };
     let offsets = nominal.summary.offsets;
-    SamplingPart::Windows(window_sampling(&losses_of_positions(nominal.path), offsets, windows, predictive.asperity_share))
+    SamplingPart::Windows(window_sampling(
+        &losses_of_positions(nominal.path),
+        offsets,
+        windows,
+        predictive.asperity_share,
+    ))
 }

@@ -13,9 +13,18 @@ pub(super) struct OtherModel {
 
 /// Laws that share the load and rub with the boundary coefficient on all asperities.
 const DRY: [(&str, LoadShareName); 3] = [
-    ("load share by Lambda*, dry asperities", LoadShareName::LambdaStar),
-    ("load share by Zhu and Hu, dry asperities", LoadShareName::ZhuHu),
-    ("load share by Masjedi and Khonsari, dry asperities", LoadShareName::MasjediKhonsari),
+    (
+        "load share by Lambda*, dry asperities",
+        LoadShareName::LambdaStar,
+    ),
+    (
+        "load share by Zhu and Hu, dry asperities",
+        LoadShareName::ZhuHu,
+    ),
+    (
+        "load share by Masjedi and Khonsari, dry asperities",
+        LoadShareName::MasjediKhonsari,
+    ),
 ];
 const DRY_REFUTED: &str = "superfinishing would save 50 to 57 %, measured pairs 15 to 35 % (T3); asperity share 0.07 to \
     0.25 above records of mixed lubrication";
@@ -39,7 +48,11 @@ pub(super) fn other_models(loaded: &LoadedCase) -> Vec<OtherModel> {
         for (name, law) in DRY {
             let mut dry = loaded.clone();
             dry.case.model.load_share = law;
-            found.push(OtherModel { name, case: dry, refuted_by: DRY_REFUTED });
+            found.push(OtherModel {
+                name,
+                case: dry,
+                refuted_by: DRY_REFUTED,
+            });
         }
     }
     let shear = case.model.film_friction.shear_law();

@@ -171,13 +171,26 @@ impl Predictive {
 
     /// Draws whose loss exceeds the power into the mesh.
     pub(super) fn beyond_power(&self) -> usize {
-        self.draws_w().iter().filter(|loss| **loss >= self.power_in_w).count()
+        self.draws_w()
+            .iter()
+            .filter(|loss| **loss >= self.power_in_w)
+            .count()
     }
 
     /// Median, quantiles and spread of the draws.
     #[must_use]
     pub fn quantiles(&self) -> Quantiles {
         Quantiles::of(&self.draws_w())
+    }
+
+    /// The same without the scatter and the form of surrogate flanks, as by traces with the same mean; none unless the
+    /// flanks are surrogates.
+    pub(super) fn with_traces(&self) -> Option<Quantiles> {
+        let measured = Self {
+            sampling: SamplingError::NONE,
+            ..self.clone()
+        };
+        (self.sampling.form > 0.0).then(|| measured.quantiles())
     }
 
     /// The same with only `component` drawn; none where it changes nothing.
@@ -197,7 +210,8 @@ impl Predictive {
                     alone.of_flanks.place = of_flanks.place;
                 }
                 Component::Relief => {
-                    (alone.relief, alone.length, alone.power) = (draw.relief, draw.length, draw.power);
+                    (alone.relief, alone.length, alone.power) =
+                        (draw.relief, draw.length, draw.power);
                 }
                 Component::Model => {
                     alone.weight = draw.weight;
@@ -226,20 +240,34 @@ impl Predictive {
     pub(super) fn at_ends_of_relief(&self) -> Option<[f64; 2]> {
         self.relief.as_ref()?;
         let table = StudentOfNormal::new(self.sampling.freedom);
-        let at = |relief: f64| self.loss(Draw { relief, ..Draw::medians() }, &table);
+        let at = |relief: f64| {
+            self.loss(
+                Draw {
+                    relief,
+                    ..Draw::medians()
+                },
+                &table,
+            )
+        };
         Some([0.0, 1.0].map(|relief| at(relief) / at(0.5)))
     }
 
     fn axis(&self, constant: usize) -> usize {
         let kind = self.constants[constant].kind;
-        crate::parameters::AXES.iter().position(|axis| *axis == kind).unwrap_or(0)
+        crate::parameters::AXES
+            .iter()
+            .position(|axis| *axis == kind)
+            .unwrap_or(0)
     }
 
     /// Standardised constants of a draw, calibrated ones correlated.
     fn standardised(&self, draw: &Draw) -> Vec<f64> {
-        let mut z: Vec<f64> = (0..self.constants.len()).map(|k| draw.constants[self.axis(k)]).collect();
-        let calibrated: Vec<usize> =
-            (0..z.len()).filter(|k| self.constants[*k].calibrated.is_some()).collect();
+        let mut z: Vec<f64> = (0..self.constants.len())
+            .map(|k| draw.constants[self.axis(k)])
+            .collect();
+        let calibrated: Vec<usize> = (0..z.len())
+            .filter(|k| self.constants[*k].calibrated.is_some())
+            .collect();
         let own: Vec<f64> = calibrated.iter().map(|k| z[*k]).collect();
         for (k, row) in calibrated.iter().zip(&self.correlations) {
             z[*k] = row.iter().zip(&own).map(|(l, z)| l * z).sum();
@@ -252,18 +280,26 @@ impl Predictive {
         let [sliding, rolling, other] = self.parts_w;
         let z = self.standardised(&draw);
         let at = |surface: &Option<QuadraticSurface>| surface.as_ref().map_or(0.0, |s| s.at(&z));
-        let state = self.structure.as_ref().map(|structure| (State::of(draw.state), structure));
+        let state = self
+            .structure
+            .as_ref()
+            .map(|structure| (State::of(draw.state), structure));
         let mut sheared = sliding * at(&self.sliding).exp();
         match state {
-            Some((State::HalfSliding, structure)) => sheared *= self.half_sliding(structure, &z).exp(),
-            Some((State::StepRule, structure)) => sheared += self.step_rule(structure, &z, at(&self.share)),
+            Some((State::HalfSliding, structure)) => {
+                sheared *= self.half_sliding(structure, &z).exp()
+            }
+            Some((State::StepRule, structure)) => {
+                sheared += self.step_rule(structure, &z, at(&self.share))
+            }
             _ => {}
         }
         let of_relief = self.relief.as_ref().map_or(1.0, |relief| {
             let power = RELIEF_POWER[0] + RELIEF_POWER[1] * draw.power;
             relief.ratio(draw.relief, draw.length).powf(power)
         });
-        let of_model = (-draw.weight * self.bias() + self.model_error() * draw.of_flanks.model).exp();
+        let of_model =
+            (-draw.weight * self.bias() + self.model_error() * draw.of_flanks.model).exp();
         let of_rolling = (self.rolling_error() * draw.rolling).exp();
         let of_sampling = self.sampling.standard_error * table.at(draw.of_flanks.sampling)
             + self.sampling.form * draw.of_flanks.form
@@ -273,7 +309,10 @@ impl Predictive {
 
     fn half_sliding(&self, structure: &Structure, z: &[f64]) -> f64 {
         let of = |kind| {
-            let place = self.constants.iter().position(|constant| constant.kind == kind);
+            let place = self
+                .constants
+                .iter()
+                .position(|constant| constant.kind == kind);
             place.map_or(0.0, |k| z[k])
         };
         let [constant, friction, layer] = structure.half_sliding;
@@ -290,7 +329,8 @@ impl Predictive {
     fn step_rule(&self, structure: &Structure, z: &[f64], change_of_share: f64) -> f64 {
         cite!("Step-rule");
         let boundary = self.constants.iter().zip(z);
-        let mut drawn = boundary.filter(|(constant, _)| constant.kind == UncertainParameter::BoundaryFriction);
+        let mut drawn =
+            boundary.filter(|(constant, _)| constant.kind == UncertainParameter::BoundaryFriction);
         let friction = drawn
             .next()
             .map_or(structure.boundary_friction, |(constant, z)| constant.at(*z));
@@ -387,7 +427,10 @@ mod tests {
         let expected = (0.9_f64 * 0.05).hypot(0.1 * 0.12);
         let drawn = found.quantiles();
         assert!((drawn.median_w / 100.0 - 1.0).abs() < 2e-3, "{drawn:?}");
-        assert!((drawn.sd_ln / expected - 1.0).abs() < 0.03, "{drawn:?} {expected}");
+        assert!(
+            (drawn.sd_ln / expected - 1.0).abs() < 0.03,
+            "{drawn:?} {expected}"
+        );
         let sampled = Predictive {
             sampling: SamplingError {
                 standard_error: 0.1,
@@ -422,7 +465,10 @@ mod tests {
                 ..plain()
             };
             let drawn = found.draws_w();
-            assert!(drawn.iter().all(|loss| *loss > 0.0 && *loss <= 1e4), "{found:?}");
+            assert!(
+                drawn.iter().all(|loss| *loss > 0.0 && *loss <= 1e4),
+                "{found:?}"
+            );
         }
     }
 
@@ -449,14 +495,20 @@ mod tests {
             correlations: vec![vec![1.0], vec![-0.9, 0.19_f64.sqrt()]],
             ..plain()
         };
-        let drawn: Vec<Vec<f64>> = shared_draws().map(|draw| found.standardised(&draw)).collect();
+        let drawn: Vec<Vec<f64>> = shared_draws()
+            .map(|draw| found.standardised(&draw))
+            .collect();
         let n = drawn.len() as f64;
         let product = |a: usize, b: usize| drawn.iter().map(|z| z[a] * z[b]).sum::<f64>() / n;
         let correlation = product(0, 2) / (product(0, 0) * product(2, 2)).sqrt();
         assert!((correlation + 0.9).abs() < 0.01, "{correlation}");
         assert!((product(0, 1) / product(1, 1)).abs() < 0.05);
         // 2.5 % beyond the ends of the bands of a calibration, but for the cut tails.
-        let beyond = drawn.iter().filter(|z| found.constants[0].at(z[0]) > 0.12).count() as f64 / n;
+        let beyond = drawn
+            .iter()
+            .filter(|z| found.constants[0].at(z[0]) > 0.12)
+            .count() as f64
+            / n;
         assert!((0.018..0.027).contains(&beyond), "{beyond}");
     }
 
@@ -475,7 +527,10 @@ mod tests {
         assert_eq!(found.in_state(State::Entrainment), Some(100.0));
         // 0.27·0.2·(0.09 − 0.04)·1000 W.
         assert!((found.in_state(State::StepRule).unwrap() - 102.7).abs() < 1e-9);
-        assert!((found.in_state(State::HalfSliding).unwrap() - (90.0 * 0.1_f64.exp() + 10.0)).abs() < 1e-9);
+        assert!(
+            (found.in_state(State::HalfSliding).unwrap() - (90.0 * 0.1_f64.exp() + 10.0)).abs()
+                < 1e-9
+        );
         let drawn = found.quantiles();
         assert!(drawn.median_w > 100.0, "{drawn:?}");
         assert_eq!(plain().in_state(State::StepRule), None);
@@ -491,7 +546,8 @@ mod tests {
         assert!((of(2.5).bias() - 0.08).abs() < 1e-15);
         assert_eq!(of(6.0).bias(), 0.2);
         assert!(of(6.0).quantiles().median_w < 95.0);
-        let [thin, thick] = [0.4e-6, 1.2e-6].map(|film_m| Predictive { film_m, ..plain() }.rolling_error());
+        let [thin, thick] =
+            [0.4e-6, 1.2e-6].map(|film_m| Predictive { film_m, ..plain() }.rolling_error());
         assert_eq!((thin, thick), (0.12, 0.25));
     }
 
@@ -511,7 +567,10 @@ mod tests {
         };
         let alone = found.alone(Component::Constant(0)).unwrap();
         let [low, high] = alone.quantiles_w.map(|loss| loss * 1e-3);
-        assert!((high / 0.123 - 1.0).abs() < 0.01 && (low / 0.066 - 1.0).abs() < 0.01, "{alone:?}");
+        assert!(
+            (high / 0.123 - 1.0).abs() < 0.01 && (low / 0.066 - 1.0).abs() < 0.01,
+            "{alone:?}"
+        );
         assert_eq!(AXES[found.axis(0)], UncertainParameter::BoundaryFriction);
     }
 }

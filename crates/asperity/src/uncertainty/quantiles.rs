@@ -37,7 +37,10 @@ impl Quantiles {
 }
 
 /// Quantiles of `values` at `probabilities`, interpolated between order statistics; not numbers of no values.
-pub(crate) fn sorted_quantiles<const N: usize>(values: &[f64], probabilities: [f64; N]) -> [f64; N] {
+pub(crate) fn sorted_quantiles<const N: usize>(
+    values: &[f64],
+    probabilities: [f64; N],
+) -> [f64; N] {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     let Some(last) = sorted.len().checked_sub(1) else {

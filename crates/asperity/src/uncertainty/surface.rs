@@ -36,7 +36,9 @@ impl QuadraticSurface {
         let rows: Vec<Vec<f64>> = points.iter().map(|point| terms(point)).collect();
         let columns = rows.first()?.len();
         let matrix = DMatrix::from_row_iterator(rows.len(), columns, rows.into_iter().flatten());
-        let found = matrix.svd(true, true).solve(&DVector::from_column_slice(values), 1e-10);
+        let found = matrix
+            .svd(true, true)
+            .solve(&DVector::from_column_slice(values), 1e-10);
         Some(Self {
             coefficients: found.ok()?.iter().copied().collect(),
         })
@@ -45,7 +47,11 @@ impl QuadraticSurface {
     /// y at `z`.
     pub fn at(&self, z: &[f64]) -> f64 {
         let terms = terms(z);
-        terms.iter().zip(&self.coefficients).map(|(term, c)| term * c).sum()
+        terms
+            .iter()
+            .zip(&self.coefficients)
+            .map(|(term, c)| term * c)
+            .sum()
     }
 }
 
@@ -61,7 +67,8 @@ mod tests {
 
     #[test]
     fn a_quadratic_function_is_found_again() {
-        let function = |z: &[f64]| 0.3 * z[0] - 0.1 * z[1] + 0.05 * z[0] * z[2] - 0.02 * z[1] * z[1];
+        let function =
+            |z: &[f64]| 0.3 * z[0] - 0.1 * z[1] + 0.05 * z[0] * z[2] - 0.02 * z[1] * z[1];
         let points = latin_hypercube(QuadraticSurface::evaluations(3), 3, 1);
         let values: Vec<f64> = points.iter().map(|point| function(point)).collect();
         let surface = QuadraticSurface::fit(&points, &values).unwrap();

@@ -12,7 +12,7 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
         p {
             "Median and 5 to 95 % of the loss over " (uncertainty.draws) " draws, which interpolate "
             (uncertainty.evaluations) " evaluations (error of ln loss " (format!("{:.4}", uncertainty.interpolation_error))
-            "). Each component is drawn alone. Trust: " (uncertainty.trust.text()) "."
+            "). Each component is drawn alone. Trust: " (uncertainty.trust_text()) "."
             @if uncertainty.beyond_power > 0 {
                 " " (uncertainty.beyond_power) " draws exceeded the power into the mesh and were set to it."
             }
@@ -62,10 +62,15 @@ fn sampling(part: &SamplingPart) -> String {
     match part {
         SamplingPart::Windows(windows) => format!(
             "{:.1} of {} windows count as independent, standard error of ln loss {:.3}, of the mean over these traces {:.3}",
-            windows.effective_windows, windows.offsets, windows.standard_error, windows.numerical_error,
+            windows.effective_windows,
+            windows.offsets,
+            windows.standard_error,
+            windows.numerical_error,
         ),
         SamplingPart::Pairs(pairs) => {
-            let bound = pairs.not_sampled().map_or(String::new(), |gear| format!(", {gear} not sampled: lower bound"));
+            let bound = pairs.not_sampled().map_or(String::new(), |gear| {
+                format!(", {gear} not sampled: lower bound")
+            });
             let misplaced = pairs.misplaced_w.map_or(String::new(), |[down, up]| {
                 format!("; with the traces shifted by two half-widths {down:+.1} and {up:+.1} W")
             });
@@ -76,7 +81,9 @@ fn sampling(part: &SamplingPart) -> String {
             )
         }
         SamplingPart::OnePair([down, up]) => {
-            format!("one pair of placed traces; each shifted by two half-widths {down:+.1} and {up:+.1} W")
+            format!(
+                "one pair of placed traces; each shifted by two half-widths {down:+.1} and {up:+.1} W"
+            )
         }
         SamplingPart::None(why) => why.clone(),
         _ => "-".to_owned(),
@@ -97,7 +104,9 @@ fn values(constant: &DrawnConstant) -> [String; 3] {
 
 fn loss(row: &AlternativeRow, uncertainty: &Uncertainty) -> String {
     let digits = uncertainty.digits();
-    row.loss_w.map_or("no solution".to_owned(), |loss| format!("{} W", digits.rounded(loss)))
+    row.loss_w.map_or("no solution".to_owned(), |loss| {
+        format!("{} W", digits.rounded(loss))
+    })
 }
 
 /// The median with its interval, and that of each component alone.

@@ -20,9 +20,12 @@ pub(super) fn tiles(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> V
             let digits = of_mesh.digits();
             let percent = digits.of_percent(gearbox.power_in_w);
             let median = of_mesh.loss.median_w + gearbox.parts_w;
-            let [low, high] =
-                gearbox.efficiency_quantiles(of_mesh).map(|share| percent.rounded(100.0 * share));
-            let [least, most] = gearbox.quantiles_w(of_mesh).map(|loss| digits.rounded(loss));
+            let [low, high] = gearbox
+                .efficiency_quantiles(of_mesh)
+                .map(|share| percent.rounded(100.0 * share));
+            let [least, most] = gearbox
+                .quantiles_w(of_mesh)
+                .map(|loss| digits.rounded(loss));
             let efficiency = percent.rounded(100.0 * (1.0 - median / gearbox.power_in_w));
             (
                 format!("{efficiency} % ({low}..{high})"),

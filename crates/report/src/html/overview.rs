@@ -147,7 +147,11 @@ fn headline(result: &RunResult) -> Vec<Tile> {
 
 /// The loss and its parts as text.
 fn printed(result: &RunResult) -> PrintedLoss {
-    PrintedLoss::of(&result.summary, &result.running_in, result.uncertainty.as_ref())
+    PrintedLoss::of(
+        &result.summary,
+        &result.running_in,
+        result.uncertainty.as_ref(),
+    )
 }
 
 /// Parts of the loss, input power and output torque.
@@ -264,7 +268,10 @@ fn losses(result: &RunResult) -> Drawing {
     let of_power = match &result.uncertainty {
         Some(uncertainty) => {
             let share = 100.0 * uncertainty.loss.median_w / s.power_in_w;
-            format!("{} %", uncertainty.digits().of_percent(s.power_in_w).rounded(share))
+            format!(
+                "{} %",
+                uncertainty.digits().of_percent(s.power_in_w).rounded(share)
+            )
         }
         None => percent(s.loss_w / s.power_in_w),
     };

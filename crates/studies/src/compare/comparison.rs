@@ -3,9 +3,9 @@
 use asperity::Error;
 use asperity::Run;
 use asperity::case::LoadedCase;
+use asperity::flanks::Surfaces;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::Progress;
-use asperity::flanks::Surfaces;
 use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Scope};
 use asperity::uncertainty::{self, PairedDifference, Predictive};

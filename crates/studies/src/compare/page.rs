@@ -76,7 +76,9 @@ fn contributions(comparison: &Comparison) -> Markup {
     let other = |of: &Uncertainty, name: &str| {
         let mut rows = of.structures.iter().chain(&of.other_models);
         let loss = rows.find(|row| row.name == name).and_then(|row| row.loss_w);
-        loss.map_or("-".to_owned(), |loss| format!("{} W", of.digits().rounded(loss)))
+        loss.map_or("-".to_owned(), |loss| {
+            format!("{} W", of.digits().rounded(loss))
+        })
     };
     html! {
         h3 { "Components of the uncertainty, each drawn alone, 5 to 95 %" }
@@ -103,8 +105,16 @@ fn contributions(comparison: &Comparison) -> Markup {
 fn bars(comparison: &Comparison) -> Drawing {
     let bars = comparison.finishes.iter().map(|finish| Bar {
         name: finish.name.clone(),
-        value: Some(finish.uncertainty.as_ref().map_or(finish.loss_w, |drawn| drawn.loss.median_w)),
-        spread: finish.uncertainty.as_ref().map(|drawn| drawn.loss.quantiles_w),
+        value: Some(
+            finish
+                .uncertainty
+                .as_ref()
+                .map_or(finish.loss_w, |drawn| drawn.loss.median_w),
+        ),
+        spread: finish
+            .uncertainty
+            .as_ref()
+            .map(|drawn| drawn.loss.quantiles_w),
         text: format!("{} W", cells(finish)[0]),
     });
     Drawing::Bars(BarChart {

@@ -66,7 +66,11 @@ pub(super) fn efficiency(finish: &FinishResult) -> String {
 /// Loss, difference and change of a finish, each with its quantiles.
 pub(super) fn cells(finish: &FinishResult) -> [String; 3] {
     let loss = match &finish.uncertainty {
-        Some(uncertainty) => interval(uncertainty.loss.median_w, uncertainty.loss.quantiles_w, false),
+        Some(uncertainty) => interval(
+            uncertainty.loss.median_w,
+            uncertainty.loss.quantiles_w,
+            false,
+        ),
         None => Digits::of_decimals(1).rounded(finish.loss_w),
     };
     match &finish.difference {
@@ -118,7 +122,11 @@ fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> String {
         turned(difference.share_quantiles.map(|share| 100.0 * share)),
         false,
     );
-    let watts = interval(sign * difference.median_w, turned(difference.quantiles_w), false);
+    let watts = interval(
+        sign * difference.median_w,
+        turned(difference.quantiles_w),
+        false,
+    );
     let less = if sign < 0.0 { "less" } else { "more" };
     let by = format!("{other} loses {share} % {less} than {first}, {watts} W");
     let count = difference.models.len();
@@ -149,7 +157,10 @@ fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> String {
 
 /// Explanation of the intervals.
 pub(super) fn note(comparison: &Comparison) -> String {
-    let drawn = comparison.finishes.iter().filter_map(|finish| finish.uncertainty.as_ref());
+    let drawn = comparison
+        .finishes
+        .iter()
+        .filter_map(|finish| finish.uncertainty.as_ref());
     match drawn.map(|uncertainty| uncertainty.draws).max() {
         None => "without an uncertainty of the loss".to_owned(),
         Some(draws) => format!(

@@ -55,24 +55,29 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     write_table(
         file,
         comparison.finishes.iter().map(|finish| {
-            let loss = finish.uncertainty.as_ref().map(|uncertainty| &uncertainty.loss);
+            let loss = finish
+                .uncertainty
+                .as_ref()
+                .map(|uncertainty| &uncertainty.loss);
             let difference = finish.difference.as_ref();
             FinishRow {
-            finish: cell(&finish.name),
-            efficiency_percent: 100.0 * finish.efficiency,
-            loss_w: finish.loss_w,
-            loss_median_w: loss.map(|loss| loss.median_w),
-            loss_p05_w: loss.map(|loss| loss.quantiles_w[0]),
-            loss_p95_w: loss.map(|loss| loss.quantiles_w[1]),
-            difference_w: difference.map(|difference| difference.median_w),
-            difference_p05_w: difference.map(|difference| difference.quantiles_w[0]),
-            difference_p95_w: difference.map(|difference| difference.quantiles_w[1]),
-            change_percent: difference.map(|difference| 100.0 * difference.median_share),
-            change_p05_percent: difference.map(|difference| 100.0 * difference.share_quantiles[0]),
-            change_p95_percent: difference.map(|difference| 100.0 * difference.share_quantiles[1]),
-            mixed_share_percent: 100.0 * finish.mixed_share,
-            gearbox_efficiency_percent: finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency),
-            gearbox_loss_w: finish.gearbox.as_ref().map(|g| g.loss_w),
+                finish: cell(&finish.name),
+                efficiency_percent: 100.0 * finish.efficiency,
+                loss_w: finish.loss_w,
+                loss_median_w: loss.map(|loss| loss.median_w),
+                loss_p05_w: loss.map(|loss| loss.quantiles_w[0]),
+                loss_p95_w: loss.map(|loss| loss.quantiles_w[1]),
+                difference_w: difference.map(|difference| difference.median_w),
+                difference_p05_w: difference.map(|difference| difference.quantiles_w[0]),
+                difference_p95_w: difference.map(|difference| difference.quantiles_w[1]),
+                change_percent: difference.map(|difference| 100.0 * difference.median_share),
+                change_p05_percent: difference
+                    .map(|difference| 100.0 * difference.share_quantiles[0]),
+                change_p95_percent: difference
+                    .map(|difference| 100.0 * difference.share_quantiles[1]),
+                mixed_share_percent: 100.0 * finish.mixed_share,
+                gearbox_efficiency_percent: finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency),
+                gearbox_loss_w: finish.gearbox.as_ref().map(|g| g.loss_w),
             }
         }),
     )

@@ -2,10 +2,10 @@
 
 use asperity::case::{GearFlankInput, LoadedCase, ReliefInput, TipRelief};
 use asperity::flanks::{Surfaces, Texture};
+use asperity::gear::{ReliefExtent, ReliefShape};
 use asperity::oil::{BaseOil, ViscosityLaw};
 use asperity::{Error, PositionError};
 use asperity_core::Profile;
-use asperity::gear::{ReliefExtent, ReliefShape};
 use asperity_core::quantity::{KinematicViscosity, Length, Temperature};
 use asperity_roughness::RoughnessError;
 
@@ -278,7 +278,8 @@ fn relief(loaded: &LoadedCase) -> Vec<Change> {
                         Some(ReliefExtent::RollLength(length)) => (Some(length), None),
                         Some(ReliefExtent::StartDiameter(diameter)) => (None, Some(diameter)),
                     };
-                    let is_parabolic = present.is_some_and(|relief| relief.shape == ReliefShape::Parabolic);
+                    let is_parabolic =
+                        present.is_some_and(|relief| relief.shape == ReliefShape::Parabolic);
                     let drawn = ReliefInput {
                         amount,
                         length,

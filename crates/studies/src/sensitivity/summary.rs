@@ -108,7 +108,9 @@ pub(super) fn part_text(part: f64, effect: &Effect) -> String {
 /// Uncertainty that determines the digits of a change: its sampling error, or a fiftieth of the change.
 fn digits(effect: &Effect) -> f64 {
     let least = 0.02 * effect.difference_w.abs();
-    let sampling = effect.sampling_quantiles_w.map_or(0.0, |[low, high]| 0.5 * (high - low));
+    let sampling = effect
+        .sampling_quantiles_w
+        .map_or(0.0, |[low, high]| 0.5 * (high - low));
     let half = sampling.max(least);
     half.max(0.1)
 }

@@ -46,7 +46,13 @@ fn tornado(merged: &Merged, output: &str) -> Option<Drawing> {
         .effects
         .iter()
         .filter(|row| row.output == output)
-        .filter_map(|row| Some((row, row.effect?.difference, 0.5 * (row.effect?.quantiles[1] - row.effect?.quantiles[0]))))
+        .filter_map(|row| {
+            Some((
+                row,
+                row.effect?.difference,
+                0.5 * (row.effect?.quantiles[1] - row.effect?.quantiles[0]),
+            ))
+        })
         .collect();
     rows.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
     let bars: Vec<Bar> = rows
