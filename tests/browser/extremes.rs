@@ -330,7 +330,7 @@ fn parts_of_the_loss(folder: &Path) -> Vec<f64> {
 fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f64>> {
     let table = |file: &str| Table::read(folder, file);
     match (page, chart) {
-        ("compared/compare.html", "losses") => Some(table("compare.csv").column("loss_w")),
+        ("compared/compare.html", "losses") => Some(table("compare.csv").column("loss_median_w")),
         ("compared/compare.html", "differences") => {
             let of = |finish: &str| table("offsets.csv").with("finish", finish).column("loss_w");
             let pairs = of(curve).into_iter().zip(of("ground"));

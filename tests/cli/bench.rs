@@ -168,6 +168,9 @@ impl Bench {
     }
 }
 
+/// The lines of [`E_DRIVE`] that state its tip relief; a key alone names a flank under `[surface]`.
+pub const NO_RELIEF: &str = " pinion.tip_relief = \"none\"\n wheel.tip_relief = \"none\"\n";
+
 /// A small case of an electric drive: few positions and offsets, so that a run takes no time.
 pub const E_DRIVE: &str = r#"title = "small case"
 
@@ -176,8 +179,8 @@ teeth = [23, 68]
 module = "1.8 mm"
 helix = "23.4 deg"
 face_width = ["35 mm", "32 mm"]
-pinion = { tip_relief = "none" }
-wheel = { tip_relief = "none" }
+ pinion.tip_relief = "none"
+ wheel.tip_relief = "none"
 
 [material.pinion]
 elastic_limit = "1500 MPa"

@@ -270,9 +270,20 @@ fn a_case_with_wild_numbers_has_a_finite_efficiency_or_a_coded_reason() {
             return Ok(());
         };
         ran.set(ran.get() + 1);
-        match asperity::Run::new(&case).execute() {
+        match asperity::Run::new(&case).band(true).execute() {
             Ok(outcome) => {
                 let summary = outcome.result.summary;
+                if let Some(found) = outcome.result.uncertainty {
+                    let [low, high] = found.loss.quantiles_w;
+                    let [least, most] = found.efficiency_quantiles;
+                    let is_possible = 0.0 <= low && low <= high && 0.0 <= least && most <= 1.0;
+                    // Without sliding and without rolling friction nothing is lost.
+                    let is_lossless = summary.loss_w == 0.0;
+                    prop_assert!(
+                        is_possible && (is_lossless || (low > 0.0 && most < 1.0)),
+                        "{text}\n{found:?}"
+                    );
+                }
                 prop_assert!(
                     summary.efficiency.is_finite() && summary.efficiency <= 1.0,
                     "{text}\n{summary:?}"

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::bench::{Bench, E_DRIVE, with_line};
+use crate::bench::{Bench, E_DRIVE, NO_RELIEF, with_line};
 
 fn bench(case: &str) -> Bench {
     let bench = Bench::new();
@@ -16,9 +16,8 @@ fn codes(result: &serde_json::Value) -> Vec<&str> {
     warnings.map(|w| w["code"].as_str().unwrap()).collect()
 }
 
-const RELIEF: &str = "face_width = [\"35 mm\", \"32 mm\"]\n\
-    pinion.tip_relief = { amount = \"15 um\", length = \"2.9 mm\" }\n\
-    wheel.tip_relief = { amount = \"15 um\", length = \"2.9 mm\" }";
+const RELIEF: &str = "pinion.tip_relief = { amount = \"15 um\", length = \"2.9 mm\" }\n\
+    wheel.tip_relief = { amount = \"15 um\", length = \"2.9 mm\" }\n";
 
 #[test]
 fn the_gear_command_tells_geometry_stiffness_and_every_law() {
@@ -46,7 +45,7 @@ fn unrelieved_tips_are_noted_and_relieved_ones_are_not() {
         .json();
     assert!(codes(&plain).contains(&"W421"));
     assert!(plain["load"]["band"]["low"].as_f64() < plain["load"]["loss_factor"].as_f64());
-    let relieved = bench(&with_line("face_width", RELIEF));
+    let relieved = bench(&E_DRIVE.replace(NO_RELIEF, RELIEF));
     let relieved = relieved.run(&["run", "case.toml", "--json"]).well().json();
     assert!(!codes(&relieved).contains(&"W421"));
     let factor =
@@ -57,7 +56,8 @@ fn unrelieved_tips_are_noted_and_relieved_ones_are_not() {
 #[test]
 fn cells_that_carry_almost_nothing_are_counted() {
     // On coarse traces the contact of the outermost cells is narrower than the points resolve.
-    let case = with_line("face_width", RELIEF)
+    let case = E_DRIVE
+        .replace(NO_RELIEF, RELIEF)
         .replace("positions = 4", "positions = 32")
         .replace("\"pinion.csv\"", "\"pinion.csv\", dx = \"1.7 um\"")
         .replace("\"wheel.csv\"", "\"wheel.csv\", dx = \"1.7 um\"");
@@ -173,7 +173,7 @@ fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
     for (k, name) in ["loss_q05_w", "loss_q95_w"].into_iter().enumerate() {
         let of_set = w(&json["loss_distribution"]["quantiles_w"][k]);
         assert!(
-            (of_set / (3.0 * of_meshes(name)) - 1.0).abs() < 0.05,
+            (of_set / (3.0 * of_meshes(name)) - 1.0).abs() < 0.12,
             "{json:#}"
         );
     }

@@ -1,6 +1,6 @@
 //! Relief that is taken from the traces: what is said of it, where it counts, what it needs.
 
-use crate::bench::{Bench, E_DRIVE, rows};
+use crate::bench::{Bench, E_DRIVE, NO_RELIEF, rows};
 
 /// Both flanks over their whole active length, with `relief` \[µm\] at the last 1.2 mm towards the tip.
 fn bench(relief: f64) -> Bench {
@@ -17,8 +17,8 @@ fn bench(relief: f64) -> Bench {
     bench.write("wheel.csv", flank(0.8));
     let case = E_DRIVE
         .replace(
-            "face_width",
-            "pinion = { relief = \"from-trace\" }\nwheel = { relief = \"from-trace\" }\nface_width",
+            NO_RELIEF,
+            "pinion = { relief = \"from-trace\" }\nwheel = { relief = \"from-trace\" }\n",
         )
         .replace(
             "pinion.csv\" }",

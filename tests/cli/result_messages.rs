@@ -1,6 +1,6 @@
 //! Messages about solutions and results: errors that end a run, warnings that go with a result.
 
-use crate::bench::{Bench, root, rows, with_line};
+use crate::bench::{Bench, E_DRIVE, NO_RELIEF, root, rows, with_line};
 
 /// A bench with the small case, its flanks, and a change to one line.
 fn bench_with(key: &str, line: &str) -> Bench {
@@ -48,6 +48,49 @@ fn a_trace_shorter_than_the_contact_is_refused() {
         "set model.window to fewer half-widths",
     ];
     run_is_refused(&bench, &[], 2, "E122", &says);
+}
+
+#[test]
+fn traces_whose_windows_cannot_differ_are_refused() {
+    // Filtered, the traces of 2.75 mm hold one window of 11.3 half-widths to either side and less than 1.6 half-widths more.
+    let bench = bench_with("offsets", "window = 11.3\noffsets = 2");
+    let says = [
+        "position ",
+        "is shorter than the",
+        "that the windows of the contact need",
+    ];
+    run_is_refused(&bench, &[], 2, "E122", &says);
+    let one = [
+        "run",
+        "case.toml",
+        "--no-output",
+        "--set",
+        "model.offsets=1",
+    ];
+    bench.run(&one).well();
+}
+
+#[test]
+fn a_finish_without_a_recipe_is_refused() {
+    let bench = bench_with("pinion", "pinion = { ra = \"0.3 um\", finish = \"honed\" }");
+    let says = ["surface.pinion.finish = \"honed\""];
+    run_is_refused(&bench, &[], 2, "E223", &says);
+}
+
+#[test]
+fn tip_relief_that_nobody_states_is_said_first_with_what_it_changes() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE.replace(NO_RELIEF, ""));
+    let run = ["run", "case.toml", "--no-output", "--json"];
+    let result = bench.run(&run).well().json();
+    let first = &result["warnings"][0];
+    assert_eq!(first["code"], "W439");
+    let text = first["text"].as_str().unwrap();
+    assert!(
+        text.starts_with("tip relief of both gears not stated, taken from 0 to 10 um: none"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -320,7 +363,7 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         "Set model.position",
     ];
     warns(&plain, &["--formulation", "paper"], "W412", &says);
-    let wide = bench_with("offsets", "offsets = 16\nwindow = 11.6");
+    let wide = bench_with("offsets", "offsets = 16\nwindow = 10.8");
     warns(
         &wide,
         &[],
@@ -395,7 +438,7 @@ fn what_calls_for_attention_in_the_flanks_is_said_with_the_result() {
             "resampled linearly to 400 nm",
         ],
     );
-    let long_waves = bench_with("cutoff", "noise_cutoff = \"80 um\"");
+    let long_waves = bench_with("cutoff", "noise_cutoff = \"60 um\"");
     warns(
         &long_waves,
         &[],

@@ -52,7 +52,7 @@ fn one_thing_changes_at_a_time_and_its_parts_add_up() {
     assert!(watts("heights of both flanks", "× 0.8") < 0.0);
     assert!(watts("heights of both flanks", "× 1.25") > 0.0);
     // A boundary layer rubs in proportion to its coefficient.
-    let [low, high] = ["0.07", "0.09"].map(|to| watts("boundary friction 0.08", to));
+    let [low, high] = ["0.08", "0.1"].map(|to| watts("boundary friction 0.09", to));
     assert!(low < 0.0 && (high / -low - 1.0).abs() < 0.1, "{low} {high}");
     assert_eq!(of("heights of both flanks", "× 0.8")["rolling_w"], 0.0);
     assert!(watts("tip relief", "5 and 5 um") < 0.0);

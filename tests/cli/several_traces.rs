@@ -39,7 +39,6 @@ fn traced_teeth_and_their_pairs_are_told() {
     let said = bench.run(&["run", "case.toml", "-o", "out"]).well().out;
     let said = in_a_line(&said);
     for part in [
-        "(95 %, 4 pairs of traced teeth)",
         "2 traced teeth of the pinion on 2 of the wheel, mean ",
         "between teeth of the pinion, s_2 ",
         "W from pair to pair",

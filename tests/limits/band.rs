@@ -217,7 +217,12 @@ fn every_component_widens_the_loss_and_none_exceeds_all() {
             .iter()
             .all(|part| part.sd_ln < found.loss.sd_ln && !part.remedy.is_empty())
     );
-    assert!(found.loss.parts.is_sorted_by(|a, b| a.sd_ln >= b.sd_ln));
+    assert!(
+        found
+            .loss
+            .parts
+            .is_sorted_by(|a, b| a.half_range_w() >= b.half_range_w())
+    );
     assert!(stated.loss.sd_ln < found.loss.sd_ln);
     // Half of the approach of the teeth lowers the loss.
     assert!(

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use asperity::case::{LoadedCase, ReliefInput, TipRelief, from_text};
+use asperity::case::{
+    CaseInput, GearFlankInput, LoadedCase, ReliefInput, ReliefSource, TipRelief, from_text,
+};
 use asperity::gear::AmountDirection;
 use asperity::quantity::Length;
 use asperity::result::PositionRow;
@@ -101,7 +103,8 @@ fn case(export: Export, from_tip: bool, swapped: bool) -> LoadedCase {
         true => ("[68, 23]", 145.0 * 68.0 / 23.0, 9000.0 * 23.0 / 68.0),
     };
     let text = format!(
-        "gears = {{ teeth = {teeth}, module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\" }}\n\
+        "gears = {{ teeth = {teeth}, module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\", \
+         pinion.tip_relief = \"none\", wheel.tip_relief = \"none\" }}\n\
          operation = {{ torque = \"{torque} N m\", speed = \"{speed} 1/min\", temperature = \"90 °C\" }}\n\
          lubricant = {{ viscosity = {{ law = \"astm-d341\", at_40 = \"30.8 mm2/s\", at_100 = \"5.9 mm2/s\" }}, \
          density = \"845 kg/m3\", base_oil = \"pao\" }}\n\
@@ -121,8 +124,15 @@ fn case(export: Export, from_tip: bool, swapped: bool) -> LoadedCase {
 
 /// The same with the relief of both gears from their traces.
 fn relieved(case: &LoadedCase) -> LoadedCase {
-    let pinion = case.with_key("gears.pinion.relief", "from-trace").unwrap();
-    pinion.with_key("gears.wheel.relief", "from-trace").unwrap()
+    let from_trace = |input: &mut CaseInput| {
+        for gear in [&mut input.gears.pinion, &mut input.gears.wheel] {
+            *gear = Some(GearFlankInput {
+                relief: Some(ReliefSource::FromTrace),
+                ..GearFlankInput::default()
+            });
+        }
+    };
+    case.with(from_trace).unwrap()
 }
 
 fn loss_factor(case: &LoadedCase) -> f64 {

@@ -48,8 +48,12 @@ fn losses_are_said_with_the_digits_of_their_band() {
     // No digit is finer than a fortieth of the interval.
     let step = |text: &str| {
         let first = text.split(' ').next().unwrap();
-        let decimals = first.split_once('.').map_or(0, |(_, after)| after.len());
-        0.1_f64.powi(decimals.try_into().unwrap())
+        let zeros = first.len() - first.trim_end_matches('0').len();
+        let places = first.split_once('.').map(|(_, after)| after.len());
+        match places {
+            Some(places) => 0.1_f64.powi(places.try_into().unwrap()),
+            None => 10_f64.powi(zeros.try_into().unwrap()),
+        }
     };
     assert!(step(&loss) > 0.02 * (high - low), "{loss}");
     let band = expected[2] - expected[1];

@@ -2,10 +2,10 @@
 use asperity::prelude::*;
 
 const RPM: f64 = std::f64::consts::PI / 30.0;
-
 /// Loss of the e-drive stage with these flanks \[W\].
 pub fn loss_w(pinion: &[f64], wheel: &[f64], dx: Length) -> Result<f64, asperity::Error> {
     let mut gears = GearsInput::new([23, 68], Length::from_si(1.8e-3), Length::from_si(35e-3));
+    gears = gears.unrelieved();
     gears.helix = Some(Angle::from_si(23.4 * (std::f64::consts::PI / 180.0)));
     gears.face_width = OneOrTwo::Two([Length::from_si(35e-3), Length::from_si(32e-3)]);
     let oil = LubricantInput {

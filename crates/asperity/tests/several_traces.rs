@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 
 use asperity::case::{LoadedCase, from_text, load};
+use asperity::core::numerics::student_t_quantile;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{contacts, losses_with};
 use asperity::result::loss_band::SamplingPart;
@@ -212,11 +213,11 @@ fn the_draws_have_the_error_between_traces() {
         .find(|part| part.name == "sampling of the flanks")
         .unwrap();
     let relative = of_pairs.standard_error_w / of_pairs.mean_w;
-    // Student's t with d degrees of freedom spreads more than its standard error; the draws end at 4 of these.
+    let [low, high] = part.quantiles_w;
+    let half = student_t_quantile(0.90, of_pairs.freedom) * relative;
     assert!(
-        (0.9..2.5).contains(&(part.sd_ln / relative)),
-        "{} {relative}",
-        part.sd_ln
+        ((high / low).ln() / (2.0 * half) - 1.0).abs() < 0.02,
+        "{low} {high} {half}"
     );
     assert!(
         result

@@ -87,7 +87,7 @@ fn bands_of_eight_rigs_hold_their_truth() {
         for (k, count) in held.iter_mut().enumerate() {
             let [low, high] = fit.band(k).unwrap().ends;
             // Narrower than the prior, and no guess: boundary friction and film within a tenth or two.
-            let widest = fit.scatter().widening() * [0.3, 1.6, 0.3, 0.4][k];
+            let widest = fit.scatter().widening() * [0.3, 1.6, 0.32, 0.4][k];
             assert!(high - low < widest, "{k}: {low} {high}");
             *count += u32::from((low..=high).contains(&truth[k]));
         }

@@ -63,13 +63,19 @@ fn lubricant(nu: [f64; 2], density: f64) -> asperity_oil::Lubricant {
     .unwrap()
 }
 
+/// An oil of the reference values, with the Eyring stress that they have.
 fn oil(name: &str) -> FilmRheology {
-    let (nu, density, family) = match name {
-        "M100" => ([96.0, 10.6], 882.0, BaseOil::Mineral),
-        "PAO100" => ([94.1, 14.0], 840.0, BaseOil::Pao),
-        _ => ([30.8, 5.9], 845.0, BaseOil::Pao),
+    let (nu, density, family, eyring) = match name {
+        "M100" => ([96.0, 10.6], 882.0, BaseOil::Mineral, 5e6),
+        "PAO100" => ([94.1, 14.0], 840.0, BaseOil::Pao, 4e6),
+        _ => ([30.8, 5.9], 845.0, BaseOil::Pao, 4e6),
     };
-    FilmRheology::new(&lubricant(nu, density), family).unwrap()
+    let constants = TractionConstants {
+        eyring_stress: Pressure::from_si(eyring),
+        ..TractionConstants::of(family).unwrap()
+    };
+    let rheology = FilmRheology::new(&lubricant(nu, density), family).unwrap();
+    rheology.with_constants(constants).unwrap()
 }
 
 fn settings(nodes: usize, heat: FilmHeat) -> FilmSettings {

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity_oil::LubricantInput;
 
 use super::files::{Content, Files};
+use super::gear_input::{NoRelief, TipRelief};
 use super::input::{
     CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput, SurfaceInput,
 };
@@ -92,6 +93,16 @@ impl GearsInput {
             face_width: OneOrTwo::One(face_width),
             ..Self::default()
         }
+    }
+
+    /// The same with tips that are stated to have no relief.
+    #[must_use]
+    pub fn unrelieved(mut self) -> Self {
+        for gear in [&mut self.pinion, &mut self.wheel] {
+            let stated = gear.get_or_insert_default();
+            stated.tip_relief = Some(TipRelief::None(NoRelief::None));
+        }
+        self
     }
 }
 

@@ -14,8 +14,8 @@ pub struct GearFlankInput {
     /// trace of the flank, which must be placed and span the active flank.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub relief: Option<ReliefSource>,
-    /// Relief of the tips, `"none"` where there is none; where it is not stated it is uncertain, and half of the approach
-    /// of the teeth under load stands for it.
+    /// Relief of the tips, `"none"` where there is none; where it is not stated it is uncertain, and a run takes half of
+    /// the approach of the teeth under load.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tip_relief: Option<TipRelief>,
     /// Relief of the roots; default none.

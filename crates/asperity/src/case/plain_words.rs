@@ -108,7 +108,8 @@ mod tests {
                 "invalid type: string \"a\", expected usize"
             ),
             "string \"a\" does not fit, expected a whole number, 0 or more \
-             (Number of offsets along the traces at which the flanks meet; default 16 (`paper`: 1))"
+             (Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the loss scatters \
+             from offset to offset (`paper`: 1))"
         );
         assert_eq!(
             said(

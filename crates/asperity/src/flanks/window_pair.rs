@@ -19,30 +19,29 @@ pub(crate) const AVERAGING_WIDTH: f64 = 1.6;
 /// 1/p and 1/p² of p³ = p + 1: multiples of both, minus their whole parts, fill a square evenly (Roberts 2018).
 const SHIFTS: [f64; 2] = [0.569_840_290_998_053_3, 0.754_877_666_246_692_8];
 
-/// Places of the windows on both traces at offset `k` of `count` and position `number`, 0 to 1 where a window can start.
+/// Places of the windows on both traces at offset `k` of `count` in a cell of the path, 0 to 1 where a window can start.
 ///
 /// ```text
 /// [frac(u_k + i/p²), frac(v_k + i/p)],  p³ = p + 1                            [Window-places]
 /// ```
 ///
 /// u_k and v_k are the radical inverses of k + 1 in bases 2 and 3 (Halton), 1/2 and 1/2 of a single offset, and i is the
-/// position along the path from 0. They nest: more offsets keep those before. They shift from position to position i, as the teeth of a pair meet at
-/// other places of their flanks along the path: the mean over the path then samples more of the traces.
+/// cell from 0. They nest: more offsets keep those before. They shift from cell to cell, as other parts of the flanks are
+/// in contact there: the mean over the path then samples more of the traces.
 ///
 /// ```
 /// use asperity::flanks::window_places;
-/// assert_eq!(window_places(1, 16, 1), [0.25, 2.0 / 3.0]);
-/// assert_eq!(window_places(1, 64, 1), window_places(1, 16, 1));
+/// assert_eq!(window_places(1, 16, 0), [0.25, 2.0 / 3.0]);
+/// assert_eq!(window_places(1, 64, 0), window_places(1, 16, 0));
 /// ```
 #[must_use]
-pub fn window_places(k: usize, count: usize, number: usize) -> [f64; 2] {
+pub fn window_places(k: usize, count: usize, cell: usize) -> [f64; 2] {
     asperity_core::cite!("Window-places");
     let first = match count {
         1 => [0.5; 2],
         _ => [2, 3].map(|base| radical_inverse(k + 1, base)),
     };
-    let shift = number.saturating_sub(1) as f64;
-    [0, 1].map(|body| (first[body] + shift * SHIFTS[body]).fract())
+    [0, 1].map(|body| (first[body] + cell as f64 * SHIFTS[body]).fract())
 }
 
 /// The digits of `n` in `base` mirrored behind the point (van der Corput).
@@ -117,7 +116,7 @@ impl Window {
                 middles.map(|middle| middle as isize - reach as isize)
             }
             None => {
-                let [along, across] = window_places(k, count, position.number);
+                let [along, across] = window_places(k, count, position.cell);
                 // Several windows must differ.
                 let least = match count {
                     1 => 0,
@@ -250,11 +249,11 @@ mod tests {
 
     #[test]
     fn places_nest_shift_along_the_path_and_fill_both_traces() {
-        assert_eq!(places(0, 1, 1), [0.5, 0.5]);
-        assert_eq!(places(0, 16, 1), places(0, 64, 1));
-        assert_eq!(places(1, 16, 1), [0.25, 2.0 / 3.0]);
+        assert_eq!(places(0, 1, 0), [0.5, 0.5]);
+        assert_eq!(places(0, 16, 0), places(0, 64, 0));
+        assert_eq!(places(1, 16, 0), [0.25, 2.0 / 3.0]);
         let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
-        let [along, across] = places(4, 16, 3);
+        let [along, across] = places(4, 16, 2);
         let shifted = |first: f64, shift: f64| (first + 2.0 * shift).fract();
         assert!(near(along, shifted(0.625, 0.569_840_290_998_053_3)));
         assert!(near(across, shifted(7.0 / 9.0, 0.754_877_666_246_692_8)));

@@ -24,6 +24,8 @@ pub(crate) struct Place {
     pub sliding_factor: f64,
     /// Whether the rough contact must be resolved.
     pub resolution: Resolution,
+    /// Cell of the path, from 0.
+    pub cell: usize,
     /// Zone of the face that it represents.
     pub zone: usize,
 }
@@ -41,6 +43,7 @@ impl Place {
             weight: Length::from_si(0.0),
             sliding_factor: 1.0,
             resolution,
+            cell: 0,
             zone: 0,
         })
     }
@@ -81,6 +84,7 @@ fn along_path(case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError> {
                     true => Resolution::WhereFine,
                     false => Resolution::Required,
                 },
+                cell: cell.number,
                 zone: cell.zone,
             })
         })

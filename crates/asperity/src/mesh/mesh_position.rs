@@ -32,6 +32,8 @@ pub struct MeshPosition {
     pub sliding_factor: f64,
     /// Whether the rough contact must be resolved.
     pub resolution: Resolution,
+    /// Cell of the path that it represents, from 0: zones of the face divide a cell.
+    pub cell: usize,
     /// Zone of the face that it represents, each with traces of its own: 0 where these represent the whole face.
     pub zone: usize,
     /// Radii and speeds.

@@ -79,6 +79,7 @@ fn position(case: &Case, number: usize, place: &Place) -> Result<MeshPosition, P
         weight: place.weight.si(),
         sliding_factor: place.sliding_factor,
         resolution: place.resolution,
+        cell: place.cell,
         zone: place.zone,
         motion,
         load,

@@ -324,7 +324,8 @@ impl Digits {
     }
 
     /// Steps of the parts of a total of `total` steps, which add up to it: each part is rounded down, and the steps that
-    /// are then missing go to the parts with the largest remainders. Parts of another total are rounded one by one.
+    /// are then missing go to the parts with the largest remainders, of at least half a step. Parts of another total are
+    /// rounded one by one.
     ///
     /// ```
     /// use asperity::result::loss_band::Digits;
@@ -339,11 +340,12 @@ impl Digits {
             .map(|part| (part / self.step()).floor())
             .collect();
         let missing = total - whole.iter().sum::<f64>();
-        if !(0.0..=parts.len() as f64).contains(&missing) {
+        let is_shown = |k: &usize| parts[*k] >= 0.5 * self.step();
+        let mut order: Vec<usize> = (0..parts.len()).filter(is_shown).collect();
+        if !(0.0..=order.len() as f64).contains(&missing) {
             return parts.iter().map(|part| self.steps(*part)).collect();
         }
         let remainder = |k: usize| parts[k] / self.step() - whole[k];
-        let mut order: Vec<usize> = (0..parts.len()).collect();
         order.sort_by(|a, b| remainder(*b).total_cmp(&remainder(*a)));
         let mut steps = whole.clone();
         for &k in order.iter().take(missing as usize) {
@@ -377,9 +379,9 @@ mod tests {
     fn parts_add_up_to_their_total_as_printed() {
         for decimals in [-2, 0, 3] {
             let digits = Digits::of_decimals(decimals);
-            for k in 0..500 {
+            for k in 0..3_400 {
                 let value = |j: u32| 1000.0 * (0.618_034 * f64::from(7 * k + j)).fract();
-                let parts = [value(1), value(2), 0.01 * value(3), 0.0];
+                let parts = [1.0 + value(1), value(2), 0.01 * value(3), 0.0];
                 let total = digits.steps(parts.iter().sum());
                 let steps = digits.parts(total, &parts);
                 assert_eq!(steps.iter().sum::<f64>(), total, "{parts:?}");

@@ -74,7 +74,16 @@ impl Draw {
 /// The draws that all flanks share, with the flanks of the run.
 pub(super) fn shared_draws() -> impl Iterator<Item = Draw> {
     static ORDERS: OnceLock<Vec<Vec<usize>>> = OnceLock::new();
-    let orders = ORDERS.get_or_init(|| permutations(DRAWS, AXES.len() + FACTORS, SEED));
+    draws_in(ORDERS.get_or_init(|| orders(SEED)))
+}
+
+/// The strata of all draws on every axis.
+pub(super) fn orders(seed: u64) -> Vec<Vec<usize>> {
+    permutations(DRAWS, AXES.len() + FACTORS, seed)
+}
+
+/// The draws with their strata in these orders.
+pub(super) fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
     let (cut, normal) = (cut_normal(), normal());
     (0..DRAWS).map(move |j| {
         let factor = |k: usize| orders[AXES.len() + k][j];

@@ -283,6 +283,9 @@ fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
     }
 }
 
+/// What narrows the constants of the boundary layer.
+const RIG: &str = "losses measured on a rig (asperity calibrate)";
+
 /// Every component drawn alone, the largest first.
 fn parts(
     loaded: &LoadedCase,
@@ -292,12 +295,10 @@ fn parts(
     let constants = predictive.constants.iter().enumerate();
     let constants = constants.map(|(k, ranged)| {
         let remedy = match ranged.kind {
-            Constant::BoundaryFriction | Constant::BoundaryLayer => {
-                "losses measured on a rig (asperity calibrate)"
-            }
+            Constant::BoundaryFriction | Constant::BoundaryLayer => RIG,
             Constant::Lay => "an areal scan of the flank: model.lay",
             Constant::LimitingShear | Constant::EyringStress => {
-                "a traction curve of the oil, or losses on a rig"
+                "a traction curve of the oil"
             }
             Constant::PressureViscosity => "lubricant.pressure_viscosity of the oil",
         };
@@ -334,7 +335,7 @@ fn parts(
         (
             Component::Structure,
             "boundary rule and feed of the spots",
-            "losses measured on a rig".to_owned(),
+            RIG.to_owned(),
         ),
         (
             Component::Rolling,
@@ -354,7 +355,7 @@ fn parts(
             })
         });
     let mut parts: Vec<UncertaintyPart> = alone.collect();
-    parts.sort_by(|a, b| b.sd_ln.total_cmp(&a.sd_ln));
+    parts.sort_by(|a, b| b.half_range_w().total_cmp(&a.half_range_w()));
     parts
 }
 

@@ -386,6 +386,7 @@ impl Predictive {
 
 #[cfg(test)]
 mod tests {
+    use super::super::draw::{draws_in, orders};
     use super::*;
     use crate::case::CalibratedName;
     use crate::parameters::AXES;
@@ -446,6 +447,55 @@ mod tests {
         assert_eq!(found.draws_w(), found.clone().draws_w());
         // Other flanks have other errors.
         assert_ne!(found.losses(0), found.losses(1));
+    }
+
+    #[test]
+    fn quantiles_depend_little_on_the_seed() {
+        // The spread of ground flanks at part load: constants, structure, sampling.
+        let friction = constant(UncertainParameter::BoundaryFriction, [0.066, 0.09, 0.123]);
+        let points: Vec<Vec<f64>> = (-4..=4).map(|k| vec![0.5 * f64::from(k)]).collect();
+        let values: Vec<f64> = points.iter().map(|z| 0.12 * z[0]).collect();
+        let found = Predictive {
+            constants: vec![friction],
+            sliding: QuadraticSurface::fit(&points, &values),
+            structure: Some(Structure {
+                half_sliding: [-0.3, 0.0, 0.0],
+                film_friction: 0.03,
+                loss_factor_w: 2000.0,
+                boundary_friction: 0.09,
+            }),
+            roughness_over_film: Some(2.8),
+            sampling: SamplingError {
+                standard_error: 0.06,
+                freedom: 15.0,
+                ..SamplingError::NONE
+            },
+            ..plain()
+        };
+        let table = StudentOfNormal::new(found.sampling.freedom);
+        let of_seed = |seed: u64| {
+            let drawn = orders(100 + seed);
+            let draws = draws_in(&drawn).zip(flank_draws(10 + seed as usize));
+            let losses = draws.map(|(draw, of_flanks)| {
+                let mut draw = draw;
+                draw.of_flanks = of_flanks;
+                found.loss(draw, &table)
+            });
+            Quantiles::of(&losses.collect::<Vec<_>>())
+        };
+        let seeds: Vec<Quantiles> = (0..12).map(of_seed).collect();
+        let spread = |of: &dyn Fn(&Quantiles) -> f64| {
+            let ends = seeds
+                .iter()
+                .map(of)
+                .fold([f64::MAX, 0.0_f64], |[low, high], value| {
+                    [low.min(value), high.max(value)]
+                });
+            ends[1] / ends[0] - 1.0
+        };
+        let ends = [0, 1].map(|k: usize| spread(&|found| found.quantiles_w[k]));
+        assert!(spread(&|found| found.median_w) < 0.01);
+        assert!(ends.iter().all(|end| *end < 0.015), "{ends:?}");
     }
 
     #[test]

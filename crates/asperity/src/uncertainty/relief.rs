@@ -51,7 +51,7 @@ impl ReliefFactors {
     /// F = H_V(c δ, l L)/H_V(δ/2, 3/4 L)                                        [Relief-factor]
     /// ```
     ///
-    /// Bilinear between ten solutions of the load over the teeth. Without relief the edges of the tips may carry load.
+    /// Bilinear between ten solutions of the load over the teeth. Without relief the edges of the tips of an external pair may carry load.
     pub fn ratio(&self, amount: f64, length: f64) -> f64 {
         cite!("Relief-factor");
         let steps = AMOUNTS.len() - 1;
@@ -84,7 +84,8 @@ pub(super) fn warning(assumed: &AssumedRelief, at_ends: [f64; 2]) -> Warning {
 fn loss_factor(case: &Case, assumed: &AssumedRelief, c: f64, l: f64) -> Result<f64, PositionError> {
     let mut other = case.clone();
     other.micro_geometry = assumed.put_into(&case.micro_geometry, c, l);
-    if c == 0.0 {
+    // The edges of a ring are no part of the model.
+    if c == 0.0 && !case.gears.internal {
         other.load_settings.edge_contact = true;
     }
     Ok(other.load_map()?.loss_factor())

@@ -51,6 +51,8 @@ pub struct LoadCell {
     pub contact_length: Length,
     /// Mean normal force.
     pub force: Force,
+    /// Index of the cell along the path.
+    pub number: usize,
     /// Index of the zone of the face; 0 if the face is not divided.
     pub zone: usize,
 }
@@ -171,10 +173,10 @@ impl LoadMap {
         }
         let total = self.loss_factor * self.torque;
         let cells = sums.iter().enumerate();
-        let cells = cells.map(|(k, sums)| (k % each, sums, &edges[k / each..]));
+        let cells = cells.map(|(k, sums)| ([k / each, k % each], sums, &edges[k / each..]));
         Ok(cells
             .filter(|(_, sums, _)| sums.power > 0.0)
-            .map(|(zone, sums, ends)| {
+            .map(|([number, zone], sums, ends)| {
                 let (xi, log) = (sums.xi / sums.power, sums.log / sums.power);
                 LoadCell {
                     from: ends[0],
@@ -186,6 +188,7 @@ impl LoadMap {
                     sliding_share: sums.power / total,
                     contact_length: Length::from_si(sums.length),
                     force: Force::from_si(sums.force),
+                    number,
                     zone,
                 }
             })

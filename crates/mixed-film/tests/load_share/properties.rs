@@ -212,13 +212,13 @@ proptest! {
         prop_assert_eq!((none.boundary_of_asperities, usual.asperity_share), (0.0, phi));
         let lubricated = (1.0 - phi) * none.film_coefficient + phi * none.asperity_coefficient;
         prop_assert!((none.coefficient / lubricated - 1.0).abs() < 1e-8);
-        let boundary = (1.0 - phi) * all.film_coefficient + phi * 0.08;
+        let boundary = (1.0 - phi) * all.film_coefficient + phi * BOUNDARY_FRICTION;
         prop_assert!((all.coefficient / boundary - 1.0).abs() < 1e-5);
         // At a crawl nothing but the boundary layer is left.
         let crawl = LineContact { speeds: drawn.contact.speeds.map(|u| u * 1e-6), ..drawn.contact };
         let crawl = Drawn { contact: crawl, height: 1.0, ..drawn };
         let slow = crawl.share(ground(), &crawl.table(ground(), FLOW), &isothermal_film());
-        prop_assert!(slow.coefficient > 0.07 && slow.coefficient <= 0.08 + 1e-9, "{}", slow.coefficient);
+        prop_assert!(slow.coefficient > 0.07 && slow.coefficient <= BOUNDARY_FRICTION + 1e-9, "{}", slow.coefficient);
     }
 
     #[test]
