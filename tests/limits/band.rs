@@ -135,7 +135,7 @@ fn identical_finishes_differ_by_exactly_nothing() {
         (found.quantiles_w, found.share_quantiles),
         ([0.0; 2], [0.0; 2])
     );
-    assert_eq!(found.verdict(), Verdict::Equal);
+    assert_eq!(found.verdict, Verdict::Equal);
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn finishes_differ_less_than_each_is_uncertain() {
         width(found.quantiles_w) < each[0].hypot(each[1]),
         "{found:?} {each:?}"
     );
-    assert_eq!(found.verdict(), Verdict::Holds);
+    assert_eq!(found.verdict, Verdict::Holds);
     assert!(found.models.len() >= 7, "{:?}", found.models);
 }
 

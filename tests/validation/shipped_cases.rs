@@ -107,7 +107,7 @@ fn computed(case: &str, torque_nm: f64, celsius: f64) -> Banded {
 fn saving(first: &Banded, other: &Banded) -> String {
     let change = difference((&first.2, &first.1), (&other.2, &other.1), false);
     let [low, high] = change.share_quantiles;
-    let verdict = match change.verdict() {
+    let verdict = match &change.verdict {
         Verdict::Holds => format!("holds under {} models", change.models.len()),
         Verdict::Except(models) => format!("except under {}", models.join(", ")),
         Verdict::Undecided => "undecided".to_owned(),

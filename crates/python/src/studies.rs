@@ -1,6 +1,6 @@
 //! Comparisons of finishes, changes of one thing at a time, and maps.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use asperity_report::StudyResult;
 use asperity_storage::whole_text;
@@ -317,7 +317,7 @@ impl Map {
 /// Bytes of the largest table that is read.
 const LARGEST_TABLE: u64 = 100_000_000;
 
-fn text(file: &PathBuf) -> Result<String, Failure> {
+fn text(file: &Path) -> Result<String, Failure> {
     let name = file.display().to_string();
     whole_text(file, LARGEST_TABLE)
         .map_err(|error| Failure::new("E103", error.to_string()).about(&name))

@@ -6,7 +6,7 @@ use crate::printed::{PrintedLoss, included, stated, stated_parts, watts};
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped};
 use asperity::message::Warning;
-use asperity::result::loss_band::{Trust, Uncertainty, rounded};
+use asperity::result::loss_band::{Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
     BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
     RunResult, Summary,
@@ -72,11 +72,8 @@ fn numbers(result: &RunResult) -> String {
     if let Some(uncertainty) = &result.uncertainty {
         text.push_str(&uncertainty_text(uncertainty));
     }
-    if let Some(pairs) = result
-        .pairs
-        .as_ref()
-        .and_then(|pairs| pairs.sampling.as_ref())
-    {
+    let pairs = result.pairs.as_ref();
+    if let Some(pairs) = pairs.and_then(|pairs| pairs.sampling.as_ref()) {
         text.push_str(&pairs_text(pairs));
     }
     if let Some(bulk) = &result.bulk {
@@ -125,10 +122,8 @@ fn relief_text(result: &RunResult) -> String {
     match reliefs.is_empty() {
         true => String::new(),
         false => {
-            wrapped(
-                &format!("relief  from the traces: {}", reliefs.join("; ")),
-                "  ",
-            ) + "\n"
+            let line = format!("relief  from the traces: {}", reliefs.join("; "));
+            wrapped(&line, "  ") + "\n"
         }
     }
 }
@@ -147,14 +142,12 @@ fn gearbox_text(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> Strin
     let parts = gearbox.parts.iter().zip(stated_parts(&losses));
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
     let parts: Vec<String> = parts.collect();
-    let beside = wrapped(
-        &format!(
-            "  besides the mesh {}, from the input and without a band: {}",
-            stated(gearbox.parts_w),
-            parts.join(", ")
-        ),
-        "  ",
+    let line = format!(
+        "  besides the mesh {}, from the input and without a band: {}",
+        stated(gearbox.parts_w),
+        parts.join(", ")
     );
+    let beside = wrapped(&line, "  ");
     format!("{}\n{beside}\n", gearbox_headline(gearbox, of_mesh))
 }
 
@@ -172,9 +165,7 @@ fn gearbox_headline(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> S
     let [low, high] = gearbox
         .efficiency_quantiles(of_mesh)
         .map(|share| percent.rounded(100.0 * share));
-    let [least, most] = gearbox
-        .quantiles_w(of_mesh)
-        .map(|loss| digits.rounded(loss));
+    let [least, most] = gearbox.quantiles_w(of_mesh).map(|w| digits.rounded(w));
     format!(
         "efficiency (gearbox)    {} % ({low}..{high})   loss {} W ({least}..{most})",
         percent.rounded(100.0 * (1.0 - median / gearbox.power_in_w)),
@@ -358,14 +349,12 @@ fn headline(s: &Summary, uncertainty: &Uncertainty) -> String {
     let percent = digits.of_percent(s.power_in_w);
     let efficiency = |share: f64| percent.rounded(100.0 * share);
     let [low, high] = uncertainty.efficiency_quantiles.map(efficiency);
-    let [least, most] = uncertainty
-        .loss
-        .quantiles_w
-        .map(|loss| digits.rounded(loss));
+    let loss = &uncertainty.loss;
+    let [least, most] = loss.quantiles_w.map(|loss| digits.rounded(loss));
     format!(
         "efficiency (mesh only)  {} % ({low}..{high})   loss {} W ({least}..{most})\n  power in {}",
         efficiency(uncertainty.efficiency_median),
-        digits.rounded(uncertainty.loss.median_w),
+        digits.rounded(loss.median_w),
         watts(s.power_in_w),
     )
 }
@@ -385,9 +374,10 @@ fn uncertainty_text(uncertainty: &Uncertainty) -> String {
         .collect();
     let mut lines = Vec::new();
     if !parts.is_empty() {
+        let half = |part: &UncertaintyPart| digits.rounded(part.half_range_w());
         let named = parts
             .iter()
-            .map(|part| format!("{} {} W", part.name, digits.rounded(part.half_range_w())));
+            .map(|part| format!("{} {} W", part.name, half(part)));
         let named: Vec<String> = named.collect();
         lines.push(format!(
             "uncertain  {} (half of 5 to 95 %, each alone)",
@@ -425,19 +415,11 @@ pub fn models(result: &RunResult) -> String {
         return "no other models without an uncertainty\n".to_owned();
     };
     let digits = uncertainty.digits();
-    let rows = uncertainty
-        .structures
-        .iter()
-        .chain(&uncertainty.other_models);
-    let rows = rows.map(|row| {
-        let loss = row
-            .loss_w
-            .map_or("-".to_owned(), |loss| format!("{} W", digits.rounded(loss)));
-        let refuted = match row.refuted_by.is_empty() {
-            true => "admissible, in the draws",
-            false => &row.refuted_by,
-        };
-        wrapped(&format!("{:<52}  {loss:>8}  {refuted}", row.name), "    ") + "\n"
+    let rows = uncertainty.models().map(|row| {
+        let loss = row.loss_w.map(|loss| digits.rounded(loss) + " W");
+        let loss = loss.unwrap_or("-".to_owned());
+        let line = format!("{:<52}  {loss:>8}  {}", row.name, row.standing());
+        wrapped(&line, "    ") + "\n"
     });
     std::iter::once("other models, and what refutes them\n".to_owned())
         .chain(rows)

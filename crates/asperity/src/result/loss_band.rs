@@ -186,6 +186,17 @@ pub struct AlternativeRow {
     pub refuted_by: String,
 }
 
+impl AlternativeRow {
+    /// The measurement that refutes the model, or that it is admissible.
+    #[must_use]
+    pub fn standing(&self) -> &str {
+        match self.refuted_by.is_empty() {
+            true => "admissible, in the draws",
+            false => &self.refuted_by,
+        }
+    }
+}
+
 /// Trust in the result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -209,6 +220,11 @@ impl Uncertainty {
             true => self.loss.median_w / self.at_medians_w,
             false => 1.0,
         }
+    }
+
+    /// The loss by every model, the admissible structures first.
+    pub fn models(&self) -> impl Iterator<Item = &AlternativeRow> {
+        self.structures.iter().chain(&self.other_models)
     }
 
     /// The trust in the result in words, and the interval that traces would leave.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::predictive::Predictive;
-use super::quantiles::sorted_quantiles;
+use super::quantiles::{PROBABILITIES, sorted_quantiles};
 use crate::result::{AlternativeRow, Uncertainty};
 
 /// Probability from which the sign of a difference holds.
@@ -28,10 +28,13 @@ pub struct PairedDifference {
     pub probability: f64,
     /// The difference by every model that was tried, the refuted ones included.
     pub models: Vec<AlternativeRow>,
+    /// Decision by the draws and the models.
+    pub verdict: Verdict,
 }
 
-/// What a difference decides.
-#[derive(Debug, Clone, PartialEq)]
+/// Decision that a difference allows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Verdict {
     /// The cases do not differ.
@@ -44,40 +47,37 @@ pub enum Verdict {
     Undecided,
 }
 
-impl PairedDifference {
-    /// The verdict, by the draws and the models.
-    #[must_use]
-    pub fn verdict(&self) -> Verdict {
-        if self.quantiles_w == [0.0, 0.0] && self.median_w == 0.0 {
-            return Verdict::Equal;
+impl Verdict {
+    fn of(
+        median_w: f64,
+        quantiles_w: [f64; 2],
+        probability: f64,
+        models: &[AlternativeRow],
+    ) -> Self {
+        if quantiles_w == [0.0, 0.0] && median_w == 0.0 {
+            return Self::Equal;
         }
-        if self.probability < SURE {
-            return Verdict::Undecided;
+        if probability < SURE {
+            return Self::Undecided;
         }
-        let disagrees =
-            |row: &&AlternativeRow| row.loss_w.is_some_and(|d| d * self.median_w <= 0.0);
-        let others: Vec<String> = self
-            .models
-            .iter()
-            .filter(disagrees)
-            .map(|row| row.name.clone())
-            .collect();
+        let disagrees = |row: &&AlternativeRow| row.loss_w.is_some_and(|d| d * median_w <= 0.0);
+        let others = models.iter().filter(disagrees);
+        let others: Vec<String> = others.map(|row| row.name.clone()).collect();
         match others.is_empty() {
-            true => Verdict::Holds,
-            false => Verdict::Except(others),
+            true => Self::Holds,
+            false => Self::Except(others),
         }
     }
+}
 
+impl PairedDifference {
     /// The least and the largest difference by the models \[W\]; none without models.
     #[must_use]
     pub fn model_range_w(&self) -> Option<[f64; 2]> {
         let known: Vec<f64> = self.models.iter().filter_map(|row| row.loss_w).collect();
-        let ends = known
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| {
-                [low.min(*d), high.max(*d)]
-            });
-        (!known.is_empty()).then_some(ends)
+        let low = known.iter().copied().reduce(f64::min)?;
+        let high = known.iter().copied().reduce(f64::max)?;
+        Some([low, high])
     }
 }
 
@@ -99,38 +99,27 @@ pub fn difference(
     let own = first.losses(0);
     let theirs = other.losses(usize::from(!same_flanks));
     let deltas: Vec<f64> = own.iter().zip(&theirs).map(|(a, b)| b - a).collect();
-    let shares: Vec<f64> = own
-        .iter()
-        .zip(&deltas)
-        .map(|(a, delta)| delta / a)
-        .collect();
-    let probabilities = [0.05, 0.5, 0.95];
-    let [low, median_w, high] = sorted_quantiles(&deltas, probabilities);
-    let [least, median_share, most] = sorted_quantiles(&shares, probabilities);
-    let agreeing = deltas
-        .iter()
-        .filter(|delta| **delta * median_w > 0.0)
-        .count();
-    let rows = |of: &Uncertainty| -> Vec<AlternativeRow> {
-        of.structures
-            .iter()
-            .chain(&of.other_models)
-            .cloned()
-            .collect()
-    };
-    let (ours, others) = (rows(of_first), rows(of_other));
-    let models = ours.into_iter().filter_map(|row| {
-        let other = others.iter().find(|other| other.name == row.name)?;
+    let shares: Vec<f64> = deltas.iter().zip(&own).map(|(d, a)| d / a).collect();
+    let [low, median_w, high] = sorted_quantiles(&deltas, PROBABILITIES);
+    let [least, median_share, most] = sorted_quantiles(&shares, PROBABILITIES);
+    let agreeing = deltas.iter().filter(|d| **d * median_w > 0.0).count();
+    let quantiles_w = [low, high];
+    let probability = agreeing as f64 / deltas.len() as f64;
+    let of_models = of_first.models().filter_map(|row| {
+        let other = of_other.models().find(|other| other.name == row.name)?;
         let loss_w = row.loss_w.zip(other.loss_w).map(|(a, b)| b - a);
+        let row = row.clone();
         Some(AlternativeRow { loss_w, ..row })
     });
+    let models: Vec<AlternativeRow> = of_models.collect();
     PairedDifference {
         at_medians_w: other.at_medians_w - first.at_medians_w,
         median_w,
-        quantiles_w: [low, high],
+        quantiles_w,
         median_share,
         share_quantiles: [least, most],
-        probability: agreeing as f64 / deltas.len() as f64,
-        models: models.collect(),
+        probability,
+        verdict: Verdict::of(median_w, quantiles_w, probability, &models),
+        models,
     }
 }

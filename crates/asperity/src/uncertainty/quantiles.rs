@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+/// Probabilities of the lower quantile, the median and the upper quantile.
+pub(super) const PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
+
 /// Median, 5 % and 95 % quantiles of drawn losses, and the standard deviation of their logarithms.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Quantiles {
@@ -23,7 +26,7 @@ impl Quantiles {
     /// ```
     #[must_use]
     pub fn of(draws: &[f64]) -> Self {
-        let [low, median_w, high] = sorted_quantiles(draws, [0.05, 0.5, 0.95]);
+        let [low, median_w, high] = sorted_quantiles(draws, PROBABILITIES);
         let logs: Vec<f64> = draws.iter().map(|loss| loss.ln()).collect();
         let n = logs.len() as f64;
         let mean = logs.iter().sum::<f64>() / n;

@@ -34,7 +34,7 @@ impl ReliefFactors {
         let Some(assumed) = &case.assumed_relief else {
             return Ok(None);
         };
-        let factor = |c: f64, l: f64| Ok::<f64, PositionError>(loss_factor(case, assumed, c, l)?);
+        let factor = |c: f64, l: f64| loss_factor(case, assumed, c, l);
         let mut factors = [[0.0; 5]; 2];
         for (row, l) in factors.iter_mut().zip(LENGTHS) {
             for (place, c) in row.iter_mut().zip(AMOUNTS) {

@@ -46,11 +46,11 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
         h3 { "Other models, and what refutes them" }
         div.scroll { table {
             thead { tr { th { "model" } th.number { "loss" } th { "refuted by" } } }
-            tbody { @for row in uncertainty.structures.iter().chain(&uncertainty.other_models) {
+            tbody { @for row in uncertainty.models() {
                 tr {
                     th scope="row" { (row.name) }
                     td.number { (loss(row, uncertainty)) }
-                    td { @if row.refuted_by.is_empty() { "admissible, in the draws" } @else { (row.refuted_by) } }
+                    td { (row.standing()) }
                 }
             } }
         } }

@@ -74,8 +74,8 @@ fn contributions(comparison: &Comparison) -> Markup {
         })
     };
     let other = |of: &Uncertainty, name: &str| {
-        let mut rows = of.structures.iter().chain(&of.other_models);
-        let loss = rows.find(|row| row.name == name).and_then(|row| row.loss_w);
+        let row = of.models().find(|row| row.name == name);
+        let loss = row.and_then(|row| row.loss_w);
         loss.map_or("-".to_owned(), |loss| {
             format!("{} W", of.digits().rounded(loss))
         })
@@ -91,11 +91,11 @@ fn contributions(comparison: &Comparison) -> Markup {
         h3 { "Other models, and what refutes them" }
         div.scroll { table {
             thead { tr { th { "model" } @for (finish, _) in &drawn { th.number { (finish.name) } } th { "refuted by" } } }
-            tbody { @for row in first.structures.iter().chain(&first.other_models) {
+            tbody { @for row in first.models() {
                 tr {
                     th scope="row" { (row.name) }
                     @for (_, of) in &drawn { td.number { (other(of, &row.name)) } }
-                    td { @if row.refuted_by.is_empty() { "admissible, in the draws" } @else { (row.refuted_by) } }
+                    td { (row.standing()) }
                 }
             } }
         } }

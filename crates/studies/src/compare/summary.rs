@@ -135,7 +135,7 @@ fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> String {
         let [low, high] = turned(range).map(|loss| digits.rounded(loss));
         format!(" ({low}..{high} W)")
     });
-    match difference.verdict() {
+    match &difference.verdict {
         Verdict::Equal => format!("{other} loses exactly as much as {first}"),
         Verdict::Holds if count == 0 => format!("{by}; the sign holds"),
         Verdict::Holds => format!("{by}; the sign holds under all {count} models{range}"),

@@ -9,85 +9,70 @@
 
 use std::collections::BTreeMap;
 
-use asperity::uncertainty::{Predictive, Quantiles};
+use asperity::uncertainty::Predictive;
 
-use super::energy::{CycleFinish, WATT_HOUR};
 use super::trace::Cycle;
-use crate::map::{Drawn, FinishMap, Map, Place};
+use crate::map::{Drawn, FinishMap, Place};
 
 /// Standard error of an energy by the sampling of the flanks over the sum of the errors of its points: the points lie at other
 /// places of the same traces. 0.74 measured over six points; independent points would have 0.45.
 const OF_ENERGY: f64 = 0.75;
 
-/// Energies of all draws \[Wh\].
-fn energies(drawn: &Drawn<'_>, finish: &CycleFinish, cycle: &Cycle, celsius: f64) -> Vec<f64> {
-    let mut of_places: BTreeMap<Place, f64> = BTreeMap::new();
-    for (point, loss) in cycle.points.iter().zip(&finish.loss_w) {
-        let place = drawn.place(point.torque_nm, point.speed_rpm, celsius);
-        *of_places.entry(place).or_default() += loss * point.weight_s / WATT_HOUR;
-    }
-    let mut energies = vec![0.0; Predictive::count()];
-    for (place, energy) in of_places {
-        for (sum, ratio) in energies.iter_mut().zip(drawn.ratios(place)) {
-            *sum += energy * ratio;
-        }
-    }
-    energies
+/// Joules per watt-hour.
+pub(super) const WATT_HOUR: f64 = 3600.0;
+
+/// Draws of a finish over a cycle at one temperature.
+#[derive(Clone, Copy)]
+pub(super) struct Draws<'a> {
+    pub finish: &'a FinishMap,
+    pub cycle: &'a Cycle,
+    /// Temperature of the flanks \[°C\].
+    pub celsius: f64,
+    /// Loss at each point, with every constant at its median \[W\].
+    pub loss_w: &'a [f64],
 }
 
-/// Adds median and quantiles of the energy and of the loss at each point, if the map has draws.
-pub(super) fn add_draws(result: &mut CycleFinish, finish: &FinishMap, cycle: &Cycle, celsius: f64) {
-    let Some(drawn) = finish.drawn(0, OF_ENERGY) else {
-        return;
-    };
-    let found = Quantiles::of(&energies(&drawn, result, cycle, celsius));
-    result.lost_median_wh = Some(found.median_w);
-    result.lost_quantiles_wh = Some(found.quantiles_w);
-    let Some(drawn) = finish.drawn(0, 1.0) else {
-        return;
-    };
-    let mut of_places: BTreeMap<Place, [f64; 3]> = BTreeMap::new();
-    let points = cycle.points.iter().zip(&result.loss_w);
-    let of_point = points.map(|(point, loss)| {
-        let place = drawn.place(point.torque_nm, point.speed_rpm, celsius);
-        let ratios = of_places.entry(place);
-        ratios
-            .or_insert_with(|| drawn.quantiles(place))
-            .map(|ratio| ratio * loss)
-    });
-    result.drawn_w = of_point.collect();
-}
-
-/// Adds the differences from the first finish, draw by draw; errors of model and sampling are drawn apart unless the flanks are
-/// the same.
-pub(super) fn add_differences(
-    finishes: &mut [CycleFinish],
-    map: &Map,
-    cycle: &Cycle,
-    celsius: f64,
-) {
-    let Some(((first, others), of_first)) = finishes.split_first_mut().zip(map.finishes.first())
-    else {
-        return;
-    };
-    let Some(drawn) = of_first.drawn(0, OF_ENERGY) else {
-        return;
-    };
-    let base = energies(&drawn, first, cycle, celsius);
-    for (result, finish) in others.iter_mut().zip(&map.finishes[1..]) {
-        let flanks = |of: &FinishMap| [of.files.clone(), of.coast_files.clone()];
-        let is_same = flanks(finish) == flanks(of_first);
-        let Some(drawn) = finish.drawn(usize::from(!is_same), OF_ENERGY) else {
-            continue;
-        };
-        let own = energies(&drawn, result, cycle, celsius);
-        let deltas: Vec<f64> = own
+impl Draws<'_> {
+    /// Energies of all draws \[Wh\], with the errors of model and sampling of flanks number `flanks`; `None` on a map without
+    /// draws.
+    pub fn energies_wh(&self, flanks: usize) -> Option<Vec<f64>> {
+        let drawn = self.finish.drawn(flanks, OF_ENERGY)?;
+        let mut of_places: BTreeMap<Place, f64> = BTreeMap::new();
+        let weights = self
+            .cycle
+            .points
             .iter()
-            .zip(&base)
-            .map(|(own, base)| own - base)
-            .collect();
-        let found = Quantiles::of(&deltas);
-        result.difference_median_wh = Some(found.median_w);
-        result.difference_quantiles_wh = Some(found.quantiles_w);
+            .map(|point| point.weight_s / WATT_HOUR);
+        for ((place, loss), hours) in self.places(&drawn).zip(weights) {
+            *of_places.entry(place).or_default() += loss * hours;
+        }
+        let mut energies = vec![0.0; Predictive::count()];
+        for (place, energy) in of_places {
+            for (sum, ratio) in energies.iter_mut().zip(drawn.ratios(place)) {
+                *sum += energy * ratio;
+            }
+        }
+        Some(energies)
+    }
+
+    /// Median, 5 % and 95 % quantiles of the loss at each point \[W\]; `None` on a map without draws.
+    pub fn losses_w(&self) -> Option<Vec<[f64; 3]>> {
+        let drawn = self.finish.drawn(0, 1.0)?;
+        let mut of_places: BTreeMap<Place, [f64; 3]> = BTreeMap::new();
+        let of_point = self.places(&drawn).map(|(place, loss)| {
+            let ratios = of_places.entry(place);
+            let ratios = ratios.or_insert_with(|| drawn.quantiles(place));
+            ratios.map(|ratio| ratio * loss)
+        });
+        Some(of_point.collect())
+    }
+
+    /// Place between the nodes and loss of each point.
+    fn places(&self, drawn: &Drawn<'_>) -> impl Iterator<Item = (Place, f64)> {
+        let points = self.cycle.points.iter().zip(self.loss_w);
+        points.map(|(point, loss)| {
+            let place = drawn.place(point.torque_nm, point.speed_rpm, self.celsius);
+            (place, *loss)
+        })
     }
 }

@@ -3,10 +3,11 @@
 use std::f64::consts::PI;
 
 use asperity::balance::{Unbalanced, efficiency, sum};
+use asperity::uncertainty::Quantiles;
 use serde::Serialize;
 
 use super::coverage::{Coverage, Uncovered, moving_time, share};
-use super::draws::{add_differences, add_draws};
+use super::draws::{Draws, WATT_HOUR};
 use super::trace::{Cycle, CyclePoint};
 use crate::map::{FinishMap, Map, Surface};
 
@@ -97,9 +98,6 @@ impl CycleFinish {
     }
 }
 
-/// Joules per watt-hour.
-pub(super) const WATT_HOUR: f64 = 3600.0;
-
 /// Error of the energies of a cycle on a map.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -145,6 +143,7 @@ pub fn evaluate(
         coverage.check()?;
     }
     let celsius = map.axes.temperature_c[temperature];
+    let mut drawn_of_first = None;
     for (finish, surface) in map.finishes.iter().zip(&surfaces) {
         let mut result = of_finish(finish, surface, cycle);
         result.share_of_drive = (drive_wh > 0.0).then(|| result.lost_wh / drive_wh);
@@ -156,11 +155,39 @@ pub fn evaluate(
         if let Some(first) = finishes.first() {
             result.difference_wh = Some(result.lost_wh - first.lost_wh);
         }
-        add_draws(&mut result, finish, cycle, celsius);
+        let draws = Draws {
+            finish,
+            cycle,
+            celsius,
+            loss_w: &result.loss_w,
+        };
+        let drawn_w = draws.losses_w().unwrap_or_default();
+        let energies = draws.energies_wh(0);
+        // Errors of model and sampling are drawn apart unless the flanks are the same.
+        let own = match finish.has_flanks_of(&map.finishes[0]) {
+            true => energies.clone(),
+            false => draws.energies_wh(1),
+        };
+        if let Some((first, own)) = drawn_of_first.as_ref().zip(own) {
+            let deltas: Vec<f64> = own
+                .iter()
+                .zip(first)
+                .map(|(own, first)| own - first)
+                .collect();
+            let found = Quantiles::of(&deltas);
+            result.difference_median_wh = Some(found.median_w);
+            result.difference_quantiles_wh = Some(found.quantiles_w);
+        }
+        if let Some(energies) = energies {
+            let found = Quantiles::of(&energies);
+            result.lost_median_wh = Some(found.median_w);
+            result.lost_quantiles_wh = Some(found.quantiles_w);
+            drawn_of_first.get_or_insert(energies);
+        }
+        result.drawn_w = drawn_w;
         check(&result, drive_wh)?;
         finishes.push(result);
     }
-    add_differences(&mut finishes, map, cycle, celsius);
     let time = |point: Option<&CyclePoint>| point.map_or(0.0, |point| point.time_s);
     Ok(CycleResult {
         program: map.program.clone(),

@@ -12,7 +12,6 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
-use super::point::FinishMap;
 
 /// Points of a map whose draws are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -112,28 +111,22 @@ pub struct Drawn<'a> {
 /// Place between nodes: side, then coordinates over temperature, torque and speed in parts of an interval.
 pub(crate) type Place = [u32; 4];
 
-impl FinishMap {
-    /// The draws, with the errors of model and sampling that flanks number `flanks` of a comparison have, and the standard
-    /// error of the sampling multiplied by `sampling`. `None` for a map without draws.
-    #[must_use]
-    pub fn drawn(&self, flanks: usize, sampling: f64) -> Option<Drawn<'_>> {
+impl<'a> Drawn<'a> {
+    /// The draws at the nodes of each side, see [`FinishMap::drawn`](super::FinishMap::drawn).
+    pub(super) fn of(sides: &'a [DrawnNodes], flanks: usize, sampling: f64) -> Option<Self> {
         let logs = |predictive: &Predictive| -> Vec<f64> {
+            let ln = |loss: f64| (loss / predictive.at_medians_w).ln();
             let draws = predictive.draws_of_sum_w(flanks, sampling);
-            let logs = draws
-                .iter()
-                .map(|loss| (loss / predictive.at_medians_w).ln());
-            logs.collect()
+            draws.into_iter().map(ln).collect()
         };
-        let sides = self.draws.iter().map(|nodes| Side {
+        let of_side = |nodes: &'a DrawnNodes| Side {
             nodes,
             logs: nodes.predictive.par_iter().map(logs).collect(),
-        });
-        let sides: Vec<Side<'_>> = sides.collect();
-        (!sides.is_empty()).then_some(Drawn { sides })
+        };
+        let sides: Vec<Side<'a>> = sides.iter().map(of_side).collect();
+        (!sides.is_empty()).then_some(Self { sides })
     }
-}
 
-impl Drawn<'_> {
     /// The place of an operating point, rounded to a 64th of the interval between nodes.
     pub(crate) fn place(&self, torque_nm: f64, speed_rpm: f64, temperature_c: f64) -> Place {
         let side = usize::from(torque_nm < 0.0).min(self.sides.len() - 1);

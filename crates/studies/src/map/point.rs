@@ -4,7 +4,7 @@ use asperity::case::{CaseInput, DefaultUsed};
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
-use super::draws::DrawnNodes;
+use super::draws::{Drawn, DrawnNodes};
 use super::surface::Surface;
 
 /// Mark of points below the smallest torque that the traces resolve.
@@ -152,6 +152,19 @@ impl FinishMap {
             speed_rpm: axes.speed_rpm.clone(),
             loss_torque_nm: value(&|numbers| numbers.loss_torque_nm)?,
         })
+    }
+
+    /// The draws, with the errors of model and sampling that flanks number `flanks` of a comparison have, and the standard
+    /// error of the sampling multiplied by `sampling`. `None` for a map without draws.
+    #[must_use]
+    pub fn drawn(&self, flanks: usize, sampling: f64) -> Option<Drawn<'_>> {
+        Drawn::of(&self.draws, flanks, sampling)
+    }
+
+    /// Whether both have the same flanks.
+    #[must_use]
+    pub fn has_flanks_of(&self, other: &Self) -> bool {
+        self.files == other.files && self.coast_files == other.coast_files
     }
 
     /// Number of points without a result, by code.
