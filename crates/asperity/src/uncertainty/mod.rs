@@ -297,9 +297,7 @@ fn parts(
         let remedy = match ranged.kind {
             Constant::BoundaryFriction | Constant::BoundaryLayer => RIG,
             Constant::Lay => "an areal scan of the flank: model.lay",
-            Constant::LimitingShear | Constant::EyringStress => {
-                "a traction curve of the oil"
-            }
+            Constant::LimitingShear | Constant::EyringStress => "a traction curve of the oil",
             Constant::PressureViscosity => "lubricant.pressure_viscosity of the oil",
         };
         (
@@ -311,6 +309,7 @@ fn parts(
     let half_width = widest(nominal.path);
     let windows = windows_of_traces(loaded, half_width).unwrap_or(f64::INFINITY);
     let longer = match windows < 8.0 {
+        _ if loaded.surfaces.is_surrogate() => "traces of the flanks".to_owned(),
         true => {
             let length = length_for(8.0, loaded.case.model.window, half_width);
             format!(
