@@ -66,7 +66,7 @@ pub struct UncertaintyPart {
     pub name: String,
     /// Standard deviation of ln loss.
     pub sd_ln: f64,
-    /// 5 % and 95 % quantiles of the loss \[W\].
+    /// 5 % and 95 % quantiles of the loss, scaled as the run to the median of all draws \[W\].
     pub quantiles_w: [f64; 2],
     /// What narrows it.
     pub remedy: String,

@@ -250,7 +250,7 @@ fn uncertainty(
             median_w: quantiles.median_w,
             quantiles_w: quantiles.quantiles_w,
             sd_ln: quantiles.sd_ln,
-            parts: parts(loaded, &predictive, &nominal),
+            parts: parts(loaded, &predictive, &nominal, quantiles.median_w),
         },
         at_medians_w: predictive.at_medians_w,
         efficiency_median: 1.0 - quantiles.median_w / power,
@@ -286,12 +286,17 @@ fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
 /// What narrows the constants of the boundary layer.
 const RIG: &str = "losses measured on a rig (asperity calibrate)";
 
-/// Every component drawn alone, the largest first.
+/// Every component drawn alone and scaled to the median of all, the largest first.
 fn parts(
     loaded: &LoadedCase,
     predictive: &Predictive,
     nominal: &Nominal<'_>,
+    median_w: f64,
 ) -> Vec<UncertaintyPart> {
+    let scale = match predictive.at_medians_w > 0.0 {
+        true => median_w / predictive.at_medians_w,
+        false => 1.0,
+    };
     let constants = predictive.constants.iter().enumerate();
     let constants = constants.map(|(k, ranged)| {
         let remedy = match ranged.kind {
@@ -349,7 +354,7 @@ fn parts(
             Some(UncertaintyPart {
                 name: name.to_owned(),
                 sd_ln: found.sd_ln,
-                quantiles_w: found.quantiles_w,
+                quantiles_w: found.quantiles_w.map(|loss| scale * loss),
                 remedy,
             })
         });

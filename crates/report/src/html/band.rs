@@ -120,9 +120,8 @@ pub(super) fn loss_chart(uncertainty: &Uncertainty) -> Drawing {
     };
     let all = bar("all together", uncertainty.loss.quantiles_w);
     // About the median of all, whatever the median of a component alone is.
-    let scale = uncertainty.scale();
     let parts = uncertainty.loss.parts.iter();
-    let parts = parts.map(|part| bar(&part.name, part.quantiles_w.map(|loss| scale * loss)));
+    let parts = parts.map(|part| bar(&part.name, part.quantiles_w));
     Drawing::Bars(BarChart {
         id: "band".to_owned(),
         title: "Loss with its uncertainty, and each component alone".to_owned(),
