@@ -9,11 +9,12 @@
 //! | Eyring stress τ₀ | low of the family | √(low high) | its high | lognormal |
 //! | pressure-viscosity α, where it is estimated | -15 % | the estimate | +18 % | lognormal |
 //!
-//! The medians are the defaults of a run. What the case calibrates ([`CalibrationInput`](crate::case::CalibrationInput))
-//! has the bands of that calibration instead: 95 % of a normal distribution of the logarithms, with its correlations.
+//! The medians are the defaults of a run. Constants that the case calibrates
+//! ([`CalibrationInput`](crate::case::CalibrationInput)) have the bands of the calibration instead: 95 % of a normal
+//! distribution of the logarithms, with its correlations.
 //!
-//! The distributions are judgement of this project, that of τ₀ of polyalphaolefin is bracketed by measured losses. What
-//! the case states is not drawn: whoever measured it knows better.
+//! The distributions are estimates of this project; measured losses bracket τ₀ of polyalphaolefin. Constants that the
+//! case states are not drawn: their user has measured them.
 
 use asperity_core::numerics::standard_normal_below;
 use asperity_core::quantity::{Length, Pressure, PressureViscosity};

@@ -223,7 +223,7 @@ fn is_solved(loaded: &LoadedCase) -> bool {
         && loaded.case.model.spot_speed == SpotSpeed::Entrainment
 }
 
-/// What is the same for all evaluations.
+/// Common input of all evaluations.
 struct Base<'a> {
     loaded: &'a LoadedCase,
     constants: &'a [Ranged],

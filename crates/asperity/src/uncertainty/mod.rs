@@ -1,9 +1,10 @@
-//! Uncertainty of a loss: draws of its logarithm over constants, sampling of the flanks, tip relief that nobody states,
-//! error of the model and admissible structures of it; models that measurements refute in a table of their own.
+//! Uncertainty of a loss: draws of its logarithm over constants, sampling of the flanks, tip relief that the case does
+//! not state, error of the model and its admissible structures. Models that measurements refute have a table of their
+//! own.
 //!
 //! The draws are the same for every case, so that two finishes differ by their flanks and not by the luck of the draw.
 //! A surface through some fifty evaluations gives the sliding loss of every draw; an evaluation costs film laws only, as
-//! the contacts of the run are kept.
+//! it reuses the contacts of the run.
 //!
 //! ```
 //! use asperity::{Run, case};
@@ -81,7 +82,7 @@ pub fn evaluations(loaded: &LoadedCase) -> usize {
     }
 }
 
-/// Runs a case with the uncertainty of its loss, and returns its draws; none of a case without an uncertainty.
+/// Runs a case with the uncertainty of its loss, and returns its draws; `None` if the case has no uncertainty.
 pub(crate) fn run_and_draw(
     loaded: &LoadedCase,
     pictures: Option<&KeptFields>,
@@ -125,7 +126,8 @@ pub(crate) fn run_and_draw(
     Ok((outcome, Some(predictive)))
 }
 
-/// The draws of a loss that is known already, with contacts made before, if any; none of a case without an uncertainty.
+/// The draws of a loss that is known already, with contacts made before, if any; `None` if the case has no
+/// uncertainty.
 ///
 /// # Errors
 /// As [`losses`](crate::losses).
@@ -286,7 +288,7 @@ fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
 /// What narrows the constants of the boundary layer.
 const RIG: &str = "losses measured on a rig (asperity calibrate)";
 
-/// Every component drawn alone, the largest first.
+/// Every component, drawn with all others at their medians, the largest first.
 fn parts(
     loaded: &LoadedCase,
     predictive: &Predictive,
@@ -297,9 +299,7 @@ fn parts(
         let remedy = match ranged.kind {
             Constant::BoundaryFriction | Constant::BoundaryLayer => RIG,
             Constant::Lay => "an areal scan of the flank: model.lay",
-            Constant::LimitingShear | Constant::EyringStress => {
-                "a traction curve of the oil"
-            }
+            Constant::LimitingShear | Constant::EyringStress => "a traction curve of the oil",
             Constant::PressureViscosity => "lubricant.pressure_viscosity of the oil",
         };
         (
