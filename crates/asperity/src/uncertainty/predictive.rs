@@ -605,7 +605,7 @@ mod tests {
     fn a_constant_alone_moves_the_loss_along_its_surface() {
         // S = μ_b/0.09: the loss has the distribution of the friction.
         let friction = constant(UncertainParameter::BoundaryFriction, [0.066, 0.09, 0.123]);
-        let slope = (0.123_f64 / 0.09).ln() / 1.644_853_626_951_472_7;
+        let slope = (0.123_f64 / 0.09).ln() / asperity_core::numerics::Z_95;
         let points: Vec<Vec<f64>> = (-4..=4).map(|k| vec![0.5 * f64::from(k)]).collect();
         let values: Vec<f64> = points.iter().map(|z| slope * z[0]).collect();
         let found = Predictive {
