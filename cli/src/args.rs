@@ -314,9 +314,9 @@ pub struct CompareArgs {
         value_name = "NAME=PINION.csv[,WHEEL.csv]"
     )]
     pub finishes: Vec<FinishArg>,
-    /// Number of offsets along the traces at which the flanks are paired
-    #[arg(long, default_value_t = 32)]
-    pub offsets: usize,
+    /// Number of offsets along the traces at which the flanks are paired [default: that of the finish that needs most]
+    #[arg(long)]
+    pub offsets: Option<usize>,
     /// Folder of the comparison [default: results/<name of the case>-compare]
     #[arg(long, short)]
     pub output: Option<PathBuf>,

@@ -20,8 +20,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         return Err(Failure::new("E205", message));
     }
     check_names(&args.finishes)?;
-    if args.offsets < 2 {
-        let offsets = args.offsets;
+    if let Some(offsets @ ..2) = args.offsets {
         let message = format!("--offsets {offsets}: must be at least 2, as one has no spread");
         return Err(Failure::new("E209", message));
     }
@@ -67,7 +66,9 @@ fn load(
     let (name, traces) = (&finish.name, Traces::of(finish)?);
     let change = |input: &mut CaseInput| {
         traces.put_into(input);
-        input.model.offsets = Some(args.offsets);
+        if args.offsets.is_some() {
+            input.model.offsets = args.offsets;
+        }
     };
     case::load_set(text.clone(), folder, &keys(&args.set), &change)
         .map_err(|error| Failure::of(&error).adding(&format!(" (--finish {name})")))

@@ -311,6 +311,7 @@ fn parts(
     let half_width = widest(nominal.path);
     let windows = windows_of_traces(loaded, half_width).unwrap_or(f64::INFINITY);
     let longer = match windows < 8.0 {
+        _ if loaded.surfaces.is_surrogate() => "traces of the flanks".to_owned(),
         true => {
             let length = length_for(8.0, loaded.case.model.window, half_width);
             format!(

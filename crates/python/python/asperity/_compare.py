@@ -23,9 +23,6 @@ Trace = Union[Profile, str, PathLike[str]]
 Finish = Union[Trace, tuple[Trace, Trace], Case]
 """A trace for both flanks, those of pinion and wheel, or a case."""
 
-USUAL_OFFSETS = 32
-"""Offsets of a comparison, as the command takes them."""
-
 
 def cases_of(case: CaseLike, finishes: Mapping[str, Finish], offsets: Optional[int]) -> list[tuple[str, _asperity.Case]]:
     """The case on each finish."""
@@ -132,7 +129,7 @@ def compare(
     case: CaseLike,
     finishes: Mapping[str, Finish],
     *,
-    offsets: int = USUAL_OFFSETS,
+    offsets: Optional[int] = None,
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
 ) -> Comparison:
@@ -142,12 +139,13 @@ def compare(
         case: the case, whose traces are replaced by those of each finish.
         finishes: by name a profile or file for both flanks (mirrored for the wheel), or a pair of pinion and wheel;
             at least two.
-        offsets: places along the traces at which the flanks meet; at least two.
+        offsets: places along the traces at which the flanks meet, at least two; None for those of the finish that needs
+            most.
         threads, progress: as in `Case.run`.
     """
     if len(finishes) < 2:
         raise AsperityError("one finish cannot be compared", "E205", "Give at least two finishes.")
-    if offsets < 2:
+    if offsets is not None and offsets < 2:
         raise AsperityError(f"offsets {offsets}: one offset has no spread", "E209", "Give at least two offsets.")
     with Told(progress, "finishes") as told:
         return Comparison(_asperity.compare(cases_of(case, finishes, offsets), threads, told))

@@ -92,20 +92,37 @@ pub struct Correlation {
     pub within_finishes: f64,
 }
 
-/// Runs all finishes and compares them with the first.
+/// Runs all finishes and compares them with the first. Where the case states no offsets, all have those of the finish that
+/// needs most.
 ///
 /// # Errors
 /// When a finish has no solution.
 pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison, Error> {
+    let run = |case: &LoadedCase| Run::new(case).fields(&KeptFields::Highest).draw();
+    let mut runs = Vec::with_capacity(finishes.len());
+    for finish in finishes {
+        runs.push(run(&finish.case)?);
+        progress(runs.len(), finishes.len());
+    }
+    let of_each_pair =
+        |finish: &Finish, rows: &[OffsetRow]| rows.len() / finish.case.surfaces.pairs();
+    let numbers = finishes.iter().zip(&runs);
+    let most = numbers.map(|(finish, (outcome, _))| of_each_pair(finish, &outcome.offsets));
+    let most = most.max().unwrap_or(0);
     let mut results: Vec<FinishResult> = Vec::with_capacity(finishes.len());
     let (mut title, mut power_in_w) = (String::new(), 0.0);
-    for finish in finishes {
-        let fields = KeptFields::Highest;
-        let (outcome, predictive) = Run::new(&finish.case).fields(&fields).draw()?;
+    for (finish, (mut outcome, mut predictive)) in finishes.iter().zip(runs) {
+        let is_chosen = finish.case.case.input.model.offsets.is_none();
+        if is_chosen && of_each_pair(finish, &outcome.offsets) < most {
+            let more = finish
+                .case
+                .with(|input| input.model.offsets = Some(most))
+                .map_err(Error::from)?;
+            (outcome, predictive) = run(&more)?;
+        }
         title.clone_from(&outcome.result.title);
         power_in_w = outcome.result.summary.power_in_w;
         results.push(finish_result(finish, outcome, predictive, results.first())?);
-        progress(results.len(), finishes.len());
     }
     let pooled = |finish: &FinishResult| finish.roughness.len().min(finish.offsets.len());
     Ok(Comparison {
@@ -139,8 +156,8 @@ fn finish_result(
     predictive: Option<Predictive>,
     first: Option<&FinishResult>,
 ) -> Result<FinishResult, Error> {
-    let roughness =
-        windows::roughness(&finish.case).map_err(|error| Error::Whole(Box::new(error)))?;
+    let roughness = windows::roughness(&finish.case, outcome.offsets.len())
+        .map_err(|error| Error::Whole(Box::new(error)))?;
     let result = outcome.result;
     let difference = first.and_then(|first| {
         Some(uncertainty::difference(

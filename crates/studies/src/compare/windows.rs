@@ -3,12 +3,13 @@
 use asperity::PositionError;
 use asperity::case::LoadedCase;
 use asperity::flanks::{Roughness, WindowPair};
-use asperity::mesh::Mesh;
+use asperity::mesh::{Mesh, MeshPosition};
 use asperity_core::Profile;
 use asperity_report::units::MICRO;
 use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::section_heights::section_heights;
 use asperity_roughness::spectral::moments;
+use rayon::prelude::*;
 use serde::Serialize;
 
 /// Roughness of both windows under a contact, combined as √(a² + b²); Rpk, Rk and Rvk of the composite profile.
@@ -37,22 +38,38 @@ pub(super) const PARAMETERS: &[(&str, Value)] = &[
     ("Rvk", |window| window.rvk_composite_um),
 ];
 
-/// Roughness of the windows at the middle position of the path, whose offsets are the same at all positions.
-pub(super) fn roughness(loaded: &LoadedCase) -> Result<Vec<WindowRoughness>, PositionError> {
-    let model = &loaded.case.model;
+/// Roughness of the windows in contact at each of `offsets` offsets, mean over the path.
+pub(super) fn roughness(
+    loaded: &LoadedCase,
+    offsets: usize,
+) -> Result<Vec<WindowRoughness>, PositionError> {
     let positions = Mesh::of(&loaded.case)?.positions;
-    let Some(at) = positions.get(positions.len() / 2) else {
-        return Ok(Vec::new());
+    let model = &loaded.case.model;
+    let surfaces = &loaded.surfaces;
+    let at = |at: &MeshPosition, offset: (usize, usize)| {
+        let pair = WindowPair::at(surfaces, at, (model.window, loaded.case.modulus), offset)?;
+        let roughness = surfaces.roughness_at(at, model.window, offset)?;
+        pair.map(|pair| window(&pair, &roughness)).transpose()
     };
-    let offsets = loaded.surfaces.offsets(model.offsets);
-    (0..offsets)
-        .map(|k| {
-            let (surfaces, offset) = (&loaded.surfaces, (k, offsets));
-            let pair = WindowPair::at(surfaces, at, (model.window, loaded.case.modulus), offset)?;
-            let roughness = surfaces.roughness_at(at, model.window, offset)?;
-            window(&pair.ok_or(PositionError::NoProfile)?, &roughness)
+    let mean = |k: usize| {
+        let found = positions.iter().map(|position| at(position, (k, offsets)));
+        let resolved = found.filter_map(Result::transpose);
+        let resolved = resolved.collect::<Result<Vec<_>, _>>()?;
+        let each = |of: Value| resolved.iter().map(of).sum::<f64>() / resolved.len() as f64;
+        if resolved.is_empty() {
+            return Err(PositionError::NoProfile);
+        }
+        Ok(WindowRoughness {
+            ra_um: each(|window| window.ra_um),
+            rq_um: each(|window| window.rq_um),
+            rz_um: each(|window| window.rz_um),
+            rdq: each(|window| window.rdq),
+            rpk_composite_um: each(|window| window.rpk_composite_um),
+            rk_composite_um: each(|window| window.rk_composite_um),
+            rvk_composite_um: each(|window| window.rvk_composite_um),
         })
-        .collect()
+    };
+    (0..offsets).into_par_iter().map(mean).collect()
 }
 
 fn window(pair: &WindowPair, roughness: &Roughness) -> Result<WindowRoughness, PositionError> {
