@@ -105,22 +105,15 @@ pub(crate) fn run_and_draw(
     let found = used.collect(|| uncertainty(&loaded, &outcome, &contacts, &done));
     let (uncertainty, predictive) = found?;
     outcome.result.uncertainty = Some(uncertainty);
-    if let (Some(assumed), Some(ends)) =
-        (&loaded.case.assumed_relief, predictive.at_ends_of_relief())
-    {
-        outcome
-            .result
-            .warnings
-            .insert(0, relief::warning(assumed, ends));
+    let warnings = &mut outcome.result.warnings;
+    let of_relief = loaded.case.assumed_relief.as_ref();
+    if let Some((assumed, ends)) = of_relief.zip(predictive.at_ends_of_relief()) {
+        warnings.insert(0, relief::warning(assumed, ends));
     }
     if predictive.surface_rms > PRECISE {
-        outcome.result.warnings.push(Warning::new(
-            "W440",
-            format!(
-                "the draws interpolate ln loss over the constants to {:.1} %",
-                100.0 * predictive.surface_rms
-            ),
-        ));
+        let percent = 100.0 * predictive.surface_rms;
+        let text = format!("the draws interpolate ln loss over the constants to {percent:.1} %");
+        warnings.push(Warning::new("W440", text));
     }
     note(&mut outcome.result, &used.tags());
     Ok((outcome, Some(predictive)))
