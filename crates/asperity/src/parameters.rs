@@ -9,13 +9,14 @@
 //! | Eyring stress τ₀ | low of the family | √(low high) | its high | lognormal |
 //! | pressure-viscosity α, where it is estimated | -15 % | the estimate | +18 % | lognormal |
 //!
-//! The medians are the defaults of a run. What the case calibrates ([`CalibrationInput`](crate::case::CalibrationInput))
-//! has the bands of that calibration instead: 95 % of a normal distribution of the logarithms, with its correlations.
+//! The medians are the defaults of a run. Constants that the case calibrates
+//! ([`CalibrationInput`](crate::case::CalibrationInput)) have the bands of the calibration instead: 95 % of a normal
+//! distribution of the logarithms, with its correlations.
 //!
-//! The distributions are judgement of this project, that of τ₀ of polyalphaolefin is bracketed by measured losses. What
-//! the case states is not drawn: whoever measured it knows better.
+//! The distributions are estimates of this project; measured losses bracket τ₀ of polyalphaolefin. Constants that the
+//! case states are not drawn: their user has measured them.
 
-use asperity_core::numerics::standard_normal_below;
+use asperity_core::numerics::{Z_95, Z_975, standard_normal_below};
 use asperity_core::quantity::{Length, Pressure, PressureViscosity};
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_oil::{ShearLawName, TractionConstants};
@@ -44,10 +45,6 @@ const LIMITING_SHEAR: [f64; 2] = [0.87, 1.15];
 const EYRING_STRESS: [f64; 2] = [0.75, 4.0 / 3.0];
 /// The same of a pressure-viscosity coefficient that is estimated.
 const PRESSURE_VISCOSITY: [f64; 2] = [0.85, 1.18];
-/// Standard normal quantile of 95 %.
-const Z_PRIOR: f64 = 1.644_853_626_951_472_7;
-/// The same of 97.5 %: ends of the 95 % band of a calibration.
-const Z_CALIBRATED: f64 = 1.959_963_984_540_054;
 
 /// An uncertain constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -204,7 +201,7 @@ impl UncertainParameter {
                 BOUNDARY_LAYER_BAND.map(Length::si),
             ),
             (Self::Lay, _) => {
-                let ends = [-Z_PRIOR, Z_PRIOR].map(|z| MOST_LAY * standard_normal_below(z));
+                let ends = [-Z_95, Z_95].map(|z| MOST_LAY * standard_normal_below(z));
                 range(case.model.lay[0].gamma(), ends)
             }
             (Self::PressureViscosity, _) => {
@@ -267,8 +264,8 @@ impl Ranged {
         }
         let end = if z < 0.0 { self.low } else { self.high };
         let z_end = match self.calibrated {
-            Some(_) => Z_CALIBRATED,
-            None => Z_PRIOR,
+            Some(_) => Z_975,
+            None => Z_95,
         };
         self.value * ((end / self.value).ln().abs() * z / z_end).exp()
     }
@@ -360,16 +357,16 @@ mod tests {
         };
         let prior = of(UncertainParameter::BoundaryFriction, None);
         assert!(
-            near(prior.at(-Z_PRIOR), 0.066)
+            near(prior.at(-Z_95), 0.066)
                 && near(prior.at(0.0), 0.09)
-                && near(prior.at(Z_PRIOR), 0.123)
+                && near(prior.at(Z_95), 0.123)
         );
         let calibrated = of(
             UncertainParameter::BoundaryFriction,
             Some(CalibratedName::BoundaryFriction),
         );
-        assert!(near(calibrated.at(Z_CALIBRATED), 0.123) && calibrated.at(Z_PRIOR) < 0.123);
+        assert!(near(calibrated.at(Z_975), 0.123) && calibrated.at(Z_95) < 0.123);
         let lay = of(UncertainParameter::Lay, None);
-        assert!(near(lay.at(0.0), 1.0 / 12.0) && near(lay.at(Z_PRIOR), 0.95 / 6.0));
+        assert!(near(lay.at(0.0), 1.0 / 12.0) && near(lay.at(Z_95), 0.95 / 6.0));
     }
 }

@@ -1,10 +1,7 @@
 //! Scatter of a fit relative to the stated errors, and its effect on the bands.
 
 use asperity_core::cite;
-use asperity_core::numerics::student_t_quantile;
-
-/// Standard deviations of an end of a normal 95 % band.
-pub(crate) const NORMAL: f64 = 1.959_963_984_540_054;
+use asperity_core::numerics::{Z_975, student_t_quantile};
 
 /// Sum of the squared residuals of a fit with its degrees of freedom.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +50,7 @@ impl Scatter {
     pub fn quantile(&self) -> f64 {
         match self.ratio() > 1.0 {
             true => student_t_quantile(0.95, self.freedom as f64),
-            false => NORMAL,
+            false => Z_975,
         }
     }
 }
@@ -144,7 +141,7 @@ mod tests {
             for (k, truth) in truth.iter().enumerate() {
                 let rise = fit.rise(k, *truth).unwrap();
                 held += u32::from(rise <= most);
-                plain += u32::from(rise * widening * widening <= NORMAL * NORMAL);
+                plain += u32::from(rise * widening * widening <= Z_975.powi(2));
             }
             if seed == 0 {
                 for end in fit.band(0).unwrap().ends {

@@ -3,10 +3,11 @@
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 use asperity::message::Warning;
+use asperity_core::numerics::Z_975;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-use crate::birge::{NORMAL, Scatter};
+use crate::birge::Scatter;
 use crate::error::CalibrationError;
 use crate::identifiability::{check_share, lambda_star_range};
 use crate::information::{covariance, deviation_without_prior, information};
@@ -345,7 +346,7 @@ fn expected(
                 verdict: crate::identifiability::verdict(deviation, parameter.prior()),
             },
             value: parameter.centre,
-            band: [-NORMAL, NORMAL].map(|z| parameter.centre * (z * width).exp()),
+            band: [-Z_975, Z_975].map(|z| parameter.centre * (z * width).exp()),
             default_range: parameter.range,
         }
     };

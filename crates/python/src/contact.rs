@@ -8,6 +8,7 @@ use asperity::contact::{
     SolverSettings, solve,
 };
 use asperity::quantity::{Length, LineLoad, Pressure};
+use asperity::remedy::Remedy;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
@@ -57,7 +58,11 @@ impl Asked {
                 approach: Length::from_si(approach),
                 datum: Length::from_si(self.datum.unwrap_or(2.0 * window)),
             }),
-            _ => Err(Failure::new("E205", "give either load or approach")),
+            _ => {
+                let message = "load and approach: one of both is needed";
+                let help = Remedy::act("give either load or approach");
+                Err(Failure::new("E205", message).advising(help))
+            }
         }
     }
 }

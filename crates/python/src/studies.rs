@@ -63,13 +63,18 @@ impl Comparison {
         self.0.summary(())
     }
 
+    /// The decision of each difference from the first finish, in words.
+    fn verdicts(&self) -> Vec<String> {
+        self.0.verdicts()
+    }
+
     /// Writes the folder of the comparison.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
         alone(py, || Ok(self.0.write((), &folder)?))
     }
 }
 
-/// What the loss of a case does when one thing changes.
+/// Changes of the loss of a case when one thing changes.
 #[pyclass(frozen, module = "asperity._asperity")]
 pub struct Sensitivity(changing::Sensitivity);
 

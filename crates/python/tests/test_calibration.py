@@ -73,9 +73,11 @@ def test_columns_and_frames_are_taken_as_tables(rig, columns, found):
 
 def test_a_calibrated_case_has_a_narrower_band(found):
     case = asperity.Case(CASE)
-    calibrated = found.apply(case)
-    width = [run.uncertainty.loss.sd_ln for run in (case.run(), calibrated.run())]
-    assert width[1] < 0.8 * width[0]
+    before, after = [of.run().uncertainty.loss for of in (case, found.apply(case))]
+    assert after.sd_ln < 0.9 * before.sd_ln
+    parts = [dict(zip(loss.parts.name, loss.parts.sd_ln)) for loss in (before, after)]
+    for name in ("boundary friction", "boundary layer", "Eyring stress", "limiting shear"):
+        assert parts[1][name] < 0.7 * parts[0][name], name
 
 
 def test_a_calibration_is_written_as_by_the_command(found, tmp_path):

@@ -89,7 +89,7 @@ def test_keys_are_set_past_the_text_of_a_file():
 
 def test_a_case_tells_its_defaults(case):
     defaults = dict(zip(case.defaults.key, case.defaults.value))
-    assert float(defaults["model.boundary_friction"]) == 0.08
+    assert float(defaults["model.boundary_friction"]) == 0.09
     assert case.title == "small" and "model.positions" in case._repr_html_()
 
 

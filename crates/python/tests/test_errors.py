@@ -164,9 +164,10 @@ RAISES = {
     "E212": lambda place: Case(small()).replace({"gears.module": "1.8 m"}),
     "E220": lambda place: Case(small()).replace({"material.pinion.steel": "16MnCr6"}),
     "E222": values(gearbox={"seals": [{"name": "input", "shaft": "pinion", "diameter": "-40 mm"}]}),
+    "E223": lambda place: Case(small(surface={**BARE, "finish": "honed"})),
     "E301": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e5, tolerance=1e-17),
     "E302": lambda place: solve_contact(GAP, 1e-6, 115e9, 1e6, pressure_limit="1 GPa"),
-    "E303": lambda place: Case(small(surface=BARE)).contact(),
+    "E303": lambda place: Case(small(surface=BARE), formulation="paper").contact(),
     "E304": lambda place: Case(small(model={"numerical_error": "1e-13 %"}), formulation="paper").run(),
     "E305": values(
         operation={"torque": "145 N m", "speed": "9000 1/min", "temperature": "240 °C"},
@@ -201,6 +202,8 @@ ELSEWHERE = {
     "E309": "shards are merged by the command",
     "E310": "calibration is done by the command",
     "E314": "cycles are evaluated by the command",
+    "E315": "calibration is done by the command",
+    "E316": "calibration is done by the command",
     "E501": "faults of the program, which no input raises",
     "E502": "what cancels a call is raised itself, KeyboardInterrupt for instance",
 }

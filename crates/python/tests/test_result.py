@@ -77,11 +77,15 @@ def test_a_notebook_shows_summary_and_chart(result):
     assert "<table" in result.path._repr_html_() and "<table" in result.summary._repr_html_()
 
 
-def test_the_band_goes_with_a_run():
+def test_the_uncertainty_goes_with_a_run(result):
     case = asperity.Case(CASES / "e-drive.toml", model={"positions": 4, "offsets": 4})
     uncertainty = case.run().uncertainty
     low, high = uncertainty.loss.quantiles_w
     assert low < uncertainty.loss.median_w < high and uncertainty.draws == 4096
+    parts = uncertainty.loss.parts
+    widths = [high - low for low, high in (part.quantiles_w for part in parts)]
+    assert widths == sorted(widths, reverse=True) and all(parts.name) and all(parts.remedy)
+    assert result.uncertainty is None
     assert "5 to 95 %" in case.run()._repr_html_()
 
 

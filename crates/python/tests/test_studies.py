@@ -24,12 +24,19 @@ def test_a_comparison_of_files_profiles_pairs_and_cases(drive, tmp_path):
     assert found.names == ["ground", "profile", "pair", "case"]
     assert found.finishes.loss_w[1] < found.finishes.loss_w[0]
     assert len(found.offsets["pair"]) == 2
+    first, *others = found.finishes
+    assert first.difference is None and len(found.verdicts) == 3
+    difference = others[0].difference
+    assert difference.quantiles_w[0] < difference.median_w < difference.quantiles_w[1]
+    assert 0.5 <= difference.probability <= 1 and len(difference.models) and difference.verdict
+    assert found.verdicts[0].startswith("profile ") and others[-1].uncertainty.loss.median_w > 0
     assert str(found).startswith("e-drive") and "ground" in repr(found) and "<table" in found._repr_html_()
     found.write(tmp_path / "out")
     assert asperity.read_result(tmp_path / "out").title == found.title
     pytest.importorskip("pandas")
     frame = found.to_pandas()
     assert list(frame.index) == found.names and frame.loss_w["profile"] == found.finishes.loss_w[1]
+    assert frame.difference_median_w["profile"] == difference.median_w and frame.loss_p05_w["ground"] < frame.loss_median_w["ground"]
     pytest.importorskip("xarray")
     assert found.to_xarray().loss_w.sizes == {"finish": 4, "offset": 2}
 

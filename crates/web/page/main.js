@@ -289,7 +289,7 @@ async function run() {
     const found = await runs.ask("run", { ...given, files }, (done, total) => {
       element("bar").max = total;
       element("bar").value = done;
-      status.textContent = done < total ? `Position ${done} of ${total}` : "Band of the loss …";
+      status.textContent = done < total ? `Position ${done} of ${total}` : "Uncertainty of the loss …";
     });
     showResult(found, given);
     note("done");

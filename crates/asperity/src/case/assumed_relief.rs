@@ -1,4 +1,4 @@
-//! Tip relief of gears whose drawing nobody states.
+//! Tip relief of gears whose case states none.
 
 use asperity_core::cite;
 use asperity_core::quantity::{Length, Torque};
@@ -9,7 +9,7 @@ use asperity_gear::{
 
 use super::input::CaseInput;
 
-/// Tip relief of gears whose drawing nobody states: between none and the approach of the teeth under their largest load.
+/// Tip relief of gears whose case states none: between none and the approach of the teeth under their largest load.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct AssumedRelief {
@@ -24,11 +24,11 @@ pub struct AssumedRelief {
 impl AssumedRelief {
     /// Amount of a run, over the approach.
     pub const AMOUNT: f64 = 0.5;
-    /// Roll length of a run, over that to the end of double contact.
+    /// Roll length of a run, relative to the roll length to the end of double contact.
     pub const LENGTH: f64 = 0.75;
 
-    /// The relief that a case does not state, under the larger of its torque and the largest torque of its map; none
-    /// where both gears state theirs, and where a single pair of teeth carries the load throughout.
+    /// The relief that a case does not state, under the larger of its torque and the largest torque of its map; `None`
+    /// if both gears state theirs, or a single pair of teeth carries the load throughout.
     ///
     /// ```text
     /// C_a = c δ over the roll length l L,  L = (ε_α − 1) p_et                      [Assumed-relief]

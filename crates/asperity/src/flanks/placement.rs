@@ -8,8 +8,8 @@
 //! | x | common tangent, towards the pinion's tip | m |
 //! | a | half width of the contact | m |
 //!
-//! Traces are stored along x, so the window of a contact is a run of neighbouring points on both. Points of a window
-//! beyond the end of a trace are those of its mirror image there.
+//! Traces are stored along x, so the window of a contact is a run of neighbouring points on both. A window
+//! beyond the end of a trace continues on the mirror image of the trace.
 
 use asperity_core::quantity::Length;
 use asperity_core::{Profile, cite};
@@ -38,8 +38,8 @@ pub struct PlacedTrace {
 pub struct Placement {
     /// Traces of pinion and wheel.
     pub traces: [PlacedTrace; 2],
-    /// How far each trace is taken to be misplaced along x, in half-widths, the one against the other; 0 unless the
-    /// effect of a misplacement is asked for.
+    /// Assumed misplacement of each trace along x in half-widths, opposite for the two traces; 0 unless the effect of a
+    /// misplacement is requested.
     pub misplaced: f64,
 }
 

@@ -60,8 +60,8 @@ impl PartialEq for Surfaces {
 pub struct PairsOfTeeth {
     /// Teeth of pinion and wheel; `None` of surrogates, each of which is in one pair.
     pub teeth: Option<[usize; 2]>,
-    /// The traces in contact in each zone of the face, pair by pair: a tooth of the pinion on all of the wheel,
-    /// then those of the next.
+    /// The traces in contact in each zone of the face, pair by pair: a tooth of the pinion on all teeth of
+    /// the wheel, then the next tooth.
     pub met: Vec<Vec<Surfaces>>,
 }
 
@@ -313,7 +313,7 @@ impl Surfaces {
     /// Changes the heights of the traces; Rz of a trace scales with its Rq.
     ///
     /// # Errors
-    /// Those of `change`.
+    /// The errors of `change`.
     pub fn with_changed_traces<E>(
         &self,
         change: impl Fn(&Profile) -> Result<Profile, E>,
@@ -368,7 +368,7 @@ impl Surfaces {
         Arc::ptr_eq(&self.textures, &other.textures) || self.textures == other.textures
     }
 
-    /// Whether both flanks have traces, measured ones or those of surrogates.
+    /// Whether both flanks have traces, measured or of surrogates.
     pub fn are_measured(&self) -> bool {
         self.textures
             .iter()
@@ -386,7 +386,7 @@ impl Surfaces {
         self.pairs() * of_a_pair
     }
 
-    /// Whether both flanks are those of `other`, in every pair.
+    /// Whether `other` has the same flanks in every pair.
     #[must_use]
     pub fn has_flanks_of(&self, other: &Self) -> bool {
         let (ours, theirs): (Vec<&Self>, Vec<&Self>) =

@@ -13,7 +13,7 @@ use crate::mesh::{MeshPosition, Resolution};
 /// Least points per Hertz half-width at which a contact is resolved.
 pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 
-/// Averaging width b_e of a contact in its half-widths, that of a loss weighted with the pressure of Hertz.
+/// Width b_e in half-widths of a contact over which the loss averages, which is weighted with the pressure of Hertz.
 pub(crate) const AVERAGING_WIDTH: f64 = 1.6;
 
 /// 1/p and 1/p² of p³ = p + 1: multiples of both, minus their whole parts, fill a square evenly (Roberts 2018).

@@ -42,10 +42,10 @@ pub struct ShareConditions<'a> {
     pub contact: &'a FilmContact<'a>,
     /// Pressure at which each flank flows.
     pub flow_pressure: [Pressure; 2],
-    /// The rough contact solved for the supply of [`LoadShare::supply`]; none where the law asks for none, or
+    /// The rough contact solved for the supply of [`LoadShare::supply`]; `None` if the law requires none, or
     /// a flank was not measured.
     pub solved: Option<&'a LoadShareSolution>,
-    /// Records of mixed lubrication along the path, interpolated here; none where the law asks for none, or a
+    /// Records of mixed lubrication along the path, interpolated here; `None` if the law requires none, or a
     /// flank was not measured.
     pub recorded: Option<&'a RecordedShare>,
 }

@@ -1,8 +1,8 @@
 //! Equilibrium bulk temperature of the flanks.
 //!
-//! Film and friction see the flanks' bulk temperature; where a case gives that of the oil instead, the loss makes
-//! the rise and the rise changes the loss. The rough contacts are solved once: a further temperature costs film
-//! laws only. All properties of the oil are those at the bulk temperature, its density included.
+//! Film and friction see the flanks' bulk temperature; where a case states the temperature of the oil instead, the loss
+//! causes the rise and the rise changes the loss. The rough contacts are solved once: a further temperature costs film
+//! laws only. All properties of the oil, its density included, are taken at the bulk temperature.
 
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::{Power, Speed, Temperature};

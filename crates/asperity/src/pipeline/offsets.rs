@@ -2,7 +2,7 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | K | offsets at which the flanks meet, of each pair of traces | - |
+//! | K | offsets of each pair of traces against each other | - |
 //! | ω_i | share of the sliding loss that position i makes | - |
 //! | s_i | standard deviation over the offsets of the loss of position i, over its mean | - |
 //! | n_max | independent windows of the traces | - |
@@ -24,8 +24,8 @@ const MOST: usize = 256;
 /// Offsets for each independent window beyond which more say nothing new.
 const OVERLAP: f64 = 4.0;
 
-/// Whether the number of offsets of `loaded` follows from its loss: the case states none, and its load share looks at
-/// windows of traces whose place on the flank is not known.
+/// Whether the number of offsets of `loaded` follows from its loss: the case states none, and its load share
+/// follows from windows of traces whose place on the flank is not known.
 pub(super) fn chooses_offsets(loaded: &LoadedCase) -> bool {
     let (case, surfaces) = (&loaded.case, &loaded.surfaces);
     case.input.model.offsets.is_none()
@@ -50,13 +50,13 @@ pub(super) fn with_offsets(loaded: &LoadedCase, offsets: usize) -> Cow<'_, Loade
     Cow::Owned(more)
 }
 
-/// The number of offsets for a standard error of 1 %, from the scatter over those of `positions`.
+/// The number of offsets for a standard error of 1 %, from the scatter over the offsets of `positions`.
 ///
 /// ```text
 /// K = min(256, max(K₀, min(⌈Σ(ω_i s_i)²/0.01²⌉, 4 n_max)))                  [Adaptive-offsets]
 /// ```
 ///
-/// Positions meet at other places of the traces, so that their scatters add in squares.
+/// Each position has other places of the traces in contact, so that the scatters add in squares.
 pub(super) fn offsets_needed(loaded: &LoadedCase, positions: &[LubricatedPosition]) -> usize {
     cite!("Adaptive-offsets");
     let least = loaded.case.model.offsets;

@@ -29,7 +29,7 @@ use crate::result::{Losses, Outcome, RunInFlanks};
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
 /// Checks all that a run checks before it solves a contact: the table of the gearbox, the mesh positions with their
-/// smooth films, the place of the traces, and at the first offset of each pair of teeth the windows that meet.
+/// smooth films, the place of the traces, and at the first offset of each pair of teeth the windows in contact.
 /// Records of mixed lubrication are not computed, and a bulk temperature that follows from the loss is not sought.
 ///
 /// # Errors
@@ -147,7 +147,7 @@ pub fn losses(loaded: &LoadedCase) -> Result<Losses, Error> {
 /// or temperature only; they equal those without to the last digit.
 ///
 /// # Errors
-/// As [`losses`], and when the contacts are those of other flanks, gears or loads.
+/// As [`losses`], and when the contacts belong to other flanks, gears or loads.
 ///
 /// ```
 /// use asperity::{case, pipeline};
@@ -373,7 +373,7 @@ impl<'a> Stages<'a> {
     }
 
     /// The points A to E of the path, solved as the positions are, without pictures. Left out are points whose contact
-    /// the traces do not resolve, as the load share there would be that of another law, and points whose window is
+    /// the traces do not resolve, as another law would give the load share there, and points whose window is
     /// longer than the traces.
     fn points(&self) -> Result<Vec<(&'static str, LubricatedPosition)>, PositionError> {
         let (loaded, case) = (self.loaded, &self.loaded.case);

@@ -28,7 +28,7 @@ pub struct FilmConstant {
     pub source: String,
 }
 
-/// The constants of the oil's family in use; none where neither film friction nor load share look at it.
+/// The constants of the oil's family in use; none if neither film friction nor load share depends on it.
 pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, LubricantError> {
     let (Some(_), Some(base)) = (&case.rheology, case.lubricant.base_oil()) else {
         return Ok(Vec::new());

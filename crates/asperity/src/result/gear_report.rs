@@ -37,7 +37,7 @@ pub struct GearReport {
     pub face_load_factor: f64,
     /// Transmission error over a mesh cycle; none for laws without deflections.
     pub transmission_error: Option<TransmissionError>,
-    /// Mean mesh stiffness of ISO 6336-1, c_γ \[N/(mm µm)\]; none where its polynomial does not hold.
+    /// Mean mesh stiffness of ISO 6336-1, c_γ \[N/(mm µm)\]; `None` outside the range of its polynomial.
     pub iso_mesh_stiffness_n_per_mm_um: Option<f64>,
     /// Evidence of the load distribution.
     pub evidence: LoadMapEvidence,

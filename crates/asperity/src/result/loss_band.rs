@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What is uncertain in the loss, by how much, and what other models give.
+/// The uncertainty of the loss with its components, and the loss by other models.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Uncertainty {
@@ -37,7 +37,7 @@ pub struct Uncertainty {
     pub other_models: Vec<AlternativeRow>,
     /// Trust in the result.
     pub trust: Trust,
-    /// The quantiles of the loss that traces of surrogate flanks would leave \[W\]; none of other flanks.
+    /// Quantiles of the loss that traces in place of surrogate flanks would leave \[W\]; `None` for measured flanks.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub with_traces_w: Option<[f64; 2]>,
     /// 5 % and 95 % quantiles of the sliding loss per metre of contact line at each position \[W/m\].
@@ -54,11 +54,11 @@ pub struct LossDistribution {
     pub quantiles_w: [f64; 2],
     /// Standard deviation of the logarithm.
     pub sd_ln: f64,
-    /// Components, each drawn alone, the largest first.
+    /// Components, each with all others at their medians, the largest first.
     pub parts: Vec<UncertaintyPart>,
 }
 
-/// A component of the uncertainty, drawn alone.
+/// A component of the uncertainty, drawn with all others at their medians.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct UncertaintyPart {
@@ -68,7 +68,7 @@ pub struct UncertaintyPart {
     pub sd_ln: f64,
     /// 5 % and 95 % quantiles of the loss, scaled as the run to the median of all draws \[W\].
     pub quantiles_w: [f64; 2],
-    /// What narrows it.
+    /// Measurement or statement that narrows it.
     pub remedy: String,
 }
 
@@ -150,7 +150,7 @@ pub struct PairSampling {
     /// Half the width of the 95 % interval of the mean loss \[W\].
     pub half_width_w: f64,
     /// Change of the loss \[W\] where placed traces are misplaced by two half-widths of the contact against each
-    /// other, to either side; none of traces that are not placed, or where it was not asked for.
+    /// other, to either side; `None` if the traces are not placed or it was not computed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub misplaced_w: Option<[f64; 2]>,
 }

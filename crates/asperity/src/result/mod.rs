@@ -225,8 +225,8 @@ pub struct PositionRow {
     pub weight_m: f64,
     /// Line load \[N/mm\].
     pub line_load_n_per_mm: f64,
-    /// Line load with which the row makes its sliding loss \[N/mm\]: that of the cell which the row represents, weighted
-    /// with the sliding speed, over the sliding speed of the row. `mu` times it times the sliding speed is
+    /// Line load with which the row makes its sliding loss \[N/mm\]: the line load of the cell which the row represents,
+    /// weighted with the sliding speed, over the sliding speed of the row. `mu` times it times the sliding speed is
     /// `sliding_w_per_m`. Zero in older results.
     #[serde(default)]
     pub sliding_load_n_per_mm: f64,

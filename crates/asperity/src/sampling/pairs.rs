@@ -20,8 +20,7 @@ use crate::result::PairSampling;
 /// Confidence of the interval of the mean.
 const CONFIDENCE: f64 = 0.95;
 
-/// Standard error of the mean of `losses`, those of the teeth of the pinion one after the other, each on all
-/// `teeth[1]` of the wheel.
+/// Standard error of the mean of `losses`, tooth by tooth of the pinion, each on all `teeth[1]` of the wheel.
 ///
 /// ```text
 /// SE² = max(V₁ − M/n₂, 0)/n₁ + max(V₂ − M/n₁, 0)/n₂ + M/(n₁ n₂)              [Between-traces]

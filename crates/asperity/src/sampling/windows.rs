@@ -2,7 +2,7 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | K | offsets at which the flanks meet | - |
+//! | K | offsets of the flanks against each other | - |
 //! | L_f | trace length minus the window: the way that a window can take | m |
 //! | a | half width of the contact | m |
 //! | b_e | width over which a window averages | m |
@@ -12,8 +12,8 @@
 //! | d_i | its standard deviation over the offsets | W |
 //! | φ | share of the load on the asperities | - |
 //!
-//! Windows that overlap say the same twice: with K growing the mean settles on that of the trace, not on that
-//! of the flank. b_e = 1.6 a is that of a loss weighted with the pressure of Hertz.
+//! Windows that overlap repeat each other: with growing K the mean converges to the mean of the trace, not of the flank.
+//! b_e = 1.6 a holds for a loss weighted with the pressure of Hertz.
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;
@@ -22,8 +22,8 @@ use crate::case::LoadedCase;
 use crate::flanks::{AVERAGING_WIDTH, Surfaces, Texture};
 use crate::result::loss_band::WindowSampling;
 
-/// Scatter of the whole loss over the sum of the scatters of its positions, which meet at one place of the flank: 0.68
-/// to 0.77 measured.
+/// Scatter of the whole loss over the sum of the scatters of its positions, which share places of the flank: 0.68 to
+/// 0.77 measured.
 const COMMON: f64 = 0.75;
 /// Scatter expected of flanks before any is seen, for each unit of φ, and its weight in degrees of freedom.
 const PRIOR: [f64; 2] = [0.5, 4.0];
@@ -99,8 +99,8 @@ pub(crate) fn length_for(windows: f64, window: f64, half_width: Length) -> Lengt
     half_width * (windows * AVERAGING_WIDTH + 2.0 * window)
 }
 
-/// Independent windows of the traces of a case under contacts of half width `half_width`, those of several teeth added;
-/// none where a flank was not measured.
+/// Independent windows of the traces of a case under contacts of half width `half_width`, added up over several
+/// teeth; `None` if a flank was not measured.
 pub(crate) fn windows_of_traces(loaded: &LoadedCase, half_width: Length) -> Option<f64> {
     let surfaces = &loaded.surfaces;
     let free = free_way(surfaces, loaded.case.model.window, half_width)?;

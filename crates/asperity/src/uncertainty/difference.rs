@@ -81,7 +81,7 @@ impl PairedDifference {
     }
 }
 
-/// The loss of `other` minus that of `first`, draw by draw. Cases that differ in nothing differ by exactly 0.
+/// The loss of `other` minus the loss of `first`, draw by draw. Cases that differ in nothing differ by exactly 0.
 ///
 /// ```text
 /// δ_j = P_other,j − P_first,j                                                [Paired-difference]

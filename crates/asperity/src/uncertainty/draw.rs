@@ -12,9 +12,9 @@ pub const DRAWS: usize = 4096;
 
 /// Share of each tail of a constant that is not drawn.
 const CUT: f64 = 0.005;
-/// Seed of the draws that all flanks share; those of flanks number k have the next ones.
+/// Seed of the draws that all flanks share; the draws of flanks number k have the next seeds.
 const SEED: u64 = 3;
-/// Axes besides those of the constants.
+/// Axes besides the constants.
 const FACTORS: usize = 6;
 
 /// One draw of everything that is uncertain: standard normal where not said otherwise.

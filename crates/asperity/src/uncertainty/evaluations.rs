@@ -223,7 +223,7 @@ fn is_solved(loaded: &LoadedCase) -> bool {
         && loaded.case.model.spot_speed == SpotSpeed::Entrainment
 }
 
-/// What is the same for all evaluations.
+/// Common input of all evaluations.
 struct Base<'a> {
     loaded: &'a LoadedCase,
     constants: &'a [Ranged],
@@ -357,26 +357,20 @@ fn sampling_error(
     if surfaces.is_surrogate() {
         return Ok(of_surrogates(&logs, asperity_share));
     }
+    let of_place = SamplingError {
+        shifts,
+        ..SamplingError::NONE
+    };
     if let Some(teeth) = surfaces.several_teeth() {
         let found = pair_sampling(&logs, teeth).filter(|found| found.standard_error_w > 0.0);
-        return Ok(match found {
-            Some(found) => SamplingError {
-                standard_error: found.standard_error_w,
-                freedom: found.freedom,
-                shifts,
-                ..SamplingError::NONE
-            },
-            None => SamplingError {
-                shifts,
-                ..SamplingError::NONE
-            },
-        });
+        return Ok(found.map_or(of_place, |found| SamplingError {
+            standard_error: found.standard_error_w,
+            freedom: found.freedom,
+            ..of_place
+        }));
     }
     if shifts.is_some() {
-        return Ok(SamplingError {
-            shifts,
-            ..SamplingError::NONE
-        });
+        return Ok(of_place);
     }
     let Some(windows) = windows_of_traces(loaded, widest(nominal.path)) else {
         return Ok(SamplingError::NONE);

@@ -1,9 +1,10 @@
-//! Uncertainty of a loss: draws of its logarithm over constants, sampling of the flanks, tip relief that nobody states,
-//! error of the model and admissible structures of it; models that measurements refute in a table of their own.
+//! Uncertainty of a loss: draws of its logarithm over constants, sampling of the flanks, tip relief that the case does
+//! not state, error of the model and its admissible structures. Models that measurements refute have a table of their
+//! own.
 //!
 //! The draws are the same for every case, so that two finishes differ by their flanks and not by the luck of the draw.
 //! A surface through some fifty evaluations gives the sliding loss of every draw; an evaluation costs film laws only, as
-//! the contacts of the run are kept.
+//! it reuses the contacts of the run.
 //!
 //! ```
 //! use asperity::{Run, case};
@@ -81,7 +82,7 @@ pub fn evaluations(loaded: &LoadedCase) -> usize {
     }
 }
 
-/// Runs a case with the uncertainty of its loss, and returns its draws; none of a case without an uncertainty.
+/// Runs a case with the uncertainty of its loss, and returns its draws; `None` if the case has no uncertainty.
 pub(crate) fn run_and_draw(
     loaded: &LoadedCase,
     pictures: Option<&KeptFields>,
@@ -104,28 +105,22 @@ pub(crate) fn run_and_draw(
     let found = used.collect(|| uncertainty(&loaded, &outcome, &contacts, &done));
     let (uncertainty, predictive) = found?;
     outcome.result.uncertainty = Some(uncertainty);
-    if let (Some(assumed), Some(ends)) =
-        (&loaded.case.assumed_relief, predictive.at_ends_of_relief())
-    {
-        outcome
-            .result
-            .warnings
-            .insert(0, relief::warning(assumed, ends));
+    let warnings = &mut outcome.result.warnings;
+    let of_relief = loaded.case.assumed_relief.as_ref();
+    if let Some((assumed, ends)) = of_relief.zip(predictive.at_ends_of_relief()) {
+        warnings.insert(0, relief::warning(assumed, ends));
     }
     if predictive.surface_rms > PRECISE {
-        outcome.result.warnings.push(Warning::new(
-            "W440",
-            format!(
-                "the draws interpolate ln loss over the constants to {:.1} %",
-                100.0 * predictive.surface_rms
-            ),
-        ));
+        let percent = 100.0 * predictive.surface_rms;
+        let text = format!("the draws interpolate ln loss over the constants to {percent:.1} %");
+        warnings.push(Warning::new("W440", text));
     }
     note(&mut outcome.result, &used.tags());
     Ok((outcome, Some(predictive)))
 }
 
-/// The draws of a loss that is known already, with contacts made before, if any; none of a case without an uncertainty.
+/// The draws of a loss that is known already, with contacts made before, if any; `None` if the case has no
+/// uncertainty.
 ///
 /// # Errors
 /// As [`losses`](crate::losses).
@@ -286,7 +281,7 @@ fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
 /// What narrows the constants of the boundary layer.
 const RIG: &str = "losses measured on a rig (asperity calibrate)";
 
-/// Every component drawn alone and scaled to the median of all, the largest first.
+/// Every component, drawn with all others at their medians and scaled to the median of the loss, the largest first.
 fn parts(
     loaded: &LoadedCase,
     predictive: &Predictive,

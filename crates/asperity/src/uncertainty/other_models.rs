@@ -1,4 +1,4 @@
-//! Models that measurements refute: their losses stand in a table of their own, and in no draw.
+//! Models that measurements refute: a table has their losses, no draw has them.
 
 use asperity_oil::PressureLaw;
 

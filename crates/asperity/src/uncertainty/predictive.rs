@@ -5,16 +5,16 @@
 //! | P_j | loss of draw j | W |
 //! | S | sliding loss at the constants θ of the draw | W |
 //! | D | change by the step rule of the boundary layer | W |
-//! | F | loss factor with the drawn tip relief over that of the run | - |
+//! | F | ratio of the loss factors with the drawn tip relief and in the run | - |
 //! | γ | power of F, 1.15 ± 0.08 (standard deviation) | - |
 //! | Q | rolling loss | W |
 //! | φ | share of the load on the asperities, weighted with the sliding loss | - |
 //! | s | roughness σ_d that the contact leaves over the film, weighted with the sliding loss | - |
-//! | g | ln of the loss by the fast model over that by records of mixed lubrication, at its mean | - |
+//! | g | ln of the ratio of the losses by the fast model and by records of mixed lubrication, at its mean | - |
 //! | SE, ν | standard error of ln P by the sampling of the flanks, its degrees of freedom | - |
 //!
-//! The draws are the same for every case, those of the constants, the structure, the tip relief and the rolling loss for
-//! all flanks; those of model error and sampling differ from flanks to other flanks.
+//! The draws are the same for every case. All flanks share the constants, the structure, the tip relief and the rolling
+//! loss of a draw; model error and sampling differ from flanks to other flanks.
 
 use asperity_core::cite;
 use serde::{Deserialize, Serialize};
@@ -52,7 +52,7 @@ pub struct Predictive {
     pub(crate) constants: Vec<Ranged>,
     /// Rows of the lower triangle of the correlations of the calibrated constants, in their order.
     pub(crate) correlations: Vec<Vec<f64>>,
-    /// ln of the sliding loss over that at the medians; none where nothing is drawn.
+    /// ln of the sliding loss relative to the medians; `None` if nothing is drawn.
     pub(crate) sliding: Option<QuadraticSurface>,
     /// φ less that at the medians.
     pub(crate) share: Option<QuadraticSurface>,
@@ -60,11 +60,11 @@ pub struct Predictive {
     pub(crate) surface_rms: f64,
     /// φ at the medians.
     pub(crate) asperity_share: f64,
-    /// What a solved contact leaves open; none where the share of the asperities follows from a formula.
+    /// Open choices of a solved contact; `None` if the share of the asperities follows from a formula.
     pub(crate) structure: Option<Structure>,
-    /// Loss factors over tip reliefs; none where the case states its relief.
+    /// Loss factors over tip reliefs; `None` if the case states its relief.
     pub(crate) relief: Option<ReliefFactors>,
-    /// s; none where it is not known.
+    /// s; `None` if it is not known.
     pub(crate) roughness_over_film: Option<f64>,
     /// Film weighted with the sliding loss \[m\].
     pub(crate) film_m: f64,
@@ -75,8 +75,8 @@ pub struct Predictive {
 /// Structural choices of the solved share of the asperities.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Structure {
-    /// ln of the sliding loss with spots fed at half the sliding speed over that at the entrainment speed: constant, and
-    /// slopes over the standardised boundary friction and boundary layer.
+    /// ln of the ratio of the sliding losses with spots fed at half the sliding speed and at the entrainment speed:
+    /// constant, and slopes over the standardised boundary friction and boundary layer.
     pub half_sliding: [f64; 3],
     /// Film friction weighted with the sliding loss.
     pub film_friction: f64,
@@ -193,7 +193,7 @@ impl Predictive {
         (self.sampling.form > 0.0).then(|| measured.quantiles())
     }
 
-    /// The same with only `component` drawn; none where it changes nothing.
+    /// Median, quantiles and spread with only `component` drawn; `None` if it changes nothing.
     pub(super) fn alone(&self, component: Component) -> Option<Quantiles> {
         let table = StudentOfNormal::new(self.sampling.freedom);
         let draws = shared_draws().zip(flank_draws(0));
@@ -226,7 +226,7 @@ impl Predictive {
         (found.sd_ln > 1e-9).then_some(found)
     }
 
-    /// Loss at the medians in a state of the structure \[W\]; none where there is no choice.
+    /// Loss at the medians in a state of the structure \[W\]; `None` without a choice.
     pub(super) fn in_state(&self, state: State) -> Option<f64> {
         self.structure.as_ref()?;
         let draw = Draw {
@@ -236,7 +236,7 @@ impl Predictive {
         Some(self.loss(draw, &StudentOfNormal::new(self.sampling.freedom)))
     }
 
-    /// The loss without tip relief and with the largest, over that of the run; none where the relief is stated.
+    /// The loss without tip relief and with the largest, relative to the run; `None` if the relief is stated.
     pub(super) fn at_ends_of_relief(&self) -> Option<[f64; 2]> {
         self.relief.as_ref()?;
         let table = StudentOfNormal::new(self.sampling.freedom);
@@ -338,13 +338,13 @@ impl Predictive {
         STEP_RULE * share * (friction - structure.film_friction).max(0.0) * structure.loss_factor_w
     }
 
-    /// g: what the fast model loses more than records of mixed lubrication, where the roughness exceeds twice the film.
+    /// g: excess of the fast model over records of mixed lubrication, where the roughness exceeds twice the film.
     ///
     /// ```text
     /// g = min(0.2, 0.16 max(0, s − 2))                                            [Model-bias]
     /// ```
     ///
-    /// Fitted to 24 pairs of records; drawn with a weight of 0 to 1, as the records are no truth.
+    /// Fitted to 24 pairs of records; drawn with a weight of 0 to 1, as the records have errors of their own.
     fn bias(&self) -> f64 {
         cite!("Model-bias");
         let s = self.roughness_over_film.unwrap_or(0.0);
@@ -605,7 +605,7 @@ mod tests {
     fn a_constant_alone_moves_the_loss_along_its_surface() {
         // S = μ_b/0.09: the loss has the distribution of the friction.
         let friction = constant(UncertainParameter::BoundaryFriction, [0.066, 0.09, 0.123]);
-        let slope = (0.123_f64 / 0.09).ln() / 1.644_853_626_951_472_7;
+        let slope = (0.123_f64 / 0.09).ln() / asperity_core::numerics::Z_95;
         let points: Vec<Vec<f64>> = (-4..=4).map(|k| vec![0.5 * f64::from(k)]).collect();
         let values: Vec<f64> = points.iter().map(|z| slope * z[0]).collect();
         let found = Predictive {

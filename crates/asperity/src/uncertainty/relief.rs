@@ -1,10 +1,10 @@
-//! Loss factors over tip reliefs, for gears whose relief nobody states.
+//! Loss factors over tip reliefs, for gears whose relief the case does not state.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | C_a | tip relief of both gears where it is not stated | m |
 //! | c | C_a over the approach δ of the teeth, 0 to 1 | - |
-//! | l | roll length of the relief over that of double contact, 1/2 to 1 | - |
+//! | l | roll length of the relief relative to double contact, 1/2 to 1 | - |
 //! | H_V | loss factor of the load over the teeth | - |
 
 use asperity_core::cite;
@@ -29,7 +29,7 @@ pub(crate) struct ReliefFactors {
 }
 
 impl ReliefFactors {
-    /// The loss factors of a case over the reliefs that it may have; none where it states its relief.
+    /// The loss factors of a case over the reliefs that it may have; `None` if it states its relief.
     pub fn of(case: &Case) -> Result<Option<Self>, PositionError> {
         let Some(assumed) = &case.assumed_relief else {
             return Ok(None);
@@ -45,13 +45,14 @@ impl ReliefFactors {
         Ok(Some(Self { factors, of_run }))
     }
 
-    /// F: the loss factor at c = `amount` and the place `length`, 0 to 1, in the range of l, over that of the run.
+    /// F: the loss factor at c = `amount` and the place `length`, 0 to 1, in the range of l, relative to the run.
     ///
     /// ```text
     /// F = H_V(c δ, l L)/H_V(δ/2, 3/4 L)                                        [Relief-factor]
     /// ```
     ///
-    /// Bilinear between ten solutions of the load over the teeth. Without relief the edges of the tips of an external pair may carry load.
+    /// Bilinear between ten solutions of the load over the teeth. Without relief the edges of the tips of an external pair
+    /// may carry load.
     pub fn ratio(&self, amount: f64, length: f64) -> f64 {
         cite!("Relief-factor");
         let steps = AMOUNTS.len() - 1;

@@ -26,7 +26,7 @@ impl QuadraticSurface {
         }
     }
 
-    /// The surface closest to `values` at `points` (least squares); none where they do not determine it.
+    /// The surface closest to `values` at `points` (least squares); `None` if they do not determine it.
     ///
     /// ```text
     /// Σ_k (y_k − g·z_k − z_k·H z_k/2)² = min                                  [Quadratic-surface]

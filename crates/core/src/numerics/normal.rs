@@ -1,10 +1,26 @@
 //! The standard normal distribution.
 
+/// 95 % quantile: from 5 % to 95 % a normal distribution reaches this number of standard deviations to either side.
+///
+/// ```
+/// use asperity_core::numerics::{Z_95, standard_normal_below};
+/// assert!((standard_normal_below(Z_95) - 0.95).abs() < 1e-15);
+/// ```
+pub const Z_95: f64 = 1.644_853_626_951_472_7;
+
+/// 97.5 % quantile: the ends of a band of 95 % of a normal distribution.
+///
+/// ```
+/// use asperity_core::numerics::{Z_975, standard_normal_below};
+/// assert!((standard_normal_below(Z_975) - 0.975).abs() < 1e-15);
+/// ```
+pub const Z_975: f64 = 1.959_963_984_540_054;
+
 /// Φ(z) = erfc(−z/√2)/2
 ///
 /// ```
 /// use asperity_core::numerics::standard_normal_below;
-/// assert!((standard_normal_below(1.959_963_984_540_054) - 0.975).abs() < 1e-15);
+/// assert_eq!(standard_normal_below(0.0), 0.5);
 /// ```
 #[must_use]
 pub fn standard_normal_below(z: f64) -> f64 {
@@ -14,8 +30,8 @@ pub fn standard_normal_below(z: f64) -> f64 {
 /// z with Φ(z) = p, Φ(z) = erfc(−z/√2)/2, by bisection; p is held off 0 and 1.
 ///
 /// ```
-/// use asperity_core::numerics::standard_normal_quantile;
-/// assert!((standard_normal_quantile(0.975) - 1.959_963_984_540_054).abs() < 1e-12);
+/// use asperity_core::numerics::{Z_975, standard_normal_quantile};
+/// assert!((standard_normal_quantile(0.975) - Z_975).abs() < 1e-12);
 /// assert_eq!(standard_normal_quantile(0.5), 0.0);
 /// ```
 #[must_use]

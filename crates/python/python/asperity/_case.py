@@ -168,7 +168,7 @@ class Case:
         Args:
             detail: ``"losses"`` (a fraction of the time), ``"contacts"`` (the rough contacts at every offset), or
                 ``"fields"`` (as the command: fields and stress below the surface, too).
-            band: whether the band of the loss is computed with ``"fields"``.
+            band: whether the uncertainty of the loss is computed with ``"fields"``.
             threads: number of threads; default all cores.
             progress: ``f(done, total)``, ``tqdm``, or a bar of it.
 

@@ -13,7 +13,7 @@ from ._errors import AsperityError
 from ._html import page
 from ._profile import Profile
 from ._progress import Progress, Told
-from ._record import Record, Table
+from ._record import Record, Table, drawn
 
 if TYPE_CHECKING:
     import pandas
@@ -34,21 +34,13 @@ def cases_of(case: CaseLike, finishes: Mapping[str, Finish], offsets: Optional[i
     return found
 
 
-def _loss(finish: dict[str, Any]) -> str:
-    """Median of the loss with its 5 and 95 % quantiles, or the loss of the run."""
-    uncertainty = finish.get("uncertainty")
-    if not uncertainty:
-        return f"{finish['loss_w']:.4g} W"
-    loss = uncertainty["loss"]
-    low, high = loss["quantiles_w"]
-    return f"{loss['median_w']:.4g} ({low:.4g}..{high:.4g}) W"
-
-
 class Comparison(Record):
     """Finishes side by side; the first is the one that the others are compared with.
 
     ``finishes`` (name, loss_w, uncertainty, difference ...), ``correlations`` (parameter, with_loss,
-    within_finishes).
+    within_finishes). The ``difference`` of a finish is taken draw by draw: ``median_w``, ``quantiles_w`` (5 and 95 %),
+    ``probability`` of its sign, ``models``, and ``verdict``: ``"equal"``, ``"holds"``, ``"undecided"``, or ``except`` with
+    the models that have the other sign.
     """
 
     def __init__(self, raw: _asperity.Comparison) -> None:
@@ -68,6 +60,11 @@ class Comparison(Record):
         return Table(self._values["finishes"])
 
     @property
+    def verdicts(self) -> list[str]:
+        """What the difference of every finish but the first decides, in words."""
+        return self._raw.verdicts()
+
+    @property
     def correlations(self) -> Table:
         """Rank correlation of roughness parameters with the computed loss, the closest first."""
         return Table(self._values["correlations"], ["parameter", "with_loss", "within_finishes"])
@@ -82,7 +79,7 @@ class Comparison(Record):
         self._raw.write(fspath(folder))
 
     def to_pandas(self) -> pandas.DataFrame:
-        """One row per finish: loss, its quantiles, difference to the first with its quantiles."""
+        """One row per finish: loss, its median and quantiles, difference to the first with its quantiles and verdict."""
         import pandas
 
         rows = []
@@ -92,11 +89,14 @@ class Comparison(Record):
                 loss = uncertainty["loss"]
                 row["loss_median_w"] = loss["median_w"]
                 row["loss_p05_w"], row["loss_p95_w"] = loss["quantiles_w"]
-            difference = finish.get("difference") or {}
-            row.update({f"difference_{key}": value for key, value in difference.items() if isinstance(value, (int, float))})
-            for key, value in difference.items():
-                if isinstance(value, list) and len(value) == 2:
-                    row[f"difference_{key}_low"], row[f"difference_{key}_high"] = value
+            if difference := finish.get("difference"):
+                row["difference_median_w"] = difference["median_w"]
+                row["difference_p05_w"], row["difference_p95_w"] = difference["quantiles_w"]
+                row["difference_median_share"] = difference["median_share"]
+                row["difference_p05_share"], row["difference_p95_share"] = difference["share_quantiles"]
+                row["difference_probability"] = difference["probability"]
+                verdict = difference["verdict"]
+                row["difference_verdict"] = verdict if isinstance(verdict, str) else "except"
             rows.append(row)
         return pandas.DataFrame(rows).set_index("name")
 
@@ -119,9 +119,9 @@ class Comparison(Record):
         return f"<Comparison {self._values['title']!r}: {losses}>"
 
     def _repr_html_(self) -> str:
-        rows = [
-            (str(of["name"]), _loss(of)) for of in self._values["finishes"]
-        ]
+        finishes = self._values["finishes"]
+        losses = [drawn(of["uncertainty"]) if of["uncertainty"] else f"{of['loss_w']:.4g} W" for of in finishes]
+        rows = [*zip(self.names, losses), *(("", verdict) for verdict in self.verdicts)]
         return page(str(self._values["title"]), rows, None)
 
 

@@ -99,6 +99,13 @@ def _short(value: Any) -> str:
     return str(value)
 
 
+def drawn(uncertainty: Mapping[str, Any]) -> str:
+    """Median of a loss with its 5 and 95 % quantiles."""
+    loss = uncertainty["loss"]
+    low, high = loss["quantiles_w"]
+    return f"{loss['median_w']:.4g} ({low:.4g}..{high:.4g}) W"
+
+
 def column(values: list[Any]) -> Any:
     """A column of a table as an array: numbers with NaN for what is missing, or objects."""
     kinds = {type(value) for value in values if value is not None}

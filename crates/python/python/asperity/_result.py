@@ -13,7 +13,7 @@ from . import _asperity
 from ._errors import AsperityError
 from ._html import Chart, page
 from ._quantity import Floats
-from ._record import Record, Table
+from ._record import Record, Table, drawn
 
 if TYPE_CHECKING:
     import pandas
@@ -107,6 +107,13 @@ class RunResult(Record):
     def loss_w(self) -> float:
         """All losses, W."""
         return float(self._summary()["loss_w"])
+
+    @property
+    def uncertainty(self) -> Optional[Record]:
+        """Draws of the loss: ``loss`` with ``median_w``, ``quantiles_w`` (5 and 95 %) and ``parts`` by component,
+        ``structures``, ``other_models``; None where nothing was drawn."""
+        found = self._values.get("uncertainty")
+        return Record(found) if found else None
 
     def _summary(self) -> Mapping[str, Any]:
         summary: Mapping[str, Any] = self._values.get("summary", self._values)
@@ -214,11 +221,8 @@ class RunResult(Record):
             ("mixed_share", "share of the path in mixed lubrication", ""),
         )
         rows = [("efficiency", f"{100 * self.efficiency:.4f} %")]
-        uncertainty = self._values.get("uncertainty")
-        if uncertainty:
-            loss = uncertainty["loss"]
-            low, high = loss["quantiles_w"]
-            rows.append(("loss, median and 5 to 95 %", f"{loss['median_w']:.4g} ({low:.4g}..{high:.4g}) W"))
+        if uncertainty := self._values.get("uncertainty"):
+            rows.append(("loss, median and 5 to 95 %", drawn(uncertainty)))
         rows += [(name, f"{of[key]:.4g} {unit}".strip()) for key, name, unit in names if key in of]
         rows += [(str(warning.code), str(warning.text)) for warning in self.warnings]
         chart = str(self.plot()) if "path_fraction" in self.path.columns else None

@@ -57,7 +57,7 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
     }
 }
 
-/// What is known of the sampling of the flanks.
+/// The sampling of the flanks in words.
 fn sampling(part: &SamplingPart) -> String {
     match part {
         SamplingPart::Windows(windows) => format!(
@@ -109,7 +109,7 @@ fn loss(row: &AlternativeRow, uncertainty: &Uncertainty) -> String {
     })
 }
 
-/// The median with its interval, and that of each component alone.
+/// The median with its interval, and the interval of each component.
 pub(super) fn loss_chart(uncertainty: &Uncertainty) -> Drawing {
     let digits = uncertainty.digits();
     let bar = |name: &str, [low, high]: [f64; 2]| Bar {

@@ -114,10 +114,7 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
     for (finish, (mut outcome, mut predictive)) in finishes.iter().zip(runs) {
         let is_chosen = finish.case.case.input.model.offsets.is_none();
         if is_chosen && of_each_pair(finish, &outcome.offsets) < most {
-            let more = finish
-                .case
-                .with(|input| input.model.offsets = Some(most))
-                .map_err(Error::from)?;
+            let more = (finish.case).with(|input| input.model.offsets = Some(most))?;
             (outcome, predictive) = run(&more)?;
         }
         title.clone_from(&outcome.result.title);

@@ -6,7 +6,7 @@ use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
 use super::comparison::Comparison;
-use super::summary::{cells, efficiency, note, scope, verdicts};
+use super::summary::{cells, efficiency, note, scope};
 use super::windows::PARAMETERS;
 
 pub(super) fn render(comparison: &Comparison) -> String {
@@ -47,7 +47,7 @@ fn losses(comparison: &Comparison) -> Markup {
                 }
             } }
         } }
-        @for verdict in verdicts(comparison) { p { strong { (verdict) "." } } }
+        @for verdict in comparison.verdicts() { p { strong { (verdict) "." } } }
         p { (note(comparison)) ". Common contributions, such as the friction of the oil, cancel in the differences." }
         p { (scope(comparison)) "." }
         (contributions(comparison))

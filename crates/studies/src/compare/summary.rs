@@ -30,7 +30,7 @@ pub(super) fn summary(comparison: &Comparison) -> String {
             efficiency(finish),
         ));
     }
-    for verdict in verdicts(comparison) {
+    for verdict in comparison.verdicts() {
         text.push_str(&format!("{}\n", wrapped(&one_line(&verdict), "  ")));
     }
     text.push_str(&format!("{}\n", wrapped(&note(comparison), "  ")));
@@ -52,7 +52,8 @@ pub(super) fn summary(comparison: &Comparison) -> String {
     text
 }
 
-/// Median of the efficiency in percent, with the digits that its interval leaves; that of the run without one.
+/// Median of the efficiency in percent, with the digits that its interval leaves; without an interval the efficiency of
+/// the run.
 pub(super) fn efficiency(finish: &FinishResult) -> String {
     match &finish.uncertainty {
         Some(uncertainty) => {
@@ -98,16 +99,17 @@ fn interval(median: f64, [low, high]: [f64; 2], is_signed: bool) -> String {
     format!("{} ({}..{})", text(median), text(low), text(high))
 }
 
-/// What each difference decides, in words.
-pub(super) fn verdicts(comparison: &Comparison) -> Vec<String> {
-    let Some((first, others)) = comparison.finishes.split_first() else {
-        return Vec::new();
-    };
-    let of = |finish: &FinishResult| {
-        let difference = finish.difference.as_ref()?;
-        Some(verdict([&first.name, &finish.name], difference))
-    };
-    others.iter().filter_map(of).collect()
+impl Comparison {
+    /// The decision of each difference from the first finish, in words.
+    #[must_use]
+    pub fn verdicts(&self) -> Vec<String> {
+        let first = self.finishes.first().map_or("", |first| &first.name);
+        let of = |finish: &FinishResult| {
+            let difference = finish.difference.as_ref()?;
+            Some(verdict([first, &finish.name], difference))
+        };
+        self.finishes.iter().filter_map(of).collect()
+    }
 }
 
 fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> String {

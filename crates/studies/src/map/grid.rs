@@ -290,7 +290,7 @@ fn check(n: &Numbers, omega: f64, torque_nm: f64) -> Result<(), Unbalanced> {
     })
 }
 
-/// Loss by deformation \[W\], with that of running-in if the case includes it.
+/// Loss by deformation \[W\], running-in included if the case includes it.
 fn deformation(losses: &Losses) -> f64 {
     let bodies: f64 = losses.summary.deformation_w.iter().sum();
     bodies + losses.running_in.included_w()

@@ -7,6 +7,7 @@
 //! Source: Saltelli and others 2010, Computer Physics Communications 181, table 2 (b, f), from memory; V is the
 //! variance of f over A and B. Intervals are percentiles of resampled points (bootstrap).
 
+use asperity_core::numerics::Z_95;
 use serde::Serialize;
 
 use super::draws::{random_of, uniform};
@@ -51,8 +52,6 @@ pub struct Indices {
 const RESAMPLINGS: usize = 1000;
 /// Quantiles at the ends of the intervals.
 const ENDS: [f64; 2] = [0.025, 0.975];
-/// 95 % quantile of the standard normal distribution.
-const NORMAL: f64 = 1.644_853_626_951_472_7;
 
 /// Main effect of an input `x` on a result `y`; `None` for fewer than eight points or if either is constant.
 #[must_use]
@@ -74,7 +73,7 @@ pub fn effects(x: &[f64], y: &[f64]) -> Option<Effect> {
         low,
         high,
         difference: high - low,
-        quantiles: [-NORMAL, NORMAL].map(|z| high - low + z * error),
+        quantiles: [-Z_95, Z_95].map(|z| high - low + z * error),
         correlation: product / (sx * sy).sqrt(),
     })
 }
