@@ -82,6 +82,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
             fingerprint: String::new(),
             files: Vec::new(),
             coast_files: Vec::new(),
+            has_flanks_of_first: true,
             resolved_from_nm: [1.0, 1.0],
             draws: Vec::new(),
             points,

@@ -164,7 +164,7 @@ pub fn evaluate(
         let drawn_w = draws.losses_w().unwrap_or_default();
         let energies = draws.energies_wh(0);
         // Errors of model and sampling are drawn apart unless the flanks are the same.
-        let own = match finish.has_flanks_of(&map.finishes[0]) {
+        let own = match finish.has_flanks_of_first {
             true => energies.clone(),
             false => draws.energies_wh(1),
         };

@@ -8,6 +8,7 @@ use asperity::balance::{self, Unbalanced, sum};
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::fingerprint::Fingerprint;
+use asperity::flanks::Surfaces;
 use asperity::pipeline::Progress;
 use asperity::result::{Losses, OffsetRow};
 use rayon::prelude::*;
@@ -40,7 +41,8 @@ pub fn map(
         Some(first) => gearbox_of(&first.case, axes)?,
         None => None,
     };
-    let mut maps = Vec::with_capacity(finishes.len());
+    let mut maps: Vec<FinishMap> = Vec::with_capacity(finishes.len());
+    let mut flanks_of_first: Vec<Surfaces> = Vec::new();
     let sides = finishes
         .iter()
         .map(|finish| Sides::of(&finish.case, axes))
@@ -51,7 +53,14 @@ pub fn map(
     let done = AtomicUsize::new(0);
     let progress = || progress(1 + done.fetch_add(1, Ordering::Relaxed), total);
     for (finish, sides) in finishes.iter().zip(&sides) {
-        maps.push(of_finish(finish, sides, (axes, &speeds), band, &progress)?);
+        let (mut map, flanks) = of_finish(finish, sides, (axes, &speeds), band, &progress)?;
+        if maps.is_empty() {
+            flanks_of_first.clone_from(&flanks);
+        }
+        let mut pairs = flanks.iter().zip(&flanks_of_first);
+        map.has_flanks_of_first = flanks.len() == flanks_of_first.len()
+            && pairs.all(|(own, first)| own.has_flanks_of(first));
+        maps.push(map);
     }
     let first = finishes.first().map(|finish| &finish.case.case);
     let Some(case) = first else {
@@ -122,7 +131,7 @@ fn of_finish(
     (axes, speeds): (&Axes, &[f64]),
     band: MapBand,
     progress: &(dyn Fn() + Sync),
-) -> Result<FinishMap, Error> {
+) -> Result<(FinishMap, Vec<Surfaces>), Error> {
     let drawn = sides
         .torques
         .each_ref()
@@ -169,12 +178,14 @@ fn of_finish(
         fingerprint: fingerprint.hex(),
         files: files(&drive),
         coast_files: coast.as_ref().map(files).unwrap_or_default(),
+        has_flanks_of_first: false,
         resolved_from_nm: sides.from,
         draws: draws(&computed, drawn, sides.has_coast, (axes, speeds)),
         points,
     };
     add_quantiles(&mut map);
-    Ok(map)
+    let of_sides = std::iter::once(drive).chain(coast);
+    Ok((map, of_sides.map(|case| case.surfaces).collect()))
 }
 
 /// Draws at the nodes of every side; none if a node has no result or the case no draws.

@@ -61,6 +61,9 @@ pub struct FinishMap {
     /// Names and SHA-256 of the files of the coast flanks, if there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub coast_files: Vec<[String; 2]>,
+    /// Whether its flanks are those of the first finish, so that both have the same errors of model and sampling.
+    #[serde(default)]
+    pub has_flanks_of_first: bool,
     /// Smallest torques that the traces resolve, drive and coast \[N m\]; points below are extended.
     pub resolved_from_nm: [f64; 2],
     /// Draws at a few nodes, for the drive and, where they are others, the coast flanks; empty for a map without draws.
@@ -159,12 +162,6 @@ impl FinishMap {
     #[must_use]
     pub fn drawn(&self, flanks: usize, sampling: f64) -> Option<Drawn<'_>> {
         Drawn::of(&self.draws, flanks, sampling)
-    }
-
-    /// Whether both have the same flanks.
-    #[must_use]
-    pub fn has_flanks_of(&self, other: &Self) -> bool {
-        self.files == other.files && self.coast_files == other.coast_files
     }
 
     /// Number of points without a result, by code.
