@@ -438,7 +438,7 @@ fn what_calls_for_attention_in_the_flanks_is_said_with_the_result() {
             "resampled linearly to 400 nm",
         ],
     );
-    let long_waves = bench_with("cutoff", "noise_cutoff = \"60 um\"");
+    let long_waves = bench_with("cutoff", "noise_cutoff = \"120 um\"");
     warns(
         &long_waves,
         &[],

@@ -78,10 +78,7 @@ fn traced_teeth_and_their_pairs_are_told() {
     ]
     .concat();
     let said = in_a_line(&bench.run(&more).well().out);
-    assert!(
-        said.contains("(95 %, wheel not sampled: lower bound)"),
-        "{said}"
-    );
+    assert!(said.contains("wheel not sampled: lower bound"), "{said}");
 }
 
 #[test]

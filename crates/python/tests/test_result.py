@@ -81,7 +81,7 @@ def test_the_uncertainty_goes_with_a_run(result):
     case = asperity.Case(CASES / "e-drive.toml", model={"positions": 4, "offsets": 4})
     uncertainty = case.run().uncertainty
     low, high = uncertainty.loss.quantiles_w
-    assert low < uncertainty.loss.median_w < high and uncertainty.draws == 4096
+    assert low < uncertainty.loss.median_w < high and uncertainty.draws == 16_384
     parts = uncertainty.loss.parts
     widths = [high - low for low, high in (part.quantiles_w for part in parts)]
     assert widths == sorted(widths, reverse=True) and all(parts.name) and all(parts.remedy)

@@ -265,6 +265,9 @@ impl Predictive {
         let mut z: Vec<f64> = (0..self.constants.len())
             .map(|k| draw.constants[self.axis(k)])
             .collect();
+        if self.correlations.is_empty() {
+            return z;
+        }
         let calibrated: Vec<usize> = (0..z.len())
             .filter(|k| self.constants[*k].calibrated.is_some())
             .collect();

@@ -46,12 +46,16 @@ impl QuadraticSurface {
 
     /// y at `z`.
     pub fn at(&self, z: &[f64]) -> f64 {
-        let terms = terms(z);
-        terms
-            .iter()
-            .zip(&self.coefficients)
-            .map(|(term, c)| term * c)
-            .sum()
+        // Every draw comes here: the terms of the fit, without storing them.
+        let (slopes, mut curvatures) = self.coefficients.split_at(z.len());
+        let mut sum = 0.0;
+        for (i, (own, slope)) in z.iter().zip(slopes).enumerate() {
+            let (row, rest) = curvatures.split_at(z.len() - i);
+            let bent: f64 = row.iter().zip(&z[i..]).map(|(c, other)| c * other).sum();
+            sum += own * (slope + bent);
+            curvatures = rest;
+        }
+        sum
     }
 }
 
