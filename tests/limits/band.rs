@@ -235,8 +235,10 @@ fn every_component_widens_the_loss_and_none_exceeds_all() {
 
 #[test]
 fn the_factor_of_a_relief_is_that_of_a_run_with_it() {
-    let unstated =
-        case("e-drive.toml").with(|input| (input.gears.pinion, input.gears.wheel) = (None, None));
+    let unstated = case("e-drive.toml").with(|input| {
+        (input.gears.pinion, input.gears.wheel) = (None, None);
+        (input.model.positions, input.model.offsets) = (Some(16), Some(16));
+    });
     let unstated = unstated.unwrap();
     let assumed = unstated.case.assumed_relief.clone().unwrap();
     let loss = |c: f64| {
