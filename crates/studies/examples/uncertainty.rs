@@ -1,6 +1,6 @@
 //! The checks of the uncertainty of a loss that take minutes: bands over operating points, offsets, and how often the band
-//! holds the loss of flanks of the same recipe. docs/VALIDATION.md shows the tables; `--example uncertainty PAIRS` sets the
-//! number of pairs of flanks.
+//! holds the loss of flanks of the same recipe. docs/VALIDATION.md shows the tables; `--example uncertainty PAIRS
+//! POSITIONS` sets the number of pairs of flanks and of positions.
 
 #![allow(
     clippy::print_stdout,
@@ -137,7 +137,7 @@ fn with_flanks(case: &LoadedCase, seed: u64) -> LoadedCase {
 
 /// How often the band of a pair of flanks holds the losses of the mean of all pairs, with constants, structure and model
 /// error drawn, and the interval of the sampling alone that mean.
-fn coverage(pairs: u64) {
+fn coverage(pairs: u64, positions: &str) {
     println!(
         "\n| N m | offsets | pairs | scatter of ln loss | whole band | least pair | sampling |\n|---|---|---|---|---|---|---|"
     );
@@ -145,7 +145,7 @@ fn coverage(pairs: u64) {
         let keys = [
             ("operation.torque", torque),
             ("model.offsets", offsets),
-            ("model.positions", "8"),
+            ("model.positions", positions),
         ];
         let case = shipped("e-drive.toml", &keys);
         let found: Vec<(Uncertainty, Predictive)> = (0..pairs)
@@ -186,8 +186,9 @@ fn coverage(pairs: u64) {
 }
 
 fn main() {
-    let pairs = std::env::args().nth(1).and_then(|count| count.parse().ok());
+    let [pairs, positions] = [1, 2].map(|k| std::env::args().nth(k));
+    let pairs = pairs.and_then(|count| count.parse().ok());
     cells();
     offsets();
-    coverage(pairs.unwrap_or(400));
+    coverage(pairs.unwrap_or(400), positions.as_deref().unwrap_or("8"));
 }
