@@ -9,8 +9,8 @@ use crate::error::{Error, PositionError};
 use crate::pipeline::KeptFields;
 use crate::pipeline::Progress;
 use crate::result::gearbox::Scope;
-use crate::result::{Digits, rounded};
 use crate::result::{Outcome, RunResult};
+use crate::result::{rounded, with_interval};
 use crate::uncertainty::{Quantiles, run_and_draw};
 
 /// The result of a planetary set, in addition to the results of its meshes.
@@ -191,15 +191,7 @@ impl PlanetaryResult {
         let Some(drawn) = &self.loss_distribution else {
             return [self.loss_w, 100.0 * self.efficiency].map(|value| format!("{value:.4}"));
         };
-        let [low, high] = drawn.quantiles_w;
-        let digits = Digits::of_interval(drawn.quantiles_w);
-        let loss = |value: f64| digits.rounded(value);
-        let percent = digits.of_percent(self.power_in_w);
-        let efficiency = |loss: f64| percent.rounded(100.0 * (1.0 - loss / self.power_in_w));
-        let text = |of: &dyn Fn(f64) -> String, [from, to]: [f64; 2]| {
-            format!("{} ({}..{})", of(drawn.median_w), of(from), of(to))
-        };
-        [text(&loss, [low, high]), text(&efficiency, [high, low])]
+        with_interval(drawn.median_w, drawn.quantiles_w, self.power_in_w, ["", ""])
     }
 }
 

@@ -1,6 +1,7 @@
 //! Formatted loss of a mesh and its parts: the printed parts add up to the printed loss.
 
-use asperity::result::loss_band::{Digits, Uncertainty};
+use asperity::result::gearbox::GearboxReport;
+use asperity::result::loss_band::{Digits, Uncertainty, with_interval};
 use asperity::result::{RunningIn, Summary};
 
 /// Loss and its parts as text with units.
@@ -59,6 +60,22 @@ impl PrintedLoss {
             hysteresis,
         }
     }
+}
+
+/// Units of a loss and of an efficiency.
+const UNITS: [&str; 2] = [" W", " %"];
+
+/// Loss and efficiency of the mesh with their intervals.
+pub(crate) fn mesh_with_interval(power_in_w: f64, uncertainty: &Uncertainty) -> [String; 2] {
+    let loss = &uncertainty.loss;
+    with_interval(loss.median_w, loss.quantiles_w, power_in_w, UNITS)
+}
+
+/// Loss and efficiency of the gearbox with the intervals that the mesh leaves.
+pub(crate) fn gearbox_with_interval(gearbox: &GearboxReport, of_mesh: &Uncertainty) -> [String; 2] {
+    let median = of_mesh.loss.median_w + gearbox.parts_w;
+    let quantiles = gearbox.quantiles_w(of_mesh);
+    with_interval(median, quantiles, gearbox.power_in_w, UNITS)
 }
 
 /// Plastic work of the first pass \[W\] that the loss includes.

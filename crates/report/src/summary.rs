@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use crate::printed::{PrintedLoss, included, stated, stated_parts, watts};
+use crate::printed::{
+    PrintedLoss, gearbox_with_interval, included, mesh_with_interval, stated, stated_parts, watts,
+};
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped};
 use asperity::message::Warning;
@@ -159,18 +161,8 @@ fn gearbox_headline(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> S
             watts(gearbox.loss_w)
         );
     };
-    let digits = of_mesh.digits();
-    let percent = digits.of_percent(gearbox.power_in_w);
-    let median = of_mesh.loss.median_w + gearbox.parts_w;
-    let [low, high] = gearbox
-        .efficiency_quantiles(of_mesh)
-        .map(|share| percent.rounded(100.0 * share));
-    let [least, most] = gearbox.quantiles_w(of_mesh).map(|w| digits.rounded(w));
-    format!(
-        "efficiency (gearbox)    {} % ({low}..{high})   loss {} W ({least}..{most})",
-        percent.rounded(100.0 * (1.0 - median / gearbox.power_in_w)),
-        digits.rounded(median),
-    )
+    let [loss, efficiency] = gearbox_with_interval(gearbox, of_mesh);
+    format!("efficiency (gearbox)    {efficiency}   loss {loss}")
 }
 
 /// The smallest specific film, its position, and its permissible value.
@@ -345,17 +337,10 @@ fn write_run_in(text: &mut String, result: &RunResult) -> std::fmt::Result {
 
 /// Medians of efficiency and loss with their intervals, and the digits that these leave.
 fn headline(s: &Summary, uncertainty: &Uncertainty) -> String {
-    let digits = uncertainty.digits();
-    let percent = digits.of_percent(s.power_in_w);
-    let efficiency = |share: f64| percent.rounded(100.0 * share);
-    let [low, high] = uncertainty.efficiency_quantiles.map(efficiency);
-    let loss = &uncertainty.loss;
-    let [least, most] = loss.quantiles_w.map(|loss| digits.rounded(loss));
+    let [loss, efficiency] = mesh_with_interval(s.power_in_w, uncertainty);
     format!(
-        "efficiency (mesh only)  {} % ({low}..{high})   loss {} W ({least}..{most})\n  power in {}",
-        efficiency(uncertainty.efficiency_median),
-        digits.rounded(loss.median_w),
-        watts(s.power_in_w),
+        "efficiency (mesh only)  {efficiency}   loss {loss}\n  power in {}",
+        watts(s.power_in_w)
     )
 }
 

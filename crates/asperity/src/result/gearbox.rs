@@ -50,13 +50,6 @@ impl GearboxReport {
     pub fn quantiles_w(&self, of_mesh: &Uncertainty) -> [f64; 2] {
         of_mesh.loss.quantiles_w.map(|loss| loss + self.parts_w)
     }
-
-    /// The same of the efficiency.
-    #[must_use]
-    pub fn efficiency_quantiles(&self, of_mesh: &Uncertainty) -> [f64; 2] {
-        let [least, most] = self.quantiles_w(of_mesh);
-        [most, least].map(|loss| 1.0 - loss / self.power_in_w)
-    }
 }
 
 /// Loss of a part of the gearbox.

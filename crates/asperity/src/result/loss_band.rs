@@ -280,6 +280,33 @@ pub fn rounded(value: f64, half_width: f64) -> String {
     digits.text(digits.steps(value))
 }
 
+/// A loss \[W\] with its quantiles, and the efficiency \[%\] with them of `power_in_w`, each with the digits that the
+/// interval leaves and its unit after the first number.
+///
+/// ```
+/// use asperity::result::loss_band::with_interval;
+/// let found = with_interval(662.1, [517.0, 868.0], 136_659.0, [" W", " %"]);
+/// assert_eq!(found, ["660 W (520..870)", "99.516 % (99.365..99.622)"]);
+/// ```
+#[must_use]
+pub fn with_interval(
+    median_w: f64,
+    [low, high]: [f64; 2],
+    power_in_w: f64,
+    [watt, percent]: [&str; 2],
+) -> [String; 2] {
+    let digits = Digits::of_interval([low, high]);
+    let of_power = digits.of_percent(power_in_w);
+    let efficiency = |loss: f64| of_power.rounded(100.0 * (1.0 - loss / power_in_w));
+    let text = |of: &dyn Fn(f64) -> String, unit, [from, to]: [f64; 2]| {
+        format!("{}{unit} ({}..{})", of(median_w), of(from), of(to))
+    };
+    [
+        text(&|loss| digits.rounded(loss), watt, [low, high]),
+        text(&efficiency, percent, [high, low]),
+    ]
+}
+
 /// The last decimal place of printed numbers. Numbers are whole steps of it, so that they can be added up as printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Digits {

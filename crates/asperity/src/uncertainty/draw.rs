@@ -7,7 +7,8 @@ use asperity_core::numerics::standard_normal_quantile;
 use super::hypercube::permutations;
 use crate::parameters::AXES;
 
-/// Number of draws: the ends of the interval of the ground e-drive move by 1 % from seed to seed, with 4096 by 2 %.
+/// Number of draws: with 4096 the ends of the interval of the ground e-drive differ by 2 % between seeds, and the error
+/// falls with the square root of the number.
 pub const DRAWS: usize = 16_384;
 
 /// Share of each tail of a constant that is not drawn.

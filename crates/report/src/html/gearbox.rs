@@ -4,34 +4,19 @@ use asperity::result::gearbox::GearboxReport;
 use asperity::result::loss_band::Uncertainty;
 use maud::{Markup, html};
 
-use crate::printed::{stated, stated_parts};
+use crate::printed::{gearbox_with_interval, stated, stated_parts, watts};
 
 /// Name, formatted value and key in `result.json` of a number.
 type Tile = (&'static str, String, &'static str);
 
 /// Efficiency and loss of the mesh and the other parts.
 pub(super) fn tiles(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> Vec<Tile> {
-    let (efficiency, loss) = match of_mesh {
-        None => (
+    let [loss, efficiency] = match of_mesh {
+        None => [
+            watts(gearbox.loss_w),
             format!("{:.4} %", 100.0 * gearbox.efficiency),
-            format!("{:.1} W", gearbox.loss_w),
-        ),
-        Some(of_mesh) => {
-            let digits = of_mesh.digits();
-            let percent = digits.of_percent(gearbox.power_in_w);
-            let median = of_mesh.loss.median_w + gearbox.parts_w;
-            let [low, high] = gearbox
-                .efficiency_quantiles(of_mesh)
-                .map(|share| percent.rounded(100.0 * share));
-            let [least, most] = gearbox
-                .quantiles_w(of_mesh)
-                .map(|loss| digits.rounded(loss));
-            let efficiency = percent.rounded(100.0 * (1.0 - median / gearbox.power_in_w));
-            (
-                format!("{efficiency} % ({low}..{high})"),
-                format!("{} W ({least}..{most})", digits.rounded(median)),
-            )
-        }
+        ],
+        Some(of_mesh) => gearbox_with_interval(gearbox, of_mesh),
     };
     vec![
         ("efficiency (gearbox)", efficiency, "gearbox.efficiency"),
@@ -49,7 +34,7 @@ pub(super) fn section(gearbox: &GearboxReport, has_band: bool) -> Markup {
             "These losses are not computed from the flanks: their constants, loads and tables are input, without an uncertainty. \
             Oil at " (format!("{:.0} °C", gearbox.temperature_c)) ". The mesh is computed with the full torque of the case; all losses are \
             subtracted from the power in."
-            @if has_band { " The uncertainty of the gearbox is that of the mesh." }
+            @if has_band { " The other parts add no uncertainty." }
         }
         div.scroll { table {
             thead { tr { th { "part" } th { "kind" } th { "law" } th.number { "torque [N m]" } th.number { "loss" } } }

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 
 use super::page::figure;
 use crate::chart::{Axis, Bar, BarChart, Drawing};
-use crate::printed::{PrintedLoss, included};
+use crate::printed::{PrintedLoss, included, mesh_with_interval};
 
 pub(super) fn section(result: &RunResult) -> Markup {
     let mut first = headline(result);
@@ -124,21 +124,16 @@ fn headline(result: &RunResult) -> Vec<Tile> {
             mixed,
         ];
     };
-    let digits = uncertainty.digits();
-    let percent = digits.of_percent(s.power_in_w);
-    let loss = |power: f64| digits.rounded(power);
-    let share = |share: f64| percent.rounded(100.0 * share);
-    let [least, most] = uncertainty.loss.quantiles_w.map(loss);
-    let [low, high] = uncertainty.efficiency_quantiles.map(share);
+    let [loss, efficiency] = mesh_with_interval(s.power_in_w, uncertainty);
     vec![
         (
             "efficiency (mesh only), in brackets 5 to 95 %",
-            format!("{} % ({low}..{high})", share(uncertainty.efficiency_median)),
+            efficiency,
             "uncertainty.efficiency_median",
         ),
         (
             "loss, in brackets 5 to 95 %",
-            format!("{} W ({least}..{most})", loss(uncertainty.loss.median_w)),
+            loss,
             "uncertainty.loss.median_w",
         ),
         mixed,

@@ -166,7 +166,7 @@ pub(super) fn note(comparison: &Comparison) -> String {
     match drawn.map(|uncertainty| uncertainty.draws).max() {
         None => "without an uncertainty of the loss".to_owned(),
         Some(draws) => format!(
-            "medians, in brackets 5 to 95 % over {draws} draws, the same for every finish but for model error and sampling of the flanks"
+            "medians of {draws} draws, in brackets their 5 and 95 % quantiles; all finishes share the draws, but model error and sampling of the flanks are drawn for each"
         ),
     }
 }
