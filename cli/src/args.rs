@@ -253,10 +253,11 @@ pub struct RunArgs {
     /// Print the sources of the equations used as BibTeX
     #[arg(long, conflicts_with = "json")]
     pub cite: bool,
-    /// Print every warning and note in full
+    /// Print everything behind the verdict: power, friction, loss factors, convergence, all warnings in full
     #[arg(long)]
     pub notes: bool,
-    /// Result folder [default: results/<name of the case>]
+    /// Result folder [default: results/<name of the case>, for a file case.toml with the name of its folder before it,
+    /// results/demo-case; it is refused where it holds the result of a case with another title]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// Formulation of the model, overriding the case
@@ -317,7 +318,7 @@ pub struct CompareArgs {
     /// Number of offsets along the traces at which the flanks are paired [default: that of the finish that needs most]
     #[arg(long)]
     pub offsets: Option<usize>,
-    /// Folder of the comparison [default: results/<name of the case>-compare]
+    /// Folder of the comparison [default: results/<name of the case>-compare, named as for run]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// Limits of time and memory.
@@ -333,7 +334,7 @@ pub struct SensitivityArgs {
     /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
-    /// Folder of the study [default: results/<name of the case>-sensitivity]
+    /// Folder of the study [default: results/<name of the case>-sensitivity, named as for run]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// Limits of time and memory.

@@ -28,6 +28,30 @@ pub fn print_text(common: &Common, text: &str) -> Result<(), Failure> {
     write(&asperity_storage::printable(text))
 }
 
+/// Prints text as [`print_text`], with the line `headline` bold on a terminal.
+pub fn print_verdict(common: &Common, text: &str, headline: &str) -> Result<(), Failure> {
+    if common.quiet {
+        return Ok(());
+    }
+    let text = asperity_storage::printable(text);
+    if !std::io::stdout().is_terminal() {
+        return write(&text);
+    }
+    let bold = |line: &str| match line.trim_end() == headline {
+        true => format!("\u{1b}[1m{}\u{1b}[0m\n", line.trim_end()),
+        false => line.to_owned(),
+    };
+    write(&text.split_inclusive('\n').map(bold).collect::<String>())
+}
+
+/// Width of text on standard output: of its terminal within 60 to 120 columns, otherwise 80.
+pub fn columns() -> usize {
+    let size = terminal_size::terminal_size_of(std::io::stdout());
+    size.map_or(asperity_report::COLUMNS, |(width, _)| {
+        usize::from(width.0).clamp(60, 120)
+    })
+}
+
 /// Path of a file or folder as one line of text.
 pub fn shown(path: &Path) -> String {
     asperity_storage::one_line(&path.display().to_string()).into_owned()

@@ -43,7 +43,7 @@ pub struct MapArgs {
     /// columns torque_nm, speed_rpm, loss_torque_nm (and temperature_c)
     #[arg(long, value_name = "TABLE.csv", requires = "export")]
     pub add_loss: Option<PathBuf>,
-    /// Folder of the map [default: results/<name of the case>-map]
+    /// Folder of the map [default: results/<name of the case>-map, named as for run]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// Limits of the work.

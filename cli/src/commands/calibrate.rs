@@ -11,7 +11,7 @@ use asperity_calibration::{
 };
 use asperity_studies::map::axis;
 
-use super::{load_case, stem, study};
+use super::{load_case, result_name, study};
 use crate::args::{CalibrateArgs, Common};
 use crate::failure::Failure;
 use crate::output::{Progress, print_text};
@@ -45,7 +45,7 @@ fn held(args: &CalibrateArgs) -> Vec<CalibratedName> {
 fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let (file, case) = (&args.file, args.case.as_deref());
-    let folder = study::folder(args.output.as_deref(), stem(file), "calibration");
+    let folder = study::folder(args.output.as_deref(), &result_name(file), "calibration");
     study::check_target::<Calibration>(&folder)?;
     let mut rig = RigFiles::read(file, case, |path| load_case(path, &args.set, None))?;
     rig.table.reach = reach(args)?;
@@ -74,7 +74,7 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
         return Err(Failure::new("E205", message));
     }
     let file = &args.file;
-    let folder = study::folder(args.output.as_deref(), stem(file), "design");
+    let folder = study::folder(args.output.as_deref(), &result_name(file), "design");
     study::check_target::<Design>(&folder)?;
     let case = load_case(file, &args.set, None)?;
     let limits = limits(args, &case)?;

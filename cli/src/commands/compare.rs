@@ -8,7 +8,7 @@ use asperity_studies::compare::{self, Comparison, Finish};
 
 use super::finish::{Traces, check_names};
 use super::work::check_work;
-use super::{keys, pair_only, source, stem, study};
+use super::{keys, pair_only, result_name, source, study};
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
@@ -46,7 +46,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
             finishes.len(),
         )?;
     }
-    let folder = study::folder(args.output.as_deref(), stem(&args.case), "compare");
+    let folder = study::folder(args.output.as_deref(), &result_name(&args.case), "compare");
     study::check_target::<Comparison>(&folder)?;
     progress.begin("finishes");
     let comparison = compare::compare(&finishes, &|done, total| progress.at(done, total))

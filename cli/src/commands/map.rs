@@ -13,7 +13,7 @@ use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 use super::cycle::{LARGEST_TABLE, read_cycle};
 use super::finish::{Traces, check_names};
 use super::work::check_work;
-use super::{keys, pair_only, source, stem, study};
+use super::{keys, pair_only, result_name, source, stem, study};
 use crate::args::{Common, ExportArg, MapArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
@@ -41,7 +41,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         .flat_map(|cycle| &cycle.points)
         .map(|point| [point.torque_nm, point.speed_rpm.abs()])
         .collect();
-    let folder = study::folder(args.output.as_deref(), stem(&args.case), "map");
+    let folder = study::folder(args.output.as_deref(), &result_name(&args.case), "map");
     study::check_target::<Map>(&folder)?;
     let added = args.add_loss.as_deref().map(added_loss).transpose()?;
     let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();

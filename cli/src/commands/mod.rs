@@ -30,6 +30,7 @@ mod study;
 pub mod sweep;
 mod work;
 
+use std::ffi::{OsStr, OsString};
 use std::io::Read as _;
 use std::path::Path;
 
@@ -91,11 +92,31 @@ fn pair_only(source: &Source) -> Result<(), Failure> {
     ))
 }
 
-/// Name of the results of a case.
-fn stem(path: &Path) -> &std::ffi::OsStr {
+/// Name of a file without extension.
+fn stem(path: &Path) -> &OsStr {
     match path == Path::new("-") {
-        true => std::ffi::OsStr::new("stdin"),
+        true => OsStr::new("stdin"),
         false => path.file_stem().unwrap_or_default(),
+    }
+}
+
+/// Name of the results of a file: its name without extension, with the name of its folder if many files have that name.
+fn result_name(path: &Path) -> OsString {
+    const COMMON: &str = "case";
+    let name = stem(path);
+    let whole = std::path::absolute(path).ok();
+    let folder = whole
+        .as_deref()
+        .and_then(Path::parent)
+        .and_then(Path::file_name);
+    match folder {
+        Some(folder) if name == COMMON => {
+            let mut whole = folder.to_owned();
+            whole.push("-");
+            whole.push(name);
+            whole
+        }
+        _ => name.to_owned(),
     }
 }
 

@@ -1,39 +1,36 @@
 //! `asperity run`: runs a case.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use asperity::case::planetary::LoadedPlanetary;
 use asperity::planetary::{PlanetaryResult, run_planetary};
 use asperity::result::RunResult;
 use asperity::{Error, Run};
-use asperity_report::{self as report, Fields};
+use asperity_report::{self as report, Fields, ReportError};
 
 use super::bibtex::bibtex;
 use super::work::{check_work, check_work_of_set};
-use super::{AnyCase, load_any, stem};
+use super::{AnyCase, load_any, result_name};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, READING, WRITING, print_json, print_text, shown};
+use crate::output::{
+    Progress, READING, WRITING, columns, print_json, print_text, print_verdict, shown,
+};
 
 /// Counted work of a run.
 const POSITIONS: &str = "mesh positions";
 
 /// `asperity run`
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
-    let begin = Instant::now();
     let fields = fields(args)?;
     let progress = Progress::of(common.quiet, READING);
     let loaded = match load_any(&args.case, &args.set, args.formulation)? {
         AnyCase::Pair(loaded) => loaded,
-        AnyCase::Set(set) => return run_set(&set, args, common, &fields, (begin, progress)),
+        AnyCase::Set(set) => return run_set(&set, args, common, &fields, progress),
     };
     check_work(&args.work, &loaded, &fields.kept(), 1)?;
-    let folder = (!args.no_output).then(|| result_folder(args));
-    if let Some(folder) = &folder {
-        // Told before the work, not after it.
-        report::check_place(folder)?;
-    }
+    let target = Target::of(args, &loaded.case.title, report::check_place)?;
+    let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
     let at = |done, total| progress.at(done, total);
     let outcome = Run::new(&loaded)
@@ -41,8 +38,8 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
         .band(!args.no_band)
         .progress(&at)
         .execute();
-    let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
-    if let Some(folder) = &folder {
+    let outcome = outcome.map_err(|error| failed(&error, args, folder))?;
+    if let Some(folder) = folder {
         progress.begin(WRITING);
         report::write_folder(&outcome, folder, &fields)?;
         if args.load_map {
@@ -56,10 +53,8 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     if args.cite {
         return print_text(common, &bibtex(&outcome.result));
     }
-    print_text(
-        common,
-        &text(&outcome.result, args, folder.as_deref(), begin),
-    )
+    let text = text(&outcome.result, args, target.as_ref());
+    print_verdict(common, &text, &report::headline(&outcome.result))
 }
 
 /// Runs both kinds of meshes of a planetary set.
@@ -68,17 +63,15 @@ fn run_set(
     args: &RunArgs,
     common: &Common,
     fields: &Fields,
-    (begin, progress): (Instant, Progress),
+    progress: Progress,
 ) -> Result<(), Failure> {
     check_work_of_set(&args.work, set, &fields.kept())?;
-    let folder = (!args.no_output).then(|| result_folder(args));
-    if let Some(folder) = &folder {
-        report::check_planetary_place(folder)?;
-    }
+    let target = Target::of(args, &set.title, report::check_planetary_place)?;
+    let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
     let outcome = run_planetary(set, &fields.kept(), &|done, total| progress.at(done, total));
-    let outcome = outcome.map_err(|error| failed(&error, args, folder.as_deref()))?;
-    if let Some(folder) = &folder {
+    let outcome = outcome.map_err(|error| failed(&error, args, folder))?;
+    if let Some(folder) = folder {
         progress.begin(WRITING);
         report::write_planetary(&outcome, folder, fields)?;
     }
@@ -87,11 +80,9 @@ fn run_set(
         return print_json(&outcome.result);
     }
     let mut text = text_of_set(&outcome.result);
-    let seconds = begin.elapsed().as_secs_f64();
-    text.push_str(&match &folder {
-        Some(folder) => format!("wrote {} in {seconds:.1} s\n", shown(folder)),
-        None => format!("in {seconds:.1} s\n"),
-    });
+    if let Some(target) = &target {
+        text.push_str(&target.text(&outcome.result.title, ""));
+    }
     print_text(common, &text)
 }
 
@@ -127,10 +118,10 @@ fn text_of_set(result: &PlanetaryResult) -> String {
     text
 }
 
-fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instant) -> String {
+fn text(result: &RunResult, args: &RunArgs, target: Option<&Target>) -> String {
     let mut text = match args.notes {
-        true => report::summary(result),
-        false => report::brief(result),
+        true => report::summary_within(result, columns()),
+        false => report::brief(result, columns()),
     };
     if args.models {
         text.push_str(&report::models(result));
@@ -148,18 +139,19 @@ fn text(result: &RunResult, args: &RunArgs, folder: Option<&Path>, begin: Instan
                 .unwrap_or_default();
             text.push_str(&format!("  {} = {}{source}\n", default.key, default.value));
         }
-    } else {
-        text.push_str(&format!(
-            "defaults used: {} (--explain-defaults)\n",
-            result.defaults.len()
-        ));
+    } else if args.notes {
+        let count = result.defaults.len();
+        text.push_str(&format!("defaults used: {count} (--explain-defaults)\n"));
     }
-    let seconds = begin.elapsed().as_secs_f64();
-    match folder {
-        Some(folder) => {
-            text.push_str(&format!("wrote {} in {seconds:.1} s\n", shown(folder)));
-        }
-        None => text.push_str(&format!("in {seconds:.1} s\n")),
+    let more = match (args.notes, result.warnings.len()) {
+        (true, _) => String::new(),
+        (false, 1) => "1 note: --notes".to_owned(),
+        (false, count) => format!("{count} notes: --notes"),
+    };
+    match target {
+        Some(target) => text.push_str(&target.text(&result.title, &more)),
+        None if more.is_empty() => {}
+        None => text.push_str(&format!("{more}\n")),
     }
     text
 }
@@ -202,8 +194,55 @@ fn failed(error: &Error, args: &RunArgs, folder: Option<&Path>) -> Failure {
     failure
 }
 
-fn result_folder(args: &RunArgs) -> PathBuf {
-    args.output
-        .clone()
-        .unwrap_or_else(|| Path::new("results").join(stem(&args.case)))
+/// Folder of a result.
+struct Target {
+    folder: PathBuf,
+    /// Title of the older result that is replaced.
+    older: Option<String>,
+}
+
+impl Target {
+    /// The folder of `args` for a case with `title`, checked before the run; `None` without output. A folder that the user
+    /// did not name is refused if it holds the result of a case with another title.
+    fn of(
+        args: &RunArgs,
+        title: &str,
+        check: fn(&Path) -> Result<(), ReportError>,
+    ) -> Result<Option<Self>, Failure> {
+        if args.no_output {
+            return Ok(None);
+        }
+        let folder = match &args.output {
+            Some(folder) => folder.clone(),
+            None => Path::new("results").join(result_name(&args.case)),
+        };
+        check(&folder)?;
+        let older = report::title_of(&folder);
+        match &older {
+            Some(other) if other != title && args.output.is_none() => Err(Failure::new(
+                "E401",
+                format!(
+                    "{}: holds the result of another case ({other}); choose another with -o, or name it with -o to replace it",
+                    shown(&folder)
+                ),
+            )),
+            _ => Ok(Some(Self { folder, older })),
+        }
+    }
+
+    /// Last lines of the output: the replaced result, and the page, with `more` at its right.
+    fn text(&self, title: &str, more: &str) -> String {
+        let folder = shown(&self.folder);
+        let replaced = match &self.older {
+            Some(older) if older == title => format!("replaced {folder} (same title)\n"),
+            Some(older) => format!(
+                "replaced {folder} ({})\n",
+                asperity_storage::one_line(older)
+            ),
+            None => String::new(),
+        };
+        let page = format!("report: {}", shown(&self.folder.join(report::PAGE)));
+        let between = if more.is_empty() { "" } else { "   " };
+        format!("{replaced}{page}{between}{more}\n")
+    }
 }

@@ -4,7 +4,7 @@ use asperity::pipeline::KeptFields;
 use asperity_studies::sensitivity::{self, CHANGES, Sensitivity};
 
 use super::work::check_work;
-use super::{load_case, stem, study};
+use super::{load_case, result_name, study};
 use crate::args::{Common, SensitivityArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
@@ -14,7 +14,11 @@ pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failur
     let progress = Progress::of(common.quiet, READING);
     let loaded = load_case(&args.case, &args.set, None)?;
     check_work(&args.work, &loaded, &KeptFields::Highest, 1 + CHANGES)?;
-    let folder = study::folder(args.output.as_deref(), stem(&args.case), "sensitivity");
+    let folder = study::folder(
+        args.output.as_deref(),
+        &result_name(&args.case),
+        "sensitivity",
+    );
     study::check_target::<Sensitivity>(&folder)?;
     progress.begin("changes");
     let changes = sensitivity::sensitivity(&loaded, &|done, total| progress.at(done, total))

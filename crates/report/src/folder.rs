@@ -17,8 +17,10 @@ use crate::tables::{self, ContactTables, folder_of};
 
 /// The file that marks a folder as a result.
 const MARK: &str = "result.json";
+/// The file that marks a folder as a planetary result.
+pub(crate) const PLANETARY_MARK: &str = "planetary.json";
 /// The page of a result.
-const PAGE: &str = "report.html";
+pub const PAGE: &str = "report.html";
 /// Thinned tables of the page.
 const PAGE_TABLES: &str = "page.json";
 /// Kind of the folder in messages.
@@ -70,6 +72,17 @@ impl Fields {
 /// When `target` holds something else.
 pub fn check_place(target: &Path) -> Result<(), ReportError> {
     Ok(check_folder(target, KIND)?)
+}
+
+/// Title of the result in folder `target`; `None` if there is none, or no title can be read.
+pub fn title_of(target: &Path) -> Option<String> {
+    #[derive(serde::Deserialize)]
+    struct Titled {
+        title: String,
+    }
+    let marks = [MARK, PLANETARY_MARK].map(|mark| target.join(mark));
+    let titled = |file: &PathBuf| read_json::<Titled>(file).ok();
+    marks.iter().find_map(titled).map(|found| found.title)
 }
 
 /// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `load.csv`, tables of losses, friction laws and

@@ -27,13 +27,13 @@ mod wrap;
 
 pub use error::{ReportError, TableFault};
 pub use folder::{
-    Fields, FileText, check_place, make_folder, read_result, redraw, texts, write_bytes,
-    write_folder, write_json, write_load_points, write_text, write_unsolved,
+    Fields, FileText, PAGE, check_place, make_folder, read_result, redraw, texts, title_of,
+    write_bytes, write_folder, write_json, write_load_points, write_text, write_unsolved,
 };
 pub use page_tables::PageTables;
 pub use planetary::{check_planetary_place, write_planetary};
 pub use printed::{stated, stated_parts};
 pub use study::StudyResult;
-pub use summary::{brief, models, published_laws, summary};
+pub use summary::{brief, headline, models, published_laws, summary, summary_within};
 pub use thin::thin;
-pub use wrap::{COLUMNS, wrapped};
+pub use wrap::{COLUMNS, wrapped, wrapped_within};

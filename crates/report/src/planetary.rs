@@ -7,7 +7,9 @@ use asperity_storage::{check_folder, replace_folder};
 use maud::html;
 
 use crate::error::ReportError;
-use crate::folder::{Fields, check_fields, fill, make_subfolder, write_json, write_text};
+use crate::folder::{
+    Fields, PAGE, PLANETARY_MARK, check_fields, fill, make_subfolder, write_json, write_text,
+};
 use crate::html::page;
 use crate::tables;
 
@@ -40,14 +42,14 @@ pub fn write_planetary(
     }
     replace_folder(target, KIND, |folder| {
         let result = &outcome.result;
-        write_json(&folder.join("planetary.json"), result)?;
+        write_json(&folder.join(PLANETARY_MARK), result)?;
         tables::write(&folder.join("meshes.csv"), &result.meshes)?;
         for (mesh, name) in outcome.meshes.iter().zip(MESHES) {
             let place = folder.join(name);
             make_subfolder(&place)?;
             fill(mesh, &place, fields)?;
         }
-        write_text(&folder.join("report.html"), &summary_page(result))
+        write_text(&folder.join(PAGE), &summary_page(result))
     })
 }
 

@@ -6,7 +6,7 @@ use crate::printed::{
     PrintedLoss, gearbox_with_interval, included, mesh_with_interval, stated, stated_parts, watts,
 };
 use crate::tables::BODIES;
-use crate::wrap::{COLUMNS, wrapped};
+use crate::wrap::{COLUMNS, wrapped, wrapped_within};
 use asperity::message::Warning;
 use asperity::result::loss_band::{Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
@@ -16,78 +16,205 @@ use asperity::result::{
 use asperity_storage::one_line;
 
 /// Indentation of the text of a message, behind its code.
-const INDENT: &str = "     ";
+const MESSAGE: &str = "     ";
+/// Indentation of the second line of a value, behind its name.
+const INDENT: &str = "  ";
 
-/// Efficiency, losses, regime and warnings as plain text.
+/// Verdict, details and warnings as plain text in 80 columns.
 pub fn summary(result: &RunResult) -> String {
-    let mut text = numbers(result);
+    summary_within(result, COLUMNS)
+}
+
+/// Verdict, details and warnings in `columns`.
+pub fn summary_within(result: &RunResult, columns: usize) -> String {
+    let mut text = verdict(result, columns) + &details(result, columns);
     for warning in &result.warnings {
-        text.push_str(&note(warning));
+        text.push_str(&note(warning, columns));
     }
     text
 }
 
-/// The summary with the two most important warnings; the others are counted in one line.
-pub fn brief(result: &RunResult) -> String {
-    let mut text = numbers(result);
-    let rank = |warning: &&Warning| MATTERS.iter().position(|code| *code == warning.code);
-    let mut weighty: Vec<&Warning> = result
-        .warnings
-        .iter()
-        .filter(|w| rank(w).is_some())
-        .collect();
-    weighty.sort_by_key(rank);
-    weighty.truncate(SHOWN_NOTES);
-    for warning in &weighty {
-        text.push_str(&note(warning));
+/// The first screen in `columns`: the verdict, and at most one warning: about an input that makes the result doubtful, or
+/// else the one that is worth most watts.
+pub fn brief(result: &RunResult, columns: usize) -> String {
+    let mut text = verdict(result, columns);
+    if let Some(line) = not_converged(result) {
+        text.push_str(&line);
     }
-    let others = result.warnings.len() - weighty.len();
-    if others > 0 {
-        let plural = if others == 1 { "" } else { "s" };
-        let more = if weighty.is_empty() { "" } else { "more " };
-        text.push_str(&format!("{others} {more}note{plural}: --notes\n"));
+    if let Some((warning, worth)) = weightiest(result) {
+        let warning = Warning {
+            code: warning.code.clone(),
+            text: warning.text.clone() + &worth,
+        };
+        text.push_str(&note(&warning, columns));
     }
     text
+}
+
+/// The line with efficiency and loss, as in [`brief`] and [`summary`].
+pub fn headline(result: &RunResult) -> String {
+    let s = &result.summary;
+    let [loss, efficiency] = match &result.uncertainty {
+        Some(uncertainty) => mesh_with_interval(s.power_in_w, uncertainty),
+        None => {
+            let printed = PrintedLoss::of(s, &result.running_in, None);
+            [printed.loss, format!("{:.4} %", 100.0 * s.efficiency)]
+        }
+    };
+    format!("efficiency (mesh only)  {efficiency}   loss {loss}")
 }
 
 /// Relative load error above which a solution is reported as not converged: the paper stops at 1 %.
 const LARGE_LOAD_ERROR: f64 = 0.011;
-/// Number of warnings on the first screen.
-const SHOWN_NOTES: usize = 2;
-/// Codes of warnings that put the efficiency in doubt and name a remedy, the most important first.
-const MATTERS: &[&str] = &[
-    "W402", "W439", "W426", "W412", "W415", "W405", "W201", "W124", "W128", "W112", "W118", "W111",
-    "W125", "W117", "W113", "W437", "W438", "W408", "W404", "W410",
+/// Codes of warnings about inputs that make the result doubtful, the most important first.
+const DOUBTFUL: &[&str] = &[
+    "W402", "W426", "W412", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125", "W117",
+];
+/// Component of the uncertainty that a warning is about, by the code and a word of the text.
+const COMPONENTS: &[(&str, &str, &str)] = &[
+    ("W439", "", "tip relief not stated"),
+    ("W401", "Gold", "pressure-viscosity"),
+    ("W415", "", "error of the fast model"),
+    ("W404", "", "sampling of the flanks"),
+    ("W406", "", "sampling of the flanks"),
+    ("W407", "", "sampling of the flanks"),
+    ("W417", "", "sampling of the flanks"),
+    ("W418", "", "sampling of the flanks"),
+    ("W437", "", "sampling of the flanks"),
 ];
 
-fn note(warning: &Warning) -> String {
-    format!("{}\n", wrapped(&one_line(&warning.to_string()), INDENT))
+/// The warning of the first screen, and its worth in words.
+fn weightiest(result: &RunResult) -> Option<(&Warning, String)> {
+    let doubt = |warning: &&Warning| DOUBTFUL.iter().position(|code| *code == warning.code);
+    let doubtful = result.warnings.iter().filter(|w| doubt(w).is_some());
+    if let Some(warning) = doubtful.min_by_key(doubt) {
+        return Some((warning, String::new()));
+    }
+    let digits = result.uncertainty.as_ref()?.digits();
+    let worth = result.warnings.iter().filter_map(|warning| {
+        let watts = worth(warning, result)?;
+        (digits.steps(watts) > 0.0).then_some((warning, watts))
+    });
+    let (warning, watts) = worth.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+    Some((warning, format!(" (worth {} W)", digits.rounded(watts))))
 }
 
-fn numbers(result: &RunResult) -> String {
-    let mut text = String::new();
-    // Writing into a string cannot fail.
-    let _ = write_losses(&mut text, result);
-    if let Some(gearbox) = &result.gearbox {
-        text.push_str(&gearbox_text(gearbox, result.uncertainty.as_ref()));
+/// Change of the loss \[W\] that `warning` is about: half the range of its component of the uncertainty, or the contact of
+/// the tip edges.
+fn worth(warning: &Warning, result: &RunResult) -> Option<f64> {
+    if let ("W421", Some(edges)) = (&*warning.code, &result.load.edge_contact) {
+        return Some((edges.with / edges.without - 1.0).abs() * result.summary.sliding_w);
     }
-    if let Some(uncertainty) = &result.uncertainty {
-        text.push_str(&uncertainty_text(uncertainty));
+    let is_about = |(code, word, _): &&(&str, &str, &str)| {
+        *code == warning.code && warning.text.contains(word)
+    };
+    let (.., name) = COMPONENTS.iter().find(is_about)?;
+    let mut parts = result.uncertainty.as_ref()?.loss.parts.iter();
+    Some(parts.find(|part| part.name == *name)?.half_range_w())
+}
+
+fn note(warning: &Warning, columns: usize) -> String {
+    let text = one_line(&warning.to_string()).into_owned();
+    line(&text, MESSAGE, columns)
+}
+
+/// `text` as a line of output, broken at `columns`.
+fn line(text: &str, indent: &str, columns: usize) -> String {
+    wrapped_within(text, indent, columns) + "\n"
+}
+
+/// Title, headline, parts, regime, and the composition of the interval.
+fn verdict(result: &RunResult, columns: usize) -> String {
+    let mut lines = vec![one_line(&result.title).into_owned(), headline(result)];
+    let of_mesh = result.uncertainty.as_ref();
+    lines.extend(
+        result
+            .gearbox
+            .as_ref()
+            .map(|gearbox| gearbox_headline(gearbox, of_mesh)),
+    );
+    lines.push(parts(result));
+    lines.push(regime(&result.summary));
+    lines.extend(result.bulk.as_ref().map(bulk_text));
+    let mut text: String = lines
+        .iter()
+        .map(|text| line(text, INDENT, columns))
+        .collect();
+    if let Some(uncertainty) = of_mesh {
+        text.push_str(&composition(uncertainty, columns));
     }
-    let pairs = result.pairs.as_ref();
-    if let Some(pairs) = pairs.and_then(|pairs| pairs.sampling.as_ref()) {
-        text.push_str(&pairs_text(pairs));
-    }
-    if let Some(bulk) = &result.bulk {
-        text.push_str(&bulk_text(bulk));
-    }
-    if let Some(report) = &result.micropitting {
-        text.push_str(&micropitting_text(report));
-    }
-    text.push_str(&relief_text(result));
-    let _ = write_regime(&mut text, result);
-    let _ = write_run_in(&mut text, result);
     text
+}
+
+/// The parts of the loss.
+fn parts(result: &RunResult) -> String {
+    /// Share of the loss from which deformation and running-in are named.
+    const NAMED: f64 = 1e-3;
+    let s = &result.summary;
+    let printed = PrintedLoss::of(s, &result.running_in, result.uncertainty.as_ref());
+    let [pinion, wheel] = &printed.deformation;
+    let mut text = format!(
+        "film {}, lubricated asperities {}, boundary {}, rolling {}",
+        printed.film, printed.lubricated, printed.boundary, printed.rolling
+    );
+    if s.deformation_w.iter().sum::<f64>() > NAMED * s.loss_w {
+        text.push_str(&format!(", deformation {pinion} + {wheel}"));
+    }
+    if included(&result.running_in) > NAMED * s.loss_w {
+        text.push_str(&format!(", running-in {}", printed.running_in));
+    }
+    text
+}
+
+/// The regime with the load on the asperities; boundary lubrication where it makes more than half of the loss.
+fn regime(s: &Summary) -> String {
+    if s.mixed_share <= 0.0 {
+        return "regime  full film all along the path".to_owned();
+    }
+    let name = match s.boundary_w > 0.5 * s.loss_w {
+        true => "boundary, mixed",
+        false => "mixed",
+    };
+    let percent = |share: f64| match share < 0.005 {
+        true => "< 1 %".to_owned(),
+        false => format!("{:.0} %", 100.0 * share),
+    };
+    format!(
+        "regime  {name} on {} of the path, {} of the load on asperities",
+        percent(s.mixed_share),
+        percent(s.asperity_share)
+    )
+}
+
+/// Lines behind the verdict: powers and factors, the run against the median, what the case requests, convergence.
+fn details(result: &RunResult, columns: usize) -> String {
+    let mut lines = vec![factors(&result.summary), film_parameter(result)];
+    if let Some(gearbox) = &result.gearbox {
+        lines.push(besides_the_mesh(gearbox));
+    }
+    lines.extend(result.uncertainty.as_ref().and_then(shift));
+    let pairs = result.pairs.as_ref();
+    let sampling = pairs.and_then(|pairs| pairs.sampling.as_ref());
+    lines.extend(sampling.map(pairs_text));
+    lines.extend(result.micropitting.as_ref().map(micropitting_text));
+    lines.extend(relief_text(result));
+    lines.push(convergence(result));
+    lines.extend(solver_notes(result));
+    lines.extend(run_in(result));
+    lines
+        .iter()
+        .map(|text| line(text, INDENT, columns))
+        .collect()
+}
+
+fn factors(s: &Summary) -> String {
+    format!(
+        "power in {}   mu_eq {:.4}   H_V {:.4} (local {:.4})",
+        watts(s.power_in_w),
+        s.mu_equivalent,
+        s.loss_factor,
+        s.loss_factor_local
+    )
 }
 
 /// The traced teeth, the mean over their pairs and the contributions to its error.
@@ -98,7 +225,7 @@ fn pairs_text(pairs: &PairSampling) -> String {
         format!(", {gear} not sampled: lower bound")
     });
     let [s1, s2] = pairs.between_w;
-    let line = format!(
+    format!(
         "pairs  {pinion} traced teeth of the pinion on {wheel} of the wheel, mean {} W, standard error {} W{bound}; \
         s_1 {} between teeth of the pinion, s_2 {} of the wheel, s_12 {} W from pair to pair",
         own(pairs.mean_w),
@@ -106,12 +233,11 @@ fn pairs_text(pairs: &PairSampling) -> String {
         two_digits(s1),
         two_digits(s2),
         two_digits(pairs.interaction_w),
-    );
-    wrapped(&line, "  ") + "\n"
+    )
 }
 
 /// Relief derived from the traces.
-fn relief_text(result: &RunResult) -> String {
+fn relief_text(result: &RunResult) -> Option<String> {
     let gears = BODIES.iter().zip(&result.flanks);
     let reliefs = gears.filter_map(|(gear, flank)| {
         let form = flank.form.as_ref()?;
@@ -121,13 +247,7 @@ fn relief_text(result: &RunResult) -> String {
         ))
     });
     let reliefs: Vec<String> = reliefs.collect();
-    match reliefs.is_empty() {
-        true => String::new(),
-        false => {
-            let line = format!("relief  from the traces: {}", reliefs.join("; "));
-            wrapped(&line, "  ") + "\n"
-        }
-    }
+    (!reliefs.is_empty()).then(|| format!("relief  from the traces: {}", reliefs.join("; ")))
 }
 
 /// A scatter with two digits.
@@ -138,19 +258,17 @@ pub(crate) fn two_digits(power: f64) -> String {
     }
 }
 
-/// The gearbox: its efficiency, and the losses from the input by part.
-fn gearbox_text(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> String {
+/// The losses of the gearbox besides the mesh, by part.
+fn besides_the_mesh(gearbox: &GearboxReport) -> String {
     let losses: Vec<f64> = gearbox.parts.iter().map(|part| part.loss_w).collect();
     let parts = gearbox.parts.iter().zip(stated_parts(&losses));
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
     let parts: Vec<String> = parts.collect();
-    let line = format!(
-        "  besides the mesh {}, from the input and without a band: {}",
+    format!(
+        "besides the mesh {}, from the input and without a band: {}",
         stated(gearbox.parts_w),
         parts.join(", ")
-    );
-    let beside = wrapped(&line, "  ");
-    format!("{}\n{beside}\n", gearbox_headline(gearbox, of_mesh))
+    )
 }
 
 fn gearbox_headline(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> String {
@@ -177,13 +295,12 @@ fn micropitting_text(report: &MicropittingReport) -> String {
         true => "by the form of ISO/TS 6336-22",
         false => "by the form of ISO/TS 6336-22, outside of its scope",
     };
-    let line = format!(
+    format!(
         "micropitting  lambda_GF {:.3} at {:.0} % of the path, {}; {against}; {scope}",
         report.lambda_min,
         100.0 * report.path_fraction,
         report.place
-    );
-    format!("{}\n", wrapped(&line, "  "))
+    )
 }
 
 /// The bulk temperature computed from the loss, and the method.
@@ -192,156 +309,109 @@ fn bulk_text(bulk: &BulkReport) -> String {
         format!(": pinion {pinion:.0}, wheel {wheel:.0}")
     });
     format!(
-        "bulk    {:.0} °C{gears}; oil {:.0} °C, rise by the loss ({})\n",
+        "bulk    {:.0} °C{gears}; oil {:.0} °C, rise by the loss ({})",
         bulk.bulk_c, bulk.oil_c, bulk.law
     )
 }
 
-fn write_losses(text: &mut String, result: &RunResult) -> std::fmt::Result {
-    let s = &result.summary;
-    let printed = PrintedLoss::of(s, &result.running_in, result.uncertainty.as_ref());
-    writeln!(text, "{}", one_line(&result.title))?;
-    match &result.uncertainty {
-        Some(uncertainty) => writeln!(text, "{}", headline(s, uncertainty))?,
-        None => writeln!(
-            text,
-            "efficiency (mesh only)  {:.4} %   loss {}   power in {}",
-            100.0 * s.efficiency,
-            printed.loss,
-            watts(s.power_in_w),
-        )?,
-    }
-    let mut parts = vec![
-        format!("sliding {}", printed.sliding),
-        format!("rolling {}", printed.rolling),
-    ];
-    if s.deformation_w != [0.0, 0.0] {
-        let [pinion, wheel] = &printed.deformation;
-        parts.push(format!("deformation {pinion} + {wheel}"));
-    }
-    if included(&result.running_in) > 0.0 {
-        parts.push(format!("running-in {}", printed.running_in));
-    }
-    let losses = format!("  [{}]", parts.join(" | "));
-    let factors = format!(
-        "mu_eq {:.4}   H_V {:.4} (local {:.4})",
-        s.mu_equivalent, s.loss_factor, s.loss_factor_local
-    );
-    let together = losses.chars().count() + 3 + factors.chars().count();
-    let between = if together <= COLUMNS { "   " } else { "\n  " };
-    writeln!(text, "{losses}{between}{factors}")?;
-    writeln!(
-        text,
-        "  sliding in film {}, lubricated asperities {}, boundary layer {}",
-        printed.film, printed.lubricated, printed.boundary,
-    )
-}
-
-fn write_regime(text: &mut String, result: &RunResult) -> std::fmt::Result {
-    let s = &result.summary;
-    write!(text, "regime  ")?;
-    if s.mixed_share <= 0.0 {
-        write!(text, "full film all along the path")?;
-    } else {
-        write!(text, "mixed on {:.0} % of the path", 100.0 * s.mixed_share)?;
-    }
+fn film_parameter(result: &RunResult) -> String {
     let value = |row: &PositionRow| {
         row.lambda_star
             .map_or("-".to_owned(), |v| format!("{v:.2}"))
     };
-    if let (Some(first), Some(last)) = (result.path.first(), result.path.last()) {
-        if result.path.len() > 1 {
-            write!(
-                text,
-                "   Lambda* {} near A .. {} near E",
-                value(first),
-                value(last)
-            )?;
-        } else {
-            write!(text, "   Lambda* {}", value(first))?;
+    match &result.path[..] {
+        [] => "Lambda* -".to_owned(),
+        [only] => format!("Lambda* {}", value(only)),
+        [first, .., last] => {
+            format!("Lambda* {} near A .. {} near E", value(first), value(last))
         }
     }
-    writeln!(text)?;
-    let count = match s.positions {
+}
+
+/// Positions of a result in words.
+fn positions(s: &Summary) -> String {
+    match s.positions {
         1 => "the one position".to_owned(),
         n => format!("all {n} positions"),
-    };
-    if s.worst_load_error > LARGE_LOAD_ERROR {
-        writeln!(
-            text,
-            "not converged  {count}: the load error is up to {:.0} %, within model.numerical_error",
+    }
+}
+
+/// The line of a result whose load error is large.
+fn not_converged(result: &RunResult) -> Option<String> {
+    let s = &result.summary;
+    (s.worst_load_error > LARGE_LOAD_ERROR).then(|| {
+        format!(
+            "not converged  {}: the load error is up to {:.0} %, within model.numerical_error\n",
+            positions(s),
             100.0 * s.worst_load_error
-        )?;
-    } else if s.mixed_share > 0.0 {
-        writeln!(
-            text,
+        )
+    })
+}
+
+fn convergence(result: &RunResult) -> String {
+    let s = &result.summary;
+    let count = positions(s);
+    match not_converged(result) {
+        Some(line) => line.trim_end().to_owned(),
+        None if s.mixed_share > 0.0 => format!(
             "converged  {count} (worst load error {:.0e}, duality gap {:.0e})",
             s.worst_load_error, s.worst_duality_gap,
-        )?;
-    } else {
-        writeln!(text, "converged  {count} (full film: no contact to solve)")?;
+        ),
+        None => format!("converged  {count} (full film: no contact to solve)"),
     }
+}
+
+/// The share of thin films with its error, the offsets of a run without interval, and the plastic work.
+fn solver_notes(result: &RunResult) -> Vec<String> {
+    let s = &result.summary;
+    let mut lines = Vec::new();
     if let Some(error) = s.asperity_share_standard_error {
-        writeln!(
-            text,
+        lines.push(format!(
             "share of the load below 20 nm  {:.3}, standard error {error:.3} ({} records of mixed lubrication)",
             s.asperity_share,
             result.records.len()
-        )?;
+        ));
     }
     if s.offsets > 1 && result.uncertainty.is_none() && result.pairs.is_none() {
-        writeln!(text, "spread  over {} profile offsets", s.offsets)?;
+        lines.push(format!("spread  over {} profile offsets", s.offsets));
     }
-    if result.running_in.energy_per_engagement_j > 0.0 {
-        writeln!(
-            text,
-            "running-in  {:.2e} J of plastic work in the first engagement{}",
-            result.running_in.energy_per_engagement_j,
-            if result.running_in.included {
-                ""
-            } else {
-                " (not counted)"
-            }
-        )?;
+    let work = result.running_in.energy_per_engagement_j;
+    if work > 0.0 {
+        let counted = match result.running_in.included {
+            true => "",
+            false => " (not counted)",
+        };
+        lines.push(format!(
+            "running-in  {work:.2e} J of plastic work in the first engagement{counted}"
+        ));
     }
-    Ok(())
+    lines
 }
 
 /// The losses as measured and run in, if the flanks were run in.
-fn write_run_in(text: &mut String, result: &RunResult) -> std::fmt::Result {
+fn run_in(result: &RunResult) -> Vec<String> {
     let Some(run_in) = &result.run_in else {
-        return Ok(());
+        return Vec::new();
     };
     let (before, after) = (&result.summary, &run_in.summary);
     let printed = PrintedLoss::of(after, &run_in.running_in, None);
-    let heights = |rq: [f64; 2]| format!("Rq {:.3} and {:.3} um", rq[0], rq[1]);
-    for (name, s, rq) in [
+    let states = [
         ("as measured", before, run_in.measured.rq_um),
         ("run in", after, run_in.run_in.rq_um),
-    ] {
-        writeln!(
-            text,
-            "{name:<11}  loss {}, {:.4} %, boundary layer on {:.1} % of the load, {}",
+    ];
+    let state = |(name, s, [pinion, wheel]): (&str, &Summary, [f64; 2])| {
+        format!(
+            "{name:<11}  loss {}, {:.4} %, boundary layer on {:.1} % of the load, Rq {pinion:.3} and {wheel:.3} um",
             watts(s.loss_w),
             100.0 * s.efficiency,
             100.0 * s.boundary_share,
-            heights(rq),
-        )?;
-    }
-    writeln!(
-        text,
-        "  sliding run in {}: film {}, lubricated asperities {}, boundary layer {}",
+        )
+    };
+    let parts = format!(
+        "sliding run in {}: film {}, lubricated asperities {}, boundary layer {}",
         printed.sliding, printed.film, printed.lubricated, printed.boundary,
-    )
-}
-
-/// Medians of efficiency and loss with their intervals, and the digits that these leave.
-fn headline(s: &Summary, uncertainty: &Uncertainty) -> String {
-    let [loss, efficiency] = mesh_with_interval(s.power_in_w, uncertainty);
-    format!(
-        "efficiency (mesh only)  {efficiency}   loss {loss}\n  power in {}",
-        watts(s.power_in_w)
-    )
+    );
+    states.map(state).into_iter().chain([parts]).collect()
 }
 
 /// Largest parts of the uncertainty that the first screen names.
@@ -349,49 +419,61 @@ const LARGEST_PARTS: usize = 3;
 /// Deviation of the median from the run that is worth a line.
 const NOTED_SHIFT: f64 = 0.03;
 
-/// The largest parts of the uncertainty, what narrows them, and the trust in the flanks.
-fn uncertainty_text(uncertainty: &Uncertainty) -> String {
-    const INDENT: &str = "  ";
+/// The largest parts of the interval, what narrows it in one line, and the trust in the flanks.
+fn composition(uncertainty: &Uncertainty, columns: usize) -> String {
     let digits = uncertainty.digits();
     let parts = uncertainty.loss.parts.iter().take(LARGEST_PARTS);
     let parts: Vec<_> = parts
         .filter(|part| digits.steps(part.half_range_w()) > 0.0)
         .collect();
-    let mut lines = Vec::new();
+    let mut text = String::new();
     if !parts.is_empty() {
         let half = |part: &UncertaintyPart| digits.rounded(part.half_range_w());
         let named = parts
             .iter()
             .map(|part| format!("{} {} W", part.name, half(part)));
         let named: Vec<String> = named.collect();
-        lines.push(format!(
-            "uncertain  {} (half of 5 to 95 %, each alone)",
-            named.join(", ")
+        text.push_str(&line(
+            &format!("uncertain  {}", named.join(", ")),
+            INDENT,
+            columns,
         ));
-        let mut remedies: Vec<&str> = Vec::new();
-        for part in &parts {
-            if !remedies.contains(&part.remedy.as_str()) {
-                remedies.push(&part.remedy);
-            }
-        }
-        lines.push(format!("narrower with  {}", remedies.join("; ")));
-    }
-    let shift = uncertainty.scale() - 1.0;
-    if shift.abs() > NOTED_SHIFT {
-        lines.push(format!(
-            "the run with every constant at its median loses {} W, the median of the draws lies {:+.0} % off: \
-            the boundary rule, the feed of the spots and the bias of the model change the loss in one direction",
-            digits.rounded(uncertainty.at_medians_w),
-            100.0 * shift,
-        ));
+        text.push_str(&line(&remedies(&parts, columns), INDENT, columns));
     }
     if uncertainty.trust != Trust::SolvedContact {
-        lines.push(format!("trust  {}", uncertainty.trust_text()));
+        let trust = format!("trust  {}", uncertainty.trust_text());
+        text.push_str(&line(&trust, INDENT, columns));
     }
-    lines
-        .iter()
-        .map(|line| wrapped(line, INDENT) + "\n")
-        .collect()
+    text
+}
+
+/// What narrows the largest part, and the others as long as they fit into the line.
+fn remedies(parts: &[&UncertaintyPart], columns: usize) -> String {
+    let mut text = String::from("narrower with  ");
+    let mut named: Vec<&str> = Vec::new();
+    for part in parts {
+        let between = if named.is_empty() { "" } else { "; " };
+        let longer = format!("{text}{between}{}", part.remedy);
+        let fits = longer.chars().count() <= columns || named.is_empty();
+        if fits && !named.contains(&part.remedy.as_str()) {
+            named.push(&part.remedy);
+            text = longer;
+        }
+    }
+    text
+}
+
+/// The run with all constants at their medians against the median of the draws, where they differ.
+fn shift(uncertainty: &Uncertainty) -> Option<String> {
+    let shift = uncertainty.scale() - 1.0;
+    (shift.abs() > NOTED_SHIFT).then(|| {
+        format!(
+            "the run with every constant at its median loses {} W, the median of the draws lies {:+.0} % off: \
+            the boundary rule, the feed of the spots and the bias of the model change the loss in one direction",
+            uncertainty.digits().rounded(uncertainty.at_medians_w),
+            100.0 * shift,
+        )
+    })
 }
 
 /// Losses by the admissible structures of the model, and by models that measurements refute.

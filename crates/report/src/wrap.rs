@@ -12,11 +12,16 @@ pub const COLUMNS: usize = 80;
 /// assert!(lines.lines().all(|line| line.len() <= 80) && lines.lines().nth(1).unwrap().starts_with("  w"));
 /// ```
 pub fn wrapped(text: &str, indent: &str) -> String {
+    wrapped_within(text, indent, COLUMNS)
+}
+
+/// Breaks `text` as [`wrapped`] into lines of at most `columns`.
+pub fn wrapped_within(text: &str, indent: &str, columns: usize) -> String {
     let (mut lines, mut width) = (String::new(), 0);
     let mut is_first = true;
     for word in text.split_inclusive(' ') {
         let length = word.trim_end().chars().count();
-        if width + length > COLUMNS && !is_first && length > 0 {
+        if width + length > columns && !is_first && length > 0 {
             lines.truncate(lines.trim_end().len());
             lines.push('\n');
             lines.push_str(indent);
