@@ -125,8 +125,8 @@ pub enum Command {
     Map(MapArgs),
     /// Energy lost over a driving cycle, from a map
     #[command(
-        after_help = "Examples:\n  asperity cycle results/case-map demo/urban.csv\n  \
-        asperity cycle results/case-map trace.csv --set vehicle.mass=\"1600 kg\" --temperature 90"
+        after_help = "Examples:\n  asperity cycle results/demo-case-map demo/urban.csv\n  \
+        asperity cycle results/demo-case-map trace.csv --set vehicle.mass=\"1600 kg\" --temperature 90"
     )]
     Cycle(CycleArgs),
     /// Sensitivity of the loss to single changes: heights, wavelengths, boundary layer, oil, tip relief
@@ -256,8 +256,8 @@ pub struct RunArgs {
     /// Print everything behind the verdict: power, friction, loss factors, convergence, all warnings in full
     #[arg(long)]
     pub notes: bool,
-    /// Result folder [default: results/<name of the case>, for a file case.toml with the name of its folder before it,
-    /// results/demo-case; it is refused where it holds the result of a case with another title]
+    /// Result folder [default: results/<name of the case>, and results/demo-case for demo/case.toml; refused if it holds
+    /// the result of a case with another title]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// Formulation of the model, overriding the case

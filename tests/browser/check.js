@@ -48,6 +48,74 @@
       positions: Number(input.max) + 1, broken: !drawn, restored: go(first) === before };
   }
 
+  // Moves along the path by the slider of the gears: they turn, and every chart over the path has its cursor there.
+  function turned(input) {
+    const figure = input.closest("figure"), data = JSON.parse(figure.querySelector("script").textContent);
+    const state = () => all("[data-gear]", figure).map((gear) => gear.getAttribute("transform")).join() +
+      all(".touch", figure).map((dot) => dot.getAttribute("cx")).join();
+    const shared = all("figure.zoomable").filter((f) => JSON.parse(f.querySelector("script").textContent).x.shared);
+    const cursors = () => [...shared, ...all("[data-shared]")].map((part) => part.querySelector(".cursor")?.getAttribute("x1"));
+    const go = (share) => {
+      input.value = String(Math.round(share * Number(input.max)));
+      input.dispatchEvent(new Event("input"));
+      return [state(), cursors()];
+    };
+    const [first, from] = go(0.25), [second, to] = go(0.75);
+    const box = figure.querySelector(".slider").getBoundingClientRect();
+    // A pointer in a chart moves the gears as well.
+    const chart = shared[0]?.querySelector("svg.chart"), frame = chart?.getBoundingClientRect();
+    chart?.dispatchEvent(new PointerEvent("pointermove", { bubbles: true, clientX: frame.left + 0.5 * frame.width, clientY: frame.top + 0.5 * frame.height }));
+    const height = document.documentElement.scrollHeight;
+    const third = state();
+    chart?.dispatchEvent(new PointerEvent("pointerleave"));
+    return { id: figure.id, turns: first !== second && data.turns.length === 2, width: box.width, charts: from.length,
+      moved: from.filter((x, k) => x !== undefined && to[k] !== undefined && x !== to[k]).length, followed: third !== second,
+      still: document.documentElement.scrollHeight === height };
+  }
+
+  // Saves every chart as SVG: the file is whole, and its lines have their colours without a style sheet.
+  function saved() {
+    const { click } = HTMLAnchorElement.prototype, files = [];
+    HTMLAnchorElement.prototype.click = function () { files.push([this.download, this.href]); };
+    const figures = all("figure").filter((figure) => figure.querySelector(".save"));
+    for (const figure of figures) figure.querySelector(".save button").click();
+    HTMLAnchorElement.prototype.click = click;
+    return figures.map((figure, k) => {
+      const [name, href] = files[k] || ["", ""];
+      const text = decodeURIComponent(href.slice(href.indexOf(",") + 1));
+      const file = new DOMParser().parseFromString(text, "image/svg+xml");
+      const whole = file.documentElement.tagName === "svg" && !file.querySelector("parsererror") && !text.includes("var(");
+      const shapes = (root) => all("svg.chart path:not(.sample path)", root).filter((path) => !path.closest(".sample, .overlay"));
+      const seen = shapes(figure), kept = shapes({ querySelectorAll: (s) => file.querySelectorAll(s) });
+      const styled = seen.every((path, k) => {
+        const style = getComputedStyle(path);
+        let [fill, stroke] = [null, null];
+        for (let part = kept[k]; part && part.getAttribute; part = part.parentElement) {
+          fill ??= part.getAttribute("fill");
+          stroke ??= part.getAttribute("stroke");
+        }
+        return fill === style.fill && stroke === style.stroke;
+      });
+      return { id: figure.id, name, whole, styled: styled && seen.length === kept.length,
+        titled: text.includes(figure.querySelector("figcaption").textContent.split(" ")[0]) };
+    });
+  }
+
+  // Folded parts on paper, and back.
+  function printed() {
+    const folded = () => all("details").filter((part) => !part.open).length;
+    const before = folded();
+    dispatchEvent(new Event("beforeprint"));
+    const onPaper = folded();
+    dispatchEvent(new Event("afterprint"));
+    return { before, onPaper, after: folded() };
+  }
+
+  // What reaches out of the page to the right.
+  const beyond = () => (document.documentElement.scrollWidth <= innerWidth ? [] : all("body *")
+    .filter((part) => !part.closest(".scroll") && part.getBoundingClientRect().right > innerWidth + 1)
+    .map((part) => `${part.tagName} ${part.className?.baseVal ?? part.className}`));
+
   // Labels that another covers, or that reach out of their drawing.
   function labels(svg) {
     const name = nameOf(svg), frame = svg.getBoundingClientRect(), found = [];
@@ -128,6 +196,7 @@
       return at;
     });
   }
+  const ends = (bar) => { const [x, wide] = ["x", "width"].map((a) => Number(bar.getAttribute(a))); return [x, x + wide]; };
   const range = (values) => [Math.min(...values), Math.max(...values)];
   // Lowest and highest value of every curve as it is drawn, with what a tenth of a unit of the drawing is worth.
   function drawn(svg) {
@@ -155,8 +224,13 @@
     }
     if (svg.classList.contains("bar-chart")) {
       const x = axis(ticksOf(svg, "middle"));
-      const bars = all("rect.bar", svg).map((bar) => x(Number(bar.getAttribute("x")) + Number(bar.getAttribute("width"))));
+      // A bar ends away from zero.
+      const bars = all("rect.bar", svg).map(ends).map((both) => both.map(x)).map(([a, b]) => (Math.abs(a) > Math.abs(b) ? a : b));
       return x && bars.length ? [{ chart: name, curve: "bars", low: Math.min(...bars), high: Math.max(...bars), worth: Math.abs(x(1) - x(0)) / 10 }] : [];
+    }
+    if (svg.classList.contains("tornado-chart")) {
+      const x = axis(ticksOf(svg, "middle")), [low, high] = range(all("rect.bar", svg).flatMap(ends).map(x));
+      return [{ chart: name, curve: "intervals", low, high, worth: Math.abs(x(1) - x(0)) / 10 }];
     }
     if (svg.classList.contains("facing-chart")) {
       const below = (t) => t.at > 269, ticks = ticksOf(svg, "end").filter((t) => !Number.isNaN(t.value));
@@ -187,6 +261,9 @@
   }
 
   function looked() {
+    const beyondPage = beyond(), paper = printed();
+    // Charts are looked at as they stand, folded ones opened.
+    for (const part of all("details")) part.open = true;
     const sizes = all("figure").map((figure) => {
       const box = figure.querySelector("svg.chart").getBoundingClientRect();
       const shapes = all(".curves path, .field path, rect.bar, rect.mixed, rect.film", figure).map((s) => s.getBBox());
@@ -198,6 +275,9 @@
       shown: Object.fromEntries(all("[data-key]").map((e) => [e.dataset.key, e.textContent])),
       zoom: WANTED.drive ? all("figure.zoomable").map(driven) : [],
       sliders: WANTED.drive ? all("figure.facing .slider input").map(slid) : [],
+      gears: WANTED.drive ? all("figure.mesh .slider input").map(turned) : [],
+      saved: WANTED.drive ? saved() : [],
+      beyond: beyondPage, printed: paper,
       pixels: WANTED.pixels ? pixels() : [],
       resources: performance.getEntriesByType("resource").map((r) => r.name),
     };

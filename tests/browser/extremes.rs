@@ -95,7 +95,6 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
     let position = page["contact"]["position"].as_u64().unwrap_or(1) as usize;
     let at = |column: &str| path.column(column)[position - 1];
     let surface = || Table::read(folder, &format!("position_{position:02}/surface.csv"));
-    let steps = || Table::read(folder, "convergence.csv").with("position", &position.to_string());
     // Range that charts of the contact show, in half-widths.
     let near = |of: &dyn Fn(&Table) -> Vec<f64>| -> Vec<f64> {
         let table = surface();
@@ -103,7 +102,6 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
         let shown = pairs.filter(|(x, _)| x.abs() <= 1.6 * at("half_width_um"));
         shown.map(|(_, value)| value).collect()
     };
-    let across = |column: &str| Some(near(&|table| table.column(column)));
     let scaled = |column: &str, factor: f64| {
         let values = near(&|table| table.column(column));
         Some(values.into_iter().map(|value| factor * value).collect())
@@ -127,9 +125,11 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
         }
         // The construction of Rk.
         ("abbott-pinion" | "abbott-wheel", _) => None,
-        ("psd-pinion" | "psd-wheel", _) => {
-            let table = Table::read(folder, &format!("psd_{body}.csv"));
-            Some(positive(table.column("density_um3")))
+        ("psd", body) => {
+            let flank = ["pinion", "wheel"].iter().position(|name| *name == body);
+            let rows = page["flanks"][flank.unwrap()]["spectrum"].as_array();
+            let densities = rows.unwrap().iter().map(|row| row["density_um3"].as_f64());
+            Some(densities.map(Option::unwrap).collect())
         }
         ("load-share", _) => along("load_share"),
         ("pressure-path", _) => along("hertz_pressure_mpa"),
@@ -203,48 +203,6 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
             Some(Table::read(folder, "load.csv").column(column))
         }
         ("load-map", _) => Some(Table::read(folder, "load_map.csv").column("load_n_per_mm")),
-        ("flanks-touch", "pinion, below") => across("height_pinion_um"),
-        ("flanks-touch", _) => {
-            let facing = |table: &Table| {
-                table.map(["x_um", "height_wheel_um"], |[x, z]| {
-                    0.5 * x * x / (1e3 * at("radius_mm")) - z
-                })
-            };
-            let table = surface();
-            let open = facing(&table)
-                .into_iter()
-                .zip(table.column("height_pinion_um"));
-            let least = open
-                .map(|(wheel, pinion)| wheel - pinion)
-                .fold(f64::INFINITY, f64::min);
-            Some(
-                near(&facing)
-                    .into_iter()
-                    .map(|wheel| wheel - least)
-                    .collect(),
-            )
-        }
-        ("flanks-load", curve) => {
-            let pressed = |table: &Table| {
-                table.map(["height_pinion_um", "displacement_pinion_um"], |[z, d]| {
-                    z - d
-                })
-            };
-            let pinion = near(&pressed);
-            let middle = 0.5 * ends(&pinion).iter().sum::<f64>();
-            let gap = match curve {
-                "pinion, below" => vec![0.0; pinion.len()],
-                _ => near(&|table| table.column("gap_um")),
-            };
-            Some(
-                pinion
-                    .iter()
-                    .zip(gap)
-                    .map(|(z, gap)| z - middle + gap)
-                    .collect(),
-            )
-        }
-        ("gap", _) => across("gap_um"),
         ("flanks-change", "pinion") => scaled("plastic_pinion_um", -1e3),
         ("flanks-change", _) => scaled("plastic_wheel_um", -1e3),
         ("pressure", "asperities") => Some(surface().column("pressure_solid_mpa")),
@@ -263,20 +221,6 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
                     }
                 },
             ))
-        }
-        ("approach", "film") => Some(steps().column("load_fluid_n_per_mm")),
-        ("approach", _) => Some(
-            steps().map(["load_fluid_n_per_mm", "load_solid_n_per_mm"], |[a, b]| {
-                a + b
-            }),
-        ),
-        ("convergence", _) => {
-            let errors = steps().column("load_error");
-            Some(if folder.ends_with("paper") {
-                positive(errors)
-            } else {
-                errors
-            })
         }
         ("facing", "hertz") => Some(vec![0.0, at("hertz_pressure_mpa")]),
         ("facing", "solid" | "fluid") => {
@@ -303,27 +247,17 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
                 .unwrap();
             Some(numbers(&shown[column]))
         }
-        ("losses", _) => Some(parts_of_the_loss(folder)),
-        ("friction-laws", _) => Some(Table::read(folder, "friction_laws.csv").column("loss_w")),
-        ("band", _) => None,
+        ("band", _) => {
+            let loss = &json(folder, "result.json")["uncertainty"]["loss"];
+            let parts = loss["parts"].as_array().unwrap().iter();
+            let ends = std::iter::once(loss).chain(parts);
+            Some(
+                ends.flat_map(|part| numbers(&part["quantiles_w"]))
+                    .collect(),
+            )
+        }
         other => panic!("no table is known for {other:?} of a report"),
     }
-}
-
-/// Parts of the loss \[W\].
-fn parts_of_the_loss(folder: &Path) -> Vec<f64> {
-    let result = json(folder, "result.json");
-    let number = |key: &str| result["summary"][key].as_f64().unwrap();
-    let parts = [
-        "film_w",
-        "lubricated_asperity_w",
-        "boundary_w",
-        "hysteresis_w",
-    ]
-    .map(number);
-    let deformed = numbers(&result["summary"]["deformation_w"]);
-    let rolling = number("rolling_w") - number("hysteresis_w");
-    [&parts[..], &deformed, &[rolling]].concat()
 }
 
 /// Values of a curve in the tables of a study.
@@ -486,7 +420,7 @@ fn of_figure(folder: &Path, figure: &str, curve: &str) -> Option<Vec<f64>> {
         "fig13b_convergence" => Some(positive(
             table("fig13_convergence.csv").column("load_error"),
         )),
-        // Shifted by what their table does not hold; the same charts of the report are tested. The profile has no table.
+        // Shifted by what their table does not hold. The profile has no table.
         "fig09a_touch" | "fig09b_load" | "profile" => None,
         other => panic!("no table is known for {other}"),
     }

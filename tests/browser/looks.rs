@@ -15,6 +15,7 @@ pub fn assert_sound(opened: &Opened) {
         ("resources", "the page fetches nothing"),
         ("labels", "no label is covered or cut"),
         ("undefined", "numbers only"),
+        ("beyond", "nothing reaches out of the page"),
     ] {
         assert_eq!(found[what], json!([]), "{name}: {none}");
     }
@@ -39,6 +40,24 @@ pub fn assert_sound(opened: &Opened) {
             "{name}: {slider}"
         );
     }
+    for gears in found["gears"].as_array().unwrap() {
+        for what in ["turns", "followed", "still"] {
+            assert_eq!(gears[what], true, "{name}: {what} of {gears}");
+        }
+        assert_eq!(gears["moved"], gears["charts"], "{name}: {gears}");
+        assert!(gears["width"].as_f64().unwrap() > 150.0, "{name}: {gears}");
+    }
+    for file in found["saved"].as_array().unwrap() {
+        for what in ["whole", "styled", "titled"] {
+            assert_eq!(file[what], true, "{name}: {what} of {file}");
+        }
+    }
+    let printed = &found["printed"];
+    assert_eq!(
+        printed["onPaper"], 0,
+        "{name}: folded parts are open on paper"
+    );
+    assert_eq!(printed["before"], printed["after"], "{name}");
     for chart in found["zoom"].as_array().unwrap() {
         for what in ["readOff", "dragged", "restored", "keyed", "whole"] {
             assert_eq!(chart[what], true, "{name}: {what} of {chart}");

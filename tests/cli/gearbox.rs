@@ -106,7 +106,7 @@ fn a_bearing_turns_with_its_shaft_and_its_load_grows_only_where_that_is_said() {
 #[test]
 fn the_summary_names_both_efficiencies_and_whose_the_parts_are() {
     let bench = Bench::new();
-    let text = coarse(&bench, &["run", "--no-output"], &[SEAL]).well();
+    let text = coarse(&bench, &["run", "--no-output", "--notes"], &[SEAL]).well();
     let text = text.unwrapped();
     assert!(text.contains("efficiency (mesh only)"), "{text}");
     let line = text

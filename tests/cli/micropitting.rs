@@ -109,7 +109,9 @@ fn the_smallest_film_over_roughness_stands_beside_what_the_flanks_show() {
     let rougher = json("fzg-c", &[&twice, settings[1]]);
     let half = of(&rougher["micropitting"]["lambda_min"]);
     assert!((2.0 * half / least - 1.0).abs() < 1e-9);
-    let text = run("fzg-c", &settings, &["--no-output"]).well().unwrapped();
+    let text = run("fzg-c", &settings, &["--no-output", "--notes"])
+        .well()
+        .unwrapped();
     assert!(
         text.contains("over the user's 0.200; by the form of"),
         "{text}"

@@ -34,7 +34,7 @@ fn the_demo_runs_as_it_is_written() {
         "{}",
         said.out
     );
-    assert!(bench.path("results/case/result.json").is_file());
+    assert!(bench.path("results/demo-case/result.json").is_file());
     bench
         .run(&["demo"])
         .refused(2, "E401", &["demo: exists already"]);
@@ -128,13 +128,14 @@ fn folders_on_the_way_are_made_and_blanks_in_names_do_no_harm() {
         .run(&["run", "with blank/case.toml", "-o", "new/and deep/out"])
         .well();
     assert!(
-        said.out.contains("wrote new/and deep/out in "),
+        said.out.contains("report: new/and deep/out/report.html"),
         "{}",
         said.out
     );
     assert!(bench.path("new/and deep/out/result.json").is_file());
     bench.run(&["run", "with blank/case.toml"]).well();
-    assert!(bench.path("results/case/result.json").is_file());
+    let folder = "results/with blank-case/result.json";
+    assert!(bench.path(folder).is_file());
 }
 
 #[test]
@@ -142,7 +143,7 @@ fn no_output_writes_nothing() {
     let bench = small_case();
     let before = bench.listing();
     let said = bench.run(&["run", "case.toml", "--no-output"]).well();
-    assert!(!said.out.contains("wrote"), "{}", said.out);
+    assert!(!said.out.contains("report:"), "{}", said.out);
     assert_eq!(bench.listing(), before);
 }
 
@@ -154,7 +155,8 @@ fn every_default_used_is_listed_on_request() {
         .well()
         .json();
     let defaults = result["defaults"].as_array().unwrap();
-    let said = bench.run(&["run", "case.toml", "--no-output"]).well().out;
+    let notes = ["run", "case.toml", "--no-output", "--notes"];
+    let said = bench.run(&notes).well().out;
     let count = format!("defaults used: {} (--explain-defaults)", defaults.len());
     assert!(said.contains(&count), "{said}");
     let said = bench
@@ -259,7 +261,14 @@ fn the_summary_keeps_to_80_columns() {
             let bench = Bench::new();
             let case = root().join(format!("fixtures/cases/{name}.toml"));
             let case = case.to_str().unwrap();
-            let said = bench.run(&["run", case, "--formulation", formulation, "--no-output"]);
+            let said = bench.run(&[
+                "run",
+                case,
+                "--formulation",
+                formulation,
+                "--no-output",
+                "--notes",
+            ]);
             assert_eq!(said.status, 0, "{}", said.err);
             // Messages are lines of their own, as long as what they say.
             for line in said.out.lines().filter(|line| !line.starts_with('W')) {
@@ -267,6 +276,63 @@ fn the_summary_keeps_to_80_columns() {
             }
         }
     }
+}
+
+#[test]
+fn the_first_screen_has_at_most_ten_lines_and_the_rest_is_behind_notes() {
+    let folder = root().join("fixtures/cases");
+    for entry in fs::read_dir(folder).unwrap() {
+        let case = entry.unwrap().path();
+        let bench = Bench::new();
+        let run = |more: &[&str]| {
+            let run = ["run", case.to_str().unwrap(), "--no-output"];
+            bench.run(&[&run[..], more].concat()).well().out
+        };
+        let (said, whole) = (run(&[]), run(&["--notes"]));
+        assert!(said.lines().count() <= 10, "{said}");
+        assert!(said.lines().filter(|line| line.starts_with('W')).count() <= 1);
+        for behind in [
+            "power in ",
+            "mu_eq ",
+            "H_V ",
+            "converged  ",
+            "defaults used: ",
+        ] {
+            assert!(whole.contains(behind), "{behind}: {whole}");
+            assert!(!said.contains(&format!("\n{behind}")), "{behind}: {said}");
+        }
+    }
+}
+
+#[test]
+fn a_result_of_another_case_is_not_replaced_unless_it_is_named() {
+    let bench = small_case();
+    let first = bench.run(&["run", "case.toml"]).well().out;
+    assert!(
+        first.ends_with("notes: --notes\n")
+            && first.contains("\nreport: results/case/report.html ")
+    );
+    let again = bench.run(&["run", "case.toml"]).well().out;
+    assert!(
+        again.contains("\nreplaced results/case (same title)\n"),
+        "{again}"
+    );
+    let before = fs::read_to_string(bench.path("results/case/result.json")).unwrap();
+    bench.write("case.toml", E_DRIVE.replace("small case", "other case"));
+    let refused = ["results/case: holds the result of another case (small case)"];
+    bench
+        .run(&["run", "case.toml"])
+        .refused(2, "E401", &refused);
+    let kept = fs::read_to_string(bench.path("results/case/result.json")).unwrap();
+    assert_eq!(kept, before);
+    let named = bench
+        .run(&["run", "case.toml", "-o", "results/case"])
+        .well()
+        .out;
+    assert!(
+        named.contains("\nreplaced results/case (small case)\n"),
+        "{named}"
+    );
 }
 
 /// The power behind `name` in a line of the summary \[W\]; 0 for one below the last place.
@@ -287,16 +353,11 @@ fn parts_of_the_loss_add_up_as_printed() {
         let set = format!("operation.torque={torque} N m");
         let run = ["run", "case.toml", "--no-output", "--set", &set];
         let said = bench.run(&[&run[..], more].concat()).well().out;
-        let [loss, sliding, rolling] =
-            ["   loss ", "[sliding ", "| rolling "].map(|name| power(&said, name));
-        assert_eq!(sliding + rolling, loss, "{said}");
-        let names = [
-            "sliding in film ",
-            "lubricated asperities ",
-            "boundary layer ",
-        ];
-        let parts = names.map(|name| power(&said, name));
-        assert_eq!(parts.iter().sum::<f64>(), sliding, "{said}");
+        let loss = power(&said, "   loss ");
+        let names = ["film ", "lubricated asperities ", "boundary ", "rolling "];
+        let line = said.lines().find(|line| line.starts_with("film ")).unwrap();
+        let parts = names.map(|name| power(line, name));
+        assert!((parts.iter().sum::<f64>() - loss).abs() < 1e-9, "{said}");
     }
 }
 

@@ -36,8 +36,8 @@ fn traced_teeth_and_their_pairs_are_told() {
     let checked = bench.run(&["check", "case.toml"]).well().out;
     let says = "pinion 2 traces of 2 teeth, wheel 2 traces of 2 teeth: 4 pairs";
     assert!(checked.contains(says), "{checked}");
-    let said = bench.run(&["run", "case.toml", "-o", "out"]).well().out;
-    let said = in_a_line(&said);
+    let run = ["run", "case.toml", "-o", "out", "--notes"];
+    let said = in_a_line(&bench.run(&run).well().out);
     for part in [
         "2 traced teeth of the pinion on 2 of the wheel, mean ",
         "between teeth of the pinion, s_2 ",

@@ -100,21 +100,16 @@ fn stem(path: &Path) -> &OsStr {
     }
 }
 
-/// Name of the results of a file: its name without extension, with the name of its folder if many files have that name.
+/// Name of the results of a file: its name without extension, after the folder of its path if many files have that name.
 fn result_name(path: &Path) -> OsString {
     const COMMON: &str = "case";
     let name = stem(path);
-    let whole = std::path::absolute(path).ok();
-    let folder = whole
-        .as_deref()
-        .and_then(Path::parent)
-        .and_then(Path::file_name);
-    match folder {
+    match path.parent().and_then(Path::file_name) {
         Some(folder) if name == COMMON => {
-            let mut whole = folder.to_owned();
-            whole.push("-");
-            whole.push(name);
-            whole
+            let mut both = folder.to_owned();
+            both.push("-");
+            both.push(name);
+            both
         }
         _ => name.to_owned(),
     }

@@ -17,9 +17,6 @@ pub(crate) struct PrintedLoss {
     pub film: String,
     pub lubricated: String,
     pub boundary: String,
-    /// Parts of the rolling loss.
-    pub rolling_friction: String,
-    pub hysteresis: String,
 }
 
 impl PrintedLoss {
@@ -43,9 +40,7 @@ impl PrintedLoss {
         let all = [s.sliding_w, s.rolling_w, pinion, wheel, first_pass].map(|part| scale * part);
         let steps = powers.digits.parts(loss, &all);
         let sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w].map(|part| scale * part);
-        let rolling = [s.rolling_w - s.hysteresis_w, s.hysteresis_w].map(|part| scale * part);
         let [film, lubricated, boundary] = powers.parts(steps[0], sliding);
-        let [rolling_friction, hysteresis] = powers.parts(steps[1], rolling);
         let text = |k: usize| powers.text(all[k], steps[k]);
         Self {
             loss: powers.text(median, loss),
@@ -56,8 +51,6 @@ impl PrintedLoss {
             film,
             lubricated,
             boundary,
-            rolling_friction,
-            hysteresis,
         }
     }
 }

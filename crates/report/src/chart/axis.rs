@@ -27,6 +27,8 @@ pub struct Axis {
     pub downward: bool,
     /// Fixed range in place of the range of the data.
     pub limits: Option<[f64; 2]>,
+    /// Whether all charts of a page over this axis share a cursor.
+    pub is_shared: bool,
 }
 
 impl Axis {
@@ -39,6 +41,7 @@ impl Axis {
             zero: false,
             downward: false,
             limits: None,
+            is_shared: false,
         }
     }
 
@@ -63,6 +66,12 @@ impl Axis {
     /// Sets a fixed range.
     pub fn within(mut self, low: f64, high: f64) -> Self {
         self.limits = Some([low, high]);
+        self
+    }
+
+    /// Shares a cursor among all charts of a page over this axis.
+    pub fn shared(mut self) -> Self {
+        self.is_shared = true;
         self
     }
 

@@ -1,4 +1,4 @@
-//! Bars from zero, labelled with their values.
+//! Rows of bars with names at the left and values at the right: bars from zero, and intervals about a middle.
 
 use super::axis::{Axis, Range};
 use super::canvas::{Anchor, Canvas, LINE};
@@ -11,7 +11,7 @@ use super::text_width::{NAME, name_lines, widest, width};
 pub struct Bar {
     /// Name.
     pub name: String,
-    /// Length; `None` without a value.
+    /// Length, to the left of zero if negative; `None` without a value.
     pub value: Option<f64>,
     /// Ends of the whisker.
     pub spread: Option<[f64; 2]>,
@@ -32,6 +32,34 @@ pub struct BarChart {
     pub axis: Axis,
     /// The bars.
     pub bars: Vec<Bar>,
+}
+
+/// Interval of a tornado chart.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Interval {
+    /// Name.
+    pub name: String,
+    /// Ends.
+    pub ends: [f64; 2],
+    /// Formatted ends.
+    pub text: String,
+}
+
+/// Tornado chart: intervals about a common middle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tornado {
+    /// Identifier for links.
+    pub id: String,
+    /// Title of the drawing.
+    pub title: String,
+    /// Name of its data file.
+    pub source: String,
+    /// Axis along the intervals.
+    pub axis: Axis,
+    /// The middle.
+    pub middle: f64,
+    /// The intervals.
+    pub intervals: Vec<Interval>,
 }
 
 /// Approximate number of ticks.
@@ -68,84 +96,147 @@ fn room<'a>(names: impl Iterator<Item = &'a Vec<String>>) -> f64 {
     (EDGE + longest + GAP).max(LEAST)
 }
 
+/// Row of a chart: a bar between two values, a whisker, and a text at its right.
+struct Row<'a> {
+    name: &'a str,
+    bar: Option<[f64; 2]>,
+    whisker: Option<[f64; 2]>,
+    text: &'a str,
+}
+
+impl Row<'_> {
+    /// Largest value of the row.
+    fn end(&self) -> Option<f64> {
+        let values = self.bar.iter().chain(&self.whisker).flatten();
+        values.copied().reduce(f64::max)
+    }
+}
+
 impl BarChart {
     /// CSS class of its drawing.
     pub(super) const KIND: &str = "bar-chart";
 
-    /// The chart as SVG.
-    pub fn svg(&self, dress: Dress) -> String {
-        const THICK: f64 = 20.0;
-        let names: Vec<Vec<String>> = self.bars.iter().map(|bar| lines(&bar.name)).collect();
-        let left = room(names.iter());
-        let most = names.iter().map(Vec::len).max().unwrap_or(1);
-        let pitch = (LINE * most as f64).max(THICK + 16.0);
-        let top = if dress == Dress::Alone { 36.0 } else { 10.0 };
-        let bottom = top + pitch * self.bars.len() as f64 + 4.0;
-        let height = bottom + 50.0;
-        let ends = self.bars.iter().filter_map(|bar| {
-            bar.value
-                .map(|value| bar.spread.map_or(value, |[_, high]| value.max(high)))
-        });
-        let range = self.axis.clone().from_zero().range(ends);
-        let right = self.right(left, &range);
-        let px = |value: f64| left + range.share(value) * (right - left);
-        let mut canvas = Canvas::default();
-        for (value, label) in range.ticks(TICKS) {
-            canvas.line("grid", [px(value), top], [px(value), bottom]);
-            canvas.label(
-                "tick",
-                [px(value), bottom + TICK_BELOW],
-                Anchor::Middle,
-                &label,
-            );
-        }
-        for (index, (bar, lines)) in self.bars.iter().zip(&names).enumerate() {
-            let middle = top + 2.0 + pitch * (index as f64 + 0.5);
-            let y = middle - 0.5 * THICK;
-            let above = 0.5 * LINE * (lines.len() - 1) as f64;
-            for (number, line) in lines.iter().enumerate() {
-                let base = middle + 4.0 - above + LINE * number as f64;
-                canvas.label("name", [left - GAP, base], Anchor::End, line);
+    fn rows(&self) -> Vec<Row<'_>> {
+        let row = |bar| {
+            let Bar {
+                name,
+                value,
+                spread,
+                text,
+            }: &Bar = bar;
+            Row {
+                name,
+                bar: value.map(|value| [value.min(0.0), value.max(0.0)]),
+                whisker: spread.filter(|_| value.is_some()),
+                text,
             }
-            let mut end = left;
-            if let Some(value) = bar.value {
-                end = px(value);
-                canvas.rect("bar", [left, y], [(end - left).max(0.0), THICK]);
-                if let Some([low, high]) = bar.spread {
-                    let ends = [px(low.max(0.0)), px(high)];
-                    whisker(&mut canvas, ends, [y + 4.0, y + THICK - 4.0]);
-                    end = end.max(ends[1]);
-                }
-            }
-            canvas.label("name", [end + GAP, middle + 4.0], Anchor::Start, &bar.text);
-        }
-        canvas.line("axis", [left, top], [left, bottom]);
-        let middle = 0.5 * (left + right);
-        canvas.label(
-            "name",
-            [middle, height - 8.0],
-            Anchor::Middle,
-            &self.axis.text(),
-        );
-        document(dress, Self::KIND, &self.title, height, &canvas.into_text())
+        };
+        self.bars.iter().map(row).collect()
     }
 
-    /// Right end of the axis, such that the text of every bar and the label of every tick fit.
-    fn right(&self, left: f64, range: &Range) -> f64 {
-        const LEAST: f64 = 60.0;
-        let room = |bar: &Bar| {
-            let end = bar.spread.map_or(0.0, |[_, high]| high).max(bar.value?);
-            let free = WIDTH - EDGE - left - GAP - width(&bar.text, NAME);
-            Some(left + free / range.share(end).max(f64::EPSILON))
-        };
-        let ends = self.bars.iter().filter_map(room);
-        let ticks = range.ticks(TICKS);
-        let labels = ticks
-            .iter()
-            .map(|(at, label)| (range.share(*at), label.as_str()));
-        let right = right_end(left, ends.fold(WIDTH - RIGHT, f64::min), WIDTH, labels);
-        right.max(left + LEAST)
+    /// The chart as SVG.
+    pub fn svg(&self, dress: Dress) -> String {
+        let axis = self.axis.clone().from_zero();
+        drawn(dress, [Self::KIND, &self.title], &axis, 0.0, &self.rows())
     }
+}
+
+impl Tornado {
+    /// CSS class of its drawing.
+    pub(super) const KIND: &str = "tornado-chart";
+
+    /// The chart as SVG.
+    pub fn svg(&self, dress: Dress) -> String {
+        let row = |interval| {
+            let Interval { name, ends, text }: &Interval = interval;
+            Row {
+                name,
+                bar: Some(*ends),
+                whisker: None,
+                text,
+            }
+        };
+        let rows: Vec<Row<'_>> = self.intervals.iter().map(row).collect();
+        let kind = [Self::KIND, self.title.as_str()];
+        drawn(dress, kind, &self.axis, self.middle, &rows)
+    }
+}
+
+/// Range of all values of `rows` and the `middle`.
+fn range(axis: &Axis, middle: f64, rows: &[Row<'_>]) -> Range {
+    let values = rows
+        .iter()
+        .flat_map(|row| row.bar.iter().chain(&row.whisker));
+    axis.range(values.flatten().copied().chain([middle]))
+}
+
+fn drawn(
+    dress: Dress,
+    [kind, title]: [&str; 2],
+    axis: &Axis,
+    middle: f64,
+    rows: &[Row<'_>],
+) -> String {
+    const THICK: f64 = 17.0;
+    const APART: f64 = 9.0;
+    let names: Vec<Vec<String>> = rows.iter().map(|row| lines(row.name)).collect();
+    let left = room(names.iter());
+    let high = |lines: &Vec<String>| (LINE * lines.len() as f64).max(THICK + APART);
+    let top = if dress == Dress::Alone { 36.0 } else { 10.0 };
+    let bottom = top + names.iter().map(high).sum::<f64>() + 4.0;
+    let height = bottom + 50.0;
+    let range = range(axis, middle, rows);
+    let right = right_of(rows, left, &range);
+    let px = |value: f64| left + range.share(value) * (right - left);
+    let mut canvas = Canvas::default();
+    for (value, label) in range.ticks(TICKS) {
+        canvas.line("grid", [px(value), top], [px(value), bottom]);
+        canvas.label(
+            "tick",
+            [px(value), bottom + TICK_BELOW],
+            Anchor::Middle,
+            &label,
+        );
+    }
+    let mut begin = top + 2.0;
+    for (row, lines) in rows.iter().zip(&names) {
+        let at = begin + 0.5 * high(lines);
+        begin += high(lines);
+        let y = at - 0.5 * THICK;
+        let above = 0.5 * LINE * (lines.len() - 1) as f64;
+        for (number, line) in lines.iter().enumerate() {
+            let base = at + 4.0 - above + LINE * number as f64;
+            canvas.label("name", [left - GAP, base], Anchor::End, line);
+        }
+        if let Some([low, high]) = row.bar {
+            canvas.rect("bar", [px(low), y], [px(high) - px(low), THICK]);
+        }
+        if let Some(ends) = row.whisker {
+            whisker(&mut canvas, ends.map(px), [y + 4.0, y + THICK - 4.0]);
+        }
+        let end = row.end().map_or(left, px);
+        canvas.label("name", [end + GAP, at + 4.0], Anchor::Start, row.text);
+    }
+    canvas.line("axis", [px(middle), top], [px(middle), bottom]);
+    let below = [0.5 * (left + right), height - 8.0];
+    canvas.label("name", below, Anchor::Middle, &axis.text());
+    document(dress, kind, title, height, &canvas.into_text())
+}
+
+/// Right end of the axis, such that the text of every row and the label of every tick fit.
+fn right_of(rows: &[Row<'_>], left: f64, range: &Range) -> f64 {
+    const LEAST: f64 = 60.0;
+    let room = |row: &Row<'_>| {
+        let free = WIDTH - EDGE - left - GAP - width(row.text, NAME);
+        Some(left + free / range.share(row.end()?).max(f64::EPSILON))
+    };
+    let ends = rows.iter().filter_map(room);
+    let ticks = range.ticks(TICKS);
+    let labels = ticks
+        .iter()
+        .map(|(at, label)| (range.share(*at), label.as_str()));
+    let right = right_end(left, ends.fold(WIDTH - RIGHT, f64::min), WIDTH, labels);
+    right.max(left + LEAST)
 }
 
 /// A line with a stroke across each end.
@@ -201,9 +292,57 @@ mod tests {
             .clone()
             .within(0.0, 10.0)
             .range(std::iter::empty());
-        let right = chart.right(110.0, &range);
+        let right = right_of(&chart.rows(), 110.0, &range);
         let end = 110.0 + 0.9 * (right - 110.0);
         assert!(end + GAP + width("9 W, outside its range", NAME) <= WIDTH);
         assert!(right > 110.0 + 60.0);
+    }
+
+    #[test]
+    fn a_negative_bar_ends_left_of_zero_and_intervals_need_no_zero() {
+        let bar = |value: f64| Bar {
+            name: format!("{value}"),
+            value: Some(value),
+            spread: None,
+            text: format!("{value} W"),
+        };
+        let chart = BarChart {
+            id: "signs".to_owned(),
+            title: "Signs".to_owned(),
+            source: "signs.csv".to_owned(),
+            axis: Axis::new("difference", "W"),
+            bars: vec![bar(-4.0), bar(8.0)],
+        };
+        let number = |text: &str| -> f64 { text.split('"').next().unwrap().parse().unwrap() };
+        let bars = |svg: &str| -> Vec<[f64; 2]> {
+            let rects = svg.split("class=\"bar\" x=\"").skip(1);
+            let ends = rects.map(|rect| {
+                let wide = number(rect.split("width=\"").nth(1).unwrap());
+                [number(rect), number(rect) + wide]
+            });
+            ends.collect()
+        };
+        let [negative, positive] = bars(&chart.svg(Dress::Page))[..] else {
+            panic!("two bars")
+        };
+        assert!((negative[1] - positive[0]).abs() < 0.11);
+        assert!((positive[1] - positive[0]) / (negative[1] - negative[0]) > 1.98);
+        let tornado = Tornado {
+            id: "tornado".to_owned(),
+            title: "Tornado".to_owned(),
+            source: "result.json".to_owned(),
+            axis: Axis::new("loss", "W"),
+            middle: 660.0,
+            intervals: vec![Interval {
+                name: "all".to_owned(),
+                ends: [520.0, 870.0],
+                text: "520..870 W".to_owned(),
+            }],
+        };
+        let svg = tornado.svg(Dress::Page);
+        let [[low, high]] = bars(&svg)[..] else {
+            panic!("one interval")
+        };
+        assert!(high - low > 200.0 && !svg.contains(">0</text>"), "{svg}");
     }
 }

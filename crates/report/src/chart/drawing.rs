@@ -1,6 +1,6 @@
 //! The enumeration of all charts.
 
-use super::bars::BarChart;
+use super::bars::{BarChart, Tornado};
 use super::contour::Contour;
 use super::dress::Dress;
 use super::facing::Facing;
@@ -16,6 +16,8 @@ pub enum Drawing {
     Curves(Chart),
     /// Bars.
     Bars(BarChart),
+    /// Intervals about a middle.
+    Tornado(Tornado),
     /// Parts of a whole.
     Pie(PieChart),
     /// Shares along the path.
@@ -34,6 +36,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => chart.svg(dress),
             Self::Bars(chart) => chart.svg(dress),
+            Self::Tornado(chart) => chart.svg(dress),
             Self::Pie(chart) => chart.svg(dress),
             Self::Strip(chart) => chart.svg(dress),
             Self::Contour(chart) => chart.svg(dress),
@@ -47,6 +50,7 @@ impl Drawing {
         match self {
             Self::Curves(_) => Chart::KIND,
             Self::Bars(_) => BarChart::KIND,
+            Self::Tornado(_) => Tornado::KIND,
             Self::Pie(_) => PieChart::KIND,
             Self::Strip(_) => Strip::KIND,
             Self::Contour(_) => Contour::KIND,
@@ -60,6 +64,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => &chart.id,
             Self::Bars(chart) => &chart.id,
+            Self::Tornado(chart) => &chart.id,
             Self::Pie(chart) => &chart.id,
             Self::Strip(chart) => &chart.id,
             Self::Contour(chart) => &chart.id,
@@ -73,6 +78,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => &chart.title,
             Self::Bars(chart) => &chart.title,
+            Self::Tornado(chart) => &chart.title,
             Self::Pie(chart) => &chart.title,
             Self::Strip(chart) => &chart.title,
             Self::Contour(chart) => &chart.title,
@@ -86,6 +92,7 @@ impl Drawing {
         match self {
             Self::Curves(chart) => &chart.source,
             Self::Bars(chart) => &chart.source,
+            Self::Tornado(chart) => &chart.source,
             Self::Pie(chart) => &chart.source,
             Self::Strip(chart) => &chart.source,
             Self::Contour(chart) => &chart.source,
@@ -99,7 +106,12 @@ impl Drawing {
         match self {
             Self::Curves(chart) => Some(chart.data()),
             Self::Contour(chart) => Some(chart.data()),
-            Self::Bars(_) | Self::Pie(_) | Self::Strip(_) | Self::Mesh(_) | Self::Facing(_) => None,
+            Self::Bars(_)
+            | Self::Tornado(_)
+            | Self::Pie(_)
+            | Self::Strip(_)
+            | Self::Mesh(_)
+            | Self::Facing(_) => None,
         }
     }
 

@@ -356,7 +356,7 @@ impl Facing {
             .iter()
             .map(|frame| {
                 let placed = self.placed(frame, &scales);
-                json!({"text": frame.text, "at": placed.at, "x": steps(&placed.x), "lower": steps(&placed.lower),
+                json!({"text": frame.text, "s": frame.at, "at": placed.at, "x": steps(&placed.x), "lower": steps(&placed.lower),
                     "upper": steps(&placed.upper), "solid": steps(&placed.solid), "fluid": steps(&placed.fluid),
                     "hertz": placed.hertz})
             })

@@ -152,7 +152,8 @@ impl Frame {
             "box": [self.left, self.top, self.right, self.bottom],
             "width": WIDTH,
             "ticks": [TICK_LEFT, TICK_BASE, TICK_BELOW],
-            "x": {"scale": self.x.scale, "low": self.x.low, "high": self.x.high, "label": x.label, "unit": x.unit},
+            "x": {"scale": self.x.scale, "low": self.x.low, "high": self.x.high, "label": x.label, "unit": x.unit,
+                "shared": x.is_shared},
             "y": {"scale": self.y.scale, "low": self.y.low, "high": self.y.high, "label": y.label, "unit": y.unit,
                 "zero": y.zero, "downward": self.downward},
         })

@@ -1,6 +1,9 @@
-//! Two gears in mesh, to scale: teeth, circles, path of contact with its points, traces on the flanks.
+//! Two gears in mesh, to scale: teeth, circles, path of contact with its points, traces on the flanks. The gears can be
+//! turned.
 
 use std::fmt::Write as _;
+
+use serde_json::{Value, json};
 
 use super::canvas::{Anchor, Canvas};
 use super::dress::Dress;
@@ -21,6 +24,8 @@ pub struct MeshBody {
     pub radii: [f64; 3],
     /// Closed outline of the teeth near the pitch point and the body behind them \[mm\].
     pub outline: Points,
+    /// Angle, positive counterclockwise, by which the gear turns while the contact moves by a millimetre \[rad/mm\].
+    pub turn: f64,
 }
 
 /// Trace on a flank.
@@ -60,8 +65,10 @@ pub struct MeshPicture {
     pub feet: Vec<MeshPoint>,
     /// Unit vector along the line of action.
     pub along: [f64; 2],
-    /// Points of contact at this instant \[mm\].
-    pub contacts: Points,
+    /// Distances of A, of the pitch point, and of E from T₁ along the line of action \[mm\].
+    pub stations: [f64; 3],
+    /// Distance between the contacts of neighbouring pairs of teeth \[mm\].
+    pub base_pitch: f64,
     /// Traces with known positions.
     pub traces: Vec<MeshTrace>,
     /// Half of the visible width \[mm\].
@@ -69,7 +76,7 @@ pub struct MeshPicture {
 }
 
 /// Height of the picture relative to its width.
-const ASPECT: f64 = 0.72;
+pub(crate) const ASPECT: f64 = 0.72;
 const MARGIN: f64 = 4.0;
 
 /// Mapping from the picture to the canvas.
@@ -110,13 +117,8 @@ impl MeshPicture {
 
     /// The picture as SVG.
     pub fn svg(&self, dress: Dress) -> String {
-        let top = if dress == Dress::Alone { 30.0 } else { MARGIN };
-        let wide = WIDTH - 2.0 * MARGIN;
-        let view = View {
-            top,
-            scale: 0.5 * wide / self.reach,
-            half: [0.5 * wide, 0.5 * ASPECT * wide],
-        };
+        let view = self.view(dress);
+        let (top, wide) = (view.top, 2.0 * view.half[0]);
         let height = top + ASPECT * wide + MARGIN;
         let mut canvas = Canvas::default();
         let clip = format!("clip-{}", self.id);
@@ -126,18 +128,17 @@ impl MeshPicture {
             ASPECT * wide
         ));
         for (index, body) in self.bodies.iter().enumerate() {
+            canvas.raw("<g data-gear=\"\">");
             canvas.path(&format!("body c{index}"), &view.path(&body.outline, "Z"));
+            for trace in self.traces.iter().filter(|trace| trace.body == index) {
+                canvas.path(&format!("trace c{index}"), &view.path(&trace.line, ""));
+            }
+            canvas.close();
         }
         for body in &self.bodies {
             for (radius, kind) in body.radii.iter().zip(CIRCLES) {
                 circle(&mut canvas, &view, kind.1, body.centre, *radius);
             }
-        }
-        for trace in &self.traces {
-            canvas.path(
-                &format!("trace c{}", trace.body),
-                &view.path(&trace.line, ""),
-            );
         }
         self.line_of_action(&mut canvas, &view);
         canvas.close();
@@ -154,12 +155,47 @@ impl MeshPicture {
         if let Some(ends) = ends(&self.path) {
             canvas.path("contact-path", &view.path(&ends, ""));
         }
-        for contact in &self.contacts {
-            let [x, y] = view.at(*contact);
+        let [a, pitch, e] = self.stations;
+        for number in CONTACTS {
+            let away = self.base_pitch * number;
+            let [x, y] = view.at(self.along.map(|part| part * away));
+            let visibility = match (a..=e).contains(&(pitch + away)) {
+                true => "visible",
+                false => "hidden",
+            };
             canvas.raw(&format!(
-                "<circle class=\"touch\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.6\"/>"
+                "<circle class=\"touch\" visibility=\"{visibility}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.6\"/>"
             ));
         }
+    }
+
+    fn view(&self, dress: Dress) -> View {
+        let wide = WIDTH - 2.0 * MARGIN;
+        View {
+            top: if dress == Dress::Alone { 30.0 } else { MARGIN },
+            scale: 0.5 * wide / self.reach,
+            half: [0.5 * wide, 0.5 * ASPECT * wide],
+        }
+    }
+
+    /// Data from which the script of the page turns the gears and moves the contacts.
+    pub fn motion(&self) -> Value {
+        let view = self.view(Dress::Page);
+        let [a, pitch, e] = self.stations;
+        // On the canvas y points down, and a positive angle is clockwise.
+        let turns = self.bodies.each_ref().map(|body| {
+            let [x, y] = view.at(body.centre);
+            [-body.turn.to_degrees(), x, y]
+        });
+        json!({
+            "path": [a, e],
+            "pitch": pitch,
+            "turns": turns,
+            "along": [view.scale * self.along[0], -view.scale * self.along[1]],
+            "contacts": CONTACTS,
+            "step": self.base_pitch,
+            "place": view.at([0.0; 2]),
+        })
     }
 
     /// Draws the letters of the points on one side of the path, the names of the feet on the other, and the names of the
@@ -210,6 +246,9 @@ impl MeshPicture {
         std::iter::once(path).chain(circles).chain(traces).collect()
     }
 }
+
+/// Pairs of teeth in contact, counted from the pair in the middle.
+const CONTACTS: [f64; 5] = [-2.0, -1.0, 0.0, 1.0, 2.0];
 
 /// Names and classes of the circles, in the order of the radii of a body.
 const CIRCLES: [(&str, &str); 3] = [

@@ -81,6 +81,11 @@ impl Strip {
         let height = bottom + 50.0;
         let below = [0.5 * (left + right), height - 8.0];
         canvas.label("name", below, Anchor::Middle, &self.axis.text());
+        let place = [left, right, range.low, range.high, top, bottom];
+        let place = place.map(|value| format!("{value:.4}")).join(" ");
+        canvas.raw(&format!(
+            "<g class=\"overlay\" data-shared=\"{place}\"></g>"
+        ));
         document(dress, Self::KIND, &self.title, height, &canvas.into_text())
     }
 

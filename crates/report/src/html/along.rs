@@ -19,5 +19,5 @@ pub(super) fn points(result: &RunResult) -> Vec<Mark> {
 
 /// The axis along the path.
 pub(super) fn along() -> Axis {
-    Axis::new("distance from T₁ along the line of action", "mm")
+    Axis::new("distance from T₁ along the line of action", "mm").shared()
 }

@@ -3,12 +3,32 @@
 use asperity::result::loss_band::{AlternativeRow, DrawnConstant, SamplingPart, Uncertainty};
 use maud::{Markup, html};
 
-use crate::chart::{Axis, Bar, BarChart, Drawing};
+use crate::chart::{Axis, Drawing, Interval, Tornado};
 
-pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
+/// What narrows each component: the fold below the chart.
+pub(super) fn remedies(uncertainty: &Uncertainty) -> Markup {
     let digits = uncertainty.digits();
     html! {
-        h3 { "Components of the uncertainty" }
+        details {
+            summary { "All components, and what narrows them" }
+            div.scroll { table {
+                thead { tr { th { "component" } th.number { "5 %" } th.number { "95 %" } th { "narrower with" } } }
+                tbody { @for part in &uncertainty.loss.parts {
+                    @let [low, high] = part.quantiles_w;
+                    tr {
+                        th scope="row" { (part.name) }
+                        td.number { (digits.rounded(low)) " W" } td.number { (digits.rounded(high)) " W" }
+                        td { (part.remedy) }
+                    }
+                } }
+            } }
+        }
+    }
+}
+
+/// How the band was drawn, the constants, and other models.
+pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
+    html! {
         p {
             "Median and 5 to 95 % of the loss over " (uncertainty.draws) " draws, which interpolate "
             (uncertainty.evaluations) " evaluations (error of ln loss " (format!("{:.4}", uncertainty.interpolation_error))
@@ -17,17 +37,6 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
                 " " (uncertainty.beyond_power) " draws exceeded the power into the mesh and were set to it."
             }
         }
-        div.scroll { table {
-            thead { tr { th { "component" } th.number { "5 %" } th.number { "95 %" } th.number { "sd of ln loss" } th { "narrower with" } } }
-            tbody { @for part in &uncertainty.loss.parts {
-                @let [low, high] = part.quantiles_w;
-                tr {
-                    th scope="row" { (part.name) }
-                    td.number { (digits.rounded(low)) " W" } td.number { (digits.rounded(high)) " W" }
-                    td.number { (format!("{:.3}", part.sd_ln)) } td { (part.remedy) }
-                }
-            } }
-        } }
         p { "Sampling of the flanks: " (sampling(&uncertainty.sampling)) "." }
         h3 { "Constants" }
         div.scroll { table {
@@ -109,24 +118,27 @@ fn loss(row: &AlternativeRow, uncertainty: &Uncertainty) -> String {
     })
 }
 
-/// The median with its interval, and the interval of each component.
-pub(super) fn loss_chart(uncertainty: &Uncertainty) -> Drawing {
+/// Components in the picture; the table below it has all.
+const LARGEST: usize = 6;
+
+/// The interval of the loss and of its largest components, about the median.
+pub(super) fn tornado(uncertainty: &Uncertainty) -> Drawing {
     let digits = uncertainty.digits();
-    let bar = |name: &str, [low, high]: [f64; 2]| Bar {
+    let interval = |name: &str, ends: [f64; 2]| Interval {
         name: name.to_owned(),
-        value: Some(uncertainty.loss.median_w),
-        spread: Some([low, high]),
-        text: format!("{}..{} W", digits.rounded(low), digits.rounded(high)),
+        ends,
+        text: ends.map(|loss| digits.rounded(loss)).join("..") + " W",
     };
-    let all = bar("all together", uncertainty.loss.quantiles_w);
-    // About the median of all, whatever the median of a component alone is.
-    let parts = uncertainty.loss.parts.iter();
-    let parts = parts.map(|part| bar(&part.name, part.quantiles_w));
-    Drawing::Bars(BarChart {
+    let all = interval("all together", uncertainty.loss.quantiles_w);
+    let parts = uncertainty.loss.parts.iter().take(LARGEST);
+    let parts = parts.filter(|part| digits.steps(part.half_range_w()) > 0.0);
+    let parts = parts.map(|part| interval(&part.name, part.quantiles_w));
+    Drawing::Tornado(Tornado {
         id: "band".to_owned(),
-        title: "Loss with its uncertainty, and each component alone".to_owned(),
+        title: "Loss: its band of 5 to 95 %, and its largest components alone".to_owned(),
         source: "result.json".to_owned(),
         axis: Axis::new("loss", "W"),
-        bars: std::iter::once(all).chain(parts).collect(),
+        middle: uncertainty.loss.median_w,
+        intervals: std::iter::once(all).chain(parts).collect(),
     })
 }

@@ -1,4 +1,4 @@
-// Zoom and read-off for the charts of the page. Every chart is complete without it.
+// Zoom, read-off and saving of the charts of the page. Every chart is complete without it.
 "use strict";
 (() => {
   const raised = (n) => (n < 0 ? "⁻" : "") + String(Math.abs(n)).replace(/\d/g, (d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[d]);
@@ -39,7 +39,9 @@
       this.figure = figure;
       this.svg = figure.querySelector("svg.chart");
       this.data = JSON.parse(figure.querySelector("script").textContent);
-      this.read = figure.querySelector(".read");
+      this.read = document.createElement("output");
+      this.read.className = "read";
+      figure.append(this.read);
       [this.left, this.top, this.right, this.bottom] = this.data.box;
       [this.beside, this.base, this.below] = this.data.ticks;
       this.x = { ...this.data.x };
@@ -71,6 +73,7 @@
       this.svg.addEventListener("wheel", (e) => this.wheel(e), { passive: false });
       this.svg.addEventListener("keydown", (e) => this.key(e));
       this.svg.addEventListener("blur", () => this.hide());
+      if (this.data.x.shared) document.addEventListener("along", (e) => { if (e.detail !== this.cursor) this.follow(e.detail); });
     }
 
     px(v) { return this.left + share(this.x, v) * (this.right - this.left); }
@@ -258,9 +261,26 @@
       return (series.filled && d ? d + "Z" : d) + dots;
     }
 
+    // Moves the cursor to x, where another chart of the page has its own.
+    follow(x) {
+      this.cursor = x;
+      this.read.textContent = "";
+      this.point(x, []);
+    }
     // Reads off the points nearest to x (and y, in a field).
     show(x, y) {
       this.cursor = x;
+      if (this.data.x.shared) document.dispatchEvent(new CustomEvent("along", { detail: x }));
+      this.tell(x, y);
+      // The text stands beside the cursor and moves nothing.
+      const figure = this.figure.getBoundingClientRect(), box = this.svg.getBoundingClientRect(), scale = box.width / this.data.width;
+      const at = box.left - figure.left + scale * this.px(x);
+      const free = figure.width - this.read.offsetWidth;
+      const left = at + 12 > free ? at - 12 - this.read.offsetWidth : at + 12;
+      this.read.style.left = `${Math.max(0, Math.min(left, free))}px`;
+      this.read.style.top = `${box.top - figure.top + scale * this.top + 6}px`;
+    }
+    tell(x, y) {
       if (this.data.kind === "contour") {
         const near = (list, v) => list.reduce((best, w, k) => (Math.abs(w - v) < Math.abs(list[best] - v) ? k : best), 0);
         const i = near(this.data.columns, x), j = near(this.data.rows, y);
@@ -295,8 +315,144 @@
         ys.map((y) => this.py(y)).filter((y) => y >= this.top && y <= this.bottom)
           .map((y) => `<circle class="spot" cx="${px}" cy="${y}" r="3"/>`).join("");
     }
-    hide() { this.overlay.innerHTML = ""; this.read.textContent = ""; }
+    hide() {
+      this.read.textContent = "";
+      if (!this.data.x.shared) this.overlay.innerHTML = "";
+    }
+  }
+
+  // Styles as attributes: a saved drawing looks the same in programs that know no style sheets.
+  const STYLES = ["fill", "fill-opacity", "stroke", "stroke-opacity", "stroke-width", "stroke-dasharray", "stroke-linejoin",
+    "font-family", "font-size", "font-weight", "paint-order", "vector-effect", "visibility"];
+  function inlined(from, to) {
+    const style = getComputedStyle(from), above = from.parentElement ? getComputedStyle(from.parentElement) : {};
+    for (const name of STYLES) {
+      const value = style.getPropertyValue(name);
+      const inherited = to.parentElement && !["vector-effect"].includes(name) && value === (above.getPropertyValue?.(name) ?? "");
+      if (value && !inherited) to.setAttribute(name, value);
+    }
+    [...from.children].forEach((child, k) => inlined(child, to.children[k]));
+  }
+
+  // The drawing of a figure as a file of its own, with its title and legend.
+  function drawing(figure) {
+    const SVG = "http://www.w3.org/2000/svg", ROW = 20;
+    const svg = figure.querySelector("svg.chart"), copy = svg.cloneNode(true);
+    inlined(svg, copy);
+    for (const part of [...copy.querySelectorAll(".overlay, script")]) part.remove();
+    const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
+    const colour = getComputedStyle(svg).getPropertyValue("--paper"), ink = getComputedStyle(figure).color;
+    const add = (name, attributes, text = "") => {
+      const part = document.createElementNS(SVG, name);
+      for (const [key, value] of Object.entries(attributes)) part.setAttribute(key, value);
+      part.textContent = text;
+      copy.insertBefore(part, copy.firstChild);
+      return part;
+    };
+    const pen = document.createElement("canvas").getContext("2d");
+    const font = getComputedStyle(svg).fontFamily;
+    const wide = (text, size, weight = "") => { pen.font = `${weight} ${size}px ${font}`; return pen.measureText(text).width; };
+    const rows = [];
+    let line = "";
+    for (const word of figure.querySelector("figcaption").textContent.trim().split(/\s+/)) {
+      if (line && wide(`${line} ${word}`, 14, "600") > width - 20) { rows.push(line); line = word; } else line = line ? `${line} ${word}` : word;
+    }
+    rows.push(line);
+    let top = -ROW * rows.length, x = 10, legend = 0;
+    const samples = [...figure.querySelectorAll(".legend li")].map((item) => {
+      const text = item.textContent.trim(), needs = 50 + wide(text, 12);
+      if (x > 10 && x + needs > width) { x = 10; legend += 1; }
+      const place = { item, text, x, row: legend };
+      x += needs;
+      return place;
+    });
+    const under = samples.length ? ROW * (legend + 1) : 0;
+    top -= under + 8;
+    for (const { item, text, x, row } of samples) {
+      const y = -under + ROW * row, sample = item.querySelector("svg").cloneNode(true);
+      inlined(item.querySelector("svg"), sample);
+      for (const [key, value] of Object.entries({ x, y, width: 28, height: 12 })) sample.setAttribute(key, value);
+      copy.insertBefore(sample, copy.firstChild);
+      add("text", { x: x + 34, y: y + 10, fill: ink, "font-size": 12 }, text);
+    }
+    rows.forEach((text, k) => add("text", { x: 10, y: top + 8 + ROW * k + 12, fill: ink, "font-size": 14, "font-weight": 600 }, text));
+    add("rect", { x: 0, y: top, width, height: height - top, fill: colour });
+    copy.setAttribute("xmlns", SVG);
+    copy.setAttribute("viewBox", `0 ${top} ${width} ${height - top}`);
+    copy.setAttribute("width", width);
+    copy.setAttribute("height", height - top);
+    return new XMLSerializer().serializeToString(copy);
+  }
+
+  function download(name, href) {
+    const link = document.createElement("a");
+    link.download = name;
+    link.href = href;
+    link.click();
+  }
+  function save(figure, kind) {
+    const text = drawing(figure), name = `${figure.id || "chart"}.${kind}`;
+    const href = "data:image/svg+xml;charset=utf-8," + encodeURIComponent(text);
+    if (kind === "svg") { download(name, href); return; }
+    const image = new Image(), SCALE = 3;
+    image.onload = () => {
+      const canvas = document.createElement("canvas");
+      canvas.width = SCALE * image.width;
+      canvas.height = SCALE * image.height;
+      canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+      download(name, canvas.toDataURL("image/png"));
+    };
+    image.src = href;
+  }
+  for (const figure of document.querySelectorAll("figure")) {
+    const row = figure.querySelector(".under:last-of-type");
+    if (!row || !figure.querySelector("svg.chart")) continue;
+    const buttons = document.createElement("span");
+    buttons.className = "save";
+    for (const kind of ["svg", "png"]) {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = kind.toUpperCase();
+      button.setAttribute("aria-label", `Save as ${kind.toUpperCase()}: ${figure.querySelector("figcaption").textContent}`);
+      button.addEventListener("click", () => save(figure, kind));
+      buttons.append(button);
+    }
+    row.append(buttons);
   }
 
   for (const figure of document.querySelectorAll("figure.zoomable")) new Chart(figure);
+
+  // Tables that are wider than the page scroll by keyboard.
+  for (const table of document.querySelectorAll(".scroll")) {
+    let heading = table;
+    while (heading && !/^H[23]$|SUMMARY/.test(heading.tagName)) heading = heading.previousElementSibling || heading.parentElement;
+    table.setAttribute("tabindex", "0");
+    table.setAttribute("role", "region");
+    table.setAttribute("aria-label", `Table: ${heading ? heading.textContent.trim() : document.title}`);
+  }
+
+  // Folded parts are open on paper, and where a link leads into them.
+  const folded = [...document.querySelectorAll("details")];
+  let opened = [];
+  addEventListener("beforeprint", () => {
+    opened = folded.filter((part) => !part.open);
+    for (const part of opened) part.open = true;
+  });
+  addEventListener("afterprint", () => { for (const part of opened) part.open = false; });
+  const lead = () => {
+    const target = location.hash.length > 1 && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    for (let part = target && (target.querySelector(":scope > details") || target); part; part = part.parentElement) {
+      if (part.tagName === "DETAILS") part.open = true;
+    }
+    if (target) target.scrollIntoView();
+  };
+  addEventListener("hashchange", lead);
+  lead();
+
+  // The day on which the file was written, and links that lead somewhere only beside the files of the result.
+  const written = document.querySelector(".written"), day = new Date(document.lastModified);
+  if (written && !isNaN(day)) written.textContent = ` · written ${day.toLocaleDateString("sv")}`;
+  if (!/^(file|https?):$/.test(location.protocol)) {
+    for (const link of document.querySelectorAll(".source a")) link.removeAttribute("href");
+  }
 })();

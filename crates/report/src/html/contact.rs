@@ -17,7 +17,7 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
         return Ok(html! {});
     };
     let row = row_of(result, contact)?;
-    let drawings = drawings(result, tables)?;
+    let drawings = solution(result, tables, contact, row)?;
     let count = result.path.len();
     Ok(html! {
         p {
@@ -42,7 +42,7 @@ fn row_of<'a>(
         })
 }
 
-/// All charts of one position.
+/// All charts of one position: its solution, both flanks before and in contact, and the way to the solution.
 ///
 /// # Errors
 /// When the result lacks the position or the tolerance of its solution.
@@ -51,18 +51,34 @@ pub fn drawings(result: &RunResult, tables: &PageTables) -> Result<Vec<Drawing>,
         return Ok(Vec::new());
     };
     let row = row_of(result, contact)?;
-    let folder = folder_of(contact.position);
-    let surface = tables.source(&format!("{folder}/surface.csv"));
+    let surface = source_of(tables, contact, "surface.csv");
     let mut drawings = flank_charts(row, &contact.surface, &surface);
-    drawings.push(pressure(&contact.surface, &surface));
-    let below = tables.source(&format!("{folder}/subsurface.csv"));
-    let limit = elastic_limit(result)?;
-    drawings.extend(von_mises(row, limit, &contact.subsurface, &below));
+    drawings.extend(solution(result, tables, contact, row)?);
     if !contact.convergence.is_empty() {
         let steps = tables.source("convergence.csv");
         drawings.push(load(row, &contact.convergence, &steps));
         drawings.push(load_error(result, &contact.convergence, &steps)?);
     }
+    Ok(drawings)
+}
+
+fn source_of(tables: &PageTables, contact: &ContactTables, file: &str) -> String {
+    tables.source(&format!("{}/{file}", folder_of(contact.position)))
+}
+
+/// Pressure, stress below the surface, and permanent change of the flanks.
+fn solution(
+    result: &RunResult,
+    tables: &PageTables,
+    contact: &ContactTables,
+    row: &PositionRow,
+) -> Result<Vec<Drawing>, ReportError> {
+    let surface = source_of(tables, contact, "surface.csv");
+    let below = source_of(tables, contact, "subsurface.csv");
+    let mut drawings = vec![pressure(&contact.surface, &surface)];
+    let limit = elastic_limit(result)?;
+    drawings.extend(von_mises(row, limit, &contact.subsurface, &below));
+    drawings.extend(change(row, &contact.surface, &surface));
     Ok(drawings)
 }
 
@@ -74,11 +90,16 @@ fn column<R>(rows: &[R], value: impl Fn(&R) -> f64) -> Vec<f64> {
     rows.iter().map(value).collect()
 }
 
-/// Both flanks at first touch and under load, the gap between them, and their permanent change.
-fn flank_charts(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Vec<Drawing> {
+/// The rows in and near the contact.
+fn near(at: &PositionRow, all: &[SurfaceRow]) -> Vec<SurfaceRow> {
     let reach = NEAR * at.half_width_um;
     let near = |row: &&SurfaceRow| row.x_um.abs() <= reach;
-    let rows: Vec<SurfaceRow> = all.iter().filter(near).copied().collect();
+    all.iter().filter(near).copied().collect()
+}
+
+/// Both flanks at first touch and under load.
+fn flank_charts(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Vec<Drawing> {
+    let rows = near(at, all);
     let x = column(&rows, |row| row.x_um);
     let pinion = column(&rows, |row| row.height_pinion_um);
     let open = |row: &SurfaceRow| row.wheel_facing_um(at) - row.height_pinion_um;
@@ -104,12 +125,7 @@ fn flank_charts(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Vec<Drawi
         &gap,
         source,
     );
-    let of_gap = Axis::new("gap", "µm").from_zero();
-    let gap_chart = Chart::new("gap", "Gap under load", source, across(), of_gap)
-        .with(Series::new("gap", Line::Solid, &x, &gap));
-    let mut drawings = vec![first_touch, loaded, Drawing::Curves(gap_chart)];
-    drawings.extend(change(&rows, &x, source));
-    drawings
+    vec![first_touch, loaded]
 }
 
 /// The flank of the pinion below and of the wheel above, separated by `gap`.
@@ -123,19 +139,21 @@ fn facing([id, title]: [&str; 2], x: &[f64], pinion: &[f64], gap: &[f64], source
 }
 
 /// Plastic change of both flanks by the contact; `None` without plastic flow.
-fn change(rows: &[SurfaceRow], x: &[f64], source: &str) -> Option<Drawing> {
+fn change(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Option<Drawing> {
     const NANOMETRES: f64 = 1e3;
+    let rows = near(at, all);
     let flows = |row: &SurfaceRow| row.plastic_pinion_um > 0.0 || row.plastic_wheel_um > 0.0;
     if !rows.iter().any(flows) {
         return None;
     }
     let title = "Change of the flanks by the contact: height after minus before";
     let axis = Axis::new("change", "nm").from_zero();
-    let pinion = column(rows, |row| -NANOMETRES * row.plastic_pinion_um);
-    let wheel = column(rows, |row| -NANOMETRES * row.plastic_wheel_um);
+    let x = column(&rows, |row| row.x_um);
+    let pinion = column(&rows, |row| -NANOMETRES * row.plastic_pinion_um);
+    let wheel = column(&rows, |row| -NANOMETRES * row.plastic_wheel_um);
     let chart = Chart::new("flanks-change", title, source, across(), axis)
-        .with(Series::new("pinion", Line::Solid, x, &pinion))
-        .with(Series::new("wheel", Line::Dashed, x, &wheel));
+        .with(Series::new("pinion", Line::Solid, &x, &pinion))
+        .with(Series::new("wheel", Line::Dashed, &x, &wheel));
     Some(Drawing::Curves(chart))
 }
 

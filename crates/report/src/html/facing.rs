@@ -1,28 +1,50 @@
 //! The mesh at a glance: the pair in mesh, and the flanks facing each other at the position of a slider.
 
-use asperity::result::ContactView;
-use asperity::result::{PositionRow, RunResult};
+use asperity::result::{ContactView, FlankRecord, PositionRow, RunResult};
 use maud::{Markup, PreEscaped, html};
 
 use super::along::points;
-use super::page::{embedded, figure, legend};
-use super::policy::SLIDER;
-use super::{mesh, relief, temperatures};
+use super::page::{embedded, legend, source};
+use super::policy::PATH;
+use super::{mesh, temperatures};
 use crate::chart::{Drawing, Dress, Facing, FacingFrame};
 use crate::page_tables::{PageTables, shown_position};
 
-pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
-    let facing = facing(result, tables);
-    html! {
-        div.charts {
-            @if let Some(mesh) = mesh::picture(result) { (figure(&mesh)) }
-            @if let Some(facing) = facing { (slider(facing)) }
-            @if let Some(relief) = relief::along_the_path(result) { (figure(&relief)) }
+/// The flanks facing each other along the path; `None` if no rough contact was solved.
+pub(super) fn flanks(result: &RunResult, tables: &PageTables) -> Option<Markup> {
+    facing(result, tables).map(slider)
+}
+
+/// The pair in mesh with its slider and its button, which the script enables; `None` if it cannot be drawn.
+pub(super) fn in_mesh(result: &RunResult) -> Option<Markup> {
+    /// Steps of the slider.
+    const STEPS: u32 = 250;
+    let picture = mesh::picture(result)?;
+    let motion = picture.motion();
+    let drawing = Drawing::Mesh(picture);
+    let is_placed = |flank: &FlankRecord| flank.roll_lengths_mm.is_some();
+    Some(html! {
+        figure.mesh id=(drawing.id()) {
+            figcaption { (drawing.title()) }
+            (PreEscaped(drawing.svg(Dress::Page)))
+            label.slider hidden {
+                button type="button" { "Play" }
+                input type="range" min="0" max=(STEPS) step="1" value="0" aria-label="Place of the contact on the path, from A to E";
+            }
+            p.under { output.told { "Contact at the pitch point C" } }
+            (legend(&drawing))
+            @if !result.flanks.iter().any(is_placed) {
+                p.sub { "Where the traces lie on their flanks is not known: no key " code { "at" } " says so." }
+            }
+            (source(drawing.source()))
+            (embedded(&motion))
         }
-        @if result.flanks.iter().all(|flank| flank.roll_lengths_mm.is_none()) {
-            p.sub { "Where the traces lie on their flanks is not known: no key " code { "at" } " says so." }
-        }
-    }
+    })
+}
+
+/// The script that moves along the path.
+pub(super) fn script() -> Markup {
+    html! { script { (PreEscaped(PATH)) } }
 }
 
 /// The figure with its slider, which the script enables.
@@ -44,10 +66,9 @@ fn slider(facing: Facing) -> Markup {
             }
             (PreEscaped(drawing.svg(Dress::Page)))
             p.under { output.told aria-live="polite" { (text) } }
-            p.under { span.source { "data: " code { (drawing.source()) } } }
+            (source(drawing.source()))
             (embedded(&frames))
         }
-        script { (PreEscaped(SLIDER)) }
     }
 }
 

@@ -8,18 +8,20 @@ use asperity_roughness::material_ratio::RkParameters;
 use maud::{Markup, html};
 
 use super::page::figure;
-use crate::chart::{Axis, Chart, Drawing, Line, Series};
+use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 use crate::page_tables::PageTables;
-use crate::tables::{BODIES, FlankTables, MaterialRatioRow, SpectrumRow, TraceRow, files_of};
+use crate::tables::{BODIES, FlankTables, MaterialRatioRow, TraceRow, files_of};
 use crate::units::MICRO;
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     // Pinion and wheel in two columns.
     let [pinion, wheel] = [0, 1].map(|body| charts(result, tables, body));
     let longest = pinion.len().max(wheel.len());
+    let spectra = spectra(result, tables);
     let drawings: Vec<&Drawing> = (0..longest)
         .flat_map(|k| [pinion.get(k), wheel.get(k)])
         .flatten()
+        .chain(&spectra)
         .collect();
     if drawings.is_empty() {
         return html! { p { "The flanks are given only by roughness values: no trace was measured." } };
@@ -39,15 +41,14 @@ fn charts(result: &RunResult, tables: &PageTables, index: usize) -> Vec<Drawing>
     let FlankTables {
         trace,
         material_ratio,
-        spectrum,
+        ..
     } = flank;
     let parameters = result.flanks[index].parameters.as_ref();
     let material = parameters.map(|parameters| &parameters.material);
-    let [of_trace, of_curve, of_spectrum] = files_of(body).map(|own| tables.source(&own));
+    let [of_trace, of_curve, _] = files_of(body).map(|own| tables.source(&own));
     vec![
         profile(trace, body, &of_trace),
         abbott(material_ratio, material, body, &of_curve),
-        psd(spectrum, body, &of_spectrum),
     ]
 }
 
@@ -129,21 +130,36 @@ fn with_construction(chart: Chart, material: &RkParameters) -> Chart {
         ))
 }
 
-fn psd(rows: &[SpectrumRow], body: &str, source: &str) -> Drawing {
-    let chart = Chart::new(
-        &format!("psd-{body}"),
-        &format!("Power spectral density of the roughness of the {body}"),
-        source,
+/// Power spectral densities of both flanks, with the cut-offs of the filters; `None` without a trace.
+fn spectra(result: &RunResult, tables: &PageTables) -> Option<Drawing> {
+    let mut chart = Chart::new(
+        "psd",
+        "Power spectral density of the roughness, mean in bands of a twelfth of a decade",
+        &tables.source(&files_of(BODIES[0])[2]),
         Axis::new("spatial frequency", "1/mm").log(),
         Axis::new("density", "µm³").log(),
-    )
-    .with(Series::new(
-        "density",
-        Line::Solid,
-        &column(rows, |row| row.frequency_per_mm),
-        &column(rows, |row| row.density_um3),
-    ));
-    Drawing::Curves(chart)
+    );
+    for (body, flank) in BODIES.iter().zip(&tables.flanks) {
+        let Some(flank) = flank else { continue };
+        chart = chart.with(Series::new(
+            body,
+            Line::Solid,
+            &column(&flank.spectrum, |row| row.frequency_per_mm),
+            &column(&flank.spectrum, |row| row.density_um3),
+        ));
+    }
+    let mut records = result.flanks.iter();
+    let recipe = &records.find_map(|flank| flank.preparation.as_ref())?.recipe;
+    let mark = |(label, cutoff): (&str, Option<Length>)| {
+        let cutoff = cutoff?;
+        Some(Mark {
+            at: 1e-3 / cutoff.si(),
+            label: format!("{label} {:.3} µm", cutoff.si() * MICRO).replace(".000", ""),
+        })
+    };
+    let cutoffs = [("λc", recipe.lambda_c), ("λs", recipe.lambda_s)];
+    let marks: Vec<Mark> = cutoffs.into_iter().filter_map(mark).collect();
+    Some(Drawing::Curves(chart.marked(&marks)))
 }
 
 /// A length among the parameters.

@@ -1,8 +1,7 @@
 //! Inputs: the case with its defaults, files, equations and sources.
 
-use asperity::oil::Mark;
 use asperity::result::FlankRecord;
-use asperity::result::{FilmConstant, RunResult};
+use asperity::result::RunResult;
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -11,7 +10,7 @@ use crate::error::ReportError;
 pub(super) fn section(result: &RunResult) -> Result<Markup, ReportError> {
     let rows = keys(result)?;
     Ok(html! {
-        p { "Values marked " span.default { "default" } " are not in the case file." }
+        p { (result.defaults.len()) " defaults. Values marked " span.default { "default" } " are not in the case file." }
         div.scroll { table.inputs {
             thead { tr { th { "key" } th { "value" } th { "from" } } }
             tbody {
@@ -27,7 +26,6 @@ pub(super) fn section(result: &RunResult) -> Result<Markup, ReportError> {
                 }
             }
         } }
-        (film_constants(result))
         (files(result))
         (equations(result))
     })
@@ -88,32 +86,6 @@ fn plain(value: &Value) -> String {
     value
         .as_str()
         .map_or_else(|| value.to_string(), str::to_owned)
-}
-
-/// Constants of film friction with range, confidence and source.
-fn film_constants(result: &RunResult) -> Markup {
-    let band = |constant: &FilmConstant| match (constant.low, constant.high) {
-        (Some(low), Some(high)) => format!("{low} to {high}"),
-        _ => "–".to_owned(),
-    };
-    let sure = |constant: &FilmConstant| match constant.mark {
-        Mark::Seen => "verified in its source",
-        Mark::Calibrated => "calibrated here",
-        Mark::Memory => "from memory, source not available",
-        Mark::Judged => "judgement",
-    };
-    html! {
-        @if !result.film_constants.is_empty() {
-            h3 { "Film friction of the oil" }
-            div.scroll { table {
-                thead { tr { th { "constant" } th { "value" } th { "band" } th { "confidence" } th { "source" } } }
-                tbody { @for constant in &result.film_constants { tr {
-                    th scope="row" { code { (constant.name) } }
-                    td { (constant.value) } td { (band(constant)) } td { (sure(constant)) } td { (constant.source) }
-                } } }
-            } }
-        }
-    }
 }
 
 fn files(result: &RunResult) -> Markup {

@@ -2,9 +2,11 @@
 
 use asperity::result::{PositionRow, RunResult};
 
-use super::along::SOURCE;
-use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
+use super::along::{SOURCE, along, points};
+use crate::chart::{Axis, Chart, Drawing, Line, Series};
 
+/// Height of the box: the chart is on the first screen.
+const HEIGHT: f64 = 180.0;
 /// Watts of a kilowatt.
 const KILO: f64 = 1e-3;
 
@@ -26,7 +28,7 @@ fn whole(row: &PositionRow) -> f64 {
 }
 
 /// Stacked local losses of sliding and rolling; dots for a single position.
-pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> Drawing {
+pub(super) fn along_the_path(result: &RunResult) -> Drawing {
     let rows = &result.path;
     let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
     let of = |value: &dyn Fn(&PositionRow) -> f64| -> Vec<f64> {
@@ -38,7 +40,8 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> 
         None => "Local loss per length of contact line",
     };
     let y = Axis::new("loss", "kW/m").from_zero();
-    let mut chart = Chart::new("local-loss", title, SOURCE, axis, y).marked(marks);
+    let mut chart = Chart::new("local-loss", title, SOURCE, along(), y).marked(&points(result));
+    chart.height = HEIGHT;
     if rows.len() < 2 {
         for (name, part) in PARTS {
             chart = chart.with(Series::new(name, Line::Scatter, &s, &of(&part)));

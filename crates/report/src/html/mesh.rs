@@ -7,7 +7,7 @@ use asperity::case::GearFlankInput;
 use asperity::gear::{Gear, GearPair, RootForm, TransverseTooth};
 use asperity::result::RunResult;
 
-use crate::chart::{Drawing, MeshBody, MeshPicture, MeshPoint, MeshTrace};
+use crate::chart::{ASPECT, MeshBody, MeshPicture, MeshPoint, MeshTrace};
 use crate::tables::BODIES;
 
 /// Millimetres per metre.
@@ -24,6 +24,8 @@ struct GearInContact {
     roll: f64,
     /// Sense in which the foot moves on the base circle with increasing roll length: 1 for counterclockwise.
     turn: f64,
+    /// Change of the roll length with the distance of the contact: -1 for an external wheel.
+    approach: f64,
     /// Sense from the flank to the middle of its tooth: 1 for counterclockwise.
     side: f64,
 }
@@ -61,6 +63,7 @@ impl Mesh<'_> {
                 foot: up,
                 roll: s,
                 turn: 1.0,
+                approach: 1.0,
                 side: 1.0,
             },
             (_, false) => GearInContact {
@@ -69,6 +72,7 @@ impl Mesh<'_> {
                 foot: up - std::f64::consts::PI,
                 roll: from_second,
                 turn: 1.0,
+                approach: -1.0,
                 side: 1.0,
             },
             // The axis of the ring is below as well; its flank is concave and its teeth are outside.
@@ -78,6 +82,7 @@ impl Mesh<'_> {
                 foot: up,
                 roll: -from_second,
                 turn: 1.0,
+                approach: 1.0,
                 side: -1.0,
             },
         }
@@ -97,6 +102,12 @@ impl GearInContact {
         ]
     }
 
+    /// Angle, positive counterclockwise, by which the gear turns while the contact moves by a metre \[rad/m\]: the flank
+    /// moves with the contact, so that its base point recedes from the foot as the roll length grows.
+    fn rotation(&self) -> f64 {
+        -self.turn * self.approach / self.base
+    }
+
     /// Direction of the middle of the tooth in contact.
     fn middle(&self, tooth: &TransverseTooth) -> f64 {
         let at = self.foot - (self.roll / self.base).atan();
@@ -105,7 +116,7 @@ impl GearInContact {
 }
 
 /// Picture of the pair of `result`; `None` for impossible gears of a damaged file.
-pub(super) fn picture(result: &RunResult) -> Option<Drawing> {
+pub(super) fn picture(result: &RunResult) -> Option<MeshPicture> {
     let gears = &result.gears;
     if !can_be_drawn(gears) {
         return None;
@@ -131,13 +142,10 @@ pub(super) fn picture(result: &RunResult) -> Option<Drawing> {
             centre: in_contact.centre,
             radii: radii.map(|radius| MILLI * radius.si().abs()),
             outline: outline(gears, body, &in_contact, &teeth[body], reach),
+            turn: in_contact.rotation() / MILLI,
         }
     });
-    let contacts = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| path.c.si() + k * path.base_pitch.si());
-    let contacts = contacts
-        .iter()
-        .filter(|s| **s >= path.a.si() && **s <= path.e.si());
-    Some(Drawing::Mesh(MeshPicture {
+    Some(MeshPicture {
         id: "mesh".to_owned(),
         title: "The pair in mesh, to scale, transverse section".to_owned(),
         source: "result.json".to_owned(),
@@ -145,10 +153,11 @@ pub(super) fn picture(result: &RunResult) -> Option<Drawing> {
         path: points(&mesh),
         feet: feet(&mesh),
         along: mesh.along(),
-        contacts: contacts.map(|s| mesh.position(*s)).collect(),
+        stations: [path.a, path.c, path.e].map(|s| MILLI * s.si()),
+        base_pitch: MILLI * path.base_pitch.si(),
         traces: traces(result, &mesh),
         reach: MILLI * reach,
-    }))
+    })
 }
 
 /// Whether the gears can be drawn: a reasonable number of teeth and ordered radii.
@@ -248,12 +257,18 @@ fn outline(
     tooth: &TransverseTooth,
     reach: f64,
 ) -> Vec<[f64; 2]> {
-    /// Teeth drawn beyond the edge of the picture.
+    /// Teeth drawn beyond the edge of the picture, besides those that turn into it.
     const SPARE: f64 = 1.0;
+    /// Outer radius of a ring over its root radius.
+    const RIM: f64 = 1.2;
     let count = f64::from(gears.teeth[body]);
     let angle = std::f64::consts::TAU / count;
     let radius = gears.working_pitch_radius[body].si().abs();
-    let visible = (reach / radius).min(1.0).asin() / angle + SPARE;
+    // The corner of the picture that is nearest to the axis.
+    let corner = reach.atan2(radius - ASPECT * reach);
+    let path = &gears.path;
+    let turned = path.length.si() / path.base_pitch.si();
+    let visible = corner / angle + turned + SPARE;
     let is_whole = 2.0 * visible + 1.0 >= count || reach >= 0.8 * radius;
     let (first, last) = match is_whole {
         true => (0, gears.teeth[body] as i32 - 1),
@@ -276,12 +291,17 @@ fn outline(
     }
     let is_ring = gears.internal && body == 1;
     if !is_whole {
-        // The gear body, to below or above the picture.
-        let far = if body == 0 { -MILLI } else { MILLI } * reach;
-        let sides = [points.last().copied(), points.first().copied()];
-        points.extend(sides.into_iter().flatten().map(|[x, _]| [x, far]));
+        // The gear body, up to the axis; of a ring, the rim.
+        match (is_ring, points.first().copied(), points.last().copied()) {
+            (true, Some(first), Some(last)) => {
+                points.extend([last, first].map(|[x, y]| {
+                    let [cx, cy] = gear.centre;
+                    [cx + RIM * (x - cx), cy + RIM * (y - cy)]
+                }));
+            }
+            _ => points.push(gear.centre),
+        }
     } else if is_ring {
-        const RIM: f64 = 1.2;
         const ARCS: u32 = 4;
         let [root, _] = tooth.outline[0];
         let start = middle - 0.5 * angle;
@@ -469,6 +489,29 @@ mod tests {
                     .fold(0.0, f64::max);
                 // Bodies end at the edge of the picture, beyond which they may meet.
                 assert!(deepest < 2.0 * CHORD, "{:?}: {deepest} mm", gears.teeth);
+            }
+        }
+    }
+
+    #[test]
+    fn turned_gears_touch_at_the_next_point_of_the_path() {
+        for gears in pairs() {
+            let (mesh, path) = (drawn(&gears), &gears.path);
+            let lines = outlines(&gears);
+            for s in [path.a.si(), path.e.si()] {
+                let point = mesh.position(s);
+                for body in [0, 1] {
+                    let in_contact = mesh.in_contact(body, path.c.si());
+                    let (sin, cos) = (in_contact.rotation() * (s - path.c.si())).sin_cos();
+                    let [cx, cy] = in_contact.centre;
+                    let turned: Vec<[f64; 2]> = lines[body]
+                        .iter()
+                        .map(|[x, y]| [x - cx, y - cy])
+                        .map(|[x, y]| [cx + cos * x - sin * y, cy + sin * x + cos * y])
+                        .collect();
+                    let apart = from_line(&turned, point);
+                    assert!(apart < CHORD, "{:?} {body}: {apart} mm", gears.teeth);
+                }
             }
         }
     }

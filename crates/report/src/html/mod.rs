@@ -5,6 +5,7 @@
 
 mod along;
 mod band;
+mod checks;
 mod contact;
 mod facing;
 mod flanks;
@@ -27,11 +28,13 @@ pub use contact::drawings as drawings_of_contact;
 pub use lubricated::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
 };
+use page::{Section, page_of};
 pub use page::{figure, page};
 pub use policy::{policy, source};
 
 use asperity::case::Formulation;
 use asperity::result::RunResult;
+use maud::{Markup, html};
 
 use crate::error::ReportError;
 use crate::page_tables::PageTables;
@@ -41,18 +44,37 @@ use crate::page_tables::PageTables;
 /// # Errors
 /// When the result lacks a value that the page shows.
 pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, ReportError> {
+    let last = html! { (inputs::section(result)?) (facing::script()) };
+    let section = |name, body, is_folded| Section {
+        name,
+        body,
+        is_folded,
+    };
     let sections = [
-        ("Summary", overview::section(result)),
-        ("In mesh", facing::section(result, tables)),
-        ("Along the path of contact", path::section(result, tables)),
-        ("In the contact", contact::section(result, tables)?),
-        ("Flanks", flanks::section(result, tables)),
-        ("Inputs", inputs::section(result)?),
+        section("Summary", overview::section(result), false),
+        section("What to check", checks::section(result), false),
+        section(
+            "Along the path of contact",
+            path::section(result, tables),
+            false,
+        ),
+        section("One contact", contact::section(result, tables)?, true),
+        section("Flanks", flanks::section(result, tables), true),
+        section("Uncertainty and other models", models(result), true),
+        section("Inputs", last, true),
     ];
     let formulation = match result.formulation {
         Formulation::Paper => "paper",
         _ => "corrected",
     };
     let subtitle = format!("{} · formulation {formulation}", result.program);
-    Ok(page(&result.title, &subtitle, &sections))
+    Ok(page_of(&result.title, &subtitle, &sections))
+}
+
+/// The draws of the loss, the loss by other models, and by published laws.
+fn models(result: &RunResult) -> Markup {
+    html! {
+        @if let Some(uncertainty) = &result.uncertainty { (band::section(uncertainty)) }
+        (overview::laws(result))
+    }
 }

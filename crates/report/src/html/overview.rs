@@ -1,48 +1,64 @@
-//! Summary: key numbers, warnings, losses, friction laws, lubrication regime.
+//! Summary: key numbers, their band, losses along the path, the pair in mesh, warnings.
 
+use asperity::key_words::advice;
+use asperity::message::{Warning, explain};
 use asperity::result::loss_band::Digits;
-use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Scope, Summary};
+use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, Summary};
 use maud::{Markup, html};
 
-use super::page::figure;
-use crate::chart::{Axis, Bar, BarChart, Drawing};
+use super::page::{figure, source};
 use crate::printed::{PrintedLoss, included, mesh_with_interval};
 
+/// The first screen: headline, parts, band, losses along the path, and the pair in mesh; then what the case requests.
 pub(super) fn section(result: &RunResult) -> Markup {
     let mut first = headline(result);
     if let Some(gearbox) = &result.gearbox {
         first.extend(super::gearbox::tiles(gearbox, result.uncertainty.as_ref()));
     }
-    let rows = [
-        ("tiles first", first),
-        ("tiles", parts(result)),
-        ("tiles last", evidence(result)),
-    ];
-    let band_chart = result.uncertainty.as_ref().map(super::band::loss_chart);
-    let others = [losses(result), laws(result), super::path::strip(result)];
-    let charts: Vec<Drawing> = band_chart.into_iter().chain(others).collect();
     html! {
-        @for (class, tiles) in &rows {
+        @for (class, tiles) in [("tiles first", first), ("tiles", parts(result))] {
             dl class=(class) {
                 @for (name, value, key) in tiles {
                     div { dt { (name) } dd data-key=(key) { (value) } }
                 }
             }
         }
+        div.verdict {
+            div {
+                @if let Some(uncertainty) = &result.uncertainty {
+                    (figure(&super::band::tornado(uncertainty))) (super::band::remedies(uncertainty))
+                }
+                (figure(&super::losses::along_the_path(result)))
+            }
+            @if let Some(mesh) = super::facing::in_mesh(result) { (mesh) }
+        }
+        (warnings(&result.warnings))
         @if let Some(gearbox) = &result.gearbox { (super::gearbox::section(gearbox, result.uncertainty.is_some())) }
-        @if let Some(uncertainty) = &result.uncertainty { (super::band::section(uncertainty)) }
         @if let Some(pairs) = &result.pairs { @if let Some(sampling) = &pairs.sampling {
             (super::pairs::section(pairs, sampling))
         } }
         @if let Some(run_in) = &result.run_in { (as_measured_and_run_in(result, run_in)) }
         @if let Some(report) = &result.micropitting { (super::micropitting::section(report)) }
-        @if !result.warnings.is_empty() {
+    }
+}
+
+/// The warnings, each of which opens to its cause and its remedy.
+fn warnings(warnings: &[Warning]) -> Markup {
+    html! {
+        @if !warnings.is_empty() {
             h3 { "Warnings" }
-            ul.warnings {
-                @for warning in &result.warnings { li { code { (warning.code) } " " (warning.text) } }
-            }
+            ul.warnings { @for warning in warnings { li {
+                @let text = html! { code { (warning.code) } " " (warning.text) };
+                @match explain(&warning.code) {
+                    None => (text),
+                    Some(entry) => details {
+                        summary { (text) }
+                        p { b { "Why: " } (entry.meaning) }
+                        @if let Some(advice) = advice(&warning.code) { p { b { "What to do: " } (advice) } }
+                    },
+                }
+            } } }
         }
-        div.charts { @for chart in &charts { (figure(chart)) } }
     }
 }
 
@@ -105,39 +121,40 @@ fn as_measured_and_run_in(result: &RunResult, run_in: &RunInFlanks) -> Markup {
 /// Name, formatted value and key in `result.json` of a number.
 type Tile = (&'static str, String, &'static str);
 
-/// Key numbers: efficiency and loss.
+/// Key numbers: efficiency, loss and regime.
 fn headline(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
-    let mixed = (
-        "mixed lubrication, of the path",
-        format!("{:.1} %", 100.0 * s.mixed_share),
-        "summary.mixed_share",
-    );
-    let Some(uncertainty) = &result.uncertainty else {
-        return vec![
+    let [loss, efficiency] = match &result.uncertainty {
+        Some(uncertainty) => {
+            let [loss, efficiency] = mesh_with_interval(s.power_in_w, uncertainty);
+            [
+                (
+                    "loss, in brackets 5 to 95 %",
+                    loss,
+                    "uncertainty.loss.median_w",
+                ),
+                (
+                    "efficiency (mesh only), in brackets 5 to 95 %",
+                    efficiency,
+                    "uncertainty.efficiency_median",
+                ),
+            ]
+        }
+        None => [
+            ("loss", printed(result).loss, "summary.loss_w"),
             (
                 "efficiency (mesh only)",
                 format!("{:.4} %", 100.0 * s.efficiency),
                 "summary.efficiency",
             ),
-            ("loss", printed(result).loss, "summary.loss_w"),
-            mixed,
-        ];
+        ],
     };
-    let [loss, efficiency] = mesh_with_interval(s.power_in_w, uncertainty);
-    vec![
-        (
-            "efficiency (mesh only), in brackets 5 to 95 %",
-            efficiency,
-            "uncertainty.efficiency_median",
-        ),
-        (
-            "loss, in brackets 5 to 95 %",
-            loss,
-            "uncertainty.loss.median_w",
-        ),
-        mixed,
-    ]
+    let mut tiles = vec![efficiency, loss];
+    if let Some(bulk) = &result.bulk {
+        let value = format!("{:.0} °C, oil {:.0} °C", bulk.bulk_c, bulk.oil_c);
+        tiles.push(("bulk temperature by the loss", value, "bulk.bulk_c"));
+    }
+    tiles
 }
 
 /// The loss and its parts as text.
@@ -149,137 +166,66 @@ fn printed(result: &RunResult) -> PrintedLoss {
     )
 }
 
-/// Parts of the loss, input power and output torque.
+/// Parts of the loss with their shares, and the regime.
 fn parts(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     let printed = printed(result);
-    vec![
-        ("sliding", printed.sliding, "summary.sliding_w"),
-        ("rolling", printed.rolling, "summary.rolling_w"),
-        (
-            "equivalent friction μ_eq",
-            format!("{:.4}", s.mu_equivalent),
-            "summary.mu_equivalent",
-        ),
-        (
-            "H_V of the load over the teeth",
-            format!("{:.4}", s.loss_factor_local),
-            "summary.loss_factor_local",
-        ),
-        (
-            "power in",
-            format!("{:.3} kW", 1e-3 * s.power_in_w),
-            "summary.power_in_w",
-        ),
-        (
-            "torque out",
-            format!("{:.2} N m", s.torque_out_nm),
-            "summary.torque_out_nm",
-        ),
-    ]
-}
-
-/// Scope and convergence of the numbers.
-fn evidence(result: &RunResult) -> Vec<Tile> {
-    let s = &result.summary;
-    let energy = result.running_in.energy_per_engagement_j;
-    let scope = match s.scope {
-        Scope::Mesh => "mesh only",
-        Scope::Gearbox => "mesh and gearbox",
-    };
-    let mut tiles = vec![
-        ("scope", scope.to_owned(), "summary.scope"),
-        (
-            "H_V by Ohlendorf",
-            format!("{:.4}", s.loss_factor),
-            "summary.loss_factor",
-        ),
-        (
-            "plastic work, first engagement",
-            format!("{energy:.2e} J"),
-            "running_in.energy_per_engagement_j",
-        ),
-        (
-            "mesh positions",
-            s.positions.to_string(),
-            "summary.positions",
-        ),
-        (
-            "offsets of the traces",
-            s.offsets.to_string(),
-            "summary.offsets",
-        ),
-        (
-            "worst load error",
-            format!("{:.1e}", s.worst_load_error),
-            "summary.worst_load_error",
-        ),
-    ];
-    if let Some(bulk) = &result.bulk {
-        let value = format!("{:.0} °C, oil {:.0} °C", bulk.bulk_c, bulk.oil_c);
-        tiles.insert(0, ("bulk temperature by the loss", value, "bulk.bulk_c"));
-    }
-    tiles
-}
-
-/// Parts of the loss as bars.
-fn losses(result: &RunResult) -> Drawing {
-    let s = &result.summary;
-    let printed = printed(result);
     let [pinion, wheel] = printed.deformation;
-    let hysteresis = s.hysteresis_w;
     let running_in = included(&result.running_in);
     let parts = [
-        ("film", s.film_w, printed.film, true),
+        ("film", s.film_w, printed.film, "summary.film_w"),
         (
             "lubricated asperities",
             s.lubricated_asperity_w,
             printed.lubricated,
-            true,
+            "summary.lubricated_asperity_w",
         ),
-        ("boundary", s.boundary_w, printed.boundary, true),
         (
-            "rolling",
-            s.rolling_w - hysteresis,
-            printed.rolling_friction,
-            true,
+            "boundary layer",
+            s.boundary_w,
+            printed.boundary,
+            "summary.boundary_w",
         ),
-        ("deformation, pinion", s.deformation_w[0], pinion, false),
-        ("deformation, wheel", s.deformation_w[1], wheel, false),
-        ("hysteresis", hysteresis, printed.hysteresis, false),
-        ("running-in", running_in, printed.running_in, false),
+        ("rolling", s.rolling_w, printed.rolling, "summary.rolling_w"),
+        (
+            "deformation, pinion",
+            s.deformation_w[0],
+            pinion,
+            "summary.deformation_w",
+        ),
+        (
+            "deformation, wheel",
+            s.deformation_w[1],
+            wheel,
+            "summary.deformation_w",
+        ),
+        (
+            "running-in",
+            running_in,
+            printed.running_in,
+            "running_in.first_pass_w",
+        ),
     ];
     let shares = shares_of_loss(&parts.each_ref().map(|(_, watts, ..)| *watts), result);
-    let bars = parts.into_iter().zip(shares);
-    let bars = bars
-        .filter(|((_, watts, _, always), _)| *always || *watts != 0.0)
-        .map(|((name, watts, text, _), share)| Bar {
-            name: name.to_owned(),
-            value: Some(watts),
-            spread: None,
-            text: format!("{text}, {share}"),
-        })
-        .collect();
-    let of_power = match &result.uncertainty {
-        Some(uncertainty) => {
-            let share = 100.0 * uncertainty.loss.median_w / s.power_in_w;
-            format!(
-                "{} %",
-                uncertainty.digits().of_percent(s.power_in_w).rounded(share)
-            )
-        }
-        None => percent(s.loss_w / s.power_in_w),
-    };
-    Drawing::Bars(BarChart {
-        id: "losses".to_owned(),
-        title: format!(
-            "Losses of the mesh: {}, {of_power} of the power in",
-            printed.loss
+    let parts = parts.into_iter().zip(shares).enumerate();
+    let always =
+        |(number, ((_, watts, ..), _)): &(usize, ((_, f64, _, _), _))| *number < 4 || *watts != 0.0;
+    let tiles = parts
+        .filter(always)
+        .map(|(_, ((name, _, text, key), share))| (name, format!("{text}, {share}"), key));
+    let regime = [
+        (
+            "mixed, of the path",
+            format!("{:.1} %", 100.0 * s.mixed_share),
+            "summary.mixed_share",
         ),
-        source: "losses.csv".to_owned(),
-        axis: Axis::new("loss", "W"),
-        bars,
-    })
+        (
+            "load on asperities",
+            format!("{:.1} %", 100.0 * s.asperity_share),
+            "summary.asperity_share",
+        ),
+    ];
+    tiles.chain(regime).collect()
 }
 
 /// Shares of the parts in the loss, with the digits that its band justifies; they add up to 100 %.
@@ -301,36 +247,30 @@ fn shares_of_loss(parts: &[f64], result: &RunResult) -> Vec<String> {
     shares.iter().zip(steps).map(text).collect()
 }
 
-fn laws(result: &RunResult) -> Drawing {
-    let bars = result.published_laws.iter().map(|entry| {
-        let range = match entry.inside_its_range {
-            true => "",
-            false => ", outside its range",
-        };
-        let (value, text) = match &entry.outcome {
-            PublishedOutcome::Applied { loss_w, .. } => {
-                (Some(*loss_w), format!("{} W{range}", significant(*loss_w)))
-            }
-            _ => (None, "cannot be used here".to_owned()),
-        };
-        let asperities = match entry.includes_asperities {
-            true => "with asperities",
-            false => "film alone",
-        };
-        Bar {
-            name: format!("{} ({asperities})", entry.law),
-            value,
-            spread: None,
-            text,
-        }
-    });
-    Drawing::Bars(BarChart {
-        id: "friction-laws".to_owned(),
-        title: "Published laws, applied whole".to_owned(),
-        source: "friction_laws.csv".to_owned(),
-        axis: Axis::new("loss", "W"),
-        bars: bars.collect(),
-    })
+/// The loss by published friction laws, each in place of film and asperity friction.
+pub(super) fn laws(result: &RunResult) -> Markup {
+    html! {
+        h3 { "Published friction laws, each in place of film and asperity friction" }
+        div.scroll { table {
+            thead { tr { th { "law" } th.number { "loss" } th { "asperities" } th { "range" } } }
+            tbody { @for entry in &result.published_laws {
+                tr {
+                    th scope="row" { (entry.law) }
+                    td.number { @match &entry.outcome {
+                        PublishedOutcome::Applied { loss_w, .. } => { (significant(*loss_w)) " W" }
+                        _ => "-",
+                    } }
+                    td { @if entry.includes_asperities { "included" } @else { "film only" } }
+                    td { @match (&entry.outcome, entry.inside_its_range) {
+                        (PublishedOutcome::Refused(why), _) => (why),
+                        (_, true) => "inside",
+                        _ => { "outside: " (entry.outside.join("; ")) },
+                    } }
+                }
+            } }
+        } }
+        (source("friction_laws.csv"))
+    }
 }
 
 /// Three digits or more, with an exponent only for small numbers.

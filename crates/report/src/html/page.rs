@@ -5,9 +5,29 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::policy::{CHARTS, policy, style};
 use crate::chart::{Drawing, Dress};
 
+/// Section of a page.
+pub(super) struct Section<'a> {
+    /// Heading.
+    pub name: &'a str,
+    /// Content; an empty section is omitted.
+    pub body: Markup,
+    /// Whether the section is folded on the screen; on paper it is open.
+    pub is_folded: bool,
+}
+
 /// Renders a page of titled sections; empty sections are omitted.
 pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String {
-    let shown = || sections.iter().filter(|(_, body)| !body.0.is_empty());
+    let open = sections.iter().map(|(name, body)| Section {
+        name,
+        body: body.clone(),
+        is_folded: false,
+    });
+    page_of(title, subtitle, &open.collect::<Vec<_>>())
+}
+
+/// Renders a page of sections that may be folded.
+pub(super) fn page_of(title: &str, subtitle: &str, sections: &[Section<'_>]) -> String {
+    let shown = || sections.iter().filter(|section| !section.body.0.is_empty());
     let anchor = |name: &str| name.to_lowercase().replace(' ', "-");
     let markup = html! {
         (DOCTYPE)
@@ -22,14 +42,20 @@ pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String 
             body {
                 header {
                     h1 { (title) }
-                    p.sub { (subtitle) }
+                    p.sub { (subtitle) span.written {} }
                     nav aria-label="Sections" {
-                        @for (name, _) in shown() { a href={ "#" (anchor(name)) } { (name) } }
+                        @for section in shown() { a href={ "#" (anchor(section.name)) } { (section.name) } }
                     }
                 }
                 main {
-                    @for (name, body) in shown() {
-                        section id=(anchor(name)) { h2 { (name) } (body) }
+                    @for section in shown() {
+                        section id=(anchor(section.name)) {
+                            @if section.is_folded {
+                                details { summary { h2 { (section.name) } } (section.body) }
+                            } @else {
+                                h2 { (section.name) } (section.body)
+                            }
+                        }
                     }
                 }
                 script { (PreEscaped(CHARTS)) }
@@ -39,7 +65,7 @@ pub fn page(title: &str, subtitle: &str, sections: &[(&str, Markup)]) -> String 
     markup.into_string()
 }
 
-/// A chart with title, legend, name of its data file and, if it can be zoomed, its data.
+/// A chart with title, legend, link to its data file and, if it can be zoomed, its data.
 pub fn figure(drawing: &Drawing) -> Markup {
     let data = drawing.data();
     html! {
@@ -47,11 +73,21 @@ pub fn figure(drawing: &Drawing) -> Markup {
             figcaption { (drawing.title()) }
             (legend(drawing))
             (PreEscaped(drawing.svg(Dress::Page)))
-            p.under {
-                span.source { "data: " code { (drawing.source()) } }
-                @if data.is_some() { output.read aria-live="polite" {} }
-            }
+            (source(drawing.source()))
             @if let Some(data) = data { (embedded(&data)) }
+        }
+    }
+}
+
+/// Line below a chart with the file of its data.
+pub(super) fn source(file: &str) -> Markup {
+    html! {
+        p.under {
+            span.source {
+                "data: "
+                // "this page" is not a file.
+                @if file.contains('.') { a href=(file) { (file) } } @else { (file) }
+            }
         }
     }
 }

@@ -5,22 +5,27 @@ use maud::{Markup, html};
 
 use super::along::{SOURCE, along, points};
 use super::page::figure;
-use super::{load, losses, temperatures};
+use super::{facing, load, relief, temperatures};
 use crate::chart::{Axis, Chart, Drawing, Line, Series, Strip};
 use crate::page_tables::PageTables;
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     let marks = points(result);
-    let mut drawings = vec![
-        losses::along_the_path(result, along(), &marks),
+    let first = [
+        strip(result),
         temperatures::along_the_path(result, along(), &marks),
-        load::along_the_path(result, along(), &marks),
     ];
+    let mut drawings = vec![load::along_the_path(result, along(), &marks)];
     drawings.extend(load::map(tables, along()));
     drawings.extend(curves(result));
+    drawings.extend(relief::along_the_path(result));
     html! {
         @if result.path.len() < 2 {
             p { "One position was computed; it is shown as a dot between A and E." }
+        }
+        div.verdict {
+            @if let Some(flanks) = facing::flanks(result, tables) { (flanks) }
+            div { @for drawing in &first { (figure(drawing)) } }
         }
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
         (records(result))
@@ -37,7 +42,7 @@ fn records(result: &RunResult) -> Markup {
     html! {
         h3 { "Records of mixed lubrication" }
         p { "Means over the travel, in brackets their standard errors; values are interpolated between the records." }
-        div.wide {
+        div.scroll {
             table {
                 thead {
                     tr {
@@ -159,7 +164,7 @@ fn curves(result: &RunResult) -> Vec<Drawing> {
 }
 
 /// Lubrication regime along the path.
-pub(super) fn strip(result: &RunResult) -> Drawing {
+fn strip(result: &RunResult) -> Drawing {
     let of = |value: fn(&PositionRow) -> f64| result.path.iter().map(value).collect();
     Drawing::Strip(Strip {
         id: "regime".to_owned(),

@@ -1,5 +1,5 @@
 //! Content security policy of a page: only the scripts and the style of the program are permitted, by their SHA-256.
-//! Any other script or style in a page is blocked.
+//! Any other script or style in a page is blocked. Images are only drawings of the page itself, on the way to a PNG file.
 
 use sha2::{Digest, Sha256};
 
@@ -7,8 +7,8 @@ use crate::chart;
 
 /// Zoom and read-off of every chart.
 pub(super) const CHARTS: &str = include_str!("chart.js");
-/// Slider of the flanks in contact.
-pub(super) const SLIDER: &str = include_str!("facing.js");
+/// Motion along the path of contact: gears, flanks, and the cursor of all charts.
+pub(super) const PATH: &str = include_str!("path.js");
 /// Animation of a lubricated contact.
 pub(super) const PLAYER: &str = include_str!("frames.js");
 
@@ -24,9 +24,9 @@ pub(super) fn style() -> String {
 /// ```
 #[must_use]
 pub fn policy() -> String {
-    let scripts = [CHARTS, SLIDER, PLAYER].map(source).join(" ");
+    let scripts = [CHARTS, PATH, PLAYER].map(source).join(" ");
     format!(
-        "default-src 'none'; style-src {}; script-src {scripts}; base-uri 'none'; form-action 'none'",
+        "default-src 'none'; style-src {}; script-src {scripts}; img-src data:; base-uri 'none'; form-action 'none'",
         source(&style())
     )
 }

@@ -108,7 +108,7 @@ impl FlankTables {
         }))
     }
 
-    /// The tables thinned for display, with the extremes of every drawn curve.
+    /// The tables thinned for display, with the extremes of every drawn curve, and the spectrum averaged in bands.
     #[must_use]
     pub fn thinned(&self) -> Self {
         Self {
@@ -127,13 +127,7 @@ impl FlankTables {
                 |row| row.material_ratio_percent,
                 |row| [row.height_um],
             ),
-            // The axis is logarithmic.
-            spectrum: thin(
-                &self.spectrum,
-                BINS,
-                |row| row.frequency_per_mm.ln(),
-                |row| [row.density_um3],
-            ),
+            spectrum: in_bands(&self.spectrum),
         }
     }
 
@@ -161,6 +155,26 @@ impl FlankTables {
         write(&material_ratio, &self.material_ratio)?;
         write(&spectrum, &self.spectrum)
     }
+}
+
+/// Means of the density in bands of a twelfth of a decade, at the geometric mean of their frequencies. With equal steps of
+/// frequency the area below the spectrum, the mean square of the heights, stays.
+fn in_bands(rows: &[SpectrumRow]) -> Vec<SpectrumRow> {
+    const PER_DECADE: f64 = 12.0;
+    let band = |row: &SpectrumRow| (PER_DECADE * row.frequency_per_mm.log10()).floor();
+    let mean = |of: &dyn Fn(&SpectrumRow) -> f64, rows: &[SpectrumRow]| {
+        rows.iter().map(of).sum::<f64>() / rows.len() as f64
+    };
+    let bands = rows.chunk_by(|a, b| band(a) == band(b));
+    let row = |rows: &[SpectrumRow]| {
+        let frequency_per_mm = mean(&|row| row.frequency_per_mm.ln(), rows).exp();
+        SpectrumRow {
+            frequency_per_mm,
+            wavelength_um: 1e3 / frequency_per_mm,
+            density_um3: mean(&|row| row.density_um3, rows),
+        }
+    };
+    bands.map(row).collect()
 }
 
 fn trace(raw: &Profile, form_removed: &Profile, prepared: &Prepared) -> Vec<TraceRow> {
@@ -206,4 +220,36 @@ fn spectrum(prepared: &Prepared) -> Result<Vec<SpectrumRow>, RoughnessError> {
         }
     });
     Ok(rows.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bands_leave_the_area_below_the_spectrum_and_single_lines_as_they_are() {
+        let rows: Vec<SpectrumRow> = (1..=5000)
+            .map(|k| {
+                let frequency_per_mm = 0.4 * f64::from(k);
+                SpectrumRow {
+                    frequency_per_mm,
+                    wavelength_um: 1e3 / frequency_per_mm,
+                    density_um3: (1.5 + f64::from(k).sin()) / frequency_per_mm,
+                }
+            })
+            .collect();
+        let bands = in_bands(&rows);
+        assert!((35..50).contains(&bands.len()), "{}", bands.len());
+        // Bands at low frequencies hold one line.
+        assert!((bands[0].density_um3 - rows[0].density_um3).abs() < 1e-15);
+        assert!((bands[0].frequency_per_mm - 0.4).abs() < 1e-12);
+        let band = |row: &SpectrumRow| (12.0 * row.frequency_per_mm.log10()).floor();
+        let area: f64 = rows.iter().map(|row| row.density_um3).sum();
+        let of_bands: f64 = rows
+            .chunk_by(|a, b| band(a) == band(b))
+            .zip(&bands)
+            .map(|(rows, mean)| rows.len() as f64 * mean.density_um3)
+            .sum();
+        assert!((of_bands / area - 1.0).abs() < 1e-12);
+    }
 }

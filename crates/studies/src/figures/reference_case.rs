@@ -90,6 +90,7 @@ fn renamed(mut drawing: Drawing, title: &str, table: &str) -> Drawing {
     let (own_title, source) = match &mut drawing {
         Drawing::Curves(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Bars(chart) => (&mut chart.title, &mut chart.source),
+        Drawing::Tornado(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Pie(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Strip(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Contour(chart) => (&mut chart.title, &mut chart.source),
