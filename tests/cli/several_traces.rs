@@ -73,7 +73,7 @@ fn traced_teeth_and_their_pairs_are_told() {
         "surface.wheel={ file = \"wheel_1.csv\", mirrored = true }",
     ];
     let more = [
-        &["run", "case.toml", "--no-output", "--no-band"][..],
+        &["run", "case.toml", "--no-output", "--no-band", "--notes"][..],
         &one[..],
     ]
     .concat();

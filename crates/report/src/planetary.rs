@@ -72,7 +72,7 @@ fn summary_page(result: &PlanetaryResult) -> String {
         }
     };
     let meshes = html! {
-        table {
+        div.scroll { table {
             thead { tr {
                 th { "mesh" } th { "torque [N m]" } th { "loss of one [W]" } th { "efficiency [%]" }
                 th { "H_V" } th { "μ_eq" } th { "p₀ [MPa]" } th { "p₀ at K_γ [MPa]" }
@@ -87,12 +87,12 @@ fn summary_page(result: &PlanetaryResult) -> String {
                 td { (format!("{:.0}", row.hertz_pressure_mpa)) }
                 td { (format!("{:.0}", row.hertz_pressure_most_loaded_mpa)) }
             } } }
-        }
+        } }
         @if result.loss_distribution.is_some() {
             p { "In brackets 5 and 95 % over the same draws of oil and boundary layer for both kinds of meshes, with the sampling of
                 the flanks. Each mesh has its own page with teeth, flanks and losses along the path." }
         }
-        p { "data: " code { "meshes.csv" } }
+        p { "data: " a href="meshes.csv" { "meshes.csv" } }
     };
     page(
         &result.title,

@@ -451,7 +451,7 @@
 
   // The day on which the file was written, and links that lead somewhere only beside the files of the result.
   const written = document.querySelector(".written"), day = new Date(document.lastModified);
-  if (written && !isNaN(day)) written.textContent = ` · written ${day.toLocaleDateString("sv")}`;
+  if (written && day > 0) written.textContent = ` · written ${day.toLocaleDateString("sv")}`;
   if (!/^(file|https?):$/.test(location.protocol)) {
     for (const link of document.querySelectorAll(".source a")) link.removeAttribute("href");
   }
