@@ -113,7 +113,7 @@
 
   // What reaches out of the page to the right.
   const beyond = () => (document.documentElement.scrollWidth <= innerWidth ? [] : all("body *")
-    .filter((part) => !part.closest(".scroll") && part.getBoundingClientRect().right > innerWidth + 1)
+    .filter((part) => !part.closest(".scroll, pre") && part.getBoundingClientRect().right > innerWidth + 1)
     .map((part) => `${part.tagName} ${part.className?.baseVal ?? part.className}`));
 
   // Labels that another covers, or that reach out of their drawing.

@@ -423,7 +423,7 @@
   for (const figure of document.querySelectorAll("figure.zoomable")) new Chart(figure);
 
   // Tables that are wider than the page scroll by keyboard.
-  for (const table of document.querySelectorAll(".scroll")) {
+  for (const table of document.querySelectorAll(".scroll, pre")) {
     let heading = table;
     while (heading && !/^H[23]$|SUMMARY/.test(heading.tagName)) heading = heading.previousElementSibling || heading.parentElement;
     table.setAttribute("tabindex", "0");
