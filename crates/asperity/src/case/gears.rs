@@ -31,6 +31,26 @@ fn flanks<'a>(gears: &GearsInput, source: &'a Source) -> [(GearFlankInput, Secti
     ]
 }
 
+/// The pair of the gears of a case, without the rest of it; `source` gives the places of the keys.
+///
+/// # Errors
+/// When the gears cannot mesh.
+///
+/// ```
+/// use asperity::case::{GearsInput, Source, gear_pair};
+/// let gears = GearsInput::new([23, 68], "1.8 mm".parse()?, "32 mm".parse()?);
+/// let pair = gear_pair(gears, &Source::in_memory())?;
+/// assert_eq!(format!("{:.2}", 1e3 * pair.centre_distance.si()), "81.90");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn gear_pair(gears: GearsInput, source: &Source) -> Result<GearPair, CaseError> {
+    let input = CaseInput {
+        gears,
+        ..CaseInput::default()
+    };
+    self::gears(&input, source, &mut Defaults::default())
+}
+
 /// The pair of the case; a negative tooth number of the wheel makes it a ring.
 pub(super) fn gears(
     input: &CaseInput,

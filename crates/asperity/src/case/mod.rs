@@ -76,6 +76,7 @@ pub use gear_input::{
 };
 pub use gearbox::{Gearbox, Part, PartKind};
 pub use gearbox_input::{BearingInput, BearingKind, GearboxInput, JetInput, SealInput, Shaft};
+pub use gears::gear_pair;
 pub use input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
     OperationInput, SurfaceInput, VehicleInput, schema,

@@ -3,7 +3,7 @@
 //! The pitch point is the origin, the pinion's axis below it, and the line of action rises to the right, so that
 //! contact moves from A on the left to E on the right.
 
-use asperity::case::GearFlankInput;
+use asperity::case::{GearFlankInput, GearsInput};
 use asperity::gear::{Gear, GearPair, RootForm, TransverseTooth};
 use asperity::result::RunResult;
 
@@ -37,7 +37,14 @@ struct Mesh<'a> {
     angle: f64,
 }
 
-impl Mesh<'_> {
+impl<'a> Mesh<'a> {
+    fn of(gears: &'a GearPair) -> Self {
+        Self {
+            gears,
+            angle: gears.working_pressure_angle.si(),
+        }
+    }
+
     fn along(&self) -> [f64; 2] {
         [self.angle.cos(), self.angle.sin()]
     }
@@ -117,19 +124,22 @@ impl GearInContact {
 
 /// Picture of the pair of `result`; `None` for impossible gears of a damaged file.
 pub(super) fn picture(result: &RunResult) -> Option<MeshPicture> {
-    let gears = &result.gears;
+    let mut picture = pair_in_mesh(&result.gears, &result.inputs.gears)?;
+    picture.traces = traces(result, &Mesh::of(&result.gears));
+    Some(picture)
+}
+
+/// Picture of `gears`, with the roots of the teeth as in `input`; `None` for gears that cannot be drawn.
+pub fn pair_in_mesh(gears: &GearPair, input: &GearsInput) -> Option<MeshPicture> {
     if !can_be_drawn(gears) {
         return None;
     }
-    let mesh = Mesh {
-        gears,
-        angle: gears.working_pressure_angle.si(),
-    };
+    let mesh = Mesh::of(gears);
     let path = &gears.path;
     let pitch = std::f64::consts::PI * gears.transverse_module.si();
     let reach = reach(gears, pitch);
     let teeth =
-        [Gear::Pinion, Gear::Wheel].map(|gear| gears.transverse_tooth(gear, root(result, gear)));
+        [Gear::Pinion, Gear::Wheel].map(|gear| gears.transverse_tooth(gear, root(input, gear)));
     let bodies = [0, 1].map(|body| {
         let in_contact = mesh.in_contact(body, path.c.si());
         let radii = [
@@ -155,7 +165,7 @@ pub(super) fn picture(result: &RunResult) -> Option<MeshPicture> {
         along: mesh.along(),
         stations: [path.a, path.c, path.e].map(|s| MILLI * s.si()),
         base_pitch: MILLI * path.base_pitch.si(),
-        traces: traces(result, &mesh),
+        traces: Vec::new(),
         reach: MILLI * reach,
     })
 }
@@ -204,8 +214,7 @@ fn reach(gears: &GearPair, pitch: f64) -> f64 {
 }
 
 /// Root form of `gear` in the case.
-fn root(result: &RunResult, gear: Gear) -> RootForm {
-    let input = &result.inputs.gears;
+fn root(input: &GearsInput, gear: Gear) -> RootForm {
     let input: GearFlankInput = match gear {
         Gear::Pinion => input.pinion,
         Gear::Wheel => input.wheel,
@@ -397,10 +406,7 @@ mod tests {
     }
 
     fn drawn(gears: &GearPair) -> Mesh<'_> {
-        Mesh {
-            gears,
-            angle: gears.working_pressure_angle.si(),
-        }
+        Mesh::of(gears)
     }
 
     fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
