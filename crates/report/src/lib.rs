@@ -22,6 +22,7 @@ mod study;
 mod summary;
 pub mod tables;
 mod thin;
+mod tiles;
 pub mod units;
 mod wrap;
 
@@ -36,4 +37,5 @@ pub use printed::{stated, stated_parts};
 pub use study::StudyResult;
 pub use summary::{brief, headline, models, published_laws, summary, summary_within};
 pub use thin::thin;
+pub use tiles::{Tile, tiles};
 pub use wrap::{COLUMNS, wrapped, wrapped_within};

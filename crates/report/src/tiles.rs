@@ -1,0 +1,136 @@
+//! The headline of a result: loss, efficiency, parts, lubrication and the largest contributions to the interval.
+
+use asperity::result::RunResult;
+use serde::Serialize;
+
+use crate::printed::{
+    PrintedLoss, gearbox_with_interval, included, mesh_with_interval, stated, watts,
+};
+
+/// Largest contributions to the interval that the headline names.
+const LARGEST_PARTS: usize = 3;
+
+/// A part of the headline: a value, or rows of names and values.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct Tile {
+    /// Its name.
+    pub name: &'static str,
+    /// Its value with unit; empty if it has rows.
+    pub value: String,
+    /// Names and values.
+    pub rows: Vec<[String; 2]>,
+    /// Explanation of the value; may be empty.
+    pub note: String,
+}
+
+/// The headline of `result`, the loss first.
+#[must_use]
+pub fn tiles(result: &RunResult) -> Vec<Tile> {
+    let s = &result.summary;
+    let printed = PrintedLoss::of(s, &result.running_in, result.uncertainty.as_ref());
+    let [loss, efficiency] = match &result.uncertainty {
+        Some(uncertainty) => mesh_with_interval(s.power_in_w, uncertainty),
+        None => [
+            printed.loss.clone(),
+            format!("{:.4} %", 100.0 * s.efficiency),
+        ],
+    };
+    let interval = match &result.uncertainty {
+        Some(_) => "median, in brackets 5 to 95 %",
+        None => "",
+    };
+    let tile = |name, value, note: String| Tile {
+        name,
+        value,
+        note,
+        ..Tile::default()
+    };
+    let mut tiles = vec![
+        tile("loss of the mesh", loss, interval.to_owned()),
+        tile(
+            "efficiency of the mesh",
+            efficiency,
+            format!("of {} into the mesh", watts(s.power_in_w)),
+        ),
+    ];
+    if let Some(gearbox) = &result.gearbox {
+        let efficiency = match &result.uncertainty {
+            Some(uncertainty) => gearbox_with_interval(gearbox, uncertainty)[1].clone(),
+            None => format!("{:.4} %", 100.0 * gearbox.efficiency),
+        };
+        let note = format!("with {} of other losses", stated(gearbox.parts_w));
+        tiles.push(tile("efficiency of the gearbox", efficiency, note));
+    }
+    tiles.push(parts(result, printed));
+    tiles.push(lubrication(result));
+    tiles.extend(contributions(result));
+    tiles
+}
+
+/// The parts of the loss, as printed they add up to it.
+fn parts(result: &RunResult, printed: PrintedLoss) -> Tile {
+    let s = &result.summary;
+    let [pinion, wheel] = printed.deformation;
+    let deformation = s.deformation_w != [0.0, 0.0];
+    let rows = [
+        ("film", printed.film, true),
+        ("lubricated asperities", printed.lubricated, true),
+        ("boundary layer", printed.boundary, true),
+        ("rolling", printed.rolling, true),
+        ("deformation, pinion", pinion, deformation),
+        ("deformation, wheel", wheel, deformation),
+        (
+            "running-in",
+            printed.running_in,
+            included(&result.running_in) > 0.0,
+        ),
+    ];
+    let rows = rows.into_iter().filter(|(.., shown)| *shown);
+    Tile {
+        name: "parts of the loss",
+        rows: rows
+            .map(|(name, loss, _)| [name.to_owned(), loss])
+            .collect(),
+        ..Tile::default()
+    }
+}
+
+/// The regime, with the shares of the load on asperities and on their boundary layer.
+fn lubrication(result: &RunResult) -> Tile {
+    let s = &result.summary;
+    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    let value = match s.mixed_share > 0.0 {
+        true => format!("mixed on {} of the path", percent(s.mixed_share)),
+        false => "full film all along the path".to_owned(),
+    };
+    let note = format!(
+        "{} of the load on asperities, {} on their boundary layer",
+        percent(s.asperity_share),
+        percent(s.boundary_share)
+    );
+    Tile {
+        name: "lubrication",
+        value,
+        note,
+        ..Tile::default()
+    }
+}
+
+/// The largest contributions to the interval of the loss.
+fn contributions(result: &RunResult) -> Option<Tile> {
+    let uncertainty = result.uncertainty.as_ref()?;
+    let digits = uncertainty.digits();
+    let parts = uncertainty.loss.parts.iter().take(LARGEST_PARTS);
+    let rows = parts
+        .filter(|part| digits.steps(part.half_range_w()) > 0.0)
+        .map(|part| {
+            let half = digits.rounded(part.half_range_w());
+            [part.name.clone(), format!("± {half} W")]
+        });
+    Some(Tile {
+        name: "sources of the interval",
+        rows: rows.collect(),
+        note: "half of 5 to 95 %, each drawn alone".to_owned(),
+        ..Tile::default()
+    })
+}
