@@ -7,8 +7,9 @@ use asperity::flanks::Surfaces;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::Progress;
 use asperity::result::loss_band::Uncertainty;
-use asperity::result::{GearboxReport, OffsetRow, Outcome, Scope};
+use asperity::result::{GearboxReport, OffsetRow, Outcome, RunResult, Scope};
 use asperity::uncertainty::{self, PairedDifference, Predictive};
+use asperity_report::tables::FlankTables;
 use serde::Serialize;
 
 use super::statistics::rank_correlation;
@@ -36,7 +37,8 @@ pub struct Comparison {
     pub power_in_w: f64,
     /// The finishes.
     pub finishes: Vec<FinishResult>,
-    /// Rank correlations of roughness with the computed loss, strongest first; empty if a finish has fewer than 5 windows.
+    /// Rank correlations of roughness with the computed loss, strongest first; empty of fewer than three finishes, and if
+    /// a finish has fewer than 5 windows.
     pub correlations: Vec<Correlation>,
     /// Number of windows in the correlations: offsets of all finishes.
     pub windows: usize,
@@ -76,6 +78,12 @@ pub struct FinishResult {
     /// The flanks.
     #[serde(skip)]
     pub(crate) surfaces: Surfaces,
+    /// The result of the run.
+    #[serde(skip)]
+    pub(crate) result: RunResult,
+    /// Traces and spectra of pinion and wheel; `None` for a flank without a trace.
+    #[serde(skip)]
+    pub(crate) tables: [Option<FlankTables>; 2],
     /// Roughness under the contact by offset.
     #[serde(skip)]
     pub(crate) roughness: Vec<WindowRoughness>,
@@ -155,6 +163,11 @@ fn finish_result(
 ) -> Result<FinishResult, Error> {
     let roughness = windows::roughness(&finish.case, outcome.offsets.len())
         .map_err(|error| Error::Whole(Box::new(error)))?;
+    let flank = |body: usize| {
+        FlankTables::new(&outcome.result.flanks[body], outcome.traces[body].as_ref())
+            .map_err(|error| Error::Whole(Box::new(error.into())))
+    };
+    let tables = [flank(0)?, flank(1)?];
     let result = outcome.result;
     let difference = first.and_then(|first| {
         Some(uncertainty::difference(
@@ -169,25 +182,29 @@ fn finish_result(
         efficiency: result.summary.efficiency,
         power_in_w: result.summary.power_in_w,
         loss_w: result.summary.loss_w,
-        uncertainty: result.uncertainty,
+        uncertainty: result.uncertainty.clone(),
         difference,
-        gearbox: result.gearbox,
+        gearbox: result.gearbox.clone(),
         mixed_share: result.summary.mixed_share,
         warnings: result.warnings.iter().map(ToString::to_string).collect(),
         offsets: outcome.offsets,
         predictive,
         surfaces: finish.case.surfaces.clone(),
+        result,
+        tables,
         roughness,
     })
 }
 
 /// Fewest pairs of a correlation.
 const FEWEST_PAIRS: usize = 5;
+/// Fewest finishes of a correlation: any parameter that differs between two finishes orders them.
+const FEWEST_FINISHES: usize = 3;
 
 fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {
     let few =
         |finish: &FinishResult| finish.roughness.len().min(finish.offsets.len()) < FEWEST_PAIRS;
-    if finishes.iter().any(few) {
+    if finishes.len() < FEWEST_FINISHES || finishes.iter().any(few) {
         return Vec::new();
     }
     let pairs = |finish: &FinishResult, of: Value| -> Vec<[f64; 2]> {

@@ -14,3 +14,4 @@ mod write;
 pub(crate) use comparison::files;
 pub use comparison::{Comparison, Correlation, Finish, FinishResult, compare};
 pub use statistics::rank_correlation;
+pub use summary::{difference_with_interval, verdict};

@@ -1,18 +1,24 @@
 //! Page of a comparison.
 
+use asperity::quantity::Length;
 use asperity::result::loss_band::Uncertainty;
-use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
+use asperity::result::{PositionRow, RunResult};
+use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Mark, Series};
 use asperity_report::html::{figure, page};
+use asperity_report::tables::{BODIES, SpectrumRow};
+use asperity_report::units::MICRO;
 use maud::{Markup, html};
 
-use super::comparison::Comparison;
+use super::comparison::{Comparison, FinishResult};
 use super::summary::{cells, efficiency, note, scope};
 use super::windows::PARAMETERS;
 
 pub(super) fn render(comparison: &Comparison) -> String {
     let sections = [
-        ("Losses", losses(comparison)),
+        ("Verdict", verdict(comparison)),
+        ("Flanks", flanks(comparison)),
         ("Roughness and loss", roughness(comparison)),
+        ("Uncertainty", contributions(comparison)),
         ("Provenance", provenance(comparison)),
     ];
     let names: Vec<&str> = comparison
@@ -28,9 +34,10 @@ pub(super) fn render(comparison: &Comparison) -> String {
     page(&comparison.title, &subtitle, &sections)
 }
 
-fn losses(comparison: &Comparison) -> Markup {
+fn verdict(comparison: &Comparison) -> Markup {
     html! {
-        div.scroll { table {
+        @for verdict in comparison.verdicts() { p.verdict { strong { (verdict) "." } } }
+        div.scroll tabindex="0" { table {
             thead { tr {
                 th { "finish" } th.number { "efficiency" } th.number { "loss [W]" }
                 th.number { "minus the first [W]" } th.number { "change [%]" } th.number { "mixed" }
@@ -47,12 +54,164 @@ fn losses(comparison: &Comparison) -> Markup {
                 }
             } }
         } }
-        @for verdict in comparison.verdicts() { p { strong { (verdict) "." } } }
-        p { (note(comparison)) ". Common contributions, such as the friction of the oil, cancel in the differences." }
-        p { (scope(comparison)) "." }
-        (contributions(comparison))
-        div.charts { (figure(&bars(comparison))) @if let Some(chart) = differences(comparison) { (figure(&chart)) } }
+        p.sub { "Losses are " (note(comparison)) ". Common contributions, such as the friction of the oil, cancel in the "
+            "differences; " (scope(comparison)) "." }
+        div.charts { (figure(&bars(comparison))) (figure(&along_the_path(comparison))) }
     }
+}
+
+/// Loss per metre of contact line, of sliding and rolling \[W/m\].
+pub(super) fn local_loss(row: &PositionRow) -> f64 {
+    row.film_w_per_m + row.boundary_w_per_m + row.lubricated_asperity_w_per_m + row.rolling_w_per_m
+}
+
+/// 5 % and 95 % quantiles of the local loss of row `index`, the sliding loss as drawn, the rolling loss of the run.
+pub(super) fn local_quantiles(result: &RunResult, index: usize) -> Option<[f64; 2]> {
+    let quantiles = &result.uncertainty.as_ref()?.path_sliding_w_per_m;
+    let rolling = result.path[index].rolling_w_per_m;
+    Some(quantiles.get(index)?.map(|sliding| sliding + rolling))
+}
+
+/// Local losses of all finishes from A to E.
+fn along_the_path(comparison: &Comparison) -> Drawing {
+    const KILO: f64 = 1e-3;
+    let mut chart = Chart::new(
+        "local-losses",
+        "Loss per length of contact line from A to E, shaded 5 to 95 %",
+        "path.csv",
+        Axis::new("distance from T₁ along the line of action", "mm"),
+        Axis::new("loss", "kW/m").from_zero(),
+    );
+    if let Some(first) = comparison.finishes.first() {
+        let marks = first
+            .result
+            .gears
+            .path
+            .named_points()
+            .map(|(label, at)| Mark {
+                at: 1e3 * at.si(),
+                label: label.to_owned(),
+            });
+        chart = chart.marked(&marks);
+    }
+    for finish in &comparison.finishes {
+        let rows = &finish.result.path;
+        let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
+        let loss: Vec<f64> = rows.iter().map(|row| KILO * local_loss(row)).collect();
+        chart = chart.with(Series::new(&finish.name, Line::Solid, &s, &loss));
+    }
+    for finish in &comparison.finishes {
+        let rows = &finish.result.path;
+        let ends = (0..rows.len()).map(|k| local_quantiles(&finish.result, k));
+        let Some(ends) = ends.collect::<Option<Vec<[f64; 2]>>>() else {
+            continue;
+        };
+        let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
+        let [low, high] = [0, 1].map(|end| {
+            ends.iter()
+                .map(|both| KILO * both[end])
+                .collect::<Vec<f64>>()
+        });
+        let name = format!("{}, 5 to 95 %", finish.name);
+        chart = chart.with(Series::band(&name, &s, &low, &high));
+    }
+    Drawing::Curves(chart)
+}
+
+/// Traces, spectra and parameters of the flanks side by side.
+fn flanks(comparison: &Comparison) -> Markup {
+    let drawings: Vec<Drawing> = [traces, spectra]
+        .into_iter()
+        .flat_map(|chart| [0, 1].map(|body| chart(comparison, body)))
+        .flatten()
+        .collect();
+    if drawings.is_empty() {
+        return html! { p { "The flanks are given only by roughness values: no trace was measured." } };
+    }
+    let parameters = |finish: &FinishResult, body: usize| {
+        let parameters = finish.result.flanks[body].parameters.as_ref()?;
+        let (heights, material) = (&parameters.heights, &parameters.material);
+        let um = |length: Length| format!("{:.3}", length.si() * MICRO);
+        let of_heights = [heights.ra, heights.rq, heights.rz];
+        let of_material = [material.rpk, material.rk, material.rvk];
+        Some(
+            of_heights
+                .into_iter()
+                .chain(of_material)
+                .map(um)
+                .collect::<Vec<String>>(),
+        )
+    };
+    html! {
+        div.scroll tabindex="0" { table {
+            thead { tr { th { "finish" } th { "flank" } @for name in ["Ra", "Rq", "Rz", "Rpk", "Rk", "Rvk"] { th.number { (name) " [µm]" } } } }
+            tbody { @for finish in &comparison.finishes { @for (body, name) in BODIES.iter().enumerate() {
+                @if let Some(values) = parameters(finish, body) {
+                    tr { th scope="row" { (finish.name) } td { (name) } @for value in &values { td.number { (value) } } }
+                }
+            } } }
+        } }
+        div.charts { @for drawing in &drawings { (figure(drawing)) } }
+    }
+}
+
+/// Roughness of the flank `body` of all finishes over the same axes; `None` without a trace.
+fn traces(comparison: &Comparison, body: usize) -> Option<Drawing> {
+    let name = BODIES[body];
+    let mut chart = Chart::new(
+        &format!("traces-{name}"),
+        &format!("Roughness of the {name}, filtered"),
+        "traces.csv",
+        Axis::new("position", "mm"),
+        Axis::new("height", "µm"),
+    );
+    for finish in &comparison.finishes {
+        let Some(tables) = &finish.tables[body] else {
+            continue;
+        };
+        let points = tables
+            .trace
+            .iter()
+            .filter_map(|row| Some([1e-3 * row.x_um, row.roughness_um?]));
+        chart = chart.with(Series::through(&finish.name, Line::Solid, points));
+    }
+    (!chart.series.is_empty()).then_some(Drawing::Curves(chart))
+}
+
+/// Spectra of the flank `body` of all finishes; `None` without a trace.
+fn spectra(comparison: &Comparison, body: usize) -> Option<Drawing> {
+    let name = BODIES[body];
+    let mut chart = Chart::new(
+        &format!("spectra-{name}"),
+        &format!("Power spectral density of the {name}, means of bands"),
+        "spectra.csv",
+        Axis::new("wavelength", "µm").log(),
+        Axis::new("density", "µm³").log(),
+    );
+    for finish in &comparison.finishes {
+        let Some(tables) = &finish.tables[body] else {
+            continue;
+        };
+        let bands = bands(&tables.spectrum);
+        chart = chart.with(Series::through(&finish.name, Line::Solid, bands));
+    }
+    (!chart.series.is_empty()).then_some(Drawing::Curves(chart))
+}
+
+/// Wavelength \[µm\] and mean density \[µm³\] of twelve bands in each decade, the longest wavelength first.
+pub(super) fn bands(spectrum: &[SpectrumRow]) -> Vec<[f64; 2]> {
+    const PER_DECADE: f64 = 12.0;
+    let band = |row: &SpectrumRow| (PER_DECADE * row.frequency_per_mm.log10()).floor();
+    let groups = spectrum.chunk_by(|a, b| band(a) == band(b));
+    let mean = |rows: &[SpectrumRow], of: fn(&SpectrumRow) -> f64| {
+        rows.iter().map(of).sum::<f64>() / rows.len() as f64
+    };
+    groups
+        .map(|rows| {
+            let frequency = mean(rows, |row| row.frequency_per_mm);
+            [1e3 / frequency, mean(rows, |row| row.density_um3)]
+        })
+        .collect()
 }
 
 /// Components of the uncertainties, and losses by other models.
@@ -82,14 +241,14 @@ fn contributions(comparison: &Comparison) -> Markup {
     };
     html! {
         h3 { "Components of the uncertainty, each drawn alone, 5 to 95 %" }
-        div.scroll { table {
+        div.scroll tabindex="0" { table {
             thead { tr { th { "component" } @for (finish, _) in &drawn { th.number { (finish.name) } } } }
             tbody { @for row in &first.loss.parts {
                 tr { th scope="row" { (row.name) } @for (_, of) in &drawn { td.number { (part(of, &row.name)) } } }
             } }
         } }
         h3 { "Other models, and what refutes them" }
-        div.scroll { table {
+        div.scroll tabindex="0" { table {
             thead { tr { th { "model" } @for (finish, _) in &drawn { th.number { (finish.name) } } th { "refuted by" } } }
             tbody { @for row in first.models() {
                 tr {
@@ -126,36 +285,6 @@ fn bars(comparison: &Comparison) -> Drawing {
     })
 }
 
-fn differences(comparison: &Comparison) -> Option<Drawing> {
-    let (first, others) = comparison.finishes.split_first()?;
-    if others.is_empty() {
-        return None;
-    }
-    let mut chart = Chart::new(
-        "differences",
-        &format!("Loss minus that of {}, offset by offset", first.name),
-        "offsets.csv",
-        Axis::new("offset", ""),
-        Axis::new("difference", "W").from_zero(),
-    );
-    // The first finish is a line at zero, which reserves its colour.
-    let number: Vec<f64> = first.offsets.iter().map(|row| row.offset as f64).collect();
-    let zero = vec![0.0; number.len()];
-    chart = chart.with(Series::new(&first.name, Line::Dashed, &number, &zero));
-    for finish in others {
-        let number: Vec<f64> = finish.offsets.iter().map(|row| row.offset as f64).collect();
-        let pairs = finish.offsets.iter().zip(&first.offsets);
-        let difference: Vec<f64> = pairs.map(|(row, base)| row.loss_w - base.loss_w).collect();
-        chart = chart.with(Series::new(
-            &finish.name,
-            Line::Scatter,
-            &number,
-            &difference,
-        ));
-    }
-    Some(Drawing::Curves(chart))
-}
-
 fn roughness(comparison: &Comparison) -> Markup {
     let best: Vec<Drawing> = comparison
         .correlations
@@ -163,10 +292,13 @@ fn roughness(comparison: &Comparison) -> Markup {
         .take(2)
         .filter_map(|entry| scatter(comparison, entry.parameter))
         .collect();
+    if comparison.correlations.is_empty() {
+        return html! {};
+    }
     html! {
         p { "Rank correlation of Spearman of the roughness under the contact with the loss, over " (comparison.windows)
-            " windows. It shows which parameter orders the finishes like their losses, not a cause; two finishes are a weak basis." }
-        div.scroll { table {
+            " windows. It shows which parameter orders the finishes like their losses, not a cause." }
+        div.scroll tabindex="0" { table {
             thead { tr { th { "parameter" } th.number { "with the loss" } th.number { "within finishes" } } }
             tbody { @for entry in &comparison.correlations {
                 tr { th scope="row" { (entry.parameter) }
@@ -197,7 +329,7 @@ fn scatter(comparison: &Comparison, parameter: &str) -> Option<Drawing> {
 
 fn provenance(comparison: &Comparison) -> Markup {
     html! {
-        div.scroll { table {
+        div.scroll tabindex="0" { table {
             thead { tr { th { "finish" } th { "file" } th { "SHA-256" } } }
             tbody { @for finish in &comparison.finishes { @for [file, sum] in &finish.files {
                 tr { td { (finish.name) } td { code { (file) } } td { code { (sum) } } }

@@ -76,16 +76,24 @@ pub(super) fn cells(finish: &FinishResult) -> [String; 3] {
     };
     match &finish.difference {
         None => [loss, "reference".to_owned(), "reference".to_owned()],
-        Some(difference) => [
-            loss,
-            interval(difference.median_w, difference.quantiles_w, true),
-            interval(
-                100.0 * difference.median_share,
-                difference.share_quantiles.map(|share| 100.0 * share),
-                true,
-            ),
-        ],
+        Some(difference) => {
+            let [watts, percent] = difference_with_interval(difference);
+            [loss, watts, percent]
+        }
     }
+}
+
+/// A difference in watts and in percent, each with its quantiles and its sign, without units.
+#[must_use]
+pub fn difference_with_interval(difference: &PairedDifference) -> [String; 2] {
+    [
+        interval(difference.median_w, difference.quantiles_w, true),
+        interval(
+            100.0 * difference.median_share,
+            difference.share_quantiles.map(|share| 100.0 * share),
+            true,
+        ),
+    ]
 }
 
 /// A median with its interval and the digits that this leaves, with signs if `is_signed`.
@@ -112,7 +120,9 @@ impl Comparison {
     }
 }
 
-fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> String {
+/// The decision of a difference between two named finishes or cases, in words.
+#[must_use]
+pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> String {
     // The words name savings, which are positive.
     let sign = if difference.median_w < 0.0 { -1.0 } else { 1.0 };
     let turned = |[low, high]: [f64; 2]| match sign < 0.0 {

@@ -3,13 +3,13 @@
 use std::borrow::Cow;
 use std::path::Path;
 
-use asperity_report::tables::write as write_table;
+use asperity_report::tables::{BODIES, FlankTables, write as write_table};
 use asperity_report::{ReportError, StudyResult};
 use asperity_storage::cell;
 use serde::Serialize;
 
-use super::comparison::Comparison;
-use super::page;
+use super::comparison::{Comparison, FinishResult};
+use super::page::{self, bands, local_loss, local_quantiles};
 use super::summary::summary;
 use super::windows::WindowRoughness;
 
@@ -29,6 +29,12 @@ impl StudyResult for Comparison {
     fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
         finishes(self, &folder.join("compare.csv"))?;
         offsets(self, &folder.join("offsets.csv"))?;
+        write_table(&folder.join("path.csv"), path(self))?;
+        write_table(&folder.join("traces.csv"), traces(self))?;
+        write_table(&folder.join("spectra.csv"), spectra(self))?;
+        if self.correlations.is_empty() {
+            return Ok(());
+        }
         write_table(&folder.join("parameters.csv"), self.correlations.iter())
     }
 }
@@ -81,6 +87,85 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
             }
         }),
     )
+}
+
+/// Row of `path.csv`: the local loss of a finish.
+#[derive(Serialize)]
+struct PathRow<'a> {
+    finish: Cow<'a, str>,
+    s_mm: f64,
+    loss_w_per_m: f64,
+    loss_p05_w_per_m: Option<f64>,
+    loss_p95_w_per_m: Option<f64>,
+}
+
+fn path(comparison: &Comparison) -> impl Iterator<Item = PathRow<'_>> {
+    comparison.finishes.iter().flat_map(|finish| {
+        let rows = finish.result.path.iter().enumerate();
+        rows.map(|(k, row)| {
+            let quantiles = local_quantiles(&finish.result, k);
+            PathRow {
+                finish: cell(&finish.name),
+                s_mm: row.s_mm,
+                loss_w_per_m: local_loss(row),
+                loss_p05_w_per_m: quantiles.map(|[low, _]| low),
+                loss_p95_w_per_m: quantiles.map(|[_, high]| high),
+            }
+        })
+    })
+}
+
+/// Row of `traces.csv`: a point of the roughness of a flank.
+#[derive(Serialize)]
+struct TracePoint<'a> {
+    finish: Cow<'a, str>,
+    flank: &'static str,
+    x_um: f64,
+    roughness_um: f64,
+}
+
+fn traces(comparison: &Comparison) -> impl Iterator<Item = TracePoint<'_>> {
+    flanks(comparison).flat_map(|(finish, flank, tables)| {
+        tables.trace.iter().filter_map(move |row| {
+            Some(TracePoint {
+                finish: cell(&finish.name),
+                flank,
+                x_um: row.x_um,
+                roughness_um: row.roughness_um?,
+            })
+        })
+    })
+}
+
+/// Row of `spectra.csv`: a band of the spectrum of a flank.
+#[derive(Serialize)]
+struct SpectrumBand<'a> {
+    finish: Cow<'a, str>,
+    flank: &'static str,
+    wavelength_um: f64,
+    density_um3: f64,
+}
+
+fn spectra(comparison: &Comparison) -> impl Iterator<Item = SpectrumBand<'_>> {
+    flanks(comparison).flat_map(|(finish, flank, tables)| {
+        let bands = bands(&tables.spectrum).into_iter();
+        bands.map(move |[wavelength_um, density_um3]| SpectrumBand {
+            finish: cell(&finish.name),
+            flank,
+            wavelength_um,
+            density_um3,
+        })
+    })
+}
+
+/// The flanks with a trace.
+fn flanks(
+    comparison: &Comparison,
+) -> impl Iterator<Item = (&FinishResult, &'static str, &FlankTables)> {
+    comparison.finishes.iter().flat_map(|finish| {
+        let bodies = BODIES.iter().zip(&finish.tables);
+        bodies.filter_map(move |(flank, tables)| Some((finish, *flank, tables.as_ref()?)))
+    })
 }
 
 fn offsets(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
