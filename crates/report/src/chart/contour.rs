@@ -120,10 +120,14 @@ impl Contour {
             // The first band includes all lower values.
             let from = if band == 0 { f64::NEG_INFINITY } else { *level };
             let outline = self.region_above(from, &frame);
-            canvas.path(&format!("band b{}", colour(band, levels.len())), &outline);
+            canvas.path(&format!("band {}", colour(band, &levels)), &outline);
         }
         if let Some(level) = self.isoline {
-            canvas.path("isoline", &self.line_at(level, &frame));
+            let class = match is_diverging(&levels) {
+                true => "isoline zero",
+                false => "isoline",
+            };
+            canvas.path(class, &self.line_at(level, &frame));
         }
         if self.hatched.iter().any(|is_hatched| *is_hatched) {
             canvas.path("hatch", &self.hatching(&frame));
@@ -161,7 +165,7 @@ impl Contour {
         for (band, level) in levels.iter().enumerate() {
             let y = frame.bottom - tall * (band + 1) as f64;
             canvas.rect(
-                &format!("band b{}", colour(band, levels.len())),
+                &format!("band {}", colour(band, levels)),
                 [left, y],
                 [SCALE_THICK, tall],
             );
@@ -346,14 +350,20 @@ fn part_above(d: &mut String, places: &[[f64; 2]; 4], corners: &[f64; 4], level:
     }
 }
 
-/// Index of the colour of a band; few bands use the full range of colours.
-fn colour(band: usize, bands: usize) -> usize {
+/// Whether the bands reach below zero, so that their colours are those of differences.
+fn is_diverging(levels: &[f64]) -> bool {
+    levels.first().is_some_and(|level| *level < 0.0)
+}
+
+/// Class with the colour of a band; few bands use the full range of colours.
+fn colour(band: usize, levels: &[f64]) -> String {
     const COLOURS: usize = 12;
-    if bands < 2 {
-        0
-    } else {
-        band * (COLOURS - 1) / (bands - 1)
-    }
+    let number = match levels.len() {
+        0 | 1 => 0,
+        bands => band * (COLOURS - 1) / (bands - 1),
+    };
+    let scale = if is_diverging(levels) { 'v' } else { 'b' };
+    format!("{scale}{number}")
 }
 
 #[cfg(test)]
@@ -366,6 +376,14 @@ mod tests {
         let places = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
         part_above(&mut d, &places, &[0.0, 4.0, 4.0, 0.0], 1.0);
         assert_eq!(d, "M2.5 0.0L10.0 0.0L10.0 10.0L2.5 10.0z");
+    }
+
+    #[test]
+    fn bands_about_zero_have_the_colours_of_differences() {
+        assert_eq!(colour(0, &[0.0, 1.0]), "b0");
+        let about_zero = [-2.0, -1.0, 0.0, 1.0];
+        let classes = [0, 1, 2, 3].map(|band| colour(band, &about_zero));
+        assert_eq!(classes, ["v0", "v3", "v7", "v11"]);
     }
 
     #[test]

@@ -1,15 +1,15 @@
 //! Page of a cycle.
 
-use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
 use super::energy::CycleResult;
-use super::summary::{difference, left_aside, lost};
-use crate::map::{Map, loss_field};
+use super::summary::{difference, left_aside, lost, per_100_km, share_of_drive, verdicts};
+use crate::map::{Map, loss_fields, round_step};
 
-/// Number of torque bins.
-const BINS: usize = 30;
+/// Approximate number of torque bins.
+const BINS: f64 = 30.0;
 
 pub(super) fn render(result: &CycleResult, map: &Map) -> String {
     let sections = [
@@ -25,23 +25,24 @@ pub(super) fn render(result: &CycleResult, map: &Map) -> String {
 }
 
 fn energy(result: &CycleResult) -> Markup {
-    let percent = |share: f64| format!("{:.3} %", 100.0 * share);
+    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
     html! {
+        @for verdict in verdicts(result) { p.verdict { strong { (verdict) } } }
         @if let Some(note) = left_aside(result) { p { (note) "." } }
         p { "Scope: " (result.scope) " only. " (format!("{:.1}", result.drive_wh)) " Wh at the pinion while it drives, "
             (format!("{:.1}", result.coast_wh)) " Wh while the wheel drives, " (format!("{:.0}", result.duration_s)) " s, flanks at "
             (result.temperature_c) " °C. Outside of the map, where the ratio of loss to torque is that of its edge, " (percent(result.outside_energy_share)) " of the energy and "
             (percent(result.outside_share)) " of the moving time; "
             (percent(result.extended_share)) " at torques whose sliding loss is scaled from the smallest resolved one." }
-        div.scroll { table {
+        div.scroll tabindex="0" { table {
             thead { tr { th { "finish" } th.number { "lost" } th.number { "driving" } th.number { "braking" }
                 th.number { "of drive energy" } th.number { "per 100 km" } th.number { "minus the first" } } }
             tbody { @for finish in &result.finishes { tr {
                 th scope="row" { (finish.name) }
                 @for text in lost(finish) { td.number { (text) " Wh" } }
-                td.number { (or_none(finish.share_of_drive.map(|share| percent(share * finish.median_over_medians())))) }
-                td.number { (or_none(finish.wh_per_100_km.map(|value| format!("{:.1} Wh", value * finish.median_over_medians())))) }
+                td.number { (or_none(share_of_drive(finish))) }
+                td.number { (or_none(per_100_km(finish).map(|value| format!("{value} Wh")))) }
                 td.number { (difference(finish)) @if finish.difference_wh.is_some() { " Wh" } }
             } } }
         } }
@@ -61,48 +62,46 @@ fn operating_points(result: &CycleResult, map: &Map) -> Markup {
         .temperature_c
         .iter()
         .position(|temperature| *temperature == result.temperature_c);
-    let field = loss_field(map, 0, nearest.unwrap_or_default(), &visited);
+    let fields = loss_fields(map, nearest.unwrap_or_default(), &visited);
     html! { div.charts {
-        @if let Some(field) = field { (figure(&field)) }
-        @if let Some(bars) = by_torque(result) { (figure(&bars)) }
+        @for field in &fields { (figure(field)) }
+        @if let Some(chart) = by_torque(result) { (figure(&chart)) }
     } }
 }
 
-/// Energy lost with the first finish, by torque.
+/// Energy lost with each finish by torque, in steps of a round width.
 fn by_torque(result: &CycleResult) -> Option<Drawing> {
-    let finish = result.finishes.first()?;
     let torques = || result.points.iter().map(|point| point.torque_nm);
     let (low, high) = torques().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
         (a.min(v), b.max(v))
     });
-    let width = (high - low) / BINS as f64;
-    if width.is_nan() || width <= 0.0 {
+    let width = round_step((high - low) / BINS);
+    if !width.is_finite() || width <= 0.0 {
         return None;
     }
-    let mut bins = vec![0.0; BINS];
-    for (point, loss) in result.points.iter().zip(&finish.loss_w) {
-        let bin = ((point.torque_nm - low) / width) as usize;
-        bins[bin.min(BINS - 1)] += loss * point.weight_s / 3600.0;
+    let bin = |torque: f64| (torque / width).floor();
+    let (first, last) = (bin(low), bin(high));
+    let edge = |k: usize| (first + k as f64) * width;
+    let count = (last - first) as usize + 1;
+    let mut chart = Chart::new(
+        "torque",
+        &format!("Energy lost by torque, in steps of {width} N m"),
+        "cycle.csv",
+        Axis::new("torque", "N m"),
+        Axis::new("energy lost", "Wh").from_zero(),
+    );
+    for finish in &result.finishes {
+        let mut bins = vec![0.0; count];
+        for (point, loss) in result.points.iter().zip(&finish.loss_w) {
+            bins[(bin(point.torque_nm) - first) as usize] += loss * point.weight_s / 3600.0;
+        }
+        let steps = bins.iter().enumerate();
+        let steps = steps.flat_map(|(k, energy)| [[edge(k), *energy], [edge(k + 1), *energy]]);
+        let outline = [[edge(0), 0.0]].into_iter().chain(steps);
+        let outline = outline.chain([[edge(count), 0.0]]);
+        chart = chart.with(Series::through(&finish.name, Line::Solid, outline));
     }
-    let bars = bins.iter().enumerate().filter(|(_, energy)| **energy > 0.0);
-    Some(Drawing::Bars(BarChart {
-        id: "torque".to_owned(),
-        title: format!("Energy lost by torque, {}", finish.name),
-        source: "cycle.csv".to_owned(),
-        axis: Axis::new("energy lost", "Wh"),
-        bars: bars
-            .map(|(bin, energy)| Bar {
-                name: format!(
-                    "{:.0} .. {:.0} N m",
-                    low + bin as f64 * width,
-                    low + (bin + 1) as f64 * width
-                ),
-                value: Some(*energy),
-                spread: None,
-                text: format!("{energy:.2} Wh"),
-            })
-            .collect(),
-    }))
+    Some(Drawing::Curves(chart))
 }
 
 fn over_time(result: &CycleResult) -> Drawing {

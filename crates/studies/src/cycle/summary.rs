@@ -27,11 +27,7 @@ pub(super) fn summary(result: &CycleResult) -> String {
         "finish", "lost Wh", "driving", "braking", "of drive", "Wh/100 km", "minus the first Wh"
     ));
     for finish in &result.finishes {
-        let share = finish
-            .share_of_drive
-            .map(|share| format!("{:.3} %", 100.0 * share * finish.median_over_medians()));
-        let way = finish.wh_per_100_km;
-        let way = way.map(|value| format!("{:.1}", value * finish.median_over_medians()));
+        let (share, way) = (share_of_drive(finish), per_100_km(finish));
         let [lost, drive, coast] = lost(finish);
         text.push_str(&format!(
             "{:<16} {:>22} {:>10} {:>10} {:>10} {:>12} {:>24}\n",
@@ -72,6 +68,46 @@ pub(super) fn lost(finish: &CycleFinish) -> [String; 3] {
         None => digits.text(total),
     };
     [whole, digits.text(parts[0]), digits.text(parts[1])]
+}
+
+/// `value`, in proportion to the energy lost, as its median with the digits that the interval leaves.
+fn proportional(finish: &CycleFinish, value: f64) -> String {
+    let median = value * finish.median_over_medians();
+    let half = match finish.lost_quantiles_wh {
+        Some([low, high]) if finish.lost_wh > 0.0 => 0.5 * (high - low) / finish.lost_wh * value,
+        _ => 0.0,
+    };
+    Digits::of_uncertainty(half).rounded(median)
+}
+
+/// The energy lost over the energy at the pinion while it drives.
+pub(super) fn share_of_drive(finish: &CycleFinish) -> Option<String> {
+    let share = finish.share_of_drive?;
+    Some(format!("{} %", proportional(finish, 100.0 * share)))
+}
+
+/// The energy lost per 100 km \[Wh\].
+pub(super) fn per_100_km(finish: &CycleFinish) -> Option<String> {
+    Some(proportional(finish, finish.wh_per_100_km?))
+}
+
+/// The energy lost with each finish, and its difference from the first, in words.
+pub(super) fn verdicts(result: &CycleResult) -> Vec<String> {
+    let verdict = |finish: &CycleFinish| {
+        let [whole, ..] = lost(finish);
+        let share = share_of_drive(finish).map(|share| format!(", {share} of the drive energy"));
+        let against = finish.difference_wh.and_then(|_| {
+            let first = result.finishes.first()?;
+            Some(format!(
+                "; {} Wh against {}",
+                difference(finish),
+                first.name
+            ))
+        });
+        let [share, against] = [share, against].map(Option::unwrap_or_default);
+        format!("{} loses {whole} Wh{share}{against}.", finish.name)
+    };
+    result.finishes.iter().map(verdict).collect()
 }
 
 /// Difference from the first finish with its quantiles.

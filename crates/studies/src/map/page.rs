@@ -6,47 +6,178 @@ use maud::{Markup, html};
 
 use super::axes::Axes;
 use super::point::{FinishMap, Map, Numbers, Point};
-use super::summary::{banded, left_aside};
+use super::summary::{Extremes, banded, left_aside, words};
 
-/// Contour levels of the efficiency \[%\].
-const EFFICIENCIES: [f64; 11] = [
-    0.0, 90.0, 95.0, 97.0, 98.0, 98.5, 99.0, 99.2, 99.4, 99.6, 99.8,
-];
 /// Approximate number of bands of a field.
-const BANDS: f64 = 10.0;
+const BANDS: usize = 10;
 /// Largest number of temperatures that are drawn.
 const TEMPERATURES: usize = 3;
+/// Largest share of hatched points; where more are extrapolated, only a sentence says so.
+const MOST_HATCHED: f64 = 1.0 / 3.0;
+
+/// A quantity over torque and speed.
+struct Quantity {
+    id: &'static str,
+    title: &'static str,
+    /// Name of the colour scale, with the unit.
+    scale: &'static str,
+    of: fn(&Numbers) -> Option<f64>,
+    /// Lower edges of the bands for all values that are drawn.
+    levels: fn(&[f64]) -> Vec<f64>,
+}
+
+const LOSS: Quantity = Quantity {
+    id: "loss",
+    title: "Loss",
+    scale: "loss [W]",
+    of: |numbers| Some(numbers.loss_w),
+    levels: round_levels,
+};
+const EFFICIENCY: Quantity = Quantity {
+    id: "efficiency",
+    title: "Efficiency",
+    scale: "efficiency [%]",
+    of: |numbers| numbers.efficiency.map(|value| 100.0 * value),
+    levels: quantile_levels,
+};
+const HALF_INTERVAL: Quantity = Quantity {
+    id: "interval",
+    title: "Half of the interval of the loss over its median",
+    scale: "half of 5 to 95 % [%]",
+    of: |numbers| {
+        let (median, [low, high]) = numbers.loss_median_w.zip(numbers.loss_quantiles_w)?;
+        (median > 0.0).then(|| 50.0 * (high - low) / median)
+    },
+    levels: round_levels,
+};
+
+impl Quantity {
+    fn at(&self, point: &Point) -> f64 {
+        point.numbers.as_ref().and_then(self.of).unwrap_or(f64::NAN)
+    }
+
+    /// The quantity for every finish and the temperatures `drawn`, all with the same bands.
+    fn fields(&self, map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Vec<Drawing> {
+        let mut fields = Vec::new();
+        for finish in &map.finishes {
+            for &temperature in drawn {
+                fields.push(Contour {
+                    id: id(map, self.id, finish, temperature),
+                    title: format!("{}, {}", self.title, named(map, finish, temperature)),
+                    value: self.scale.to_owned(),
+                    dots: visited.to_vec(),
+                    ..field(map, finish, temperature, &|point| self.at(point))
+                });
+            }
+        }
+        with_common_levels(fields, self.levels)
+    }
+}
+
+/// The fields with the bands of all their values together, without those that have no value.
+fn with_common_levels(mut fields: Vec<Contour>, levels: fn(&[f64]) -> Vec<f64>) -> Vec<Drawing> {
+    fields.retain(|field| field.values.iter().any(|value| value.is_finite()));
+    let values = fields.iter().flat_map(|field| &field.values).copied();
+    let values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
+    let levels = levels(&values);
+    let drawing = |field| {
+        Drawing::Contour(Contour {
+            levels: Some(levels.clone()),
+            ..field
+        })
+    };
+    fields.into_iter().map(drawing).collect()
+}
 
 pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
     let drawn = drawn(&map.axes);
-    let each = |draw: &dyn Fn(&FinishMap, usize) -> Option<Drawing>| -> Markup {
-        html! { div.charts {
-            @for finish in &map.finishes { @for temperature in &drawn {
-                @if let Some(drawing) = draw(finish, *temperature) { (figure(&drawing)) }
-            } }
-        } }
-    };
+    let charts =
+        |fields: &[Drawing]| html! { div.charts { @for field in fields { (figure(field)) } } };
+    let intervals = HALF_INTERVAL.fields(map, &drawn, visited);
     let sections = [
         (
             "Loss",
             html! {
+                (largest(map))
                 p { "Loss of the " (map.scope) " over torque and speed of the pinion; negative torque: the wheel drives. "
-                    "Hatched: a correlation is extrapolated, or the sliding loss is scaled." }
-                (each(&|finish, at| loss(map, finish, at, visited)))
+                    "All finishes have the same colours." }
+                @for finish in &map.finishes { @if let Some(text) = extrapolated(map, finish) { p { (text) } } }
+                (charts(&LOSS.fields(map, &drawn, visited)))
             },
         ),
         (
             "Efficiency",
-            each(&|finish, at| efficiency(map, finish, at, visited)),
+            html! {
+                p { "Each colour covers about a tenth of the points." }
+                (charts(&EFFICIENCY.fields(map, &drawn, visited)))
+            },
         ),
         ("Differences", differences(map, &drawn, visited)),
-        ("Bands", bands(map)),
+        (
+            "Intervals",
+            html! {
+                @if !intervals.is_empty() {
+                    details { summary { "Half of the interval over torque and speed" } (charts(&intervals)) }
+                }
+                (bands(map))
+            },
+        ),
         ("Ranges", ranges(map)),
         ("Provenance", provenance(map)),
     ];
     let names: Vec<&str> = map.finishes.iter().map(|f| f.name.as_str()).collect();
     let subtitle = format!("{} · map of {}", map.program, names.join(", "));
     page(&map.title, &subtitle, &sections)
+}
+
+/// Largest loss and best efficiency of each finish.
+fn largest(map: &Map) -> Markup {
+    html! { div.scroll tabindex="0" { table {
+        thead { tr {
+            th { "finish" } th.number { "largest loss [W]" } th.number { "at torque [N m]" }
+            th.number { "and speed [1/min]" } th.number { "best efficiency [%]" }
+        } }
+        tbody { @for finish in &map.finishes { @if let Some(extremes) = Extremes::of(finish) { tr {
+            th scope="row" { (finish.name) } td.number { (extremes.loss()) }
+            td.number { (format!("{:.2}", extremes.at.torque_nm)) }
+            td.number { (format!("{:.0}", extremes.at.speed_rpm)) }
+            td.number { (extremes.efficiency()) }
+        } } } }
+    } } }
+}
+
+/// The extrapolations of `finish` beyond those at the operating point of the case, in words; `None` if there are none.
+fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
+    let usual = usual(map, finish);
+    let unusual = |mark: &String| !usual.contains(&mark.as_str());
+    let points = finish.points.iter();
+    let hatched = points.filter(|point| point.outside.iter().any(unusual));
+    let share = hatched.count() as f64 / finish.points.len().max(1) as f64;
+    if share == 0.0 {
+        return None;
+    }
+    let mut marks: Vec<(&str, usize)> = Vec::new();
+    let all = finish.points.iter().flat_map(|point| &point.outside);
+    for mark in all.filter(|mark| unusual(mark)) {
+        match marks.iter_mut().find(|(known, _)| known == mark) {
+            Some((_, count)) => *count += 1,
+            None => marks.push((mark, 1)),
+        }
+    }
+    marks.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    let marks = marks
+        .iter()
+        .map(|(mark, count)| format!("{} ({count})", words(mark)));
+    let drawn = match share <= MOST_HATCHED {
+        true => ", hatched,",
+        false => "",
+    };
+    Some(format!(
+        "{}: {:.0} % of the points{drawn} are extrapolated beyond what is extrapolated at the operating point of the case: {}.",
+        finish.name,
+        100.0 * share,
+        marks.collect::<Vec<_>>().join(", ")
+    ))
 }
 
 /// Temperatures that are drawn: the lowest, the middle and the highest.
@@ -73,7 +204,11 @@ fn field(map: &Map, finish: &FinishMap, temperature: usize, of: &dyn Fn(&Point) 
             .iter()
             .any(|mark| !usual.contains(&mark.as_str()))
     };
-    let values: Vec<f64> = nodes().map(|node| of(at(node))).collect();
+    let mut hatched: Vec<bool> = nodes().map(|node| is_hatched(at(node))).collect();
+    let count = hatched.iter().filter(|is_hatched| **is_hatched).count();
+    if count as f64 > MOST_HATCHED * hatched.len() as f64 {
+        hatched.clear();
+    }
     Contour {
         id: String::new(),
         title: String::new(),
@@ -83,10 +218,10 @@ fn field(map: &Map, finish: &FinishMap, temperature: usize, of: &dyn Fn(&Point) 
         value: String::new(),
         columns: axes.torque_nm.clone(),
         rows: axes.speed_rpm.clone(),
-        hatched: nodes().map(|node| is_hatched(at(node))).collect(),
+        values: nodes().map(|node| of(at(node))).collect(),
+        hatched,
         dots: Vec::new(),
-        levels: Some(levels(&values)),
-        values,
+        levels: None,
         isoline: None,
         height: 300.0,
     }
@@ -116,35 +251,60 @@ fn usual<'a>(map: &Map, finish: &'a FinishMap) -> Vec<&'a str> {
 }
 
 /// Lower edges of bands at round numbers within the range of the values.
-fn levels(values: &[f64]) -> Vec<f64> {
-    let finite = || values.iter().copied().filter(|value| value.is_finite());
-    let (low, high) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-        (a.min(v), b.max(v))
-    });
+fn round_levels(values: &[f64]) -> Vec<f64> {
+    let ends = |[low, high]: [f64; 2], value: &f64| [low.min(*value), high.max(*value)];
+    let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], ends);
     if low >= high {
         return vec![if low.is_finite() { low } else { 0.0 }];
     }
-    let raw = (high - low) / BANDS;
-    let power = 10f64.powf(raw.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .map(|factor| factor * power)
-        .find(|step| *step >= raw * (1.0 - 1e-9))
-        .unwrap_or(raw);
-    let digits = (-step.log10().floor()).max(0.0) as usize;
+    let step = round_step((high - low) / BANDS as f64);
     let first = (low / step).floor();
-    let level = |k: usize| {
-        let value = (first + k as f64) * step;
-        format!("{value:.digits$}").parse().unwrap_or(value) + 0.0
-    };
     (0..)
-        .map(level)
+        .map(|k| multiple(first + f64::from(k), step))
         .take_while(|level: &f64| *level < high)
         .collect()
 }
 
-fn number(of: fn(&Numbers) -> Option<f64>) -> impl Fn(&Point) -> f64 {
-    move |point| point.numbers.as_ref().and_then(of).unwrap_or(f64::NAN)
+/// Lower edges of bands at round numbers, as many below zero as above.
+fn levels_about_zero(values: &[f64]) -> Vec<f64> {
+    let most = values.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    if most <= 0.0 {
+        return vec![0.0];
+    }
+    let step = round_step(2.0 * most / BANDS as f64);
+    let half = (most / step).ceil() as i32;
+    let levels = (-half..half).map(|k| multiple(f64::from(k), step));
+    levels.collect()
+}
+
+/// Lower edges of bands that hold about as many values each: quantiles, with two digits of what is missing to 100 %.
+fn quantile_levels(values: &[f64]) -> Vec<f64> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let level = |k: usize| {
+        let missing = 100.0 - sorted.get(k * sorted.len() / BANDS)?;
+        let digits = (1.0 - missing.log10().floor()).max(0.0) as usize;
+        let is_level = missing > 0.0;
+        is_level.then(|| format!("{:.digits$}", 100.0 - missing).parse().ok())?
+    };
+    let mut levels: Vec<f64> = (0..BANDS).filter_map(level).collect();
+    levels.dedup();
+    levels
+}
+
+/// The smallest of 1, 2 and 5 times a power of ten that is not below `raw`.
+pub(crate) fn round_step(raw: f64) -> f64 {
+    let power = 10f64.powf(raw.log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power);
+    let enough = |step: &f64| *step >= raw * (1.0 - 1e-9);
+    steps.into_iter().find(enough).unwrap_or(raw)
+}
+
+/// The number `count` times `step`, with the digits of the step.
+fn multiple(count: f64, step: f64) -> f64 {
+    let digits = (-step.log10().floor()).max(0.0) as usize;
+    let value = count * step;
+    format!("{value:.digits$}").parse().unwrap_or(value) + 0.0
 }
 
 /// Finish and, if there are several, temperature: "ground, 90 °C".
@@ -166,82 +326,43 @@ fn id(map: &Map, what: &str, finish: &FinishMap, temperature: usize) -> String {
     format!("{what}-{}-{temperature}", number.unwrap_or_default())
 }
 
-/// Loss of a finish over torque and speed with the points of a cycle; `None` if the finish does not exist.
+/// Loss of every finish over torque and speed with the points of a cycle, all with the same colours.
 #[must_use]
-pub fn loss_field(
-    map: &Map,
-    finish: usize,
-    temperature: usize,
-    visited: &[[f64; 2]],
-) -> Option<Drawing> {
-    loss(map, map.finishes.get(finish)?, temperature, visited)
-}
-
-fn loss(map: &Map, finish: &FinishMap, at: usize, visited: &[[f64; 2]]) -> Option<Drawing> {
-    let of = number(|numbers| Some(numbers.loss_w));
-    Some(Drawing::Contour(Contour {
-        id: id(map, "loss", finish, at),
-        title: format!("Loss, {}", named(map, finish, at)),
-        value: "loss [W]".to_owned(),
-        dots: visited.to_vec(),
-        ..field(map, finish, at, &of)
-    }))
-}
-
-fn efficiency(map: &Map, finish: &FinishMap, at: usize, visited: &[[f64; 2]]) -> Option<Drawing> {
-    let of = number(|numbers| numbers.efficiency.map(|value| 100.0 * value));
-    let field = field(map, finish, at, &of);
-    let finite = || {
-        field
-            .values
-            .iter()
-            .copied()
-            .filter(|value| value.is_finite())
-    };
-    let most = finite().fold(0.0, f64::max);
-    // The first band includes the points without efficiency.
-    let levels = EFFICIENCIES.into_iter().filter(|level| *level < most);
-    Some(Drawing::Contour(Contour {
-        id: id(map, "efficiency", finish, at),
-        title: format!("Efficiency, {}", named(map, finish, at)),
-        value: "efficiency [%]".to_owned(),
-        levels: Some(levels.collect()),
-        dots: visited.to_vec(),
-        ..field
-    }))
+pub fn loss_fields(map: &Map, temperature: usize, visited: &[[f64; 2]]) -> Vec<Drawing> {
+    LOSS.fields(map, &[temperature], visited)
 }
 
 fn differences(map: &Map, drawn: &[usize], visited: &[[f64; 2]]) -> Markup {
     let Some((first, others)) = map.finishes.split_first() else {
         return html! {};
     };
-    if others.is_empty() {
+    let of = |point: &Point| LOSS.at(point);
+    let mut fields = Vec::new();
+    for finish in others {
+        for &at in drawn {
+            let mut field = field(map, finish, at, &of);
+            let base = self::field(map, first, at, &of).values;
+            for (value, base) in field.values.iter_mut().zip(base) {
+                *value -= base;
+            }
+            let names = [&named(map, finish, at), &first.name];
+            fields.push(Contour {
+                id: id(map, "difference", finish, at),
+                title: format!("Loss of {} minus that of {}", names[0], names[1]),
+                value: "difference [W]".to_owned(),
+                isoline: Some(0.0),
+                dots: visited.to_vec(),
+                ..field
+            });
+        }
+    }
+    if fields.is_empty() {
         return html! {};
     }
-    let drawing = |finish: &FinishMap, at: usize| {
-        let of = number(|numbers| Some(numbers.loss_w));
-        let mut field = field(map, finish, at, &of);
-        let base = self::field(map, first, at, &of).values;
-        for (value, base) in field.values.iter_mut().zip(base) {
-            *value -= base;
-        }
-        Drawing::Contour(Contour {
-            id: id(map, "difference", finish, at),
-            title: format!(
-                "Loss of {} minus that of {}",
-                named(map, finish, at),
-                first.name
-            ),
-            value: "difference [W]".to_owned(),
-            levels: Some(levels(&field.values)),
-            isoline: Some(0.0),
-            dots: visited.to_vec(),
-            ..field
-        })
-    };
-    html! { div.charts {
-        @for finish in others { @for at in drawn { (figure(&drawing(finish, *at))) } }
-    } }
+    html! {
+        p { "Blue: the loss is lower than with " (first.name) "; red: higher." }
+        div.charts { @for field in with_common_levels(fields, levels_about_zero) { (figure(&field)) } }
+    }
 }
 
 /// Largest number of rows of the table of bands.
@@ -275,9 +396,9 @@ fn bands(map: &Map) -> Markup {
         p { "Median of the loss with its 5 and 95 % quantiles, as for a run, at the nodes of torque and speed whose draws were "
             "computed; between them the logarithms of the draws are interpolated. The same at negative torque, unless there are "
             "coast flanks. All points are in map.csv." }
-        div.scroll { table {
-            thead { tr { th { "finish" } th.number { "torque, N m" } th.number { "speed, 1/min" }
-                th.number { "temperature, °C" } th.number { "loss, W" } } }
+        div.scroll tabindex="0" { table {
+            thead { tr { th { "finish" } th.number { "torque [N m]" } th.number { "speed [1/min]" }
+                th.number { "temperature [°C]" } th.number { "loss [W]" } } }
             tbody { @for (finish, point, loss) in rows.iter().take(MOST_BANDS) { tr {
                 td { (finish.name) }
                 td.number { (format!("{:.2}", point.torque_nm)) } td.number { (format!("{:.0}", point.speed_rpm)) }
@@ -293,10 +414,10 @@ fn ranges(map: &Map) -> Markup {
         return html! {};
     }
     html! {
-        div.scroll { table {
+        div.scroll tabindex="0" { table {
             thead { tr { th { "what" } th { "finish" } th.number { "points" } th { "rows of map.csv" } } }
             tbody { @for warning in &map.warnings { tr {
-                td { (warning.text) } td { (warning.finish) } td.number { (warning.count) }
+                td { (words(&warning.text)) } td { (warning.finish) } td.number { (warning.count) }
                 td { (shortened(&warning.points)) }
             } } }
         } }
@@ -326,9 +447,9 @@ fn provenance(map: &Map) -> Markup {
         p { "Scope: " (map.scope) " only; no bearings, seals, churning. Points below "
             @for (k, finish) in map.finishes.iter().enumerate() {
                 @if k > 0 { ", " } (format!("{:.3} N m ({})", finish.resolved_from_nm[0], finish.name))
-            } " are extended." }
+            } " are extrapolated: the traces do not resolve their contact." }
         @if let Some(note) = left_aside(map) { p { (note) "." } }
-        div.scroll { table {
+        div.scroll tabindex="0" { table {
             thead { tr { th { "finish" } th { "flanks" } th { "file" } th { "SHA-256" } } }
             tbody { @for finish in &map.finishes { @for (side, [file, sum]) in pairs(finish) {
                 tr { td { (finish.name) } td { (side) } td { code { (file) } } td { code { (sum) } } }

@@ -6,7 +6,7 @@ use asperity::result::loss_band::Digits;
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
-use super::point::{EXTENDED, FinishMap, Map, Numbers};
+use super::point::{EXTENDED, FinishMap, Map, Numbers, Point};
 
 /// Summary of a map for the terminal.
 pub(super) fn summary(map: &Map) -> String {
@@ -25,28 +25,16 @@ pub(super) fn summary(map: &Map) -> String {
         "finish", "largest loss W", "share %", "best efficiency", "largest torque N m"
     ));
     for finish in &map.finishes {
-        let numbers = || {
-            finish
-                .points
-                .iter()
-                .filter_map(|point| Some((point, point.numbers?)))
+        let Some(extremes) = Extremes::of(finish) else {
+            continue;
         };
-        let most = numbers().max_by(|a, b| a.1.loss_w.total_cmp(&b.1.loss_w));
-        let Some((at, most)) = most else { continue };
-        let best = numbers()
-            .filter_map(|(_, numbers)| numbers.efficiency)
-            .fold(0.0, f64::max);
-        let torque = numbers()
-            .map(|(_, numbers): (_, Numbers)| numbers.loss_torque_nm)
-            .fold(0.0, f64::max);
-        let power = at.torque_nm.abs() * at.speed_rpm * std::f64::consts::PI / 30.0;
         text.push_str(&format!(
-            "{:<16} {:>22} {:>12.4} {:>14.4} % {:>18.4}\n",
+            "{:<16} {:>22} {:>12} {:>14} % {:>18}\n",
             finish.name,
-            banded(most.loss_w, most.loss_median_w.zip(most.loss_quantiles_w)),
-            100.0 * most.loss_median_w.unwrap_or(most.loss_w) / power,
-            100.0 * best,
-            torque
+            extremes.loss(),
+            extremes.share(),
+            extremes.efficiency(),
+            extremes.torque(),
         ));
     }
     if let Some(note) = left_aside(map) {
@@ -55,6 +43,92 @@ pub(super) fn summary(map: &Map) -> String {
     text.push_str(&bands(map));
     text.push_str(&notes(map));
     text
+}
+
+/// The extremes of a finish over the map.
+pub(super) struct Extremes<'a> {
+    /// Point with the largest loss.
+    pub(super) at: &'a Point,
+    most: Numbers,
+    /// Best efficiency, the power in and the losses there.
+    best: Option<(f64, f64, Numbers)>,
+    /// The losses with the largest loss torque.
+    torque: Numbers,
+}
+
+impl<'a> Extremes<'a> {
+    pub(super) fn of(finish: &'a FinishMap) -> Option<Self> {
+        let numbers = || {
+            let points = finish.points.iter();
+            points.filter_map(|point| Some((point, point.numbers?)))
+        };
+        let (at, most) = numbers().max_by(|a, b| a.1.loss_w.total_cmp(&b.1.loss_w))?;
+        let efficient = numbers()
+            .filter_map(|(point, numbers)| Some((numbers.efficiency?, power_w(point), numbers)));
+        let torque = numbers().map(|(_, numbers)| numbers);
+        Some(Self {
+            at,
+            most,
+            best: efficient.max_by(|a, b| a.0.total_cmp(&b.0)),
+            torque: torque.max_by(|a, b| a.loss_torque_nm.total_cmp(&b.loss_torque_nm))?,
+        })
+    }
+
+    /// The largest loss \[W\].
+    pub(super) fn loss(&self) -> String {
+        let most = &self.most;
+        banded(most.loss_w, most.loss_median_w.zip(most.loss_quantiles_w))
+    }
+
+    /// The largest loss over the power there \[%\].
+    fn share(&self) -> String {
+        let power = power_w(self.at);
+        let loss = self.most.loss_median_w.unwrap_or(self.most.loss_w);
+        percent_digits(&self.most, power).rounded(100.0 * loss / power)
+    }
+
+    /// The best efficiency \[%\].
+    pub(super) fn efficiency(&self) -> String {
+        let text = |(efficiency, power, numbers): (f64, f64, Numbers)| {
+            percent_digits(&numbers, power).rounded(100.0 * efficiency)
+        };
+        self.best.map_or("-".to_owned(), text)
+    }
+
+    /// The largest loss torque \[N m\].
+    fn torque(&self) -> String {
+        let numbers = &self.torque;
+        let half = match numbers.loss_quantiles_w {
+            Some([low, high]) if numbers.loss_w > 0.0 => {
+                0.5 * (high - low) / numbers.loss_w * numbers.loss_torque_nm
+            }
+            _ => 0.0,
+        };
+        Digits::of_uncertainty(half).rounded(numbers.loss_torque_nm)
+    }
+}
+
+/// Power at a point \[W\].
+fn power_w(point: &Point) -> f64 {
+    point.torque_nm.abs() * point.speed_rpm * std::f64::consts::PI / 30.0
+}
+
+/// Digits of a percentage of `power` by the quantiles of the loss; four decimals without.
+fn percent_digits(numbers: &Numbers, power: f64) -> Digits {
+    match numbers.loss_quantiles_w {
+        Some(quantiles) => Digits::of_interval(quantiles).of_percent(power),
+        None => Digits::of_decimals(4),
+    }
+}
+
+/// A mark of points in words.
+pub(super) fn words(mark: &str) -> &str {
+    match mark {
+        EXTENDED => {
+            "torque below the smallest that the traces resolve, where the sliding loss is scaled"
+        }
+        mark => mark,
+    }
 }
 
 /// A median with its quantiles, or the `value` of a map without draws.
@@ -120,12 +194,7 @@ fn notes(map: &Map) -> String {
             })
             .collect();
         let counts = counts.join(", ");
-        let text = match *text {
-            EXTENDED => {
-                "extended: below the torque that the traces resolve, the sliding loss is scaled"
-            }
-            text => text,
-        };
+        let text = words(text);
         format!(
             "{}\n",
             wrapped(&format!("{text}: {counts} points"), "     ")
