@@ -367,14 +367,16 @@ impl Digits {
     }
 
     /// Steps of the parts of a total of `total` steps, which add up to it: each part is rounded down, and the steps that
-    /// are then missing go to the parts with the largest remainders, of at least half a step. Parts of another total are
-    /// rounded one by one.
+    /// are then missing go to the parts with the largest remainders, of at least half a step or negative. Parts of another
+    /// total are rounded one by one.
     ///
     /// ```
     /// use asperity::result::loss_band::Digits;
     /// let tens = Digits::of_decimals(-1);
     /// // 565.6 + 8.1 = 573.7 is printed as 570 = 560 + 10.
     /// assert_eq!(tens.parts(tens.steps(573.7), &[565.6, 8.1]), [56.0, 1.0]);
+    /// let ones = Digits::of_decimals(0);
+    /// assert_eq!(ones.parts(-46.0, &[31.6, -25.4, -52.4, 0.0]), [32.0, -25.0, -53.0, 0.0]);
     /// ```
     #[must_use]
     pub fn parts(self, total: f64, parts: &[f64]) -> Vec<f64> {
@@ -383,7 +385,7 @@ impl Digits {
             .map(|part| (part / self.step()).floor())
             .collect();
         let missing = total - whole.iter().sum::<f64>();
-        let is_shown = |k: &usize| parts[*k] >= 0.5 * self.step();
+        let is_shown = |k: &usize| parts[*k] < 0.0 || parts[*k] >= 0.5 * self.step();
         let mut order: Vec<usize> = (0..parts.len()).filter(is_shown).collect();
         if !(0.0..=order.len() as f64).contains(&missing) {
             return parts.iter().map(|part| self.steps(*part)).collect();

@@ -33,7 +33,7 @@ const BASE_OILS: [BaseOil; 4] = [
 ];
 
 /// Approximate number of changes of a case.
-pub const CHANGES: usize = 20;
+pub const CHANGES: usize = 24;
 
 /// Change of a case.
 pub(super) struct Change {
@@ -52,6 +52,7 @@ pub(super) struct Change {
 /// All changes that apply to `case`.
 pub(super) fn changes(case: &LoadedCase) -> Vec<Change> {
     let mut changes = flanks(case);
+    changes.extend(cutoffs(case));
     changes.extend(boundary(case));
     changes.extend(oil(case));
     changes.extend(relief(case));
@@ -90,6 +91,55 @@ fn flanks(loaded: &LoadedCase) -> Vec<Change> {
         changes.push(change(what, format!("× {BAND}"), case));
     }
     changes
+}
+
+/// The neighbouring cut-offs λc and λs of the standard series; none of a flank without a trace.
+fn cutoffs(loaded: &LoadedCase) -> Vec<Change> {
+    if range(loaded).is_none() {
+        return Vec::new();
+    }
+    let change = |what: String, to: String, case| Change {
+        group: "filters",
+        what,
+        to,
+        case,
+        keeps_contacts: false,
+    };
+    let recipe = &loaded.case.preparation;
+    let mut changes = Vec::new();
+    if let Some(present) = recipe.lambda_c {
+        let mm = |length: Length| format!("{} mm", digits(1e3 * length.si(), 2));
+        changes.extend(neighbours(present).map(|to| {
+            let case = loaded.with(|input| input.surface.cutoff = Some(to));
+            change(format!("cut-off λc {}", mm(present)), mm(to), case)
+        }));
+    }
+    if let Some(present) = recipe.lambda_s {
+        let um = |length: Length| format!("{} um", digits(1e6 * length.si(), 2));
+        changes.extend(neighbours(present).map(|to| {
+            let case = loaded.with(|input| input.surface.noise_cutoff = Some(to));
+            change(format!("cut-off λs {}", um(present)), um(to), case)
+        }));
+    }
+    changes
+}
+
+/// The next smaller and the next larger cut-off of the series 0.08, 0.25, 0.8, 2.5 of ISO 21920-3.
+fn neighbours(cutoff: Length) -> [Length; 2] {
+    /// Cut-offs closer than this are the same.
+    const SAME: f64 = 1e-3;
+    let exponent = cutoff.si().log10().floor() as i32;
+    let series = (exponent - 1..=exponent + 1)
+        .flat_map(|exponent| [2.5, 8.0].map(|step| step * 10_f64.powi(exponent)));
+    let (mut smaller, mut larger) = (0.0_f64, f64::INFINITY);
+    for step in series {
+        if step < cutoff.si() * (1.0 - SAME) {
+            smaller = smaller.max(step);
+        } else if step > cutoff.si() * (1.0 + SAME) {
+            larger = larger.min(step);
+        }
+    }
+    [smaller, larger].map(Length::from_si)
 }
 
 /// The case with other surfaces.
@@ -302,7 +352,24 @@ fn relief(loaded: &LoadedCase) -> Vec<Change> {
 
 #[cfg(test)]
 mod tests {
-    use super::digits;
+    use asperity_core::quantity::Length;
+
+    use super::{digits, neighbours};
+
+    #[test]
+    fn the_neighbours_of_a_cutoff_are_those_of_the_series() {
+        for (cutoff, smaller, larger) in [
+            (0.25e-3, 0.08e-3, 0.8e-3),
+            (0.8e-3, 0.25e-3, 2.5e-3),
+            (2.5e-6, 0.8e-6, 8e-6),
+            (1e-3, 0.8e-3, 2.5e-3),
+        ] {
+            let found = neighbours(Length::from_si(cutoff)).map(Length::si);
+            for (found, expected) in found.into_iter().zip([smaller, larger]) {
+                assert!((found / expected - 1.0).abs() < 1e-12, "{cutoff} {found}");
+            }
+        }
+    }
 
     #[test]
     fn numbers_have_the_digits_that_count() {

@@ -1,64 +1,108 @@
-//! Page of a sensitivity study: one bar per change, and a table.
+//! Page of a sensitivity study: a bar per change, to the left where the loss falls, and a table.
 
+use asperity::result::loss_band::Digits;
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
 use super::study::{Effect, Sensitivity, SensitivityRow};
-use super::summary::{NOTE, difference, headline, left_aside, part_text, share};
+use super::summary::{NOTE, difference, headline, left_aside, parts, share};
 
 pub(super) fn render(study: &Sensitivity) -> String {
     let changes = html! {
+        @if let Some(largest) = largest(study) { p.verdict { strong { (largest) } } }
         p { (NOTE) }
         @if let Some(note) = left_aside(study) { p { (note) "." } }
-        div.charts { (figure(&chart(study))) }
+        div.charts { @for chart in &charts(study) { (figure(chart)) } }
     };
     let sections = [("Changes of the loss", changes), ("Parts", table(study))];
     let subtitle = format!("sensitivity of a loss of {} W", headline(study));
     page(&study.title, &subtitle, &sections)
 }
 
-/// Changes by size, largest first.
-fn chart(study: &Sensitivity) -> Drawing {
-    let mut rows: Vec<(&SensitivityRow, &Effect)> = study
-        .rows
-        .iter()
-        .filter_map(|row| Some((row, row.effect.as_ref()?)))
-        .collect();
-    rows.sort_by(|(_, a), (_, b)| b.difference_w.abs().total_cmp(&a.difference_w.abs()));
-    let bars = rows.iter().map(|(row, effect)| {
-        let size = effect.difference_w.abs();
-        let spread = |[low, high]: [f64; 2]| {
-            let half = 0.5 * (high - low);
-            [(size - half).max(0.0), size + half]
-        };
-        Bar {
-            name: format!("{} → {}", row.what, row.to),
-            value: Some(size),
-            spread: effect.sampling_quantiles_w.map(spread),
-            text: format!("{} W", difference(effect)),
+/// A change with its effect.
+type Changed<'a> = (&'a SensitivityRow, &'a Effect);
+
+/// Changes with an effect by group, the group with the largest change first, and by size within a group.
+fn groups(study: &Sensitivity) -> Vec<Vec<Changed<'_>>> {
+    let rows = study.rows.iter();
+    let rows = rows.filter_map(|row| Some((row, row.effect.as_ref()?)));
+    let mut groups: Vec<Vec<Changed<'_>>> = Vec::new();
+    for row in rows {
+        match groups
+            .iter_mut()
+            .find(|group| group[0].0.group == row.0.group)
+        {
+            Some(group) => group.push(row),
+            None => groups.push(vec![row]),
         }
+    }
+    let size = |(_, effect): &Changed<'_>| effect.difference_w.abs();
+    for group in &mut groups {
+        group.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    }
+    groups.sort_by(|a, b| size(&b[0]).total_cmp(&size(&a[0])));
+    groups
+}
+
+/// The change with the largest effect, in words.
+fn largest(study: &Sensitivity) -> Option<String> {
+    let groups = groups(study);
+    let (row, effect) = groups.first()?.first()?;
+    Some(format!(
+        "The largest change: {}, {} W, {} %.",
+        named(row),
+        difference(effect),
+        share(effect)
+    ))
+}
+
+fn named(row: &SensitivityRow) -> String {
+    format!("{} → {}", row.what, row.to).replace(" um", " µm")
+}
+
+/// A chart per group, all over the same axis.
+fn charts(study: &Sensitivity) -> Vec<Drawing> {
+    let groups = groups(study);
+    let effects = || groups.iter().flatten().map(|(_, effect)| *effect);
+    let values = effects().flat_map(|effect| {
+        let quantiles = effect.sampling_quantiles_w.unwrap_or_default();
+        quantiles.into_iter().chain([effect.difference_w])
     });
-    Drawing::Bars(BarChart {
-        id: "sensitivity".to_owned(),
-        title: "Size of the change of the loss".to_owned(),
-        source: "sensitivity.csv".to_owned(),
-        axis: Axis::new("size of the change", "W"),
-        bars: bars.collect(),
-    })
+    let [low, high] = values.fold([0.0_f64; 2], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    });
+    let whole = study.loss_w;
+    let of_whole = |value: f64| Digits::of_decimals(0).rounded(100.0 * value / whole);
+    let unit = format!("W; {} to {} % of the loss", of_whole(low), of_whole(high));
+    let chart = |group: &Vec<Changed<'_>>| {
+        let bars = group.iter().map(|(row, effect)| Bar {
+            name: named(row),
+            value: Some(effect.difference_w),
+            spread: effect.sampling_quantiles_w,
+            text: format!("{} W, {} %", difference(effect), share(effect)),
+        });
+        let name = group[0].0.group;
+        Drawing::Bars(BarChart {
+            id: format!("changes-{}", name.replace(' ', "-")),
+            title: format!("Change of the loss: {name}"),
+            source: "sensitivity.csv".to_owned(),
+            axis: Axis::new("change of the loss", &unit).within(low, high),
+            bars: bars.collect(),
+        })
+    };
+    groups.iter().map(chart).collect()
 }
 
 fn table(study: &Sensitivity) -> Markup {
-    html! { div.scroll { table {
-        thead { tr { th { "of" } th { "change" } th { "to" } th.number { "W" } th.number { "%" } th.number { "film W" }
-            th.number { "lubricated asperities W" } th.number { "boundary layer W" } th.number { "rolling W" } } }
+    html! { div.scroll tabindex="0" { table {
+        thead { tr { th { "of" } th { "change" } th { "to" } th.number { "loss [W]" } th.number { "loss [%]" }
+            @for part in ["film", "lubricated asperities", "boundary layer", "rolling"] { th.number { (part) " [W]" } } } }
         tbody { @for row in &study.rows { tr {
-            td { (row.group) } td { (row.what) } td { (row.to) }
+            td { (row.group) } td { (row.what.replace(" um", " µm")) } td { (row.to.replace(" um", " µm")) }
             @if let Some(effect) = &row.effect {
                 td.number { (difference(effect)) } td.number { (share(effect)) }
-                @for part in [effect.film_w, effect.lubricated_asperity_w, effect.boundary_w, effect.rolling_w] {
-                    td.number { (part_text(part, effect)) }
-                }
+                @for part in parts(effect) { td.number { (part) } }
             }
             @if let Some(refused) = &row.refused { td colspan="6" { (refused.code) " " (refused.message) } }
         } } }

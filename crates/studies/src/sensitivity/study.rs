@@ -31,7 +31,7 @@ pub struct Sensitivity {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct SensitivityRow {
-    /// Group: flanks, boundary layer, oil, gears.
+    /// Group: flanks, filters, boundary layer, oil, gears.
     pub group: &'static str,
     /// Changed quantity, with its present value if it has one.
     pub what: String,
@@ -53,7 +53,7 @@ pub struct Refused {
     pub message: String,
 }
 
-/// Differences from the unchanged case, at the same windows of its traces \[W\].
+/// Differences from the unchanged case \[W\], at the same windows of its traces unless their filters change.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Effect {
@@ -71,6 +71,18 @@ pub struct Effect {
     pub boundary_w: f64,
     /// Change of the rolling loss.
     pub rolling_w: f64,
+}
+
+impl Effect {
+    /// The parts of the change: film, lubricated asperities, boundary layer, rolling.
+    pub(super) fn parts(&self) -> [f64; 4] {
+        [
+            self.film_w,
+            self.lubricated_asperity_w,
+            self.boundary_w,
+            self.rolling_w,
+        ]
+    }
 }
 
 /// Runs `case` and all its changes; `progress` is called with the number of completed runs.

@@ -1,6 +1,6 @@
 //! Summary of a sensitivity study for the terminal.
 
-use asperity::result::loss_band::rounded;
+use asperity::result::loss_band::{Digits, rounded};
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
@@ -8,7 +8,7 @@ use super::study::{Effect, Sensitivity, SensitivityRow};
 
 /// Explanation of the numbers.
 pub(super) const NOTE: &str = "Each row is a run of the model with one thing changed, at the same windows of the traces; in brackets \
-    5 to 95 % by the sampling of the flanks. These are answers of the model, not measurements: what it leaves out or \
+    5 to 95 % by the sampling of the flanks. Other cut-offs leave other lengths of the traces, hence other windows. These are answers of the model, not measurements: what it leaves out or \
     has wrong, they leave out or have wrong.";
 
 /// Summary of the study for the terminal.
@@ -35,13 +35,7 @@ pub(super) fn summary(study: &Sensitivity) -> String {
             ));
             continue;
         };
-        let parts = [
-            effect.film_w,
-            effect.lubricated_asperity_w,
-            effect.boundary_w,
-            effect.rolling_w,
-        ];
-        let [film, asperities, boundary, rolling] = parts.map(|part| part_text(part, effect));
+        let [film, asperities, boundary, rolling] = parts(effect);
         text.push_str(&format!(
             "{:width$} {:>20} {:>8} {film:>7} {asperities:>10} {boundary:>9} {rolling:>8}\n",
             name(row),
@@ -79,14 +73,18 @@ pub(super) fn headline(study: &Sensitivity) -> String {
 
 /// The change \[W\] with its interval.
 pub(super) fn difference(effect: &Effect) -> String {
-    let half = digits(effect);
-    let value = signed(&rounded(effect.difference_w, half));
+    let digits = digits(effect);
+    let text = |value: f64| signed(&digits.rounded(value));
     match effect.sampling_quantiles_w {
         Some([low, high]) if low < high => {
-            let [low, high] = [low, high].map(|end| signed(&rounded(end, half)));
-            format!("{value} ({low}..{high})")
+            format!(
+                "{} ({}..{})",
+                text(effect.difference_w),
+                text(low),
+                text(high)
+            )
         }
-        _ => value,
+        _ => text(effect.difference_w),
     }
 }
 
@@ -94,25 +92,32 @@ pub(super) fn difference(effect: &Effect) -> String {
 pub(super) fn share(effect: &Effect) -> String {
     let whole = (effect.difference_w / effect.change).abs();
     let half = match whole.is_finite() {
-        true => 100.0 * digits(effect) / whole,
+        true => 100.0 * half_width(effect) / whole,
         false => 1.0,
     };
     signed(&rounded(100.0 * effect.change, half))
 }
 
-/// A part of the change with the digits of the total.
-pub(super) fn part_text(part: f64, effect: &Effect) -> String {
-    signed(&rounded(part, digits(effect)))
+/// The parts of the change with the digits of the total, to which they add up.
+pub(super) fn parts(effect: &Effect) -> [String; 4] {
+    let digits = digits(effect);
+    let parts = effect.parts();
+    let steps = digits.parts(digits.steps(effect.difference_w), &parts);
+    std::array::from_fn(|k| signed(&digits.text(steps[k])))
 }
 
-/// Uncertainty that determines the digits of a change: its sampling error, or a fiftieth of the change.
-fn digits(effect: &Effect) -> f64 {
+fn digits(effect: &Effect) -> Digits {
+    Digits::of_uncertainty(half_width(effect))
+}
+
+/// Uncertainty that determines the digits of a change \[W\]: its sampling error, or a fiftieth of the change.
+fn half_width(effect: &Effect) -> f64 {
+    const LEAST_W: f64 = 0.1;
     let least = 0.02 * effect.difference_w.abs();
     let sampling = effect
         .sampling_quantiles_w
         .map_or(0.0, |[low, high]| 0.5 * (high - low));
-    let half = sampling.max(least);
-    half.max(0.1)
+    sampling.max(least).max(LEAST_W)
 }
 
 fn signed(number: &str) -> String {
