@@ -9,6 +9,14 @@ fn every_figure_has_its_table_and_a_place_in_the_docs() {
     let page = all.find(|page| page.name == "figures").unwrap();
     let entries = std::fs::read_dir(&page.folder).unwrap();
     let files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    // The names that are checked before the computation are those that it writes.
+    let mut names: Vec<_> = files
+        .iter()
+        .map(|file| file.file_name().unwrap().to_string_lossy().into_owned())
+        .filter(|name| name.starts_with("fig"))
+        .collect();
+    names.sort();
+    assert_eq!(names, asperity_studies::figures::FILES);
     let docs = std::fs::read_to_string(root.join("docs/FIGURES.md")).unwrap();
     for number in ["06", "07", "08", "09", "10", "11", "12", "13"] {
         let of = |ending: &str| {

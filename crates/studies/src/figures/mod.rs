@@ -4,7 +4,7 @@
 
 mod figure;
 mod lubricant_matrix;
-mod pies;
+mod parts;
 mod random_contact;
 mod reference_case;
 mod thick_films;
@@ -28,7 +28,7 @@ const LARGEST: u64 = 100_000_000;
 const KIND: &str = "figure";
 
 /// Names of all files, which are checked before the computation.
-const FILES: &[&str] = &[
+pub const FILES: &[&str] = &[
     "fig06_subsurface.csv",
     "fig06_surface.csv",
     "fig06a_surfaces.svg",
@@ -43,8 +43,9 @@ const FILES: &[&str] = &[
     "fig08b_sliding.csv",
     "fig08b_sliding.svg",
     "fig09_fig10_surface.csv",
-    "fig09a_pinion.svg",
-    "fig09b_wheel.svg",
+    "fig09a_touch.svg",
+    "fig09b_load.svg",
+    "fig09c_change.svg",
     "fig10a_contact_stress.svg",
     "fig10b_contact_stress_near.svg",
     "fig11_subsurface.csv",

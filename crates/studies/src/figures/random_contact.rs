@@ -80,14 +80,14 @@ fn charts(rows: &[ContactRow], x: &[f64]) -> Vec<Figure> {
     let chart = |id: &str, title: &str, y: Axis| Chart::new(id, title, TABLE, across(), y);
     let shape = chart(
         "fig06a",
-        "Fig. 6: two random surfaces before contact",
+        "Fig. 6a: two random surfaces before contact",
         Axis::new("height", "µm"),
     )
     .with(curve("first", Line::Solid, |row| row.height_first_um))
     .with(curve("second", Line::Solid, |row| row.height_second_um));
     let deformed = chart(
         "fig06b",
-        "Fig. 6: gap before and in contact",
+        "Fig. 6b: gap before and in contact",
         Axis::new("gap", "µm").from_zero(),
     )
     .with(curve("undeformed", Line::Dashed, |row| {
@@ -99,7 +99,7 @@ fn charts(rows: &[ContactRow], x: &[f64]) -> Vec<Figure> {
     }));
     let pressure = chart(
         "fig06c",
-        "Fig. 6: contact stress",
+        "Fig. 6c: contact stress",
         Axis::new("pressure", "MPa").from_zero(),
     )
     .with(curve("random surfaces", Line::Solid, |row| {
@@ -212,7 +212,7 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
         dots: Vec::new(),
         isoline: None,
         id: "fig06d".to_owned(),
-        title: "Fig. 6: stress below the surface".to_owned(),
+        title: "Fig. 6d: stress below the surface".to_owned(),
         source: TABLE.to_owned(),
         x: across(),
         y: Axis::new("depth", "µm").downward(),

@@ -14,7 +14,7 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
         case,
         None,
         "fig08a_pitch.csv",
-        "Fig. 8: difference across the film, rolling (pitch point)",
+        "Fig. 8a: difference across the film, rolling (pitch point)",
         folder,
     )?;
     let position = Some(case.case.model.position);
@@ -22,7 +22,7 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
         case,
         position,
         "fig08b_sliding.csv",
-        "Fig. 8: the same where the flanks slide",
+        "Fig. 8b: the same where the flanks slide",
         folder,
     )?;
     Ok(vec![

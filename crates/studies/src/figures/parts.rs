@@ -1,4 +1,5 @@
-//! Fig. 12: losses in contact and after contact, each as a pie chart of four parts.
+//! Fig. 12: losses in contact and after contact, four parts each. The paper draws pies; its deformations are far smaller
+//! than a line of a pie, so these are bars with their values.
 //!
 //! In contact the deformation of eq. 19 is elastic and plastic, after contact only plastic; sliding and rolling
 //! are the same in both.
@@ -6,7 +7,7 @@
 use std::path::Path;
 
 use asperity::result::Summary;
-use asperity_report::chart::{Drawing, PieChart, Slice};
+use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::tables::write;
 use serde::Serialize;
 
@@ -14,7 +15,7 @@ use super::figure::{Figure, FigureError};
 
 const TABLE: &str = "fig12_losses.csv";
 
-/// Part of both charts.
+/// Part of both panels.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 struct PartRow {
     part: &'static str,
@@ -47,35 +48,37 @@ pub(super) fn figures(summary: &Summary, folder: &Path) -> Result<Vec<Figure>, F
         after_contact_percent: percent(second, after_contact),
     });
     write(&folder.join(TABLE), rows)?;
-    let pie = |name, title: &str, of: fn(&PartRow) -> (f64, f64)| Figure {
+    let bars = |name, title: &str, of: fn(&PartRow) -> (f64, f64)| Figure {
         name,
-        drawing: Drawing::Pie(PieChart {
+        drawing: Drawing::Bars(BarChart {
             id: name.to_owned(),
             title: title.to_owned(),
             source: TABLE.to_owned(),
-            slices: rows.iter().map(|row| slice(row.part, of(row))).collect(),
+            axis: Axis::new("loss", "W"),
+            bars: rows.iter().map(|row| bar(row.part, of(row))).collect(),
         }),
     };
     Ok(vec![
-        pie("fig12a_in_contact", "Fig. 12: losses in contact", |row| {
+        bars("fig12a_in_contact", "Fig. 12a: losses in contact", |row| {
             (row.in_contact_w, row.in_contact_percent)
         }),
-        pie(
+        bars(
             "fig12b_after_contact",
-            "Fig. 12: losses after contact",
+            "Fig. 12b: losses after contact",
             |row| (row.after_contact_w, row.after_contact_percent),
         ),
     ])
 }
 
-fn slice(name: &str, (value, percent): (f64, f64)) -> Slice {
+fn bar(name: &str, (value, percent): (f64, f64)) -> Bar {
     let text = match percent >= 0.01 {
         true => format!("{value:.1} W, {percent:.1} %"),
         false => format!("{value:.1e} W, {percent:.0e} %"),
     };
-    Slice {
+    Bar {
         name: name.to_owned(),
-        value,
+        value: Some(value),
+        spread: None,
         text,
     }
 }
