@@ -115,7 +115,12 @@ const OF_THE_MODULE: &[&str] = &[
 ];
 
 /// The page, outside of the workspace: the same job as that of the command, in a browser.
-const OF_THE_PAGE: &[&str] = &["asperity", "asperity-report", "asperity-studies"];
+const OF_THE_PAGE: &[&str] = &[
+    "asperity",
+    "asperity-report",
+    "asperity-rexs",
+    "asperity-studies",
+];
 
 fn manifest(folder: &str) -> toml::Table {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

@@ -33,8 +33,18 @@ function pair(path, one, blank) {
   return `[${both.map((text) => one(text || blank || "")).join(", ")}]`;
 }
 
+// Relief of the tips of a gear: none, an amount over a length, or not stated.
+function tipRelief(body) {
+  const at = (key) => given(`gears.${body}.tip_relief.${key}`);
+  const [amount, length] = ["amount", "length"].map(at);
+  if (/^(none|0+(\.0*)?( *[uµmn]?m)?)$/i.test(amount)) return `${body} = { tip_relief = "none" }`;
+  const keys = [line("amount", amount && quoted(amount)), line("length", length && quoted(length))].filter(Boolean);
+  return keys.length && `${body} = { tip_relief = { ${keys.join(", ")} } }`;
+}
+
 function flank(body, file) {
-  if (!file) return "";
+  // A case has a pinion; without a wheel its trace serves both.
+  if (!file) return body === "pinion" ? "pinion = {}" : "";
   const keys = [
     line("file", quoted(file)),
     field(`surface.${body}.mirrored`).checked && "mirrored = true",
@@ -53,21 +63,30 @@ function oil() {
   return [law, quantity("lubricant", "density"), quantity("lubricant", "base_oil")];
 }
 
+// The table of the gears, which alone is enough to draw them.
+export function gearsText() {
+  return table("gears", [
+    line("teeth", `[${number(given("gears.teeth.0"))}, ${number(given("gears.teeth.1"))}]`),
+    quantity("gears", "module"),
+    quantity("gears", "helix"),
+    quantity("gears", "pressure_angle"),
+    line("face_width", pair("gears.face_width", quoted)),
+    line("profile_shift", pair("gears.profile_shift", number, "0")),
+    quantity("gears", "centre_distance"),
+    line("tip_diameter", pair("gears.tip_diameter", quoted, "")),
+    tipRelief("pinion"),
+    tipRelief("wheel"),
+  ]);
+}
+
 // The text of the case in the form, with the files of these names.
 export function caseText(files) {
   const title = given("title");
+  const steel = ["steel", "hardness", "elastic_limit", "flow_pressure"];
   return [
     title && `title = ${quoted(title)}\n`,
-    table("gears", [
-      line("teeth", `[${number(given("gears.teeth.0"))}, ${number(given("gears.teeth.1"))}]`),
-      quantity("gears", "module"),
-      quantity("gears", "helix"),
-      quantity("gears", "pressure_angle"),
-      line("face_width", pair("gears.face_width", quoted)),
-      line("profile_shift", pair("gears.profile_shift", number, "0")),
-      quantity("gears", "centre_distance"),
-    ]),
-    table("material.pinion", [quantity("material.pinion", "elastic_limit"), quantity("material.pinion", "flow_pressure")]),
+    gearsText(),
+    table("material.pinion", steel.map((key) => quantity("material.pinion", key))),
     table("operation", ["torque", "speed", "temperature"].map((key) => quantity("operation", key))),
     table("lubricant", oil()),
     table("surface", [quantity("surface", "cutoff"), flank("pinion", files.pinion), flank("wheel", files.wheel)]),
@@ -76,14 +95,25 @@ export function caseText(files) {
 
 const at = (input, path) => path.split(".").reduce((value, key) => value?.[key], input);
 
+// The keys of a case as the fields have them.
+function byField(input) {
+  const seen = structuredClone(input);
+  const width = input.gears?.face_width;
+  if (typeof width === "string") seen.gears.face_width = [width, ""];
+  for (const body of ["pinion", "wheel"]) {
+    if (at(seen, `gears.${body}.tip_relief`) === "none") seen.gears[body].tip_relief = { amount: "none" };
+  }
+  return seen;
+}
+
 // The keys of a case into the fields; keys that have no field are left out.
 export function fill(input) {
-  const width = input.gears?.face_width;
-  const seen = structuredClone(input);
-  if (typeof width === "string") seen.gears.face_width = [width, ""];
+  const seen = byField(input);
   for (const each of fields()) {
     const value = at(seen, each.name);
-    if (each.type === "checkbox") each.checked = value === true;
+    // Both traces from root to tip: the wheel's is read from its other end.
+    const unstated = each.name === "surface.wheel.mirrored" && !input.surface?.wheel;
+    if (each.type === "checkbox") each.checked = value === true || unstated;
     else each.value = value === null || value === undefined ? "" : String(value);
     // A choice that the form does not have.
     if (each.tagName === "SELECT" && each.selectedIndex < 0) each.selectedIndex = 0;
@@ -91,12 +121,31 @@ export function fill(input) {
   shown();
 }
 
-// The part about the oil that the choice of the oil leaves.
+// Puts the keys of a pair of the library into the fields: its gears, its operating point and its oil.
+export function fillGears(keys) {
+  const seen = byField(keys);
+  for (const each of fields()) {
+    const table = each.name.split(".")[0];
+    const value = at(seen, each.name);
+    if (table === "gears" || value !== undefined) each.value = value ?? "";
+  }
+  shown();
+}
+
+// The notes of what is chosen by name, and the part about the oil that the choice of the oil leaves.
 export function shown() {
-  const name = given("lubricant.oil");
-  document.getElementById("data-sheet").hidden = name !== "";
-  const chosen = field("lubricant.oil").selectedOptions[0];
-  document.getElementById("oil-note").textContent = chosen?.dataset.note ?? "";
+  document.getElementById("data-sheet").hidden = given("lubricant.oil") !== "";
+  for (const [key, note] of [["lubricant.oil", "oil-note"], ["material.pinion.steel", "steel-note"]]) {
+    const [chosen] = field(key).selectedOptions;
+    document.getElementById(note).textContent = chosen?.dataset.note ?? "";
+  }
+}
+
+// The words of a field, for a key of the case.
+export function labelOf(key) {
+  const found = fields().find((each) => each.name === key);
+  const label = found?.closest("label")?.firstChild.textContent.trim();
+  return label || key;
 }
 
 // Fields rest while the text says more than they can show; the files may still be chosen.
@@ -124,14 +173,15 @@ export function stated(body) {
     const value = given(`surface.${body}.${key}`);
     if (value) found[key] = value;
   }
+  found.mirrored = field(`surface.${body}.mirrored`).checked;
   return found;
 }
 
-export function listOils(oils) {
-  const list = field("lubricant.oil");
-  for (const oil of oils) {
-    const option = new Option(oil.name, oil.name);
-    option.dataset.note = `${oil.note} (${oil.source})`;
-    list.append(option);
+// Names to choose from, each with its note.
+export function list(place, entries) {
+  for (const { name, title, note } of entries) {
+    const option = new Option(title ? `${name}: ${title}` : name, name);
+    option.dataset.note = note;
+    place.append(option);
   }
 }

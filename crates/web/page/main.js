@@ -1,7 +1,8 @@
 // The page: files and form in, the case as text, the run, its result.
 import { questions, runs } from "./engine.js";
-import { caseText, completed, fieldOf, fill, listOils, missing, rest, shown, stated } from "./form.js";
-import { clearError, showError, showResult } from "./result.js";
+import { asLink, forget, fromLink, keep, kept } from "./draft.js";
+import { caseText, completed, fieldOf, fill, fillGears, gearsText, list, missing, rest, shown, stated } from "./form.js";
+import { clearError, setStale, showError, showResult } from "./result.js";
 
 const element = (id) => document.getElementById(id);
 const form = element("form");
@@ -15,8 +16,9 @@ const CASES = [
   ["fzg-c", "FZG test gears type C, load stage 7"],
 ];
 const DEMO = "e-drive";
-// Endings of a case; all other files are taken for profiles.
+// Endings of a case and of a gearbox; all other files are taken for profiles.
 const CASE_ENDINGS = /\.(toml|json)$/i;
+const GEARBOX_ENDINGS = /\.rexs[jz]?$/i;
 // Files beside a profile that hold the conditions of its measurement.
 const BESIDE = /\.tx3$/i;
 // Time without a key pressed before the text is read [ms].
@@ -33,6 +35,12 @@ const state = {
   apart: false,
   // Whether a profile was chosen by the user.
   own: false,
+  // Whether anything was chosen or written by the user, so that the draft is kept.
+  touched: false,
+  // What the result that is shown was computed of.
+  ran: null,
+  // The gears of the library, by their names.
+  gears: new Map(),
 };
 
 const bare = (name) => name.split(/[/\\]/).pop();
@@ -44,7 +52,104 @@ function write() {
   // The form writes TOML, whatever it was filled from.
   state.name = state.name.replace(/\.json$/i, ".toml");
   text.value = caseText(state.files);
+  changed();
 }
+
+// The files that the case names and that are at hand.
+const used = () => {
+  const names = new Set(Object.values(state.files).filter(Boolean).map(bare));
+  return [...state.held].filter(([name]) => names.has(bare(name))).map(([name, bytes]) => ({ name, bytes }));
+};
+
+// The inputs as far as they count: comments of a text that the form shows whole do not.
+const inputs = () => (state.apart ? text.value : caseText(state.files));
+
+let later;
+// After every change: the result is marked, and a little later the gears are drawn and the draft is kept.
+function changed() {
+  if (state.ran) setStale(state.ran.inputs !== inputs() || used().some(({ name, bytes }) => state.ran.held.get(name) !== bytes));
+  clearTimeout(later);
+  later = setTimeout(() => {
+    drawPair();
+    keepDraft();
+  }, PAUSE);
+}
+
+// --- the gears as a picture
+
+async function drawPair() {
+  const figure = element("pair");
+  const [drawing, caption] = figure.children;
+  const given = state.apart ? text.value : gearsText();
+  try {
+    const { svg, facts } = await questions.ask("pair", { text: given });
+    drawing.innerHTML = svg;
+    caption.textContent = facts.map((fact) => fact.join(" ")).join(", ");
+    figure.classList.remove("refused");
+    figure.hidden = false;
+  } catch (failure) {
+    if (failure.code === "cancelled") return;
+    // While it is being written, what was drawn before stays, and it says why it is not new.
+    figure.classList.add("refused");
+    caption.textContent = `Not drawn: ${failure.message}`;
+  }
+}
+
+// --- the draft
+
+function keepDraft() {
+  const place = element("draft-note");
+  if (!state.touched) return void (place.textContent = "");
+  const whole = keep({ name: state.name, text: text.value, files: used() });
+  place.textContent = {
+    true: "This draft is kept in this browser, with its traces.",
+    false: "This draft is kept in this browser; its traces are too large for that and must be chosen again.",
+  }[whole] ?? "This browser keeps no draft.";
+}
+
+element("forget").addEventListener("click", async () => {
+  forget();
+  history.replaceState(null, "", location.pathname);
+  clearError();
+  state.held.clear();
+  for (const body of ["pinion", "wheel"]) element(`file-${body}`).value = "";
+  await start(DEMO, false);
+  for (const body of ["pinion", "wheel"]) state.files[body] = "";
+  write();
+  await Promise.all(["pinion", "wheel"].map(look));
+  [state.touched, state.own] = [false, false];
+  clearTimeout(later);
+  drawPair();
+  element("draft-note").textContent = "The draft is forgotten.";
+});
+
+element("link").addEventListener("click", async () => {
+  history.replaceState(null, "", asLink(text.value));
+  const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+  element("draft-note").textContent = `The link is ${copied ? "copied and " : ""}in the address bar. It holds the text of the case, not the traces.`;
+});
+
+// Reads a draft or a link; gives whether there was one.
+async function restored() {
+  const linked = fromLink();
+  const draft = linked === undefined ? kept() : { name: "case.toml", text: linked, files: [] };
+  if (!draft) return false;
+  state.name = draft.name;
+  state.own = draft.files.length > 0;
+  for (const file of draft.files) state.held.set(file.name, file.bytes);
+  try {
+    await adopt(draft.text);
+  } catch {
+    setApart(true);
+  }
+  state.touched = true;
+  element("draft-note").textContent = linked === undefined
+    ? "The draft of the last visit, kept in this browser."
+    : "From a link, which holds no traces: choose the profiles.";
+  return true;
+}
+
+addEventListener("hashchange", () => restored().catch(refuse));
 
 // Takes a text as the case. The form shows it, or rests where it cannot show all of it.
 async function adopt(whole) {
@@ -59,6 +164,7 @@ async function adopt(whole) {
   const back = await questions.ask("keys", shows).catch(() => null);
   if (text.value !== given) return;
   setApart(JSON.stringify(back) !== JSON.stringify(input));
+  changed();
   await Promise.all(["pinion", "wheel"].map(look));
 }
 
@@ -73,6 +179,8 @@ let pause;
 text.addEventListener("input", () => {
   clearTimeout(pause);
   clearError();
+  state.touched = true;
+  changed();
   pause = setTimeout(() => {
     // While it is being written a text may be no case; the run says so, here the form rests.
     adopt(text.value).catch(() => setApart(true));
@@ -82,6 +190,7 @@ text.addEventListener("input", () => {
 form.addEventListener("input", ({ target }) => {
   if (!target.name) return;
   target.removeAttribute("aria-invalid");
+  state.touched = true;
   shown();
   write();
 });
@@ -103,9 +212,11 @@ element("to-form").addEventListener("click", () => {
 
 async function look(body) {
   const place = element(`look-${body}`);
+  const drawing = element(`trace-${body}`);
   const name = state.files[body];
   const bytes = state.held.get(name) ?? state.held.get(bare(name));
   place.classList.remove("refused");
+  if (!name || !bytes) drawing.hidden = true;
   if (!name) return void (place.textContent = "");
   if (!bytes) {
     place.classList.add("refused");
@@ -116,10 +227,13 @@ async function look(body) {
     const found = await questions.ask("look", { name: bare(name), bytes, flank, stated: stated(body) });
     const spacing = Number(found.spacing_um.toPrecision(4));
     const length = Number(found.length_mm.toPrecision(4));
-    const told = `${bare(name)}: ${found.points} points, ${spacing} µm apart, ${length} mm, heights in ${found.z_unit}.`;
+    const told = `${bare(name)}: ${found.points} points, ${spacing} µm apart, ${length} mm, heights in ${found.z_unit.replace("um", "µm")}.`;
     place.textContent = [told, ...found.warnings].join(" ");
+    drawing.innerHTML = found.svg;
+    drawing.hidden = false;
   } catch (failure) {
     if (failure.code === "cancelled") return;
+    drawing.hidden = true;
     place.classList.add("refused");
     place.textContent = `${failure.code} ${failure.message}`;
   }
@@ -139,7 +253,7 @@ const same = (a, b) => a?.length === b.length && a.every((byte, at) => byte === 
 async function setFlank(body, file) {
   clearError();
   const name = hold(file, body);
-  state.own = true;
+  [state.own, state.touched] = [true, true];
   // A text of its own names its files itself; one of this name is now at hand.
   if (!state.apart) state.files[body] = name;
   write();
@@ -155,15 +269,27 @@ for (const body of ["pinion", "wheel"]) {
   });
 }
 
-// Files as they come: a case, or traces for the flanks that have none, the wheel's by its name.
+// A case of the first pair of a gearbox file, with the flanks that are chosen.
+async function takeGearbox({ name, bytes }) {
+  const { pinion, wheel } = state.files;
+  const { stage, stages, case: made, notes } = await questions.ask("gearbox", { name, bytes, stage: 0, pinion, wheel });
+  state.name = `${name.replace(/\.[^.]*$/, "")}.toml`;
+  await adopt(made);
+  const others = stages.length > 1 ? [`Of ${stages.length} stages this is ${stages[stage - 1]}; the command reads the others.`] : [];
+  status.textContent = [`${name} is read.`, ...others, ...notes].join(" ");
+}
+
+// Files as they come: a case, a gearbox, or traces for the flanks that have none, the wheel's by its name.
 async function take(files, body) {
   clearError();
   try {
     const cases = files.filter(({ name }) => CASE_ENDINGS.test(name));
     const beside = files.filter(({ name }) => BESIDE.test(name));
-    const traces = files.filter((file) => !cases.includes(file) && !beside.includes(file));
+    const gearboxes = files.filter(({ name }) => GEARBOX_ENDINGS.test(name));
+    const traces = files.filter((file) => ![...cases, ...beside, ...gearboxes].includes(file));
     for (const file of beside) hold(file);
     const [given] = cases;
+    state.touched = true;
     if (given) {
       for (const file of traces) hold(file);
       state.name = given.name;
@@ -180,6 +306,7 @@ async function take(files, body) {
       const alone = isWheels(file) || (isFree("wheel") && !isFree("pinion")) ? "wheel" : "pinion";
       await setFlank(traces.length > 1 ? ["pinion", "wheel"][Math.min(at, 1)] : alone, file);
     }
+    if (gearboxes.length) await takeGearbox(gearboxes[0]);
   } catch (failure) {
     // What is no case is shown as it is, for its author to mend.
     setApart(true);
@@ -230,7 +357,18 @@ async function start(name, withProfiles) {
 }
 
 element("preset").append(new Option("a worked case …", ""), ...CASES.map(([name, title]) => new Option(title, name)));
+element("gears-by-name").addEventListener("change", ({ target }) => {
+  const chosen = state.gears.get(target.value);
+  element("gears-note").textContent = chosen ? `${chosen.note} Its operating point and its oil are filled in, too.` : "";
+  if (!chosen) return;
+  state.touched = true;
+  fillGears(chosen.keys);
+  form.elements.namedItem("title").value = chosen.title;
+  write();
+});
+
 element("preset").addEventListener("change", ({ target }) => {
+  state.touched = true;
   if (target.value) start(target.value, !state.own).catch(refuse);
 });
 element("demo").addEventListener("click", async () => {
@@ -283,15 +421,17 @@ async function run() {
   busy(true);
   note("running");
   status.textContent = "Reading the traces …";
-  const given = { name: state.name, text: text.value };
+  const given = { name: state.name, text: text.value, inputs: inputs(), held: new Map(state.held) };
   const files = [...state.held].map(([name, bytes]) => ({ name, bytes }));
   try {
-    const found = await runs.ask("run", { ...given, files }, (done, total) => {
+    const found = await runs.ask("run", { name: given.name, text: given.text, files, hold: element("hold").checked }, (done, total) => {
       element("bar").max = total;
       element("bar").value = done;
       status.textContent = done < total ? `Position ${done} of ${total}` : "Uncertainty of the loss …";
     });
     showResult(found, given);
+    state.ran = given;
+    changed();
     note("done");
     status.textContent = `Done in ${found.seconds.toFixed(1)} s`;
   } catch (failure) {
@@ -313,8 +453,13 @@ element("cancel").addEventListener("click", () => runs.stop());
 
 runs.warm();
 try {
-  listOils(await questions.ask("oils"));
-  await start(DEMO, false);
+  const { gears, oils, steels } = await questions.ask("library");
+  list(form.elements.namedItem("lubricant.oil"), oils);
+  list(form.elements.namedItem("material.pinion.steel"), steels);
+  list(element("gears-by-name"), gears);
+  for (const each of gears) state.gears.set(each.name, each);
+  if (!await restored()) await start(DEMO, false);
+  await drawPair();
   note("ready");
 } catch (failure) {
   refuse(failure);

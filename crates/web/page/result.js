@@ -1,4 +1,5 @@
 // The result of a run or the reason why there is none.
+import { labelOf } from "./form.js";
 
 const element = (id) => document.getElementById(id);
 const KINDS = { html: "text/html", json: "application/json", csv: "text/csv", toml: "application/toml" };
@@ -32,13 +33,71 @@ function grow(frame) {
   fit();
 }
 
+function node(name, text, className) {
+  const each = document.createElement(name);
+  if (text) each.textContent = text;
+  if (className) each.className = className;
+  return each;
+}
+
+// A part of the headline: a value, or rows of names and values.
+function tile({ name, value, rows, note }) {
+  const box = node("div");
+  const content = node("dd", value);
+  if (rows.length) {
+    const table = content.appendChild(node("table"));
+    for (const [of, what] of rows) table.insertRow().append(node("th", of), node("td", what));
+  }
+  box.append(node("dt", name), content);
+  if (note) box.append(node("dd", note, "hint"));
+  return box;
+}
+
+// What the result was computed of, in words.
+function inputsOf(result) {
+  const { operation, surface } = result.inputs;
+  const bare = (name) => name?.split(/[/\\]/).pop();
+  const files = [bare(surface.pinion?.file), bare(surface.wheel?.file)].filter(Boolean);
+  const traces = files.length ? `, ${files.join(" and ")}` : "";
+  return `${operation.torque}, ${operation.speed}, ${operation.temperature}${traces}`;
+}
+
+function showBoth(versus) {
+  const changed = versus?.inputs.length || (versus?.verdict && !versus.verdict.includes("exactly"));
+  element("versus").hidden = !changed;
+  if (!changed) return;
+  element("verdict").textContent = versus.verdict && `${versus.verdict}.`;
+  const table = element("both");
+  table.replaceChildren();
+  const head = table.createTHead().insertRow();
+  head.append(...["", "A", "B", "B minus A"].map((name) => node("th", name)));
+  const body = table.createTBody();
+  const inputs = versus.inputs.map(([key, a, b]) => [labelOf(key), a, b, ""]);
+  for (const [name, ...values] of [...versus.rows, ...inputs]) {
+    const first = node("th", name);
+    first.scope = "row";
+    body.insertRow().append(first, ...values.map((value) => node("td", value)));
+  }
+}
+
+// Marks the result as one of other inputs.
+export function setStale(is) {
+  element("stale").hidden = !is;
+  element("found").classList.toggle("stale", is);
+  element("report").tabIndex = is ? -1 : 0;
+}
+
 export function showResult(found, given) {
   for (const place of shown) URL.revokeObjectURL(place);
   shown = [];
   document.title = `${found.title} - Asperity`;
   element("welcome").hidden = true;
   element("result").hidden = false;
-  element("time").textContent = `Computed in ${found.seconds.toFixed(2)} s on this machine.`;
+  element("title").textContent = found.title;
+  const result = JSON.parse(new TextDecoder().decode(found.files["result.json"]));
+  element("time").textContent = `Computed in ${found.seconds.toFixed(2)} s on this machine for ${inputsOf(result)}.`;
+  element("tiles").replaceChildren(...found.tiles.map(tile));
+  showBoth(found.versus);
   element("summary").textContent = found.summary;
   const names = Object.keys(found.files);
   const links = [link(given.name, given.text), ...names.map((name) => link(name, found.files[name]))];

@@ -1,13 +1,29 @@
 // The work of the page beside it, so that it never freezes. One message asks, one answers; a run also tells how far it is.
-import init, { Files, keys, look, oils, run } from "./asperity.js";
+import init, { Files, gearbox, keys, library, look, pair, run } from "./asperity.js";
 
 let ready;
+// The last result, and the one that it is held against.
+let last;
+let before;
+
+// Makes the last result A, or keeps A, and holds the new one against it.
+function sideBySide(found, hold) {
+  if (last && before && hold) last.free();
+  else if (last) {
+    before?.free();
+    before = last;
+  }
+  last = found;
+  return before ? JSON.parse(before.versus(found)) : null;
+}
 
 const tasks = {
-  oils: () => JSON.parse(oils()),
+  library: () => JSON.parse(library()),
+  pair: ({ text }) => JSON.parse(pair("gears.toml", text)),
+  gearbox: ({ name, bytes, stage, pinion, wheel }) => JSON.parse(gearbox(name, bytes, stage, pinion, wheel)),
   keys: ({ name, text }) => JSON.parse(keys(name, text)),
   look: ({ name, bytes, flank, stated }) => JSON.parse(look(name, bytes, flank, JSON.stringify(stated))),
-  run: ({ name, text, files }, id) => {
+  run: ({ name, text, files, hold }, id) => {
     const held = new Files();
     for (const file of files) held.hold(file.name, file.bytes);
     const begin = performance.now();
@@ -15,10 +31,9 @@ const tasks = {
     const found = run(name, text, held, told);
     const seconds = (performance.now() - begin) / 1000;
     const contents = Object.fromEntries(found.names.map((each) => [each, found.file(each)]));
-    const answer = { title: found.title, summary: found.summary, files: contents, seconds };
-    found.free();
     held.free();
-    return answer;
+    const { title, summary } = found;
+    return { title, summary, files: contents, seconds, tiles: JSON.parse(found.tiles()), versus: sideBySide(found, hold) };
   },
 };
 

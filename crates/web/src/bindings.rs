@@ -3,10 +3,13 @@
 use std::cell::RefCell;
 
 use js_sys::{Error, Function};
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use crate::failure::Failure;
+use crate::gearbox_file::gearbox_stage;
 use crate::look::{Stated, look as look_at};
+use crate::versus::versus;
 use crate::{files, job};
 
 thread_local! {
@@ -25,6 +28,12 @@ pub fn start() {
 fn thrown(failure: Failure) -> JsValue {
     let text = serde_json::to_string(&failure);
     JsValue::from_str(&text.unwrap_or(failure.message))
+}
+
+/// An answer as JSON.
+fn written<T: Serialize>(answer: Result<T, Failure>) -> Result<String, JsValue> {
+    let text = answer.and_then(|answer| Ok(serde_json::to_string(&answer)?));
+    text.map_err(thrown)
 }
 
 /// Files in memory by their names.
@@ -56,13 +65,29 @@ impl Finished {
     /// Title of the case.
     #[wasm_bindgen(getter)]
     pub fn title(&self) -> String {
-        self.0.title.clone()
+        self.0.result.title.clone()
     }
 
     /// The summary as the command prints it.
     #[wasm_bindgen(getter)]
     pub fn summary(&self) -> String {
-        self.0.summary.clone()
+        self.0.summary()
+    }
+
+    /// The headline as JSON.
+    ///
+    /// # Errors
+    /// As [`crate::Finished::tiles`]: the failure as JSON.
+    pub fn tiles(&self) -> Result<String, JsValue> {
+        self.0.tiles().map_err(thrown)
+    }
+
+    /// This result (A) and `other` (B) side by side, as JSON.
+    ///
+    /// # Errors
+    /// As [`crate::versus`]: the failure as JSON.
+    pub fn versus(&self, other: &Self) -> Result<String, JsValue> {
+        written(versus(&self.0, &other.0))
     }
 
     /// Names of the files of the result.
@@ -106,14 +131,9 @@ pub fn run(name: &str, text: &str, files: &Files, progress: Function) -> Result<
 /// As [`crate::look()`]: the failure as JSON.
 #[wasm_bindgen]
 pub fn look(name: &str, bytes: &[u8], flank: &str, stated: &str) -> Result<String, JsValue> {
-    let found = || -> Result<String, Failure> {
-        let stated: Stated = serde_json::from_str(stated)
-            .map_err(|error| Failure::new("E204", format!("{flank}: {error}")))?;
-        Ok(serde_json::to_string(&look_at(
-            name, bytes, flank, &stated,
-        )?)?)
-    };
-    found().map_err(thrown)
+    let stated: Result<Stated, Failure> = serde_json::from_str(stated)
+        .map_err(|error| Failure::new("E204", format!("{flank}: {error}")));
+    written(stated.and_then(|stated| look_at(name, bytes, flank, &stated)))
 }
 
 /// The keys of the case in `text` as JSON.
@@ -125,11 +145,35 @@ pub fn keys(name: &str, text: &str) -> Result<String, JsValue> {
     job::keys(name, text).map_err(thrown)
 }
 
-/// The oils of the library as JSON.
+/// Gears, steels and oils by name, as JSON.
 ///
 /// # Errors
-/// As [`crate::oils`]: the failure as JSON.
+/// As [`crate::library()`]: the failure as JSON.
 #[wasm_bindgen]
-pub fn oils() -> Result<String, JsValue> {
-    job::oils().map_err(thrown)
+pub fn library() -> Result<String, JsValue> {
+    crate::library::library().map_err(thrown)
+}
+
+/// Picture of the gears in `text` and what follows from them, as JSON.
+///
+/// # Errors
+/// As [`crate::pair()`]: the failure as JSON.
+#[wasm_bindgen]
+pub fn pair(name: &str, text: &str) -> Result<String, JsValue> {
+    written(crate::pair::pair(name, text))
+}
+
+/// The case of a stage of the REXS file `name`, as JSON; of the first pair where `stage` is 0.
+///
+/// # Errors
+/// As [`crate::gearbox_stage`]: the failure as JSON.
+#[wasm_bindgen]
+pub fn gearbox(
+    name: &str,
+    bytes: &[u8],
+    stage: usize,
+    pinion: &str,
+    wheel: &str,
+) -> Result<String, JsValue> {
+    written(gearbox_stage(name, bytes, stage, [pinion, wheel]))
 }

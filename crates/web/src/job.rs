@@ -2,12 +2,13 @@
 
 use asperity::Run;
 use asperity::case::{self, CaseInput, LoadedCase, Source, planetary};
-use asperity::oil::library;
+use asperity::flanks::Surfaces;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::Progress;
-use asperity_report::{FileText, summary, texts};
+use asperity::result::RunResult;
+use asperity::uncertainty::Predictive;
+use asperity_report::{FileText, summary, texts, tiles};
 use asperity_studies::estimate::estimate;
-use serde_json::json;
 
 use crate::failure::Failure;
 use crate::files::Files;
@@ -15,15 +16,33 @@ use crate::files::Files;
 /// Bytes of fields that the memory of a page has room for, beside what else is in it: it ends at 4 GiB.
 const MOST_BYTES: f64 = 2e9;
 
-/// A result as text.
+/// A result, and what a comparison with another one needs.
 #[derive(Debug, Clone)]
 pub struct Finished {
-    /// Title of the case.
-    pub title: String,
-    /// The summary as the command prints it, with all notes.
-    pub summary: String,
+    /// The result.
+    pub result: RunResult,
     /// The files of the result folder.
     pub files: Vec<FileText>,
+    /// Draws of the loss; `None` if the model has no uncertainty.
+    pub(crate) predictive: Option<Predictive>,
+    /// The flanks.
+    pub(crate) surfaces: Surfaces,
+}
+
+impl Finished {
+    /// The summary as the command prints it, with all notes.
+    #[must_use]
+    pub fn summary(&self) -> String {
+        summary(&self.result)
+    }
+
+    /// The headline of the result as JSON.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn tiles(&self) -> Result<String, Failure> {
+        Ok(serde_json::to_string(&tiles(&self.result))?)
+    }
 }
 
 /// Runs the case in `text`, called `name`, on `files`.
@@ -39,16 +58,16 @@ pub fn run(
 ) -> Result<Finished, Failure> {
     let loaded = load(name, text, files)?;
     check_memory(&loaded)?;
-    let outcome = Run::new(&loaded)
+    let (outcome, predictive) = Run::new(&loaded)
         .fields(&KeptFields::Highest)
-        .band(true)
         .progress(progress)
-        .execute()
+        .draw()
         .map_err(|error| Failure::of_run(name, &error))?;
     Ok(Finished {
-        title: outcome.result.title.clone(),
-        summary: summary(&outcome.result),
         files: texts(&outcome)?,
+        result: outcome.result,
+        predictive,
+        surfaces: loaded.surfaces,
     })
 }
 
@@ -95,16 +114,4 @@ pub fn keys(name: &str, text: &str) -> Result<String, Failure> {
         .read()
         .map_err(|error| Failure::from(&asperity::Error::from(error)))?;
     Ok(serde_json::to_string(&input)?)
-}
-
-/// The oils of the library as JSON: name, note and source of each.
-///
-/// # Errors
-/// When the library is damaged.
-pub fn oils() -> Result<String, Failure> {
-    let oils = library().map_err(|error| Failure::new("E501", error.to_string()))?;
-    let oils = oils
-        .iter()
-        .map(|oil| json!({ "name": oil.name, "note": oil.note, "source": oil.source }));
-    Ok(serde_json::to_string(&oils.collect::<Vec<_>>())?)
 }

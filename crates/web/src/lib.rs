@@ -6,10 +6,18 @@
 pub mod bindings;
 mod failure;
 mod files;
+mod gearbox_file;
 mod job;
+mod library;
 mod look;
+mod pair;
+mod versus;
 
 pub use failure::Failure;
 pub use files::Files;
-pub use job::{Finished, keys, oils, run};
+pub use gearbox_file::{GearboxStage, gearbox_stage};
+pub use job::{Finished, keys, run};
+pub use library::library;
 pub use look::{Look, Stated, look};
+pub use pair::{Pair, pair};
+pub use versus::{Versus, versus};

@@ -1,7 +1,9 @@
 //! A first look at a profile file, as soon as it is chosen.
 
 use asperity::profile_io::read::{LengthUnit, ReadOptions, read_bytes};
+use asperity::core::Profile;
 use asperity::quantity::Length;
+use asperity_report::chart::{Axis, Chart, Dress, Line, Series};
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
@@ -14,6 +16,8 @@ pub struct Stated {
     pub dx: Option<Length>,
     /// Unit of the heights.
     pub z_unit: Option<LengthUnit>,
+    /// Whether the trace is read from its other end.
+    pub mirrored: bool,
 }
 
 /// What a profile file holds.
@@ -29,6 +33,36 @@ pub struct Look {
     pub z_unit: String,
     /// Doubts about the file, with their codes.
     pub warnings: Vec<String>,
+    /// The trace as SVG.
+    pub svg: String,
+}
+
+/// Height of the drawn trace in units of the drawing.
+const HEIGHT: f64 = 110.0;
+
+/// The trace in the direction in which it is read, its mean at 0.
+fn drawing(profile: &Profile, flank: &str, is_mirrored: bool) -> Chart {
+    let (profile, end) = match is_mirrored {
+        true => (&profile.mirrored(), "last"),
+        false => (profile, "first"),
+    };
+    let heights = profile.heights();
+    let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+    let z: Vec<f64> = heights.iter().map(|z| (z - mean) / 1e-6).collect();
+    let dx = profile.spacing().si() / 1e-3;
+    let x: Vec<f64> = (0..z.len()).map(|i| dx * i as f64).collect();
+    // The identifiers of both drawings are in the same page.
+    let chart = Chart::new(
+        &format!("trace-{}", flank.replace('.', "-")),
+        "The trace as read",
+        "",
+        Axis::new(&format!("distance from the {end} point of the file"), "mm"),
+        Axis::new("height", "µm"),
+    );
+    Chart {
+        height: HEIGHT,
+        ..chart.with(Series::new("height", Line::Solid, &x, &z))
+    }
 }
 
 /// Reads `bytes`, the content of the file `name` of the flank at `flank` of the case.
@@ -39,7 +73,7 @@ pub struct Look {
 /// ```
 /// use asperity_web::{Stated, look};
 /// let heights: String = (0..200).map(|i| format!("0.{}\n", i % 7)).collect();
-/// let stated = Stated { dx: Some("0.5 um".parse()?), z_unit: Some("um".parse()?) };
+/// let stated = Stated { dx: Some("0.5 um".parse()?), z_unit: Some("um".parse()?), ..Stated::default() };
 /// let found = look("flank.txt", heights.as_bytes(), "surface.pinion", &stated).unwrap();
 /// assert_eq!((found.points, found.spacing_um, found.z_unit.as_str()), (200, 0.5, "um"));
 /// let refused = look("flank.txt", heights.as_bytes(), "surface.wheel", &Stated::default()).unwrap_err();
@@ -65,5 +99,6 @@ pub fn look(name: &str, bytes: &[u8], flank: &str, stated: &Stated) -> Result<Lo
             .iter()
             .map(|warning| format!("{} {warning}", warning.code()))
             .collect(),
+        svg: drawing(&reading.profile, flank, stated.mirrored).svg(Dress::Page),
     })
 }

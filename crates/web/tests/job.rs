@@ -10,7 +10,7 @@ use asperity::Run;
 use asperity::case;
 use asperity::pipeline::KeptFields;
 use asperity_report::texts;
-use asperity_web::{Files, keys, oils, run};
+use asperity_web::{Files, gearbox_stage, keys, library, run, versus};
 
 fn fixtures() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
@@ -50,10 +50,10 @@ fn the_files_of_a_run_are_those_of_the_library_on_the_files_on_disk() {
         .execute()
         .unwrap();
     assert_eq!(found.files, texts(&outcome).unwrap());
-    assert_eq!(found.title, outcome.result.title);
+    assert_eq!(found.result, outcome.result);
     assert!(
         found
-            .summary
+            .summary()
             .starts_with("e-drive first stage, ground flanks")
     );
 }
@@ -94,8 +94,73 @@ fn a_form_can_be_filled_from_the_text_of_a_case() {
     assert_eq!(found["gears"]["module"], "1.8 mm");
     assert_eq!(found["surface"]["wheel"]["mirrored"], true);
     assert_eq!(keys("case.toml", "gears = 3").unwrap_err().code, "E204");
-    let oils: serde_json::Value = serde_json::from_str(&oils().unwrap()).unwrap();
-    let has_source = |oil: &serde_json::Value| oil["name"].is_string() && oil["source"].is_string();
-    assert!(oils.as_array().unwrap().iter().all(has_source));
-    assert!(oils.as_array().unwrap().len() >= 3);
+    // Gears by name have the keys of the form.
+    let library: serde_json::Value = serde_json::from_str(&library().unwrap()).unwrap();
+    for kind in ["oils", "steels", "gears"] {
+        let all = library[kind].as_array().unwrap();
+        assert!(all.len() >= 3);
+        let is_noted = |one: &serde_json::Value| one["name"].is_string() && one["note"].is_string();
+        assert!(all.iter().all(is_noted), "{kind}");
+    }
+    let fzg = &library["gears"][0]["keys"];
+    assert_eq!(fzg["gears"]["teeth"], serde_json::json!([16, 24]));
+    assert_eq!(fzg["operation"]["torque"], "183.4 N m");
+}
+
+#[test]
+fn the_headline_adds_up_and_two_results_differ_by_the_torque_that_was_changed() {
+    let (text, files) = small();
+    let a = run("e-drive.toml", &text, &files, &told()).unwrap();
+    let b = run(
+        "e-drive.toml",
+        &text.replace("145 N m", "50 N m"),
+        &files,
+        &told(),
+    )
+    .unwrap();
+    let tiles: serde_json::Value = serde_json::from_str(&a.tiles().unwrap()).unwrap();
+    let watts = |text: &serde_json::Value| -> f64 {
+        let text = text.as_str().unwrap().trim_start_matches("< ");
+        text.split(' ').next().unwrap().parse().unwrap()
+    };
+    let parts = tiles.as_array().unwrap().iter();
+    let mut parts = parts.filter(|tile| tile["name"] == "parts of the loss");
+    let parts = parts.next().unwrap()["rows"].as_array().unwrap().clone();
+    let shown = parts
+        .iter()
+        .filter(|row| !row[1].as_str().unwrap().starts_with('<'));
+    let sum: f64 = shown.map(|row| watts(&row[1])).sum();
+    assert_eq!(sum, watts(&tiles[0]["value"]));
+
+    let both = versus(&a, &b).unwrap();
+    assert!(
+        both.verdict.starts_with("B loses ") && both.verdict.contains("less than A"),
+        "{}",
+        both.verdict
+    );
+    assert!(both.rows[0][3].starts_with('-'), "{:?}", both.rows[0]);
+    let torque = ["operation.torque", "145 N m", "50 N m"].map(str::to_owned);
+    assert_eq!(both.inputs, [torque]);
+    // Against itself nothing differs.
+    let same = versus(&a, &a).unwrap();
+    assert_eq!(same.verdict, "B loses exactly as much as A");
+    assert!(same.inputs.is_empty());
+}
+
+#[test]
+fn a_stage_of_a_gearbox_file_becomes_a_case_with_the_chosen_flanks() {
+    let folder = fixtures().join("../crates/rexs/tests/gearboxes");
+    let bytes = fs::read(folder.join("chain.rexs")).unwrap();
+    let made = gearbox_stage("chain.rexs", &bytes, 0, ["p.csv", ""]).unwrap();
+    assert_eq!(made.stage, 1);
+    let text = keys("chain.toml", &made.case).unwrap();
+    let case: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(case["surface"]["pinion"]["file"], "p.csv");
+    assert!(case["gears"]["module"].is_string());
+    let refused = |bytes: &[u8], stage| {
+        let made = gearbox_stage("chain.rexs", bytes, stage, ["", ""]);
+        made.unwrap_err().code
+    };
+    assert_eq!(refused(&bytes, 99), "E132");
+    assert_eq!(refused(b"heights\n", 0), "E132");
 }

@@ -148,7 +148,8 @@ def fill(page, key, value):
 
 
 def shown_summary(page):
-    return [line for line in page.inner_text("#summary").splitlines() if not line.startswith("converged")]
+    # Folded, so that it is not rendered.
+    return [line for line in page.text_content("#summary").splitlines() if not line.startswith("converged")]
 
 
 def test_the_demo_is_the_e_drive_of_the_command(page):
@@ -208,8 +209,8 @@ def test_the_report_in_the_page_is_that_of_the_command(page, tmp_path):
     assert len(differing) <= 3
     frame = page.frame_locator("#report")
     assert frame.locator("h1").inner_text() == "e-drive first stage, ground flanks (synthetic profiles)"
-    tiles = frame.locator(".tiles dd").all_inner_texts()
-    assert any(re.match(r"580 W", tile) for tile in tiles), tiles
+    # The headline of the page is that of the report.
+    assert tile(page, "loss of the mesh") in frame.locator("body").inner_text()
     # Charts are drawn, and the script of the report runs in its frame: it adds the reading to a chart under the pointer.
     assert frame.locator("svg.chart").count() > 10
 
@@ -335,7 +336,7 @@ def test_the_page_answers_while_it_computes_and_a_run_can_be_cancelled(page):
     assert page.is_hidden("#result") and page.is_hidden("#error")
     assert page.inner_text("#status") == "Cancelled"
     assert run(page) == "done"
-    assert page.inner_text("#summary").startswith("meanwhile\n")
+    assert page.text_content("#summary").startswith("meanwhile\n")
 
 
 def test_the_page_is_worked_by_keys_and_every_field_has_a_name(page):
@@ -353,10 +354,138 @@ def test_the_page_is_worked_by_keys_and_every_field_has_a_name(page):
     assert ended(page) == "done"
     seen = set()
     page.focus("#demo")
-    for _ in range(60):
+    for _ in range(90):
         seen.add(page.evaluate("() => document.activeElement.id || document.activeElement.name || document.activeElement.tagName"))
         page.keyboard.press("Tab")
-    assert seen >= {"preset", "file-pinion", "file-wheel", "gears.module", "operation.torque", "lubricant.oil", "run", "summary"}
+    assert seen >= {"preset", "file-pinion", "file-wheel", "gears.module", "operation.torque", "lubricant.oil", "link", "run", "SUMMARY"}
+
+
+def demo(page):
+    page.click("#demo")
+    page.wait_for_selector("form[data-run=running]")
+    assert ended(page) == "done"
+
+
+def tile(page, name):
+    return page.inner_text(f"#tiles div:has(dt:text-is('{name}')) dd >> nth=0")
+
+
+def test_a_result_is_grey_as_soon_as_an_input_changes_and_names_its_inputs(page):
+    demo(page)
+    first = tile(page, "loss of the mesh")
+    assert re.fullmatch(r"\d+ W \(\d+\.\.\d+\)", first)
+    assert page.is_hidden("#stale")
+    page.fill("[name='operation.torque']", "50")
+    # Without a wait: the event of the key marks it.
+    assert page.is_visible("#stale") and "run again" in page.inner_text("#stale")
+    assert page.evaluate("() => getComputedStyle(document.getElementById('found')).opacity") < "0.6"
+    assert "145 N m, 9000 1/min, 90 °C, ground_pinion.csv and ground_wheel.csv" in page.inner_text("#time")
+    fill(page, "operation.torque", "145 N m")
+    assert page.is_hidden("#stale")
+    # Another trace changes the result, too.
+    drop(page, [PROFILES / "superfinished.csv"])
+    page.wait_for_selector("#stale:visible")
+    assert run(page) == "done"
+    assert page.is_hidden("#stale") and "superfinished.csv" in page.inner_text("#time")
+
+
+def test_two_results_stand_side_by_side_and_their_difference_is_the_loss_that_is_saved(page):
+    demo(page)
+    a = tile(page, "loss of the mesh")
+    assert page.is_hidden("#versus")
+    fill(page, "operation.torque", "50")
+    assert run(page) == "done"
+    b = tile(page, "loss of the mesh")
+    row = page.locator("#both tbody tr").first.locator("td").all_inner_texts()
+    assert row[:2] == [a, b] and row[2].startswith("-")
+    watts = lambda text: float(re.match(r"-?[\d.]+", text)[0])
+    assert abs(watts(row[2]) - (watts(b) - watts(a))) <= 20
+    assert page.inner_text("#verdict").startswith("B loses ")
+    torque = page.locator("#both tr:has(th:text-is('Torque of the pinion')) td").all_inner_texts()
+    assert torque[:2] == ["145 N m", "50 N m"]
+    # A stays where it is kept.
+    page.check("#hold")
+    fill(page, "operation.torque", "100")
+    assert run(page) == "done"
+    assert page.locator("#both tbody tr").first.locator("td").first.inner_text() == a
+
+
+def test_a_draft_with_its_traces_survives_a_reload_until_it_is_forgotten(page):
+    drop(page, [PROFILES / "superfinished.csv", PROFILES / "superfinished_wheel.csv"])
+    page.wait_for_selector("#look-wheel:has-text('points')")
+    fill(page, "operation.torque", "77")
+    page.wait_for_selector("#draft-note:has-text('kept in this browser, with its traces')")
+    page.reload()
+    page.wait_for_selector("form[data-run=ready]")
+    assert page.input_value("[name='operation.torque']") == "77 N m"
+    assert "superfinished.csv: " in page.inner_text("#look-pinion")
+    assert run(page) == "done"
+    page.click("#forget")
+    page.wait_for_selector("#draft-note:has-text('forgotten')")
+    page.reload()
+    page.wait_for_selector("form[data-run=ready]")
+    assert page.input_value("[name='operation.torque']") == "145 N m"
+    assert page.evaluate("() => localStorage.length") == 0
+
+
+def test_a_link_holds_the_case_and_says_that_it_holds_no_traces(page, site):
+    fill(page, "operation.torque", "77")
+    fill(page, "title", 'mesh "µ"')
+    page.click("#link")
+    page.wait_for_selector("#draft-note:has-text('not the traces')")
+    # Another browser.
+    page.evaluate("() => localStorage.clear()")
+    linked = page.context.new_page()
+    linked.goto(page.url)
+    linked.wait_for_selector("form[data-run=ready]")
+    assert linked.input_value("[name='operation.torque']") == "77 N m"
+    assert linked.input_value("[name='title']") == 'mesh "µ"'
+    assert "holds no traces" in linked.inner_text("#draft-note")
+
+
+def test_traces_and_gears_are_drawn_while_they_are_given(page):
+    drop(page, [PROFILES / "ground_pinion.csv", PROFILES / "ground_wheel.csv"])
+    page.wait_for_selector("#trace-wheel svg")
+    curve = lambda body: page.get_attribute(f"#trace-{body} svg path.curve", "d")
+    forward = curve("pinion")
+    page.check("[name='surface.pinion.mirrored']")
+    page.wait_for_selector("#trace-pinion svg:has-text('last point')")
+    assert curve("pinion") != forward
+    teeth = lambda: page.text_content("#pair svg")
+    assert "pinion, 23 teeth" in teeth()
+    fill(page, "gears.teeth.0", "31")
+    page.wait_for_selector("#pair svg:has-text('31 teeth')")
+    # What cannot mesh leaves the last picture, which says that it is old.
+    fill(page, "gears.module", "0")
+    page.wait_for_selector("#pair.refused figcaption:has-text('Not drawn')")
+    fill(page, "gears.module", "1.8")
+    page.wait_for_selector("#pair:not(.refused)")
+
+
+def test_dropped_traces_on_gears_and_steel_by_name_run(page, tmp_path):
+    drop(page, [PROFILES / "ground_pinion.csv", PROFILES / "ground_wheel.csv"])
+    page.wait_for_selector("#look-wheel:has-text('points')")
+    page.select_option("#gears-by-name", "fzg-c")
+    page.select_option("[name='material.pinion.steel']", "16MnCr5")
+    for key in ("elastic_limit", "flow_pressure"):
+        fill(page, f"material.pinion.{key}", "")
+    fill(page, "gears.pinion.tip_relief.amount", "10")
+    fill(page, "gears.pinion.tip_relief.length", "3")
+    assert page.input_value("[name='gears.module']") == "4.5 mm"
+    assert run(page) == "done"
+    print(page.inner_text("#time"))
+    inputs = json.loads(result(page, "result.json"))["inputs"]
+    assert inputs["gears"]["teeth"] == [16, 24] and inputs["lubricant"]["oil"] == "m100"
+    assert inputs["gears"]["pinion"]["tip_relief"] == {"amount": "10 um", "length": "3 mm"}
+    assert inputs["material"]["pinion"]["steel"] == "16MnCr5"
+
+
+def test_a_dropped_gearbox_file_fills_the_form_on_the_chosen_traces(page):
+    drop(page, [PROFILES / "ground_pinion.csv", PROFILES / "ground_wheel.csv", ROOT / "crates/rexs/tests/gearboxes/chain.rexs"])
+    page.wait_for_selector("#status:has-text('chain.rexs is read')")
+    assert "ground_pinion.csv" in page.inner_text("#look-pinion")
+    assert 'file = "ground_pinion.csv"' in page.input_value("#text")
+    assert "chain.rexs" in page.input_value("[name='title']")
 
 
 @pytest.mark.parametrize(("width", "scheme"), [(1440, "light"), (1440, "dark"), (390, "light"), (390, "dark")])
@@ -400,8 +529,8 @@ def test_a_fault_is_told_and_the_next_question_is_answered(page):
         """async () => {
             const { questions } = await import(new URL('engine.js', document.baseURI));
             const [fault, beside] = await Promise.all(
-                ['no such task', 'oils'].map((task) => questions.ask(task).catch((failure) => failure)));
-            return [fault.code, fault.message, beside.code ?? 'answered', (await questions.ask('oils')).length];
+                ['no such task', 'library'].map((task) => questions.ask(task).catch((failure) => failure)));
+            return [fault.code, fault.message, beside.code ?? 'answered', (await questions.ask('library')).length];
         }"""
     )
     assert told[0] == "E501" and told[1].startswith("a fault of the program: ")

@@ -28,8 +28,9 @@ const FLAGS: [&str; 2] = [
 const NAME: &str = "asperity";
 
 /// Folders that are copied: from where in the repository, to where in the page, with which endings.
-const COPIED: [(&str, &str, &[&str]); 3] = [
+const COPIED: [(&str, &str, &[&str]); 4] = [
     ("crates/web/page", "", &["html", "css", "js", "svg"]),
+    ("crates/report/src/chart", "", &["css"]),
     ("fixtures/cases", "examples", &["toml"]),
     ("fixtures/profiles", "examples", &["csv"]),
 ];

@@ -1,0 +1,58 @@
+//! A case from a REXS gearbox file.
+
+use asperity_rexs::{Flanks, Model, RexsError, StageKind, case_text, stages};
+use serde::Serialize;
+
+use crate::failure::Failure;
+
+/// The case of a stage of a gearbox file, and the stages there are.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GearboxStage {
+    /// Number of the stage, from 1.
+    pub stage: usize,
+    /// Names of all stages in the order of the file.
+    pub stages: Vec<String>,
+    /// The case as TOML.
+    pub case: String,
+    /// Contradictions in the file and missing values.
+    pub notes: Vec<String>,
+}
+
+/// Reads `bytes`, the content of the REXS file `name`, and makes the case of stage `number`, of the first pair of
+/// cylindrical gears where that is 0; its flanks are the files of these names.
+///
+/// # Errors
+/// When the file is not REXS, or has no such stage.
+pub fn gearbox_stage(
+    name: &str,
+    bytes: &[u8],
+    number: usize,
+    [pinion, wheel]: [&str; 2],
+) -> Result<GearboxStage, Failure> {
+    let refused = |error: RexsError| Failure::new("E132", format!("{name}: {error}"));
+    let model = Model::read(bytes).map_err(refused)?;
+    let all = stages(&model).map_err(refused)?;
+    let mut pairs = all
+        .iter()
+        .filter(|stage| matches!(stage.kind, StageKind::Pair { .. }));
+    let number = match number {
+        0 => pairs.next().map_or(1, |stage| stage.number),
+        chosen => chosen,
+    };
+    let file = |name: &str| (!name.is_empty()).then(|| name.to_owned());
+    let flanks = Flanks {
+        pinion: file(pinion),
+        wheel: file(wheel),
+    };
+    let case = case_text(&model, name, number, 1, &flanks).map_err(refused)?;
+    let named = all.iter().map(|stage| match stage.name.trim() {
+        "" => format!("stage {}", stage.number),
+        name => format!("stage {}: {name}", stage.number),
+    });
+    Ok(GearboxStage {
+        stage: number,
+        stages: named.collect(),
+        case: case.toml,
+        notes: case.notes,
+    })
+}
