@@ -134,7 +134,7 @@ fn verdict(result: &RunResult, columns: usize) -> String {
             .map(|gearbox| gearbox_headline(gearbox, of_mesh)),
     );
     lines.push(parts(result));
-    lines.push(regime(&result.summary));
+    lines.push(format!("regime  {}", regime(&result.summary)));
     lines.extend(result.bulk.as_ref().map(bulk_text));
     let mut text: String = lines
         .iter()
@@ -167,9 +167,9 @@ fn parts(result: &RunResult) -> String {
 }
 
 /// The regime with the load on the asperities; boundary lubrication where it makes more than half of the loss.
-fn regime(s: &Summary) -> String {
+pub(crate) fn regime(s: &Summary) -> String {
     if s.mixed_share <= 0.0 {
-        return "regime  full film all along the path".to_owned();
+        return "full film all along the path".to_owned();
     }
     let name = match s.boundary_w > 0.5 * s.loss_w {
         true => "boundary, mixed",
@@ -180,7 +180,7 @@ fn regime(s: &Summary) -> String {
         false => format!("{:.0} %", 100.0 * share),
     };
     format!(
-        "regime  {name} on {} of the path, {} of the load on asperities",
+        "{name} on {} of the path, {} of the load on asperities",
         percent(s.mixed_share),
         percent(s.asperity_share)
     )

@@ -1,11 +1,12 @@
 //! The headline of a result: loss, efficiency, parts, lubrication and the largest contributions to the interval.
 
-use asperity::result::RunResult;
+use asperity::result::{RunResult, Summary};
 use serde::Serialize;
 
 use crate::printed::{
     PrintedLoss, gearbox_with_interval, included, mesh_with_interval, stated, watts,
 };
+use crate::summary::regime;
 
 /// Largest contributions to the interval that the headline names.
 const LARGEST_PARTS: usize = 3;
@@ -62,7 +63,7 @@ pub fn tiles(result: &RunResult) -> Vec<Tile> {
         tiles.push(tile("efficiency of the gearbox", efficiency, note));
     }
     tiles.push(parts(result, printed));
-    tiles.push(lubrication(result));
+    tiles.push(lubrication(s));
     tiles.extend(contributions(result));
     tiles
 }
@@ -95,23 +96,15 @@ fn parts(result: &RunResult, printed: PrintedLoss) -> Tile {
     }
 }
 
-/// The regime, with the shares of the load on asperities and on their boundary layer.
-fn lubrication(result: &RunResult) -> Tile {
-    let s = &result.summary;
-    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
-    let value = match s.mixed_share > 0.0 {
-        true => format!("mixed on {} of the path", percent(s.mixed_share)),
-        false => "full film all along the path".to_owned(),
-    };
-    let note = format!(
-        "{} of the load on asperities, {} on their boundary layer",
-        percent(s.asperity_share),
-        percent(s.boundary_share)
-    );
+/// The regime, with the share of the load on the boundary layer.
+fn lubrication(s: &Summary) -> Tile {
     Tile {
         name: "lubrication",
-        value,
-        note,
+        value: regime(s),
+        note: format!(
+            "{:.0} % of the load on the boundary layer",
+            100.0 * s.boundary_share
+        ),
         ..Tile::default()
     }
 }

@@ -99,7 +99,7 @@ async function drawPair() {
 
 function keepDraft() {
   const place = element("draft-note");
-  if (!state.touched) return void (place.textContent = "");
+  if (!state.touched) return;
   const whole = keep({ name: state.name, text: text.value, files: used() });
   place.textContent = {
     true: "This draft is kept in this browser, with its traces.",
@@ -108,6 +108,7 @@ function keepDraft() {
 }
 
 element("forget").addEventListener("click", async () => {
+  [state.touched, state.own] = [false, false];
   forget();
   history.replaceState(null, "", location.pathname);
   clearError();
@@ -117,9 +118,6 @@ element("forget").addEventListener("click", async () => {
   for (const body of ["pinion", "wheel"]) state.files[body] = "";
   write();
   await Promise.all(["pinion", "wheel"].map(look));
-  [state.touched, state.own] = [false, false];
-  clearTimeout(later);
-  drawPair();
   element("draft-note").textContent = "The draft is forgotten.";
 });
 

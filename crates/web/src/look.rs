@@ -1,7 +1,7 @@
 //! A first look at a profile file, as soon as it is chosen.
 
-use asperity::profile_io::read::{LengthUnit, ReadOptions, read_bytes};
 use asperity::core::Profile;
+use asperity::profile_io::read::{LengthUnit, ReadOptions, read_bytes};
 use asperity::quantity::Length;
 use asperity_report::chart::{Axis, Chart, Dress, Line, Series};
 use serde::{Deserialize, Serialize};

@@ -40,9 +40,8 @@ pub fn pair(name: &str, text: &str) -> Result<Pair, Failure> {
         let Gears { gears } = source.read()?;
         Ok((gear_pair(gears.clone(), &source)?, gears))
     };
-    let (pair, gears) = read().map_err(|error: asperity::case::CaseError| {
-        Failure::from(&asperity::Error::from(error))
-    })?;
+    let (pair, gears) = read()
+        .map_err(|error: asperity::case::CaseError| Failure::from(&asperity::Error::from(error)))?;
     let mm = |length: Length| format!("{:.3} mm", 1e3 * length.si().abs());
     let tips = pair.tip_radius.map(|radius| mm(radius * 2.0));
     let mut facts = vec![

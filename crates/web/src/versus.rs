@@ -34,9 +34,9 @@ pub fn versus(first: &Finished, other: &Finished) -> Result<Versus, Failure> {
         Some((of.predictive.clone()?, uncertainty))
     };
     let same_flanks = first.surfaces.has_flanks_of(&other.surfaces);
-    let difference = drawn(first).zip(drawn(other)).map(|(a, b)| {
-        uncertainty::difference((&a.0, &a.1), (&b.0, &b.1), same_flanks)
-    });
+    let difference = drawn(first)
+        .zip(drawn(other))
+        .map(|(a, b)| uncertainty::difference((&a.0, &a.1), (&b.0, &b.1), same_flanks));
     let [a, b] = [first, other].map(|of| tiles(&of.result));
     let mut rows = Vec::new();
     for tile in &a {
@@ -84,6 +84,12 @@ fn inputs(first: &Finished, other: &Finished) -> Result<Vec<[String; 3]>, Failur
     let rows = changes
         .iter()
         .filter(|change| stated(&change.key))
-        .map(|change| [change.key.clone(), text(&change.first), text(&change.second)]);
+        .map(|change| {
+            [
+                change.key.clone(),
+                text(&change.first),
+                text(&change.second),
+            ]
+        });
     Ok(rows.collect())
 }

@@ -530,7 +530,7 @@ def test_a_fault_is_told_and_the_next_question_is_answered(page):
             const { questions } = await import(new URL('engine.js', document.baseURI));
             const [fault, beside] = await Promise.all(
                 ['no such task', 'library'].map((task) => questions.ask(task).catch((failure) => failure)));
-            return [fault.code, fault.message, beside.code ?? 'answered', (await questions.ask('library')).length];
+            return [fault.code, fault.message, beside.code ?? 'answered', (await questions.ask('library')).oils.length];
         }"""
     )
     assert told[0] == "E501" and told[1].startswith("a fault of the program: ")

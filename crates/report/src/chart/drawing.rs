@@ -5,7 +5,6 @@ use super::contour::Contour;
 use super::dress::Dress;
 use super::facing::Facing;
 use super::mesh::MeshPicture;
-use super::pie::PieChart;
 use super::strip::Strip;
 use super::xy::Chart;
 
@@ -18,8 +17,6 @@ pub enum Drawing {
     Bars(BarChart),
     /// Intervals about a middle.
     Tornado(Tornado),
-    /// Parts of a whole.
-    Pie(PieChart),
     /// Shares along the path.
     Strip(Strip),
     /// A field.
@@ -37,7 +34,6 @@ impl Drawing {
             Self::Curves(chart) => chart.svg(dress),
             Self::Bars(chart) => chart.svg(dress),
             Self::Tornado(chart) => chart.svg(dress),
-            Self::Pie(chart) => chart.svg(dress),
             Self::Strip(chart) => chart.svg(dress),
             Self::Contour(chart) => chart.svg(dress),
             Self::Mesh(chart) => chart.svg(dress),
@@ -51,7 +47,6 @@ impl Drawing {
             Self::Curves(_) => Chart::KIND,
             Self::Bars(_) => BarChart::KIND,
             Self::Tornado(_) => Tornado::KIND,
-            Self::Pie(_) => PieChart::KIND,
             Self::Strip(_) => Strip::KIND,
             Self::Contour(_) => Contour::KIND,
             Self::Mesh(_) => MeshPicture::KIND,
@@ -65,7 +60,6 @@ impl Drawing {
             Self::Curves(chart) => &chart.id,
             Self::Bars(chart) => &chart.id,
             Self::Tornado(chart) => &chart.id,
-            Self::Pie(chart) => &chart.id,
             Self::Strip(chart) => &chart.id,
             Self::Contour(chart) => &chart.id,
             Self::Mesh(chart) => &chart.id,
@@ -79,7 +73,6 @@ impl Drawing {
             Self::Curves(chart) => &chart.title,
             Self::Bars(chart) => &chart.title,
             Self::Tornado(chart) => &chart.title,
-            Self::Pie(chart) => &chart.title,
             Self::Strip(chart) => &chart.title,
             Self::Contour(chart) => &chart.title,
             Self::Mesh(chart) => &chart.title,
@@ -93,7 +86,6 @@ impl Drawing {
             Self::Curves(chart) => &chart.source,
             Self::Bars(chart) => &chart.source,
             Self::Tornado(chart) => &chart.source,
-            Self::Pie(chart) => &chart.source,
             Self::Strip(chart) => &chart.source,
             Self::Contour(chart) => &chart.source,
             Self::Mesh(chart) => &chart.source,
@@ -106,12 +98,9 @@ impl Drawing {
         match self {
             Self::Curves(chart) => Some(chart.data()),
             Self::Contour(chart) => Some(chart.data()),
-            Self::Bars(_)
-            | Self::Tornado(_)
-            | Self::Pie(_)
-            | Self::Strip(_)
-            | Self::Mesh(_)
-            | Self::Facing(_) => None,
+            Self::Bars(_) | Self::Tornado(_) | Self::Strip(_) | Self::Mesh(_) | Self::Facing(_) => {
+                None
+            }
         }
     }
 

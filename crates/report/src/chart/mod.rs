@@ -1,8 +1,7 @@
 //! Charts as SVG: complete without scripts, every axis with its unit, every chart with the name of its data file.
 //!
 //! A [`Chart`] holds curves over an axis, a [`BarChart`] bars from zero, a [`Tornado`] intervals about a middle,
-//! a [`PieChart`] parts of a whole, a
-//! [`Strip`] shares along the path of contact, a [`Contour`] a field, a [`MeshPicture`] two gears in mesh, a [`Facing`] two
+//! a [`Strip`] shares along the path of contact, a [`Contour`] a field, a [`MeshPicture`] two gears in mesh, a [`Facing`] two
 //! flanks in contact at one of several positions. Each is drawn for a page, which adds title and legend as text, or as a
 //! separate file.
 
@@ -15,7 +14,6 @@ mod dress;
 mod facing;
 mod frame;
 mod mesh;
-mod pie;
 mod spread;
 mod stacked;
 mod strip;
@@ -30,7 +28,6 @@ pub use dress::{Dress, STYLE};
 pub use facing::{Facing, FacingFrame};
 pub(crate) use mesh::ASPECT;
 pub use mesh::{MeshBody, MeshPicture, MeshPoint, MeshTrace};
-pub use pie::{PieChart, Slice};
 pub use stacked::stacked;
 pub use strip::Strip;
 pub use xy::{Chart, Level, Line, Mark, Series};

@@ -36,7 +36,7 @@ pub(super) fn render(comparison: &Comparison) -> String {
 
 fn verdict(comparison: &Comparison) -> Markup {
     html! {
-        @for verdict in comparison.verdicts() { p.verdict { strong { (verdict) "." } } }
+        @for verdict in comparison.verdicts() { p { strong { (verdict) "." } } }
         div.scroll tabindex="0" { table {
             thead { tr {
                 th { "finish" } th.number { "efficiency" } th.number { "loss [W]" }

@@ -28,7 +28,7 @@ fn energy(result: &CycleResult) -> Markup {
     let percent = |share: f64| format!("{:.1} %", 100.0 * share);
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
     html! {
-        @for verdict in verdicts(result) { p.verdict { strong { (verdict) } } }
+        @for verdict in verdicts(result) { p { strong { (verdict) } } }
         @if let Some(note) = left_aside(result) { p { (note) "." } }
         p { "Scope: " (result.scope) " only. " (format!("{:.1}", result.drive_wh)) " Wh at the pinion while it drives, "
             (format!("{:.1}", result.coast_wh)) " Wh while the wheel drives, " (format!("{:.0}", result.duration_s)) " s, flanks at "

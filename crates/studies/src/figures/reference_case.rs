@@ -91,7 +91,6 @@ fn renamed(mut drawing: Drawing, title: &str, table: &str) -> Drawing {
         Drawing::Curves(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Bars(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Tornado(chart) => (&mut chart.title, &mut chart.source),
-        Drawing::Pie(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Strip(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Contour(chart) => (&mut chart.title, &mut chart.source),
         Drawing::Mesh(chart) => (&mut chart.title, &mut chart.source),

@@ -10,7 +10,7 @@ use super::summary::{NOTE, difference, headline, left_aside, parts, share};
 
 pub(super) fn render(study: &Sensitivity) -> String {
     let changes = html! {
-        @if let Some(largest) = largest(study) { p.verdict { strong { (largest) } } }
+        @if let Some(largest) = largest(study) { p { strong { (largest) } } }
         p { (NOTE) }
         @if let Some(note) = left_aside(study) { p { (note) "." } }
         div.charts { @for chart in &charts(study) { (figure(chart)) } }
