@@ -265,23 +265,37 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
     let table = |file: &str| Table::read(folder, file);
     match (page, chart) {
         ("compared/compare.html", "losses") => Some(table("compare.csv").column("loss_median_w")),
-        ("compared/compare.html", "differences") => {
-            let of = |finish: &str| table("offsets.csv").with("finish", finish).column("loss_w");
-            let pairs = of(curve).into_iter().zip(of("ground"));
-            Some(pairs.map(|(own, first)| own - first).collect())
+        ("compared/compare.html", "local-losses") => {
+            let name = curve.trim_end_matches(", 5 to 95 %");
+            let own = table("path.csv").with("finish", name);
+            let columns: &[&str] = match name == curve {
+                true => &["loss_w_per_m"],
+                false => &["loss_p05_w_per_m", "loss_p95_w_per_m"],
+            };
+            let values = columns.iter().flat_map(|column| own.column(column));
+            Some(values.map(|value| 1e-3 * value).collect())
+        }
+        ("compared/compare.html", chart) if chart.contains('-') && !chart.starts_with("loss-") => {
+            let (kind, flank) = chart.split_once('-').unwrap();
+            let own = table(&format!("{kind}.csv")).with("finish", curve);
+            let column = match kind {
+                "traces" => "roughness_um",
+                _ => "density_um3",
+            };
+            Some(own.with("flank", flank).column(column))
         }
         ("compared/compare.html", _) => {
             Some(table("offsets.csv").with("finish", curve).column("loss_w"))
         }
         ("map/map.html", chart) => {
             let map = table("map.csv");
-            Some(match chart.starts_with("efficiency") {
-                true => map
-                    .column("efficiency")
-                    .into_iter()
-                    .map(|value| 100.0 * value)
-                    .collect(),
-                false => map.column("loss_w"),
+            Some(match chart.split('-').next().unwrap() {
+                "efficiency" => map.map(["efficiency"], |[value]| 100.0 * value),
+                "interval" => map.map(
+                    ["loss_p05_w", "loss_median_w", "loss_p95_w"],
+                    |[low, median, high]| 50.0 * (high - low) / median,
+                ),
+                _ => map.column("loss_w"),
             })
         }
         ("driven/cycle.html", "time") => {
@@ -291,9 +305,11 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
         ("driven/cycle.html", _) => {
             Some(Table::read(&folder.join("../map"), "map.csv").column("loss_w"))
         }
-        ("changed/sensitivity.html", _) => {
-            let found = table("sensitivity.csv").column("difference_w");
-            Some(found.into_iter().map(f64::abs).collect())
+        // Signed: where the loss falls, the bars are left of zero.
+        ("changed/sensitivity.html", chart) => {
+            let group = chart.trim_start_matches("changes-").replace('-', " ");
+            let own = table("sensitivity.csv").with("group", &group);
+            Some(own.column("difference_w"))
         }
         ("swept/sweep.html", chart) => {
             let output = chart.trim_start_matches("tornado-");
@@ -408,6 +424,8 @@ fn of_figure(folder: &Path, figure: &str, curve: &str) -> Option<Vec<f64>> {
         "fig11a_subsurface" | "fig11b_subsurface_near" => {
             Some(table("fig11_subsurface.csv").column("von_mises_mpa"))
         }
+        "fig12a_in_contact" => Some(table("fig12_losses.csv").column("in_contact_w")),
+        "fig12b_after_contact" => Some(table("fig12_losses.csv").column("after_contact_w")),
         "fig13a_load" => {
             let steps = table("fig13_convergence.csv");
             Some(match curve {
@@ -467,9 +485,8 @@ fn drawn_extremes_are_those_of_the_tables() {
             let near = |drawn: f64, due: f64| {
                 (drawn - due).abs() <= 3.0 * number("worth").unwrap() + 1e-5 * due.abs()
             };
-            // Bars begin at zero.
             let ends_are_near = match (number("low"), number("high")) {
-                (Some(a), Some(b)) => (curve == "bars" || near(a, low)) && near(b, high),
+                (Some(a), Some(b)) => near(a, low) && near(b, high),
                 // A field of a file of its own is read by its highest band.
                 _ => true,
             };
