@@ -1,14 +1,16 @@
 //! Errors of the command: code, position in the case file, remedy; with the line of the file on a terminal.
 
 use std::io::{IsTerminal, Write};
+use std::ops::Range;
 use std::path::Path;
 use std::process::ExitCode;
 
+use annotate_snippets::renderer::DecorStyle;
+use annotate_snippets::{AnnotationKind, Level, Renderer};
 use asperity::case::Place;
 use asperity::key_words::with_keys;
 use asperity::{Error, Remedy};
 use asperity_report::ReportError;
-use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource};
 
 use crate::words;
 
@@ -26,10 +28,12 @@ pub struct Failure {
     is_told: bool,
 }
 
+/// The text of a case file and the bytes of it that the error is about.
 #[derive(Debug)]
 struct Snippet {
-    text: NamedSource<String>,
-    label: LabeledSpan,
+    file: String,
+    text: String,
+    span: Range<usize>,
 }
 
 impl Failure {
@@ -74,8 +78,9 @@ impl Failure {
         let snippet = || {
             let (text, span) = (error.text()?, place?.span.clone()?);
             Some(Box::new(Snippet {
-                text: NamedSource::new(text.name(), text.text().to_owned()),
-                label: LabeledSpan::at(span, "here"),
+                file: text.name().to_owned(),
+                text: text.text().to_owned(),
+                span,
             }))
         };
         Self {
@@ -145,44 +150,34 @@ impl Failure {
 
     /// The error with the line of the case file on a terminal, otherwise as plain text.
     fn rendered(&self) -> String {
-        let plain = match self.advice() {
-            Some(remedy) => format!("{self}\n  help: {remedy}"),
-            None => self.to_string(),
-        };
-        if self.snippet.is_none() || !std::io::stderr().is_terminal() {
-            return plain;
+        let advice = self.advice();
+        match &self.snippet {
+            Some(snippet) if std::io::stderr().is_terminal() => self.pictured(snippet, advice),
+            _ => match advice {
+                Some(advice) => format!("{self}\n  help: {advice}"),
+                None => self.to_string(),
+            },
         }
-        let theme = match std::env::var_os("NO_COLOR") {
-            Some(_) => GraphicalTheme::unicode_nocolor(),
-            None => GraphicalTheme::unicode(),
+    }
+
+    /// The error with the marked line of the case file.
+    fn pictured(&self, snippet: &Snippet, advice: Option<String>) -> String {
+        let place = AnnotationKind::Primary.span(snippet.span.clone());
+        let source = annotate_snippets::Snippet::source(&snippet.text).path(&snippet.file);
+        let title = Level::ERROR.primary_title(&self.message).id(self.code);
+        let error = title
+            .element(source.annotation(place))
+            .elements(advice.map(|advice| Level::HELP.message(advice)));
+        let renderer = match std::env::var_os("NO_COLOR") {
+            Some(_) => Renderer::plain(),
+            None => Renderer::styled(),
         };
-        let mut picture = String::new();
-        match GraphicalReportHandler::new_themed(theme).render_report(&mut picture, self) {
-            Ok(()) => picture,
-            Err(_) => plain,
-        }
+        renderer.decor_style(DecorStyle::Unicode).render(&[error])
     }
 }
 
 impl From<ReportError> for Failure {
     fn from(error: ReportError) -> Self {
         Self::new(error.code(), error.to_string())
-    }
-}
-
-impl Diagnostic for Failure {
-    fn help<'a>(&'a self) -> Option<Box<dyn std::fmt::Display + 'a>> {
-        Some(Box::new(self.advice()?))
-    }
-
-    fn source_code(&self) -> Option<&dyn miette::SourceCode> {
-        self.snippet
-            .as_ref()
-            .map(|snippet| &snippet.text as &dyn miette::SourceCode)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let snippet = self.snippet.as_ref()?;
-        Some(Box::new(std::iter::once(snippet.label.clone())))
     }
 }
