@@ -12,7 +12,7 @@ use super::input::{CaseInput, schema};
 use super::known_keys::{first_unknown, property};
 use super::place::Place;
 use super::plain_words::plain;
-use super::source::{Source, key_of};
+use super::source::{Source, from_table};
 
 /// A kind of case file.
 pub(super) trait CaseFile: Serialize + DeserializeOwned {
@@ -25,18 +25,7 @@ pub(super) trait CaseFile: Serialize + DeserializeOwned {
     /// The case as the text states it.
     fn read(source: &Source) -> Result<Self, CaseError> {
         Self::refuse_unknown(source.key_paths(), |key| source.place_of_key(key))?;
-        source.read().map_err(|error| match error {
-            CaseError::Value {
-                place,
-                key,
-                message,
-            } => CaseError::Value {
-                message: plain(Self::schema(), key.as_deref(), &message),
-                place,
-                key,
-            },
-            error => error,
-        })
+        read_table(source.table()?, |key| source.place_of(key))
     }
 
     /// Refuses the first key that is not in the schema.
@@ -125,7 +114,7 @@ fn replaced<T: CaseFile>(
         };
     }
     table.insert(last.to_owned(), value);
-    read_table(root, place)
+    read_table(root, |_| place.clone())
 }
 
 /// A value as written in a case file; text that is not a value needs no quotation marks.
@@ -145,14 +134,14 @@ fn takes_text(schema: &Json, path: &str) -> bool {
     })
 }
 
-/// Reads a case from the table of its keys.
-pub(super) fn read_table<T: CaseFile>(root: Table, place: &Place) -> Result<T, CaseError> {
-    serde_path_to_error::deserialize(Value::Table(root)).map_err(|error| {
-        let key = key_of(error.path());
-        CaseError::Value {
-            place: place.clone(),
-            message: plain(T::schema(), key.as_deref(), error.inner().message()),
-            key,
-        }
+/// Reads a case from the table of its keys; `place` is the place of a key in messages.
+pub(super) fn read_table<T: CaseFile>(
+    root: Table,
+    place: impl Fn(&str) -> Place,
+) -> Result<T, CaseError> {
+    from_table(root).map_err(|(key, message)| CaseError::Value {
+        place: place(key.as_deref().unwrap_or_default()),
+        message: plain(T::schema(), key.as_deref(), &message),
+        key,
     })
 }

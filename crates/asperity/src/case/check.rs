@@ -18,7 +18,7 @@ use super::known_keys::first_unknown;
 use super::loaded::{LoadedCase, complete};
 use super::plain_words::plain;
 use super::plausibility::impossible;
-use super::source::{MeshKeys, Source, key_of};
+use super::source::{MeshKeys, Source, from_table};
 use crate::error::Error;
 
 /// No case has more errors than keys.
@@ -71,7 +71,7 @@ pub(super) fn readable<T: CaseFile>(
         blamed: BTreeSet::new(),
         replaced: BTreeSet::new(),
     };
-    let mut table = match source.read::<Table>() {
+    let mut table = match source.table() {
         Ok(table) => table,
         Err(error) => {
             errors.push(error);
@@ -164,12 +164,10 @@ impl Mending {
         errors: &mut Vec<CaseError>,
     ) -> Option<T> {
         for _ in 0..MAX_ERRORS {
-            let error = match serde_path_to_error::deserialize(Value::Table(table.clone())) {
+            let (key, message) = match from_table(table.clone()) {
                 Ok(input) => return Some(input),
                 Err(error) => error,
             };
-            let key = key_of(error.path());
-            let message = error.inner().message().to_owned();
             let missing = missing_key(key.as_deref(), &message);
             let is_misspelt = missing
                 .as_deref()
@@ -262,7 +260,7 @@ fn part_of(key: &str) -> &str {
 fn put_right(input: &mut CaseInput, part: &str, right: &Table) -> Option<()> {
     let mut table = Table::try_from(&*input).ok()?;
     change(&mut table, part, value_at(right, part)).then_some(())?;
-    *input = Value::Table(table).try_into().ok()?;
+    *input = from_table(table).ok()?;
     Some(())
 }
 

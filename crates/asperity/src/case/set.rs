@@ -1,9 +1,13 @@
 //! Keys of a case set by their path; the case as text.
 
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer};
+use toml::Value;
+
 use super::case_file::{CaseFile, read_table, table_of};
 use super::error::CaseError;
 use super::input::CaseInput;
-use super::source::Source;
+use super::source::{Source, from_table, stated};
 use crate::error::Error;
 
 impl CaseInput {
@@ -48,8 +52,27 @@ impl CaseInput {
         if let Some(table) = table {
             table.remove(last);
         }
-        *self = read_table(root, &place)?;
+        *self = read_table(root, |_| place.clone())?;
         Ok(())
+    }
+
+    /// Reads the case in a stored result: for `#[serde(deserialize_with)]`, so that the code that reads every key is compiled
+    /// once and not for every format and type of result.
+    ///
+    /// # Errors
+    /// When a value is missing or of the wrong kind, with its key.
+    pub fn stored<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        Self::of_json(serde_json::Value::deserialize(from)?).map_err(D::Error::custom)
+    }
+
+    fn of_json(value: serde_json::Value) -> Result<Self, String> {
+        let Some(Value::Table(table)) = stated(value) else {
+            return Err("a case is a JSON object".to_owned());
+        };
+        from_table(table).map_err(|(key, message)| match key {
+            Some(key) => format!("{key}: {message}"),
+            None => message,
+        })
     }
 
     /// The case as the text of a case file, which reads back to the same case.

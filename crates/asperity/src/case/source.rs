@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
+use toml::{Table, Value};
 
 use super::error::CaseError;
 use super::place::Place;
@@ -171,19 +172,19 @@ impl Source {
     pub(super) fn set(&mut self, key: &str, value: &str) {
         self.changed.insert(key.to_owned());
         self.written.retain(|name, _| !is_within(name, key));
-        match value.parse::<toml::Value>() {
-            Ok(toml::Value::Table(table)) => self.note_table(key, &table),
+        match value.parse::<Value>() {
+            Ok(Value::Table(table)) => self.note_table(key, &table),
             _ => {
                 self.written.insert(key.to_owned(), value.to_owned());
             }
         }
     }
 
-    fn note_table(&mut self, path: &str, table: &toml::Table) {
+    fn note_table(&mut self, path: &str, table: &Table) {
         for (name, value) in table {
             let path = join(path, name);
             match value {
-                toml::Value::Table(inner) => self.note_table(&path, inner),
+                Value::Table(inner) => self.note_table(&path, inner),
                 value => {
                     self.written.insert(path, value.to_string());
                 }
@@ -198,35 +199,30 @@ impl Source {
         self.written.get(key).map(String::as_str)
     }
 
-    /// Reads the text into a value.
+    /// The table of the text; a null of JSON counts as a missing key.
     ///
     /// # Errors
-    /// When a value is missing or of the wrong kind, with its place.
-    pub fn read<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
-        match self.syntax {
-            Syntax::Toml => toml::from_str(&self.text).map_err(|error| {
-                let key = error.span().and_then(|span| self.key_at(&span));
-                CaseError::Value {
-                    place: Place {
-                        key: key.clone(),
-                        ..self.at_span(error.span())
-                    },
-                    key,
-                    message: error.message().to_owned(),
+    /// When the text is not a table of TOML or JSON, with the place.
+    pub fn table(&self) -> Result<Table, CaseError> {
+        let (place, message) = match self.syntax {
+            Syntax::Toml => match toml::from_str(&self.text) {
+                Ok(table) => return Ok(table),
+                Err(error) => (self.at_span(error.span()), error.message().to_owned()),
+            },
+            Syntax::Json => match serde_json::from_str(&self.text).map(stated) {
+                Ok(Some(Value::Table(table))) => return Ok(table),
+                Ok(_) => (self.at_line(1), "a case is a JSON object".to_owned()),
+                Err(error) => {
+                    let message = without_place(&error.to_string());
+                    (self.at_line(error.line()), message)
                 }
-            }),
-            Syntax::Json => {
-                let mut text = serde_json::Deserializer::from_str(&self.text);
-                serde_path_to_error::deserialize(&mut text).map_err(|error| CaseError::Value {
-                    place: Place {
-                        key: key_of(error.path()),
-                        ..self.at_line(error.inner().line())
-                    },
-                    key: key_of(error.path()),
-                    message: without_place(&error.inner().to_string()),
-                })
-            }
-        }
+            },
+        };
+        Err(CaseError::Value {
+            place,
+            key: None,
+            message,
+        })
     }
 
     fn nearest(&self, index: &BTreeMap<String, Range<usize>>, key: &str) -> Place {
@@ -261,15 +257,6 @@ impl Source {
                 None => return self.at_span(None).about(key),
             }
         }
-    }
-
-    fn key_at(&self, span: &Range<usize>) -> Option<String> {
-        let covers = |range: &Range<usize>| range.start <= span.start && span.end <= range.end;
-        self.values
-            .iter()
-            .filter(|(_, range)| covers(range))
-            .min_by_key(|(_, range)| range.len())
-            .map(|(key, _)| key.clone())
     }
 
     fn at_span(&self, span: Option<Range<usize>>) -> Place {
@@ -351,8 +338,38 @@ fn join(path: &str, name: &str) -> String {
     }
 }
 
+/// A JSON value without its nulls; `None` for a null.
+pub(super) fn stated(value: serde_json::Value) -> Option<Value> {
+    use serde_json::Value as Json;
+    Some(match value {
+        Json::Null => return None,
+        Json::Bool(truth) => Value::Boolean(truth),
+        Json::Number(number) => match number.as_i64() {
+            Some(integer) => Value::Integer(integer),
+            None => Value::Float(number.as_f64()?),
+        },
+        Json::String(text) => Value::String(text),
+        Json::Array(values) => Value::Array(values.into_iter().filter_map(stated).collect()),
+        Json::Object(fields) => {
+            let fields = fields.into_iter();
+            Value::Table(
+                fields
+                    .filter_map(|(key, value)| Some((key, stated(value)?)))
+                    .collect(),
+            )
+        }
+    })
+}
+
+/// Reads a value from a table of its keys; the key and the message of what cannot be read. All formats are read through
+/// it, because the code that reads every key is large and is compiled anew for every format.
+pub(super) fn from_table<T: DeserializeOwned>(root: Table) -> Result<T, (Option<String>, String)> {
+    serde_path_to_error::deserialize(Value::Table(root))
+        .map_err(|error| (key_of(error.path()), error.inner().message().to_owned()))
+}
+
 /// The key of a path; entries of a list have the key of the list, as in TOML.
-pub(super) fn key_of(path: &serde_path_to_error::Path) -> Option<String> {
+fn key_of(path: &serde_path_to_error::Path) -> Option<String> {
     use serde_path_to_error::Segment;
     let names = path.iter().map_while(|segment| match segment {
         Segment::Map { key } => Some(key.as_str()),

@@ -96,6 +96,7 @@ pub struct RunResult {
     #[serde(default)]
     pub film_constants: Vec<FilmConstant>,
     /// The case as read.
+    #[serde(deserialize_with = "CaseInput::stored")]
     pub inputs: CaseInput,
     /// Every default that was used.
     pub defaults: Vec<DefaultUsed>,

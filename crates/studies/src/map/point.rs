@@ -33,6 +33,7 @@ pub struct Map {
     /// Warnings with their points.
     pub warnings: Vec<MapWarning>,
     /// The case as read; each finish has its own traces.
+    #[serde(deserialize_with = "CaseInput::stored")]
     pub input: CaseInput,
     /// All defaults used.
     pub defaults: Vec<DefaultUsed>,
