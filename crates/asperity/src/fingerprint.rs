@@ -16,13 +16,13 @@ fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// SHA-256 of several inputs and of the version of the program, which may compute other numbers from the same inputs.
+/// SHA-256 of several inputs and of the version of the program: another version may compute other numbers from them.
 ///
 /// ```
 /// use asperity::fingerprint::Fingerprint;
 /// let of = |parts: [&[u8]; 2]| Fingerprint::default().with(parts[0]).with(parts[1]).hex();
 /// assert_eq!(of([b"flank", b"oil"]), of([b"flank", b"oil"]));
-/// // Inputs do not run into each other.
+/// // The boundary between two inputs counts.
 /// assert_ne!(of([b"flank", b"oil"]), of([b"flanko", b"il"]));
 /// ```
 #[derive(Debug, Clone)]

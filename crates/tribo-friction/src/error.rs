@@ -11,7 +11,7 @@ pub enum FrictionError {
     /// An input outside its domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
-    /// A friction law needs a setting that was not given.
+    /// A missing setting of a friction law.
     #[error("the friction law {law} needs the setting {setting}")]
     MissingSetting {
         /// The law, by its name in a case file.
@@ -40,7 +40,7 @@ pub enum FrictionError {
     /// The oil has no state or no shear stress at a temperature of the film.
     #[error(transparent)]
     Lubricant(#[from] LubricantError),
-    /// A scalar equation without root.
+    /// An equation without a root.
     #[error("the {quantity} has no solution: {source}")]
     NoRoot {
         /// Name of the quantity.

@@ -1,9 +1,9 @@
 //! Rows of the case file: one for each key, from which its field, ranges, default and check follow.
 //!
 //! [`table!`] makes the structure of a table as the user writes it, with the usual and the possible range of its numbers.
-//! [`choices!`] makes a table whose keys all have a default: the structure as written, the structure with every choice
-//! made, and the function that leads from one to the other and checks the numbers. Documentation, schema, known keys and
-//! keys set by their path follow from the structures.
+//! [`choices!`] makes a table whose keys all have a default: the structure as written, the structure with a value
+//! for every key, and the function that converts the first into the second and checks the numbers. Documentation, schema,
+//! known keys and keys set by their path follow from the structures.
 
 use asperity_core::quantity::{
     Angle, AngularSpeed, Area, Density, Force, Length, Mass, PerKelvin, Pressure, Quantity, Ratio,
@@ -27,7 +27,7 @@ pub(super) struct Limits<T: 'static> {
     pub numbers: fn(&T) -> Vec<f64>,
 }
 
-/// Possible range of a number that an equation limits.
+/// Possible range of a number whose limits follow from an equation.
 pub(super) const OPEN: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// A table of the case file whose numbers have ranges.
@@ -53,7 +53,7 @@ impl Numbers for i32 {
     }
 }
 
-/// Counted by its size: a negative torque means that the wheel drives.
+/// Ranges apply to the magnitude: a negative torque means that the wheel drives.
 impl Numbers for Torque {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         vec![in_unit(*self, unit).abs()]
@@ -126,7 +126,7 @@ pub(super) fn in_unit<Q: Quantity>(value: Q, unit: &str) -> f64 {
 ///
 /// ```text
 /// /// Documentation, printed by messages and in docs/CASE_FILE.md.
-/// #[serde(...)]                       where the key is left out of results unless it is stated
+/// #[serde(...)]                       if results omit the key unless it is stated
 /// name: Type = "unit" usual [low, high] possible [low, high];
 /// ```
 ///
@@ -168,7 +168,7 @@ macro_rules! limits {
     };
 }
 
-/// A value as it is computed with, from the value as it is written.
+/// Conversion of a value as written in the file into the value used in the computation.
 pub(super) trait Resolved<T> {
     fn resolved(self) -> T;
 }
@@ -191,7 +191,7 @@ impl Resolved<f64> for Ratio {
     }
 }
 
-/// The number that a check judges, in SI units.
+/// The number that a check compares with its rule, in SI units.
 pub(super) trait Checkable {
     fn number(&self) -> f64;
 }
@@ -221,8 +221,8 @@ impl Checkable for Length {
 /// name: Type => TypeInTheRun = default(arguments), check("name", |v| condition, "rule");
 /// ```
 ///
-/// `default` is a method of the context: it returns the value stated or the default, which it lists. Arguments may use the
-/// values of the rows above. `with` adds values that follow from several rows.
+/// `default` is a method of the context: it returns the stated value, or the default, which it adds to the list of defaults.
+/// Arguments may use the values of the rows above. `with` adds values that follow from several rows.
 macro_rules! choices {
     (
         $(#[doc = $of_input:literal])* $input:ident => $(#[doc = $of_choice:literal])* $choice:ident
@@ -248,7 +248,7 @@ macro_rules! choices {
         }
 
         impl $choice {
-            /// Makes every choice, lists the defaults among them, and checks the numbers.
+            /// Fills in every key, lists the defaults used, and checks the numbers.
             fn of(stated: &$input, at: &mut $context) -> Result<Self, $crate::case::CaseError> {
                 $(
                     let key = concat!($table, ".", stringify!($name));

@@ -9,7 +9,7 @@ use asperity_roughness::summits::{AsperityRadius, asperity_radius};
 
 use crate::error::PositionError;
 
-/// Below this number of asperities their mean radius is uncertain.
+/// Number of asperities below which their mean radius is uncertain.
 pub const FEW_ASPERITIES: usize = 5;
 
 /// Roughness as used by the film and friction laws.
@@ -19,18 +19,18 @@ pub struct Roughness {
     pub rq: [f64; 2],
     /// Ra of both flanks \[m\].
     pub ra: [f64; 2],
-    /// Rz of both flanks \[m\]: of a trace the mean over its sections.
+    /// Rz of both flanks \[m\]; for a trace the mean over its sections.
     pub rz: [f64; 2],
     /// Reduced peak height of the composite profile \[m\]; `None` if it is not known.
     pub reduced_peak: Option<f64>,
     /// Mean radius of the asperities of the composite profile; `None` if it is not known.
     pub asperity_radius: Option<Length>,
-    /// Asperities measured.
+    /// Number of asperities of the composite profile.
     pub asperities: usize,
 }
 
 impl Roughness {
-    /// S of both flanks.
+    /// Combined Rq of both flanks, S = √(Rq₁² + Rq₂²).
     ///
     /// # Errors
     /// When an Rq is negative or not finite.
@@ -49,7 +49,7 @@ pub(crate) fn peaks(
     let peak = rk_parameters(composite.heights())?.rpk.si();
     match asperity_radius(&composite, lambda_s) {
         Ok(found) => Ok((peak, Some(found))),
-        // A window without summits is smooth: its asperities lift no film of their own.
+        // A window without summits is smooth and has no asperity radius.
         Err(RoughnessError::NoSummit { .. } | RoughnessError::NoRadius { .. }) => Ok((peak, None)),
         Err(error) => Err(error.into()),
     }

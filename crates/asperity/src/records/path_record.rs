@@ -17,10 +17,10 @@ use crate::reference_solution::RefereeContact;
 
 /// Points at which friction is summed over the Hertz pressure.
 const HERTZ_POINTS: usize = 200;
-/// Share below which no load is called solid \[-\].
+/// Solid share that counts as zero \[-\].
 const NO_SHARE: f64 = 1e-9;
 
-/// Means of a record of transient mixed lubrication with its evidence.
+/// Time means of a record of transient mixed lubrication, with the evidence of its convergence.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct PathRecord {
@@ -44,19 +44,19 @@ pub struct PathRecord {
     pub lubricated_friction: f64,
     /// Friction of a smooth film under the Hertz pressure by the same law.
     pub smooth_friction: f64,
-    /// Mean over time of the largest pressure \[Pa\].
+    /// Time mean of the largest pressure \[Pa\].
     pub mean_max_pressure: Estimate,
-    /// Largest pressure of all times.
+    /// Largest pressure of all steps.
     pub max_pressure: Pressure,
-    /// Standard deviation of the roughness that is left in the contact.
+    /// Standard deviation of the roughness after its attenuation in the contact.
     pub attenuated_roughness: Length,
     /// Travel in half-widths.
     pub travel: f64,
-    /// Places of the nodes over a.
+    /// Positions of the nodes relative to the half-width a.
     pub x: Vec<f64>,
-    /// Mean over time of the pressure over p₀ on the nodes.
+    /// Time mean of the pressure at the nodes relative to p₀.
     pub pressure: Vec<f64>,
-    /// Mean over time of the film on the nodes \[m\].
+    /// Time mean of the film at the nodes \[m\].
     pub film: Vec<f64>,
     /// Largest load error of a step.
     pub load_error: f64,
@@ -75,7 +75,7 @@ pub struct PathRecord {
 }
 
 impl PathRecord {
-    /// The stored parts of `solved`, the record of `contact` with a friction law.
+    /// Selects the values to store from `solved`, the record of `contact` with a friction law.
     pub(super) fn new(
         contact: &RefereeContact,
         solved: &Solved<Record>,
@@ -188,8 +188,8 @@ mod tests {
 
     #[test]
     fn friction_of_a_record_is_the_sum_of_its_parts() {
-        // A fifth of the load below the solid film, sheared at 0.04, the rest at 0.02; half of the fifth, and of the
-        // rest nothing, on a boundary layer of 0.1.
+        // A fifth of the load is below the solid film, where the film has 0.04; elsewhere it has 0.02. Half of that fifth is
+        // on a boundary layer of 0.1.
         let (phi, b, mu_b) = (0.2, 0.1, 0.1);
         let (above, below) = (0.8 * 0.02, 0.2 * 0.04);
         let mu = above + 0.5 * below + b * mu_b;

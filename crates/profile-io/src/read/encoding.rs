@@ -27,7 +27,7 @@ pub(super) fn by_mark(head: &[u8]) -> Option<Encoding> {
     }
 }
 
-/// Encoding of a file without a mark by its first bytes; `whole` if these are all bytes.
+/// Guesses the encoding of a file without a mark from its first bytes; `whole` if it has no others.
 pub(super) fn guess(head: &[u8], whole: bool) -> Encoding {
     const SAMPLE: usize = 4096;
     // Digits in UTF-16 have a zero as their high byte: every other byte of the text.
@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn encodings_are_told_by_mark_by_zeros_or_by_validity() {
+    fn an_encoding_follows_from_its_mark_its_zeros_or_its_validity() {
         let utf16: Vec<u8> = "0.5;1.25"
             .encode_utf16()
             .flat_map(u16::to_le_bytes)
@@ -89,7 +89,7 @@ mod tests {
         assert_eq!(guess(&utf16, true), Encoding::Utf16Le);
         assert_eq!(guess(b"[\xc2\xb5m]", true), Encoding::Utf8);
         assert_eq!(guess(b"[\xb5m]", true), Encoding::Windows1252);
-        // Half of a character may be the start of one, unless the file ends there.
+        // A character cut at the end of the head may continue in the file.
         assert_eq!(guess(b"[\xc2", false), Encoding::Utf8);
         assert_eq!(guess(b"[\xc2", true), Encoding::Windows1252);
         assert!(!is_text("PK\0\u{3}"));

@@ -184,7 +184,7 @@ mod tests {
             let area = -z.iter().sum::<f64>();
             assert!((1e-6..3e-6).contains(&deepest), "{deepest}");
             assert!((3000..9002).contains(&count), "{count}");
-            // Sums over some thousand points.
+            // The sums have a few thousand points.
             assert!(
                 (area / (deepest * count as f64) - share).abs() < 1e-3,
                 "{share} {area}"
