@@ -199,6 +199,18 @@ impl Source {
         self.written.get(key).map(String::as_str)
     }
 
+    /// Reads the text into a value.
+    ///
+    /// # Errors
+    /// When a value is missing or of the wrong kind, with its place.
+    pub fn read<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
+        from_table(self.table()?).map_err(|(key, message)| CaseError::Value {
+            place: self.place_of(key.as_deref().unwrap_or_default()),
+            message,
+            key,
+        })
+    }
+
     /// The table of the text; a null of JSON counts as a missing key.
     ///
     /// # Errors
