@@ -172,7 +172,7 @@ fn a_case_that_is_no_file_of_text_is_told_so() {
             "E201",
             "folder: is a folder; name the case file in it",
         ),
-        ("empty.toml", "E204", "empty.toml:1: missing key \"gears\""),
+        ("empty.toml", "E204", "empty.toml: missing key \"gears\""),
         ("latin.toml", "E202", "latin.toml:2: is not text in UTF-8"),
         ("half.json", "E202", "half.json:2: EOF"),
         ("json.toml", "E202", "JSON goes into a file named .json"),
