@@ -98,6 +98,7 @@ impl Solved<'_> {
             schema_version: SCHEMA_VERSION,
             program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
             title: case.title.clone(),
+            case_file: self.loaded.file_name(),
             formulation: case.formulation,
             published_laws: published_laws(&self)?,
             load,

@@ -194,6 +194,12 @@ impl LoadedCase {
         }
     }
 
+    /// Name of the case file without its folder.
+    pub(crate) fn file_name(&self) -> Option<String> {
+        let name = Path::new(&*self.name).file_name()?;
+        Some(name.to_string_lossy().into_owned())
+    }
+
     /// Every file that was read for this case, and its SHA-256.
     #[must_use]
     pub fn files_read(&self) -> FileSums {

@@ -47,6 +47,9 @@ pub struct RunResult {
     pub program: String,
     /// The case's title.
     pub title: String,
+    /// Name of the case file, without its folder; absent from older results.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub case_file: Option<String>,
     /// Formulation of the model.
     pub formulation: Formulation,
     /// Efficiency and losses.

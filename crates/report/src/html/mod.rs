@@ -68,7 +68,12 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, ReportE
         Formulation::Paper => "paper",
         _ => "corrected",
     };
-    let subtitle = format!("{} · formulation {formulation}", result.program);
+    let file = result.case_file.as_deref().map(|file| format!(" · {file}"));
+    let subtitle = format!(
+        "{}{} · formulation {formulation}",
+        result.program,
+        file.unwrap_or_default()
+    );
     Ok(page_of(&result.title, &subtitle, &sections))
 }
 
