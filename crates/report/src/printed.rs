@@ -2,21 +2,23 @@
 
 use asperity::result::gearbox::GearboxReport;
 use asperity::result::loss_band::{Digits, Uncertainty, with_interval};
-use asperity::result::{RunningIn, Summary};
+use asperity::result::{RunResult, RunningIn, Summary};
 
 /// Loss and its parts as text with units.
 pub(crate) struct PrintedLoss {
     pub loss: String,
-    pub sliding: String,
-    pub rolling: String,
-    /// Of pinion and wheel.
-    pub deformation: [String; 2],
-    /// Plastic work of the first pass, if the loss includes it.
-    pub running_in: String,
-    /// Parts of the sliding loss.
-    pub film: String,
-    pub lubricated: String,
-    pub boundary: String,
+    /// Film, lubricated asperities, boundary layer and rolling; deformation and running-in where they matter.
+    pub parts: Vec<PrintedPart>,
+}
+
+/// Part of a loss.
+pub(crate) struct PrintedPart {
+    pub name: &'static str,
+    /// Key in `result.json`.
+    pub key: &'static str,
+    /// The part in the run \[W\].
+    pub watts: f64,
+    pub text: String,
 }
 
 impl PrintedLoss {
@@ -35,33 +37,69 @@ impl PrintedLoss {
         let scale = uncertainty.map_or(1.0, Uncertainty::scale);
         let median = scale * s.loss_w;
         let loss = powers.digits.steps(median);
-        let first_pass = included(running_in);
         let [pinion, wheel] = s.deformation_w;
-        let all = [s.sliding_w, s.rolling_w, pinion, wheel, first_pass].map(|part| scale * part);
-        let steps = powers.digits.parts(loss, &all);
-        let sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w].map(|part| scale * part);
-        let [film, lubricated, boundary] = powers.parts(steps[0], sliding);
-        let text = |k: usize| powers.text(all[k], steps[k]);
+        let of_mesh = [
+            s.sliding_w,
+            s.rolling_w,
+            pinion,
+            wheel,
+            running_in.included_w(),
+        ];
+        let steps = powers.digits.parts(loss, &of_mesh.map(|part| scale * part));
+        let of_sliding = [s.film_w, s.lubricated_asperity_w, s.boundary_w];
+        let in_sliding = powers
+            .digits
+            .parts(steps[0], &of_sliding.map(|part| scale * part));
+        let all = of_sliding.into_iter().chain(of_mesh.into_iter().skip(1));
+        let places = in_sliding.iter().chain(&steps[1..]);
+        let parts = PARTS.iter().zip(all.zip(places)).enumerate();
+        let matters = |number: usize, watts: f64| number < ALWAYS || watts > NAMED * s.loss_w;
         Self {
             loss: powers.text(median, loss),
-            sliding: text(0),
-            rolling: text(1),
-            deformation: [text(2), text(3)],
-            running_in: text(4),
-            film,
-            lubricated,
-            boundary,
+            parts: parts
+                .filter(|(number, (_, (watts, _)))| matters(*number, *watts))
+                .map(|(_, ((name, key), (watts, place)))| PrintedPart {
+                    name,
+                    key,
+                    watts,
+                    text: powers.text(scale * watts, *place),
+                })
+                .collect(),
         }
     }
 }
 
+/// Names of the parts and their keys in `result.json`.
+const PARTS: [(&str, &str); 7] = [
+    ("film", "summary.film_w"),
+    ("lubricated asperities", "summary.lubricated_asperity_w"),
+    ("boundary layer", "summary.boundary_w"),
+    ("rolling", "summary.rolling_w"),
+    ("deformation of the pinion", "summary.deformation_w"),
+    ("deformation of the wheel", "summary.deformation_w"),
+    ("running-in", "running_in.first_pass_w"),
+];
+/// Number of parts that every loss has.
+const ALWAYS: usize = 4;
+/// Share of the loss from which the other parts are named.
+const NAMED: f64 = 1e-3;
+
 /// Units of a loss and of an efficiency.
 const UNITS: [&str; 2] = [" W", " %"];
 
-/// Loss and efficiency of the mesh with their intervals.
-pub(crate) fn mesh_with_interval(power_in_w: f64, uncertainty: &Uncertainty) -> [String; 2] {
-    let loss = &uncertainty.loss;
-    with_interval(loss.median_w, loss.quantiles_w, power_in_w, UNITS)
+/// Loss and efficiency of the mesh, with their intervals if the run has an uncertainty.
+pub(crate) fn of_mesh(result: &RunResult) -> [String; 2] {
+    let s = &result.summary;
+    match &result.uncertainty {
+        Some(uncertainty) => {
+            let loss = &uncertainty.loss;
+            with_interval(loss.median_w, loss.quantiles_w, s.power_in_w, UNITS)
+        }
+        None => [
+            PrintedLoss::of(s, &result.running_in, None).loss,
+            format!("{:.4} %", 100.0 * s.efficiency),
+        ],
+    }
 }
 
 /// Loss and efficiency of the gearbox with the intervals that the mesh leaves.
@@ -69,14 +107,6 @@ pub(crate) fn gearbox_with_interval(gearbox: &GearboxReport, of_mesh: &Uncertain
     let median = of_mesh.loss.median_w + gearbox.parts_w;
     let quantiles = gearbox.quantiles_w(of_mesh);
     with_interval(median, quantiles, gearbox.power_in_w, UNITS)
-}
-
-/// Plastic work of the first pass \[W\] that the loss includes.
-pub(crate) fn included(running_in: &RunningIn) -> f64 {
-    match running_in.included {
-        true => running_in.first_pass_w,
-        false => 0.0,
-    }
 }
 
 /// Power from which losses are printed in kW \[W\].
@@ -115,11 +145,6 @@ struct Powers {
 }
 
 impl Powers {
-    fn parts<const N: usize>(&self, total: f64, parts: [f64; N]) -> [String; N] {
-        let steps = self.digits.parts(total, &parts);
-        std::array::from_fn(|k| self.text(parts[k], steps[k]))
-    }
-
     fn text(&self, power: f64, steps: f64) -> String {
         match (steps == 0.0, power > 0.0) {
             (true, true) if self.is_banded => format!("< {} W", self.digits.last_place()),

@@ -2,9 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::printed::{
-    PrintedLoss, gearbox_with_interval, included, mesh_with_interval, stated, stated_parts, watts,
-};
+use crate::printed::{PrintedLoss, gearbox_with_interval, of_mesh, stated, stated_parts, watts};
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped, wrapped_within};
 use asperity::message::Warning;
@@ -53,14 +51,7 @@ pub fn brief(result: &RunResult, columns: usize) -> String {
 
 /// The line with efficiency and loss, as in [`brief`] and [`summary`].
 pub fn headline(result: &RunResult) -> String {
-    let s = &result.summary;
-    let [loss, efficiency] = match &result.uncertainty {
-        Some(uncertainty) => mesh_with_interval(s.power_in_w, uncertainty),
-        None => {
-            let printed = PrintedLoss::of(s, &result.running_in, None);
-            [printed.loss, format!("{:.4} %", 100.0 * s.efficiency)]
-        }
-    };
+    let [loss, efficiency] = of_mesh(result);
     format!("efficiency (mesh only)  {efficiency}   loss {loss}")
 }
 
@@ -123,47 +114,31 @@ fn line(text: &str, indent: &str, columns: usize) -> String {
     wrapped_within(text, indent, columns) + "\n"
 }
 
-/// Title, headline, parts, regime, and the composition of the interval.
+/// Title, headline, parts, regime, and the composition of the interval. The headline is never broken.
 fn verdict(result: &RunResult, columns: usize) -> String {
-    let mut lines = vec![one_line(&result.title).into_owned(), headline(result)];
     let of_mesh = result.uncertainty.as_ref();
-    lines.extend(
-        result
-            .gearbox
-            .as_ref()
-            .map(|gearbox| gearbox_headline(gearbox, of_mesh)),
-    );
-    lines.push(parts(result));
-    lines.push(format!("regime  {}", regime(&result.summary)));
-    lines.extend(result.bulk.as_ref().map(bulk_text));
-    let mut text: String = lines
-        .iter()
-        .map(|text| line(text, INDENT, columns))
-        .collect();
+    let mut text = line(&one_line(&result.title), INDENT, columns) + &headline(result) + "\n";
+    let printed = PrintedLoss::of(&result.summary, &result.running_in, of_mesh);
+    let gearbox = result.gearbox.as_ref();
+    let gearbox = gearbox.map(|gearbox| gearbox_headline(gearbox, of_mesh));
+    let regime = format!("regime  {}", regime(&result.summary));
+    let lines = gearbox.into_iter().chain([parts(&printed), regime]);
+    for text_of_line in lines.chain(result.bulk.as_ref().map(bulk_text)) {
+        text.push_str(&line(&text_of_line, INDENT, columns));
+    }
     if let Some(uncertainty) = of_mesh {
         text.push_str(&composition(uncertainty, columns));
     }
     text
 }
 
-/// The parts of the loss.
-fn parts(result: &RunResult) -> String {
-    /// Share of the loss from which deformation and running-in are named.
-    const NAMED: f64 = 1e-3;
-    let s = &result.summary;
-    let printed = PrintedLoss::of(s, &result.running_in, result.uncertainty.as_ref());
-    let [pinion, wheel] = &printed.deformation;
-    let mut text = format!(
-        "film {}, lubricated asperities {}, boundary {}, rolling {}",
-        printed.film, printed.lubricated, printed.boundary, printed.rolling
-    );
-    if s.deformation_w.iter().sum::<f64>() > NAMED * s.loss_w {
-        text.push_str(&format!(", deformation {pinion} + {wheel}"));
-    }
-    if included(&result.running_in) > NAMED * s.loss_w {
-        text.push_str(&format!(", running-in {}", printed.running_in));
-    }
-    text
+/// The parts of a loss in a line.
+fn parts(printed: &PrintedLoss) -> String {
+    let parts = printed.parts.iter();
+    let parts: Vec<String> = parts
+        .map(|part| format!("{} {}", part.name, part.text))
+        .collect();
+    parts.join(", ")
 }
 
 /// The regime with the load on the asperities; boundary lubrication where it makes more than half of the loss.
@@ -407,10 +382,7 @@ fn run_in(result: &RunResult) -> Vec<String> {
             100.0 * s.boundary_share,
         )
     };
-    let parts = format!(
-        "sliding run in {}: film {}, lubricated asperities {}, boundary layer {}",
-        printed.sliding, printed.film, printed.lubricated, printed.boundary,
-    );
+    let parts = format!("run in: {}", parts(&printed));
     states.map(state).into_iter().chain([parts]).collect()
 }
 

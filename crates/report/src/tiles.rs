@@ -3,9 +3,7 @@
 use asperity::result::{RunResult, Summary};
 use serde::Serialize;
 
-use crate::printed::{
-    PrintedLoss, gearbox_with_interval, included, mesh_with_interval, stated, watts,
-};
+use crate::printed::{PrintedLoss, gearbox_with_interval, of_mesh, stated, watts};
 use crate::summary::regime;
 
 /// Largest contributions to the interval that the headline names.
@@ -29,13 +27,7 @@ pub struct Tile {
 pub fn tiles(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
     let printed = PrintedLoss::of(s, &result.running_in, result.uncertainty.as_ref());
-    let [loss, efficiency] = match &result.uncertainty {
-        Some(uncertainty) => mesh_with_interval(s.power_in_w, uncertainty),
-        None => [
-            printed.loss.clone(),
-            format!("{:.4} %", 100.0 * s.efficiency),
-        ],
-    };
+    let [loss, efficiency] = of_mesh(result);
     let interval = match &result.uncertainty {
         Some(_) => "median, in brackets 5 to 95 %",
         None => "",
@@ -62,36 +54,18 @@ pub fn tiles(result: &RunResult) -> Vec<Tile> {
         let note = format!("with {} of other losses", stated(gearbox.parts_w));
         tiles.push(tile("efficiency of the gearbox", efficiency, note));
     }
-    tiles.push(parts(result, printed));
+    tiles.push(parts(printed));
     tiles.push(lubrication(s));
     tiles.extend(contributions(result));
     tiles
 }
 
 /// The parts of the loss, as printed they add up to it.
-fn parts(result: &RunResult, printed: PrintedLoss) -> Tile {
-    let s = &result.summary;
-    let [pinion, wheel] = printed.deformation;
-    let deformation = s.deformation_w != [0.0, 0.0];
-    let rows = [
-        ("film", printed.film, true),
-        ("lubricated asperities", printed.lubricated, true),
-        ("boundary layer", printed.boundary, true),
-        ("rolling", printed.rolling, true),
-        ("deformation, pinion", pinion, deformation),
-        ("deformation, wheel", wheel, deformation),
-        (
-            "running-in",
-            printed.running_in,
-            included(&result.running_in) > 0.0,
-        ),
-    ];
-    let rows = rows.into_iter().filter(|(.., shown)| *shown);
+fn parts(printed: PrintedLoss) -> Tile {
+    let rows = printed.parts.into_iter();
     Tile {
         name: "parts of the loss",
-        rows: rows
-            .map(|(name, loss, _)| [name.to_owned(), loss])
-            .collect(),
+        rows: rows.map(|part| [part.name.to_owned(), part.text]).collect(),
         ..Tile::default()
     }
 }

@@ -7,7 +7,7 @@ use asperity::result::{FlankHeights, PublishedOutcome, RunInFlanks, RunResult, S
 use maud::{Markup, html};
 
 use super::page::{figure, source};
-use crate::printed::{PrintedLoss, included, mesh_with_interval};
+use crate::printed::{PrintedLoss, PrintedPart, of_mesh};
 
 /// The first screen: headline, parts, band, losses along the path, and the pair in mesh; then what the case requests.
 pub(super) fn section(result: &RunResult) -> Markup {
@@ -123,33 +123,25 @@ type Tile = (&'static str, String, &'static str);
 
 /// Key numbers: efficiency, loss and regime.
 fn headline(result: &RunResult) -> Vec<Tile> {
-    let s = &result.summary;
-    let [loss, efficiency] = match &result.uncertainty {
-        Some(uncertainty) => {
-            let [loss, efficiency] = mesh_with_interval(s.power_in_w, uncertainty);
-            [
-                (
-                    "loss, in brackets 5 to 95 %",
-                    loss,
-                    "uncertainty.loss.median_w",
-                ),
-                (
-                    "efficiency (mesh only), in brackets 5 to 95 %",
-                    efficiency,
-                    "uncertainty.efficiency_median",
-                ),
-            ]
-        }
-        None => [
-            ("loss", printed(result).loss, "summary.loss_w"),
+    let [loss, efficiency] = of_mesh(result);
+    let mut tiles = match &result.uncertainty {
+        Some(_) => vec![
             (
-                "efficiency (mesh only)",
-                format!("{:.4} %", 100.0 * s.efficiency),
-                "summary.efficiency",
+                "efficiency (mesh only), in brackets 5 to 95 %",
+                efficiency,
+                "uncertainty.efficiency_median",
+            ),
+            (
+                "loss, in brackets 5 to 95 %",
+                loss,
+                "uncertainty.loss.median_w",
             ),
         ],
+        None => vec![
+            ("efficiency (mesh only)", efficiency, "summary.efficiency"),
+            ("loss", loss, "summary.loss_w"),
+        ],
     };
-    let mut tiles = vec![efficiency, loss];
     if let Some(bulk) = &result.bulk {
         let value = format!("{:.0} °C, oil {:.0} °C", bulk.bulk_c, bulk.oil_c);
         tiles.push(("bulk temperature by the loss", value, "bulk.bulk_c"));
@@ -169,50 +161,12 @@ fn printed(result: &RunResult) -> PrintedLoss {
 /// Parts of the loss with their shares, and the regime.
 fn parts(result: &RunResult) -> Vec<Tile> {
     let s = &result.summary;
-    let printed = printed(result);
-    let [pinion, wheel] = printed.deformation;
-    let running_in = included(&result.running_in);
-    let parts = [
-        ("film", s.film_w, printed.film, "summary.film_w"),
-        (
-            "lubricated asperities",
-            s.lubricated_asperity_w,
-            printed.lubricated,
-            "summary.lubricated_asperity_w",
-        ),
-        (
-            "boundary layer",
-            s.boundary_w,
-            printed.boundary,
-            "summary.boundary_w",
-        ),
-        ("rolling", s.rolling_w, printed.rolling, "summary.rolling_w"),
-        (
-            "deformation, pinion",
-            s.deformation_w[0],
-            pinion,
-            "summary.deformation_w",
-        ),
-        (
-            "deformation, wheel",
-            s.deformation_w[1],
-            wheel,
-            "summary.deformation_w",
-        ),
-        (
-            "running-in",
-            running_in,
-            printed.running_in,
-            "running_in.first_pass_w",
-        ),
-    ];
-    let shares = shares_of_loss(&parts.each_ref().map(|(_, watts, ..)| *watts), result);
-    let parts = parts.into_iter().zip(shares).enumerate();
-    let always =
-        |(number, ((_, watts, ..), _)): &(usize, ((_, f64, _, _), _))| *number < 4 || *watts != 0.0;
-    let tiles = parts
-        .filter(always)
-        .map(|(_, ((name, _, text, key), share))| (name, format!("{text}, {share}"), key));
+    let parts = printed(result).parts;
+    let watts: Vec<f64> = parts.iter().map(|part| part.watts).collect();
+    let shares = shares_of_loss(&watts, result);
+    let tile = |(part, share): (PrintedPart, String)| {
+        (part.name, format!("{}, {share}", part.text), part.key)
+    };
     let regime = [
         (
             "mixed, of the path",
@@ -225,7 +179,12 @@ fn parts(result: &RunResult) -> Vec<Tile> {
             "summary.asperity_share",
         ),
     ];
-    tiles.chain(regime).collect()
+    parts
+        .into_iter()
+        .zip(shares)
+        .map(tile)
+        .chain(regime)
+        .collect()
 }
 
 /// Shares of the parts in the loss, with the digits that its band justifies; they add up to 100 %.

@@ -3,8 +3,6 @@
 use asperity::result::{PublishedOutcome, RunResult};
 use serde::Serialize;
 
-use crate::printed::included;
-
 /// Row of `losses.csv`: a part of the loss.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LossRow {
@@ -21,7 +19,7 @@ pub struct LossRow {
 /// Parts of the loss: sliding, rolling and the others of the formulation; then the parts of sliding and rolling.
 pub fn losses(result: &RunResult) -> Vec<LossRow> {
     let s = &result.summary;
-    let running_in = included(&result.running_in);
+    let running_in = result.running_in.included_w();
     let parts = [
         ("sliding", s.sliding_w),
         ("rolling", s.rolling_w),
