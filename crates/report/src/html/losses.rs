@@ -36,8 +36,8 @@ pub(super) fn along_the_path(result: &RunResult) -> Drawing {
     };
     let band = band(result);
     let title = match band {
-        Some(_) => "Local loss per length of contact line, with its band of 5 to 95 %",
-        None => "Local loss per length of contact line",
+        Some(_) => "Loss per length of contact line, with its band",
+        None => "Loss per length of contact line",
     };
     let y = Axis::new("loss", "kW/m").from_zero();
     let mut chart = Chart::new("local-loss", title, SOURCE, along(), y).marked(&points(result));

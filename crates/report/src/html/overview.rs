@@ -195,7 +195,7 @@ fn shares_of_loss(parts: &[f64], result: &RunResult) -> Vec<String> {
     }
     let digits = match &result.uncertainty {
         Some(uncertainty) => uncertainty.digits().of_percent(loss),
-        None => Digits::of_decimals(2),
+        None => Digits::of_decimals(1),
     };
     let shares: Vec<f64> = parts.iter().map(|watts| 100.0 * watts / loss).collect();
     let steps = digits.parts(digits.steps(100.0), &shares);

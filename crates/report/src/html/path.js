@@ -45,11 +45,13 @@
       button.textContent = "Pause";
       timer = setInterval(() => go((Number(slider.value) + stride) % (Number(slider.max) + 1)), wait);
     });
+    return pitch;
   }
 
   // The flanks facing each other at the position next to s.
   function show(figure) {
     const { ellipse, top, bottom, frames } = dataOf(figure);
+    if (frames.length < 2) return frames[0].s;
     const slider = enabled(figure), told = figure.querySelector(".told");
     const part = (name) => figure.querySelector(`[data-part="${name}"]`);
     const sums = (steps) => { let sum = 0; return steps.map((step) => (sum += step)); };
@@ -86,7 +88,7 @@
       group.innerHTML = `<line class="cursor" x1="${x}" x2="${x}" y1="${top}" y2="${bottom}"/>`;
     });
   }
-  document.querySelectorAll("figure.mesh").forEach(turn);
-  const [first] = [...document.querySelectorAll("figure.facing")].filter((f) => f.querySelector(".slider")).map(show);
+  const pitches = [...document.querySelectorAll("figure.mesh")].map(turn);
+  const [first] = [...[...document.querySelectorAll("figure.facing")].map(show), ...pitches];
   if (first !== undefined) addEventListener("DOMContentLoaded", () => tell(first));
 })();

@@ -49,7 +49,7 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> 
     let line = |kind: Line| if is_one { Line::Scatter } else { kind };
     let mut chart = Chart::new(
         "temperatures",
-        "Temperatures: the contact by its largest flash, flanks and oil",
+        "Temperatures of contact, flanks and oil",
         SOURCE,
         axis,
         Axis::new("temperature", "°C"),
