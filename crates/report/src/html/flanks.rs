@@ -154,7 +154,7 @@ fn spectra(result: &RunResult, tables: &PageTables) -> Option<Drawing> {
         let cutoff = cutoff?;
         Some(Mark {
             at: 1e-3 / cutoff.si(),
-            label: format!("{label} {:.3} µm", cutoff.si() * MICRO).replace(".000", ""),
+            label: format!("{label} {} µm", (1e3 * cutoff.si() * MICRO).round() / 1e3),
         })
     };
     let cutoffs = [("λc", recipe.lambda_c), ("λs", recipe.lambda_s)];
