@@ -120,9 +120,13 @@ const CYCLE: &str = "time_s,torque_nm,speed_rpm\n0,0,0\n1,60,1500\n2,60,3000\n3,
 const STUDY: &str = r#"case = "case.toml"
 columns = ["loss_w", "efficiency"]
 
+[[axis]]
+key = "operation.torque"
+values = ["60 N m", "140 N m"]
+
 [sample]
 method = "latin-hypercube"
-count = 24
+count = 12
 vary."model.boundary_friction" = { uniform = [0.06, 0.10] }
 vary."lubricant.viscosity.at_100" = { normal = ["5.9 mm2/s", "0.15 mm2/s"] }
 "#;

@@ -139,7 +139,7 @@ fn missing_cases_are_told_with_status_3_and_a_restart_runs_them() {
         .well();
     let table = fs::read_to_string(bench.path("out/sweep.csv")).unwrap();
     assert_eq!(table.lines().count(), 301);
-    assert!(table.starts_with("case,id,operation.temperature,loss_w,code\n0,"));
+    assert!(table.starts_with("case,id,operation.temperature [°C],loss_w,code\n0,"));
 }
 
 #[test]
@@ -247,7 +247,7 @@ vary."model.hysteresis" = { uniform = [0.009, 0.011] }
     assert!(
         fs::read_to_string(bench.path("out/sweep.html"))
             .unwrap()
-            .contains("Effect on boundary_w")
+            .contains("Effects on boundary loss")
     );
 }
 

@@ -1,6 +1,7 @@
-//! Effects of the inputs on a result: main effects, and Sobol's indices of a sample of Saltelli.
+//! Effects of the inputs on a result: by a linear regression on all inputs, and Sobol's indices of a sample of Saltelli.
 //!
 //! ```text
+//! y = ȳ + Σ b_i (x_i − x̄_i)                      change = b_i (x_i,high − x_i,low)
 //! S_i  = mean(f_B (f_ABi − f_A))/V        S_Ti = mean((f_A − f_ABi)²)/(2V)
 //! ```
 //!
@@ -12,12 +13,12 @@ use serde::Serialize;
 
 use super::draws::{random_of, uniform};
 
-/// Main effect of an input.
+/// Effect of an input, all others at their means.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Effect {
-    /// Mean of the result in the lowest quarter of the input.
+    /// Result at the mean of the lowest quarter of the input, or without the choice.
     pub low: f64,
-    /// Mean of the result in the highest quarter.
+    /// Result at the mean of the highest quarter, or with the choice.
     pub high: f64,
     /// Difference between the two.
     pub difference: f64,
@@ -27,12 +28,15 @@ pub struct Effect {
     pub correlation: f64,
 }
 
-impl Effect {
-    /// The difference with its quantiles as text.
-    pub(super) fn text(&self) -> String {
-        let [low, high] = self.quantiles;
-        format!("{:+.3e} ({low:+.1e}..{high:+.1e})", self.difference)
-    }
+/// An input with its value in every case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Regressor {
+    /// Its name.
+    pub name: String,
+    /// Its values; of a choice 1 in the cases that have it, and 0 in the others.
+    pub values: Vec<f64>,
+    /// Whether it is a choice.
+    pub is_choice: bool,
 }
 
 /// Sobol's indices of an input, each with its 95 % interval.
@@ -53,29 +57,98 @@ const RESAMPLINGS: usize = 1000;
 /// Quantiles at the ends of the intervals.
 const ENDS: [f64; 2] = [0.025, 0.975];
 
-/// Main effect of an input `x` on a result `y`; `None` for fewer than eight points or if either is constant.
+/// Fewest cases of a regression.
+const FEWEST: usize = 8;
+
+/// Effects of `inputs` on a result `y` by one linear regression on all of them; `None` for an input that is constant, and
+/// for all inputs if there are fewer than eight cases, not more cases than inputs, or inputs that depend on each other.
 #[must_use]
-pub fn effects(x: &[f64], y: &[f64]) -> Option<Effect> {
-    let n = x.len().min(y.len());
-    if n < 8 {
-        return None;
+pub fn effects(inputs: &[Regressor], y: &[f64]) -> Vec<Option<Effect>> {
+    let n = y.len();
+    let moments = inputs
+        .iter()
+        .map(|input| mean_and_square(input.values.iter().copied()));
+    let moments: Vec<(f64, f64)> = moments.collect();
+    let varied: Vec<usize> = (0..inputs.len()).filter(|i| moments[*i].1 > 0.0).collect();
+    let none = || vec![None; inputs.len()];
+    let (mean, square) = mean_and_square(y.iter().copied());
+    if n < FEWEST || n < varied.len() + 2 || square.is_nan() || square <= 0.0 {
+        return none();
     }
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|&a, &b| x[a].total_cmp(&x[b]));
-    let quarter = n / 4;
-    let (low, low_square) = mean_and_square(order[..quarter].iter().map(|k| y[*k]));
-    let (high, high_square) = mean_and_square(order[n - quarter..].iter().map(|k| y[*k]));
-    let error = ((low_square + high_square) / (quarter as f64 - 1.0).max(1.0)).sqrt();
-    let (mx, sx) = mean_and_square(x[..n].iter().copied());
-    let (my, sy) = mean_and_square(y[..n].iter().copied());
-    let product = (0..n).map(|k| (x[k] - mx) * (y[k] - my)).sum::<f64>() / n as f64;
-    (sx > 0.0 && sy > 0.0).then(|| Effect {
-        low,
-        high,
-        difference: high - low,
-        quantiles: [-Z_95, Z_95].map(|z| high - low + z * error),
-        correlation: product / (sx * sy).sqrt(),
-    })
+    // Standardised, so that the pivots tell whether inputs depend on each other.
+    let x = |i: usize, k: usize| (inputs[i].values[k] - moments[i].0) / moments[i].1.sqrt();
+    let product = |of: &dyn Fn(usize) -> f64| (0..n).map(of).sum::<f64>() / n as f64;
+    let normal = varied.iter().map(|&i| {
+        let row = varied.iter().map(|&j| product(&|k| x(i, k) * x(j, k)));
+        row.collect()
+    });
+    let Some(inverse) = inverse(normal.collect()) else {
+        return none();
+    };
+    let right: Vec<f64> = varied
+        .iter()
+        .map(|&i| product(&|k| x(i, k) * (y[k] - mean)))
+        .collect();
+    let slopes: Vec<f64> = inverse
+        .iter()
+        .map(|row| row.iter().zip(&right).map(|(a, b)| a * b).sum())
+        .collect();
+    let explained: f64 = slopes.iter().zip(&right).map(|(b, r)| b * r).sum();
+    let left = (square - explained).max(0.0) / (n - varied.len() - 1) as f64;
+    let mut found = none();
+    for (at, &i) in varied.iter().enumerate() {
+        let ends = ends(&inputs[i]).map(|x| (x - moments[i].0) / moments[i].1.sqrt());
+        let [low, high] = ends.map(|x| mean + slopes[at] * x);
+        let error = (left * inverse[at][at]).sqrt() * (ends[1] - ends[0]);
+        found[i] = Some(Effect {
+            low,
+            high,
+            difference: high - low,
+            quantiles: [-Z_95, Z_95].map(|z| high - low + z * error),
+            correlation: right[at] / square.sqrt(),
+        });
+    }
+    found
+}
+
+/// Means of the lowest and of the highest quarter of an input; 0 and 1 of a choice.
+fn ends(input: &Regressor) -> [f64; 2] {
+    if input.is_choice {
+        return [0.0, 1.0];
+    }
+    let mut sorted = input.values.clone();
+    sorted.sort_by(f64::total_cmp);
+    let quarter = (sorted.len() / 4).max(1);
+    let mean = |part: &[f64]| part.iter().sum::<f64>() / part.len() as f64;
+    [
+        mean(&sorted[..quarter]),
+        mean(&sorted[sorted.len() - quarter..]),
+    ]
+}
+
+/// Inverse of a correlation matrix by elimination; `None` if it is singular.
+fn inverse(mut matrix: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
+    /// Smallest pivot of inputs that do not depend on each other.
+    const LEAST: f64 = 1e-9;
+    let n = matrix.len();
+    for (i, row) in matrix.iter_mut().enumerate() {
+        row.extend((0..n).map(|j| f64::from(u8::from(i == j))));
+    }
+    for i in 0..n {
+        let pivot = matrix[i][i];
+        if pivot.is_nan() || pivot < LEAST {
+            return None;
+        }
+        matrix[i].iter_mut().for_each(|value| *value /= pivot);
+        let own = matrix[i].clone();
+        for (_, row) in matrix.iter_mut().enumerate().filter(|(k, _)| *k != i) {
+            let factor = row[i];
+            row.iter_mut()
+                .zip(&own)
+                .for_each(|(value, own)| *value -= factor * own);
+        }
+    }
+    Some(matrix.into_iter().map(|row| row[n..].to_vec()).collect())
 }
 
 /// Mean and mean square deviation.
@@ -194,12 +267,29 @@ mod tests {
     }
 
     #[test]
-    fn an_effect_is_that_of_the_quarters() {
-        let x: Vec<f64> = (0..100).map(f64::from).collect();
-        let y: Vec<f64> = x.iter().map(|x| 5.0 - 2.0 * x).collect();
-        let values = effects(&x, &y).unwrap();
-        assert_eq!(values.difference, -150.0);
-        assert!((values.correlation + 1.0).abs() < 1e-12);
-        assert_eq!(effects(&x, &vec![1.0; 100]), None);
+    fn effects_of_a_linear_function_are_those_of_its_slopes_also_where_inputs_move_together() {
+        let input = |name: &str, is_choice, of: fn(usize) -> f64| Regressor {
+            name: name.to_owned(),
+            values: (0..100).map(of).collect(),
+            is_choice,
+        };
+        let inputs = [
+            input("axis", false, |k| k as f64),
+            // Correlated with the axis, and without an effect of its own.
+            input("other", false, |k| k as f64 + (k * 7 % 10) as f64),
+            input("finish", true, |k| f64::from(u8::from(k % 3 == 0))),
+            input("constant", false, |_| 1.0),
+        ];
+        let y: Vec<f64> = (0..100)
+            .map(|k| 5.0 - 2.0 * inputs[0].values[k] + 30.0 * inputs[2].values[k])
+            .collect();
+        let found = effects(&inputs, &y);
+        let difference = |i: usize| found[i].unwrap().difference;
+        assert!((difference(0) + 150.0).abs() < 1e-9, "{found:?}");
+        assert!(difference(1).abs() < 1e-9 && (difference(2) - 30.0).abs() < 1e-9);
+        assert!(found[3].is_none() && found[1].unwrap().correlation < -0.9);
+        let same = [inputs[0].clone(), inputs[0].clone()];
+        assert_eq!(effects(&same, &y), [None, None]);
+        assert_eq!(effects(&inputs, &[1.0; 100]), [None; 4]);
     }
 }

@@ -5,7 +5,8 @@ use std::path::Path;
 use asperity::fingerprint::sha256;
 
 use super::case_list::CaseList;
-use super::effects::{Indices, effects, sobol_indices};
+use super::columns::InputColumn;
+use super::effects::{Indices, Regressor, effects, sobol_indices};
 use super::error::SweepError;
 use super::merged::{EffectRow, Merged};
 use super::parts::{Rows, header, other_inputs, outputs, read, text_of};
@@ -29,7 +30,8 @@ pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
             others: other_inputs(study, folder),
         });
     }
-    let table = text_of(&header(study, &list), rows.values().cloned(), folder)?;
+    let inputs = inputs_of(&list, &rows);
+    let table = table(study, &list, &rows, &inputs, folder)?;
     let has_code = |row: &&Vec<String>| row.last().is_some_and(|code| !code.is_empty());
     Ok(Merged {
         name: study.name.clone(),
@@ -38,9 +40,68 @@ pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
         cases: count,
         failed: rows.values().filter(has_code).count(),
         sha256: sha256(&table),
-        effects: effects_of(study, &list, &rows),
+        effects: effects_of(study, &list, &rows, &inputs),
+        outputs: values_of(study, &rows, first_output(&list)),
+        axes: list.columns().len() - list.sampled().len(),
+        inputs,
         table,
     })
+}
+
+/// Number and id of a case are before its inputs.
+const BEFORE: usize = 2;
+
+/// Index of the first result in a row.
+fn first_output(list: &CaseList) -> usize {
+    BEFORE + list.columns().len()
+}
+
+fn inputs_of(list: &CaseList, rows: &Rows) -> Vec<InputColumn> {
+    let names = list.columns().into_iter().enumerate();
+    let column = |(at, name)| {
+        let cells = rows
+            .values()
+            .filter_map(|row| row.get(BEFORE + at).cloned());
+        InputColumn::of(name, cells.collect())
+    };
+    names.map(column).collect()
+}
+
+/// The table with numbers in the columns of the inputs, their units in the header.
+fn table(
+    study: &Study,
+    list: &CaseList,
+    rows: &Rows,
+    inputs: &[InputColumn],
+    folder: &Path,
+) -> Result<Vec<u8>, SweepError> {
+    let mut names = header(study, list);
+    for (name, input) in names[BEFORE..].iter_mut().zip(inputs) {
+        *name = input.header();
+    }
+    let numbered = rows.values().enumerate().map(|(at, row)| {
+        let mut row = row.clone();
+        for (cell, input) in row[BEFORE..].iter_mut().zip(inputs) {
+            cell.clone_from(&input.cells()[at]);
+        }
+        row
+    });
+    text_of(&names, numbered, folder)
+}
+
+/// The results with their values in every case.
+fn values_of(study: &Study, rows: &Rows, first: usize) -> Vec<(String, Vec<f64>)> {
+    let number = |row: &Vec<String>, column: usize| {
+        let cell = row.get(column).and_then(|cell| cell.parse().ok());
+        cell.unwrap_or(f64::NAN)
+    };
+    let names = outputs(study).into_iter().enumerate();
+    names
+        .map(|(at, name)| {
+            let values = rows.values().map(|row| number(row, first + at));
+            (name, values.collect())
+        })
+        .collect()
 }
 
 /// Mean of a result over the axes at each point of the sample; `None` if one of its cases has no result.
@@ -55,34 +116,36 @@ fn over_axes(list: &CaseList, rows: &Rows, column: usize) -> Vec<Option<f64>> {
     (0..samples).map(mean).collect()
 }
 
-fn effects_of(study: &Study, list: &CaseList, rows: &Rows) -> Vec<EffectRow> {
-    let (inputs, outputs) = (list.sampled(), outputs(study));
-    let first = 2 + list.columns().len();
-    let numbers: Vec<Vec<f64>> = (0..list.samples())
-        .map(|point| list.numbers(point))
-        .collect();
+fn effects_of(
+    study: &Study,
+    list: &CaseList,
+    rows: &Rows,
+    inputs: &[InputColumn],
+) -> Vec<EffectRow> {
+    let first = first_output(list);
+    let sampled = list.sampled();
     let seed = study.input.sample.as_ref().map_or(0, |sample| sample.seed);
+    // The blocks of Saltelli repeat the inputs of A, so the effects are computed from A only.
+    let few = list.block().unwrap_or(list.samples());
     let mut effect_rows = Vec::new();
-    for (at, output) in outputs.iter().enumerate() {
-        let values = over_axes(list, rows, first + at);
-        let indices = list
-            .block()
-            .and_then(|block| indices(&values, block, inputs.len(), seed));
-        for (index, input) in inputs.iter().enumerate() {
-            // The blocks of Saltelli repeat the inputs of A, so the main effect is computed from A only.
-            let few = list.block().unwrap_or(values.len());
-            let pairs: Vec<(f64, f64)> = numbers
-                .iter()
-                .zip(&values)
-                .take(few)
-                .filter_map(|(x, y)| Some((*x.get(index)?, (*y)?)))
-                .collect();
-            let (x, y): (Vec<f64>, Vec<f64>) = pairs.into_iter().unzip();
+    for (at, (output, values)) in values_of(study, rows, first).into_iter().enumerate() {
+        let with_result = |k: &usize| k % list.samples() < few && values[*k].is_finite();
+        let cases: Vec<usize> = (0..values.len()).filter(with_result).collect();
+        let regressors = inputs.iter().flat_map(|input| input.regressors(&cases));
+        let regressors: Vec<Regressor> = regressors.collect();
+        let results: Vec<f64> = cases.iter().map(|k| values[*k]).collect();
+        let indices = list.block().and_then(|block| {
+            let means = over_axes(list, rows, first + at);
+            indices(&means, block, sampled.len(), seed)
+        });
+        let found = effects(&regressors, &results);
+        for (regressor, effect) in regressors.into_iter().zip(found) {
+            let index = sampled.iter().position(|key| *key == regressor.name);
             effect_rows.push(EffectRow {
                 output: output.clone(),
-                input: input.clone(),
-                effect: effects(&x, &y),
-                indices: indices.as_ref().and_then(|all| all.get(index).copied()),
+                input: regressor.name,
+                effect,
+                indices: index.and_then(|index| indices.as_ref()?.get(index).copied()),
             });
         }
     }

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::columns::InputColumn;
 use super::effects::{Effect, Indices};
 
 /// Merged study.
@@ -19,8 +20,17 @@ pub struct Merged {
     pub failed: usize,
     /// SHA-256 of the table.
     pub sha256: String,
-    /// Effects of the sampled inputs on each result, averaged over the axes.
+    /// Effects of all inputs on each result.
     pub effects: Vec<EffectRow>,
+    /// The inputs: axes, then sampled keys.
+    #[serde(skip)]
+    pub inputs: Vec<InputColumn>,
+    /// Number of axes among the inputs.
+    #[serde(skip)]
+    pub axes: usize,
+    /// Columns of the results, each with its value in every case; NaN where a case has no result.
+    #[serde(skip)]
+    pub outputs: Vec<(String, Vec<f64>)>,
     /// The table.
     #[serde(skip)]
     pub table: Vec<u8>,
@@ -31,9 +41,9 @@ pub struct Merged {
 pub struct EffectRow {
     /// Column of the result.
     pub output: String,
-    /// Key of the input.
+    /// Key or name of the input, with the choice where it is one: `finish: superfinished`.
     pub input: String,
-    /// Main effect.
+    /// Effect by the regression.
     pub effect: Option<Effect>,
     /// Sobol's indices, if the sample has blocks for them.
     pub indices: Option<Indices>,

@@ -1,33 +1,39 @@
-//! Page of a study: tornado charts and table of effects.
+//! Page of a study: each result over each axis, then the effects of all inputs.
 
-use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
+use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
+use super::columns::{InputColumn, InputValues};
 use super::merged::{EffectRow, Merged};
+use super::words::{Output, input_name};
 
 pub(super) fn render(merged: &Merged) -> String {
-    let mut outputs: Vec<&str> = merged
-        .effects
-        .iter()
-        .map(|row| row.output.as_str())
-        .collect();
-    outputs.dedup();
-    let tornados = html! {
-        p { "Change of the mean of a result from the lowest to the highest quarter of an input, with its 5 and 95 % quantiles." }
-        div.charts { @for output in &outputs { @if let Some(chart) = tornado(merged, output) { (figure(&chart)) } } }
+    let tornados = || {
+        merged
+            .outputs
+            .iter()
+            .filter_map(|(name, _)| tornado(merged, name))
+    };
+    let effects = html! {
+        @if merged.effects.iter().any(|row| row.effect.is_some()) {
+            p { "Change of a result from the mean of the lowest to the mean of the highest quarter of an input, or with a choice \
+                against the first one, by a linear regression on all inputs; in brackets its 5 and 95 % quantiles." }
+            div.charts { @for chart in tornados() { (figure(&chart)) } }
+            (table(merged))
+        }
+    };
+    let axes = axes(merged);
+    let over_axes = html! {
+        @if !axes.is_empty() {
+            p { "Mean of the cases at each value of an axis, and the range of all of them." }
+            div.charts { @for chart in &axes { (figure(chart)) } }
+        }
     };
     let sections = [
+        ("Results over the axes", over_axes),
+        ("Effects", effects),
         ("Study", study(merged)),
-        (
-            "Tornado",
-            if outputs.is_empty() {
-                html! {}
-            } else {
-                tornados
-            },
-        ),
-        ("Effects", table(merged)),
     ];
     let subtitle = format!("sweep {} · {} cases", merged.name, merged.cases);
     page(&merged.title, &subtitle, &sections)
@@ -40,57 +46,121 @@ fn study(merged: &Merged) -> Markup {
     }
 }
 
-/// Inputs by the size of their effect, largest first.
-fn tornado(merged: &Merged, output: &str) -> Option<Drawing> {
-    let mut rows: Vec<(&EffectRow, f64, f64)> = merged
-        .effects
-        .iter()
-        .filter(|row| row.output == output)
-        .filter_map(|row| {
-            Some((
-                row,
-                row.effect?.difference,
-                0.5 * (row.effect?.quantiles[1] - row.effect?.quantiles[0]),
-            ))
+/// Every result over every axis.
+fn axes(merged: &Merged) -> Vec<Drawing> {
+    let axes = &merged.inputs[..merged.axes.min(merged.inputs.len())];
+    let outputs = merged.outputs.iter();
+    outputs
+        .flat_map(|(name, values)| axes.iter().filter_map(|axis| over(axis, name, values)))
+        .collect()
+}
+
+/// A result over an axis: over a number a line and a range, of choices bars with whiskers; `None` for a constant axis.
+fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
+    let output = Output::of(name);
+    let id = format!("{name}-over-{}", axis.name.replace(['.', ' '], "-"));
+    let title = format!("{} over {}", output.name, input_name(&axis.name));
+    let (source, y) = ("sweep.csv", Axis::new(&output.name, output.unit));
+    // Mean, lowest and highest result of the cases that have one.
+    let group = |is_of: &dyn Fn(usize) -> bool| -> Option<[f64; 3]> {
+        let cases = (0..values.len()).filter(|k| is_of(*k) && values[*k].is_finite());
+        let found: Vec<f64> = cases.map(|k| output.factor * values[k]).collect();
+        let mean = found.iter().sum::<f64>() / found.len() as f64;
+        let low = found.iter().copied().reduce(f64::min)?;
+        Some([mean, low, found.iter().copied().reduce(f64::max)?])
+    };
+    match &axis.values {
+        InputValues::Numbers { unit, values, .. } => {
+            let mut nodes = values.clone();
+            nodes.sort_by(f64::total_cmp);
+            nodes.dedup();
+            let points: Vec<(f64, [f64; 3])> = nodes
+                .iter()
+                .filter_map(|node| Some((*node, group(&|k| values[k] == *node)?)))
+                .collect();
+            let of = |which: usize| {
+                points
+                    .iter()
+                    .map(|(_, found)| found[which])
+                    .collect::<Vec<f64>>()
+            };
+            let x: Vec<f64> = points.iter().map(|(node, _)| *node).collect();
+            let chart = Chart::new(
+                &id,
+                &title,
+                source,
+                Axis::new(&input_name(&axis.name), unit),
+                y,
+            )
+            .with(Series::new("mean", Line::Dots, &x, &of(0)))
+            .with(Series::band("lowest to highest", &x, &of(1), &of(2)));
+            (points.len() > 1).then_some(Drawing::Curves(chart))
+        }
+        InputValues::Choices(names) => {
+            let choices = InputColumn::choices(names);
+            let bar = |choice: &&String| {
+                let [mean, low, high] = group(&|k| names[k] == **choice)?;
+                Some(Bar {
+                    name: (*choice).clone(),
+                    value: Some(mean),
+                    spread: (low < high).then_some([low, high]),
+                    text: output.text(mean / output.factor),
+                })
+            };
+            let bars: Vec<Bar> = choices.iter().filter_map(bar).collect();
+            (bars.len() > 1).then_some(Drawing::Bars(BarChart {
+                id,
+                title,
+                source: source.to_owned(),
+                axis: y,
+                bars,
+            }))
+        }
+    }
+}
+
+/// Inputs by the size of their effect on a result, largest first; to the left where the result falls.
+fn tornado(merged: &Merged, name: &str) -> Option<Drawing> {
+    let output = Output::of(name);
+    let rows = merged.effects.iter().filter(|row| row.output == name);
+    let mut rows: Vec<&EffectRow> = rows.filter(|row| row.effect.is_some()).collect();
+    let size = |row: &EffectRow| row.effect.map_or(0.0, |effect| effect.difference.abs());
+    rows.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let bar = |row: &&EffectRow| {
+        let effect = row.effect?;
+        Some(Bar {
+            name: input_name(&row.input),
+            value: Some(output.factor * effect.difference),
+            spread: Some(effect.quantiles.map(|end| output.factor * end)),
+            text: output.change(&effect),
         })
-        .collect();
-    rows.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-    let bars: Vec<Bar> = rows
-        .iter()
-        .map(|(row, difference, half)| Bar {
-            name: row
-                .input
-                .rsplit('.')
-                .next()
-                .unwrap_or(&row.input)
-                .to_owned(),
-            value: Some(difference.abs()),
-            spread: Some([difference.abs() - half, difference.abs() + half]),
-            text: format!("{difference:+.3e}"),
-        })
-        .collect();
+    };
+    let bars: Vec<Bar> = rows.iter().filter_map(bar).collect();
     (!bars.is_empty()).then(|| {
         Drawing::Bars(BarChart {
-            id: format!("tornado-{output}"),
-            title: format!("Effect on {output}"),
+            id: format!("tornado-{name}"),
+            title: format!("Effects on {}", output.name),
             source: "effects.csv".to_owned(),
-            axis: Axis::new("size of the change", ""),
+            axis: Axis::new(&format!("change of {}", output.name), output.unit),
             bars,
         })
     })
 }
 
 fn table(merged: &Merged) -> Markup {
-    let index = |value: f64, [low, high]: [f64; 2]| format!("{value:.3} ({low:.3} .. {high:.3})");
-    html! { div.scroll { table {
-        thead { tr { th { "result" } th { "input" } th.number { "change" } th.number { "correlation" }
+    let index = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
+    html! { div.scroll tabindex="0" { table {
+        thead { tr { th { "result" } th { "input" } th { "key" } th.number { "change" } th.number { "correlation" }
             th.number { "first index" } th.number { "total index" } } }
-        tbody { @for row in &merged.effects { tr {
-            td { (row.output) } td { code { (row.input) } }
-            td.number { @if let Some(e) = row.effect { (e.text()) } }
-            td.number { @if let Some(e) = row.effect { (format!("{:+.2}", e.correlation)) } }
-            td.number { @if let Some(i) = row.indices { (index(i.first, i.first_interval)) } }
-            td.number { @if let Some(i) = row.indices { (index(i.total, i.total_interval)) } }
-        } } }
+        tbody { @for row in &merged.effects {
+            @let output = Output::of(&row.output);
+            tr {
+                td { (output.name) } td { (input_name(&row.input)) } td { code { (row.input) } }
+                td.number { @if let Some(effect) = row.effect { (output.change(&effect)) } }
+                td.number { @if let Some(effect) = row.effect { (format!("{:+.2}", effect.correlation)) } }
+                td.number { @if let Some(i) = row.indices { (index(i.first, i.first_interval)) } }
+                td.number { @if let Some(i) = row.indices { (index(i.total, i.total_interval)) } }
+            }
+        } }
     } } }
 }

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::merged::Merged;
 use super::page;
+use super::words::Output;
 
 impl StudyResult for Merged {
     const KIND: &'static str = "sweep";
@@ -37,7 +38,7 @@ fn summary(merged: &Merged) -> String {
     );
     if merged.effects.iter().any(|row| row.effect.is_some()) {
         text.push_str(&format!(
-            "{:<16} {:<36} {:>30} {:>22} {:>22}\n",
+            "{:<20} {:<36} {:>30} {:>22} {:>22}\n",
             "result", "input", "change", "first index", "total index"
         ));
     }
@@ -51,10 +52,11 @@ fn summary(merged: &Merged) -> String {
             ),
             None => ("-".to_owned(), "-".to_owned()),
         };
-        let change = effect.text();
+        let output = Output::of(&row.output);
+        let change = output.change(&effect);
         text.push_str(&format!(
-            "{:<16} {:<36} {change:>30} {first:>22} {total:>22}\n",
-            row.output, row.input
+            "{:<20} {:<36} {change:>30} {first:>22} {total:>22}\n",
+            output.name, row.input
         ));
     }
     text.push_str(&format!("SHA-256 {}\n", merged.sha256));
