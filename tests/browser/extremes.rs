@@ -306,17 +306,20 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
             Some(Table::read(&folder.join("../map"), "map.csv").column("loss_w"))
         }
         // Signed: where the loss falls, the bars are left of zero.
-        ("changed/sensitivity.html", chart) => {
-            let group = chart.trim_start_matches("changes-").replace('-', " ");
-            let own = table("sensitivity.csv").with("group", &group);
-            Some(own.column("difference_w"))
+        ("changed/sensitivity.html", _) => Some(table("sensitivity.csv").column("difference_w")),
+        ("swept/sweep.html", chart) if chart.contains("-over-") => {
+            let (output, axis) = chart.split_once("-over-").unwrap();
+            assert_eq!(axis, "operation-torque");
+            let values = table("sweep.csv").column(output);
+            let factor = if output == "efficiency" { 100.0 } else { 1.0 };
+            let values = values.into_iter().map(|value| factor * value);
+            (curve != "mean").then(|| values.collect())
         }
         ("swept/sweep.html", chart) => {
             let output = chart.trim_start_matches("tornado-");
-            let found = table("effects.csv")
-                .with("output", output)
-                .column("difference");
-            Some(found.into_iter().map(f64::abs).collect())
+            let own = table("effects.csv").with("output", output);
+            let factor = if output == "efficiency" { 100.0 } else { 1.0 };
+            Some(own.map(["difference"], |[value]| factor * value))
         }
         ("design/design.html", _) => Some(
             table("design.csv")

@@ -1,19 +1,18 @@
 //! Page of a sensitivity study: a bar per change, to the left where the loss falls, and a table.
 
-use asperity::result::loss_band::Digits;
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
 use super::study::{Effect, Sensitivity, SensitivityRow};
-use super::summary::{NOTE, difference, headline, left_aside, parts, share};
+use super::summary::{NOTE, change, difference, headline, left_aside, parts, share};
 
 pub(super) fn render(study: &Sensitivity) -> String {
     let changes = html! {
         @if let Some(largest) = largest(study) { p { strong { (largest) } } }
         p { (NOTE) }
         @if let Some(note) = left_aside(study) { p { (note) "." } }
-        div.charts { @for chart in &charts(study) { (figure(chart)) } }
+        (figure(&chart(study)))
     };
     let sections = [("Changes of the loss", changes), ("Parts", table(study))];
     let subtitle = format!("sensitivity of a loss of {} W", headline(study));
@@ -61,37 +60,22 @@ fn named(row: &SensitivityRow) -> String {
     format!("{} → {}", row.what, row.to).replace(" um", " µm")
 }
 
-/// A chart per group, all over the same axis.
-fn charts(study: &Sensitivity) -> Vec<Drawing> {
+/// All changes over one axis, group by group.
+fn chart(study: &Sensitivity) -> Drawing {
     let groups = groups(study);
-    let effects = || groups.iter().flatten().map(|(_, effect)| *effect);
-    let values = effects().flat_map(|effect| {
-        let quantiles = effect.sampling_quantiles_w.unwrap_or_default();
-        quantiles.into_iter().chain([effect.difference_w])
+    let bars = groups.iter().flatten().map(|(row, effect)| Bar {
+        name: format!("{}: {}", row.group, named(row)),
+        value: Some(effect.difference_w),
+        spread: effect.sampling_quantiles_w,
+        text: format!("{} W, {} %", change(effect), share(effect)),
     });
-    let [low, high] = values.fold([0.0_f64; 2], |[low, high], value| {
-        [low.min(value), high.max(value)]
-    });
-    let whole = study.loss_w;
-    let of_whole = |value: f64| Digits::of_decimals(0).rounded(100.0 * value / whole);
-    let unit = format!("W; {} to {} % of the loss", of_whole(low), of_whole(high));
-    let chart = |group: &Vec<Changed<'_>>| {
-        let bars = group.iter().map(|(row, effect)| Bar {
-            name: named(row),
-            value: Some(effect.difference_w),
-            spread: effect.sampling_quantiles_w,
-            text: format!("{} W, {} %", difference(effect), share(effect)),
-        });
-        let name = group[0].0.group;
-        Drawing::Bars(BarChart {
-            id: format!("changes-{}", name.replace(' ', "-")),
-            title: format!("Change of the loss: {name}"),
-            source: "sensitivity.csv".to_owned(),
-            axis: Axis::new("change of the loss", &unit).within(low, high),
-            bars: bars.collect(),
-        })
-    };
-    groups.iter().map(chart).collect()
+    Drawing::Bars(BarChart {
+        id: "sensitivity".to_owned(),
+        title: "Change of the loss, with 5 to 95 % by the sampling of the flanks".to_owned(),
+        source: "sensitivity.csv".to_owned(),
+        axis: Axis::new("change of the loss", "W"),
+        bars: bars.collect(),
+    })
 }
 
 fn table(study: &Sensitivity) -> Markup {

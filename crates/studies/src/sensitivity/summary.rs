@@ -84,8 +84,13 @@ pub(super) fn difference(effect: &Effect) -> String {
                 text(high)
             )
         }
-        _ => text(effect.difference_w),
+        _ => change(effect),
     }
+}
+
+/// The change \[W\].
+pub(super) fn change(effect: &Effect) -> String {
+    signed(&digits(effect).rounded(effect.difference_w))
 }
 
 /// The change in percent.
