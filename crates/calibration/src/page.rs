@@ -7,7 +7,7 @@ use maud::{Markup, html};
 
 use crate::birge::Scatter;
 use crate::design::Design;
-use crate::result::{Calibration, FittedParameter, FittedPoint};
+use crate::result::{Calibration, FittedParameter, FittedPoint, Verdict};
 use crate::summary::{percent, range, scatter, shown, tenths};
 
 /// Table of the points.
@@ -38,20 +38,21 @@ pub(crate) fn render(calibration: &Calibration) -> String {
 
 fn parameters(calibration: &Calibration) -> Markup {
     html! {
+        p { strong { (verdict(calibration)) } }
         @if calibration.is_simulated {
             p { strong { "The losses of this table are simulated: " } "a rehearsal of a rig, not a measurement." }
         }
-        div.scroll { table {
+        div.scroll tabindex="0" { table {
             thead { tr { th { "parameter" } th.number { "value" } th.number { "95 % band" } th.number { "profile likelihood" }
                 th.number { "bootstrap over assemblies" } th.number { "default" } th.number { "range without calibration" } th { "by the points" } } }
             tbody { @for one in &calibration.parameters { tr {
                 th scope="row" { (one.name) }
                 td.number { (shown(&one.key, one.value)) }
-                td.number { (range(&one.key, one.band)) }
-                td.number { (range(&one.key, one.profile_band)) @if one.is_open.contains(&true) { " (open)" } }
-                td.number { (one.bootstrap.map_or("-".to_owned(), |band| range(&one.key, band))) }
+                td.number { (with_unit(&one.key, one.band)) }
+                td.number { (with_unit(&one.key, one.profile_band)) @if one.is_open.contains(&true) { " (open)" } }
+                td.number { (one.bootstrap.map_or("-".to_owned(), |band| with_unit(&one.key, band))) }
                 td.number { (shown(&one.key, one.default)) }
-                td.number { (range(&one.key, one.default_range)) }
+                td.number { (with_unit(&one.key, one.default_range)) }
                 td { (one.verdict.text()) }
             } } }
         } }
@@ -60,6 +61,38 @@ fn parameters(calibration: &Calibration) -> Markup {
         (held_out(calibration))
         (warnings(&calibration.warnings))
     }
+}
+
+/// The parameters that the points determine, with their bands, and those that they do not, in words.
+fn verdict(calibration: &Calibration) -> String {
+    let of = |is_wanted: &dyn Fn(Verdict) -> bool, text: &dyn Fn(&FittedParameter) -> String| {
+        let parameters = calibration.parameters.iter();
+        let wanted = parameters.filter(|one| is_wanted(one.verdict)).map(text);
+        wanted.collect::<Vec<String>>().join(", ")
+    };
+    let with_band = |one: &FittedParameter| {
+        let value = shown(&one.key, one.value);
+        format!("{} {value} {}", one.name, range(&one.key, one.band))
+    };
+    let determined = of(&|verdict| verdict != Verdict::NotIdentified, &with_band);
+    let others = of(&|verdict| verdict == Verdict::NotIdentified, &|one| {
+        one.name.clone()
+    });
+    let determined = match determined.is_empty() {
+        true => "The points determine no parameter".to_owned(),
+        false => format!("Determined by the points: {determined}"),
+    };
+    match others.is_empty() {
+        true => format!("{determined}."),
+        false => format!("{determined}. Not determined, left at the default: {others}."),
+    }
+}
+
+/// A range with its unit.
+fn with_unit(key: &str, band: [f64; 2]) -> String {
+    let value = shown(key, band[0]);
+    let unit = value.split_once(' ').map_or("", |(_, unit)| unit);
+    format!("{} {unit}", range(key, band)).trim_end().to_owned()
 }
 
 fn warnings(warnings: &[Warning]) -> Markup {
@@ -71,7 +104,7 @@ fn warnings(warnings: &[Warning]) -> Markup {
 fn correlations(calibration: &Calibration) -> Markup {
     html! {
         h3 { "Correlations of the logarithms" }
-        div.scroll { table {
+        div.scroll tabindex="0" { table {
             thead { tr { th {} @for one in &calibration.parameters { th.number { (one.name) } } } }
             tbody { @for (one, row) in calibration.parameters.iter().zip(&calibration.correlations) { tr {
                 th scope="row" { (one.name) }
@@ -85,7 +118,7 @@ fn held_out(calibration: &Calibration) -> Markup {
     let share = |value: f64| format!("{:.1} %", 100.0 * value);
     html! { @if !calibration.held_out.is_empty() {
         h3 { "Every temperature predicted from the others" }
-        div.scroll { table {
+        div.scroll tabindex="0" { table {
             thead { tr { th.number { "temperature" } th.number { "points" } th.number { "deviation (rms)" } th.number { "expected" } th.number { "mean" } } }
             tbody { @for one in &calibration.held_out { tr {
                 td.number { (format!("{:.0} °C", one.temperature_c)) } td.number { (one.points) }
@@ -212,7 +245,7 @@ fn identifiability(calibration: &Calibration) -> Markup {
         p { (design.points) " operating points"
             @if let Some([low, high]) = design.lambda_star { (format!(", Lambda* from {low:.2} to {high:.2}")) }
             ". Before the fit, from the derivatives of the model; each parameter without its own prior." }
-        div.scroll { table {
+        div.scroll tabindex="0" { table {
             thead { tr { th { "parameter" } th.number { "standard deviation by the points" } th.number { "of the prior" } th { "verdict" } } }
             tbody { @for one in &design.parameters { tr {
                 th scope="row" { (one.name) } td.number { (percent(one.deviation)) } td.number { (percent(Some(one.prior))) } td { (one.verdict.text()) }
@@ -220,7 +253,7 @@ fn identifiability(calibration: &Calibration) -> Markup {
         } }
         @if !design.helpful.is_empty() {
             h3 { "Further measurements that would help most" }
-            div.scroll { table {
+            div.scroll tabindex="0" { table {
                 thead { tr { th.number { "torque" } th.number { "speed" } th.number { "temperature" } th { "helps most" } th.number { "standard deviation now" } th.number { "with the point" } } }
                 tbody { @for one in &design.helpful { tr {
                     td.number { (format!("{:.0} N m", one.torque_nm)) } td.number { (format!("{:.0} 1/min", one.speed_rpm)) }
@@ -233,7 +266,7 @@ fn identifiability(calibration: &Calibration) -> Markup {
 }
 
 fn nuisance(calibration: &Calibration) -> Markup {
-    html! { div.scroll { table {
+    html! { div.scroll tabindex="0" { table {
         thead { tr { th { "term" } th.number { "value" } th.number { "standard deviation" } th.number { "of the prior" } th { "unit" } } }
         tbody { @for row in &calibration.nuisance { tr {
             th scope="row" { (row.name) } td.number { (format!("{:.3}", row.value)) } td.number { (format!("{:.3}", row.deviation)) }
@@ -286,7 +319,7 @@ pub(crate) fn render_design(design: &Design) -> String {
 }
 
 fn design_points(design: &Design) -> Markup {
-    html! { div.scroll { table {
+    html! { div.scroll tabindex="0" { table {
         thead { tr { th.number { "torque" } th.number { "speed" } th.number { "temperature" } th.number { "repeats" } th.number { "loss of the mesh" } th.number { "Λ*" } } }
         tbody { @for one in &design.points { tr {
             td.number { (format!("{:.1} N m", one.torque_nm)) } td.number { (format!("{:.0} 1/min", one.speed_rpm)) }
@@ -298,11 +331,11 @@ fn design_points(design: &Design) -> Markup {
 }
 
 fn design_bands(design: &Design) -> Markup {
-    html! { div.scroll { table {
+    html! { div.scroll tabindex="0" { table {
         thead { tr { th { "parameter" } th.number { "standard deviation by the points" } th.number { "95 % band" } th.number { "range without calibration" } th { "verdict" } } }
         tbody { @for one in &design.parameters { tr {
             th scope="row" { (one.identified.name) } td.number { (percent(one.identified.deviation)) }
-            td.number { (range(&one.identified.key, one.band)) } td.number { (range(&one.identified.key, one.default_range)) }
+            td.number { (with_unit(&one.identified.key, one.band)) } td.number { (with_unit(&one.identified.key, one.default_range)) }
             td { (one.identified.verdict.text()) }
         } } }
     } } }
