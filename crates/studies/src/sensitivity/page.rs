@@ -12,7 +12,7 @@ pub(super) fn render(study: &Sensitivity) -> String {
         @if let Some(largest) = largest(study) { p { strong { (largest) } } }
         p { (NOTE) }
         @if let Some(note) = left_aside(study) { p { (note) "." } }
-        (figure(&chart(study)))
+        div.charts { (figure(&chart(study))) }
     };
     let sections = [("Changes of the loss", changes), ("Parts", table(study))];
     let subtitle = format!("sensitivity of a loss of {} W", headline(study));

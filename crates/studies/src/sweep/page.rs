@@ -1,6 +1,8 @@
 //! Page of a study: each result over each axis, then the effects of all inputs.
 
-use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
+use asperity_report::chart::{
+    Axis, Bar, BarChart, Chart, Drawing, Interval, Line, Series, Tornado,
+};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
@@ -55,7 +57,8 @@ fn axes(merged: &Merged) -> Vec<Drawing> {
         .collect()
 }
 
-/// A result over an axis: over a number a line and a range, of choices bars with whiskers; `None` for a constant axis.
+/// A result over an axis: over a number a line and a range, of choices their ranges about the mean of all; `None` for a
+/// constant axis.
 fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
     let output = Output::of(name);
     let id = format!("{name}-over-{}", axis.name.replace(['.', ' '], "-"));
@@ -98,22 +101,24 @@ fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
         }
         InputValues::Choices(names) => {
             let choices = InputColumn::choices(names);
-            let bar = |choice: &&String| {
+            let interval = |choice: &&String| {
                 let [mean, low, high] = group(&|k| names[k] == **choice)?;
-                Some(Bar {
+                let mean = output.text(mean / output.factor);
+                Some(Interval {
                     name: (*choice).clone(),
-                    value: Some(mean),
-                    spread: (low < high).then_some([low, high]),
-                    text: output.text(mean / output.factor),
+                    ends: [low, high],
+                    text: format!("mean {mean}"),
                 })
             };
-            let bars: Vec<Bar> = choices.iter().filter_map(bar).collect();
-            (bars.len() > 1).then_some(Drawing::Bars(BarChart {
+            let intervals: Vec<Interval> = choices.iter().filter_map(interval).collect();
+            let [middle, ..] = group(&|_| true)?;
+            (intervals.len() > 1).then_some(Drawing::Tornado(Tornado {
                 id,
                 title,
                 source: source.to_owned(),
                 axis: y,
-                bars,
+                middle,
+                intervals,
             }))
         }
     }

@@ -33,7 +33,7 @@ impl Output {
         };
         let name = match stem {
             "mu_equivalent" => "equivalent friction".to_owned(),
-            "mixed_share" => "share of the path in mixed lubrication".to_owned(),
+            "mixed_share" => "mixed lubrication".to_owned(),
             stem if unit == "W" && stem != "loss" && !stem.ends_with("_loss") => {
                 format!("{} loss", stem.replace('_', " "))
             }
