@@ -457,3 +457,56 @@ fn provenance(map: &Map) -> Markup {
         } }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn contour(values: Vec<f64>) -> Contour {
+        Contour {
+            id: "field".to_owned(),
+            title: "Field".to_owned(),
+            source: "map.csv".to_owned(),
+            x: Axis::new("torque", "N m"),
+            y: Axis::new("speed", "1/min"),
+            value: "loss [W]".to_owned(),
+            columns: vec![0.0, 1.0],
+            rows: vec![0.0, 1.0],
+            values,
+            levels: None,
+            hatched: Vec::new(),
+            dots: Vec::new(),
+            isoline: None,
+            height: 100.0,
+        }
+    }
+
+    #[test]
+    fn finishes_have_the_same_colours_and_differences_are_about_zero() {
+        let fields = vec![
+            contour(vec![0.0, 200.0, 400.0, 780.0]),
+            contour(vec![f64::NAN, 100.0, 200.0, 300.0]),
+            contour(vec![f64::NAN; 4]),
+        ];
+        let levels: Vec<Vec<f64>> = with_common_levels(fields, round_levels)
+            .into_iter()
+            .map(|drawing| match drawing {
+                Drawing::Contour(contour) => contour.levels.unwrap_or_default(),
+                _ => Vec::new(),
+            })
+            .collect();
+        assert_eq!(levels.len(), 2);
+        assert_eq!(levels[0], levels[1]);
+        assert_eq!((levels[0][0], levels[0].len()), (0.0, 8));
+        assert_eq!(
+            levels_about_zero(&[-190.0, -20.0]),
+            [-200.0, -150.0, -100.0, -50.0, 0.0, 50.0, 100.0, 150.0]
+        );
+        // A tenth of the values each, though most lie within 0.1 of each other.
+        let mut efficiencies: Vec<f64> = (0..80).map(|k| 99.5 + 0.001 * f64::from(k)).collect();
+        efficiencies.extend((0..20).map(|k| 90.0 + 0.4 * f64::from(k)));
+        let levels = quantile_levels(&efficiencies);
+        assert!(levels.is_sorted() && levels.iter().filter(|level| **level > 99.0).count() > 5);
+        assert!(levels[0] >= 90.0 && levels.len() >= 8, "{levels:?}");
+    }
+}
