@@ -155,7 +155,7 @@ choices! {
     /// default false.
     #[serde(skip_serializing_if = "Option::is_none")]
     run_in: bool = of_corrected_only(false);
-    /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 1 % (`paper`: 0).
+    /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 0.5 % (`paper`: 0).
     hysteresis: Ratio => f64 = each(Ratio::new(HYSTERESIS), Ratio::new(0.0)),
         check("hysteresis", |h| (0.0..=1.0).contains(&h), "must be 0 to 1");
     /// Number of depths at which subsurface stress is computed; default 24.
