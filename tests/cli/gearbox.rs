@@ -79,7 +79,11 @@ fn parts_are_added_to_the_mesh_one_by_one_and_the_mesh_stays_as_it_is() {
     for tag in ["Seal-1", "Bearing-1", "Bearing-5", "Jet-1"] {
         assert!(tags.contains(tag), "{tag}");
     }
-    assert!(found["references"].to_string().contains("text not reached"));
+    assert!(
+        found["references"]
+            .to_string()
+            .contains("as quoted in later papers")
+    );
 }
 
 #[test]

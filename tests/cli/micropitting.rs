@@ -136,7 +136,7 @@ fn the_page_has_a_row_of_every_place() {
     let page = std::fs::read_to_string(bench.path("out/report.html")).unwrap();
     for says in [
         "Micropitting: specific film",
-        "partly from memory",
+        "as quoted by others",
         "do not combine to one rating",
     ] {
         assert!(page.contains(says), "{says}");

@@ -14,7 +14,7 @@ use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::{
     Density, KinematicViscosity, Length, LineLoad, PerKelvin, Pressure, Speed, Temperature,
 };
-use asperity_ehl_regime::{Lay, TraceSpectrum};
+use asperity_ehl_regime::{Lay, PairSpectrum, TraceSpectrum};
 
 use crate::gate::Estimate;
 use crate::load_share::shipped;
@@ -143,14 +143,15 @@ fn friction(celsius: f64, windows: &Windows) -> (Estimate, f64) {
         boundary_friction: model.boundary_friction,
         boundary_layer: model.boundary_layer,
         lay: Lay::of_pair(model.lay, flanks.map(rq)).unwrap(),
+        gap_law: model.gap_law,
         ..LoadShareSettings::default()
     };
     let (oil, contact) = (jet_ester(), line_contact());
     let bulk = Temperature::from_si(celsius + 273.15);
     let mut film = PositionFilm::new(&oil, &contact, bulk, &settings).unwrap();
     let spectra = flanks.map(|z| TraceSpectrum::new(z.heights(), z.spacing()).unwrap());
-    let nabla = film.nabla_per_length();
-    let attenuated = AttenuatedTraces::new([&spectra[0], &spectra[1]], nabla).unwrap();
+    let attenuation = film.attenuation(&PairSpectrum::of(spectra.each_ref()));
+    let attenuated = AttenuatedTraces::new(spectra.each_ref(), &attenuation.unwrap());
     let coefficients = windows.contacts.iter().map(|(starts, table)| {
         let rms = attenuated.window_rms(*starts, windows.points).unwrap();
         film.share(table, rms).unwrap().value.coefficient

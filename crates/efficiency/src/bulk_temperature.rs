@@ -9,7 +9,7 @@
 //! | G₁, G₂, G₁₂ | conductances from the gears to the oil, and between the gears | W/K |
 //! | β | share of the frictional heat that goes into gear 1 | - |
 //!
-//! The rise after Oster, as in ISO/TR 15144-1, is from memory, source not reached. ISO's X_Ca is 1 here: it corrects a
+//! The rise after Oster, as in ISO/TR 15144-1, is unconfirmed: no accessible source has its constants. ISO's X_Ca is 1 here: it corrects a
 //! loss computed without tip relief, and P includes the relief. Published heat transfer coefficients differ by
 //! factors, so the conductances of the network are inputs.
 
@@ -25,11 +25,11 @@ pub const MOST_STEPS: usize = 50;
 /// Temperature above the oil \[K\] from which a second equilibrium is searched.
 pub const HOTTER_START: f64 = 60.0;
 
-/// Factor of Oster's rise (from memory, source not reached) \[K\] for P in kW, a and b in mm.
+/// Factor of Oster's rise (unconfirmed) \[K\] for P in kW, a and b in mm.
 const OSTER: f64 = 7400.0;
-/// Exponent of Oster's rise (from memory, source not reached).
+/// Exponent of Oster's rise (unconfirmed).
 const OSTER_EXPONENT: f64 = 0.72;
-/// Lubrication factor of the jet lubrication of Oster's tests (from memory, source not reached).
+/// Lubrication factor of the jet lubrication of Oster's tests (unconfirmed).
 const OSTER_JET: f64 = 1.2;
 
 /// Rise of the bulk temperature over the oil \[K\].

@@ -6,7 +6,7 @@
 //! | Q | flow of the jet | m³/s |
 //! | v_t, v_j | speeds of the pitch circle and of the jet | m/s |
 //!
-//! Source: Ariura, Ueno, Sunaga and Sunamoto 1973, as quoted in later papers; the text itself was not reached. The jet
+//! Source: Ariura, Ueno, Sunaga and Sunamoto 1973, as quoted in later papers; it is the momentum balance of the oil. The jet
 //! is directed against the motion of the teeth, which is the upper bound of its momentum loss. Oil squeezed out of the
 //! mesh is not included.
 

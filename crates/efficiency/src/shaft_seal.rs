@@ -6,7 +6,7 @@
 //! | n | rotational speed | 1/min |
 //! | P | loss | W |
 //!
-//! Source: ISO/TR 14179-2, as quoted in open programs; the text itself was not reached. They state neither lip, oil and
+//! Source: ISO/TR 14179-2, as quoted in open programs. They state neither lip, oil and
 //! temperature nor the fitted range, and measured seals scatter widely about the formula.
 
 use asperity_core::quantity::{Length, Torque};

@@ -50,7 +50,7 @@ fn swept_powers_of_three_gears() {
             "{name}"
         );
         assert!(
-            close(power.hysteresis.si(), 0.01 * case.elastic_cycled_w),
+            close(power.hysteresis.si(), 0.005 * case.elastic_cycled_w),
             "{name}"
         );
         assert!(

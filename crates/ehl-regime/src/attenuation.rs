@@ -9,10 +9,11 @@
 //! | A | amplitude in the contact over amplitude outside | - |
 //! | σ_d | standard deviation of the deformed composite window | m |
 //!
-//! Source: C. H. Venner, F. Couhier, A. A. Lubrecht, J. A. Greenwood (1997), line contact, ridges across the
-//! motion, pure rolling, amplitudes small against the film. The form of ∇ is confirmed by public sources;
-//! 0.125 and 0.04 are from memory, the source's text was not available. Against a mixed-EHL solver: within
-//! 9 % for ∇ below 8 in rolling, 27 % above, within 20 % with sliding up to |SRR| = 0.5.
+//! Source: C. H. Venner, F. Couhier, A. A. Lubrecht, J. A. Greenwood (1997), equation 5 as quoted by an open
+//! micropitting program: line contact, ridges across the motion, pure rolling, amplitudes small against the film. It
+//! holds for A up to ½ and is too small above. The gap law `power` keeps the coefficients 0.125 and 0.04 that it was
+//! compared with records with: they follow the transient solver of this project within 9 % for ∇ below 8 in rolling,
+//! 27 % above, within 20 % with sliding up to |SRR| = 0.5.
 
 use std::sync::Arc;
 
@@ -25,9 +26,8 @@ use rustfft::num_complex::Complex;
 use crate::dimensionless::FilmGroups;
 use crate::error::RegimeError;
 use crate::film_line;
+use crate::gap_law::GapLaw;
 
-/// Venner and others 1997: coefficients of ∇ and ∇² (from memory, source not reached).
-const FALL: (f64, f64) = (0.125, 0.04);
 /// Powers of M and L in ∇.
 const GROUPS: (f64, f64) = (0.75, -0.5);
 
@@ -80,28 +80,61 @@ impl MoesNumbers {
     }
 }
 
-/// Amplitude of a wave in the contact over its amplitude outside.
-///
-/// ```text
-/// A = 1/(1 + 0.125 ∇ + 0.04 ∇²)                                               [Venner]
-/// ```
-///
-/// 1 for short waves, which pass undeformed; 0 for long ones.
-///
-/// ```
-/// use asperity_ehl_regime::attenuation::amplitude_ratio;
-/// assert_eq!(amplitude_ratio(0.0), 1.0);
-/// assert!((amplitude_ratio(10.0) - 1.0 / 6.25).abs() < 1e-15);
-/// assert_eq!(amplitude_ratio(f64::INFINITY), 0.0);
-/// ```
-#[must_use]
-pub fn amplitude_ratio(nabla: f64) -> f64 {
-    cite!("Venner");
-    ratio(nabla)
+/// Flattening of roughness waves in the inlet of one contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attenuation {
+    fall: [f64; 2],
+    nabla_per_length: f64,
 }
 
-fn ratio(nabla: f64) -> f64 {
-    1.0 / (1.0 + nabla * (FALL.0 + FALL.1 * nabla))
+impl Attenuation {
+    /// The flattening with the coefficients of a gap law, at a wavelength scale of [`MoesNumbers::nabla_per_length`].
+    ///
+    /// # Errors
+    /// When the scale is negative or not finite.
+    pub fn new(law: GapLaw, nabla_per_length: f64) -> Result<Self, RegimeError> {
+        let rule = "must be finite and not negative";
+        let fits = nabla_per_length.is_finite() && nabla_per_length >= 0.0;
+        DomainError::require(fits, "nabla per length", nabla_per_length, "1/m", rule)?;
+        Ok(Self {
+            fall: law.fall(),
+            nabla_per_length,
+        })
+    }
+
+    /// Dimensionless wavelength of one metre.
+    #[must_use]
+    pub fn nabla_per_length(&self) -> f64 {
+        self.nabla_per_length
+    }
+
+    /// Amplitude of a wave in the contact over its amplitude outside.
+    ///
+    /// ```text
+    /// A = 1/(1 + 0.17 ∇ + 0.03 ∇²), `power`: 1/(1 + 0.125 ∇ + 0.04 ∇²)           [Venner]
+    /// ```
+    ///
+    /// 1 for short waves, which pass undeformed; 0 for long ones.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_ehl_regime::{Attenuation, GapLaw};
+    /// let [inlet, power] = [GapLaw::Inlet, GapLaw::Power].map(|law| Attenuation::new(law, 1e5));
+    /// let wave = Length::from_si(100e-6);
+    /// assert!((inlet?.ratio(wave) - 1.0 / 5.7).abs() < 1e-15);
+    /// assert!((power?.ratio(wave) - 1.0 / 6.25).abs() < 1e-15);
+    /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+    /// ```
+    #[must_use]
+    pub fn ratio(&self, wavelength: Length) -> f64 {
+        cite!("Venner");
+        self.ratio_at(self.nabla_per_length * wavelength.si())
+    }
+
+    fn ratio_at(&self, nabla: f64) -> f64 {
+        let [first, second] = self.fall;
+        1.0 / (1.0 + nabla * (first + second * nabla))
+    }
 }
 
 /// The spectrum of a whole prepared trace, to be attenuated for any contact.
@@ -154,42 +187,37 @@ impl TraceSpectrum {
     /// Heights \[m\] of the trace in the contact, free of their mean.
     ///
     /// ```text
-    /// ẑ_d = A ẑ,  ∇ = l · nabla_per_length                               [Attenuated-trace]
+    /// ẑ_d = A ẑ                                                          [Attenuated-trace]
     /// ```
-    ///
-    /// # Errors
-    /// When `nabla_per_length` is negative or not finite.
     ///
     /// ```
     /// use asperity_core::quantity::Length;
-    /// use asperity_ehl_regime::attenuation::TraceSpectrum;
+    /// use asperity_ehl_regime::{Attenuation, GapLaw, TraceSpectrum};
     /// // A wave of 20 um at 0.5 um spacing, ∇ = 10: A = 1/6.25.
     /// let wave: Vec<f64> = (0..400).map(|i| (f64::from(i) * std::f64::consts::TAU / 40.0).sin()).collect();
     /// let spectrum = TraceSpectrum::new(&wave, Length::from_si(0.5e-6))?;
-    /// let flat = spectrum.attenuated(10.0 / 20e-6)?;
+    /// let flat = spectrum.attenuated(&Attenuation::new(GapLaw::Power, 10.0 / 20e-6)?);
     /// assert!((flat[10] - wave[10] / 6.25).abs() < 1e-12);
     /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
     /// ```
-    pub fn attenuated(&self, nabla_per_length: f64) -> Result<Vec<f64>, RegimeError> {
-        let [heights, _] = Self::transformed(self, None, nabla_per_length)?;
-        Ok(heights)
+    #[must_use]
+    pub fn attenuated(&self, attenuation: &Attenuation) -> Vec<f64> {
+        let [heights, _] = Self::transformed(self, None, attenuation);
+        heights
     }
 
     /// Heights \[m\] of two traces in the contact, as [`TraceSpectrum::attenuated`] gives each.
     ///
     /// Traces of as many points cost one transform together.
-    ///
-    /// # Errors
-    /// When `nabla_per_length` is negative or not finite.
+    #[must_use]
     pub fn attenuated_pair(
         [first, second]: [&Self; 2],
-        nabla_per_length: f64,
-    ) -> Result<[Vec<f64>; 2], RegimeError> {
+        attenuation: &Attenuation,
+    ) -> [Vec<f64>; 2] {
         if first.points == second.points && first.spacing == second.spacing {
-            Self::transformed(first, Some(second), nabla_per_length)
+            Self::transformed(first, Some(second), attenuation)
         } else {
-            let [one, other] = [first, second].map(|trace| trace.attenuated(nabla_per_length));
-            Ok([one?, other?])
+            [first, second].map(|trace| trace.attenuated(attenuation))
         }
     }
 
@@ -197,18 +225,16 @@ impl TraceSpectrum {
     fn transformed(
         first: &Self,
         second: Option<&Self>,
-        nabla_per_length: f64,
-    ) -> Result<[Vec<f64>; 2], RegimeError> {
+        attenuation: &Attenuation,
+    ) -> [Vec<f64>; 2] {
         cite!("Attenuated-trace");
         cite!("Venner");
-        let rule = "must be finite and not negative";
-        let fits = nabla_per_length.is_finite() && nabla_per_length >= 0.0;
-        DomainError::require(fits, "nabla per length", nabla_per_length, "1/m", rule)?;
         let points = first.points;
         let length = points as f64 * first.spacing;
         let mut signal = vec![Complex::default(); points];
         for (k, &value) in first.spectrum.iter().enumerate().skip(1) {
-            let scale = ratio(nabla_per_length * length / k as f64) / points as f64;
+            let nabla = attenuation.nabla_per_length * length / k as f64;
+            let scale = attenuation.ratio_at(nabla) / points as f64;
             let one = value * scale;
             let other = second.map_or_else(Complex::default, |trace| trace.spectrum[k] * scale);
             // Of an even number of points the last coefficient is its own mirror: real.
@@ -223,10 +249,22 @@ impl TraceSpectrum {
         }
         first.inverse.process(&mut signal);
         let imaginary = |_: &Self| signal.iter().map(|value| value.im).collect();
-        Ok([
+        [
             signal.iter().map(|value| value.re).collect(),
             second.map_or_else(Vec::new, imaginary),
-        ])
+        ]
+    }
+
+    /// Wavelength \[m\] and variance \[m²\] of every wave.
+    pub(crate) fn waves(&self) -> impl Iterator<Item = [f64; 2]> {
+        let points = self.points as f64;
+        let length = points * self.spacing;
+        let waves = self.spectrum.iter().enumerate().skip(1);
+        waves.map(move |(k, value)| {
+            let mirrors = if 2 * k == self.points { 1.0 } else { 2.0 };
+            let variance = mirrors * value.norm_sqr() / (points * points);
+            [length / k as f64, variance]
+        })
     }
 
     /// Number of points of the trace.

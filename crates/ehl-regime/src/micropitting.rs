@@ -10,7 +10,8 @@
 //! | B_M | thermal contact coefficient √(λ ρ c) | N/(m s^0.5 K) |
 //!
 //! Source: ISO/TS 6336-22:2018 (formerly ISO/TR 15144-1), whose text was not available. h and λ as quoted by Jbily et al.
-//! 2024; the parameters G_M, U, W, S_GF and the flash temperature are from memory.
+//! 2024; G_M, U and W are Dowson and Higginson's groups in these units, 1600 is their 1.6 and √π/2 the largest rise
+//! under a fast semi-elliptic source plus 1.5 % (references/small_constants.py); the power of S is as quoted there.
 
 use asperity_core::DomainError;
 use asperity_core::cite;

@@ -9,7 +9,7 @@
 //! | h̄, h_c | mean gap of the rough contact, central film of the smooth one | m |
 //!
 //! Sources: M. Masjedi and M. M. Khonsari, ASME J. Tribol. 134 (2012) 011503, line contact: only the abstract
-//! could be read, the constants are from memory, source not reached. K. L. Johnson, J. A. Greenwood and
+//! could be read, the constants are unconfirmed; for comparison only. K. L. Johnson, J. A. Greenwood and
 //! S. Y. Poon, Wear 19 (1972) 91: the film of mixed lubrication carries the share (h_c/h̄)^6.3. Both were made
 //! for statistical roughness whose undeformed asperities touch at the mean gap.
 
@@ -20,9 +20,9 @@ use crate::dimensionless::FilmGroups;
 use crate::error::RegimeError;
 use crate::film_line;
 
-/// Masjedi and Khonsari 2012 (from memory, source not reached): factor and powers of W, U, G.
+/// Masjedi and Khonsari 2012 (unconfirmed): factor and powers of W, U, G.
 const OUTER: (f64, f64, f64, f64) = (0.005, -0.408, -0.088, 0.103);
-/// Masjedi and Khonsari 2012 (from memory): factor and powers of σ̄, V, W, U, G.
+/// Masjedi and Khonsari 2012 (unconfirmed): factor and powers of σ̄, V, W, U, G.
 const INNER: (f64, f64, f64, f64, f64, f64) = (4470.0, 6.015, 1.168, 0.485, -3.741, -2.898);
 /// Johnson, Greenwood and Poon 1972: power of the film over the mean gap.
 const FILM_POWER: f64 = 6.3;

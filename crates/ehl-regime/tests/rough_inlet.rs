@@ -8,11 +8,11 @@
 use asperity_core::quantity::{
     DynamicViscosity, Length, LineLoad, Pressure, PressureViscosity, Speed,
 };
-use asperity_ehl_regime::attenuation::{MoesNumbers, TraceSpectrum, amplitude_ratio};
+use asperity_ehl_regime::attenuation::{Attenuation, MoesNumbers, TraceSpectrum};
 use asperity_ehl_regime::film_line::moes;
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay, inlet_factor, supplied_gap};
 use asperity_ehl_regime::published_shares::{johnson_greenwood_poon, masjedi_khonsari};
-use asperity_ehl_regime::{FilmConditions, FilmGroups};
+use asperity_ehl_regime::{FilmConditions, FilmGroups, GapLaw, PairSpectrum, RoughInlet};
 use proptest::prelude::*;
 
 fn um(value: f64) -> Length {
@@ -73,13 +73,14 @@ fn a_wave_keeps_its_amplitude_ratio() {
         assert_eq!(spectrum.points(), points);
         let per_length = 4e5;
         let length = points as f64 * 0.5e-6;
-        let ratio = amplitude_ratio(per_length * length / waves as f64);
-        let flat = spectrum.attenuated(per_length).unwrap();
+        let attenuation = Attenuation::new(GapLaw::Power, per_length).unwrap();
+        let ratio = attenuation.ratio(Length::from_si(length / waves as f64));
+        let flat = spectrum.attenuated(&attenuation);
         for (z, seen) in wave.iter().zip(&flat) {
             // Rounding of the transforms on 3e-6 m.
             assert!((seen - ratio * (z - 2e-6)).abs() < 1e-19, "{points}");
         }
-        let same = spectrum.attenuated(0.0).unwrap();
+        let same = spectrum.attenuated(&Attenuation::new(GapLaw::Inlet, 0.0).unwrap());
         assert!(
             wave.iter()
                 .zip(&same)
@@ -87,13 +88,94 @@ fn a_wave_keeps_its_amplitude_ratio() {
         );
         let other: Vec<f64> = wave.iter().rev().map(|z| z * z * 1e6).collect();
         let other = TraceSpectrum::new(&other, um(0.5)).unwrap();
-        let both = TraceSpectrum::attenuated_pair([&spectrum, &other], per_length).unwrap();
-        let each = [flat, other.attenuated(per_length).unwrap()];
+        let both = TraceSpectrum::attenuated_pair([&spectrum, &other], &attenuation);
+        let each = [flat, other.attenuated(&attenuation)];
         let pairs = both.iter().flatten().zip(each.iter().flatten());
         assert!(pairs.into_iter().all(|(z, s)| (z - s).abs() < 1e-19));
     }
     assert!(TraceSpectrum::new(&[0.0, f64::NAN], um(1.0)).is_err());
     assert!(TraceSpectrum::new(&[0.0], um(1.0)).is_err());
+}
+
+/// A wave of `length` µm and `amplitude` µm.
+fn wave(length: f64, amplitude: f64) -> TraceSpectrum {
+    let z: Vec<f64> = (0..3000)
+        .map(|i| 1e-6 * amplitude * (std::f64::consts::TAU * 0.5 * f64::from(i) / length).sin())
+        .collect();
+    TraceSpectrum::new(&z, um(0.5)).unwrap()
+}
+
+#[test]
+fn the_roughness_of_a_pair_is_that_of_its_attenuated_traces() {
+    let z = |seed: u32| -> Vec<f64> {
+        let height = |i: u32| f64::from((i * 7919 + seed).wrapping_mul(2_654_435_761) >> 8) * 1e-14;
+        (0..4001 + seed % 2).map(height).collect()
+    };
+    let [first, second] = [3, 100].map(|seed| TraceSpectrum::new(&z(seed), um(0.5)).unwrap());
+    let waves = PairSpectrum::of([&first, &second]);
+    for nabla in [0.0, 1e4, 1e5, 1e6] {
+        let attenuation = Attenuation::new(GapLaw::Inlet, nabla).unwrap();
+        let square = |trace: &TraceSpectrum| {
+            let z = trace.attenuated(&attenuation);
+            z.iter().map(|z| z * z).sum::<f64>() / z.len() as f64
+        };
+        let exact = (square(&first) + square(&second)).sqrt();
+        let ratio = waves.roughness(&attenuation).si() / exact;
+        assert!((ratio - 1.0).abs() < 3e-6, "{nabla}: {ratio}");
+    }
+}
+
+#[test]
+fn a_rough_inlet_has_the_limits_of_thick_and_thin_films() {
+    let pair = [wave(100.0, 0.4), wave(30.0, 0.2)];
+    let waves = PairSpectrum::of(pair.each_ref());
+    let nabla = 1e5;
+    let of = |film: f64| RoughInlet::of(&waves, nabla, um(film), Lay::ACROSS).unwrap();
+    // Thick: half of 2.342 (σ_d/h_g)² more than 1, with the smooth inlet.
+    let smooth = Attenuation::new(GapLaw::Inlet, nabla).unwrap();
+    let ratio = waves.roughness(&smooth).si() / 20e-6;
+    let more = of(20.0).inlet_factor - 1.0;
+    assert!(
+        (more / (1.171 * ratio * ratio) - 1.0).abs() < 1e-3,
+        "{more}"
+    );
+    let scale = of(20.0).attenuation.nabla_per_length() / nabla;
+    assert!((scale - 1.0).abs() < 1e-4, "{scale}");
+    // Thinner: the smooth inlet shortens with h^(2/3); the gap falls more slowly than the film, and never stops.
+    let gap = |film: f64| {
+        let scale = nabla * (film / 0.2).powf(-2.0 / 3.0);
+        let inlet = RoughInlet::of(&waves, scale, um(film), Lay::ACROSS).unwrap();
+        film * inlet.inlet_factor
+    };
+    let falls = |film: f64| (gap(film) / gap(0.5 * film)).log2();
+    assert!(falls(20.0) > 0.998 && falls(0.2) < 0.8);
+    assert!(
+        [0.5, 0.1, 0.02, 0.004]
+            .iter()
+            .all(|film| falls(*film) > 0.7)
+    );
+    // Whatever the smooth inlet, waves that pass undeformed bound it.
+    let undeformed = Attenuation::new(GapLaw::Inlet, 0.0).unwrap();
+    let bound = 2.342_f64.sqrt() * waves.roughness(&undeformed).si() * 1e6;
+    let film = 1e-6;
+    assert!((film * of(film).inlet_factor / bound - 1.0).abs() < 0.05);
+    // Smooth flanks have the smooth film.
+    let flat = [wave(100.0, 0.0), wave(30.0, 0.0)];
+    let none = RoughInlet::of(
+        &PairSpectrum::of(flat.each_ref()),
+        nabla,
+        um(0.1),
+        Lay::ACROSS,
+    );
+    assert_eq!(none.unwrap().inlet_factor, 1.0);
+    assert!(RoughInlet::of(&waves, nabla, um(0.0), Lay::ACROSS).is_err());
+    assert!(RoughInlet::of(&waves, f64::NAN, um(0.1), Lay::ACROSS).is_err());
+}
+
+#[test]
+fn the_gap_law_inlet_supplies_the_same_gap_at_every_share() {
+    let at = |share| supplied_gap(GapLaw::Inlet, um(0.1), 3.0, share).unwrap();
+    assert!(at(0.0) == at(0.5) && at(0.5) == at(1.0) && (at(0.0).si() - 0.3e-6).abs() < 1e-21);
 }
 
 /// Film ratio of Grubin's inlet with ⟨h⁻³⟩ = h⁻³ (1 + 6 s²/h²), by its integral.
@@ -216,7 +298,7 @@ fn masjedi_khonsari_of_the_fixture_pair() {
 fn johnson_greenwood_poon_is_the_inverse_of_the_supply() {
     // (1 - phi)^-0.16 against (h/gap)^6.3: 1/6.3 is 0.159.
     for phi in [0.1, 0.5, 0.9] {
-        let gap = supplied_gap(um(0.1), 1.0, phi).unwrap();
+        let gap = supplied_gap(GapLaw::Power, um(0.1), 1.0, phi).unwrap();
         let film = johnson_greenwood_poon(um(0.1), gap).unwrap();
         assert!((film - (1.0 - phi)).abs() < 0.01, "{phi} {film}");
     }
@@ -225,7 +307,7 @@ fn johnson_greenwood_poon_is_the_inverse_of_the_supply() {
 proptest! {
     #[test]
     fn supply_rises_with_the_share(phi in 0.0..0.98_f64, more in 1e-4..0.01_f64, psi in 1.0..5.0_f64) {
-        let gap = |phi| supplied_gap(um(0.1), psi, phi).unwrap().si();
+        let gap = |phi| supplied_gap(GapLaw::Power, um(0.1), psi, phi).unwrap().si();
         prop_assert!(gap(phi + more) > gap(phi));
         prop_assert_eq!(gap(0.99), gap(1.0));
         prop_assert!((gap(0.0) / (0.1e-6 * psi) - 1.0).abs() < 1e-14);
@@ -239,7 +321,40 @@ proptest! {
 
     #[test]
     fn amplitudes_fall_with_wavelength(nabla in 0.0..100.0_f64, more in 0.01..10.0_f64) {
-        prop_assert!(amplitude_ratio(nabla + more) < amplitude_ratio(nabla));
+        for law in [GapLaw::Inlet, GapLaw::Power] {
+            let at = |nabla| Attenuation::new(law, nabla).unwrap().ratio(Length::from_si(1.0));
+            prop_assert!(at(nabla + more) < at(nabla));
+        }
+    }
+
+    #[test]
+    fn a_rough_inlet_has_one_factor(
+        (long, short) in (1.0..400.0_f64, 0.5..50.0_f64),
+        (high, low) in (0.0..2.0_f64, 0.0..0.5_f64),
+        nabla in 0.0..1e7_f64,
+        film in 0.005..2.0_f64,
+        gamma in 0.0..1.0_f64,
+    ) {
+        let lay = Lay::new(gamma).unwrap();
+        let pair = [(long, high), (short, low)].map(|(length, amplitude)| wave(length, amplitude));
+        let waves = PairSpectrum::of(pair.each_ref());
+        let inlet = RoughInlet::of(&waves, nabla, um(film), lay).unwrap();
+        prop_assert!(inlet.evidence.residual <= 1e-10 && inlet.evidence.iterations <= 70);
+        // It is its own image.
+        let image = |factor: f64| {
+            let scale = nabla * factor.powf(-1.0 / 3.0);
+            let left = waves.roughness(&Attenuation::new(GapLaw::Inlet, scale).unwrap());
+            inlet_factor(left, um(film), lay).unwrap()
+        };
+        prop_assert!((image(inlet.inlet_factor) / inlet.inlet_factor - 1.0).abs() < 2e-10);
+        // The image rises with a slope of less than 2/3 on logarithmic axes: no second one.
+        let mut before = 1.0_f64;
+        for _ in 0..20 {
+            let next = before * 1.5;
+            let slope = (image(next) / image(before)).ln() / 1.5_f64.ln();
+            prop_assert!((-1e-12..2.0 / 3.0).contains(&slope), "{slope}");
+            before = next;
+        }
     }
 }
 
@@ -248,8 +363,11 @@ fn a_lay_is_a_ratio_up_to_1_and_a_supply_has_a_factor_from_1_on() {
     assert_eq!(Lay::try_from(0.5).unwrap(), Lay::new(0.5).unwrap());
     assert_ne!(Lay::try_from(0.5).unwrap(), Lay::ACROSS);
     assert!(Lay::try_from(-1.0).is_err() && Lay::try_from(1.1).is_err());
-    assert!(supplied_gap(um(0.1), 1.0, 0.5).is_ok());
+    assert!(supplied_gap(GapLaw::Power, um(0.1), 1.0, 0.5).is_ok());
     for factor in [0.5, f64::INFINITY, f64::NAN] {
-        assert!(supplied_gap(um(0.1), factor, 0.5).is_err(), "{factor}");
+        assert!(
+            supplied_gap(GapLaw::Power, um(0.1), factor, 0.5).is_err(),
+            "{factor}"
+        );
     }
 }

@@ -31,7 +31,7 @@ use crate::rack::Rack;
 use crate::tips::{tip_radii, tip_thickness};
 
 /// Minimum difference of the tooth numbers without tip interference between a pinion and its ring with standard addenda
-/// (Niemann and Winter, Maschinenelemente II; from memory, source not reached).
+/// (one more than the least that clears, references/small_constants.py).
 const MIN_RING_DIFFERENCE: u32 = 10;
 
 /// The working geometry of a gear pair. Index 0 is gear 1, the pinion.

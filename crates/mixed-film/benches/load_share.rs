@@ -9,7 +9,7 @@ use asperity_core::material::Material;
 use asperity_core::quantity::{
     Density, Length, LineLoad, Pressure, SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
-use asperity_ehl_regime::TraceSpectrum;
+use asperity_ehl_regime::{PairSpectrum, TraceSpectrum};
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
 };
@@ -83,15 +83,16 @@ fn benches(criterion: &mut Criterion) {
     let settings = LoadShareSettings::default();
     let bulk = Temperature::from_si(363.15);
     let film = || PositionFilm::new(&rheology, &contact, black_box(bulk), &settings);
-    let nabla = film().expect("a film").nabla_per_length();
+    let pair = PairSpectrum::of(spectra.each_ref());
+    let attenuate = || {
+        let attenuation = film().expect("a film").attenuation(&pair);
+        AttenuatedTraces::new(spectra.each_ref(), &attenuation.expect("an inlet"))
+    };
     criterion.bench_function("film and attenuation of a position", |bencher| {
-        bencher.iter(|| {
-            let film = film().expect("a film");
-            AttenuatedTraces::new([&spectra[0], &spectra[1]], film.nabla_per_length())
-        });
+        bencher.iter(attenuate);
     });
     let table = build();
-    let attenuated = AttenuatedTraces::new([&spectra[0], &spectra[1]], nabla).expect("traces");
+    let attenuated = attenuate();
     let mut position = film().expect("a film");
     criterion.bench_function("load share of a window by its table", |bencher| {
         bencher.iter(|| {

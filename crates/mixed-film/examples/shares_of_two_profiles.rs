@@ -21,7 +21,7 @@ use asperity_core::quantity::{
     Density, DynamicViscosity, Length, LineLoad, PerKelvin, Pressure, PressureViscosity,
     SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
-use asperity_ehl_regime::TraceSpectrum;
+use asperity_ehl_regime::{PairSpectrum, TraceSpectrum};
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, LoadShareSettings, PositionFilm, RoughContact, RoughWindow,
 };
@@ -107,7 +107,8 @@ pub fn main() -> Outcome<()> {
             bodies: [steel(), steel()],
         };
         let mut film = PositionFilm::new(&rheology, &contact, bulk(), &settings)?;
-        let traces = AttenuatedTraces::new([&spectra[0], &spectra[1]], film.nabla_per_length())?;
+        let attenuation = film.attenuation(&PairSpectrum::of(spectra.each_ref()))?;
+        let traces = AttenuatedTraces::new(spectra.each_ref(), &attenuation);
         let mut sums = [0.0; 4];
         for (starts, table) in &windows {
             let rms = traces.window_rms(*starts, points)?;

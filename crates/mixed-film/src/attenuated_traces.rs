@@ -3,7 +3,7 @@
 use asperity_core::DomainError;
 use asperity_core::profile::mirrored_window;
 use asperity_core::quantity::Length;
-use asperity_ehl_regime::TraceSpectrum;
+use asperity_ehl_regime::{Attenuation, TraceSpectrum};
 
 use crate::error::LoadShareError;
 
@@ -14,15 +14,13 @@ pub struct AttenuatedTraces {
 }
 
 impl AttenuatedTraces {
-    /// The traces behind two spectra at a wavelength scale of
-    /// [`PositionFilm::nabla_per_length`](crate::PositionFilm::nabla_per_length).
-    ///
-    /// # Errors
-    /// When the scale is negative or not finite.
-    pub fn new(traces: [&TraceSpectrum; 2], nabla_per_length: f64) -> Result<Self, LoadShareError> {
-        Ok(Self {
-            heights: TraceSpectrum::attenuated_pair(traces, nabla_per_length)?,
-        })
+    /// The traces behind two spectra, flattened as
+    /// [`PositionFilm::attenuation`](crate::PositionFilm::attenuation) gives it.
+    #[must_use]
+    pub fn new(traces: [&TraceSpectrum; 2], attenuation: &Attenuation) -> Self {
+        Self {
+            heights: TraceSpectrum::attenuated_pair(traces, attenuation),
+        }
     }
 
     /// Standard deviation σ_d of the sum of two windows of `points` cells that begin at `starts`.

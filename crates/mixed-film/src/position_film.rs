@@ -8,7 +8,10 @@ use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 use asperity_ehl_regime::inlet_flow::{
     CentralFilm, LARGEST_SHARE, Lay, inlet_factor, supplied_gap,
 };
-use asperity_ehl_regime::{FilmConditions, FilmLaw, MoesNumbers, ThermalLaw, thermal_loading};
+use asperity_ehl_regime::{
+    Attenuation, FilmConditions, FilmLaw, GapLaw, MoesNumbers, PairSpectrum, RoughInlet,
+    ThermalLaw, thermal_loading,
+};
 use asperity_oil::FilmRheology;
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, SharedFriction};
 use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmSettings, LoadedFilm};
@@ -84,10 +87,12 @@ pub struct LoadShareSettings {
     pub film_law: FilmLaw,
     /// Thermal reduction of the film.
     pub thermal: ThermalLaw,
-    /// Reading of the central film in friction and supply.
+    /// Reading of the central film in film friction; with the gap law `power` also in the supply.
     pub central_film: CentralFilm,
     /// Inlet supply.
     pub supply: InletSupply,
+    /// Law of the supply of rough flanks.
+    pub gap_law: GapLaw,
     /// Speed that carries oil into a touching spot.
     pub spot_speed: SpotSpeed,
     /// Factor on the asperity share after it is solved; 1, and ½ for the band.
@@ -106,6 +111,7 @@ impl Default for LoadShareSettings {
             thermal: ThermalLaw::Gupta,
             central_film: CentralFilm::MassFlow,
             supply: InletSupply::Rough,
+            gap_law: GapLaw::default(),
             spot_speed: SpotSpeed::Entrainment,
             share_factor: 1.0,
             film: FilmSettings::default(),
@@ -117,12 +123,14 @@ impl Default for LoadShareSettings {
 ///
 /// ```no_run
 /// # use asperity_mixed_film::*;
+/// # use asperity_ehl_regime::{PairSpectrum, TraceSpectrum};
 /// # fn example(contact: asperity_core::line_contact::LineContact, rheology: &asperity_oil::FilmRheology,
-/// #     tables: &[ContactTable], spectra: [&asperity_ehl_regime::TraceSpectrum; 2], starts: &[[usize; 2]],
+/// #     tables: &[ContactTable], spectra: [&TraceSpectrum; 2], starts: &[[usize; 2]],
 /// #     points: usize) -> Result<(), Box<dyn std::error::Error>> {
 /// let settings = LoadShareSettings::default();
 /// let mut film = PositionFilm::new(rheology, &contact, "90 °C".parse()?, &settings)?;
-/// let traces = AttenuatedTraces::new(spectra, film.nabla_per_length())?;
+/// let attenuation = film.attenuation(&PairSpectrum::of(spectra))?;
+/// let traces = AttenuatedTraces::new(spectra, &attenuation);
 /// for (table, starts) in tables.iter().zip(starts) {
 ///     let rms = traces.window_rms(*starts, points)?;
 ///     println!("mu {:.4}", film.share(table, rms)?.value.coefficient);
@@ -137,8 +145,15 @@ pub struct PositionFilm<'a> {
     contact: LineContact,
     bulk: f64,
     central: Length,
+    /// Smooth film in the supply.
+    supplied: Length,
+    /// Smooth film as a mass flow.
+    mass_flow: Length,
     thermal_factor: f64,
     nabla: f64,
+    gap_law: GapLaw,
+    /// σ_d of both whole traces by the smooth inlet, over the smooth mass-flow film.
+    roughness_over_film: Option<f64>,
     hertz: HertzLine,
     film: LoadedFilm<'a>,
     outside: Vec<OutOfRange>,
@@ -219,6 +234,14 @@ impl<'a> PositionFilm<'a> {
         let central = settings
             .central_film
             .thickness(smooth.central, hertz.max_pressure)?;
+        let gap_law = match settings.supply {
+            InletSupply::Rough => settings.gap_law,
+            InletSupply::Smooth => GapLaw::Power,
+        };
+        let supplied = match gap_law {
+            GapLaw::Inlet => CentralFilm::Gap.thickness(smooth.central, hertz.max_pressure)?,
+            GapLaw::Power => central,
+        };
         let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
         let film = LoadedFilm::new(
             rheology,
@@ -236,8 +259,12 @@ impl<'a> PositionFilm<'a> {
             contact: *contact,
             bulk: bulk.si(),
             central,
+            supplied,
+            mass_flow: smooth.central,
             thermal_factor: smooth.thermal_factor,
             nabla: numbers.nabla_per_length(hertz.half_width)?,
+            gap_law,
+            roughness_over_film: None,
             hertz,
             film,
             outside,
@@ -245,13 +272,34 @@ impl<'a> PositionFilm<'a> {
         })
     }
 
-    /// Dimensionless wavelength of a metre in this contact, for [`AttenuatedTraces`](crate::AttenuatedTraces).
+    /// Dimensionless wavelength of a metre in the smooth inlet of this contact.
     #[must_use]
     pub fn nabla_per_length(&self) -> f64 {
         self.nabla
     }
 
-    /// Central film of smooth flanks h_c, as it enters friction and supply.
+    /// Smooth film in the supply: h_g of the gap law `inlet`, h_c of `power`.
+    #[must_use]
+    pub fn supply_film(&self) -> Length {
+        self.supplied
+    }
+
+    /// Flattening of the roughness in the inlet of this contact, for [`AttenuatedTraces`](crate::AttenuatedTraces). The
+    /// gap law `inlet` solves Ψ of both whole traces for it.
+    ///
+    /// # Errors
+    /// When the film is not positive.
+    pub fn attenuation(&mut self, traces: &PairSpectrum) -> Result<Attenuation, LoadShareError> {
+        let smooth = Attenuation::new(self.gap_law, self.nabla)?;
+        if self.gap_law == GapLaw::Power {
+            return Ok(smooth);
+        }
+        self.roughness_over_film = Some(traces.roughness(&smooth) / self.mass_flow);
+        let inlet = RoughInlet::of(traces, self.nabla, self.supplied, self.settings.lay)?;
+        Ok(inlet.attenuation)
+    }
+
+    /// Central film of smooth flanks h_c, as it enters the friction.
     #[must_use]
     pub fn smooth_film(&self) -> Length {
         self.central
@@ -268,7 +316,7 @@ impl<'a> PositionFilm<'a> {
         attenuated_rms: Length,
     ) -> Result<Option<Checked<LoadShareSolution>>, LoadShareError> {
         let psi = self.inlet_factor(attenuated_rms)?;
-        let gap = supplied_gap(self.central, psi, 0.0)?;
+        let gap = supplied_gap(self.gap_law, self.supplied, psi, 0.0)?;
         if first_touch > gap {
             return Ok(None);
         }
@@ -288,8 +336,7 @@ impl<'a> PositionFilm<'a> {
         attenuated_rms: Length,
     ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
         let psi = self.inlet_factor(attenuated_rms)?;
-        let central = self.central;
-        let supply = supply_of(central, psi)?;
+        let supply = self.supply_of(psi)?;
         let share = table.share(&supply)?;
         let touching = if share.value == 0.0 {
             self.untouched(supply(0.0))
@@ -326,7 +373,7 @@ impl<'a> PositionFilm<'a> {
         attenuated_rms: Length,
     ) -> Result<(Checked<LoadShareSolution>, Option<ContactState>), LoadShareError> {
         let psi = self.inlet_factor(attenuated_rms)?;
-        let supply = supply_of(self.central, psi)?;
+        let supply = self.supply_of(psi)?;
         let share = direct_share(contact, &supply)?;
         if share.value == 0.0 {
             let touching = self.untouched(supply(0.0));
@@ -354,11 +401,20 @@ impl<'a> PositionFilm<'a> {
         match self.settings.supply {
             InletSupply::Rough => Ok(inlet_factor(
                 attenuated_rms,
-                self.central,
+                self.supplied,
                 self.settings.lay,
             )?),
             InletSupply::Smooth => Ok(1.0),
         }
+    }
+
+    /// h̄(φ) \[m\] with its inputs checked once.
+    fn supply_of(&self, psi: f64) -> Result<impl Fn(f64) -> f64 + use<>, LoadShareError> {
+        let (law, film) = (self.gap_law, self.supplied);
+        supplied_gap(law, film, psi, 0.0)?;
+        Ok(move |phi: f64| {
+            supplied_gap(law, film, psi, phi.clamp(0.0, 1.0)).map_or(f64::NAN, Length::si)
+        })
     }
 
     fn untouched(&self, gap: f64) -> Touching<'static> {
@@ -398,7 +454,9 @@ impl<'a> PositionFilm<'a> {
         let [u1, u2] = self.contact.speeds;
         let force = self.contact.load.si() * (u1.si() - u2.si()).abs();
         let mut outside = self.outside.clone();
-        COMPARED.check(attenuated_rms / self.central, &mut outside);
+        let ratio = self.roughness_over_film;
+        let roughness_over_film = ratio.unwrap_or(attenuated_rms / self.central);
+        COMPARED.check(roughness_over_film, &mut outside);
         let value = LoadShareSolution {
             asperity_share: phi,
             boundary_of_asperities: shared.boundary_share,
@@ -415,6 +473,7 @@ impl<'a> PositionFilm<'a> {
             smooth_film: self.central,
             thermal_factor: self.thermal_factor,
             attenuated_rms,
+            roughness_over_film,
             inlet_factor: psi,
             mean_gap: touching.mean_gap,
             spot_film: Length::from_si(spot_film),
@@ -562,16 +621,6 @@ fn conditions(
         pressure_viscosity: state.pressure_viscosity,
         contact_length: None,
     })
-}
-
-/// h̄(φ) \[m\] with its inputs checked once.
-fn supply_of(central: Length, psi: f64) -> Result<impl Fn(f64) -> f64, LoadShareError> {
-    supplied_gap(central, psi, 0.0)?;
-    Ok(
-        move |phi: f64| {
-            supplied_gap(central, psi, phi.clamp(0.0, 1.0)).map_or(f64::NAN, Length::si)
-        },
-    )
 }
 
 /// The share at which the contact's gap is the one supplied, by direct solves.

@@ -62,7 +62,10 @@ pub struct LoadShareSolution {
     pub thermal_factor: f64,
     /// Standard deviation σ_d of the attenuated window.
     pub attenuated_rms: Length,
-    /// Ψ, mean gap of rough flanks over the smooth film.
+    /// Roughness left in the contact over the smooth film. Gap law `inlet`: of both whole traces by the smooth inlet, over
+    /// the mass-flow film; `power`: σ_d of the window over h_c.
+    pub roughness_over_film: f64,
+    /// Ψ of the window, mean gap of rough flanks over the smooth film in the supply.
     pub inlet_factor: f64,
     /// Mean gap of the flanks: what the inlet supplies, or the contact's at the largest share.
     pub mean_gap: Length,

@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use asperity_core::Profile;
 use asperity_core::profile::mirrored_window;
 use asperity_core::quantity::Length;
-use asperity_ehl_regime::TraceSpectrum;
+use asperity_ehl_regime::{Attenuation, PairSpectrum, TraceSpectrum};
 
 use crate::attenuated_traces::{AttenuatedTraces, deviation};
 use crate::error::LoadShareError;
@@ -24,33 +24,45 @@ const PIECES: usize = 16;
 #[derive(Debug, Default)]
 pub struct TraceSpectra {
     whole: OnceLock<[TraceSpectrum; 2]>,
+    pair: OnceLock<PairSpectrum>,
     /// By trace, first point and number of points.
     pieces: Mutex<BTreeMap<(usize, isize, usize), Arc<TraceSpectrum>>>,
 }
 
 impl TraceSpectra {
-    /// Standard deviation of the sum of two windows of `points` points that begin at `starts`, where waves are attenuated
-    /// by `nabla_per_length`; `whole` holds the attenuated traces once they were needed.
+    /// Variance of both whole traces by wavelength.
     ///
     /// # Errors
-    /// When a window is empty or the wavelength scale is not finite.
+    /// When a trace has fewer than two points.
+    pub fn pair(&self, traces: [&Profile; 2]) -> Result<&PairSpectrum, LoadShareError> {
+        if let Some(known) = self.pair.get() {
+            return Ok(known);
+        }
+        let made = PairSpectrum::of(self.of_whole(traces)?.each_ref());
+        Ok(self.pair.get_or_init(|| made))
+    }
+
+    /// Standard deviation of the sum of two windows of `points` points that begin at `starts`, flattened by `attenuation`;
+    /// `whole` holds the attenuated traces once they were needed.
+    ///
+    /// # Errors
+    /// When a window is empty.
     pub fn window_rms(
         &self,
         traces: [&Profile; 2],
         (starts, points): ([isize; 2], usize),
-        nabla_per_length: f64,
+        attenuation: &Attenuation,
         whole: &mut Option<AttenuatedTraces>,
     ) -> Result<Length, LoadShareError> {
         let piece = Piece::around(points);
         let longest = traces.map(Profile::len).into_iter().fold(0, usize::max);
         if longest > PIECES * piece.points {
-            return self.pieces_rms(traces, (starts, points), piece, nabla_per_length);
+            return self.pieces_rms(traces, (starts, points), piece, attenuation);
         }
         if let Some(attenuated) = whole {
             return attenuated.mirrored_rms(starts, points);
         }
-        let [first, second] = self.of_whole(traces)?;
-        let attenuated = AttenuatedTraces::new([first, second], nabla_per_length)?;
+        let attenuated = AttenuatedTraces::new(self.of_whole(traces)?.each_ref(), attenuation);
         whole.insert(attenuated).mirrored_rms(starts, points)
     }
 
@@ -69,12 +81,12 @@ impl TraceSpectra {
         traces: [&Profile; 2],
         (starts, points): ([isize; 2], usize),
         piece: Piece,
-        nabla_per_length: f64,
+        attenuation: &Attenuation,
     ) -> Result<Length, LoadShareError> {
         let begins = starts.map(|start| piece.begin(start));
         let of = |body: usize| self.of_piece(body, traces[body], begins[body], piece.points);
         let (first, second) = (of(0)?, of(1)?);
-        let heights = TraceSpectrum::attenuated_pair([&*first, &*second], nabla_per_length)?;
+        let heights = TraceSpectrum::attenuated_pair([&*first, &*second], attenuation);
         let window = |body: usize| {
             let from = (starts[body] - begins[body]) as usize;
             &heights[body][from..from + points]
@@ -135,6 +147,8 @@ impl Piece {
 
 #[cfg(test)]
 mod tests {
+    use asperity_ehl_regime::GapLaw;
+
     use super::*;
 
     /// A rough trace: waves from 4 um to 2 mm, the longer the higher.
@@ -161,12 +175,14 @@ mod tests {
             let points = (6.0 * half_width / 0.5e-6) as usize;
             for per_half_width in [2.0, 10.0, 60.0] {
                 let nabla = per_half_width / half_width;
+                let attenuation = Attenuation::new(GapLaw::Power, nabla).unwrap();
                 let [first, second] = spectra.of_whole(both).unwrap();
-                let whole = AttenuatedTraces::new([first, second], nabla).unwrap();
+                let whole = AttenuatedTraces::new([first, second], &attenuation);
                 for starts in [[50_000, 90_001], [123_457, 20_000]] {
                     let exact = whole.mirrored_rms(starts, points).unwrap();
                     let mut unused = None;
-                    let of_piece = spectra.window_rms(both, (starts, points), nabla, &mut unused);
+                    let of_piece =
+                        spectra.window_rms(both, (starts, points), &attenuation, &mut unused);
                     let off = of_piece.unwrap() / exact - 1.0;
                     assert!(unused.is_none());
                     // Waves as long as the piece are cut at its ends; 7e-5 were seen where the longest waves are left.
@@ -182,9 +198,10 @@ mod tests {
         let both = [&traces[0], &traces[1]];
         let spectra = TraceSpectra::default();
         let mut whole = None;
-        let found = spectra.window_rms(both, ([100, 300], 1200), 1e5, &mut whole);
+        let attenuation = Attenuation::new(GapLaw::Power, 1e5).unwrap();
+        let found = spectra.window_rms(both, ([100, 300], 1200), &attenuation, &mut whole);
         let [first, second] = spectra.of_whole(both).unwrap();
-        let exact = AttenuatedTraces::new([first, second], 1e5).unwrap();
+        let exact = AttenuatedTraces::new([first, second], &attenuation);
         assert_eq!(found.unwrap(), exact.window_rms([100, 300], 1200).unwrap());
         assert!(whole.is_some());
     }

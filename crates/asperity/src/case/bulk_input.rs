@@ -49,7 +49,7 @@ pub enum Lubrication {
 }
 
 impl Lubrication {
-    /// Factor X_S of the lubrication (ISO/TR 15144-1, from memory, source not reached).
+    /// Factor X_S of the lubrication (ISO/TR 15144-1, unconfirmed).
     #[must_use]
     pub const fn factor(self) -> f64 {
         match self {

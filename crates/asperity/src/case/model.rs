@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, Ratio};
 use asperity_efficiency::swept::HYSTERESIS;
+use asperity_ehl_regime::GapLaw;
 use asperity_ehl_regime::inlet_flow::{CentralFilm, Lay};
 use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{GearPair, LoadLaw, LoadMapSettings};
@@ -101,7 +102,11 @@ choices! {
     /// Lay γ of the roughness, one value for both flanks or `[pinion, wheel]`: from 0 or `across`, ridges
     /// across the whole face width, to 1 or `isotropic`; default 1/12, the middle of measured ground flanks.
     lay: OneOrTwo<Lay> => [Lay; 2] = corrected(OneOrTwo::One(Lay::GROUND));
-    /// Reading of the central film in film friction and load share: `mass-flow` (default) or `gap`.
+    /// Law of the mean gap that the inlet supplies to `load_share = "solved"`: `power` (default), whose film thickens as the
+    /// asperities take load off it, or `inlet`, whose inlet grows longer with the gap.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap_law: GapLaw = corrected(GapLaw::default());
+    /// Reading of the central film in film friction, and in the gap law `power`: `mass-flow` (default) or `gap`.
     central_film: CentralFilm = corrected(CentralFilm::MassFlow);
     /// Reading of the central film in Λ* and in printed film thicknesses: `gap` (default) or `mass-flow`
     /// (`paper`: `mass-flow`).
@@ -150,7 +155,7 @@ choices! {
     /// default false.
     #[serde(skip_serializing_if = "Option::is_none")]
     run_in: bool = of_corrected_only(false);
-    /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 1 % (`paper`: 0).
+    /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 0.5 % (`paper`: 0).
     hysteresis: Ratio => f64 = each(Ratio::new(HYSTERESIS), Ratio::new(0.0)),
         check("hysteresis", |h| (0.0..=1.0).contains(&h), "must be 0 to 1");
     /// Number of depths at which subsurface stress is computed; default 24.

@@ -17,6 +17,7 @@ use crate::flanks::local_roughness::{Roughness, peaks};
 use crate::flanks::placement::Placement;
 use crate::flanks::surrogate_record::SurrogateRecord;
 use crate::mesh::MeshPosition;
+use asperity_ehl_regime::{Attenuation, PairSpectrum};
 use asperity_mixed_film::AttenuatedTraces;
 use asperity_mixed_film::TraceSpectra;
 
@@ -347,20 +348,28 @@ impl Surfaces {
         &self.textures
     }
 
-    /// Standard deviation of the sum of two windows, each its first point and their number of points, as a contact with
-    /// this wavelength scale leaves them; `whole` holds the attenuated traces once they were needed.
+    /// Standard deviation of the sum of two windows, each its first point and their number of points, flattened by
+    /// `attenuation`; `whole` holds the attenuated traces once they were needed.
     pub(crate) fn window_rms(
         &self,
         window: ([isize; 2], usize),
-        nabla_per_length: f64,
+        attenuation: &Attenuation,
         whole: &mut Option<AttenuatedTraces>,
     ) -> Result<Length, PositionError> {
-        let [Texture::Trace(first), Texture::Trace(second)] = self.textures() else {
-            return Err(PositionError::NoProfile);
-        };
-        let traces = [first, second];
-        let found = (self.spectra).window_rms(traces, window, nabla_per_length, whole);
+        let found = (self.spectra).window_rms(self.traces()?, window, attenuation, whole);
         Ok(found?)
+    }
+
+    /// Variance of both traces by wavelength.
+    pub(crate) fn pair_spectrum(&self) -> Result<&PairSpectrum, PositionError> {
+        Ok(self.spectra.pair(self.traces()?)?)
+    }
+
+    fn traces(&self) -> Result<[&Profile; 2], PositionError> {
+        match self.textures() {
+            [Texture::Trace(first), Texture::Trace(second)] => Ok([first, second]),
+            _ => Err(PositionError::NoProfile),
+        }
     }
 
     /// Whether both flanks have the textures of `other`.

@@ -29,5 +29,7 @@ pub(crate) use plausibility::{check_mesh_position, plausible_film};
 pub(crate) use position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 pub(crate) use records::records_of;
 pub(crate) use rolling::{rolling, rolling_surfaces};
-pub use share_comparison::{LawShare, ShareComparison, shares, solved_shares};
+pub use share_comparison::{
+    ComparedWindow, LawShare, ShareComparison, compared_windows, share_settings, shares,
+};
 pub(crate) use solve::{Lubrication, doubts};

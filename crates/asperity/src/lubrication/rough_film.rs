@@ -3,7 +3,7 @@
 use asperity_core::Checked;
 use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::Length;
-use asperity_ehl_regime::inlet_flow::Lay;
+use asperity_ehl_regime::{Attenuation, Lay};
 
 use super::chosen_laws::ChosenLaws;
 use super::formula_film::FormulaFilm;
@@ -22,6 +22,8 @@ pub(crate) struct RoughFilm<'a> {
     contact: LineContact,
     film: PositionFilm<'a>,
     surfaces: Surfaces,
+    /// Flattening of the traces, once a window was needed.
+    attenuation: Option<Attenuation>,
     /// Both whole traces, once a window was cut from them.
     traces: Option<AttenuatedTraces>,
 }
@@ -54,6 +56,7 @@ impl<'a> RoughFilm<'a> {
             thermal: model.thermal,
             central_film: model.central_film,
             supply,
+            gap_law: model.gap_law,
             spot_speed: model.spot_speed,
             share_factor: model.asperity_share_factor,
             ..LoadShareSettings::default()
@@ -70,16 +73,21 @@ impl<'a> RoughFilm<'a> {
             contact,
             film,
             surfaces: surfaces.clone(),
+            attenuation: None,
             traces: None,
         }))
     }
 
     /// Standard deviation of the attenuated windows.
     fn window_rms(&mut self, window: Window) -> Result<Length, PositionError> {
-        let nabla = self.film.nabla_per_length();
-        let whole = &mut self.traces;
+        let attenuation = match self.attenuation {
+            Some(known) => known,
+            None => self.film.attenuation(self.surfaces.pair_spectrum()?)?,
+        };
+        self.attenuation = Some(attenuation);
+        let window = (window.starts, window.points);
         self.surfaces
-            .window_rms((window.starts, window.points), nabla, whole)
+            .window_rms(window, &attenuation, &mut self.traces)
     }
 
     /// Load share and friction of a window; its contact is solved and stored unless the window stays apart. `composite`

@@ -5,7 +5,7 @@ use asperity_core::Profile;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl::Record;
 use asperity_ehl_regime::published_shares::masjedi_khonsari;
-use asperity_ehl_regime::{Lay, LoadShareLaw, TraceSpectrum};
+use asperity_ehl_regime::{Lay, LoadShareLaw, PairSpectrum, TraceSpectrum};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -59,11 +59,16 @@ pub struct ShareComparison {
     pub laws: Vec<LawShare>,
 }
 
-/// Solution of a window by the laws that solve for it.
-struct Window {
+/// A window of both traces with its rough contact.
+#[derive(Debug, Clone)]
+pub struct ComparedWindow {
+    /// First point of each trace.
+    pub starts: [usize; 2],
+    /// Number of points.
+    pub points: usize,
+    /// The rough contact.
+    pub contact: ContactTable,
     roughness: Roughness,
-    solved: LoadShareSolution,
-    smooth_supply: LoadShareSolution,
 }
 
 /// Compares the load-share laws with `record` of `contact`.
@@ -75,9 +80,14 @@ pub fn shares(
     contact: &RefereeContact,
     record: &Record,
 ) -> Result<ShareComparison, RefereeError> {
-    let windows = windows(loaded, contact)?;
-    let mean =
-        |of: &dyn Fn(&Window) -> f64| windows.iter().map(of).sum::<f64>() / windows.len() as f64;
+    let windows = compared_windows(loaded, contact)?;
+    let settings = share_settings(loaded, contact)?;
+    let smooth = LoadShareSettings {
+        supply: InletSupply::Smooth,
+        ..settings
+    };
+    let [rough, smooth] =
+        [settings, smooth].map(|settings| solved(loaded, contact, &windows, &settings));
     let referee_share = referee_share(record);
     let row = |law, share: Option<f64>, gap, friction| LawShare {
         law,
@@ -86,13 +96,13 @@ pub fn shares(
         mean_gap_um: gap,
         friction,
     };
-    let solved = |law, of: &dyn Fn(&Window) -> LoadShareSolution| {
-        row(
-            law,
-            Some(mean(&|w| of(w).asperity_share)),
-            Some(mean(&|w| of(w).mean_gap.si() * 1e6)),
-            Some(mean(&|w| of(w).coefficient)),
-        )
+    let by_contact = |law, solutions: &[LoadShareSolution]| {
+        let mean = |of: &dyn Fn(&LoadShareSolution) -> f64| {
+            Some(solutions.iter().map(of).sum::<f64>() / solutions.len() as f64)
+        };
+        let gap = mean(&|solution| solution.mean_gap.si() * 1e6);
+        let share = mean(&|solution| solution.asperity_share);
+        row(law, share, gap, mean(&|solution| solution.coefficient))
     };
     let by_law = |law: LoadShareLaw| mean_share(loaded, contact, &windows, law);
     Ok(ShareComparison {
@@ -102,7 +112,7 @@ pub fn shares(
         referee_friction_shifted: record.friction.map(|friction| friction.shifted.mean),
         windows: windows.len(),
         laws: vec![
-            solved("solved", &|w| w.solved),
+            by_contact("solved", &rough?),
             row("lambda-star", by_law(LoadShareLaw::LambdaStar)?, None, None),
             row("zhu-hu", by_law(LoadShareLaw::ZhuHu)?, None, None),
             row(
@@ -111,21 +121,9 @@ pub fn shares(
                 None,
                 None,
             ),
-            solved("jgp", &|w| w.smooth_supply),
+            by_contact("jgp", &smooth?),
         ],
     })
-}
-
-/// Solved load share of the windows of `contact`, over which [`shares`] averages.
-///
-/// # Errors
-/// When a window leaves its trace or a rough contact does not converge.
-pub fn solved_shares(
-    loaded: &LoadedCase,
-    contact: &RefereeContact,
-) -> Result<Vec<LoadShareSolution>, RefereeError> {
-    let windows = windows(loaded, contact)?;
-    Ok(windows.into_iter().map(|window| window.solved).collect())
 }
 
 /// Mean of the loads below 20 and 50 nm: what touches is between the two.
@@ -140,7 +138,69 @@ fn referee_share(record: &Record) -> f64 {
     }
 }
 
-fn windows(loaded: &LoadedCase, contact: &RefereeContact) -> Result<Vec<Window>, RefereeError> {
+/// The choices of a case for the load share on the traces of `contact`.
+///
+/// # Errors
+/// When the roughness of a trace is not finite.
+pub fn share_settings(
+    loaded: &LoadedCase,
+    contact: &RefereeContact,
+) -> Result<LoadShareSettings, RefereeError> {
+    let model = &loaded.case.model;
+    let rms = |trace: &Profile| {
+        let square = trace.heights().iter().map(|z| z * z).sum::<f64>() / trace.len() as f64;
+        Length::from_si(square.sqrt())
+    };
+    Ok(LoadShareSettings {
+        boundary_friction: model.boundary_friction,
+        boundary_layer: model.boundary_layer,
+        lay: Lay::of_pair(model.lay, contact.traces.each_ref().map(rms))?,
+        film_law: model.film,
+        thermal: model.thermal,
+        central_film: model.central_film,
+        gap_law: model.gap_law,
+        spot_speed: model.spot_speed,
+        share_factor: model.asperity_share_factor,
+        ..LoadShareSettings::default()
+    })
+}
+
+/// Load share and friction of the windows, with Ψ of the inlet from both whole traces.
+fn solved(
+    loaded: &LoadedCase,
+    contact: &RefereeContact,
+    windows: &[ComparedWindow],
+    settings: &LoadShareSettings,
+) -> Result<Vec<LoadShareSolution>, RefereeError> {
+    let case = &loaded.case;
+    let line = contact.position.line_contact(case.modulus, case.materials);
+    let rheology = rheology(case)?;
+    let formula = FormulaFilm::of(case, &contact.position)?;
+    let smooth = SmoothFilm {
+        central: formula.film.central,
+        thermal_factor: formula.thermal_reduction,
+    };
+    let mut film = PositionFilm::with_film(&rheology, &line, case.temperature, settings, smooth)?;
+    let spectrum = |trace: &Profile| TraceSpectrum::new(trace.heights(), trace.spacing());
+    let [first, second] = contact.traces.each_ref().map(spectrum);
+    let spectra = [&first?, &second?];
+    let attenuation = film.attenuation(&PairSpectrum::of(spectra))?;
+    let traces = AttenuatedTraces::new(spectra, &attenuation);
+    let share = |window: &ComparedWindow| {
+        let rms = traces.window_rms(window.starts, window.points)?;
+        Ok(film.share(&window.contact, rms)?.value)
+    };
+    windows.iter().map(share).collect()
+}
+
+/// The windows of `contact` over which [`shares`] averages, with their rough contacts.
+///
+/// # Errors
+/// When a window leaves its trace or a rough contact does not converge.
+pub fn compared_windows(
+    loaded: &LoadedCase,
+    contact: &RefereeContact,
+) -> Result<Vec<ComparedWindow>, RefereeError> {
     let case = &loaded.case;
     let line = contact.position.line_contact(case.modulus, case.materials);
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
@@ -148,40 +208,6 @@ fn windows(loaded: &LoadedCase, contact: &RefereeContact) -> Result<Vec<Window>,
     let spacing = first.spacing();
     let reach = (HALF_WINDOW * (contact.position.hertz.half_width / spacing)).ceil() as usize;
     let points = 2 * reach + 1;
-    let rheology = rheology(case)?;
-    let model = &case.model;
-    let rms = |trace: &Profile| {
-        let square = trace.heights().iter().map(|z| z * z).sum::<f64>() / trace.len() as f64;
-        Length::from_si(square.sqrt())
-    };
-    let settings = LoadShareSettings {
-        boundary_friction: model.boundary_friction,
-        boundary_layer: model.boundary_layer,
-        lay: Lay::of_pair(model.lay, [rms(first), rms(second)])?,
-        film_law: model.film,
-        thermal: model.thermal,
-        central_film: model.central_film,
-        spot_speed: model.spot_speed,
-        share_factor: model.asperity_share_factor,
-        ..LoadShareSettings::default()
-    };
-    let formula = FormulaFilm::of(case, &contact.position)?;
-    let central = SmoothFilm {
-        central: formula.film.central,
-        thermal_factor: formula.thermal_reduction,
-    };
-    let smooth = LoadShareSettings {
-        supply: InletSupply::Smooth,
-        ..settings
-    };
-    let film =
-        |settings| PositionFilm::with_film(&rheology, &line, case.temperature, settings, central);
-    let spectrum = |k: usize| TraceSpectrum::new(contact.traces[k].heights(), spacing);
-    let spectra = [spectrum(0)?, spectrum(1)?];
-    let attenuated = AttenuatedTraces::new(
-        [&spectra[0], &spectra[1]],
-        film(&settings)?.nabla_per_length(),
-    )?;
     let surfaces = Surfaces::new(
         contact.traces.clone().map(Texture::Trace),
         case.preparation.lambda_s,
@@ -197,7 +223,6 @@ fn windows(loaded: &LoadedCase, contact: &RefereeContact) -> Result<Vec<Window>,
                 place((k as f64 + 0.5) / WINDOWS as f64, first.len()),
                 place((0.5 + k as f64 * GOLDEN_SECTION).fract(), second.len()),
             ];
-            let rms = attenuated.window_rms(starts, points)?;
             let cut = |k: usize| {
                 let heights = &contact.traces[k].heights()[starts[k]..starts[k] + points];
                 Profile::new(spacing, heights.to_vec())
@@ -217,11 +242,11 @@ fn windows(loaded: &LoadedCase, contact: &RefereeContact) -> Result<Vec<Window>,
                     ..SolverSettings::default()
                 },
             })?;
-            let table = ContactTable::build(&mut rough)?;
-            Ok(Window {
+            Ok(ComparedWindow {
+                starts,
+                points,
+                contact: ContactTable::build(&mut rough)?,
                 roughness: surfaces.roughness_of(&flanks)?,
-                solved: film(&settings)?.share(&table, rms)?.value,
-                smooth_supply: film(&smooth)?.share(&table, rms)?.value,
             })
         })
         .collect()
@@ -231,7 +256,7 @@ fn windows(loaded: &LoadedCase, contact: &RefereeContact) -> Result<Vec<Window>,
 fn mean_share(
     loaded: &LoadedCase,
     contact: &RefereeContact,
-    windows: &[Window],
+    windows: &[ComparedWindow],
     law: LoadShareLaw,
 ) -> Result<Option<f64>, RefereeError> {
     let laws = ChosenLaws::of(&loaded.case);
@@ -252,7 +277,7 @@ fn mean_share(
 fn regression(
     loaded: &LoadedCase,
     contact: &RefereeContact,
-    windows: &[Window],
+    windows: &[ComparedWindow],
 ) -> Result<f64, RefereeError> {
     let case = &loaded.case;
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);

@@ -7,7 +7,9 @@ use asperity_ehl::{
     FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordSettings, RoughContact,
 };
 use asperity_ehl_regime::inlet_flow::CentralFilm;
-use asperity_ehl_regime::{FilmConditions, FilmLaw, MoesNumbers, TraceSpectrum};
+use asperity_ehl_regime::{
+    Attenuation, FilmConditions, FilmLaw, GapLaw, MoesNumbers, TraceSpectrum,
+};
 use asperity_oil::{DensityLaw, FilmRheology, PressureViscosityLaw, ShearLaw};
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 
@@ -205,7 +207,8 @@ fn moving(trace: &Profile, offset: f64) -> Result<MovingProfile, DomainError> {
 }
 
 /// Standard deviation σ_d of the roughness that rough surfaces keep in a lubricated contact: the root of the
-/// sum of the mean squares of their attenuated traces, which pass each other and are unrelated.
+/// sum of the mean squares of their attenuated traces, which pass each other and are unrelated. The coefficients are those of the
+/// gap law `power`, which describe these solutions.
 ///
 /// # Errors
 /// When a number is outside its domain, or a height is not finite.
@@ -219,9 +222,10 @@ pub fn attenuated_roughness(
         .map_err(PositionError::from)?;
     let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
     let nabla = numbers.nabla_per_length(hertz.half_width)?;
+    let attenuation = Attenuation::new(GapLaw::Power, nabla)?;
     let mut squares = 0.0;
     for trace in traces {
-        let left = TraceSpectrum::new(trace.heights(), trace.spacing())?.attenuated(nabla)?;
+        let left = TraceSpectrum::new(trace.heights(), trace.spacing())?.attenuated(&attenuation);
         squares += left.iter().map(|z| z * z).sum::<f64>() / left.len() as f64;
     }
     Ok(Length::from_si(squares.sqrt()))

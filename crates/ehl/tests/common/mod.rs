@@ -33,8 +33,8 @@ pub fn contact(p_0: f64, u_m: f64, slide_to_roll: f64) -> LineContact {
     .unwrap()
 }
 
-/// A_d/A_i of a wave that passes through the contact in pure rolling, after Venner and others 1997, with constants from
-/// memory; the solver agrees with it within 10 % for ∇ from 2 to 8 (at 14 the curve is a fifth too low).
+/// A_d/A_i of a wave that passes through the contact in pure rolling, by the coefficients of the gap law
+/// `power`; the solver agrees with it within 10 % for ∇ from 2 to 8 (at 14 the curve is a fifth too low).
 pub fn remaining_amplitude(wavelength: Length, scales: &Scales) -> f64 {
     let per_half_width = scales.moes_load.powf(0.75) / scales.moes_lubricant.sqrt();
     let nabla = wavelength / scales.half_width * per_half_width;

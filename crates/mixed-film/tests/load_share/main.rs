@@ -21,7 +21,7 @@ use asperity_core::quantity::{
     SpecificHeat, Speed, Temperature, ThermalConductivity,
 };
 use asperity_ehl_regime::inlet_flow::Lay;
-use asperity_ehl_regime::{ThermalLaw, TraceSpectrum};
+use asperity_ehl_regime::{Attenuation, GapLaw, PairSpectrum, ThermalLaw, TraceSpectrum};
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, InletSupply, LoadShareError, LoadShareSettings,
     LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SpotSpeed,
@@ -129,16 +129,20 @@ fn superfinished() -> &'static Flanks {
     })
 }
 
-/// An oil of the reference values, with the Eyring stress that they have.
+/// An oil of the reference values, with the Eyring stress and the conductivity that they have.
 fn oil(name: &str) -> FilmRheology {
     let (nu, density, family, eyring) = match name {
         "M100" => ([96.0, 10.6], 882.0, BaseOil::Mineral, 5e6),
         _ => ([30.8, 5.9], 845.0, BaseOil::Pao, 4e6),
     };
-    let constants = TractionConstants {
+    let mut constants = TractionConstants {
         eyring_stress: Pressure::from_si(eyring),
         ..TractionConstants::of(family).unwrap()
     };
+    if family == BaseOil::Mineral {
+        constants.conductivity = ThermalConductivity::from_si(0.137);
+        (constants.conductivity_rise, constants.conductivity_bend) = (1.72, 0.54);
+    }
     let lubricant = LubricantInput {
         viscosity: Some(ViscosityLaw::AstmD341 {
             at_40: KinematicViscosity::from_si(nu[0] * 1e-6),
@@ -218,7 +222,8 @@ fn share(
     let rheology = oil("e-fluid");
     let mut film = PositionFilm::new(&rheology, contact, celsius(temperature), settings).unwrap();
     let [first, second] = &flanks.spectra;
-    let traces = AttenuatedTraces::new([first, second], film.nabla_per_length()).unwrap();
+    let pair = PairSpectrum::of([first, second]);
+    let traces = AttenuatedTraces::new([first, second], &film.attenuation(&pair).unwrap());
     let rms = traces.window_rms(starts, points(contact)).unwrap();
     film.share(table, rms).unwrap().value
 }
@@ -286,6 +291,7 @@ fn load_share_of_the_reference_windows() {
         let mut settings = LoadShareSettings {
             boundary_friction: row.mu_b,
             lay: Lay::ACROSS,
+            gap_law: GapLaw::Power,
             ..LoadShareSettings::default()
         };
         settings.film.nodes = std::num::NonZeroUsize::new(32).unwrap();
@@ -297,7 +303,8 @@ fn load_share_of_the_reference_windows() {
             1e-8,
         );
         let [first, second] = &flanks.spectra;
-        let traces = AttenuatedTraces::new([first, second], film.nabla_per_length()).unwrap();
+        let pair = PairSpectrum::of([first, second]);
+        let traces = AttenuatedTraces::new([first, second], &film.attenuation(&pair).unwrap());
         let rms = traces.window_rms(row.starts, n).unwrap();
         near("attenuated rms", rms.si() / row.Sqd, 1.0, 1e-8);
         let composite = flanks.window(row.starts, n);
@@ -613,7 +620,8 @@ fn structural_choices_move_the_friction_the_way_they_say() {
 #[test]
 fn windows_beyond_their_trace_or_narrower_than_the_contact_are_refused() {
     let [first, second] = &ground().spectra;
-    let traces = AttenuatedTraces::new([first, second], 1e5).unwrap();
+    let attenuation = Attenuation::new(GapLaw::Power, 1e5).unwrap();
+    let traces = AttenuatedTraces::new([first, second], &attenuation);
     assert!(traces.window_rms([5400, 0], 200).is_err());
     assert!(traces.window_rms([0, 0], 0).is_err());
     assert!(rough(&e_drive(), &[0.0; 100], FLOW).is_err());

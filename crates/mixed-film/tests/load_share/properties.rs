@@ -323,8 +323,8 @@ fn in_units(drawn: &Drawn, units: &Units) -> LoadShareSolution {
         let z: Vec<f64> = z.iter().map(|z| z * length).collect();
         TraceSpectrum::new(&z, SPACING * length).unwrap()
     });
-    let traces =
-        AttenuatedTraces::new([&spectra[0], &spectra[1]], film.nabla_per_length()).unwrap();
+    let attenuation = film.attenuation(&PairSpectrum::of(spectra.each_ref()));
+    let traces = AttenuatedTraces::new(spectra.each_ref(), &attenuation.unwrap());
     let rms = traces.window_rms(starts, n).unwrap();
     film.share(&table, rms).unwrap().value
 }

@@ -270,13 +270,10 @@ fn texts(constant: &FilmConstant) -> [String; 2] {
 
 /// Confidence in a constant, unless its source says it.
 fn confidence(constant: &FilmConstant) -> &'static str {
-    let says = |word: &str| constant.source.ends_with(word);
     match constant.mark {
         Mark::Seen => " (verified in its source)",
         Mark::Calibrated => " (calibrated here)",
-        Mark::Memory if says("from memory") => "",
-        Mark::Memory => " (from memory, source not available)",
-        Mark::Judged if says("judgement") => "",
+        Mark::Judged if constant.source.ends_with("judgement") => "",
         Mark::Judged => " (judgement)",
     }
 }

@@ -13,7 +13,7 @@ pub(super) fn section(report: &MicropittingReport) -> Markup {
         h3 { "Micropitting: specific film" }
         p {
             "Smallest λ_GF " (format!("{:.3}", report.lambda_min)) " at " (format!("{:.0} %", 100.0 * report.path_fraction))
-            " of the path, " (report.place) ". Film and flash temperature by the form of ISO/TS 6336-22, partly from memory; pressure, \
+            " of the path, " (report.place) ". Film and flash temperature by the form of ISO/TS 6336-22, as quoted by others; pressure, \
             speeds and friction from this run. Load factor " (format!("{:.2}", report.load_factor)) ", Ra "
             (format!("{pinion:.3} and {wheel:.3} µm")) ". "
             @match (report.permissible, report.safety) {

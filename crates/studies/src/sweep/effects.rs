@@ -5,7 +5,7 @@
 //! S_i  = mean(f_B (f_ABi − f_A))/V        S_Ti = mean((f_A − f_ABi)²)/(2V)
 //! ```
 //!
-//! Source: Saltelli and others 2010, Computer Physics Communications 181, table 2 (b, f), from memory; V is the
+//! Source: Saltelli and others 2010, Computer Physics Communications 181, table 2 (b, f), as coded in SALib; V is the
 //! variance of f over A and B. Intervals are percentiles of resampled points (bootstrap).
 
 use asperity_core::numerics::Z_95;

@@ -1,0 +1,138 @@
+//! Inlet of a rough contact: how far it flattens the roughness, and how much more than the smooth film it supplies.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | l, v | wavelength and variance of a component of the roughness | m, m² |
+//! | a | Hertz half width | m |
+//! | M, L | Moes' load and material number | - |
+//! | h_g | central gap of smooth flanks | m |
+//! | σ_d | standard deviation of the flattened roughness | m |
+//! | Ψ | mean gap of rough flanks over h_g | - |
+//! | n | wavelength over the length of the rough inlet | - |
+//!
+//! M^(−3/4) L^(1/2) a is the length of Grubin's inlet, (h_c R/√a)^(2/3) with h_c ∝ M^(−9/8) L^(3/4). A rough inlet ends at
+//! the mean gap h_g Ψ instead of h_g and is longer. Its length is that of the geometric mean of both gaps, Ψ^(1/3) times the
+//! smooth one. Compared with 57 solutions of mixed lubrication in plane strain: gap to 6 % root mean square for σ_d/h_c below
+//! 3; beyond, ridges that cannot leak make them no reference.
+
+use asperity_core::numerics::Solved;
+use asperity_core::quantity::Length;
+use asperity_core::{DomainError, cite};
+
+use crate::attenuation::{Attenuation, TraceSpectrum};
+use crate::error::RegimeError;
+use crate::gap_law::GapLaw;
+use crate::inlet_flow::{Lay, inlet_factor};
+
+/// Power of Ψ in the length of the inlet: that of √(h_g · h_g Ψ) to the power 2/3.
+const LENGTH_POWER: f64 = 1.0 / 3.0;
+/// Change of ln Ψ at which the iteration ends.
+const TOLERANCE: f64 = 1e-10;
+/// Iterations after which the change is below the tolerance whatever the roughness: it falls at least by a third each time.
+const MAX_ITERATIONS: usize = 100;
+/// Relative width of the bands in which neighbouring waves are summed; it moves σ_d² by less than 4e-6 of it.
+const BAND: f64 = 1.0 / 256.0;
+
+/// Variance of two traces by wavelength.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PairSpectrum {
+    /// Wavelength \[m\] and variance \[m²\] of each band, from the longest on.
+    bands: Vec<[f64; 2]>,
+}
+
+impl PairSpectrum {
+    /// The waves of both traces, which pass each other and are unrelated.
+    #[must_use]
+    pub fn of(traces: [&TraceSpectrum; 2]) -> Self {
+        let mut waves: Vec<[f64; 2]> = traces.into_iter().flat_map(TraceSpectrum::waves).collect();
+        waves.retain(|[_, variance]| *variance > 0.0);
+        waves.sort_by(|a, b| b[0].total_cmp(&a[0]));
+        let mut bands = Vec::new();
+        while let Some([longest, _]) = waves.first() {
+            let shortest = (1.0 - BAND) * longest;
+            let count = waves.partition_point(|[length, _]| *length > shortest);
+            let variance: f64 = waves[..count].iter().map(|[_, v]| v).sum();
+            let length = waves[..count].iter().map(|[l, v]| l * v).sum::<f64>() / variance;
+            bands.push([length, variance]);
+            waves.drain(..count);
+        }
+        Self { bands }
+    }
+
+    /// Standard deviation of the flattened roughness.
+    ///
+    /// ```text
+    /// σ_d² = Σ v A²                                                        [Pair-roughness]
+    /// ```
+    #[must_use]
+    pub fn roughness(&self, attenuation: &Attenuation) -> Length {
+        cite!("Pair-roughness");
+        let left = self.bands.iter().map(|[length, variance]| {
+            variance * attenuation.ratio(Length::from_si(*length)).powi(2)
+        });
+        Length::from_si(left.sum::<f64>().sqrt())
+    }
+}
+
+/// The inlet of a rough contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RoughInlet {
+    /// Ψ of both whole traces.
+    pub inlet_factor: f64,
+    /// Flattening of the roughness by this inlet.
+    pub attenuation: Attenuation,
+    /// Last change of ln Ψ and number of iterations.
+    pub evidence: Solved,
+}
+
+impl RoughInlet {
+    /// The inlet of a contact with the smooth gap h_g and the wavelength scale `nabla_per_length` of smooth flanks.
+    ///
+    /// ```text
+    /// n = ∇ Ψ^(−1/3),  Ψ = √(1 + 2.342 t (σ_d(n)/h_g)²)                    [Rough-inlet]
+    /// ```
+    ///
+    /// ln Ψ is a contraction of itself: the slope lies between 0 and 2/3, as A falls at most by n^(−2).
+    ///
+    /// # Errors
+    /// When the gap is not positive or the wavelength scale negative or not finite.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_ehl_regime::{Lay, PairSpectrum, RoughInlet, TraceSpectrum};
+    /// let wave: Vec<f64> = (0..400).map(|i| 0.3e-6 * (f64::from(i) * std::f64::consts::TAU / 100.0).sin()).collect();
+    /// let trace = TraceSpectrum::new(&wave, Length::from_si(0.5e-6))?;
+    /// let waves = PairSpectrum::of([&trace, &trace]);
+    /// // A thin film is fed through an inlet that the roughness lengthens: waves are flattened less.
+    /// let inlet = RoughInlet::of(&waves, 1e5, Length::from_si(0.05e-6), Lay::ACROSS)?;
+    /// assert!(inlet.inlet_factor > 5.0 && inlet.attenuation.nabla_per_length() < 0.6e5);
+    /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+    /// ```
+    pub fn of(
+        waves: &PairSpectrum,
+        nabla_per_length: f64,
+        smooth_gap: Length,
+        lay: Lay,
+    ) -> Result<Self, RegimeError> {
+        cite!("Rough-inlet");
+        let gap = Length::from_si(DomainError::positive("smooth gap", smooth_gap)?);
+        let mut attenuation = Attenuation::new(GapLaw::Inlet, nabla_per_length)?;
+        let (mut log, mut change, mut iterations) = (0.0_f64, f64::INFINITY, 0);
+        while change > TOLERANCE && iterations < MAX_ITERATIONS {
+            let next = inlet_factor(waves.roughness(&attenuation), gap, lay)?.ln();
+            (change, log) = ((next - log).abs(), next);
+            let scale = nabla_per_length * (-LENGTH_POWER * log).exp();
+            attenuation = Attenuation::new(GapLaw::Inlet, scale)?;
+            iterations += 1;
+        }
+        Ok(Self {
+            inlet_factor: log.exp(),
+            attenuation,
+            evidence: Solved {
+                value: log.exp(),
+                residual: change,
+                iterations,
+            },
+        })
+    }
+}
