@@ -92,3 +92,30 @@ fn an_option_is_found_in_a_string_and_not_in_a_comment() {
     assert_eq!(seen("f(\"say \\\"x\\\" with\n (--dx).\")"), ["(--dx)."]);
     assert!(seen("// \"--dx\"\nf('\"', \"a -- b, 3--4\")").is_empty());
 }
+
+/// Distributions of a loss are skewed: an interval has two ends, and half of it is named as such.
+#[test]
+fn no_interval_is_printed_as_a_value_with_a_symmetric_deviation() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let (mut seen, mut printed) = (0, Vec::new());
+    for path in ["crates", "cli/src"]
+        .map(|folder| root.join(folder))
+        .iter()
+        .flat_map(|at| sources(at))
+    {
+        let name = path.strip_prefix(&root).unwrap().display().to_string();
+        if !name.contains("/src/") {
+            continue;
+        }
+        let strings = strings(&fs::read_to_string(&path).unwrap());
+        seen += strings.len();
+        printed.extend(
+            strings
+                .into_iter()
+                .filter(|text| text.contains('±'))
+                .map(|text| format!("{name}: {text}")),
+        );
+    }
+    assert!(seen > 2000, "only {seen} strings were read");
+    assert!(printed.is_empty(), "{}", printed.join("\n"));
+}

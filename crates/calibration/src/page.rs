@@ -42,7 +42,7 @@ fn parameters(calibration: &Calibration) -> Markup {
         @if calibration.is_simulated {
             p { strong { "The losses of this table are simulated: " } "a rehearsal of a rig, not a measurement." }
         }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "parameter" } th.number { "value" } th.number { "95 % band" } th.number { "profile likelihood" }
                 th.number { "bootstrap over assemblies" } th.number { "default" } th.number { "range without calibration" } th { "by the points" } } }
             tbody { @for one in &calibration.parameters { tr {
@@ -104,7 +104,7 @@ fn warnings(warnings: &[Warning]) -> Markup {
 fn correlations(calibration: &Calibration) -> Markup {
     html! {
         h3 { "Correlations of the logarithms" }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th {} @for one in &calibration.parameters { th.number { (one.name) } } } }
             tbody { @for (one, row) in calibration.parameters.iter().zip(&calibration.correlations) { tr {
                 th scope="row" { (one.name) }
@@ -118,7 +118,7 @@ fn held_out(calibration: &Calibration) -> Markup {
     let share = |value: f64| format!("{:.1} %", 100.0 * value);
     html! { @if !calibration.held_out.is_empty() {
         h3 { "Every temperature predicted from the others" }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th.number { "temperature" } th.number { "points" } th.number { "deviation (rms)" } th.number { "expected" } th.number { "mean" } } }
             tbody { @for one in &calibration.held_out { tr {
                 td.number { (format!("{:.0} °C", one.temperature_c)) } td.number { (one.points) }
@@ -245,7 +245,7 @@ fn identifiability(calibration: &Calibration) -> Markup {
         p { (design.points) " operating points"
             @if let Some([low, high]) = design.lambda_star { (format!(", Lambda* from {low:.2} to {high:.2}")) }
             ". Before the fit, from the derivatives of the model; each parameter without its own prior." }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "parameter" } th.number { "standard deviation by the points" } th.number { "of the prior" } th { "verdict" } } }
             tbody { @for one in &design.parameters { tr {
                 th scope="row" { (one.name) } td.number { (percent(one.deviation)) } td.number { (percent(Some(one.prior))) } td { (one.verdict.text()) }
@@ -253,7 +253,7 @@ fn identifiability(calibration: &Calibration) -> Markup {
         } }
         @if !design.helpful.is_empty() {
             h3 { "Further measurements that would help most" }
-            div.scroll tabindex="0" { table {
+            div.scroll { table {
                 thead { tr { th.number { "torque" } th.number { "speed" } th.number { "temperature" } th { "helps most" } th.number { "standard deviation now" } th.number { "with the point" } } }
                 tbody { @for one in &design.helpful { tr {
                     td.number { (format!("{:.0} N m", one.torque_nm)) } td.number { (format!("{:.0} 1/min", one.speed_rpm)) }
@@ -266,7 +266,7 @@ fn identifiability(calibration: &Calibration) -> Markup {
 }
 
 fn nuisance(calibration: &Calibration) -> Markup {
-    html! { div.scroll tabindex="0" { table {
+    html! { div.scroll { table {
         thead { tr { th { "term" } th.number { "value" } th.number { "standard deviation" } th.number { "of the prior" } th { "unit" } } }
         tbody { @for row in &calibration.nuisance { tr {
             th scope="row" { (row.name) } td.number { (format!("{:.3}", row.value)) } td.number { (format!("{:.3}", row.deviation)) }
@@ -319,7 +319,7 @@ pub(crate) fn render_design(design: &Design) -> String {
 }
 
 fn design_points(design: &Design) -> Markup {
-    html! { div.scroll tabindex="0" { table {
+    html! { div.scroll { table {
         thead { tr { th.number { "torque" } th.number { "speed" } th.number { "temperature" } th.number { "repeats" } th.number { "loss of the mesh" } th.number { "Λ*" } } }
         tbody { @for one in &design.points { tr {
             td.number { (format!("{:.1} N m", one.torque_nm)) } td.number { (format!("{:.0} 1/min", one.speed_rpm)) }
@@ -331,7 +331,7 @@ fn design_points(design: &Design) -> Markup {
 }
 
 fn design_bands(design: &Design) -> Markup {
-    html! { div.scroll tabindex="0" { table {
+    html! { div.scroll { table {
         thead { tr { th { "parameter" } th.number { "standard deviation by the points" } th.number { "95 % band" } th.number { "range without calibration" } th { "verdict" } } }
         tbody { @for one in &design.parameters { tr {
             th scope="row" { (one.identified.name) } td.number { (percent(one.identified.deviation)) }

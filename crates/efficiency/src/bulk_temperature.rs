@@ -9,9 +9,9 @@
 //! | G₁, G₂, G₁₂ | conductances from the gears to the oil, and between the gears | W/K |
 //! | β | share of the frictional heat that goes into gear 1 | - |
 //!
-//! The rise after Oster, as in ISO/TR 15144-1, is unconfirmed: no accessible source has its constants. ISO's X_Ca is 1 here: it corrects a
-//! loss computed without tip relief, and P includes the relief. Published heat transfer coefficients differ by
-//! factors, so the conductances of the network are inputs.
+//! The rise after Oster, as in ISO/TR 15144-1, is unconfirmed: no accessible source has its constants. ISO's X_Ca is
+//! 1 here: it corrects a loss computed without tip relief, and P includes the relief. Published heat transfer coefficients
+//! differ by factors, so the conductances of the network are inputs.
 
 use asperity_core::quantity::{Length, Power, Temperature, ThermalConductance};
 use asperity_core::{DomainError, cite};

@@ -14,8 +14,8 @@
 //! velocity, so the speed is V_e.
 //!
 //! The cycled energy is recovered except for the share α_h, typically 0.005 to 0.05 for hardened bearing
-//! steel (Johnson 1985, as quoted in the report of an open bearing solver). The hysteresis loss is part of the rolling loss. Plastic work in the first pass is
-//! running-in and not a steady loss.
+//! steel (Johnson 1985, as quoted in the report of an open bearing solver). The hysteresis loss is part of the rolling
+//! loss. Plastic work in the first pass is running-in and not a steady loss.
 
 use std::f64::consts::PI;
 

@@ -47,7 +47,7 @@ pub enum Mark {
     Seen,
     /// Fitted here to measurements of its source.
     Calibrated,
-    /// Judgement of this project.
+    /// Judgement of this project. Results of older programs name it "memory".
     #[serde(alias = "memory")]
     Judged,
 }

@@ -406,7 +406,10 @@ fn composition(uncertainty: &Uncertainty, columns: usize) -> String {
             .map(|part| format!("{} {} W", part.name, half(part)));
         let named: Vec<String> = named.collect();
         text.push_str(&line(
-            &format!("uncertain  {}", named.join(", ")),
+            &format!(
+                "uncertain  {} (half of 5 to 95 %, each alone)",
+                named.join(", ")
+            ),
             INDENT,
             columns,
         ));

@@ -91,13 +91,13 @@ fn contributions(result: &RunResult) -> Option<Tile> {
     let rows = parts
         .filter(|part| digits.steps(part.half_range_w()) > 0.0)
         .map(|part| {
-            let half = digits.rounded(part.half_range_w());
-            [part.name.clone(), format!("± {half} W")]
+            let ends = part.quantiles_w.map(|loss| digits.rounded(loss));
+            [part.name.clone(), format!("{} W", ends.join(".."))]
         });
     Some(Tile {
         name: "sources of the interval",
         rows: rows.collect(),
-        note: "half of 5 to 95 %, each drawn alone".to_owned(),
+        note: "5 to 95 % of the loss, each drawn alone".to_owned(),
         ..Tile::default()
     })
 }

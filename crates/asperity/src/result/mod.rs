@@ -109,6 +109,20 @@ pub struct RunResult {
     pub references: Vec<CitedSource>,
 }
 
+impl RunResult {
+    /// 5 and 95 % quantiles of [`PositionRow::loss_w_per_m`] in each row of the path \[W/m\], the sliding loss as drawn, the
+    /// rolling loss of the run; `None` without an uncertainty.
+    #[must_use]
+    pub fn path_loss_quantiles(&self) -> Option<Vec<[f64; 2]>> {
+        let sliding = &self.uncertainty.as_ref()?.path_sliding_w_per_m;
+        let rows = self.path.iter().zip(sliding);
+        (sliding.len() == self.path.len()).then(|| {
+            rows.map(|(row, ends)| ends.map(|end| end + row.rolling_w_per_m))
+                .collect()
+        })
+    }
+}
+
 /// Efficiency and losses of the mesh, mean over the offsets of the traces.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -329,6 +343,17 @@ pub struct PositionRow {
     pub iterations: usize,
     /// Largest relative load error of a contact solution.
     pub load_error: f64,
+}
+
+impl PositionRow {
+    /// Loss of sliding and rolling per metre of contact line \[W/m\].
+    #[must_use]
+    pub fn loss_w_per_m(&self) -> f64 {
+        self.film_w_per_m
+            + self.boundary_w_per_m
+            + self.lubricated_asperity_w_per_m
+            + self.rolling_w_per_m
+    }
 }
 
 /// A named point of the path of contact.

@@ -8,7 +8,8 @@ use crate::chart::{Axis, Mark};
 pub(super) const SOURCE: &str = "path.csv";
 
 /// The points A to E [mm from T₁].
-pub(super) fn points(result: &RunResult) -> Vec<Mark> {
+#[must_use]
+pub fn points(result: &RunResult) -> Vec<Mark> {
     let mut points = result.gears.path.named_points().map(|(label, at)| Mark {
         at: 1e3 * at.si(),
         label: label.to_owned(),
@@ -18,6 +19,7 @@ pub(super) fn points(result: &RunResult) -> Vec<Mark> {
 }
 
 /// The axis along the path.
-pub(super) fn along() -> Axis {
+#[must_use]
+pub fn along() -> Axis {
     Axis::new("distance from T₁ along the line of action", "mm").shared()
 }

@@ -271,7 +271,7 @@ fn texts(constant: &FilmConstant) -> [String; 2] {
 /// Confidence in a constant, unless its source says it.
 fn confidence(constant: &FilmConstant) -> &'static str {
     match constant.mark {
-        Mark::Seen => " (verified in its source)",
+        Mark::Seen => " (read there)",
         Mark::Calibrated => " (calibrated here)",
         Mark::Judged if constant.source.ends_with("judgement") => "",
         Mark::Judged => " (judgement)",

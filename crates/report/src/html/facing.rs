@@ -31,7 +31,7 @@ pub(super) fn in_mesh(result: &RunResult) -> Option<Markup> {
                 button type="button" { "Play" }
                 input type="range" min="0" max=(STEPS) step="1" value="0" aria-label="Place of the contact on the path, from A to E";
             }
-            p.under { output.told { "Contact at the pitch point C" } }
+            p.under { output.caption { "Contact at the pitch point C" } }
             (legend(&drawing))
             @if !result.flanks.iter().any(is_placed) {
                 p.sub { "Where the traces lie on their flanks is not known: no key " code { "at" } " says so." }
@@ -65,7 +65,7 @@ fn slider(facing: Facing) -> Markup {
                 }
             }
             (PreEscaped(drawing.svg(Dress::Page)))
-            p.under { output.told aria-live="polite" { (text) } }
+            p.under { output.caption aria-live="polite" { (text) } }
             (source(drawing.source()))
             (embedded(&frames))
         }

@@ -23,10 +23,6 @@ const PARTS: [(&str, Loss); 4] = [
     ("rolling", |row| row.rolling_w_per_m),
 ];
 
-fn whole(row: &PositionRow) -> f64 {
-    PARTS.iter().map(|(_, of)| of(row)).sum()
-}
-
 /// Stacked local losses of sliding and rolling; dots for a single position.
 pub(super) fn along_the_path(result: &RunResult) -> Drawing {
     let rows = &result.path;
@@ -34,7 +30,7 @@ pub(super) fn along_the_path(result: &RunResult) -> Drawing {
     let of = |value: &dyn Fn(&PositionRow) -> f64| -> Vec<f64> {
         rows.iter().map(|row| KILO * value(row)).collect()
     };
-    let band = band(result);
+    let band = result.path_loss_quantiles();
     let title = match band {
         Some(_) => "Loss per length of contact line, with its band",
         None => "Loss per length of contact line",
@@ -46,7 +42,12 @@ pub(super) fn along_the_path(result: &RunResult) -> Drawing {
         for (name, part) in PARTS {
             chart = chart.with(Series::new(name, Line::Scatter, &s, &of(&part)));
         }
-        return Drawing::Curves(chart.with(Series::new("all", Line::Scatter, &s, &of(&whole))));
+        return Drawing::Curves(chart.with(Series::new(
+            "all",
+            Line::Scatter,
+            &s,
+            &of(&PositionRow::loss_w_per_m),
+        )));
     }
     let mut low = vec![0.0; rows.len()];
     for (name, part) in PARTS {
@@ -58,23 +59,17 @@ pub(super) fn along_the_path(result: &RunResult) -> Drawing {
         chart = chart.with(Series::area(name, &s, &low, &high));
         low = high;
     }
-    if let Some([low, high]) = band {
+    if let Some(band) = band {
+        let [low, high] = [0, 1].map(|end| {
+            let ends = band.iter().map(|both| KILO * both[end]);
+            ends.collect::<Vec<f64>>()
+        });
         chart = chart.with(Series::band("5 to 95 %", &s, &low, &high));
     }
-    Drawing::Curves(chart.with(Series::new("all", Line::Ink, &s, &of(&whole))))
-}
-
-/// 5 % and 95 % quantiles of the total local loss along the path \[kW/m\]: sliding as drawn, rolling of the run.
-fn band(result: &RunResult) -> Option<[Vec<f64>; 2]> {
-    let quantiles = &result.uncertainty.as_ref()?.path_sliding_w_per_m;
-    if quantiles.len() != result.path.len() {
-        return None;
-    }
-    let end = |k: usize| {
-        let pairs = result.path.iter().zip(quantiles);
-        pairs
-            .map(|(row, ends)| KILO * (ends[k] + row.rolling_w_per_m))
-            .collect()
-    };
-    Some([end(0), end(1)])
+    Drawing::Curves(chart.with(Series::new(
+        "all",
+        Line::Ink,
+        &s,
+        &of(&PositionRow::loss_w_per_m),
+    )))
 }

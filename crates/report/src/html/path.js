@@ -14,7 +14,7 @@
   // The gears, turned so that their flanks touch at s.
   function turn(figure) {
     const { path: [a, e], pitch, turns, along, contacts, step, place } = dataOf(figure);
-    const slider = enabled(figure), told = figure.querySelector(".told"), button = figure.querySelector("button");
+    const slider = enabled(figure), caption = figure.querySelector(".caption"), button = figure.querySelector("button");
     const gears = [...figure.querySelectorAll("[data-gear]")], dots = [...figure.querySelectorAll(".touch")];
     const share = (s) => (s - a) / (e - a);
     follow((s) => {
@@ -26,7 +26,7 @@
         dot.setAttribute("visibility", at >= a - 1e-9 && at <= e + 1e-9 ? "visible" : "hidden");
       });
       slider.value = String(Math.round(share(s) * Number(slider.max)));
-      told.textContent = `Contact ${s.toFixed(2)} mm from T₁, ${Math.round(100 * share(s))} % of the way from A to E`;
+      caption.textContent = `Contact ${s.toFixed(2)} mm from T₁, ${Math.round(100 * share(s))} % of the way from A to E`;
     });
     const go = (step) => tell(a + (e - a) * step / Number(slider.max));
     slider.addEventListener("input", () => { stop(); go(Number(slider.value)); });
@@ -52,7 +52,7 @@
   function show(figure) {
     const { ellipse, top, bottom, frames } = dataOf(figure);
     if (frames.length < 2) return frames[0].s;
-    const slider = enabled(figure), told = figure.querySelector(".told");
+    const slider = enabled(figure), caption = figure.querySelector(".caption");
     const part = (name) => figure.querySelector(`[data-part="${name}"]`);
     const sums = (steps) => { let sum = 0; return steps.map((step) => (sum += step)); };
     const line = (xs, ys) => xs.map((x, k) => `${k ? "L" : "M"}${x} ${ys[k]}`).join("");
@@ -68,7 +68,7 @@
       };
       for (const [name, d] of Object.entries(outlines)) part(name).setAttribute("d", d);
       part("dot").setAttribute("cx", String(frame.at / 10));
-      told.textContent = frame.text;
+      caption.textContent = frame.text;
     };
     const distance = (k, s) => Math.abs(frames[k].s - s);
     follow((s) => {

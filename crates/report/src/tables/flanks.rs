@@ -127,8 +127,15 @@ impl FlankTables {
                 |row| row.material_ratio_percent,
                 |row| [row.height_um],
             ),
-            spectrum: in_bands(&self.spectrum),
+            spectrum: self.spectrum_in_bands(),
         }
+    }
+
+    /// The spectrum as means of the density in bands of a twelfth of a decade, at the geometric mean of their frequencies.
+    /// With equal steps of frequency the area below the spectrum, the mean square of the heights, stays.
+    #[must_use]
+    pub fn spectrum_in_bands(&self) -> Vec<SpectrumRow> {
+        in_bands(&self.spectrum)
     }
 
     /// Reads the tables of flank `body` (0 pinion, 1 wheel) in a result folder.
@@ -157,8 +164,6 @@ impl FlankTables {
     }
 }
 
-/// Means of the density in bands of a twelfth of a decade, at the geometric mean of their frequencies. With equal steps of
-/// frequency the area below the spectrum, the mean square of the heights, stays.
 fn in_bands(rows: &[SpectrumRow]) -> Vec<SpectrumRow> {
     const PER_DECADE: f64 = 12.0;
     let band = |row: &SpectrumRow| (PER_DECADE * row.frequency_per_mm.log10()).floor();

@@ -2,10 +2,9 @@
 
 use asperity::quantity::Length;
 use asperity::result::loss_band::Uncertainty;
-use asperity::result::{PositionRow, RunResult};
-use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Mark, Series};
-use asperity_report::html::{figure, page};
-use asperity_report::tables::{BODIES, SpectrumRow};
+use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
+use asperity_report::html::{along, figure, page, points};
+use asperity_report::tables::BODIES;
 use asperity_report::units::MICRO;
 use maud::{Markup, html};
 
@@ -37,7 +36,7 @@ pub(super) fn render(comparison: &Comparison) -> String {
 fn verdict(comparison: &Comparison) -> Markup {
     html! {
         @for verdict in comparison.verdicts() { p { strong { (verdict) "." } } }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr {
                 th { "finish" } th.number { "efficiency" } th.number { "loss [W]" }
                 th.number { "minus the first [W]" } th.number { "change [%]" } th.number { "mixed" }
@@ -60,18 +59,6 @@ fn verdict(comparison: &Comparison) -> Markup {
     }
 }
 
-/// Loss per metre of contact line, of sliding and rolling \[W/m\].
-pub(super) fn local_loss(row: &PositionRow) -> f64 {
-    row.film_w_per_m + row.boundary_w_per_m + row.lubricated_asperity_w_per_m + row.rolling_w_per_m
-}
-
-/// 5 % and 95 % quantiles of the local loss of row `index`, the sliding loss as drawn, the rolling loss of the run.
-pub(super) fn local_quantiles(result: &RunResult, index: usize) -> Option<[f64; 2]> {
-    let quantiles = &result.uncertainty.as_ref()?.path_sliding_w_per_m;
-    let rolling = result.path[index].rolling_w_per_m;
-    Some(quantiles.get(index)?.map(|sliding| sliding + rolling))
-}
-
 /// Local losses of all finishes from A to E.
 fn along_the_path(comparison: &Comparison) -> Drawing {
     const KILO: f64 = 1e-3;
@@ -79,34 +66,23 @@ fn along_the_path(comparison: &Comparison) -> Drawing {
         "local-losses",
         "Loss per length of contact line from A to E, shaded 5 to 95 %",
         "path.csv",
-        Axis::new("distance from T₁ along the line of action", "mm"),
+        along(),
         Axis::new("loss", "kW/m").from_zero(),
     );
     if let Some(first) = comparison.finishes.first() {
-        let marks = first
-            .result
-            .gears
-            .path
-            .named_points()
-            .map(|(label, at)| Mark {
-                at: 1e3 * at.si(),
-                label: label.to_owned(),
-            });
-        chart = chart.marked(&marks);
+        chart = chart.marked(&points(&first.result));
     }
     for finish in &comparison.finishes {
         let rows = &finish.result.path;
         let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
-        let loss: Vec<f64> = rows.iter().map(|row| KILO * local_loss(row)).collect();
+        let loss: Vec<f64> = rows.iter().map(|row| KILO * row.loss_w_per_m()).collect();
         chart = chart.with(Series::new(&finish.name, Line::Solid, &s, &loss));
     }
     for finish in &comparison.finishes {
-        let rows = &finish.result.path;
-        let ends = (0..rows.len()).map(|k| local_quantiles(&finish.result, k));
-        let Some(ends) = ends.collect::<Option<Vec<[f64; 2]>>>() else {
+        let Some(ends) = finish.result.path_loss_quantiles() else {
             continue;
         };
-        let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
+        let s: Vec<f64> = finish.result.path.iter().map(|row| row.s_mm).collect();
         let [low, high] = [0, 1].map(|end| {
             ends.iter()
                 .map(|both| KILO * both[end])
@@ -143,7 +119,7 @@ fn flanks(comparison: &Comparison) -> Markup {
         )
     };
     html! {
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "finish" } th { "flank" } @for name in ["Ra", "Rq", "Rz", "Rpk", "Rk", "Rvk"] { th.number { (name) " [µm]" } } } }
             tbody { @for finish in &comparison.finishes { @for (body, name) in BODIES.iter().enumerate() {
                 @if let Some(values) = parameters(finish, body) {
@@ -192,26 +168,13 @@ fn spectra(comparison: &Comparison, body: usize) -> Option<Drawing> {
         let Some(tables) = &finish.tables[body] else {
             continue;
         };
-        let bands = bands(&tables.spectrum);
-        chart = chart.with(Series::through(&finish.name, Line::Solid, bands));
+        let bands = tables.spectrum_in_bands();
+        let points = bands
+            .iter()
+            .map(|row| [1e3 / row.frequency_per_mm, row.density_um3]);
+        chart = chart.with(Series::through(&finish.name, Line::Solid, points));
     }
     (!chart.series.is_empty()).then_some(Drawing::Curves(chart))
-}
-
-/// Wavelength \[µm\] and mean density \[µm³\] of twelve bands in each decade, the longest wavelength first.
-pub(super) fn bands(spectrum: &[SpectrumRow]) -> Vec<[f64; 2]> {
-    const PER_DECADE: f64 = 12.0;
-    let band = |row: &SpectrumRow| (PER_DECADE * row.frequency_per_mm.log10()).floor();
-    let groups = spectrum.chunk_by(|a, b| band(a) == band(b));
-    let mean = |rows: &[SpectrumRow], of: fn(&SpectrumRow) -> f64| {
-        rows.iter().map(of).sum::<f64>() / rows.len() as f64
-    };
-    groups
-        .map(|rows| {
-            let frequency = mean(rows, |row| row.frequency_per_mm);
-            [1e3 / frequency, mean(rows, |row| row.density_um3)]
-        })
-        .collect()
 }
 
 /// Components of the uncertainties, and losses by other models.
@@ -241,14 +204,14 @@ fn contributions(comparison: &Comparison) -> Markup {
     };
     html! {
         h3 { "Components of the uncertainty, each drawn alone, 5 to 95 %" }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "component" } @for (finish, _) in &drawn { th.number { (finish.name) } } } }
             tbody { @for row in &first.loss.parts {
                 tr { th scope="row" { (row.name) } @for (_, of) in &drawn { td.number { (part(of, &row.name)) } } }
             } }
         } }
         h3 { "Other models, and what refutes them" }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "model" } @for (finish, _) in &drawn { th.number { (finish.name) } } th { "refuted by" } } }
             tbody { @for row in first.models() {
                 tr {
@@ -298,7 +261,7 @@ fn roughness(comparison: &Comparison) -> Markup {
     html! {
         p { "Rank correlation of Spearman of the roughness under the contact with the loss, over " (comparison.windows)
             " windows. It shows which parameter orders the finishes like their losses, not a cause." }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "parameter" } th.number { "with the loss" } th.number { "within finishes" } } }
             tbody { @for entry in &comparison.correlations {
                 tr { th scope="row" { (entry.parameter) }
@@ -329,7 +292,7 @@ fn scatter(comparison: &Comparison, parameter: &str) -> Option<Drawing> {
 
 fn provenance(comparison: &Comparison) -> Markup {
     html! {
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "finish" } th { "file" } th { "SHA-256" } } }
             tbody { @for finish in &comparison.finishes { @for [file, sum] in &finish.files {
                 tr { td { (finish.name) } td { code { (file) } } td { code { (sum) } } }

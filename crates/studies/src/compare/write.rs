@@ -9,7 +9,7 @@ use asperity_storage::cell;
 use serde::Serialize;
 
 use super::comparison::{Comparison, FinishResult};
-use super::page::{self, bands, local_loss, local_quantiles};
+use super::page;
 use super::summary::summary;
 use super::windows::WindowRoughness;
 
@@ -101,13 +101,14 @@ struct PathRow<'a> {
 
 fn path(comparison: &Comparison) -> impl Iterator<Item = PathRow<'_>> {
     comparison.finishes.iter().flat_map(|finish| {
+        let quantiles = finish.result.path_loss_quantiles();
         let rows = finish.result.path.iter().enumerate();
-        rows.map(|(k, row)| {
-            let quantiles = local_quantiles(&finish.result, k);
+        rows.map(move |(k, row)| {
+            let quantiles = quantiles.as_ref().map(|rows| rows[k]);
             PathRow {
                 finish: cell(&finish.name),
                 s_mm: row.s_mm,
-                loss_w_per_m: local_loss(row),
+                loss_w_per_m: row.loss_w_per_m(),
                 loss_p05_w_per_m: quantiles.map(|[low, _]| low),
                 loss_p95_w_per_m: quantiles.map(|[_, high]| high),
             }
@@ -148,12 +149,12 @@ struct SpectrumBand<'a> {
 
 fn spectra(comparison: &Comparison) -> impl Iterator<Item = SpectrumBand<'_>> {
     flanks(comparison).flat_map(|(finish, flank, tables)| {
-        let bands = bands(&tables.spectrum).into_iter();
-        bands.map(move |[wavelength_um, density_um3]| SpectrumBand {
+        let bands = tables.spectrum_in_bands().into_iter();
+        bands.map(move |row| SpectrumBand {
             finish: cell(&finish.name),
             flank,
-            wavelength_um,
-            density_um3,
+            wavelength_um: 1e3 / row.frequency_per_mm,
+            density_um3: row.density_um3,
         })
     })
 }

@@ -35,7 +35,7 @@ fn energy(result: &CycleResult) -> Markup {
             (result.temperature_c) " °C. Outside of the map, where the ratio of loss to torque is that of its edge, " (percent(result.outside_energy_share)) " of the energy and "
             (percent(result.outside_share)) " of the moving time; "
             (percent(result.extended_share)) " at torques whose sliding loss is scaled from the smallest resolved one." }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "finish" } th.number { "lost" } th.number { "driving" } th.number { "braking" }
                 th.number { "of drive energy" } th.number { "per 100 km" } th.number { "minus the first" } } }
             tbody { @for finish in &result.finishes { tr {

@@ -132,7 +132,7 @@ pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
 
 /// Largest loss and best efficiency of each finish.
 fn largest(map: &Map) -> Markup {
-    html! { div.scroll tabindex="0" { table {
+    html! { div.scroll { table {
         thead { tr {
             th { "finish" } th.number { "largest loss [W]" } th.number { "at torque [N m]" }
             th.number { "and speed [1/min]" } th.number { "best efficiency [%]" }
@@ -396,7 +396,7 @@ fn bands(map: &Map) -> Markup {
         p { "Median of the loss with its 5 and 95 % quantiles, as for a run, at the nodes of torque and speed whose draws were "
             "computed; between them the logarithms of the draws are interpolated. The same at negative torque, unless there are "
             "coast flanks. All points are in map.csv." }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "finish" } th.number { "torque [N m]" } th.number { "speed [1/min]" }
                 th.number { "temperature [°C]" } th.number { "loss [W]" } } }
             tbody { @for (finish, point, loss) in rows.iter().take(MOST_BANDS) { tr {
@@ -414,7 +414,7 @@ fn ranges(map: &Map) -> Markup {
         return html! {};
     }
     html! {
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "what" } th { "finish" } th.number { "points" } th { "rows of map.csv" } } }
             tbody { @for warning in &map.warnings { tr {
                 td { (words(&warning.text)) } td { (warning.finish) } td.number { (warning.count) }
@@ -449,7 +449,7 @@ fn provenance(map: &Map) -> Markup {
                 @if k > 0 { ", " } (format!("{:.3} N m ({})", finish.resolved_from_nm[0], finish.name))
             } " are extrapolated: the traces do not resolve their contact." }
         @if let Some(note) = left_aside(map) { p { (note) "." } }
-        div.scroll tabindex="0" { table {
+        div.scroll { table {
             thead { tr { th { "finish" } th { "flanks" } th { "file" } th { "SHA-256" } } }
             tbody { @for finish in &map.finishes { @for (side, [file, sum]) in pairs(finish) {
                 tr { td { (finish.name) } td { (side) } td { code { (file) } } td { code { (sum) } } }

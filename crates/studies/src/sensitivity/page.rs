@@ -79,7 +79,7 @@ fn chart(study: &Sensitivity) -> Drawing {
 }
 
 fn table(study: &Sensitivity) -> Markup {
-    html! { div.scroll tabindex="0" { table {
+    html! { div.scroll { table {
         thead { tr { th { "of" } th { "change" } th { "to" } th.number { "loss [W]" } th.number { "loss [%]" }
             @for part in ["film", "lubricated asperities", "boundary layer", "rolling"] { th.number { (part) " [W]" } } } }
         tbody { @for row in &study.rows { tr {

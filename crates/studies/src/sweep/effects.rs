@@ -9,6 +9,7 @@
 //! variance of f over A and B. Intervals are percentiles of resampled points (bootstrap).
 
 use asperity_core::numerics::Z_95;
+use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use super::draws::{random_of, uniform};
@@ -78,28 +79,23 @@ pub fn effects(inputs: &[Regressor], y: &[f64]) -> Vec<Option<Effect>> {
     // Standardised, so that the pivots tell whether inputs depend on each other.
     let x = |i: usize, k: usize| (inputs[i].values[k] - moments[i].0) / moments[i].1.sqrt();
     let product = |of: &dyn Fn(usize) -> f64| (0..n).map(of).sum::<f64>() / n as f64;
-    let normal = varied.iter().map(|&i| {
-        let row = varied.iter().map(|&j| product(&|k| x(i, k) * x(j, k)));
-        row.collect()
+    let normal = DMatrix::from_fn(varied.len(), varied.len(), |i, j| {
+        product(&|k| x(varied[i], k) * x(varied[j], k))
     });
-    let Some(inverse) = inverse(normal.collect()) else {
+    let Some(inverse) = inverse(normal) else {
         return none();
     };
-    let right: Vec<f64> = varied
-        .iter()
-        .map(|&i| product(&|k| x(i, k) * (y[k] - mean)))
-        .collect();
-    let slopes: Vec<f64> = inverse
-        .iter()
-        .map(|row| row.iter().zip(&right).map(|(a, b)| a * b).sum())
-        .collect();
-    let explained: f64 = slopes.iter().zip(&right).map(|(b, r)| b * r).sum();
+    let right = DVector::from_fn(varied.len(), |i, _| {
+        product(&|k| x(varied[i], k) * (y[k] - mean))
+    });
+    let slopes = &inverse * &right;
+    let explained = slopes.dot(&right);
     let left = (square - explained).max(0.0) / (n - varied.len() - 1) as f64;
     let mut found = none();
     for (at, &i) in varied.iter().enumerate() {
         let ends = ends(&inputs[i]).map(|x| (x - moments[i].0) / moments[i].1.sqrt());
         let [low, high] = ends.map(|x| mean + slopes[at] * x);
-        let error = (left * inverse[at][at]).sqrt() * (ends[1] - ends[0]);
+        let error = (left * inverse[(at, at)]).sqrt() * (ends[1] - ends[0]);
         found[i] = Some(Effect {
             low,
             high,
@@ -126,29 +122,13 @@ fn ends(input: &Regressor) -> [f64; 2] {
     ]
 }
 
-/// Inverse of a correlation matrix by elimination; `None` if it is singular.
-fn inverse(mut matrix: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
+/// Inverse of a correlation matrix; `None` if it is singular.
+fn inverse(matrix: DMatrix<f64>) -> Option<DMatrix<f64>> {
     /// Smallest pivot of inputs that do not depend on each other.
     const LEAST: f64 = 1e-9;
-    let n = matrix.len();
-    for (i, row) in matrix.iter_mut().enumerate() {
-        row.extend((0..n).map(|j| f64::from(u8::from(i == j))));
-    }
-    for i in 0..n {
-        let pivot = matrix[i][i];
-        if pivot.is_nan() || pivot < LEAST {
-            return None;
-        }
-        matrix[i].iter_mut().for_each(|value| *value /= pivot);
-        let own = matrix[i].clone();
-        for (_, row) in matrix.iter_mut().enumerate().filter(|(k, _)| *k != i) {
-            let factor = row[i];
-            row.iter_mut()
-                .zip(&own)
-                .for_each(|(value, own)| *value -= factor * own);
-        }
-    }
-    Some(matrix.into_iter().map(|row| row[n..].to_vec()).collect())
+    let factor = matrix.cholesky()?;
+    let least = factor.l_dirty().diagonal().min();
+    (least * least >= LEAST).then(|| factor.inverse())
 }
 
 /// Mean and mean square deviation.

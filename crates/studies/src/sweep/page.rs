@@ -154,7 +154,7 @@ fn tornado(merged: &Merged, name: &str) -> Option<Drawing> {
 
 fn table(merged: &Merged) -> Markup {
     let index = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
-    html! { div.scroll tabindex="0" { table {
+    html! { div.scroll { table {
         thead { tr { th { "result" } th { "input" } th { "key" } th.number { "change" } th.number { "correlation" }
             th.number { "first index" } th.number { "total index" } } }
         tbody { @for row in &merged.effects {
