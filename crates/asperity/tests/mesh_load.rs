@@ -198,6 +198,36 @@ fn ring_pairs_run_and_have_the_loss_factors_of_the_reference() {
     }
 }
 
+/// The contact runs from the root to the tip of the pinion, and from the tip to the root of a wheel and of a ring.
+#[test]
+fn a_trace_from_the_root_is_read_from_its_other_end_on_a_wheel_and_on_a_ring() {
+    for teeth in ["[27, 24]", "[24, -75]"] {
+        let case = pair(teeth, "0 deg");
+        let tip = case.case.gears.tip_radius[1].si().abs() * 1e3;
+        for (from, mirrored) in [("root", true), ("tip", false)] {
+            // The last point of a trace from the root, and the first point of one from the tip, are at the tip.
+            let x = if from == "tip" { "0 mm" } else { "3 mm" };
+            let file = fixtures().join("profiles/ground_wheel.csv");
+            let wheel = format!(
+                "{{ file = {file:?}, from = \"{from}\", at = {{ radius = \"{tip} mm\", x = \"{x}\" }} }}"
+            );
+            let result = run(&changed(&case, &[("surface.wheel", &wheel)]));
+            let flank = &result.flanks[1];
+            assert_eq!(flank.mirrored, mirrored, "{teeth} from {from}");
+            // From the tip inwards on a wheel, outwards on a ring.
+            let base = case.case.gears.base_radius[1].si() * 1e3;
+            let roll = (tip.powi(2) - base.powi(2)).sqrt();
+            let inwards = if case.case.gears.internal { -1.0 } else { 1.0 };
+            let inside = |length: &f64| inwards * (roll - *length) > -1e-9;
+            let lengths = flank.roll_lengths_mm.unwrap();
+            assert!(
+                lengths.iter().all(inside),
+                "{teeth} from {from}: {lengths:?}, tip {roll}"
+            );
+        }
+    }
+}
+
 #[test]
 fn rings_that_cannot_mesh_are_refused_with_their_reason() {
     let case = pair("[24, -75]", "0 deg");

@@ -96,6 +96,15 @@ impl GearPair {
             _ => 1.0,
         }
     }
+
+    /// Sign of the change of the arc of `gear` from its root to its tip: 1, or −1 on a ring, whose tip is inside.
+    #[must_use]
+    pub fn arc_towards_tip(&self, gear: Gear) -> f64 {
+        match gear {
+            Gear::Wheel if self.internal => -1.0,
+            _ => 1.0,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -116,19 +116,16 @@ pub(super) fn read_place(
             "says how the trace lies on the flank, so mirrored is not asked for; leave mirrored out",
         ));
     }
-    // A trace over roll lengths is read in their rising order.
-    let from = match (arc_of_first, input.from) {
-        (Some(_), _) => TraceStart::Root,
-        (None, from) => from.unwrap_or_default(),
-    };
     if arc_of_first.is_some() && input.at.is_some() {
         return Err(PlaceError::Rule(
             "is told by the roll lengths of the file already; leave it out",
         ));
     }
-    let growth = match from {
-        TraceStart::Root => 1.0,
-        TraceStart::Tip => -1.0,
+    let growth = match (arc_of_first, input.from.unwrap_or_default()) {
+        // A trace over roll lengths is read in their rising order.
+        (Some(_), _) => 1.0,
+        (None, TraceStart::Root) => gears.arc_towards_tip(gear),
+        (None, TraceStart::Tip) => -gears.arc_towards_tip(gear),
     };
     let reference = match (arc_of_first, &input.at) {
         (Some(arc), _) => Some(arc.si()),
