@@ -335,6 +335,54 @@ fn a_result_of_another_case_is_not_replaced_unless_it_is_named() {
     );
 }
 
+/// Studies as runs: the folder of another case stays, unless the user names it.
+#[test]
+fn a_study_of_another_case_is_not_replaced_unless_it_is_named() {
+    let bench = small_case();
+    let studies: [&[&str]; 3] = [
+        &["sensitivity", "case.toml"],
+        &[
+            "map",
+            "case.toml",
+            "--torque",
+            "100,200",
+            "--speed",
+            "1000,3000",
+            "--band",
+            "none",
+        ],
+        &[
+            "compare",
+            "case.toml",
+            "--finish",
+            "a=pinion.csv",
+            "--finish",
+            "b=wheel.csv",
+        ],
+    ];
+    for study in studies {
+        bench.run(study).well();
+    }
+    bench.write("case.toml", E_DRIVE.replace("small case", "other case"));
+    for study in studies {
+        let folder = format!("results/case-{}", study[0]);
+        let refused = format!("{folder}: holds the result of another case (small case)");
+        bench.run(study).refused(2, "E401", &[&refused]);
+        bench.run(&[study, &["-o", &folder]].concat()).well();
+        bench.run(study).well();
+    }
+    // Without titles the gears tell the cases apart.
+    let untitled = E_DRIVE.replace("title = \"small case\"", "");
+    bench.write("untitled.toml", &untitled);
+    bench.run(&["run", "untitled.toml"]).well();
+    bench.write("untitled.toml", &untitled.replace("[23, 68]", "[24, 68]"));
+    let refused =
+        "results/untitled: holds the result of another case (untitled, 23/68 teeth, module 1.8 mm)";
+    bench
+        .run(&["run", "untitled.toml"])
+        .refused(2, "E401", &[refused]);
+}
+
 /// The power behind `name` in a line of the summary \[W\]; 0 for one below the last place.
 fn power(text: &str, name: &str) -> f64 {
     let rest = text.split(name).nth(1).unwrap().trim_start();

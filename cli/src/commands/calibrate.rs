@@ -45,9 +45,11 @@ fn held(args: &CalibrateArgs) -> Vec<CalibratedName> {
 fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
     let (file, case) = (&args.file, args.case.as_deref());
-    let folder = study::folder(args.output.as_deref(), &result_name(file), "calibration");
-    study::check_target::<Calibration>(&folder)?;
     let mut rig = RigFiles::read(file, case, |path| load_case(path, &args.set, None))?;
+    let first = rig.cases.first();
+    let title = first.map_or("", |first| &first.case.case.title);
+    let name = result_name(file);
+    let folder = study::folder::<Calibration>(args.output.as_deref(), &name, "calibration", title)?;
     rig.table.reach = reach(args)?;
     let progress = Progress::of(common.quiet, "evaluations");
     let tell = |result: &Identifiability| {
@@ -74,9 +76,9 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
         return Err(Failure::new("E205", message));
     }
     let file = &args.file;
-    let folder = study::folder(args.output.as_deref(), &result_name(file), "design");
-    study::check_target::<Design>(&folder)?;
     let case = load_case(file, &args.set, None)?;
+    let (name, title) = (result_name(file), &case.case.title);
+    let folder = study::folder::<Design>(args.output.as_deref(), &name, "design", title)?;
     let limits = limits(args, &case)?;
     let progress = Progress::of(common.quiet, "evaluations");
     let result = plan(&case, &limits, &held(args), &|done| progress.count(done));

@@ -46,8 +46,9 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
             finishes.len(),
         )?;
     }
-    let folder = study::folder(args.output.as_deref(), &result_name(&args.case), "compare");
-    study::check_target::<Comparison>(&folder)?;
+    let title = finishes.first().map_or("", |first| &first.case.case.title);
+    let name = result_name(&args.case);
+    let folder = study::folder::<Comparison>(args.output.as_deref(), &name, "compare", title)?;
     progress.begin("finishes");
     let comparison = compare::compare(&finishes, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;

@@ -26,13 +26,15 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
     let name = stem(&args.trace);
     let energies = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
     let energies = energies.map_err(|error| refused(args, &error))?;
-    let folder = study::folder(args.output.as_deref(), stem(&args.map).as_ref(), &name);
-    let folder = (!args.no_output).then_some(folder.as_path());
-    if let Some(folder) = folder {
-        study::check_target::<CycleResult>(folder)?;
+    let target = || {
+        let (map, title) = (stem(&args.map), &energies.title);
+        study::folder::<CycleResult>(args.output.as_deref(), map.as_ref(), &name, title)
+    };
+    let folder = (!args.no_output).then(target).transpose()?;
+    if let Some(folder) = &folder {
         study::write(&energies, &map, folder)?;
     }
-    study::print(&energies, &map, folder, None, common)
+    study::print(&energies, &map, folder.as_deref(), None, common)
 }
 
 fn refused(args: &CycleArgs, error: &EnergyError) -> Failure {

@@ -41,8 +41,8 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         .flat_map(|cycle| &cycle.points)
         .map(|point| [point.torque_nm, point.speed_rpm.abs()])
         .collect();
-    let folder = study::folder(args.output.as_deref(), &result_name(&args.case), "map");
-    study::check_target::<Map>(&folder)?;
+    let (name, title) = (result_name(&args.case), &first.case.case.title);
+    let folder = study::folder::<Map>(args.output.as_deref(), &name, "map", title)?;
     let added = args.add_loss.as_deref().map(added_loss).transpose()?;
     let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
     check_work(&args.work, &first.case, &KeptFields::Highest, torques)?;

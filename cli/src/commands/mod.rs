@@ -39,6 +39,7 @@ use asperity::case::{self, CaseInput, Formulation, LoadedCase, PathPoint, Source
 
 use crate::args::{FormulationArg, SetArgs};
 use crate::failure::Failure;
+use crate::output::shown;
 
 /// Text of a case, and the folder of its relative file names; `-` is standard input.
 fn source(path: &Path) -> Result<(Source, &Path), Failure> {
@@ -90,6 +91,21 @@ fn pair_only(source: &Source) -> Result<(), Failure> {
     Err(Failure::new("E205", message).advising(
         "run, check, gear and regime take planetary sets; the result of a set holds a result of each mesh.",
     ))
+}
+
+/// Refuses the folder that the user did not name if it holds the result of a case with another title, `older`.
+fn refuse_other(folder: &Path, title: &str, older: &str) -> Result<(), Failure> {
+    match older == title {
+        true => Ok(()),
+        false => Err(Failure::new(
+            "E401",
+            format!(
+                "{}: holds the result of another case ({}); choose another with -o, or name it with -o to replace it",
+                shown(folder),
+                asperity_storage::one_line(older)
+            ),
+        )),
+    }
 }
 
 /// Name of a file without extension.

@@ -10,7 +10,7 @@ use asperity_report::{self as report, Fields, ReportError};
 
 use super::bibtex::bibtex;
 use super::work::{check_work, check_work_of_set};
-use super::{AnyCase, load_any, result_name};
+use super::{AnyCase, load_any, refuse_other, result_name};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
 use crate::output::{
@@ -218,16 +218,10 @@ impl Target {
         };
         check(&folder)?;
         let older = report::title_of(&folder);
-        match &older {
-            Some(other) if other != title && args.output.is_none() => Err(Failure::new(
-                "E401",
-                format!(
-                    "{}: holds the result of another case ({other}); choose another with -o, or name it with -o to replace it",
-                    shown(&folder)
-                ),
-            )),
-            _ => Ok(Some(Self { folder, older })),
+        if let (Some(older), None) = (&older, &args.output) {
+            refuse_other(&folder, title, older)?;
         }
+        Ok(Some(Self { folder, older }))
     }
 
     /// Last lines of the output: the replaced result, and the page, with `more` at its right.

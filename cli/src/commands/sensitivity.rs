@@ -14,12 +14,8 @@ pub fn sensitivity(args: &SensitivityArgs, common: &Common) -> Result<(), Failur
     let progress = Progress::of(common.quiet, READING);
     let loaded = load_case(&args.case, &args.set, None)?;
     check_work(&args.work, &loaded, &KeptFields::Highest, 1 + CHANGES)?;
-    let folder = study::folder(
-        args.output.as_deref(),
-        &result_name(&args.case),
-        "sensitivity",
-    );
-    study::check_target::<Sensitivity>(&folder)?;
+    let (name, title) = (result_name(&args.case), &loaded.case.title);
+    let folder = study::folder::<Sensitivity>(args.output.as_deref(), &name, "sensitivity", title)?;
     progress.begin("changes");
     let changes = sensitivity::sensitivity(&loaded, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;

@@ -6,19 +6,26 @@ use std::time::Instant;
 
 use asperity_report::StudyResult;
 
+use super::refuse_other;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::output::{print_json, print_text, shown};
 
-/// Folder of a study: `output`, or by default `results/NAME-KIND`.
-pub fn folder(output: Option<&Path>, name: &OsStr, kind: &str) -> PathBuf {
+/// Folder of a study with `title`, checked before the computation: `output`, or by default `results/NAME-KIND`, which is
+/// refused if it holds a study of this kind with another title.
+pub fn folder<S: StudyResult>(
+    output: Option<&Path>,
+    name: &OsStr,
+    kind: &str,
+    title: &str,
+) -> Result<PathBuf, Failure> {
     let default = || Path::new("results").join(format!("{}-{kind}", name.to_string_lossy()));
-    output.map_or_else(default, Path::to_owned)
-}
-
-/// Checks, before the computation, that the study may be written as `folder`.
-pub fn check_target<S: StudyResult>(folder: &Path) -> Result<(), Failure> {
-    Ok(S::check_target(folder)?)
+    let folder = output.map_or_else(default, Path::to_owned);
+    S::check_target(&folder)?;
+    if let (Some(older), None) = (S::title_of(&folder), output) {
+        refuse_other(&folder, title, &older)?;
+    }
+    Ok(folder)
 }
 
 /// Writes a study as `folder`.

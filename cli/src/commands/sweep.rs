@@ -4,7 +4,9 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use asperity::message::Warning;
-use asperity_studies::sweep::{self, Event, Plan, Refused, Shard, Status, Study, SweepError};
+use asperity_studies::sweep::{
+    self, Event, Merged, Plan, Refused, Shard, Status, Study, SweepError,
+};
 
 use super::study;
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
@@ -160,7 +162,8 @@ fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
 fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
-    let target = study::folder(args.output.as_deref(), study.name.as_ref(), "sweep");
+    let (name, title) = (study.name.as_ref(), &study.case.case.title);
+    let target = study::folder::<Merged>(args.output.as_deref(), name, "sweep", title)?;
     let merged = sweep::merge(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
     study::write(&merged, (), &target)?;
     study::print(&merged, (), Some(&target), None, common)

@@ -76,13 +76,17 @@ pub fn check_place(target: &Path) -> Result<(), ReportError> {
 
 /// Title of the result in folder `target`; `None` if there is none, or no title can be read.
 pub fn title_of(target: &Path) -> Option<String> {
+    let mut marks = [MARK, PLANETARY_MARK].iter();
+    marks.find_map(|mark| title_in(&target.join(mark)))
+}
+
+/// Title of the result or study in the JSON file `file`; `None` if it cannot be read.
+pub(crate) fn title_in(file: &Path) -> Option<String> {
     #[derive(serde::Deserialize)]
     struct Titled {
         title: String,
     }
-    let marks = [MARK, PLANETARY_MARK].map(|mark| target.join(mark));
-    let titled = |file: &PathBuf| read_json::<Titled>(file).ok();
-    marks.iter().find_map(titled).map(|found| found.title)
+    Some(read_json::<Titled>(file).ok()?.title)
 }
 
 /// Writes `outcome` as folder `target`: `result.json`, `path.csv`, `load.csv`, tables of losses, friction laws and

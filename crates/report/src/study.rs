@@ -6,7 +6,7 @@ use asperity_storage::{check_folder, replace_folder};
 use serde::Serialize;
 
 use crate::error::ReportError;
-use crate::folder::{write_json, write_text};
+use crate::folder::{title_in, write_json, write_text};
 
 /// Result of a study: rows for tables, charts for a page, and a summary for the terminal.
 pub trait StudyResult: Serialize + Sized {
@@ -35,6 +35,11 @@ pub trait StudyResult: Serialize + Sized {
     /// When `target` holds something else than an older result of this kind.
     fn check_target(target: &Path) -> Result<(), ReportError> {
         Ok(check_folder(target, Self::KIND)?)
+    }
+
+    /// Title of the older result of this kind in folder `target`; `None` if there is none, or no title can be read.
+    fn title_of(target: &Path) -> Option<String> {
+        title_in(&target.join(Self::NAME).with_extension("json"))
     }
 
     /// Writes the result as folder `target`, completely or not at all, and replaces an older one.

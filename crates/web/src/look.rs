@@ -4,6 +4,7 @@ use asperity::core::Profile;
 use asperity::profile_io::read::{LengthUnit, ReadOptions, read_bytes};
 use asperity::quantity::Length;
 use asperity_report::chart::{Axis, Chart, Dress, Line, Series};
+use asperity_report::html::on_flank;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
@@ -42,9 +43,9 @@ const HEIGHT: f64 = 110.0;
 
 /// The trace in the direction in which it is read, its mean at 0.
 fn drawing(profile: &Profile, flank: &str, is_mirrored: bool) -> Chart {
-    let (profile, end) = match is_mirrored {
-        true => (&profile.mirrored(), "last"),
-        false => (profile, "first"),
+    let profile = match is_mirrored {
+        true => &profile.mirrored(),
+        false => profile,
     };
     let heights = profile.heights();
     let mean = heights.iter().sum::<f64>() / heights.len() as f64;
@@ -56,7 +57,7 @@ fn drawing(profile: &Profile, flank: &str, is_mirrored: bool) -> Chart {
         &format!("trace-{}", flank.replace('.', "-")),
         "The trace as read",
         "",
-        Axis::new(&format!("distance from the {end} point of the file"), "mm"),
+        on_flank(usize::from(flank.contains("wheel")), is_mirrored),
         Axis::new("height", "µm"),
     );
     Chart {

@@ -31,6 +31,7 @@ use super::known_keys::first_unknown;
 use super::loaded::{LoadedCase, complete, open_source};
 use super::model::{Formulation, ModelInput};
 use super::one_or_two::OneOrTwo;
+use super::resolve::title_by_gears;
 use super::section::Section;
 use super::source::{MeshKeys, Source};
 use crate::error::Error;
@@ -348,11 +349,11 @@ fn loaded(
     let meshes = <[LoadedCase; 2]>::try_from(meshes).map_err(|_| {
         Section::of(&Source::in_memory(), "planetary").conflict("", "needs both of its meshes")
     })?;
+    let [sun, planet] = set.sun_planet.teeth;
+    let [_, ring] = set.planet_ring.teeth;
+    let (title, teeth) = (input.title.clone(), [sun, planet, ring]);
     Ok(LoadedPlanetary {
-        title: input
-            .title
-            .clone()
-            .unwrap_or_else(|| "untitled set".to_owned()),
+        title: title.unwrap_or_else(|| title_by_gears(&teeth, set.sun_planet.normal_module)),
         meshes,
         set,
         operation,
@@ -514,7 +515,9 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
         surface.planet.clone(),
         surface.ring.clone(),
     ];
-    let title = input.title.as_deref().unwrap_or("untitled set");
+    let title = input.title.clone();
+    let title =
+        title.unwrap_or_else(|| title_by_gears(&set.teeth.map(i32::unsigned_abs), set.module));
     CaseInput {
         title: Some(format!("{title}: {}", mesh.name)),
         gears,

@@ -182,11 +182,9 @@ pub(super) fn resolve_checked(
             Some(rheology)
         }
     };
+    let title = input.title.clone();
     Ok(Case {
-        title: input
-            .title
-            .clone()
-            .unwrap_or_else(|| "untitled case".to_owned()),
+        title: title.unwrap_or_else(|| title_by_gears(&gears.teeth, gears.normal_module)),
         formulation,
         gears,
         micro_geometry,
@@ -213,6 +211,12 @@ pub(super) fn resolve_checked(
         input,
         defaults: defaults.into_list(),
     })
+}
+
+/// Title of a case without one: cases of other gears have another.
+pub(super) fn title_by_gears(teeth: &[u32], module: Length) -> String {
+    let teeth: Vec<String> = teeth.iter().map(u32::to_string).collect();
+    format!("untitled, {} teeth, module {module}", teeth.join("/"))
 }
 
 /// The oil in the film: constants of its family, α as stated at the temperature of the case or by Gold.

@@ -1,4 +1,4 @@
-//! Axis along the path of contact, with the points A to E.
+//! Axes along the path of contact, with the points A to E, and along the flanks.
 
 use asperity::result::RunResult;
 
@@ -22,4 +22,12 @@ pub fn points(result: &RunResult) -> Vec<Mark> {
 #[must_use]
 pub fn along() -> Axis {
     Axis::new("distance from T₁ along the line of action", "mm").shared()
+}
+
+/// The axis of a trace on flank `body` (0 pinion, 1 wheel), which runs as the contact does.
+#[must_use]
+pub fn on_flank(body: usize, is_mirrored: bool) -> Axis {
+    let begin = if is_mirrored { "last" } else { "first" };
+    let way = ["root to tip", "tip to root"][body.min(1)];
+    Axis::new(&format!("from the {begin} point of the file, {way}"), "mm")
 }

@@ -1,12 +1,14 @@
 //! The flanks as measured and prepared: trace, material ratio curve with its construction, spectrum and
 //! parameters.
 
-use asperity::result::RunResult;
+use asperity::gear::{FlankPoint, Gear};
+use asperity::result::{FlankRecord, RunResult};
 use asperity_core::quantity::Length;
 use asperity_roughness::Parameters;
 use asperity_roughness::material_ratio::RkParameters;
 use maud::{Markup, html};
 
+use super::along::on_flank;
 use super::page::figure;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 use crate::page_tables::PageTables;
@@ -28,6 +30,10 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
     }
     html! {
         @if let Some(pairs) = &result.pairs { (super::pairs::traces(pairs)) }
+        @if result.flanks.iter().any(|flank| flank.file.is_some() && flank.roll_lengths_mm.is_none()) {
+            p { "The contact runs from the root to the tip of the pinion and from the tip to the root of the wheel. Each trace is "
+                "drawn as it was used. If its file begins at the other end of the flank, state " code { "from" } "." }
+        }
         (parameters(result))
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
     }
@@ -47,7 +53,7 @@ fn charts(result: &RunResult, tables: &PageTables, index: usize) -> Vec<Drawing>
     let material = parameters.map(|parameters| &parameters.material);
     let [of_trace, of_curve, _] = files_of(body).map(|own| tables.source(&own));
     vec![
-        profile(trace, body, &of_trace),
+        profile(trace, result, index, &of_trace),
         abbott(material_ratio, material, body, &of_curve),
     ]
 }
@@ -56,7 +62,10 @@ fn column<R>(rows: &[R], value: impl Fn(&R) -> f64) -> Vec<f64> {
     rows.iter().map(value).collect()
 }
 
-fn profile(trace: &[TraceRow], body: &str, source: &str) -> Drawing {
+/// The trace in the direction of the contact, which runs from the root of the pinion to its tip.
+fn profile(trace: &[TraceRow], result: &RunResult, index: usize, source: &str) -> Drawing {
+    let body = BODIES[index];
+    let flank = &result.flanks[index];
     let x = column(trace, |row| 1e-3 * row.x_um);
     let of = |name: &str, value: fn(&TraceRow) -> f64| {
         Series::new(name, Line::Solid, &x, &column(trace, value))
@@ -66,9 +75,10 @@ fn profile(trace: &[TraceRow], body: &str, source: &str) -> Drawing {
         &format!("trace-{body}"),
         &title,
         source,
-        Axis::new("position", "mm"),
+        on_flank(index, flank.mirrored),
         Axis::new("height", "µm"),
     )
+    .marked(&places(trace, result, flank, index))
     .with(of("as measured", |row| row.measured_um))
     .with(of("form removed", |row| row.form_removed_um))
     // The filter drops the ends of the trace: no line there.
@@ -76,6 +86,34 @@ fn profile(trace: &[TraceRow], body: &str, source: &str) -> Drawing {
         row.roughness_um.unwrap_or(f64::NAN)
     }));
     Drawing::Curves(chart)
+}
+
+/// Points A to E of the path of contact on a trace whose place is known.
+fn places(trace: &[TraceRow], result: &RunResult, flank: &FlankRecord, index: usize) -> Vec<Mark> {
+    let gear = [Gear::Pinion, Gear::Wheel][index];
+    let gears = &result.gears;
+    let arc = |point| Some(gears.arc_of(gear, point).ok()?.si());
+    let first = trace.iter().find(|row| row.roughness_um.is_some());
+    let last = trace.iter().rfind(|row| row.roughness_um.is_some());
+    let (Some([begin, _]), Some(first), Some(last)) = (flank.roll_lengths_mm, first, last) else {
+        return Vec::new();
+    };
+    let Some(begin) = arc(FlankPoint::RollLength(Length::from_si(1e-3 * begin))) else {
+        return Vec::new();
+    };
+    let points = gears
+        .path
+        .named_points()
+        .into_iter()
+        .filter_map(|(label, s)| {
+            let along = gears.arc_direction(gear) * (arc(FlankPoint::Position(s))? - begin);
+            let x_um = first.x_um + along * MICRO;
+            (first.x_um..=last.x_um).contains(&x_um).then(|| Mark {
+                at: 1e-3 * x_um,
+                label: label.to_owned(),
+            })
+        });
+    points.collect()
 }
 
 fn abbott(

@@ -24,7 +24,7 @@ mod policy;
 mod relief;
 mod temperatures;
 
-pub use along::{along, points};
+pub use along::{along, on_flank, points};
 pub use contact::drawings as drawings_of_contact;
 pub use lubricated::{
     FilmAndPressure, FilmFrame, LubricatedContact, SharePoint, lubricated_contact,
