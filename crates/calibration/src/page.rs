@@ -294,23 +294,26 @@ pub(crate) fn render_design(design: &Design) -> String {
     let mut temperatures: Vec<f64> = points.iter().map(|point| point.temperature_c).collect();
     temperatures.sort_by(f64::total_cmp);
     temperatures.dedup();
-    let of = |at: f64| {
-        let at_temperature = points.iter().filter(move |point| point.temperature_c == at);
-        let coordinates = at_temperature.map(|point| [point.speed_rpm, point.torque_nm]);
-        Series::through(&format!("{at:.0} °C"), Line::Scatter, coordinates)
+    // The same point may be measured at several temperatures.
+    let at_temperature = |at: &f64| {
+        let chosen = points.iter().filter(|point| point.temperature_c == *at);
+        let coordinates = chosen.map(|point| [point.speed_rpm, point.torque_nm]);
+        let chart = Chart::new(
+            &format!("design-{at:.0}"),
+            &format!("Points to measure at {at:.0} °C"),
+            "design.csv",
+            Axis::new("speed", "1/min").log(),
+            Axis::new("torque", "N m").from_zero(),
+        );
+        charted(
+            chart,
+            vec![Series::through("point", Line::Scatter, coordinates)],
+        )
     };
-    let chart = Chart::new(
-        "design",
-        "Points to measure",
-        "design.csv",
-        Axis::new("speed", "1/min").log(),
-        Axis::new("torque", "N m").from_zero(),
-    );
-    let all = temperatures.into_iter().map(of).collect();
     let sections = [
         (
             "Points",
-            html! { (warnings(&design.warnings)) div.charts { (charted(chart, all)) } (design_points(design)) },
+            html! { (warnings(&design.warnings)) div.charts { @for at in &temperatures { (at_temperature(at)) } } (design_points(design)) },
         ),
         ("Expected bands", design_bands(design)),
     ];

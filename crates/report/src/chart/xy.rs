@@ -33,11 +33,13 @@ pub enum Line {
     Area,
     /// Shaded band about a curve.
     Band,
+    /// Shaded band in the colour of the curve with this index.
+    BandOf(usize),
 }
 
 impl Line {
     fn is_filled(self) -> bool {
-        matches!(self, Self::Area | Self::Band)
+        matches!(self, Self::Area | Self::Band | Self::BandOf(_))
     }
 }
 
@@ -87,6 +89,11 @@ impl Series {
     /// Makes the band over `x` between `low` and `high`, without read-off values.
     pub fn band(name: &str, x: &[f64], low: &[f64], high: &[f64]) -> Self {
         Self::between(name, Line::Band, x, low, high)
+    }
+
+    /// Makes the band about the curve `index` of several, without read-off values.
+    pub fn band_of(index: usize, name: &str, x: &[f64], low: &[f64], high: &[f64]) -> Self {
+        Self::between(name, Line::BandOf(index), x, low, high)
     }
 
     fn between(name: &str, line: Line, x: &[f64], low: &[f64], high: &[f64]) -> Self {
@@ -410,6 +417,7 @@ fn class(index: usize, line: Line) -> String {
         Line::Ink => return "curve ink".to_owned(),
         Line::Area => return format!("area c{}", index % COLOURS),
         Line::Band => return "area spread".to_owned(),
+        Line::BandOf(index) => return format!("area about c{}", index % COLOURS),
     };
     format!("curve c{} {kind}", index % COLOURS)
 }
@@ -417,7 +425,7 @@ fn class(index: usize, line: Line) -> String {
 /// SVG path of a curve, with a circle at each point of a line with dots.
 fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
     let radius = match line {
-        Line::Solid | Line::Dashed | Line::Ink | Line::Area | Line::Band => None,
+        Line::Solid | Line::Dashed | Line::Ink | Line::Area | Line::Band | Line::BandOf(_) => None,
         Line::Dots => Some(2.0),
         Line::Scatter => Some(3.5),
     };

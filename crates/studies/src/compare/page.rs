@@ -78,7 +78,7 @@ fn along_the_path(comparison: &Comparison) -> Drawing {
         let loss: Vec<f64> = rows.iter().map(|row| KILO * row.loss_w_per_m()).collect();
         chart = chart.with(Series::new(&finish.name, Line::Solid, &s, &loss));
     }
-    for finish in &comparison.finishes {
+    for (index, finish) in comparison.finishes.iter().enumerate() {
         let Some(ends) = finish.result.path_loss_quantiles() else {
             continue;
         };
@@ -89,7 +89,7 @@ fn along_the_path(comparison: &Comparison) -> Drawing {
                 .collect::<Vec<f64>>()
         });
         let name = format!("{}, 5 to 95 %", finish.name);
-        chart = chart.with(Series::band(&name, &s, &low, &high));
+        chart = chart.with(Series::band_of(index, &name, &s, &low, &high));
     }
     Drawing::Curves(chart)
 }
