@@ -105,7 +105,7 @@ fn correlations(calibration: &Calibration) -> Markup {
     html! {
         h3 { "Correlations of the logarithms" }
         div.scroll { table {
-            thead { tr { th {} @for one in &calibration.parameters { th.number { (one.name) } } } }
+            thead { tr { th { "parameter" } @for one in &calibration.parameters { th.number { (one.name) } } } }
             tbody { @for (one, row) in calibration.parameters.iter().zip(&calibration.correlations) { tr {
                 th scope="row" { (one.name) }
                 @for value in row { td.number { (format!("{value:+.2}")) } }

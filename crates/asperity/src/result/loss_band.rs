@@ -361,9 +361,15 @@ impl Digits {
     }
 
     /// Whole steps nearest to `value`.
+    ///
+    /// ```
+    /// use asperity::result::loss_band::Digits;
+    /// assert_eq!(Digits::of_decimals(0).rounded(-0.4), "0");
+    /// ```
     #[must_use]
     pub fn steps(self, value: f64) -> f64 {
-        (value / self.step()).round()
+        // The sum turns −0 into 0.
+        (value / self.step()).round() + 0.0
     }
 
     /// Steps of the parts of a total of `total` steps, which add up to it: each part is rounded down, and the steps that

@@ -154,17 +154,19 @@ fn tornado(merged: &Merged, name: &str) -> Option<Drawing> {
 
 fn table(merged: &Merged) -> Markup {
     let index = |value: f64, [low, high]: [f64; 2]| format!("{value:.2} ({low:.2}..{high:.2})");
+    let has_indices = merged.effects.iter().any(|row| row.indices.is_some());
     html! { div.scroll { table {
         thead { tr { th { "result" } th { "input" } th { "key" } th.number { "change" } th.number { "correlation" }
-            th.number { "first index" } th.number { "total index" } } }
+            @if has_indices { th.number { "first index" } th.number { "total index" } } } }
         tbody { @for row in &merged.effects {
             @let output = Output::of(&row.output);
             tr {
                 td { (output.name) } td { (input_name(&row.input)) } td { code { (row.input) } }
                 td.number { @if let Some(effect) = row.effect { (output.change(&effect)) } }
                 td.number { @if let Some(effect) = row.effect { (format!("{:+.2}", effect.correlation)) } }
-                td.number { @if let Some(i) = row.indices { (index(i.first, i.first_interval)) } }
-                td.number { @if let Some(i) = row.indices { (index(i.total, i.total_interval)) } }
+                @if let Some(i) = row.indices {
+                    td.number { (index(i.first, i.first_interval)) } td.number { (index(i.total, i.total_interval)) }
+                }
             }
         } }
     } } }
