@@ -26,16 +26,22 @@ const DATA: &str = include_str!("../data/oil_families.json");
 #[serde(rename_all = "kebab-case")]
 pub enum BaseOil {
     /// Paraffinic mineral oil.
+    #[serde(alias = "Mineral", alias = "mineral oil")]
     Mineral,
     /// Naphthenic mineral oil: constants of paraffinic oil, which underrate its α.
+    #[serde(alias = "Naphthenic")]
     Naphthenic,
     /// Hydrocracked oil of API group III, automatic transmission fluid (judgement between its neighbours).
+    #[serde(alias = "Group III", alias = "group III")]
     GroupIii,
     /// Polyalphaolefin, e-fluids on that base.
+    #[serde(alias = "PAO", alias = "polyalphaolefin")]
     Pao,
     /// Ester.
+    #[serde(alias = "Ester")]
     Ester,
     /// Polyalkylene glycol.
+    #[serde(alias = "Polyglycol", alias = "PAG", alias = "pag")]
     Polyglycol,
 }
 

@@ -13,6 +13,7 @@ use super::known_keys::{first_unknown, property};
 use super::place::Place;
 use super::plain_words::plain;
 use super::source::{Source, from_table};
+use super::symbols::with_keys;
 
 /// A kind of case file.
 pub(super) trait CaseFile: Serialize + DeserializeOwned {
@@ -45,6 +46,7 @@ pub(super) trait CaseFile: Serialize + DeserializeOwned {
 
     /// Sets the key at `path`, which messages report at `place`; an error leaves the case unchanged.
     fn set_at(&mut self, place: Place, path: &str, value: &str) -> Result<(), CaseError> {
+        let path = &*with_keys(path);
         Self::refuse_unknown(std::iter::once(path), |_| place.clone())?;
         let typed = typed(value);
         let is_text = typed.is_str();
@@ -60,8 +62,9 @@ pub(super) trait CaseFile: Serialize + DeserializeOwned {
 
     /// Sets a key and records it in the source.
     fn set_in(&mut self, source: &mut Source, key: &str, value: &str) -> Result<(), CaseError> {
-        source.set(key, value);
-        self.set_at(source.place_of(key), key, value)
+        let key = with_keys(key);
+        source.set(&key, value);
+        self.set_at(source.place_of(&key), &key, value)
     }
 }
 

@@ -2,6 +2,8 @@
 
 use serde_json::Value;
 
+use super::symbols::key_named;
+
 /// The first key of `paths` that is not in the schema, with the nearest key that is.
 pub(super) fn first_unknown<'a>(
     schema: &Value,
@@ -105,6 +107,9 @@ pub(super) fn nearest<'a>(
 ) -> Option<String> {
     /// Jaro-Winkler similarity below which a suggestion confuses more than it helps.
     const LIKE: f64 = 0.75;
+    if let Some(key) = key_named(seen, known.clone()) {
+        return Some(key.to_owned());
+    }
     let ours = (OTHER_NAMES.iter()).find_map(|(other, ours)| (*other == seen).then_some(*ours));
     if let Some(ours) = ours
         && known.clone().any(|key| key == ours)

@@ -455,6 +455,7 @@ pub(super) fn complete(
     }
     let mut warnings = warnings;
     warnings.splice(0..0, unusual(&case.input, &case.oil));
+    warnings.extend(read_as_keys(source));
     provenance.include(&of_flanks);
     Ok(LoadedCase {
         case,
@@ -553,4 +554,12 @@ fn xu_calibration(
     let text = std::str::from_utf8(&bytes)
         .map_err(|error| refused(format!("is not text in UTF-8: {error}")))?;
     XuCalibration::from_json(text).map_err(|error| refused(error.to_string()))
+}
+
+/// Names the keys that symbols in the case file are read as.
+fn read_as_keys(source: &Source) -> Option<Warning> {
+    let pairs: Vec<String> = (source.symbols())
+        .map(|[symbol, key]| format!("{symbol} is {key}"))
+        .collect();
+    (!pairs.is_empty()).then(|| Warning::new("W202", pairs.join(", ")))
 }

@@ -55,6 +55,7 @@ mod set;
 mod source;
 mod steel;
 mod surrogates;
+mod symbols;
 mod trace;
 mod trace_filters;
 mod trace_list;

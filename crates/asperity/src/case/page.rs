@@ -7,6 +7,7 @@ use serde_json::Value;
 use super::input::schema;
 use super::loaded::from_text;
 use super::plausibility::usual_of;
+use super::symbols;
 use crate::error::Error;
 
 /// The shortest case: the keys that it leaves out show the defaults.
@@ -29,6 +30,11 @@ relative to the case file. `asperity check case.toml` lists all errors at once a
 The column \"default\" shows what the shortest possible case uses, in the formulation `corrected`; \"-\" means that the key is
 required, has no default, or takes its default as its description says. A value outside the usual range raises warning
 W201; the case still runs.
+";
+
+const SYMBOLS: &str = "\
+The symbols of a gear drawing are read as these keys (W202 names each). Those of `gears`, `operation` and `lubricant` may \
+also be written above all tables: `z = [23, 68]`. A text in place of a flank is its file: `surface.pinion = \"flank.csv\"`. \
 ";
 
 const TAIL: &str = "\
@@ -97,6 +103,10 @@ pub fn markdown() -> Result<String, Error> {
             &defaults,
         );
     }
+    page.push_str(&format!(
+        "\n## Symbols of a drawing\n\n{SYMBOLS}{}.\n",
+        symbols::listed()
+    ));
     page.push('\n');
     page.push_str(TAIL);
     Ok(page)

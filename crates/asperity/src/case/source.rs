@@ -9,6 +9,7 @@ use toml::{Table, Value};
 
 use super::error::CaseError;
 use super::place::Place;
+use super::symbols::{key_of_symbol, key_of_text, moved};
 
 /// Format of the text of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +32,8 @@ pub struct Source {
     values: BTreeMap<String, Range<usize>>,
     keys: BTreeMap<String, Range<usize>>,
     written: BTreeMap<String, String>,
+    /// Symbols and short forms in the text, each with the path of its key.
+    symbols: Vec<[String; 2]>,
     /// Keys that were set after the text was read.
     changed: BTreeSet<String>,
     /// The mesh that this is the source of, if the text describes a planetary set.
@@ -79,6 +82,7 @@ impl Source {
             values: BTreeMap::new(),
             keys: BTreeMap::new(),
             written: BTreeMap::new(),
+            symbols: Vec::new(),
             changed: BTreeSet::new(),
             mesh: None,
         }
@@ -157,6 +161,15 @@ impl Source {
         self.keys.keys().map(String::as_str)
     }
 
+    /// Symbols in the text, each with the path of the key that it is read as.
+    pub(super) fn symbols(&self) -> impl Iterator<Item = [&str; 2]> {
+        let shown = |pair: &&[String; 2]| !is_within(&pair[1], &pair[0]);
+        self.symbols
+            .iter()
+            .filter(shown)
+            .map(|pair| pair.each_ref().map(String::as_str))
+    }
+
     /// Place of the value of `key`; the nearest enclosing table if the key is missing.
     pub fn place_of(&self, key: &str) -> Place {
         self.nearest(&self.values, key)
@@ -211,11 +224,19 @@ impl Source {
         })
     }
 
-    /// The table of the text; a null of JSON counts as a missing key.
+    /// The table of the text, with keys for symbols; a null of JSON counts as a missing key.
     ///
     /// # Errors
     /// When the text is not a table of TOML or JSON, with the place.
     pub fn table(&self) -> Result<Table, CaseError> {
+        let mut table = self.as_written()?;
+        for [written, key] in &self.symbols {
+            moved(&mut table, written, key);
+        }
+        Ok(table)
+    }
+
+    fn as_written(&self) -> Result<Table, CaseError> {
         let (place, message) = match self.syntax {
             Syntax::Toml => match toml::from_str(&self.text) {
                 Ok(table) => return Ok(table),
@@ -300,9 +321,9 @@ impl Source {
             self.written.insert(path.to_owned(), value.to_string());
             return;
         };
-        for (name, field) in fields {
-            let path = join(path, name);
+        for (name, field) in keys_first(path, fields.iter(), |name| name) {
             let span = self.only_place_of(name);
+            let path = self.key_of(path, name, field.is_string().then_some(&span));
             self.keys.insert(path.clone(), span.clone());
             self.values.insert(path.clone(), span);
             self.index_json(&path, field);
@@ -322,9 +343,30 @@ impl Source {
         }
     }
 
+    /// The path of the key that `name` in the table `above` is read as; `text` is the place of the name of a text.
+    fn key_of(&mut self, above: &str, name: &str, text: Option<&Range<usize>>) -> String {
+        let written = join(above, name);
+        let symbol = key_of_symbol(above, name);
+        let key = match text.and_then(|span| Some((span, key_of_text(&written)?))) {
+            Some((span, key)) => {
+                self.keys.insert(written.clone(), span.clone());
+                Some(key)
+            }
+            None => symbol,
+        };
+        match key.filter(|key| !self.keys.contains_key(key)) {
+            Some(key) => {
+                self.symbols.push([written, key.clone()]);
+                key
+            }
+            None => written,
+        }
+    }
+
     fn index_toml(&mut self, path: &str, table: &DeTable<'_>) {
-        for (name, value) in table {
-            let path = join(path, name.get_ref());
+        for (name, value) in keys_first(path, table.iter(), |name| name.get_ref()) {
+            let is_text = matches!(value.get_ref(), DeValue::String(_));
+            let path = self.key_of(path, name.get_ref(), is_text.then_some(&name.span()));
             self.keys.insert(path.clone(), name.span());
             self.values.insert(path.clone(), value.span());
             if let DeValue::Table(inner) = value.get_ref() {
@@ -334,6 +376,18 @@ impl Source {
             }
         }
     }
+}
+
+/// The entries of the table at `path`, those that are not symbols first.
+fn keys_first<'a, K: 'a, V: 'a>(
+    path: &str,
+    entries: impl Iterator<Item = (&'a K, &'a V)>,
+    name: impl Fn(&K) -> &str,
+) -> Vec<(&'a K, &'a V)> {
+    let (symbols, mut keys): (Vec<_>, Vec<_>) =
+        entries.partition(|(key, _)| key_of_symbol(path, name(key)).is_some());
+    keys.extend(symbols);
+    keys
 }
 
 /// Whether `path` is `key` or below it.
