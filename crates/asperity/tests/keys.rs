@@ -184,3 +184,173 @@ fn a_place_that_no_flank_has_is_refused_with_what_was_wrong() {
         "{error}"
     );
 }
+
+/// Mistakes of case files, each with its code and with the words that name it; an unusual number is a warning.
+#[test]
+fn deliberate_mistakes_are_named() {
+    let mistakes: [(&str, &str, &str, &str); 35] = [
+        (
+            "operation.torque",
+            "145 kN m",
+            "E212",
+            "Hertz pressure at the pitch point",
+        ),
+        (
+            "operation.torque",
+            "145000 N m",
+            "E212",
+            "Hertz pressure at the pitch point",
+        ),
+        (
+            "operation.torque",
+            "145 N mm",
+            "E121",
+            "5.2 points per Hertz half-width",
+        ),
+        ("operation.torque", "0 N m", "E209", "not zero"),
+        (
+            "operation.speed",
+            "9000 rad/s",
+            "W201",
+            "operation.speed = 85943",
+        ),
+        (
+            "operation.speed",
+            "9000 1/s",
+            "E212",
+            "pitch-line speed (by",
+        ),
+        ("operation.speed", "0 1/min", "E209", "operation.speed"),
+        ("operation.temperature", "90 K", "E212", "-183.15 °C"),
+        (
+            "operation.temperature",
+            "363 °C",
+            "W201",
+            "operation.temperature = 363 °C",
+        ),
+        (
+            "gears.teeth",
+            "[68, 23]",
+            "W201",
+            "the pinion, which is named first",
+        ),
+        (
+            "gears.teeth",
+            "[-23, 68]",
+            "E205",
+            "only the wheel may be a ring",
+        ),
+        ("gears.module", "1.8 m", "E212", "1800 mm is beyond"),
+        ("gears.module", "1.8", "E204", "1.8 has no unit"),
+        ("gears.module", "1,8 mm", "E204", "decimal sign as a point"),
+        ("gears.face_width", "32 m", "E212", "32000 mm is beyond"),
+        ("gears.face_width", "32 um", "E212", "face width"),
+        ("gears.helix", "23.4 rad", "E209", "within 60 deg"),
+        (
+            "gears.centre_distance",
+            "80 mm",
+            "E206",
+            "larger than the sum of the base radii",
+        ),
+        ("gears.profile_shift", "[3.0, 0]", "E206", "is pointed"),
+        (
+            "gears.tip_diameter",
+            "[\"136.9 mm\", \"48.7 mm\"]",
+            "E209",
+            "are pinion and wheel exchanged",
+        ),
+        (
+            "gears.tip_diameter",
+            "[\"24.35 mm\", \"68.5 mm\"]",
+            "E209",
+            "radii stated as diameters",
+        ),
+        (
+            "gears.pinion.tip_relief",
+            "{ amount = \"20 mm\", length = \"2 mm\" }",
+            "E209",
+            "must be below 1 mm",
+        ),
+        (
+            "material.pinion.young",
+            "210 MPa",
+            "E212",
+            "0.21 GPa is beyond",
+        ),
+        ("material.pinion.young", "210", "E204", "210 has no unit"),
+        ("material.pinion.poisson", "3", "E209", "not above 0.5"),
+        ("material.pinion.steel", "PA66", "E204", "is a plastic"),
+        (
+            "material.pinion.steel",
+            "steel",
+            "E220",
+            "the library has no such steel",
+        ),
+        (
+            "lubricant.density",
+            "0.845 kg/m3",
+            "E212",
+            "0.845 kg/m3 is beyond",
+        ),
+        (
+            "lubricant.density",
+            "845 g/cm3",
+            "E212",
+            "845000 kg/m3 is beyond",
+        ),
+        (
+            "lubricant.viscosity",
+            "{ law = \"astm-d341\", at_40 = \"5.9 mm2/s\", at_100 = \"30.8 mm2/s\" }",
+            "E209",
+            "below the viscosity at 40 °C",
+        ),
+        (
+            "lubricant.viscosity",
+            "ISO VG 100",
+            "E204",
+            "states the viscosity at 40 °C only",
+        ),
+        (
+            "lubricant",
+            "{ oil = \"mobil\" }",
+            "E208",
+            "there is no oil \"mobil\"",
+        ),
+        (
+            "surface.pinion",
+            "{ ra = \"0.3 mm\" }",
+            "E212",
+            "300 um is beyond",
+        ),
+        (
+            "surface.pinion",
+            "{ ra = \"0.3 nm\" }",
+            "W201",
+            "surface.pinion.ra",
+        ),
+        ("surface.cutoff", "8 mm", "E120", "3 mm long"),
+    ];
+    let mut wrong = Vec::new();
+    for (key, value, code, words) in mistakes {
+        let solved = |case: LoadedCase| match code {
+            // The points of a Hertz half-width are counted in the run.
+            "E121" => asperity::losses(&case).map(|_| case),
+            _ => Ok(case),
+        };
+        let (found, said) = match e_drive().with_key(key, value).and_then(solved) {
+            Err(error) => (error.code().to_owned(), error.to_string()),
+            Ok(case) => {
+                let about = case
+                    .warnings
+                    .iter()
+                    .filter(|warning| warning.code == "W201");
+                let texts: Vec<&str> = about.map(|warning| &*warning.text).collect();
+                ("W201".to_owned(), texts.join("; "))
+            }
+        };
+        if found != code || !said.contains(words) {
+            wrong.push(format!("{key} = {value}: {found} {said}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

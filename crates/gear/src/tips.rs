@@ -47,7 +47,7 @@ pub(crate) fn tip_radii(
             "tip radius",
             radius.si(),
             "m",
-            "must be finite and larger than the base radius",
+            "must be finite and larger than the base radius; are pinion and wheel exchanged, or radii stated as diameters?",
         )?;
     }
     Ok(radii)

@@ -1,5 +1,6 @@
 //! Gear pair, flank modifications and settings of the load map, from the gears as written.
 
+use asperity_core::DomainError;
 use asperity_core::quantity::{Angle, Length};
 use asperity_gear::{
     AmountDirection, EndRelief, GearError, GearPair, GearPairInput, LoadConditions,
@@ -265,6 +266,10 @@ fn relief(drawn: ReliefInput, section: Section<'_>, name: &str) -> Result<Relief
             return Err(section.conflict(name, rule));
         }
     };
+    const MOST: f64 = 1e-3;
+    let rule = "must be below 1 mm: a relief has some to some tens of micrometres";
+    DomainError::require(amount.si() < MOST, "relief", amount.si(), "m", rule)
+        .map_err(section.domain(name))?;
     let shape = shape(power, section, name)?;
     Ok(Relief {
         amount,

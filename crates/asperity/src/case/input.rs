@@ -130,7 +130,7 @@ table! {
     #[serde(skip_serializing_if = "Option::is_none")]
     hardness: Option<Hardness>;
     /// Young's modulus E.
-    young: Option<Pressure> = "GPa" usual [50.0, 500.0] possible [0.05, 1500.0];
+    young: Option<Pressure> = "GPa" usual [50.0, 500.0] possible [1.0, 1500.0];
     /// Poisson's ratio ν.
     poisson: Option<f64> = "" usual [0.2, 0.42] possible OPEN;
     /// Elastic limit in tension.

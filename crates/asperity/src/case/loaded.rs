@@ -20,7 +20,7 @@ use super::gears::check_load;
 use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
 use super::model::Formulation;
-use super::plausibility::{of_files, unusual};
+use super::plausibility::{SYMBOLS, of_files, unusual};
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
 use super::source::Source;
@@ -454,7 +454,7 @@ pub(super) fn complete(
         refuse_several(&case, source)?;
     }
     let mut warnings = warnings;
-    warnings.splice(0..0, unusual(&case.input, &case.oil));
+    warnings.splice(0..0, unusual(&case));
     warnings.extend(read_as_keys(source));
     provenance.include(&of_flanks);
     Ok(LoadedCase {
@@ -561,5 +561,5 @@ fn read_as_keys(source: &Source) -> Option<Warning> {
     let pairs: Vec<String> = (source.symbols())
         .map(|[symbol, key]| format!("{symbol} is {key}"))
         .collect();
-    (!pairs.is_empty()).then(|| Warning::new("W202", pairs.join(", ")))
+    (!pairs.is_empty()).then(|| Warning::new(SYMBOLS, pairs.join(", ")))
 }

@@ -5,11 +5,15 @@
 //! design. Zero, negative and missing numbers are judged by the equations that take them.
 
 use std::borrow::Cow;
+use std::f64::consts::PI;
 
+use asperity_core::quantity::{AngularSpeed, Pressure, Torque};
+use asperity_gear::GearPair;
 use asperity_oil::{LubricantInput, LubricantState, ViscosityLaw};
 
 use super::error::CaseError;
 use super::input::CaseInput;
+use super::resolve::Case;
 use super::rows::{Limits, Table, in_unit, limits};
 use super::section::Section;
 use super::source::Source;
@@ -17,6 +21,8 @@ use crate::message::Warning;
 
 /// Code of the warning about an unusual number.
 const UNUSUAL: &str = "W201";
+/// Code of the warning that names the keys of symbols.
+pub(super) const SYMBOLS: &str = "W202";
 
 limits! {
     LubricantInput;
@@ -229,8 +235,79 @@ pub(super) fn refuse_stiff_oil(oil: &LubricantState, source: &Source) -> Result<
     Err(impossible_at(source, key, seen, usual))
 }
 
+/// A quantity at the pitch point, which shows a wrong unit of the keys that it follows from.
+pub(super) struct AtPitchPoint {
+    value: f64,
+    unit: &'static str,
+    usual: [f64; 2],
+    most: f64,
+    /// The key of the operation that it is reported at.
+    key: &'static str,
+    name: &'static str,
+}
+
+/// Hertz pressure with the load on one pair of teeth, and pitch-line speed:
+///
+/// p₀ = √(w E*/(π R)) with w = |T|/(r_b1 b), R = C (T₁T₂ − C)/(T₁T₂ cos β_b); v = r_w1 ω.
+pub(super) fn at_pitch_point(
+    gears: &GearPair,
+    modulus: Pressure,
+    torque: Torque,
+    speed: AngularSpeed,
+) -> [AtPitchPoint; 2] {
+    let path = gears.path();
+    let (c, whole) = (path.c.si(), path.t1t2.si());
+    let radius = c * (whole - c) / whole / gears.base_helix.si().cos();
+    let load = torque.si().abs() / (gears.base_radius[0].si() * gears.face_width.si());
+    [
+        AtPitchPoint {
+            value: 1e-9 * (load * modulus.si() / (PI * radius)).sqrt(),
+            unit: "GPa",
+            usual: [0.06, 3.0],
+            most: 10.0,
+            key: "torque",
+            name: "Hertz pressure at the pitch point (by torque, face width, teeth, module, Young's modulus)",
+        },
+        AtPitchPoint {
+            value: gears.working_pitch_radius[0].si().abs() * speed.si(),
+            unit: "m/s",
+            usual: [0.0, 200.0],
+            most: 1000.0,
+            key: "speed",
+            name: "pitch-line speed (by speed, teeth, module)",
+        },
+    ]
+}
+
+impl AtPitchPoint {
+    fn usual(&self) -> String {
+        let [low, high] = self.usual;
+        format!("{low} to {high} {}", self.unit)
+    }
+
+    /// Refuses a load or a speed that no pair of gears has.
+    pub(super) fn refuse_impossible(&self, source: &Source) -> Result<(), CaseError> {
+        if self.value <= self.most {
+            return Ok(());
+        }
+        let key = Section::of(source, "operation").key(self.key);
+        let seen = format!("a {} of {:.0} {}", self.name, self.value, self.unit);
+        Err(impossible_at(source, key, seen, self.usual()))
+    }
+
+    fn unusual(&self) -> Option<Warning> {
+        let text = || {
+            let value = with_unit(&digits(self.value), self.unit);
+            let (key, name, usual) = (self.key, self.name, self.usual());
+            format!("operation.{key}: a {name} of {value} is unusual; usual is {usual}")
+        };
+        (!within(self.value, self.usual)).then(|| Warning::new(UNUSUAL, text()))
+    }
+}
+
 /// Warnings about the unusual numbers of a case.
-pub(super) fn unusual(input: &CaseInput, oil: &LubricantState) -> Vec<Warning> {
+pub(super) fn unusual(case: &Case) -> Vec<Warning> {
+    let (input, oil) = (&case.input, &case.oil);
     let note = |range: &Range| {
         let value = with_unit(&digits(range.outside(range.usual)?), range.unit);
         let (key, usual) = (range.key(), range.usual());
@@ -247,12 +324,21 @@ pub(super) fn unusual(input: &CaseInput, oil: &LubricantState) -> Vec<Warning> {
         );
         warnings.push(Warning::new(UNUSUAL, text));
     }
+    let loads = at_pitch_point(&case.gears, case.modulus, case.torque, case.speed);
+    warnings.extend(loads.iter().filter_map(AtPitchPoint::unusual));
+    let [pinion, wheel] = case.gears.teeth;
+    if pinion > wheel {
+        let text = format!(
+            "gears.teeth: the pinion, which is named first and has the speed and the torque of the case, has {pinion} teeth and the wheel {wheel}"
+        );
+        warnings.push(Warning::new(UNUSUAL, text));
+    }
     warnings
 }
 
 /// The warnings that are not about numbers of the case.
 pub(super) fn of_files(warnings: &[Warning]) -> Vec<Warning> {
-    let is_of_a_file = |warning: &&Warning| warning.code != UNUSUAL;
+    let is_of_a_file = |warning: &&Warning| ![UNUSUAL, SYMBOLS].contains(&&*warning.code);
     warnings.iter().filter(is_of_a_file).cloned().collect()
 }
 

@@ -21,7 +21,7 @@ use super::input::{CaseInput, OperationInput, SurfaceInput};
 use super::key_names::key_of;
 use super::micropitting_input::MicropittingInput;
 use super::model::{Formulation, Model, model};
-use super::plausibility::{refuse_impossible, refuse_stiff_oil};
+use super::plausibility::{at_pitch_point, refuse_impossible, refuse_stiff_oil};
 use super::section::{Section, domain};
 use super::source::Source;
 use super::steel::{Steels, steels};
@@ -132,6 +132,9 @@ pub(super) fn resolve_checked(
     )
     .map_err(section.domain("torque"))?;
     DomainError::positive("speed", speed).map_err(section.domain("speed"))?;
+    for load in at_pitch_point(&gears, modulus, torque, speed) {
+        load.refuse_impossible(source)?;
+    }
     let lubricant = input
         .lubricant
         .resolve(temperature)

@@ -124,11 +124,26 @@ impl Standards {
     }
 }
 
+/// Whether `name` begins with the symbol of a plastic of gears (ISO 1043-1), followed by no other letter.
+fn is_plastic(name: &str) -> bool {
+    const SYMBOLS: [&str; 9] = [
+        "PA", "POM", "PEEK", "PPS", "PBT", "PET", "PAI", "PC", "NYLON",
+    ];
+    let letters = name.chars().take_while(char::is_ascii_alphabetic);
+    SYMBOLS.contains(&&*letters.collect::<String>().to_uppercase())
+}
+
 /// The steel that a body names.
 fn named(stated: &BodyInput, section: Section<'_>) -> Result<Option<SteelPreset>, CaseError> {
     let Some(name) = &stated.steel else {
         return Ok(None);
     };
+    if is_plastic(name) {
+        let message = format!(
+            "\"{name}\" is a plastic: the bending, creep and heat of plastic teeth are not modelled"
+        );
+        return Err(section.value("steel", message));
+    }
     let refused = |error| match error {
         PresetError::Unknown { name, known, .. } => CaseError::UnknownSteel {
             place: section.place("steel"),
