@@ -1,4 +1,4 @@
-//! `docs/VALIDATION.md` and `README.md` show what the tests compute.
+//! `docs/VALIDATION.md`, `docs/EHL.md` and `README.md` show what the tests compute.
 //!
 //! The tables stand between `<!-- name -->` and `<!-- end -->`. `ASPERITY_WRITE=1 cargo test -p
 //! asperity-tests --test validation document` writes them anew.
@@ -6,8 +6,9 @@
 use std::path::Path;
 
 use crate::{
-    band, fluid_film, full_film_losses, gates, gear_tool, load_share, measured, paper_formulation,
-    petry_johnson, rough_contact, share_laws, spot_values, steady_films, table_2,
+    band, ehl_records, fluid_film, full_film_losses, gates, gear_tool, load_share, measured,
+    paper_formulation, petry_johnson, rough_contact, share_laws, spot_values, steady_films,
+    table_2,
 };
 
 /// Every table by the name of its place.
@@ -34,6 +35,9 @@ fn tables() -> Vec<(&'static str, String)> {
         .collect();
     tables.push(("petry-johnson-measured", petry_johnson::beside_measured()));
     tables.push(("gates", gates::gate_table()));
+    tables.push(("ehl-laws", ehl_records::law_table()));
+    tables.push(("ehl-classes", ehl_records::class_table()));
+    tables.push(("gap-laws", gates::gap_law_table()));
     tables.push(("load-share-reference", measured::reference_table()));
     tables.push(("load-share-laws", share_laws::share_table()));
     tables.push(("cold-oil", measured::cold_table()));
@@ -62,7 +66,7 @@ fn with_tables(mut document: String, tables: &[(&str, String)]) -> String {
 fn the_documents_show_what_the_tests_compute() {
     let tables = tables();
     let mut shown = 0;
-    for name in ["docs/VALIDATION.md", "README.md"] {
+    for name in ["docs/VALIDATION.md", "docs/EHL.md", "README.md"] {
         shown += hold(name, &tables);
     }
     assert_eq!(shown, tables.len(), "a table has no place, or two");

@@ -1,10 +1,11 @@
 //! Solved asperity share against our own records of the mixed EHL contact, the reference solution (gate T9).
 //!
-//! The records are the table of `docs/EHL.md`; the conditions are those of the example that made it. Share of a record: mean of
+//! The records are the table of `fixtures/records`; the conditions are those of the example that made it. Share of a record: mean of
 //! the loads below 20 and 50 nm. Six smooth thin films, where the two differ by more than 0.15, have no defined share; they are
-//! left out of the gate, and printed with it. Both sides are isothermal, with ridges across the face.
+//! left out of the gate, and printed with it. Both sides have ridges across the face; share and gap are isothermal, friction both isothermal and with heat.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::OnceLock;
 
@@ -18,11 +19,11 @@ use asperity_ehl_regime::inlet_flow::inlet_factor;
 use asperity_ehl_regime::{Attenuation, GapLaw, PairSpectrum, TraceSpectrum};
 
 use asperity::oil::{BaseOil, TractionConstants};
-use asperity_core::quantity::Pressure;
 use asperity_tribo_friction::FilmHeat;
 use rayon::prelude::*;
 
 use crate::gate::Estimate;
+use mixed_ehl_records::EYRING_STRESS;
 
 #[path = "../../crates/asperity/examples/mixed_ehl_records.rs"]
 #[allow(
@@ -36,16 +37,12 @@ const UNDEFINED: f64 = 0.15;
 /// Records without a defined share.
 const UNDEFINED_RECORDS: usize = 6;
 
-/// Boundary friction of the records.
-const BOUNDARY_FRICTION: f64 = 0.08;
-/// Eyring stress of the records: polyalphaolefin, mineral oil \[Pa\].
-const EYRING_STRESS: [f64; 2] = [4e6, 5e6];
 /// Mean film under the middle .8 of the contact over that under the whole contact, over which records average.
 const GAP_OF_THE_MIDDLE: f64 = 0.975;
 
-/// Columns of the table of `docs/EHL.md`.
+/// A row of a table of records.
 struct Record {
-    /// Attenuated roughness over the smooth film.
+    /// Attenuated roughness over the smooth isothermal film of the formula.
     roughness_ratio: f64,
     /// Loads below 20 and 50 nm.
     below: [f64; 2],
@@ -53,6 +50,13 @@ struct Record {
     error: f64,
     gap_um: f64,
     graded_friction: f64,
+    /// Graded friction with the heat of film and surfaces.
+    hot_friction: f64,
+    /// Oil gained or lost over the mean flux: mean and worst step.
+    balance: [f64; 2],
+    mean_supply: f64,
+    thinnest_nm: f64,
+    warnings: String,
 }
 
 /// Share, gap and friction of the fast model, means over the windows, and the standard error of the share.
@@ -61,16 +65,20 @@ struct Fast {
     share: Estimate,
     gap_um: f64,
     friction: f64,
+    /// s of the whole pair by the smooth inlet, over the mass-flow film.
+    roughness_ratio: f64,
 }
 
 /// A record and the fast model over windows of the same traces.
 struct Compared {
     name: String,
     record: Record,
-    /// By the default gap law, Ψ from both whole traces.
-    solved: Fast,
+    /// By the gap law `power`.
+    power: Fast,
     /// By the gap law `inlet`: Ψ from both whole traces, and from each window.
     inlet: [Fast; 2],
+    /// The first of `inlet` with the heat of film and surfaces.
+    hot: Fast,
 }
 
 impl Compared {
@@ -78,63 +86,87 @@ impl Compared {
         0.5 * (self.record.below[0] + self.record.below[1])
     }
 
-    fn difference(&self) -> f64 {
-        self.solved.share.value - self.share()
+    /// The fast model as in a run: Ψ from both whole traces.
+    fn by(&self, law: GapLaw) -> &Fast {
+        match law {
+            GapLaw::Inlet => &self.inlet[0],
+            GapLaw::Power => &self.power,
+        }
+    }
+
+    fn difference(&self, law: GapLaw) -> f64 {
+        self.by(law).share.value - self.share()
     }
 
     fn is_defined(&self) -> bool {
         self.record.below[1] - self.record.below[0] <= UNDEFINED
     }
+
+    fn is_within_reference(&self) -> bool {
+        self.record.roughness_ratio < LARGEST_ROUGHNESS
+    }
 }
 
-/// The records of the table of `docs/EHL.md` by the name of their condition.
-fn records() -> BTreeMap<String, Record> {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/EHL.md");
-    let text = std::fs::read_to_string(file).unwrap();
-    let from = text
-        .find("| condition | σ_d/h_c | below 20 nm | below 50 nm | mean gap")
-        .unwrap();
-    let rows = text[from..].lines().skip(2);
-    let rows = rows.take_while(|line| line.starts_with('|'));
-    let number = |text: &str| text.trim().parse::<f64>().unwrap();
-    let rows = rows.map(|line| {
-        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
-        let (share, error) = cells[3].split_once('±').unwrap();
-        let (gap, _) = cells[5].split_once('±').unwrap();
+/// The records of a table of `fixtures/records` by the name of their condition.
+fn records(table: &str) -> BTreeMap<String, Record> {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/records");
+    let text = std::fs::read_to_string(file.join(format!("{table}.csv"))).unwrap();
+    let mut lines = text.lines();
+    let head: Vec<&str> = lines.next().unwrap().split(',').collect();
+    assert_eq!(head, mixed_ehl_records::COLUMNS);
+    let rows = lines.map(|line| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let cell = |name: &str| cells[head.iter().position(|column| *column == name).unwrap()];
+        let number = |name: &str| cell(name).parse::<f64>().unwrap();
         let found = Record {
-            roughness_ratio: number(cells[2]),
-            below: [number(share), number(cells[4])],
-            error: number(error),
-            gap_um: number(gap),
-            graded_friction: number(cells[9]),
+            roughness_ratio: number("roughness_over_film"),
+            below: ["below_20_nm", "below_50_nm"].map(number),
+            error: number("below_20_nm_error"),
+            gap_um: number("gap_um"),
+            graded_friction: number("graded"),
+            hot_friction: number("hot_graded"),
+            balance: ["mean_balance", "worst_balance"].map(number),
+            mean_supply: number("mean_supply"),
+            thinnest_nm: number("thinnest_nm"),
+            warnings: cell("warnings").to_owned(),
         };
-        (cells[1].to_owned(), found)
+        (cell("condition").to_owned(), found)
     });
     rows.collect()
 }
 
-fn compared() -> &'static [Compared] {
+/// The records of the gear meshes.
+fn gear_meshes() -> &'static [Compared] {
     static ROWS: OnceLock<Vec<Compared>> = OnceLock::new();
-    ROWS.get_or_init(|| {
-        let mut records = records();
-        let conditions = mixed_ehl_records::conditions();
-        assert_eq!(conditions.len(), records.len());
-        let mut pairs = Vec::new();
-        for condition in conditions {
-            let record = records.remove(&condition.name).unwrap();
-            pairs.push((condition, record));
+    ROWS.get_or_init(|| compared("gear_meshes", mixed_ehl_records::conditions()))
+}
+
+/// The records from which the gap law was derived and its limits were set.
+fn first_57() -> &'static [Compared] {
+    &gear_meshes()[..57]
+}
+
+/// The records of a table beside the fast model.
+fn compared(table: &str, conditions: Vec<mixed_ehl_records::Condition>) -> Vec<Compared> {
+    let mut records = records(table);
+    assert_eq!(conditions.len(), records.len());
+    let mut pairs = Vec::new();
+    for condition in conditions {
+        let record = records.remove(&condition.name).unwrap();
+        pairs.push((condition, record));
+    }
+    let rows = pairs.into_par_iter().map(|(condition, record)| {
+        let windows = Windows::of(&condition);
+        let cold = FilmHeat::Isothermal;
+        Compared {
+            name: condition.name,
+            record,
+            power: windows.fast(GapLaw::Power, false, cold),
+            inlet: [false, true].map(|each| windows.fast(GapLaw::Inlet, each, cold)),
+            hot: windows.fast(GapLaw::Inlet, false, FilmHeat::FilmAndSurfaces),
         }
-        let rows = pairs.into_par_iter().map(|(condition, record)| {
-            let windows = Windows::of(&condition);
-            Compared {
-                name: condition.name,
-                record,
-                solved: windows.fast(GapLaw::default(), false),
-                inlet: [false, true].map(|each| windows.fast(GapLaw::Inlet, each)),
-            }
-        });
-        rows.collect()
-    })
+    });
+    rows.collect()
 }
 
 /// The contact of a condition with its windows.
@@ -149,13 +181,8 @@ impl Windows {
     fn of(condition: &mixed_ehl_records::Condition) -> Self {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let loaded = condition.load(&workspace).unwrap();
-        // As the records: isothermal, ridges across the face, no tip relief.
-        let keys = [
-            ("model.thermal", "none"),
-            ("model.lay", "0"),
-            ("gears.pinion.tip_relief", "none"),
-            ("gears.wheel.tip_relief", "none"),
-        ];
+        // As the records: isothermal, ridges across the face.
+        let keys = [("model.thermal", "none"), ("model.lay", "0")];
         let loaded = keys.iter().fold(loaded, |loaded, (key, value)| {
             loaded.with_key(key, value).unwrap()
         });
@@ -176,20 +203,19 @@ impl Windows {
         }
     }
 
-    /// The isothermal fast model with the constants of the records, with Ψ in the length of the inlet from both whole traces or from each window.
-    fn fast(&self, law: GapLaw, of_each_window: bool) -> Fast {
+    /// The fast model with the constants of the records and no thermal reduction of the film, with Ψ in the length of the inlet from both whole traces or from each window.
+    fn fast(&self, law: GapLaw, of_each_window: bool, heat: FilmHeat) -> Fast {
         let case = &self.loaded.case;
         let mut settings = share_settings(&self.loaded, &self.contact).unwrap();
         settings.gap_law = law;
-        settings.film.heat = FilmHeat::Isothermal;
-        settings.boundary_friction = BOUNDARY_FRICTION;
+        settings.film.heat = heat;
         let line = (self.contact.position).line_contact(case.modulus, case.materials);
         let rheology = case.rheology.clone().unwrap();
         let constants = TractionConstants {
-            eyring_stress: Pressure::from_si(match case.lubricant.base_oil() {
+            eyring_stress: match case.lubricant.base_oil() {
                 Some(BaseOil::Pao) => EYRING_STRESS[0],
                 _ => EYRING_STRESS[1],
-            }),
+            },
             ..*rheology.constants()
         };
         let rheology = rheology.with_constants(constants).unwrap();
@@ -211,9 +237,10 @@ impl Windows {
                 solved.asperity_share,
                 solved.mean_gap.si() * 1e6,
                 solved.coefficient,
+                solved.roughness_over_film,
             ]
         });
-        let found: Vec<[f64; 3]> = found.collect();
+        let found: Vec<[f64; 4]> = found.collect();
         let n = found.len() as f64;
         let mean = |k: usize| found.iter().map(|values| values[k]).sum::<f64>() / n;
         let value = mean(0);
@@ -225,6 +252,7 @@ impl Windows {
             },
             gap_um: mean(1),
             friction: mean(2),
+            roughness_ratio: mean(3),
         }
     }
 }
@@ -246,7 +274,7 @@ fn statistics<'a>(rows: impl Iterator<Item = (&'a Compared, &'a Fast)> + Clone) 
             .collect()),
         of(rows
             .clone()
-            .map(|(row, fast)| (fast.gap_um / (GAP_OF_THE_MIDDLE * row.record.gap_um)).ln())
+            .map(|(row, fast)| gap_error(row, fast))
             .collect()),
         of(rows
             .map(|(row, fast)| (fast.friction / row.record.graded_friction).ln())
@@ -254,9 +282,125 @@ fn statistics<'a>(rows: impl Iterator<Item = (&'a Compared, &'a Fast)> + Clone) 
     ]
 }
 
+/// ln of the fast model's friction over the record's: at the bulk temperature, and with heat.
+fn friction_errors(row: &Compared) -> [f64; 2] {
+    let [cold, hot] = [row.inlet[0].friction, row.hot.friction];
+    [
+        (cold / row.record.graded_friction).ln(),
+        (hot / row.record.hot_friction).ln(),
+    ]
+}
+
+/// ln of the fast model's gap over the record's.
+fn gap_error(row: &Compared, fast: &Fast) -> f64 {
+    (fast.gap_um / (GAP_OF_THE_MIDDLE * row.record.gap_um)).ln()
+}
+
+/// Mean and standard deviation.
+fn spread(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let values: Vec<f64> = values.collect();
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+    (n > 1.0).then(|| [mean, (squares / (n - 1.0)).sqrt()])
+}
+
+/// Ends of the classes of s.
+const CLASSES: [f64; 7] = [0.0, 0.6, 1.2, 1.8, 2.3, 3.0, 6.0];
+
+/// Fast model minus records of the gear meshes by classes of s, mean ± standard deviation.
+pub fn class_table() -> String {
+    let mut text = String::from(
+        "| s | records | φ | ln gap | ln μ at the bulk temperature | ln μ with heat |\n|---|---|---|---|---|---|\n",
+    );
+    for ends in CLASSES.windows(2) {
+        let is_in = |row: &&Compared| (ends[0]..ends[1]).contains(&row.hot.roughness_ratio);
+        let rows = || gear_meshes().iter().filter(is_in);
+        let defined = rows().filter(|row| row.is_defined());
+        let columns = [
+            spread(defined.map(|row| row.difference(GapLaw::Inlet))),
+            spread(rows().map(|row| gap_error(row, &row.inlet[0]))),
+            spread(rows().map(|row| friction_errors(row)[0])),
+            spread(rows().map(|row| friction_errors(row)[1])),
+        ];
+        let cells = columns.map(|column| match column {
+            Some([mean, deviation]) => format!("{mean:+.3} ± {deviation:.3}"),
+            None => "-".to_owned(),
+        });
+        let count = rows().count();
+        let _ = writeln!(
+            text,
+            "| {} to {} | {count} | {} |",
+            ends[0],
+            ends[1],
+            cells.join(" | ")
+        );
+    }
+    text
+}
+
+/// Mean and root mean square of the fast model minus the records of the gear meshes, by gap law.
+pub fn law_table() -> String {
+    let mut text = String::from(
+        "| gap law | Ψ of | records | φ | ln gap | ln μ at the bulk temperature | ln μ with heat |\n|---|---|---|---|---|---|---|\n",
+    );
+    type Of = fn(&Compared) -> &Fast;
+    let by: [(&str, &str, Of); 3] = [
+        ("power", "window", |row| &row.power),
+        ("inlet", "window", |row| &row.inlet[1]),
+        ("inlet", "both traces", |row| &row.inlet[0]),
+    ];
+    for (law, of, fast) in by {
+        for (name, rows, end) in [
+            ("first 57", first_57(), f64::INFINITY),
+            ("first 57, σ_d/h_c below 3", first_57(), LARGEST_ROUGHNESS),
+            ("all", gear_meshes(), f64::INFINITY),
+            ("all, σ_d/h_c below 3", gear_meshes(), LARGEST_ROUGHNESS),
+        ] {
+            let rows = || rows.iter().filter(|row| row.record.roughness_ratio < end);
+            let cold = statistics(rows().map(|row| (row, fast(row))));
+            let with_heat = of == "both traces";
+            let squares = |values: &[f64]| {
+                let n = values.len() as f64;
+                let mean = values.iter().sum::<f64>() / n;
+                [mean, (values.iter().map(|v| v * v).sum::<f64>() / n).sqrt()]
+            };
+            let hot: Vec<f64> = rows().map(|row| friction_errors(row)[1]).collect();
+            let hot = with_heat.then(|| squares(&hot));
+            let cell = |[mean, rms]: [f64; 2]| format!("{mean:+.3}, {rms:.3}");
+            let [share, gap, friction] = cold.map(cell);
+            let hot = hot.map_or("-".to_owned(), cell);
+            let _ = writeln!(
+                text,
+                "| `{law}` | {of} | {name} | {share} | {gap} | {friction} | {hot} |"
+            );
+        }
+    }
+    text
+}
+
+#[test]
+#[ignore = "prints every row"]
+fn every_record_and_the_fast_model() {
+    println!("name,s,ratio,share,dphi,lngap,lnmu,lnmu_hot,power_lnmu");
+    for row in gear_meshes() {
+        let [cold, hot] = friction_errors(row);
+        println!(
+            "{},{:.4},{:.4},{:.4},{:.4},{:.4},{cold:.4},{hot:.4},{:.4}",
+            row.name,
+            row.hot.roughness_ratio,
+            row.record.roughness_ratio,
+            row.share(),
+            row.difference(GapLaw::Inlet),
+            gap_error(row, &row.inlet[0]),
+            (row.power.friction / row.record.graded_friction).ln(),
+        );
+    }
+}
+
 #[test]
 fn the_gap_law_inlet_follows_57_records() {
-    let rows = compared();
+    let rows = first_57();
     for (which, name) in ["pair", "window"].into_iter().enumerate() {
         for (end, limits) in [
             // The limit of the mean friction, .03, belongs to other self-affine traces; those here raise the mean by .0015.
@@ -277,8 +421,8 @@ fn the_gap_law_inlet_follows_57_records() {
             }
         }
     }
-    let rows = rows.iter().map(|row| (row, &row.solved));
-    println!("default gap law: {:.4?}", statistics(rows));
+    let rows = rows.iter().map(|row| (row, &row.power));
+    println!("gap law power: {:.4?}", statistics(rows));
 }
 
 #[test]
@@ -293,7 +437,7 @@ fn the_gap_law_inlet_follows_the_speed() {
         ("0.5", 0.3896),
     ] {
         let name = format!("fzg_{speed}_0.15");
-        let row = compared().iter().find(|row| row.name == name).unwrap();
+        let row = gear_meshes().iter().find(|row| row.name == name).unwrap();
         let [pair, window] = row.inlet.map(|fast| fast.gap_um / gap - 1.0);
         assert!(
             window.abs() < 2e-3 && pair.abs() < 5e-3,
@@ -311,18 +455,18 @@ pub struct Deviation {
 
 /// Deviations from the records up to the ratio of roughness to film beyond which they are not a reference, or from all; with or
 /// without those that have no defined share. Errors of the records are independent.
-pub fn deviation(within_reference: bool, with_undefined: bool) -> Deviation {
-    let rows = compared().iter();
+pub fn deviation(law: GapLaw, within_reference: bool, with_undefined: bool) -> Deviation {
+    let rows = gear_meshes().iter();
     let rows: Vec<&Compared> = rows
-        .filter(|row| !within_reference || row.record.roughness_ratio < LARGEST_ROUGHNESS)
+        .filter(|row| !within_reference || row.is_within_reference())
         .filter(|row| with_undefined || row.is_defined())
         .collect();
     let n = rows.len() as f64;
-    let squares: f64 = rows.iter().map(|row| row.difference().powi(2)).sum();
+    let squares: f64 = rows.iter().map(|row| row.difference(law).powi(2)).sum();
     let value = (squares / n).sqrt();
     let errors = rows.iter().map(|row| {
-        let error = row.record.error.hypot(row.solved.share.standard_error);
-        (row.difference() * error / (n * value)).powi(2)
+        let error = row.record.error.hypot(row.by(law).share.standard_error);
+        (row.difference(law) * error / (n * value)).powi(2)
     });
     Deviation {
         records: rows.len(),
@@ -330,24 +474,47 @@ pub fn deviation(within_reference: bool, with_undefined: bool) -> Deviation {
             value,
             standard_error: errors.sum::<f64>().sqrt(),
         },
-        mean: rows.iter().map(|row| row.difference()).sum::<f64>() / n,
+        mean: rows.iter().map(|row| row.difference(law)).sum::<f64>() / n,
     }
 }
 
 #[test]
 fn the_solved_share_is_compared_with_every_record_that_has_one() {
-    let records = records();
-    assert_eq!(records.len(), 57);
-    let first = &records["e-ground_60_0.1"];
-    assert_eq!((first.below, first.error), ([0.1570, 0.2082], 0.0184));
-    assert_eq!((first.gap_um, first.graded_friction), (0.5715, 0.02998));
-    let undefined = compared().iter().filter(|row| !row.is_defined()).count();
+    let undefined = gear_meshes().iter().filter(|row| !row.is_defined()).count();
     assert_eq!(undefined, UNDEFINED_RECORDS);
-    let within = deviation(true, false);
-    // The comparison of docs/EHL.md, on other windows, has a root mean square of .04.
-    assert!(
-        within.root_mean_square.value < 0.08,
-        "{}",
-        within.root_mean_square.value
-    );
+    // The comparison of docs/EHL.md with the law `power`, on other windows, has a root mean square of .04.
+    for (law, most) in [(GapLaw::Inlet, 0.04), (GapLaw::Power, 0.08)] {
+        let within = deviation(law, true, false).root_mean_square.value;
+        assert!(within < most, "{law:?}: {within}");
+    }
+}
+
+#[test]
+fn films_of_all_records_stay_positive_and_keep_their_oil() {
+    let records = records("gear_meshes");
+    assert!(records.len() >= 60);
+    let ratios = || records.values().map(|record| record.roughness_ratio);
+    let low = ratios().fold(f64::INFINITY, f64::min);
+    let high = ratios().fold(0.0, f64::max);
+    assert!(low < 0.25 && high > 4.5, "{low} {high}");
+    for (name, record) in &records {
+        // A hundredth of the contact film of 5 nm.
+        assert!(record.thinnest_nm >= 0.05, "{name}: {}", record.thinnest_nm);
+        let most = match record.roughness_ratio {
+            ratio if ratio < 3.0 => 0.02,
+            _ => 0.03,
+        };
+        let [mean, worst] = record.balance;
+        assert!(mean < most && worst < 7.0, "{name}: {mean} {worst}");
+        assert!(record.mean_supply < 0.66, "{name}: {}", record.mean_supply);
+        // Heat lowers the friction, and elastic surfaces are warned of above the flow pressure.
+        assert!(record.hot_friction < record.graded_friction, "{name}");
+        // The film of the warning is that of the solver, a gap, up to 15 % thinner than the formula's.
+        let warned = record.warnings.contains("W415");
+        let ratio = record.roughness_ratio / LARGEST_ROUGHNESS;
+        assert!(ratio < 1.0 || warned, "{name}");
+        assert!(ratio > 0.85 || !warned, "{name}");
+        let elastic = name.contains("elastic");
+        assert_eq!(record.warnings.contains("W435"), elastic, "{name}");
+    }
 }

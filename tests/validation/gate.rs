@@ -75,6 +75,7 @@ pub fn judge(found: Estimate, rule: Option<[f64; 2]>) -> Verdict {
 }
 
 /// A measurement, our value for it, and the rule that the value is judged by.
+#[derive(Clone)]
 pub struct Gate {
     /// Gate and condition; distinct, without numbers that are computed.
     pub name: String,
@@ -119,6 +120,39 @@ impl Gate {
         judge(self.value, self.rule)
     }
 
+    /// The value; what rounds to nothing is nothing, on every processor.
+    fn number_text(&self) -> String {
+        let digits = self.digits;
+        let value = format!("{:.digits$}", self.value.value);
+        match value.trim_start_matches(['-', '0', '.']).is_empty() {
+            true => value.trim_start_matches('-').to_owned(),
+            false => value,
+        }
+    }
+
+    /// The standard error; `None` if nothing was sampled.
+    fn error_text(&self) -> Option<String> {
+        let digits = self.digits;
+        let last_digit = 10f64.powi(-(digits as i32));
+        match self.value.standard_error {
+            0.0 => None,
+            error if error < 0.5 * last_digit => Some(format!("< {last_digit:.digits$}")),
+            error => Some(format!("{error:.digits$}")),
+        }
+    }
+
+    /// Value, note, standard error and verdict.
+    pub fn value_text(&self) -> String {
+        let mut text = format!("{}{}", self.number_text(), self.note);
+        if let Some(error) = self.error_text() {
+            let _ = write!(text, ", standard error {error}");
+        }
+        match self.verdict() {
+            Verdict::Printed => text,
+            verdict => format!("{text}: {}", verdict.text()),
+        }
+    }
+
     fn rule_text(&self) -> String {
         let text = |end: f64| format!("{end:.*}", self.rule_digits());
         match self.rule {
@@ -152,27 +186,16 @@ pub fn table(gates: &[Gate]) -> String {
         "| gate | measured | rule | unit | here | standard error | verdict |\n|---|---|---|---|---|---|---|\n",
     );
     for gate in gates {
-        let digits = gate.digits;
-        let last_digit = 10f64.powi(-(digits as i32));
-        let error = match gate.value.standard_error {
-            0.0 => "-".to_owned(),
-            error if error < 0.5 * last_digit => format!("< {last_digit:.digits$}"),
-            error => format!("{error:.digits$}"),
-        };
-        // What rounds to nothing is nothing, on every processor.
-        let value = format!("{:.digits$}", gate.value.value);
-        let value = match value.trim_start_matches(['-', '0', '.']).is_empty() {
-            true => value.trim_start_matches('-'),
-            false => &value,
-        };
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {value}{} | {error} | {} |",
+            "| {} | {} | {} | {} | {}{} | {} | {} |",
             gate.name,
             gate.measured,
             gate.rule_text(),
             gate.unit,
+            gate.number_text(),
             gate.note,
+            gate.error_text().unwrap_or_else(|| "-".to_owned()),
             gate.verdict().text()
         );
     }

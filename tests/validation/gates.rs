@@ -1,6 +1,7 @@
 //! The gates of measurement, computed together with the defaults of the program and printed as they come out.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::sync::{Arc, Mutex, OnceLock};
 
 use asperity::PositionError;
@@ -9,6 +10,8 @@ use asperity::contacts::running_in::run_in;
 use asperity::lubrication::load_share_law::{LoadShare, ShareConditions, SharedLoad};
 use asperity::mesh::Mesh;
 use asperity::result::{Losses, OffsetRow};
+
+use asperity_ehl_regime::GapLaw;
 
 use crate::britton::{Britton, britton};
 use crate::ehl_records::{Deviation, deviation};
@@ -29,7 +32,7 @@ const NOT_PASSED: [(&str, Verdict); 9] = [
         Verdict::Undecided,
     ),
     (
-        "T3 Britton, Ra 0.4 to 0.05 um, jet oil, 70 °C: change of μ",
+        "T3 Britton, Ra 0.4 to 0.05 um, jet oil, 90 °C: change of μ",
         Verdict::Undecided,
     ),
     (
@@ -38,16 +41,19 @@ const NOT_PASSED: [(&str, Verdict); 9] = [
     ),
     (
         "T6 μ of polyglycol over mineral oil, FZG at 2.5 m/s",
-        Verdict::Fail,
+        Verdict::Undecided,
     ),
-    ("T7 gain of efficiency by running-in, FZG", Verdict::Fail),
+    (
+        "T7 gain of efficiency by running-in, FZG",
+        Verdict::Undecided,
+    ),
     (
         "T9 solved asperity share minus records, root mean square, σ_d/h_c below 3",
         Verdict::Undecided,
     ),
     (
         "T9 solved asperity share minus records, root mean square, all with a defined share",
-        Verdict::Fail,
+        Verdict::Undecided,
     ),
 ];
 
@@ -69,15 +75,39 @@ impl LoadShare for Arana {
 fn gates() -> &'static [Gate] {
     static GATES: OnceLock<Vec<Gate>> = OnceLock::new();
     GATES.get_or_init(|| {
-        let mut rows = fzg_gates();
+        let mut rows = gates_by(GapLaw::default()).to_vec();
         rows.extend(petry_johnson_gates());
-        rows.extend(finish_gates());
-        rows.extend(oil_gates());
-        rows.extend(running_in_gates());
-        rows.extend(share_gates());
+        rows.extend(limit_gates());
         rows.extend(film_gates());
+        let number = |gate: &Gate| {
+            let text = gate.name.split_whitespace().next().unwrap();
+            text[1..].parse::<u32>().unwrap()
+        };
+        rows.sort_by_key(number);
         rows
     })
+}
+
+/// The gates that the gap law enters most.
+fn gates_by(law: GapLaw) -> &'static [Gate] {
+    static GATES: [OnceLock<Vec<Gate>>; 2] = [const { OnceLock::new() }; 2];
+    GATES[usize::from(law == GapLaw::Power)].get_or_init(|| {
+        let mut rows = fzg_gates(law);
+        rows.extend(finish_gates(law));
+        rows.extend(oil_gates(law));
+        rows.extend(running_in_gates(law));
+        rows.extend(share_gates(law));
+        rows
+    })
+}
+
+/// The key of a case that chooses a gap law.
+pub fn gap_law_key(law: GapLaw) -> (&'static str, &'static str) {
+    let name = match law {
+        GapLaw::Inlet => "inlet",
+        GapLaw::Power => "power",
+    };
+    ("model.gap_law", name)
 }
 
 /// Units and decimals.
@@ -92,8 +122,8 @@ fn mean_film(found: &Losses) -> f64 {
 }
 
 /// T1: FZG type C-mod with tip relief.
-fn fzg_gates() -> Vec<Gate> {
-    let kept = Kept::new(measured("fzg-c-mod", &[]));
+fn fzg_gates(law: GapLaw) -> Vec<Gate> {
+    let kept = Kept::new(measured("fzg-c-mod", &[gap_law_key(law)]));
     let slow = turns(0.5);
     let at_slow = |keys: &[(&str, &str)]| {
         let found = kept.at(&[&[("operation.speed", &*slow)], keys].concat());
@@ -142,10 +172,10 @@ fn fzg_gates() -> Vec<Gate> {
             ("model.boundary_friction", "0.065"),
             ("operation.speed", &turns),
         ];
-        let mut law = measured("fzg-c-mod", &keys);
-        law.case = law.case.with_load_share(Arc::new(Arana));
-        let law = Estimate::exact(losses(&law).summary.loss_w);
-        let change = ours.mean(&|row| row.loss_w).change_to(law);
+        let mut arana = measured("fzg-c-mod", &keys);
+        arana.case = arana.case.with_load_share(Arc::new(Arana));
+        let arana = Estimate::exact(losses(&arana).summary.loss_w);
+        let change = ours.mean(&|row| row.loss_w).change_to(arana);
         Gate::new(
             format!("T1 loss over the source's law, coded anew, {speed} m/s"),
             "law within 5 % of the measured loss",
@@ -168,10 +198,11 @@ pub fn measured_loss(speed: u32) -> [f64; 2] {
     }
 }
 
-/// The losses with all defaults of superfinished flanks known by their Rq.
-pub fn petry_johnson_by_default(speed: u32) -> Sampled {
+/// The losses of superfinished flanks known by their Rq, with all other defaults.
+pub fn petry_johnson_by(law: GapLaw, speed: u32) -> Sampled {
     let speed = format!("{speed} 1/min");
-    Sampled::of(&measured("petry-johnson", &[("operation.speed", &speed)]))
+    let keys = [gap_law_key(law), ("operation.speed", &speed)];
+    Sampled::of(&measured("petry-johnson", &keys))
 }
 
 /// The loss \[W\] at the bulk temperature that it keeps, the oil jet at the 110 °C of the case.
@@ -198,7 +229,7 @@ fn petry_johnson_gates() -> Vec<Gate> {
         Gate::new(
             format!("T2 Petry-Johnson, superfinished 40/40, {speed} 1/min"),
             format!("{low:.0} to {high:.0} W (grade C){also}"),
-            petry_johnson_by_default(speed).mean(&|row| row.loss_w),
+            petry_johnson_by(GapLaw::default(), speed).mean(&|row| row.loss_w),
             (speed <= 8000).then_some([0.75 * low, 1.25 * high]),
             ("W", 0),
         )
@@ -211,18 +242,18 @@ fn petry_johnson_gates() -> Vec<Gate> {
 }
 
 /// The rig of T3, each temperature computed once.
-pub fn britton_at(celsius: f64) -> Britton {
-    static FOUND: Mutex<BTreeMap<u64, Britton>> = Mutex::new(BTreeMap::new());
+pub fn britton_at(law: GapLaw, celsius: f64) -> Britton {
+    static FOUND: Mutex<BTreeMap<(u64, &str), Britton>> = Mutex::new(BTreeMap::new());
     let mut found = FOUND.lock().unwrap();
     *found
-        .entry(celsius.to_bits())
-        .or_insert_with(|| britton(celsius))
+        .entry((celsius.to_bits(), gap_law_key(law).1))
+        .or_insert_with(|| britton(law, celsius))
 }
 
-/// T3 to T5: superfinishing and limiting shear.
-fn finish_gates() -> Vec<Gate> {
+/// T3 and T4: superfinishing.
+fn finish_gates(law: GapLaw) -> Vec<Gate> {
     let britton = [70.0, 90.0, 110.0].map(|celsius| {
-        let found = britton_at(celsius);
+        let found = britton_at(law, celsius);
         let is_inside = (0.2..=0.5).contains(&found.film_ratio);
         Gate::new(
             format!("T3 Britton, Ra 0.4 to 0.05 um, jet oil, {celsius} °C: change of μ"),
@@ -237,13 +268,18 @@ fn finish_gates() -> Vec<Gate> {
     rows.push(Gate::new(
         "T4 superfinishing in thick films, FZG at 40 °C, 20 m/s: change of μ",
         "nothing measurable",
-        null_pair().times(100.0),
+        null_pair(law).times(100.0),
         Some([-8.0, 8.0]),
         PERCENT,
     ));
+    rows
+}
+
+/// T5: limiting shear.
+fn limit_gates() -> Vec<Gate> {
     let kept = Kept::new(with("e-drive-superfinished", &[]));
     let limits = [("mineral", 0.047), ("naphthenic", 0.053), ("pao", 0.035)];
-    rows.extend(limits.map(|(oil, limit)| {
+    let rows = limits.map(|(oil, limit)| {
         let path = kept.at(&[("lubricant.base_oil", oil)]).losses.path;
         let largest = path.iter().map(|row| row.mu_film).fold(0.0, f64::max);
         Gate::new(
@@ -253,15 +289,16 @@ fn finish_gates() -> Vec<Gate> {
             Some([f64::NEG_INFINITY, limit + 0.005]),
             FRICTION,
         )
-    }));
-    rows
+    });
+    rows.into()
 }
 
 /// FZG flanks in a thick film: change of the friction by superfinishing.
-pub fn null_pair() -> Estimate {
-    static FOUND: OnceLock<Estimate> = OnceLock::new();
-    *FOUND.get_or_init(|| {
+pub fn null_pair(law: GapLaw) -> Estimate {
+    static FOUND: [OnceLock<Estimate>; 2] = [const { OnceLock::new() }; 2];
+    *FOUND[usize::from(law == GapLaw::Power)].get_or_init(|| {
         let keys = [
+            gap_law_key(law),
             ("operation.temperature", "40 °C"),
             ("operation.speed", &*turns(20.0)),
         ];
@@ -271,8 +308,8 @@ pub fn null_pair() -> Estimate {
 }
 
 /// T6: base oils of one viscosity in the FZG gears at 90 °C.
-fn oil_gates() -> Vec<Gate> {
-    let kept = Kept::new(measured("fzg-c-ground", &[]));
+fn oil_gates(law: GapLaw) -> Vec<Gate> {
+    let kept = Kept::new(measured("fzg-c-ground", &[gap_law_key(law)]));
     let oils = [
         ("polyglycol", "0.6", [0.45, 0.75]),
         ("ester", "0.6 to 1.0", [0.45, 1.15]),
@@ -293,14 +330,17 @@ fn oil_gates() -> Vec<Gate> {
 }
 
 /// T7: running-in on ground and on superfinished flanks.
-fn running_in_gates() -> Vec<Gate> {
+fn running_in_gates(law: GapLaw) -> Vec<Gate> {
+    let law = [gap_law_key(law)];
     let run_in = |case: &LoadedCase| {
         let mesh = Mesh::of(&case.case).unwrap();
         let ran_in = run_in(&case.case, &case.surfaces, &mesh.positions, &|_| {}).unwrap();
-        let mut worn = case.clone();
+        let found = Sampled::of(case);
+        // The same windows: flanks that have run in scatter less and would take fewer.
+        let offsets = found.losses.offsets.len().to_string();
+        let mut worn = case.with_key("model.offsets", &offsets).unwrap();
         worn.surfaces = ran_in.surfaces;
         let after = losses(&worn);
-        let found = Sampled::of(case);
         let gain =
             |before: &OffsetRow, after: &OffsetRow| 100.0 * (after.efficiency - before.efficiency);
         let [measured, run_in] = ran_in.heights.map(|heights| heights.rq_um[0]);
@@ -309,9 +349,9 @@ fn running_in_gates() -> Vec<Gate> {
             100.0 * (run_in / measured - 1.0),
         )
     };
-    let (fzg, rq) = run_in(&measured("fzg-c-ground", &[]));
-    let (drive, _) = run_in(&with("e-drive", &[]));
-    let (fine, _) = run_in(&with("e-drive-superfinished", &[]));
+    let (fzg, rq) = run_in(&measured("fzg-c-ground", &law));
+    let (drive, _) = run_in(&with("e-drive", &law));
+    let (fine, _) = run_in(&with("e-drive-superfinished", &law));
     let row = |name: &str, measured: &str, value, rule| {
         Gate::new(name, measured, value, rule, ("point", 4))
     };
@@ -335,7 +375,7 @@ fn running_in_gates() -> Vec<Gate> {
 }
 
 /// T9: the solved share against our own records.
-fn share_gates() -> Vec<Gate> {
+fn share_gates(law: GapLaw) -> Vec<Gate> {
     let own = "own EHL records (no measurement)";
     let row = |what: &str, found: &Deviation, rule| {
         let name = format!("T9 solved asperity share minus records, root mean square, {what}");
@@ -344,13 +384,17 @@ fn share_gates() -> Vec<Gate> {
     };
     let largest = |end: f64| Some([f64::NEG_INFINITY, end]);
     vec![
-        row("σ_d/h_c below 3", &deviation(true, false), largest(0.04)),
+        row(
+            "σ_d/h_c below 3",
+            &deviation(law, true, false),
+            largest(0.04),
+        ),
         row(
             "all with a defined share",
-            &deviation(false, false),
+            &deviation(law, false, false),
             largest(0.05),
         ),
-        row("all", &deviation(false, true), None),
+        row("all", &deviation(law, false, true), None),
     ]
 }
 
@@ -377,6 +421,102 @@ fn film_gates() -> Vec<Gate> {
         row("0.5 to 1 m/s", 0.5, 1.0, Some([0.65, 0.72])),
         row("8.3 to 16.6 m/s, with its heat", 8.3, 16.6, None),
     ]
+}
+
+/// Losses of the e-drive and gates by both gap laws.
+pub fn gap_law_table() -> String {
+    static TABLE: OnceLock<String> = OnceLock::new();
+    TABLE.get_or_init(made_gap_law_table).clone()
+}
+
+fn made_gap_law_table() -> String {
+    let rows = [GapLaw::Power, GapLaw::Inlet].map(|law| {
+        let mut rows = drive_losses(law);
+        rows.extend([2000, 4000, 6000, 8000, 10_000].map(|speed| {
+            let [low, high] = measured_loss(speed);
+            Gate::new(
+                format!("T2 Petry-Johnson, superfinished 40/40, {speed} 1/min"),
+                format!("{low:.0} to {high:.0} W (grade C)"),
+                petry_johnson_by(law, speed).mean(&|row| row.loss_w),
+                None,
+                ("W", 0),
+            )
+        }));
+        rows.extend(gates_by(law).iter().cloned());
+        rows
+    });
+    let mut text = String::from(
+        "| quantity | measured | unit | gap law `power` | gap law `inlet` |\n|---|---|---|---|---|\n",
+    );
+    let [power, inlet] = rows;
+    for (power, inlet) in power.iter().zip(&inlet) {
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {} |",
+            inlet.name,
+            inlet.measured,
+            inlet.unit,
+            power.value_text(),
+            inlet.value_text()
+        );
+    }
+    text
+}
+
+/// Losses of the e-drive with 16 offsets, and what superfinishing changes.
+fn drive_losses(law: GapLaw) -> Vec<Gate> {
+    let kept = ["e-drive", "e-drive-superfinished"].map(|name| {
+        let keys = [gap_law_key(law), ("model.offsets", "16")];
+        Kept::new(with(name, &keys))
+    });
+    let rows = ["40 °C", "60 °C", "90 °C", "120 °C"].map(|celsius| {
+        let [ground, fine] = kept.each_ref().map(|kept| {
+            let found = kept.at(&[("operation.temperature", celsius)]);
+            found.mean(&|row| row.loss_w)
+        });
+        let row = |what: &str, measured: &str, value, unit| {
+            let name = format!("e-drive, {celsius}, {what}");
+            Gate::new(name, measured, value, None, unit)
+        };
+        let change = fine.change_to(ground).times(100.0);
+        let measured = match celsius {
+            "90 °C" => "-15 to -35 % on other gears",
+            _ => "-",
+        };
+        [
+            row("ground", "-", ground, ("W", 1)),
+            row("superfinished", "-", fine, ("W", 1)),
+            row("superfinishing", measured, change, PERCENT),
+        ]
+    });
+    rows.into_iter().flatten().collect()
+}
+
+#[test]
+fn the_gap_law_power_gives_the_losses_of_earlier_editions() {
+    // Loss of the e-drive at the medians with 16 offsets, ground and superfinished, before `inlet` became the default.
+    let before = [
+        ("60 °C", [599.5, 523.8]),
+        ("90 °C", [622.7, 448.5]),
+        ("120 °C", [684.3, 393.9]),
+    ];
+    for (celsius, losses_w) in before {
+        for (name, loss) in ["e-drive", "e-drive-superfinished"]
+            .into_iter()
+            .zip(losses_w)
+        {
+            let keys = [
+                gap_law_key(GapLaw::Power),
+                ("model.offsets", "16"),
+                ("operation.temperature", celsius),
+            ];
+            let found = losses(&with(name, &keys)).summary.loss_w;
+            assert!(
+                (found - loss).abs() < 0.051,
+                "{name} {celsius}: {found} {loss}"
+            );
+        }
+    }
 }
 
 /// The gates of measurement as Markdown.

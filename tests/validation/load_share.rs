@@ -32,8 +32,9 @@ pub fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
 /// Few offsets, as the reference computation took.
 pub const FEW: [(&str, &str); 2] = [("model.positions", "16"), ("model.offsets", "4")];
 
-/// Boundary friction, lay, tip relief and load distribution of the reference computation.
-pub const REFERENCE: [(&str, &str); 5] = [
+/// Gap law, boundary friction, lay, tip relief and load distribution of the reference computation.
+pub const REFERENCE: [(&str, &str); 6] = [
+    ("model.gap_law", "power"),
     ("model.boundary_friction", "0.08"),
     ("model.lay", "0"),
     ("gears.pinion.tip_relief", "none"),

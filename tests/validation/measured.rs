@@ -3,9 +3,10 @@
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 
+use asperity_ehl_regime::GapLaw;
 use asperity_tests::petry_johnson;
 
-use crate::gates::{britton_at, measured_loss, null_pair, petry_johnson_by_default};
+use crate::gates::{britton_at, measured_loss, null_pair, petry_johnson_by};
 use crate::load_share::{FEW, REFERENCE, few, losses, summary, with};
 use crate::measured_cases::{FZG_SPEEDS, Kept, measured, turns};
 
@@ -46,32 +47,36 @@ fn references() -> &'static [Reference] {
                 what: format!("Petry-Johnson, {speed} 1/min, W"),
                 independent,
                 alike: trapezoid.run().result.summary.loss_w,
-                default: petry_johnson_by_default(speed).losses.summary.loss_w,
+                default: petry_johnson_by(GapLaw::default(), speed)
+                    .losses
+                    .summary
+                    .loss_w,
                 measured: format!("{low:.0} to {high:.0}"),
                 digits: 0,
             }
         }));
         rows.extend(
             [(70.0, -0.26), (90.0, -0.41)].map(|(celsius, independent)| {
-                let found = britton_at(celsius);
+                let [alike, found] =
+                    [GapLaw::Power, GapLaw::default()].map(|law| britton_at(law, celsius));
                 Reference {
                     what: format!(
                         "Britton, {celsius} °C, h/Rq {:.2}, change",
                         found.film_ratio
                     ),
                     independent,
-                    alike: found.change.value,
+                    alike: alike.change.value,
                     default: found.change.value,
                     measured: "-0.30, temperature unknown".to_owned(),
                     digits: 2,
                 }
             }),
         );
-        let null = null_pair().value;
+        let [alike, null] = [GapLaw::Power, GapLaw::default()].map(|law| null_pair(law).value);
         rows.push(Reference {
             what: "null test: superfinished in a thick film, FZG 40 °C, 20 m/s, change".to_owned(),
             independent: -0.001,
-            alike: null,
+            alike,
             default: null,
             measured: "nothing measurable".to_owned(),
             digits: 3,

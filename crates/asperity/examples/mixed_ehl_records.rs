@@ -1,10 +1,12 @@
-//! Records of the mixed lubricated contact of 57 gear conditions: the table of `docs/EHL.md`.
+//! Records of the mixed lubricated contact of 65 gear conditions: `fixtures/records/gear_meshes.csv`.
 //!
 //! ```text
-//! cargo run --release -p asperity --example mixed_ehl_records [name] [key=value ...]
+//! cargo run --release -p asperity --example mixed_ehl_records > fixtures/records/gear_meshes.csv
+//! cargo run --release -p asperity --example mixed_ehl_records -- fzg_8.3 hb=2
 //! ```
 //!
-//! Prints the conditions whose names begin with `name`, or all. Keys: `hb` (contact film in nm), `cells`,
+//! Prints the conditions whose names begin with a word, or all, as many at a time as there are threads;
+//! `list` prints their roughness over the film without a record. Keys: `hb` (contact film in nm), `cells`,
 //! `start` and `length` (travel in half-widths). Run it in the folder of the workspace.
 
 use std::path::{Path, PathBuf};
@@ -15,9 +17,11 @@ use asperity::case::load_with;
 use asperity::ehl::{RecordSettings, transient};
 use asperity::lubrication::FormulaFilm;
 use asperity::quantity::Length;
-use asperity::reference_solution::{RefereeContact, RefereeSettings};
+use asperity::quantity::Pressure;
+use asperity::reference_solution::{RefereeContact, RefereeSettings, record_heat, record_warnings};
 use asperity::roughness::generate::SelfAffine;
 use asperity_core::Profile;
+use rayon::prelude::*;
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
@@ -26,6 +30,10 @@ const SUPERFINISHED: &str = "fixtures/cases/e-drive-superfinished.toml";
 const FZG: &str = "fixtures/cases/fzg-c.toml";
 /// Speed of the FZG pinion over the speed of the pitch line \[s/(min m)\].
 const FZG_TURNS: f64 = 2166.0 / 8.3;
+/// Eyring stress of the records: polyalphaolefin, mineral oil.
+pub const EYRING_STRESS: [Pressure; 2] = [Pressure::from_si(4e6), Pressure::from_si(5e6)];
+/// Boundary friction of the records.
+pub const BOUNDARY_FRICTION: f64 = 0.08;
 /// Spacing of the synthetic traces.
 const SPACING: Length = Length::from_si(0.5e-6);
 
@@ -94,6 +102,14 @@ impl Condition {
     /// Loads the case from the folder of the workspace.
     pub fn load(&self, workspace: &Path) -> Outcome<LoadedCase> {
         let mut loaded = load_with(&workspace.join(self.case), &|_| {})?;
+        let boundary_friction = BOUNDARY_FRICTION.to_string();
+        for (key, value) in [
+            ("model.boundary_friction", &*boundary_friction),
+            ("gears.pinion.tip_relief", "none"),
+            ("gears.wheel.tip_relief", "none"),
+        ] {
+            loaded = loaded.with_key(key, value)?;
+        }
         for (key, value) in &self.keys {
             loaded = loaded.with_key(key, value)?;
         }
@@ -237,28 +253,99 @@ pub fn conditions() -> Vec<Condition> {
     ] {
         all.push(Condition::fzg(speed, position));
     }
-    for (speed, position, temperature) in [(2.5, 0.8, 120), (8.3, 0.15, 40)] {
+    for (speed, position, temperature) in [
+        (2.5, 0.8, 120),
+        (8.3, 0.15, 40),
+        (8.3, 0.8, 60),
+        (8.3, 0.15, 120),
+        (8.3, 0.8, 150),
+    ] {
         let mut condition = Condition::fzg(speed, position);
         condition.name = format!("fzg_{speed}_{temperature}C_{position}");
         all.push(condition.with("operation.temperature", &format!("{temperature} °C")));
     }
+    for cutoff in ["0.08", "0.8"] {
+        let mut condition = Condition::fzg(8.3, 0.15);
+        condition.name = format!("fzg_cut{cutoff}_8.3_0.15");
+        all.push(condition.with("surface.cutoff", &format!("{cutoff} mm")));
+    }
+    for (t, x) in [(120, 0.5), (90, 0.9)] {
+        let condition = Condition::e_drive("elastic", t, x);
+        all.push(condition.with("material.pinion.flow_pressure", "60 GPa"));
+    }
+    let mut elastic = Condition::fzg(8.3, 0.15);
+    elastic.name = "fzg_elastic_8.3_0.15".to_owned();
+    all.push(elastic.with("material.pinion.flow_pressure", "60 GPa"));
     all
+}
+
+/// Settings of the records of a table: every step a frame, 14 half-widths.
+pub fn record_settings() -> RecordSettings {
+    RecordSettings {
+        length: 14.0,
+        frame_interval: Some(0.0),
+        ..RecordSettings::default()
+    }
+}
+
+/// Head of the tables.
+pub const COLUMNS: [&str; 33] = [
+    "condition",
+    "place",
+    "roughness_over_film",
+    "below_20_nm",
+    "below_20_nm_error",
+    "below_50_nm",
+    "gap_um",
+    "gap_error_um",
+    "mean_largest_pressure_gpa",
+    "largest_pressure_gpa",
+    "film_friction",
+    "friction",
+    "friction_error",
+    "graded",
+    "graded_error",
+    "stepped",
+    "hot_film_friction",
+    "hot_friction",
+    "hot_friction_error",
+    "hot_graded",
+    "hot_graded_error",
+    "film_rise_k",
+    "surface_rise_k",
+    "mean_balance",
+    "worst_balance",
+    "mean_supply",
+    "largest_supply",
+    "thinnest_nm",
+    "steps",
+    "cut",
+    "held",
+    "warnings",
+    "seconds",
+];
+
+/// The settings of a condition's record.
+fn at(condition: &Condition, settings: &RecordSettings) -> RefereeSettings {
+    RefereeSettings {
+        record: settings.clone(),
+        eyring_stress: Some(EYRING_STRESS[usize::from(condition.case == FZG)]),
+        beginning: 0,
+    }
 }
 
 /// A row of the table.
 fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
     let loaded = condition.load(Path::new("."))?;
-    let settings = RefereeSettings {
-        record: settings.clone(),
-        eyring_stress: None,
-        beginning: 0,
-    };
-    let contact = RefereeContact::of(&loaded, condition.position, &settings)?;
+    let settings = at(condition, settings);
+    let mut contact = RefereeContact::of(&loaded, condition.position, &settings)?;
+    contact.record.heat = Some(record_heat(&loaded, &settings)?);
     let begin = Instant::now();
     let solved = transient::record(&contact.rough, &contact.record)?;
     let seconds = begin.elapsed().as_secs_f64();
     let (record, evidence) = (&solved.value, &solved.evidence);
     let friction = record.friction.ok_or("no law of friction")?;
+    let heated = record.heated.ok_or("no heat")?;
     let inner = record.frames.iter().map(|frame| {
         let inner = &frame.film[1..frame.film.len() - 1];
         inner.iter().copied().fold(f64::INFINITY, f64::min)
@@ -266,14 +353,11 @@ fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
     let thinnest = record
         .scales
         .film_length(inner.fold(f64::INFINITY, f64::min));
-    // The film of the formulas without its thermal reduction.
-    let formula = FormulaFilm::of(&loaded.case, &contact.position)?;
-    let film = formula.film.central / formula.thermal_reduction;
-    Ok(format!(
-        "| {} | {:.2} | {:.4} ± {:.4} | {:.4} | {:.4} ± {:.4} | {:.2}, {:.1} | {:.5} | {:.5} ± {:.5} | {:.5} | {:.5} | \
-         {:.5}, {:.3} | {:.4}, {:.2} | {:.2} | {}, {}, {} | {seconds:.0} |",
-        condition.name,
-        contact.attenuated_roughness / film,
+    let roughness = Some(contact.attenuated_roughness);
+    let warnings = record_warnings(record, roughness, contact.record.ceiling);
+    let codes: Vec<&str> = warnings.iter().map(|(code, _)| *code).collect();
+    let numbers = [
+        roughness_over_film(&loaded, &contact)?,
         record.solid_share.mean,
         record.solid_share.standard_error,
         record.load_below[3].share.mean,
@@ -285,29 +369,45 @@ fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
         friction.shifted.mean,
         friction.shifted.standard_error,
         friction.graded.mean,
+        friction.graded.standard_error,
         friction.stepped.mean,
+        heated.friction.film.mean,
+        heated.friction.shifted.mean,
+        heated.friction.shifted.standard_error,
+        heated.friction.graded.mean,
+        heated.friction.graded.standard_error,
+        heated.film_rise.mean,
+        heated.surface_rise.mean,
         evidence.mean_mass_balance,
         evidence.mass_balance,
         evidence.mean_boundary_supply,
         evidence.boundary_supply,
         1e9 * thinnest.si(),
+    ];
+    let numbers = numbers.map(|number| format!("{number:.5}"));
+    Ok(format!(
+        "{},{},{},{},{},{},{},{seconds:.0}",
+        condition.name,
+        condition.position,
+        numbers.join(","),
         evidence.steps,
         evidence.steps_cut,
         evidence.loose_steps,
+        codes.join(" "),
     ))
+}
+
+/// Attenuated roughness over the isothermal central film of the formula.
+fn roughness_over_film(loaded: &LoadedCase, contact: &RefereeContact) -> Outcome<f64> {
+    let formula = FormulaFilm::of(&loaded.case, &contact.position)?;
+    let film = formula.film.central / formula.thermal_reduction;
+    Ok(contact.attenuated_roughness / film)
 }
 
 /// Prints a row for each condition.
 pub fn main() -> Outcome<()> {
-    let (mut prefix, mut settings) = (
-        String::new(),
-        RecordSettings {
-            length: 14.0,
-            // Every step.
-            frame_interval: Some(0.0),
-            ..RecordSettings::default()
-        },
-    );
+    let (mut prefix, mut settings) = (String::new(), record_settings());
+    let mut is_list = false;
     for word in std::env::args().skip(1) {
         match word.split_once('=') {
             Some(("hb", value)) => {
@@ -317,15 +417,34 @@ pub fn main() -> Outcome<()> {
             Some(("start", value)) => settings.start = value.parse()?,
             Some(("length", value)) => settings.length = value.parse()?,
             Some((key, _)) => return Err(format!("unknown key {key}").into()),
+            None if word == "list" => is_list = true,
             None => prefix = word,
         }
     }
-    println!(
-        "| condition | σ_d/h_c | below 20 nm | below 50 nm | mean gap µm | p_max GPa: mean, largest | μ of the film | μ | graded | \
-         stepped | mass balance: mean, worst | boundary supply: mean, largest | thinnest film nm | steps, cut, held | CPU s |"
-    );
-    for condition in conditions().iter().filter(|c| c.name.starts_with(&prefix)) {
-        println!("{}", row(condition, &settings)?);
+    let conditions = conditions();
+    let chosen: Vec<&Condition> = conditions
+        .iter()
+        .filter(|condition| condition.name.starts_with(&prefix))
+        .collect();
+    if is_list {
+        for condition in chosen {
+            let loaded = condition.load(Path::new("."))?;
+            let contact =
+                RefereeContact::of(&loaded, condition.position, &at(condition, &settings))?;
+            let ratio = roughness_over_film(&loaded, &contact)?;
+            println!("{},{ratio:.5}", condition.name);
+        }
+        return Ok(());
+    }
+    let rows = chosen.par_iter().map(|condition| {
+        let row = row(condition, &settings).map_err(|error| error.to_string());
+        eprintln!("{}", condition.name);
+        row
+    });
+    let rows: Vec<Result<String, String>> = rows.collect();
+    println!("{}", COLUMNS.join(","));
+    for row in rows {
+        println!("{}", row?);
     }
     Ok(())
 }

@@ -9,9 +9,9 @@ use serde::{Deserialize, Serialize};
 pub enum GapLaw {
     /// The inlet of a rough contact is longer than that of a smooth one: wavelengths are relative to the length
     /// that belongs to both the smooth film and the mean gap. The smooth film is a gap.
+    #[default]
     Inlet,
     /// Wavelengths relative to the smooth inlet; the film thickens as the asperities take load off it.
-    #[default]
     Power,
 }
 

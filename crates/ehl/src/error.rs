@@ -80,6 +80,9 @@ pub enum EhlError {
         /// Change of the shear stress in the last one.
         change: Pressure,
     },
+    /// A shear stress with its own heat did not converge.
+    #[error(transparent)]
+    HeatedStress(#[from] asperity_oil::LubricantError),
     /// The record was stopped by its watcher.
     #[error("stopped at {time:.3} half-widths of travel")]
     Stopped {
@@ -104,6 +107,7 @@ impl EhlError {
             Self::NotConverged { .. }
                 | Self::StepFailed { .. }
                 | Self::TemperaturesUnsettled { .. }
+                | Self::HeatedStress(_)
         )
     }
 }

@@ -14,7 +14,7 @@ use asperity_oil::{LARGEST_BARUS_EXPONENT, ShearLaw, limited_stress};
 use serde::{Deserialize, Serialize};
 
 /// Thinnest film of the shear rate \[m\].
-const THINNEST: f64 = 2e-9;
+pub(crate) const THINNEST: f64 = 2e-9;
 
 /// Shear law of the film and of the boundary layer.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -48,6 +48,15 @@ pub struct Friction {
     pub stepped: f64,
     /// Share of the load on the boundary layer, with the weight of `shifted`.
     pub boundary_share: f64,
+}
+
+/// A node of a film: weight \[m\], pressure \[Pa\], film \[m\], shear stress of the film \[Pa\].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ShearedNode {
+    pub(crate) weight: f64,
+    pub(crate) pressure: f64,
+    pub(crate) film: f64,
+    pub(crate) stress: f64,
 }
 
 /// Films at which the weights of the boundary friction change \[m\].
@@ -116,7 +125,19 @@ impl FrictionLaw {
         limited_stress([eyring, 0.0], [limit, 0.0])[0]
     }
 
-    /// Friction of a film: weights in m, pressures in Pa, films in m.
+    /// Shear stress of the film at a sliding speed and film \[m/s, m\].
+    pub(crate) fn sheared(&self, pressure: f64, sliding: f64, film: f64) -> f64 {
+        self.film_stress(pressure, sliding.abs() / film.max(THINNEST))
+    }
+
+    /// Weight of the boundary friction that is whole on nodes in contact.
+    pub(crate) fn shifted_weight(&self, film: f64, films: BoundaryFilms) -> f64 {
+        ((films.contact - film) / self.boundary_layer.si())
+            .exp()
+            .min(1.0)
+    }
+
+    /// Friction of a film.
     ///
     /// ```text
     /// μ = Σ wᵢ·[β·μ_b·p + (1 − β)·τ(p, Δu/h)]/Σ wᵢ·p,
@@ -128,19 +149,19 @@ impl FrictionLaw {
     /// between the friction and the film friction.
     pub(crate) fn friction(
         &self,
-        nodes: impl Iterator<Item = (f64, f64, f64)>,
-        sliding: f64,
+        nodes: impl Iterator<Item = ShearedNode>,
         films: BoundaryFilms,
     ) -> Friction {
         cite!("Limited-Eyring");
         cite!("EHL-friction");
         let (layer, mu_b) = (self.boundary_layer.si(), self.boundary_friction);
         let (mut sum, mut load) = (Friction::default(), 0.0);
-        for (weight, pressure, film) in nodes.filter(|(_, pressure, _)| *pressure > 0.0) {
-            let stress = weight * self.film_stress(pressure, sliding.abs() / film.max(THINNEST));
+        for node in nodes.filter(|node| node.pressure > 0.0) {
+            let (weight, pressure, film) = (node.weight, node.pressure, node.film);
+            let stress = weight * node.stress;
             let boundary = weight * mu_b * pressure;
             let mixed = |share: f64| share * boundary + (1.0 - share) * stress;
-            let shifted = ((films.contact - film) / layer).exp().min(1.0);
+            let shifted = self.shifted_weight(film, films);
             load += weight * pressure;
             sum.film += stress;
             sum.shifted += mixed(shifted);
@@ -200,7 +221,13 @@ mod tests {
                 contact,
                 solid: 20e-9,
             };
-            law.friction([(1.0, 1e9, film)].into_iter(), 1.0, films)
+            let node = ShearedNode {
+                weight: 1.0,
+                pressure: 1e9,
+                film,
+                stress: law.sheared(1e9, 1.0, film),
+            };
+            law.friction([node].into_iter(), films)
         };
         let in_contact = of(5e-9, 5e-9);
         assert_eq!(in_contact.shifted, 0.1);

@@ -7,7 +7,9 @@ use rayon::prelude::*;
 use crate::batch_means::Estimate;
 use crate::error::EhlError;
 use crate::evidence::Solved;
-use crate::transient::{Progress, Record, RecordSettings, RoughContact, record_watched};
+use crate::transient::{
+    HeatedFriction, MeanFriction, Progress, Record, RecordSettings, RoughContact, record_watched,
+};
 
 /// Parts of the surfaces between one beginning and the next: multiples of them, minus their whole parts, fill
 /// both evenly and never with the same pairs.
@@ -80,16 +82,29 @@ pub fn mean_of(records: &[Solved<Record>]) -> Option<Solved<Record>> {
     value.plastic_share = mean(&|r| r.plastic_share);
     value.mean_film = mean(&|r| r.mean_film);
     value.mean_max_pressure = mean(&|r| r.mean_max_pressure);
-    let friction = |of: fn(&crate::transient::MeanFriction) -> Estimate| {
-        mean(&|r| r.friction.map_or(Estimate::default(), |f| of(&f)))
+    let friction = |of: &dyn Fn(&Record) -> Option<MeanFriction>| {
+        let part = |part: fn(&MeanFriction) -> Estimate| {
+            mean(&|r| of(r).map_or(Estimate::default(), |friction| part(&friction)))
+        };
+        of(&first.value).map(|_| MeanFriction {
+            film: part(|f| f.film),
+            shifted: part(|f| f.shifted),
+            graded: part(|f| f.graded),
+            stepped: part(|f| f.stepped),
+            boundary_share: part(|f| f.boundary_share),
+        })
     };
-    if let Some(means) = &mut value.friction {
-        means.film = friction(|f| f.film);
-        means.shifted = friction(|f| f.shifted);
-        means.graded = friction(|f| f.graded);
-        means.stepped = friction(|f| f.stepped);
-        means.boundary_share = friction(|f| f.boundary_share);
-    }
+    value.friction = friction(&|r| r.friction);
+    value.heated = friction(&|r| r.heated.map(|heated| heated.friction)).map(|friction| {
+        let rise = |of: fn(&HeatedFriction) -> Estimate| {
+            mean(&|r| r.heated.map_or(Estimate::default(), |heated| of(&heated)))
+        };
+        HeatedFriction {
+            friction,
+            film_rise: rise(|heated| heated.film_rise),
+            surface_rise: rise(|heated| heated.surface_rise),
+        }
+    });
     let spread = |record: &Solved<Record>| record.value.film_spread.si().powi(2);
     value.film_spread = Length::from_si((records.iter().map(spread).sum::<f64>() / count).sqrt());
     let largest = records.iter().map(|r| r.value.max_pressure.si());

@@ -17,7 +17,8 @@ use crate::dimensionless::{LineContact, Scales};
 use crate::error::EhlError;
 use crate::evidence::{Evidence, Solved};
 use crate::fluid::Fluid;
-use crate::friction::{BoundaryFilms, Friction, FrictionLaw};
+use crate::friction::{BoundaryFilms, Friction, FrictionLaw, ShearedNode, THINNEST};
+use crate::heated_friction::{HeatHistory, HeatedNode, RecordHeat};
 use crate::moving_profile::MovingProfile;
 use crate::newton::{Ceiling, Limits, NodeState};
 use crate::oil::Oil;
@@ -94,6 +95,8 @@ pub struct RecordSettings {
     pub films: Vec<Length>,
     /// Law of friction.
     pub friction: Option<FrictionLaw>,
+    /// Heat of film and surfaces in the friction, which needs its law.
+    pub heat: Option<RecordHeat>,
     /// Whether every step goes into the history.
     pub history: bool,
     /// Travel between frames of the whole film, in half-widths.
@@ -115,6 +118,7 @@ impl Default for RecordSettings {
             ceiling: None,
             films: FILMS.map(Length::from_si).to_vec(),
             friction: None,
+            heat: None,
             history: false,
             frame_interval: None,
         }
@@ -143,6 +147,17 @@ pub struct MeanFriction {
     pub stepped: Estimate,
     /// Share of the load on the boundary layer, with the weight of the shifted friction.
     pub boundary_share: Estimate,
+}
+
+/// Friction with the heat of film and surfaces, and its temperatures.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct HeatedFriction {
+    /// Friction over the load.
+    pub friction: MeanFriction,
+    /// Rise of the mean temperature of the film over the bulk, weighted with the pressure \[K\].
+    pub film_rise: Estimate,
+    /// Mean rise of both surfaces, weighted with the pressure \[K\].
+    pub surface_rise: Estimate,
 }
 
 /// One time of a record.
@@ -202,8 +217,10 @@ pub struct Record {
     pub mean_max_pressure: Estimate,
     /// Largest pressure of all times.
     pub max_pressure: Pressure,
-    /// Friction, with a law.
+    /// Friction at the bulk temperature, with a law.
     pub friction: Option<MeanFriction>,
+    /// Friction with the heat of film and surfaces, if requested.
+    pub heated: Option<HeatedFriction>,
     /// Mean over time of the pressure over p₀ on the nodes.
     pub mean_pressure: Vec<f64>,
     /// Mean over time of the film over a²/R on the nodes.
@@ -236,8 +253,11 @@ const PLASTIC: usize = 2;
 const FILM: usize = 3;
 const FILM_SQUARE: usize = 4;
 const PRESSURE: usize = 5;
-const FRICTION: [usize; 5] = [6, 7, 8, 9, 10];
-const SHARES: usize = 11;
+const FRICTION: usize = 6;
+const HEATED: usize = 11;
+const FILM_RISE: usize = 16;
+const SURFACE_RISE: usize = 17;
+const SHARES: usize = 18;
 
 /// Records a rough contact.
 ///
@@ -303,6 +323,16 @@ pub fn record_watched(
     let mut stepper = Stepper::new(smooth, scales, fluid, surfaces, step_settings);
     let start = settings.start.max(stepper.filled_after());
     let mut recorder = Recorder::new(settings, &scales, step_settings);
+    recorder.heat = match (&settings.heat, &settings.friction) {
+        (Some(heat), Some(law)) => Some(HeatHistory::new(
+            heat,
+            law.boundary_friction,
+            &contact.contact,
+            &scales,
+            &stepper.grid.x,
+        )?),
+        _ => None,
+    };
     let mut end = start + settings.length;
     let longest = settings.until.map_or(end, |(_, longest)| start + longest);
     stepper.check_lengths(longest.max(end))?;
@@ -313,8 +343,10 @@ pub fn record_watched(
             steps: 1,
             ..Evidence::of(&stepper.grid, &stepper.now, step_settings.contact_film)
         });
+        // The surfaces are warm when the record begins.
+        let heated = recorder.heated(&stepper, step)?;
         if stepper.time > start {
-            recorder.add(&stepper, step);
+            recorder.add(&stepper, step, heated);
         }
         let progress = Progress {
             time: stepper.time,
@@ -421,6 +453,7 @@ struct Recorder<'a> {
     history: Vec<Moment>,
     frames: Vec<Frame>,
     next_frame: f64,
+    heat: Option<HeatHistory>,
 }
 
 impl<'a> Recorder<'a> {
@@ -441,10 +474,73 @@ impl<'a> Recorder<'a> {
             history: Vec::new(),
             frames: Vec::new(),
             next_frame: f64::NEG_INFINITY,
+            heat: None,
         }
     }
 
-    fn add(&mut self, stepper: &Stepper, step: f64) {
+    fn boundary_films(&self) -> BoundaryFilms {
+        BoundaryFilms {
+            contact: self.settings.contact_film.si(),
+            solid: self.settings.solid_film.si(),
+        }
+    }
+
+    /// Friction of the film with the shear stress of each node, a function of pressure, film \[Pa, m\] and number.
+    fn friction(
+        &self,
+        stepper: &Stepper,
+        stress: impl Fn(f64, f64, usize) -> f64,
+    ) -> Option<Friction> {
+        let law = self.settings.friction?;
+        let p_0 = self.scales.max_pressure.si();
+        let nodes = stepper.now.film.iter().enumerate().map(|(i, film)| {
+            let pressure = stepper.now.unknowns.pressure[i] * p_0;
+            let film = film * self.scales.film;
+            ShearedNode {
+                weight: stepper.grid.weights[i],
+                pressure,
+                film,
+                stress: stress(pressure, film, i),
+            }
+        });
+        Some(law.friction(nodes, self.boundary_films()))
+    }
+
+    /// Friction and rises of film and surfaces after a step with heat.
+    fn heated(
+        &mut self,
+        stepper: &Stepper,
+        step: f64,
+    ) -> Result<Option<(Friction, [f64; 2])>, EhlError> {
+        let (Some(mut heat), Some(law)) = (self.heat.take(), self.settings.friction) else {
+            return Ok(None);
+        };
+        let films = self.boundary_films();
+        let p_0 = self.scales.max_pressure.si();
+        let pressures = &stepper.now.unknowns.pressure;
+        let states = pressures.iter().zip(&stepper.now.film).map(|(p, film)| {
+            let film = film * self.scales.film;
+            HeatedNode {
+                pressure: p * p_0,
+                film: film.max(THINNEST),
+                boundary: law.shifted_weight(film, films),
+            }
+        });
+        let nodes = heat.advance(step, states)?;
+        let friction = self.friction(stepper, |_, _, i| nodes[i].stress);
+        let mut rises = [0.0; 2];
+        for (i, node) in nodes.iter().enumerate() {
+            let load = stepper.grid.weights[i] * pressures[i];
+            rises[0] += load * node.film_rise;
+            rises[1] += load * node.surface_rise;
+        }
+        let load = stepper.grid.integral(pressures);
+        let found = friction.map(|friction| (friction, rises.map(|rise| rise / load)));
+        self.heat = Some(heat);
+        Ok(found)
+    }
+
+    fn add(&mut self, stepper: &Stepper, step: f64, heated: Option<(Friction, [f64; 2])>) {
         self.values.fill(0.0);
         self.shares(stepper);
         self.films_within(stepper);
@@ -453,23 +549,22 @@ impl<'a> Recorder<'a> {
         let largest = pressure.iter().copied().fold(0.0, f64::max);
         self.max_pressure = self.max_pressure.max(largest);
         self.values[PRESSURE] = largest * p_0;
-        let friction = self.settings.friction.map(|law| {
-            let film = &stepper.now.film;
-            let nodes = (0..film.len()).map(|i| {
-                let weight = stepper.grid.weights[i];
-                (weight, pressure[i] * p_0, film[i] * self.scales.film)
-            });
-            let films = BoundaryFilms {
-                contact: self.settings.contact_film.si(),
-                solid: self.settings.solid_film.si(),
-            };
-            law.friction(nodes, self.scales.sliding, films)
+        let friction = self.settings.friction.and_then(|law| {
+            let sliding = self.scales.sliding;
+            self.friction(stepper, |pressure, film, _| {
+                law.sheared(pressure, sliding, film)
+            })
         });
-        if let Some(f) = friction {
+        for (first, found) in [
+            (FRICTION, friction),
+            (HEATED, heated.map(|(friction, _)| friction)),
+        ] {
+            let Some(f) = found else { continue };
             let values = [f.film, f.shifted, f.graded, f.stepped, f.boundary_share];
-            for (index, value) in FRICTION.into_iter().zip(values) {
-                self.values[index] = value;
-            }
+            self.values[first..first + 5].copy_from_slice(&values);
+        }
+        if let Some((_, [film, surface])) = heated {
+            (self.values[FILM_RISE], self.values[SURFACE_RISE]) = (film, surface);
         }
         self.means.add(&self.values, step);
         self.add_profiles(stepper, step);
@@ -577,6 +672,13 @@ impl<'a> Recorder<'a> {
     fn finish(self, stepper: &Stepper, smooth_film: Length, travel: f64) -> Record {
         let of = |index| self.means.estimate(index);
         let film = of(FILM);
+        let friction = |first: usize| MeanFriction {
+            film: of(first),
+            shifted: of(first + 1),
+            graded: of(first + 2),
+            stepped: of(first + 3),
+            boundary_share: of(first + 4),
+        };
         let over_time = |sums: Vec<f64>| sums.iter().map(|sum| sum / self.elapsed).collect();
         let variance = of(FILM_SQUARE).mean - film.mean * film.mean;
         let load_below = self
@@ -602,12 +704,11 @@ impl<'a> Recorder<'a> {
             film_spread: Length::from_si(variance.max(0.0).sqrt()),
             mean_max_pressure: of(PRESSURE),
             max_pressure: self.scales.max_pressure * self.max_pressure,
-            friction: self.settings.friction.map(|_| MeanFriction {
-                film: of(FRICTION[0]),
-                shifted: of(FRICTION[1]),
-                graded: of(FRICTION[2]),
-                stepped: of(FRICTION[3]),
-                boundary_share: of(FRICTION[4]),
+            friction: self.settings.friction.map(|_| friction(FRICTION)),
+            heated: self.heat.as_ref().map(|_| HeatedFriction {
+                friction: friction(HEATED),
+                film_rise: of(FILM_RISE),
+                surface_rise: of(SURFACE_RISE),
             }),
             mean_pressure: over_time(self.pressure),
             mean_film_on_nodes: over_time(self.film),

@@ -9,9 +9,8 @@
 //! | σ_d | standard deviation of the attenuated roughness in the window | m |
 //! | μ_f, μ_a, μ_b | coefficients of film, lubricated asperities and boundary layer | - |
 //!
-//! φ is where the gap of the contact, which falls with φ, is the gap supplied, which does not. Touching
-//! asperities are lubricated: they shear the oil near its limiting stress, and only what of them is closer
-//! than the boundary layer rubs with μ_b.
+//! φ is where the gap of the contact, which falls with φ, equals the gap supplied. Touching asperities are lubricated: they
+//! shear the oil near its limiting stress, and only what of them is closer than the boundary layer rubs with μ_b.
 //!
 //! | step | type |
 //! |---|---|
@@ -33,7 +32,7 @@
 //! | `inlet`, all | −0.009, 0.045 | −0.02, 0.069 | +0.03, 0.099 |
 //! | `inlet`, below 3 | −0.017, 0.036 | −0.01, 0.060 | +0.01, 0.062 |
 //!
-//! Above 3 the solutions, whose ridges cannot leak, are no reference: the law is unconfirmed there.
+//! Above 3 the solutions, whose ridges cannot leak, are not a reference: the law is unconfirmed there.
 
 mod attenuated_traces;
 mod contact_table;

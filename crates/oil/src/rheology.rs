@@ -106,10 +106,13 @@ impl FilmPoint {
     /// The same point at the temperature of the walls.
     #[must_use]
     pub fn isothermal(self) -> Self {
-        Self {
-            heating: 0.0,
-            ..self
-        }
+        self.with_heating(0.0)
+    }
+
+    /// The same point with another rise of the film temperature per stress \[K/Pa\].
+    #[must_use]
+    pub fn with_heating(self, heating: f64) -> Self {
+        Self { heating, ..self }
     }
 }
 
@@ -268,10 +271,6 @@ impl FilmRheology {
     /// ```
     #[must_use]
     pub fn film_point(&self, pressure: f64, sliding: f64, film: f64) -> FilmPoint {
-        let c = &self.constants;
-        let giga = pressure * 1e-9;
-        let rise = c.conductivity_rise * giga / (1.0 + c.conductivity_bend * giga);
-        let conductivity = c.conductivity.si() * (1.0 + rise);
         FilmPoint {
             pressure,
             roelands_growth: match self.pressure {
@@ -279,8 +278,17 @@ impl FilmRheology {
                 PressureLaw::Roelands => roelands_growth(self.roelands_exponent, pressure),
             },
             log_rate: (sliding / film).ln(),
-            heating: FILM_MEAN * sliding * film / conductivity,
+            heating: FILM_MEAN * sliding * film / self.conductivity(pressure),
         }
+    }
+
+    /// Conductivity of the film k(p) \[W/(m K)\] at a pressure \[Pa\], according to \[Larsson-Andersson\].
+    #[must_use]
+    pub fn conductivity(&self, pressure: f64) -> f64 {
+        let c = &self.constants;
+        let giga = pressure * 1e-9;
+        let rise = c.conductivity_rise * giga / (1.0 + c.conductivity_bend * giga);
+        c.conductivity.si() * (1.0 + rise)
     }
 
     /// ln η(p, T) and its slope over temperature.

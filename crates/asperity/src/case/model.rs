@@ -102,8 +102,8 @@ choices! {
     /// Lay γ of the roughness, one value for both flanks or `[pinion, wheel]`: from 0 or `across`, ridges
     /// across the whole face width, to 1 or `isotropic`; default 1/12, the middle of measured ground flanks.
     lay: OneOrTwo<Lay> => [Lay; 2] = corrected(OneOrTwo::One(Lay::GROUND));
-    /// Law of the mean gap that the inlet supplies to `load_share = "solved"`: `power` (default), whose film thickens as the
-    /// asperities take load off it, or `inlet`, whose inlet grows longer with the gap.
+    /// Law of the mean gap that the inlet supplies to `load_share = "solved"`: `inlet` (default), whose inlet grows longer with
+    /// the gap, or `power`, whose film thickens as the asperities take load off it.
     #[serde(skip_serializing_if = "Option::is_none")]
     gap_law: GapLaw = corrected(GapLaw::default());
     /// Reading of the central film in film friction, and in the gap law `power`: `mass-flow` (default) or `gap`.

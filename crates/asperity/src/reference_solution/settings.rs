@@ -4,13 +4,14 @@ use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, Profile};
 use asperity_ehl::{
-    FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordSettings, RoughContact,
+    FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordHeat, RecordSettings,
+    RoughContact,
 };
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_ehl_regime::{
     Attenuation, FilmConditions, FilmLaw, GapLaw, MoesNumbers, TraceSpectrum,
 };
-use asperity_oil::{DensityLaw, FilmRheology, PressureViscosityLaw, ShearLaw};
+use asperity_oil::{DensityLaw, FilmRheology, PressureViscosityLaw, ShearLaw, TractionConstants};
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 
 use super::error::RefereeError;
@@ -20,7 +21,7 @@ use crate::error::PositionError;
 use crate::flanks::Texture;
 use crate::mesh::{Mesh, MeshPosition, position_at};
 
-/// Attenuated roughness over the smooth film beyond which ridges that cannot leak make the contact no reference:
+/// Attenuated roughness over the smooth film beyond which ridges that cannot leak make the contact not a reference:
 /// compared with gear tests, gap and friction are off from about 3 on.
 pub const LARGEST_ROUGHNESS: f64 = 3.0;
 /// Roelands' exponent of the film; one that follows from α and η₀ moves the shares by some 2 %.
@@ -151,6 +152,27 @@ impl RefereeContact {
             attenuated_roughness,
         })
     }
+}
+
+/// Oil over temperature, bulk temperature and bodies of `loaded`, for the friction of a record with heat.
+///
+/// # Errors
+/// When the base oil is not known, or an Eyring stress is not positive.
+pub fn record_heat(
+    loaded: &LoadedCase,
+    settings: &RefereeSettings,
+) -> Result<RecordHeat, RefereeError> {
+    let case = &loaded.case;
+    let rheology = rheology(case)?;
+    let constants = TractionConstants {
+        eyring_stress: (settings.eyring_stress).unwrap_or(rheology.constants().eyring_stress),
+        ..*rheology.constants()
+    };
+    Ok(RecordHeat {
+        rheology: rheology.with_constants(constants)?,
+        bulk: case.temperature,
+        bodies: case.materials,
+    })
 }
 
 /// Bodies and Newtonian oil of a mesh position, without its surfaces.

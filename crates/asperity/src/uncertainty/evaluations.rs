@@ -141,6 +141,7 @@ pub(super) fn evaluate(
         asperity_share: path.asperity_share,
         structure: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
+        gap_law: loaded.case.model.gap_law,
         roughness_over_film: path.roughness_over_film,
         film_m: path.film_m,
         sampling: sampling_error(loaded, nominal, path.asperity_share)?,

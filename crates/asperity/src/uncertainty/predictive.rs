@@ -17,6 +17,7 @@
 //! loss of a draw; model error and sampling differ from flanks to other flanks.
 
 use asperity_core::cite;
+use asperity_ehl_regime::GapLaw;
 use serde::{Deserialize, Serialize};
 
 use super::draw::{DRAWS, Draw, flank_draws, shared_draws};
@@ -33,8 +34,11 @@ const STATES: [f64; 2] = [0.65, 0.90];
 const STEP_RULE: f64 = 0.27;
 /// Mean and standard deviation of the power of the ratio of loss factors.
 const RELIEF_POWER: [f64; 2] = [1.15, 0.08];
-/// Standard deviation of ln of the fast model over records, of rough and of smooth films.
-const MODEL_ERROR: [f64; 2] = [0.05, 0.03];
+/// Standard deviation of ln of the fast model over records: of smooth films, and of rough ones between values of s.
+const SMOOTH_ERROR: f64 = 0.03;
+const ROUGH_ERROR: [[f64; 2]; 4] = [[1.5, 0.05], [2.1, 0.09], [2.7, 0.09], [3.3, 0.25]];
+/// The same of rough films by the gap law `power`.
+const POWER_ERROR: f64 = 0.05;
 /// Asperity share below which a film is smooth.
 const SMOOTH: f64 = 0.02;
 
@@ -64,6 +68,9 @@ pub struct Predictive {
     pub(crate) structure: Option<Structure>,
     /// Loss factors over tip reliefs; `None` if the case states its relief.
     pub(crate) relief: Option<ReliefFactors>,
+    /// Law of the gap that the inlet supplies.
+    #[serde(default = "former_gap_law")]
+    pub(crate) gap_law: GapLaw,
     /// s; `None` if it is not known.
     pub(crate) roughness_over_film: Option<f64>,
     /// Film weighted with the sliding loss \[m\].
@@ -341,21 +348,29 @@ impl Predictive {
         STEP_RULE * share * (friction - structure.film_friction).max(0.0) * structure.loss_factor_w
     }
 
-    /// g: excess of the fast model over records of mixed lubrication, where the roughness exceeds twice the film.
+    /// g: excess of the fast model over records of mixed lubrication, where the roughness exceeds two and a half films.
     ///
     /// ```text
-    /// g = min(0.2, 0.16 max(0, s − 2))                                            [Model-bias]
+    /// g = min(0.26, 0.17 max(0, s − 2.5)), gap law power: min(0.2, 0.16 max(0, s − 2))   [Model-bias]
     /// ```
     ///
-    /// Fitted to 24 pairs of records; drawn with a weight of 0 to 1, as the records have errors of their own.
+    /// Fitted to 57 records (`power`: 24); drawn with a weight of 0 to 1, as the records have errors of their own.
     fn bias(&self) -> f64 {
         cite!("Model-bias");
         let s = self.roughness_over_film.unwrap_or(0.0);
-        (0.16 * (s - 2.0).max(0.0)).min(0.2)
+        let [most, slope, from] = match self.gap_law {
+            GapLaw::Inlet => [0.26, 0.17, 2.5],
+            GapLaw::Power => [0.2, 0.16, 2.0],
+        };
+        (slope * (s - from).max(0.0)).min(most)
     }
 
     fn model_error(&self) -> f64 {
-        let error = MODEL_ERROR[usize::from(self.asperity_share < SMOOTH)];
+        let error = match self.gap_law {
+            _ if self.asperity_share < SMOOTH => SMOOTH_ERROR,
+            GapLaw::Inlet => between(&ROUGH_ERROR, self.roughness_over_film.unwrap_or(0.0)),
+            GapLaw::Power => POWER_ERROR,
+        };
         error.hypot(self.surface_rms)
     }
 
@@ -387,6 +402,24 @@ impl Predictive {
     }
 }
 
+/// The gap law of draws that do not name one.
+fn former_gap_law() -> GapLaw {
+    GapLaw::Power
+}
+
+/// Linear interpolation between points of rising x, constant beyond them.
+fn between(points: &[[f64; 2]], x: f64) -> f64 {
+    let at = points.partition_point(|point| point[0] <= x);
+    match (
+        at.checked_sub(1).and_then(|k| points.get(k)),
+        points.get(at),
+    ) {
+        (Some([x0, y0]), Some([x1, y1])) => y0 + (y1 - y0) * (x - x0) / (x1 - x0),
+        (Some([_, y]), None) | (None, Some([_, y])) => *y,
+        (None, None) => 0.0,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::draw::{draws_in, orders};
@@ -408,6 +441,7 @@ mod tests {
             asperity_share: 0.2,
             structure: None,
             relief: None,
+            gap_law: GapLaw::Inlet,
             roughness_over_film: Some(1.0),
             film_m: 0.3e-6,
             sampling: SamplingError::NONE,
@@ -595,9 +629,24 @@ mod tests {
             roughness_over_film: Some(s),
             ..plain()
         };
-        assert_eq!(of(2.0).bias(), 0.0);
-        assert!((of(2.5).bias() - 0.08).abs() < 1e-15);
-        assert_eq!(of(6.0).bias(), 0.2);
+        assert_eq!(of(2.5).bias(), 0.0);
+        assert!((of(3.0).bias() - 0.085).abs() < 1e-15);
+        assert_eq!(of(6.0).bias(), 0.26);
+        for (s, error) in [
+            (0.5, 0.05),
+            (1.8, 0.07),
+            (2.4, 0.09),
+            (3.0, 0.17),
+            (6.0, 0.25),
+        ] {
+            assert!((of(s).model_error() - error).abs() < 1e-12, "{s}");
+        }
+        let power = |s: f64| Predictive {
+            gap_law: GapLaw::Power,
+            ..of(s)
+        };
+        assert!((power(2.5).bias() - 0.08).abs() < 1e-15);
+        assert_eq!((power(6.0).bias(), power(6.0).model_error()), (0.2, 0.05));
         assert!(of(6.0).quantiles().median_w < 95.0);
         let [thin, thick] =
             [0.4e-6, 1.2e-6].map(|film_m| Predictive { film_m, ..plain() }.rolling_error());

@@ -536,6 +536,7 @@ fn friction_solves_its_equation_where_heat_raises_it() {
         &LoadShareSettings {
             boundary_friction: 0.08,
             lay: Lay::ACROSS,
+            gap_law: GapLaw::Power,
             ..LoadShareSettings::default()
         },
     );

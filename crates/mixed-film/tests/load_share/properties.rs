@@ -225,12 +225,17 @@ proptest! {
     fn other_units_give_the_same_share(
         drawn in drawn(), length in -1..2_i32, time in -1..2_i32, mass in -1..2_i32,
     ) {
-        let units = Units { length: 2f64.powi(length), time: 2f64.powi(time), mass: 2f64.powi(mass) };
-        let one = in_units(&drawn, &Units { length: 1.0, time: 1.0, mass: 1.0 });
-        let other = in_units(&drawn, &units);
-        // Round-off alone, which the certificate of the contact carries to 1e-6.
-        prop_assert!((other.asperity_share - one.asperity_share).abs() < 1e-6);
-        prop_assert!((other.coefficient / one.coefficient - 1.0).abs() < 1e-6);
+        let power = |of: i32| 2f64.powi(of);
+        let any = Units { length: power(length), time: power(time), mass: power(mass) };
+        // The density of the gap law `inlet` has constants in pascals.
+        let same_pressure = Units { mass: power(length + 2 * time), ..any };
+        for (law, units) in [(GapLaw::Power, any), (GapLaw::Inlet, same_pressure)] {
+            let one = in_units(&drawn, law, &Units { length: 1.0, time: 1.0, mass: 1.0 });
+            let other = in_units(&drawn, law, &units);
+            // Round-off alone, which the certificate of the contact carries to 1e-6.
+            prop_assert!((other.asperity_share - one.asperity_share).abs() < 1e-6);
+            prop_assert!((other.coefficient / one.coefficient - 1.0).abs() < 1e-6);
+        }
     }
 }
 
@@ -242,7 +247,7 @@ struct Units {
 }
 
 /// The share with every number in other units, for an oil whose viscosity falls exponentially.
-fn in_units(drawn: &Drawn, units: &Units) -> LoadShareSolution {
+fn in_units(drawn: &Drawn, gap_law: GapLaw, units: &Units) -> LoadShareSolution {
     let Units { length, time, mass } = *units;
     let pressure = mass / (length * time * time);
     let conductivity = mass * length / time.powi(3);
@@ -297,6 +302,7 @@ fn in_units(drawn: &Drawn, units: &Units) -> LoadShareSolution {
     let settings = LoadShareSettings::default();
     let settings = LoadShareSettings {
         boundary_layer: settings.boundary_layer * length,
+        gap_law,
         ..settings
     };
     let (starts, n) = (drawn.starts(), points(of));

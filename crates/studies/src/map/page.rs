@@ -289,6 +289,9 @@ fn quantile_levels(values: &[f64]) -> Vec<f64> {
     };
     let mut levels: Vec<f64> = (0..BANDS).filter_map(level).collect();
     levels.dedup();
+    // Rounded up, a level can exceed all values.
+    let highest = sorted.last().copied().unwrap_or(0.0);
+    levels.retain(|level| *level < highest);
     levels
 }
 
