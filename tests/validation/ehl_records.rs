@@ -509,11 +509,11 @@ fn films_of_all_records_stay_positive_and_keep_their_oil() {
         assert!(record.mean_supply < 0.66, "{name}: {}", record.mean_supply);
         // Heat lowers the friction, and elastic surfaces are warned of above the flow pressure.
         assert!(record.hot_friction < record.graded_friction, "{name}");
-        // The film of the warning is that of the solver, a gap, up to 15 % thinner than the formula's.
+        // The film of the warning is that of the solver, a gap, up to a fifth thinner than the formula's.
         let warned = record.warnings.contains("W415");
         let ratio = record.roughness_ratio / LARGEST_ROUGHNESS;
         assert!(ratio < 1.0 || warned, "{name}");
-        assert!(ratio > 0.85 || !warned, "{name}");
+        assert!(ratio > 0.8 || !warned, "{name}");
         let elastic = name.contains("elastic");
         assert_eq!(record.warnings.contains("W435"), elastic, "{name}");
     }
