@@ -153,7 +153,7 @@ fn check_of_a_good_case_lists_defaults_and_work() {
 }
 
 #[test]
-fn an_unusual_number_warns_and_a_state_beyond_sense_has_no_efficiency() {
+fn an_unusual_number_warns_one_beyond_sense_is_refused_and_symbols_are_named() {
     let bench = bench();
     let unusual = [
         "run",
@@ -174,15 +174,16 @@ fn an_unusual_number_warns_and_a_state_beyond_sense_has_no_efficiency() {
         "--set",
         "operation.speed=9e5 1/min",
     ]);
-    said.refused(
-        4,
-        "E308",
-        &[
-            "speed of the flanks",
-            "beyond physical sense",
-            "No efficiency is reported",
-        ],
-    );
+    said.refused(2, "E212", &["pitch-line speed", "beyond physical sense"]);
+    let case = E_DRIVE
+        .replace("teeth = ", "z = ")
+        .replace("module = ", "m_n = ");
+    bench.write("case.toml", case);
+    let said = bench
+        .run(&["run", "case.toml", "--no-output", "--notes"])
+        .well();
+    let says = "W202 gears.m_n is gears.module, gears.z is gears.teeth";
+    assert!(said.unwrapped().contains(says), "{}", said.out);
 }
 
 #[test]

@@ -77,7 +77,7 @@ const VALUES: &[Bad] = &[
     bad("viscosity", "viscosity = 3", "E204", &["lubricant.viscosity", "integer `3`", "a table"]),
     bad("offsets", "offsets = 1.5", "E204", &["model.offsets", "`1.5`", "whole number"]),
     bad("offsets", "position = \"F\"", "E204", &["model.position", "`F`", "`A`, `B`, `C`, `D`, `E`", "0 at A, 1 at E"]),
-    bad("pinion", "pinion = \"pinion.csv\"", "E204", &["surface.pinion", "a table, e.g. { key = value }"]),
+    bad("pinion", "pinion = 3", "E204", &["surface.pinion", "a table, e.g. { key = value }"]),
     about_table("module", "", "E204", &["gears: missing key \"module\"", "length with a unit: mm"], "[gears]"),
     about_table("pinion", "", "E204", &["surface: missing key \"pinion\"", "Trace of the pinion's flank"], "[surface]"),
     bad("viscosity", "viscosity = { law = \"astm-d341\", at_100 = \"6 mm2/s\" }", "E204", &["missing key \"at_40\"", "kinematic viscosity with a unit: mm2/s"]),

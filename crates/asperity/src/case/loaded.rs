@@ -20,7 +20,7 @@ use super::gears::check_load;
 use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
 use super::model::Formulation;
-use super::plausibility::{SYMBOLS, of_files, unusual};
+use super::plausibility::{SYMBOLS, at_pitch_point, of_files, step_up, unusual};
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
 use super::source::Source;
@@ -454,7 +454,12 @@ pub(super) fn complete(
         refuse_several(&case, source)?;
     }
     let mut warnings = warnings;
-    warnings.splice(0..0, unusual(&case));
+    let loads = at_pitch_point(&case.gears, case.modulus, case.torque, case.speed);
+    let unusual = unusual(&case.input, &case.oil, &loads);
+    warnings.splice(
+        0..0,
+        unusual.into_iter().chain(step_up(&case.gears, source)),
+    );
     warnings.extend(read_as_keys(source));
     provenance.include(&of_flanks);
     Ok(LoadedCase {

@@ -13,7 +13,6 @@ use asperity_oil::{LubricantInput, LubricantState, ViscosityLaw};
 
 use super::error::CaseError;
 use super::input::CaseInput;
-use super::resolve::Case;
 use super::rows::{Limits, Table, in_unit, limits};
 use super::section::Section;
 use super::source::Source;
@@ -306,8 +305,11 @@ impl AtPitchPoint {
 }
 
 /// Warnings about the unusual numbers of a case.
-pub(super) fn unusual(case: &Case) -> Vec<Warning> {
-    let (input, oil) = (&case.input, &case.oil);
+pub(super) fn unusual(
+    input: &CaseInput,
+    oil: &LubricantState,
+    loads: &[AtPitchPoint],
+) -> Vec<Warning> {
     let note = |range: &Range| {
         let value = with_unit(&digits(range.outside(range.usual)?), range.unit);
         let (key, usual) = (range.key(), range.usual());
@@ -324,16 +326,19 @@ pub(super) fn unusual(case: &Case) -> Vec<Warning> {
         );
         warnings.push(Warning::new(UNUSUAL, text));
     }
-    let loads = at_pitch_point(&case.gears, case.modulus, case.torque, case.speed);
     warnings.extend(loads.iter().filter_map(AtPitchPoint::unusual));
-    let [pinion, wheel] = case.gears.teeth;
-    if pinion > wheel {
-        let text = format!(
-            "gears.teeth: the pinion, which is named first and has the speed and the torque of the case, has {pinion} teeth and the wheel {wheel}"
-        );
-        warnings.push(Warning::new(UNUSUAL, text));
-    }
     warnings
+}
+
+/// Warns of a pinion with more teeth than the wheel, which may be exchanged; not in a planetary set.
+pub(super) fn step_up(gears: &GearPair, source: &Source) -> Option<Warning> {
+    let [pinion, wheel] = gears.teeth;
+    let text = || {
+        format!(
+            "gears.teeth: the pinion, which is named first and has the speed and the torque of the case, has {pinion} teeth and the wheel {wheel}"
+        )
+    };
+    (pinion > wheel && !source.is_of_a_set()).then(|| Warning::new(UNUSUAL, text()))
 }
 
 /// The warnings that are not about numbers of the case.

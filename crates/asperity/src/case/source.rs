@@ -146,6 +146,11 @@ impl Source {
         }
     }
 
+    /// Whether this is the source of a mesh of a planetary set.
+    pub(super) fn is_of_a_set(&self) -> bool {
+        self.mesh.is_some()
+    }
+
     /// The whole text.
     pub fn text(&self) -> &str {
         &self.text
