@@ -38,7 +38,7 @@
   function slid(input) {
     const figure = input.closest("figure"), first = input.value;
     const state = () => all("[data-part]", figure)
-      .map((p) => p.getAttribute("d") || p.getAttribute("cx")).join() + figure.querySelector(".told").textContent;
+      .map((p) => p.getAttribute("d") || p.getAttribute("cx")).join() + figure.querySelector(".caption").textContent;
     const isDrawn = () => all("path[data-part]", figure).every((p) => /^M[-\d][-\d LZ]+$/.test(p.getAttribute("d")));
     const go = (v) => { input.value = String(v); input.dispatchEvent(new Event("input")); return state(); };
     const before = state(), states = [];
