@@ -163,6 +163,7 @@ explanations! {
     "W131" "fewer heights than stated": "The header of the file states more points than the file holds: the trace was aborted, or the file was cut off." => "Export the file again, or measure again, if the whole trace is needed.";
     "W201" "outside the usual range": "A number in the case is outside the usual range for gear drives. It may be right, but a wrong unit is more likely." => "Check the unit and the decimal point.";
     "W202" "symbols read as keys": "The case file has symbols of a gear drawing in place of keys; each was read as the key named." => "Nothing, if the keys are the ones meant.";
+    "W203" "a key by its former name": "The case states a key by a name of an earlier version, which is still read with its former meaning." => "Rename the key as the message says.";
     "W320" "mean of a surface": "The trace is the mean of the rows or columns of a surface. Roughness that does not run across all of them is averaged out, so its parameters are smaller than those of a single line." => "Take single lines for roughness parameters, the mean for the form." [Row, Line];
     "W321" "measured on a replica": "The file says that a replica was measured, so that peaks and valleys have changed places." => "Invert the heights in the instrument's software before exporting.";
     "W322" "the unit of the file is overridden": "A unit was stated for a column whose unit the file states too, and they differ. The stated one is used." => "Leave the unit out, unless the file is known to be wrong." [ZUnit, XUnit];

@@ -56,7 +56,7 @@ fn a_value_is_noted_where_its_usual_range_ends() {
     // Key, the usual ends, values beyond them.
     let ranges: [(&str, [&str; 2], [&str; 2]); 4] = [
         (
-            "operation.temperature",
+            "operation.bulk_temperature",
             ["-29 °C", "179 °C"],
             ["-31 °C", "181 °C"],
         ),
@@ -91,7 +91,12 @@ fn a_value_is_noted_where_its_usual_range_ends() {
 #[test]
 fn a_bulk_temperature_takes_the_conductances_of_its_law() {
     let case = e_drive();
-    let set = |law: &str| case.with_key("operation.bulk", law);
+    let set = |law: &str| {
+        case.with(|input| {
+            input.set("operation.oil_temperature", "90 °C").unwrap();
+            input.set("operation.bulk", law).unwrap();
+        })
+    };
     assert!(set(r#"{ law = "iso", lubrication = "jet" }"#).is_ok());
     for name in ["pinion_to_oil", "wheel_to_oil", "between"] {
         let law = format!(r#"{{ law = "iso", lubrication = "jet", {name} = "3 W/K" }}"#);
