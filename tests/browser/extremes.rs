@@ -148,7 +148,7 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
             };
             let result = json(folder, "result.json");
             let bulk = result["bulk"]["bulk_c"].as_f64().or_else(|| {
-                let text = result["inputs"]["operation"]["temperature"].as_str()?;
+                let text = result["inputs"]["operation"]["bulk_temperature"].as_str()?;
                 text.split(' ').next()?.parse().ok()
             });
             Some(

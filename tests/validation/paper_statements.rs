@@ -129,7 +129,7 @@ fn statements() -> Vec<Statement> {
             paper: "37.05 Pa across a film of 100 nm".to_owned(),
             here: format!("{difference:.2} Pa"),
             holds: (difference / 37.05 - 1.0).abs() < 0.1,
-            why: "38 880 readings of the printed equations give other values; negligible it is either way",
+            why: "38 880 readings of the printed equations give other values; negligible either way",
         },
         Statement {
             place: "Fig. 13",
@@ -148,7 +148,7 @@ fn statements() -> Vec<Statement> {
                 100.0 * looser.last().unwrap().load_error
             ),
             holds: (100.0 * last.load_error - 4.0).abs() < 0.5,
-            why: "both numbers of the paper cannot be: either the limit was 4 % or the last step is not shown",
+            why: "the two numbers contradict each other: the limit was 4 %, or the last step is not shown",
         },
         Statement {
             place: "Fig. 12",
