@@ -498,7 +498,7 @@ fn drive_losses(law: GapLaw) -> Vec<Gate> {
     });
     let rows = ["40 °C", "60 °C", "90 °C", "120 °C"].map(|celsius| {
         let [ground, fine] = kept.each_ref().map(|kept| {
-            let found = kept.at(&[("operation.temperature", celsius)]);
+            let found = kept.at(&[("operation.bulk_temperature", celsius)]);
             found.mean(&|row| row.loss_w)
         });
         let row = |what: &str, measured: &str, value, unit| {
@@ -535,7 +535,7 @@ fn the_gap_law_power_gives_the_losses_of_earlier_editions() {
             let keys = [
                 gap_law_key(GapLaw::Power),
                 ("model.offsets", "16"),
-                ("operation.temperature", celsius),
+                ("operation.bulk_temperature", celsius),
             ];
             let found = losses(&with(name, &keys)).summary.loss_w;
             assert!(
