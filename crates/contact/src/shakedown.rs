@@ -129,7 +129,7 @@ mod tests {
         let limit = 1.0 / stress.xz_of_pressure.abs();
         let hertz = shakedown_pressure(Pressure::from_si(27.0_f64.sqrt()), 0.0).unwrap();
         assert!(
-            (limit - 3.141_593).abs() < 1e-5 && limit < hertz.si(),
+            (limit - std::f64::consts::PI).abs() < 1e-5 && limit < hertz.si(),
             "{limit}"
         );
     }
