@@ -156,6 +156,10 @@ fn parent<'a, 'b>(
 }
 
 #[cfg(test)]
+#[allow(
+    clippy::disallowed_methods,
+    reason = "tests read the files of the project"
+)]
 mod tests {
     use super::*;
     use crate::case::{CaseInput, load};
