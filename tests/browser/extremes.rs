@@ -148,7 +148,7 @@ fn of_report(folder: &Path, chart: &str, curve: &str) -> Option<Vec<f64>> {
             };
             let result = json(folder, "result.json");
             let bulk = result["bulk"]["bulk_c"].as_f64().or_else(|| {
-                let text = result["inputs"]["operation"]["temperature"].as_str()?;
+                let text = result["inputs"]["operation"]["bulk_temperature"].as_str()?;
                 text.split(' ').next()?.parse().ok()
             });
             Some(
@@ -414,6 +414,7 @@ fn of_figure(folder: &Path, figure: &str, curve: &str) -> Option<Vec<f64>> {
             Some(table(SURFACE).map([column], |[um]| -1e3 * um))
         }
         "fig10a_contact_stress" => pick(SURFACE, &PRESSURES),
+        "fig10c_contact_stress_reflected" => pick("fig10c_surface.csv", &PRESSURES),
         "fig10b_contact_stress_near" => {
             let column = PRESSURES[curve.parse::<usize>().unwrap()];
             Some(table(SURFACE).map(["x_um", column], |[x, p]| {
@@ -429,6 +430,7 @@ fn of_figure(folder: &Path, figure: &str, curve: &str) -> Option<Vec<f64>> {
         }
         "fig12a_in_contact" => Some(table("fig12_losses.csv").column("in_contact_w")),
         "fig12b_after_contact" => Some(table("fig12_losses.csv").column("after_contact_w")),
+        "fig12c_every_engagement" => Some(table("fig12_losses.csv").column("every_engagement_w")),
         "fig13a_load" => {
             let steps = table("fig13_convergence.csv");
             Some(match curve {

@@ -84,7 +84,9 @@ fn reports(bench: &Bench) -> Vec<Page> {
         (
             "full-film",
             e_drive(&|input| {
-                input.operation.temperature = "20 °C".parse().unwrap();
+                input
+                    .operation
+                    .set_bulk_temperature("20 °C".parse().unwrap());
                 let flanks = [
                     Some(&mut input.surface.pinion),
                     input.surface.wheel.as_mut(),

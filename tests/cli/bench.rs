@@ -189,7 +189,7 @@ flow_pressure = "7 GPa"
 [operation]
 torque = "145 N m"
 speed = "9000 1/min"
-temperature = "90 °C"
+bulk_temperature = "90 °C"
 
 [lubricant]
 viscosity = { law = "astm-d341", at_40 = "30.8 mm2/s", at_100 = "5.9 mm2/s" }

@@ -28,12 +28,12 @@ fn run(bench: &Bench, settings: &[&str]) -> crate::bench::Said {
 #[test]
 fn a_run_says_which_temperature_the_flanks_reach() {
     let jet = "operation.bulk={ law = \"iso\", lubrication = \"jet\" }";
-    let said = run(&Bench::new(), &[jet]).well();
+    let said = run(&Bench::new(), &[jet, "operation.oil_temperature=90 °C"]).well();
     let text = said.unwrapped();
     let line = text.lines().find(|line| line.starts_with("bulk"));
     let line = line.unwrap_or_else(|| panic!("{text}"));
     assert!(
-        line.contains("°C; oil 90 °C, rise by the loss (iso, jet)"),
+        line.contains("°C; oil 90 °C, rise by the loss (iso, unconfirmed, jet)"),
         "{line}"
     );
 }
@@ -41,7 +41,7 @@ fn a_run_says_which_temperature_the_flanks_reach() {
 #[test]
 fn a_mesh_that_keeps_no_temperature_from_a_hot_start_is_warned_of() {
     let settings = [
-        "operation.temperature=10 °C",
+        "operation.oil_temperature=10 °C",
         "operation.bulk={ law = \"network\", pinion_to_oil = \"0.28 W/K\", wheel_to_oil = \"0.28 W/K\" }",
     ];
     let said = run(&Bench::new(), &settings).well();
@@ -57,7 +57,7 @@ fn a_mesh_that_keeps_no_temperature_from_a_hot_start_is_warned_of() {
 #[test]
 fn a_mesh_that_heats_itself_on_and_on_is_refused() {
     let settings = [
-        "operation.temperature=60 °C",
+        "operation.oil_temperature=60 °C",
         "operation.bulk={ law = \"network\", pinion_to_oil = \"0.1 W/K\", wheel_to_oil = \"0.1 W/K\" }",
     ];
     let says = ["the bulk temperature did not settle in", "still moving by"];
@@ -98,6 +98,16 @@ fn keys_of_the_bulk_temperature_that_do_not_fit_are_refused() {
             "load_share = \"solved\"",
         ),
     ] {
-        run(&Bench::new(), settings).refused(2, "E205", &[says]);
+        let settings = [settings, &["operation.oil_temperature=90 °C"]].concat();
+        run(&Bench::new(), &settings).refused(2, "E205", &[says]);
     }
+}
+
+#[test]
+fn the_former_name_of_the_temperature_is_noted() {
+    let said = run(&Bench::new(), &["operation.temperature=90 °C"]).well();
+    let text = said.unwrapped();
+    let told = text.lines().find(|line| line.starts_with("W203"));
+    let says = "W203 operation.temperature is the former name of operation.bulk_temperature";
+    assert!(told.is_some_and(|line| line.starts_with(says)), "{text}");
 }

@@ -16,7 +16,7 @@ profile_shift = [0.182, 0.172]
 [operation]
 torque = "183.4 N m"
 speed = "2166 1/min"
-temperature = "90 °C"
+bulk_temperature = "90 °C"
 
 [lubricant]
 oil = "m100"

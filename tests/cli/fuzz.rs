@@ -239,7 +239,7 @@ fn wild_case() -> impl Strategy<Value = String> {
     (gears, operation, oil, surface, law).prop_map(|(g, o, oil, s, law)| {
         format!(
             "[gears]\nteeth = [{}, {}]\nmodule = {}\nhelix = \"{} deg\"\nface_width = {}\n\
-             [operation]\ntorque = {}\nspeed = {}\ntemperature = \"{} °C\"\n\
+             [operation]\ntorque = {}\nspeed = {}\nbulk_temperature = \"{} °C\"\n\
              [lubricant]\nviscosity = {{ law = \"astm-d341\", at_40 = {}, at_100 = {} }}\n\
              density = \"850 kg/m3\"\nbase_oil = \"mineral\"\n\
              [surface]\npinion = {{ rq = {}, rpk = {}, asperity_radius = {} }}\n\

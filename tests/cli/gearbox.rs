@@ -153,14 +153,14 @@ fn a_table_is_read_between_its_nodes_and_nowhere_else() {
     let at = [
         "operation.torque=150 N m",
         "operation.speed=5000 1/min",
-        "operation.temperature=90 °C",
+        "operation.bulk_temperature=90 °C",
     ];
     let found = with(&at).well().json();
     let torque = found["gearbox"]["parts"][0]["torque_nm"].as_f64().unwrap();
     assert!((torque - 0.3).abs() < 1e-12, "{torque}");
     // Bulk temperatures are those of the flanks; the table stays in its oil.
     let bulk = r#"operation.bulk={ law = "iso", lubrication = "jet" }"#;
-    let found = with(&[&at[..], &["operation.temperature=100 °C", bulk]].concat());
+    let found = with(&[&at[..], &["operation.oil_temperature=100 °C", bulk]].concat());
     let found = found.well().json();
     assert!(found["bulk"]["bulk_c"].as_f64().unwrap() > 101.0);
     assert_eq!(
@@ -168,7 +168,7 @@ fn a_table_is_read_between_its_nodes_and_nowhere_else() {
         100.0
     );
     assert!(found["inputs"]["gearbox"]["temperature"].is_null());
-    let colder = [&at[..], &["operation.temperature=70 °C"]].concat();
+    let colder = [&at[..], &["operation.bulk_temperature=70 °C"]].concat();
     let says = ["other.csv", "no loss at 150 N m, 5000 1/min, 70 °C"];
     with(&colder).refused_json("E313", says[1]);
     let kept = [&colder[..], &["gearbox.temperature=80 °C"]].concat();
@@ -256,7 +256,7 @@ fn check_tells_of_parts_and_a_planetary_set_takes_none() {
         "set.toml",
         r#"
 planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] }
-operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
+operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
 lubricant = { oil = "m100" }
 surface = { sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
 gearbox = { seals = [{ shaft = "pinion", diameter = "40 mm" }] }

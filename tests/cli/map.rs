@@ -148,7 +148,7 @@ fn a_map_has_nodes_at_rest_and_its_points_are_those_of_runs() {
             of("operation.torque", format!("{} N m", row["torque_nm"])),
             of("operation.speed", format!("{} 1/min", row["speed_rpm"])),
             of(
-                "operation.temperature",
+                "operation.bulk_temperature",
                 format!("{} °C", row["temperature_c"]),
             ),
         ];

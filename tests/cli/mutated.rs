@@ -123,7 +123,7 @@ fn damaged_quantities_are_read_or_refused() {
 fn damaged_planetary_cases_are_read_or_refused() {
     let seed = r#"
         planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] }
-        operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
+        operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
         lubricant = { oil = "m100" }
         surface = { sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
     "#;

@@ -188,7 +188,7 @@ fn marching_that_misses_the_load_is_not_converged() {
 
 #[test]
 fn an_oil_thinner_than_a_law_takes_is_outside_the_model() {
-    let bench = bench_with("temperature", "temperature = \"240 °C\"");
+    let bench = bench_with("bulk_temperature", "bulk_temperature = \"240 °C\"");
     let says = [
         "position 1 of 4",
         "viscosity = 0.",

@@ -375,7 +375,7 @@ fn a_study_of_another_case_is_not_replaced_unless_it_is_named() {
     let untitled = E_DRIVE.replace("title = \"small case\"", "");
     bench.write("untitled.toml", &untitled);
     bench.run(&["run", "untitled.toml"]).well();
-    bench.write("untitled.toml", &untitled.replace("[23, 68]", "[24, 68]"));
+    bench.write("untitled.toml", untitled.replace("[23, 68]", "[24, 68]"));
     let refused =
         "results/untitled: holds the result of another case (untitled, 23/68 teeth, module 1.8 mm)";
     bench

@@ -42,7 +42,7 @@ columns = ["loss_w"]
 [sample]
 method = "latin-hypercube"
 count = 300
-vary."operation.temperature" = { uniform = ["60 °C", "100 °C"] }
+vary."operation.bulk_temperature" = { uniform = ["60 °C", "100 °C"] }
 "#;
 
 fn quick() -> Bench {
@@ -139,7 +139,7 @@ fn missing_cases_are_told_with_status_3_and_a_restart_runs_them() {
         .well();
     let table = fs::read_to_string(bench.path("out/sweep.csv")).unwrap();
     assert_eq!(table.lines().count(), 301);
-    assert!(table.starts_with("case,id,operation.temperature [°C],loss_w,code\n0,"));
+    assert!(table.starts_with("case,id,operation.bulk_temperature [°C],loss_w,code\n0,"));
 }
 
 #[test]

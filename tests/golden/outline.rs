@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use asperity::Run;
-use asperity::case::{LoadedCase, load_with};
+use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{film, survey};
 use asperity::planetary::run_planetary;
@@ -177,9 +177,12 @@ fn coarse(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
     let case = load_with(&file, &|input| {
         (input.model.positions, input.model.offsets) = (Some(6), Some(4));
     });
-    keys.iter().fold(case.unwrap(), |case, (key, value)| {
-        case.with_key(key, value).unwrap()
-    })
+    let set = |input: &mut CaseInput| {
+        for (key, value) in keys {
+            input.set(key, value).unwrap();
+        }
+    };
+    case.unwrap().with(set).unwrap()
 }
 
 /// A case with its band: the result, the pictures, every offset, and what the path is without contacts.
@@ -222,6 +225,7 @@ fn a_case_by_the_formulas_with_its_bulk_temperature_gives_what_it_gave() {
     let bulk = r#"{ law = "iso", lubrication = "jet" }"#;
     let keys = [
         ("model.load_share", "lambda-star"),
+        ("operation.oil_temperature", "90 °C"),
         ("operation.bulk", bulk),
     ];
     hold_case(
@@ -235,7 +239,7 @@ fn steady_solutions_of_full_films_give_what_they_gave() {
     let keys = [
         ("model.full_film", "ehl"),
         ("model.load_share", "lambda-star"),
-        ("operation.temperature", "60 °C"),
+        ("operation.bulk_temperature", "60 °C"),
     ];
     let case = coarse("e-drive-superfinished.toml", &keys);
     let outcome = Run::new(&case)

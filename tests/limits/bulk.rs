@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::case::{LoadedCase, load_with};
+use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::oil::ViscosityLaw;
 use asperity::quantity::Temperature;
 use asperity::uncertainty::UncertainParameter;
@@ -16,7 +16,18 @@ fn case(name: &str, law: &str) -> LoadedCase {
         (input.model.positions, input.model.offsets) = (Some(4), Some(2));
     })
     .unwrap();
-    case.with_key("operation.bulk", law).unwrap()
+    with_law(&case, law)
+}
+
+/// The case with the temperature that it states as that of the oil.
+fn with_law(case: &LoadedCase, law: &str) -> LoadedCase {
+    let with_law = |input: &mut CaseInput| {
+        let operation = &mut input.operation;
+        operation.oil_temperature = operation.stated_temperature();
+        operation.bulk_temperature = None;
+        input.set("operation.bulk", law).unwrap();
+    };
+    case.with(with_law).unwrap()
 }
 
 fn celsius(temperature: Temperature) -> f64 {
@@ -36,13 +47,15 @@ fn the_rise_is_that_of_the_loss_at_the_temperature_found() {
         let rise = 7400.0 * specific.powf(0.72) * factor / 1.2;
         let residual = report.bulk_c - report.oil_c - rise;
         assert!(residual.abs() < 0.01, "{lubrication}: {residual} K");
-        assert_eq!(report.oil_c, celsius(case.case.input.operation.temperature));
+        let oil = case.case.input.operation.oil_temperature.unwrap();
+        assert_eq!(report.oil_c, celsius(oil));
         // The loss is that of flanks given at this temperature.
         let settled = pipeline::settled(&case, None).unwrap();
         let given = case
             .with(|input| {
-                input.operation.temperature = settled.case.temperature;
-                input.operation.bulk = None;
+                input
+                    .operation
+                    .set_bulk_temperature(settled.case.temperature)
             })
             .unwrap();
         let given = losses(&given).unwrap();
@@ -98,11 +111,11 @@ fn a_viscosity_given_without_a_temperature_thins_as_the_flanks_warm() {
     let law = r#"{ law = "iso", lubrication = "jet" }"#;
     let loss = |case: &LoadedCase| losses(case).unwrap().summary.loss_w;
     let case = given_viscosity();
-    let warm = case.with_key("operation.bulk", law).unwrap();
+    let warm = with_law(&case, law);
     let stated = case
         .with(|input| input.lubricant = input.lubricant.stated_at(case.case.temperature).unwrap())
         .unwrap();
-    let stated_warm = stated.with_key("operation.bulk", law).unwrap();
+    let stated_warm = with_law(&stated, law);
     assert_eq!(loss(&warm), loss(&stated_warm));
     assert!(
         loss(&warm) < 0.97 * loss(&case),
@@ -119,19 +132,19 @@ fn a_viscosity_given_without_a_temperature_thins_as_the_flanks_warm() {
 fn a_given_viscosity_belongs_to_the_temperature_that_the_case_states() {
     let case = given_viscosity();
     let viscosity = |case: &LoadedCase| case.case.oil.dynamic_viscosity.si();
+    let hot_flanks = |input: &mut CaseInput| {
+        let hot = Temperature::from_celsius(120.0);
+        input.operation.set_temperature(hot);
+    };
     // By a key, by a value, and past the text of the file: 10 K at 0.04 1/K.
     let file =
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/measured/petry-johnson.toml");
-    let key = ("operation.temperature".to_owned(), "120 °C".to_owned());
+    let key = ("operation.bulk_temperature".to_owned(), "120 °C".to_owned());
     let source = asperity::case::open_source(&file).unwrap();
     let hotter = [
         case.with_key(&key.0, &key.1).unwrap(),
-        case.with(|input| input.operation.temperature = Temperature::from_celsius(120.0))
-            .unwrap(),
-        load_with(&file, &|input| {
-            input.operation.temperature = Temperature::from_celsius(120.0)
-        })
-        .unwrap(),
+        case.with(hot_flanks).unwrap(),
+        load_with(&file, &hot_flanks).unwrap(),
         asperity::case::load_set(source, file.parent().unwrap(), &[key], &|_| {}).unwrap(),
     ];
     for hot in &hotter {
@@ -143,13 +156,13 @@ fn a_given_viscosity_belongs_to_the_temperature_that_the_case_states() {
     }
     // And back.
     let back = hotter[0]
-        .with_key("operation.temperature", "110 °C")
+        .with_key("operation.bulk_temperature", "110 °C")
         .unwrap();
     assert_eq!(viscosity(&back), viscosity(&case));
     // A viscosity stated together with the temperature holds at it.
     let other = case
         .with(|input| {
-            input.operation.temperature = Temperature::from_celsius(120.0);
+            hot_flanks(input);
             input.lubricant.viscosity = Some(ViscosityLaw::Given {
                 dynamic_viscosity: "8 mPa s".parse().unwrap(),
                 temperature: None,
@@ -190,4 +203,90 @@ fn parameters_set_past_the_keys_act_at_the_temperature_found() {
         let [less, more] = [0.8, 1.25].map(|factor| loss(parameter, factor));
         assert!(more > 1.0001 * less, "{}: {less} {more}", parameter.name());
     }
+}
+
+#[test]
+fn the_former_name_means_what_it_meant_and_is_noted() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
+    let case = load_with(&file, &|input| {
+        (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+    })
+    .unwrap();
+    let noted = |case: &LoadedCase| {
+        let mut warnings = case.warnings.iter();
+        let note = warnings.find(|warning| warning.code == "W203");
+        note.map(|note| note.text.clone())
+    };
+    let law = r#"{ law = "network", pinion_to_oil = "12 W/K", wheel_to_oil = "18 W/K" }"#;
+    let former = case.with_key("operation.temperature", "90 °C").unwrap();
+    let former_oil = former.with_key("operation.bulk", law).unwrap();
+    for (former, now, name) in [
+        (&former, &case, "operation.bulk_temperature"),
+        (
+            &former_oil,
+            &with_law(&case, law),
+            "operation.oil_temperature",
+        ),
+    ] {
+        let note = noted(former).unwrap();
+        assert!(
+            note.contains("operation.temperature") && note.contains(name),
+            "{note}"
+        );
+        assert_eq!(noted(now), None);
+        let [former, now] = [former, now].map(|case| losses(case).unwrap());
+        assert_eq!((former.summary, former.bulk), (now.summary, now.bulk));
+    }
+    // The note goes with the name.
+    let renamed = former
+        .with_key("operation.bulk_temperature", "90 °C")
+        .unwrap();
+    assert_eq!(noted(&renamed), None);
+    assert_eq!(renamed.case.input, case.case.input);
+}
+
+#[test]
+fn a_key_of_the_temperature_replaces_the_others() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
+    let mut input = load_with(&file, &|_| {}).unwrap().case.input;
+    let law = r#"{ law = "iso", lubrication = "dip" }"#;
+    input.set("operation.bulk", law).unwrap();
+    input.set("operation.oil_temperature", "80 °C").unwrap();
+    let operation = &input.operation;
+    assert!(operation.bulk_temperature.is_none() && operation.bulk.is_some());
+    input.set("operation.temperature", "70 °C").unwrap();
+    let operation = &input.operation;
+    assert!(operation.oil_temperature.is_none() && operation.bulk.is_some());
+    input
+        .set("operation.bulk_temperature", r#"["80 °C", "100 °C"]"#)
+        .unwrap();
+    let operation = &input.operation;
+    assert!(operation.temperature.is_none() && operation.bulk.is_none());
+}
+
+#[test]
+fn film_and_friction_take_the_mean_of_two_flanks() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases/e-drive.toml");
+    let case = load_with(&file, &|input| {
+        (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+    })
+    .unwrap();
+    let two = case
+        .with_key("operation.bulk_temperature", r#"["80 °C", "100 °C"]"#)
+        .unwrap();
+    let [one, two_flanks] = [&case, &two].map(|case| losses(case).unwrap().summary.loss_w);
+    assert!((two_flanks / one - 1.0).abs() < 1e-12, "{one} {two_flanks}");
+    // At another mean the flanks keep their difference.
+    let hotter = two
+        .with(|input| {
+            input
+                .operation
+                .set_temperature(Temperature::from_celsius(110.0))
+        })
+        .unwrap();
+    let flanks = hotter.case.input.operation.bulk_temperature.unwrap().both();
+    for (flank, expected) in flanks.into_iter().zip([100.0, 120.0]) {
+        assert!((celsius(flank) - expected).abs() < 1e-9);
+    }
+    assert!((celsius(hotter.case.temperature) - 110.0).abs() < 1e-9);
 }

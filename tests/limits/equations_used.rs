@@ -247,9 +247,13 @@ fn the_fingerprint_of_a_case_includes_its_user_defined_laws() {
         let mut loaded = loaded.clone();
         loaded.case = change(loaded.case);
         // A changed case keeps the laws.
-        let hotter = loaded.with_key("operation.temperature", "91 °C").unwrap();
+        let hotter = loaded
+            .with_key("operation.bulk_temperature", "91 °C")
+            .unwrap();
         assert_ne!(loaded.fingerprint(), hotter.fingerprint());
-        let back = hotter.with_key("operation.temperature", "90 °C").unwrap();
+        let back = hotter
+            .with_key("operation.bulk_temperature", "90 °C")
+            .unwrap();
         assert_eq!(loaded.fingerprint(), back.fingerprint());
         loaded.fingerprint()
     };

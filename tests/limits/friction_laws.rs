@@ -55,7 +55,7 @@ fn no_asperities_are_added_to_a_law_that_has_them() {
 
 #[test]
 fn a_law_outside_what_it_was_fitted_to_says_so() {
-    let hot = result(table_2().with("operation.temperature", "200 °C"));
+    let hot = result(table_2().with("operation.bulk_temperature", "200 °C"));
     assert!(hot.published_laws.iter().all(|row| !row.inside_its_range));
     assert!(hot.published_laws.iter().all(|row| !row.outside.is_empty()));
 }

@@ -105,7 +105,7 @@ fn case(export: Export, from_tip: bool, swapped: bool) -> LoadedCase {
     let text = format!(
         "gears = {{ teeth = {teeth}, module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\", \
          pinion.tip_relief = \"none\", wheel.tip_relief = \"none\" }}\n\
-         operation = {{ torque = \"{torque} N m\", speed = \"{speed} 1/min\", temperature = \"90 °C\" }}\n\
+         operation = {{ torque = \"{torque} N m\", speed = \"{speed} 1/min\", bulk_temperature = \"90 °C\" }}\n\
          lubricant = {{ viscosity = {{ law = \"astm-d341\", at_40 = \"30.8 mm2/s\", at_100 = \"5.9 mm2/s\" }}, \
          density = \"845 kg/m3\", base_oil = \"pao\" }}\n\
          [surface]\ncutoff = \"0.25 mm\"\n\
@@ -337,7 +337,7 @@ fn several_traces_have_the_mean_of_their_forms() {
         let text = format!(
             "gears = {{ teeth = [23, 68], module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\", \
              pinion = {{ relief = \"from-trace\" }} }}\n\
-             operation = {{ torque = \"145 N m\", speed = \"9000 1/min\", temperature = \"90 °C\" }}\n\
+             operation = {{ torque = \"145 N m\", speed = \"9000 1/min\", bulk_temperature = \"90 °C\" }}\n\
              lubricant = {{ oil = \"m100\" }}\n\
              [surface]\npinion = {{ traces = [{traces}] }}\nwheel = {{ rq = \"0.4 um\" }}\n"
         );

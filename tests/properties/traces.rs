@@ -49,7 +49,7 @@ fn loaded(pinion: &Written, wheel: &Written, uneven: bool) -> Result<LoadedCase,
     };
     let text = format!(
         "gears = {{ teeth = [23, 68], module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\" }}\n\
-         operation = {{ torque = \"145 N m\", speed = \"3000 1/min\", temperature = \"90 °C\" }}\n\
+         operation = {{ torque = \"145 N m\", speed = \"3000 1/min\", bulk_temperature = \"90 °C\" }}\n\
          lubricant = {{ oil = \"m100\" }}\n\
          model = {{ positions = 2, offsets = 2, load_share = \"lambda-star\" }}\n\
          [surface]\ncutoff = \"0.25 mm\"\n\
@@ -142,7 +142,7 @@ fn several_traces_of_one_instrument_keep_their_points() {
         jitter: 0.0,
     };
     let text = "gears = { teeth = [23, 68], module = \"1.8 mm\", helix = \"23.4 deg\", face_width = \"32 mm\" }\n\
-         operation = { torque = \"145 N m\", speed = \"3000 1/min\", temperature = \"90 °C\" }\n\
+         operation = { torque = \"145 N m\", speed = \"3000 1/min\", bulk_temperature = \"90 °C\" }\n\
          lubricant = { oil = \"m100\" }\n\
          model = { positions = 2, offsets = 2, load_share = \"lambda-star\" }\n\
          [surface]\ncutoff = \"0.25 mm\"\npinion = { traces = [\"0\", \"1\"] }\nwheel = { traces = [\"2\"] }\n";

@@ -142,7 +142,7 @@ const SMALL_CASE: &str = r#"
     title = "small case"
     gears = { teeth = [23, 68], module = "1.8 mm", helix = "23.4 deg", face_width = "32 mm" }
     material = { pinion = { elastic_limit = "1500 MPa", flow_pressure = "7 GPa" } }
-    operation = { torque = "145 N m", speed = "9000 1/min", temperature = "90 °C" }
+    operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
     lubricant = { oil = "m100" }
     surface = { cutoff = "0.25 mm", pinion = { file = "pinion.csv", dx = "0.5 um", z_unit = "um" }, wheel = { file = "wheel.csv", dx = "0.5 um", z_unit = "um" } }
     model = { positions = 3, offsets = 2, depths = 4 }

@@ -14,7 +14,7 @@ face_width = ["20 mm", "20 mm", "20 mm"]
 [operation]
 torque = "120 N m"
 speed = "3000 1/min"
-temperature = "90 °C"
+bulk_temperature = "90 °C"
 [lubricant]
 oil = "m100"
 [surface]

@@ -31,7 +31,7 @@ pub fn table_2() -> CaseText {
         [operation]
         torque = "285 N m"
         speed = "3000 1/min"
-        temperature = "60 °C"
+        bulk_temperature = "60 °C"
 
         [lubricant]
         viscosity = { law = "given", dynamic_viscosity = "97.5 mPa s" }

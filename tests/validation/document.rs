@@ -1,4 +1,4 @@
-//! `docs/VALIDATION.md`, `docs/EHL.md` and `README.md` show what the tests compute.
+//! `docs/VALIDATION.md`, `docs/EHL.md`, `docs/PAPER.md` and `README.md` show what the tests compute.
 //!
 //! The tables stand between `<!-- name -->` and `<!-- end -->`. `ASPERITY_WRITE=1 cargo test -p
 //! asperity-tests --test validation document` writes them anew.
@@ -7,8 +7,8 @@ use std::path::Path;
 
 use crate::{
     band, ehl_records, fluid_film, full_film_losses, gates, gear_tool, load_share, measured,
-    paper_formulation, petry_johnson, rough_contact, share_laws, spot_values, steady_films,
-    table_2,
+    paper_formulation, paper_statements, petry_johnson, rough_contact, share_laws, spot_values,
+    steady_films, table_2,
 };
 
 /// Every table by the name of its place.
@@ -45,6 +45,7 @@ fn tables() -> Vec<(&'static str, String)> {
     tables.push(("one-key", load_share::one_key_changed()));
     tables.push(("one-key-main", load_share::main_keys_changed()));
     tables.push(("film", fluid_film::over_thickness()));
+    tables.push(("paper-statements", paper_statements::table()));
     tables
 }
 
@@ -66,7 +67,12 @@ fn with_tables(mut document: String, tables: &[(&str, String)]) -> String {
 fn the_documents_show_what_the_tests_compute() {
     let tables = tables();
     let mut shown = 0;
-    for name in ["docs/VALIDATION.md", "docs/EHL.md", "README.md"] {
+    for name in [
+        "docs/VALIDATION.md",
+        "docs/EHL.md",
+        "docs/PAPER.md",
+        "README.md",
+    ] {
         shown += hold(name, &tables);
     }
     assert_eq!(shown, tables.len(), "a table has no place, or two");

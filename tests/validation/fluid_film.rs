@@ -20,6 +20,12 @@ fn at(survey: &FilmSurvey, thickness: f64) -> &asperity::pipeline::FilmRow {
         .unwrap()
 }
 
+/// Difference across 100 nm by the paper's equation \[Pa\], and that across 1 µm over the Hertz pressure.
+pub fn across_thin_films() -> (f64, f64) {
+    let survey = survey(None);
+    (at(&survey, 1e-7).paper_pa, at(&survey, 1e-6).ratio_to_hertz)
+}
+
 pub fn at_the_pitch_point() -> Table {
     // Closed forms against closed forms in double precision; the paper's loses digits where its
     // terms cancel.

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::OnceLock;
 
-use asperity::case::{LoadedCase, load};
+use asperity::case::{CaseInput, LoadedCase, load};
 use asperity::pipeline::{contacts, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity_tests::assert_close;
@@ -16,9 +16,12 @@ pub fn shipped(name: &str) -> LoadedCase {
 
 /// A shipped case with these keys changed.
 pub fn with(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
-    keys.iter().fold(shipped(name), |case, (key, value)| {
-        case.with_key(key, value).unwrap()
-    })
+    let set = |input: &mut CaseInput| {
+        for (key, value) in keys {
+            input.set(key, value).unwrap();
+        }
+    };
+    shipped(name).with(set).unwrap()
 }
 
 pub fn losses(case: &LoadedCase) -> Losses {
@@ -111,7 +114,7 @@ fn contacts_made_before_serve_other_oils_speeds_and_temperatures() {
     let tables = contacts(&case).unwrap();
     assert!(!tables.is_empty());
     for (key, value) in [
-        ("operation.temperature", "60 °C"),
+        ("operation.bulk_temperature", "60 °C"),
         ("operation.speed", "2000 1/min"),
         ("lubricant.base_oil", "ester"),
     ] {
@@ -152,7 +155,7 @@ fn a_film_of_cold_oil_rubs_with_its_limiting_stress_at_most() {
     for cold in ["-20 °C", "-30 °C"] {
         let case = with(
             "e-drive-superfinished",
-            &[&FEW[..], &[("operation.temperature", cold)]].concat(),
+            &[&FEW[..], &[("operation.bulk_temperature", cold)]].concat(),
         );
         for row in losses(&case).path {
             assert!(row.mu_film < 0.04, "{cold}: {}", row.mu_film);
@@ -259,7 +262,7 @@ const CHANGES: [(&str, &str); 20] = [
     ("model.load_distribution", "mean-length"),
     ("lubricant.base_oil", "mineral"),
     ("lubricant.base_oil", "polyglycol"),
-    ("operation.temperature", "60 °C"),
+    ("operation.bulk_temperature", "60 °C"),
 ];
 
 /// Losses of the defaults and of each change, and of the run-in flanks.

@@ -20,6 +20,7 @@ mod load_share;
 mod measured;
 mod measured_cases;
 mod paper_formulation;
+mod paper_statements;
 mod petry_johnson;
 mod rough_contact;
 mod share_laws;

@@ -100,7 +100,7 @@ fn drive_references() -> Vec<Reference> {
     for (celsius, on_ground, on_fine) in temperatures {
         let temperature = format!("{celsius} °C");
         let at = |kept: &Kept| {
-            let found = kept.at(&[("operation.temperature", &temperature)]);
+            let found = kept.at(&[("operation.bulk_temperature", &temperature)]);
             found.losses.summary.sliding_w
         };
         let (ground, fine) = (ground.each_ref().map(at), fine.each_ref().map(at));
@@ -196,7 +196,7 @@ fn superfinishing_pays_on_hot_thin_oil_and_not_in_thick_films() {
         let loss = |name: &str| summary(name, &[&FEW[..], keys].concat()).loss_w;
         loss("e-drive-superfinished") / loss("e-drive") - 1.0
     };
-    let [cold, hot] = ["40 °C", "120 °C"].map(|t| change(&[("operation.temperature", t)]));
+    let [cold, hot] = ["40 °C", "120 °C"].map(|t| change(&[("operation.bulk_temperature", t)]));
     assert!(hot < cold && cold < 0.0, "{hot} {cold}");
     assert!(few("e-drive", &[]).boundary_w > few("e-drive-superfinished", &[]).boundary_w);
 }
@@ -211,7 +211,7 @@ pub fn cold_table() -> String {
         );
         for temperature in ["-20 °C", "-30 °C"] {
             for law in ["gupta", "murch-wilson"] {
-                let keys = [("operation.temperature", temperature), ("model.thermal", law)];
+                let keys = [("operation.bulk_temperature", temperature), ("model.thermal", law)];
                 let found = losses(&with("e-drive-superfinished", &[&FEW[..], &keys].concat()));
                 let span = |of: fn(&asperity::result::PositionRow) -> f64| {
                     let values = || found.path.iter().map(of);

@@ -50,7 +50,7 @@ fn shares() -> &'static [ShareRow] {
                 let speed = format!("{speed} 1/min");
                 let keys = [
                     ("operation.speed", &*speed),
-                    ("operation.temperature", temperature),
+                    ("operation.bulk_temperature", temperature),
                 ];
                 let case = kept.with(&keys);
                 let found = kept.at(&keys).losses;

@@ -89,7 +89,7 @@ fn computed(case: &str, torque_nm: f64, celsius: f64) -> Banded {
     let (torque, temperature) = (format!("{torque_nm} N m"), format!("{celsius} °C"));
     let keys = [
         ("operation.torque", &*torque),
-        ("operation.temperature", &*temperature),
+        ("operation.bulk_temperature", &*temperature),
     ];
     let mut loaded: LoadedCase = with(case, &keys);
     if case == "table2" {

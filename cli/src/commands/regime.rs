@@ -2,6 +2,7 @@
 
 use asperity::case::LoadedCase;
 use asperity::pipeline::{RegimeRow, survey};
+use asperity::result::Regime;
 use serde_json::json;
 
 use super::{AnyCase, load_any};
@@ -47,13 +48,12 @@ fn table(rows: &[RegimeRow]) -> String {
         let lambda = row
             .lambda_star
             .map_or("-".to_owned(), |value| format!("{value:.3}"));
-        let regime = if row.mixed_share >= 0.5 {
-            "mixed"
-        } else {
-            "full film"
+        let regime = match row.mixed_share >= 0.5 {
+            true => Regime::Mixed,
+            false => Regime::FullFilm,
         };
         text.push_str(&format!(
-            "{:>8.4} {:>9.2} {:>7.0} {:>9.4} {:>9.4} {:>9.4} {:>7.3} {lambda:>8} {:>7.1}  {regime}\n",
+            "{:>8.4} {:>9.2} {:>7.0} {:>9.4} {:>9.4} {:>9.4} {:>7.3} {lambda:>8} {:>7.1}  {}\n",
             row.path_fraction,
             row.line_load_n_per_mm,
             row.hertz_pressure_mpa,
@@ -62,6 +62,7 @@ fn table(rows: &[RegimeRow]) -> String {
             row.film_minimum_um,
             row.thermal_reduction,
             100.0 * row.film_share,
+            regime.name(),
         ));
     }
     text

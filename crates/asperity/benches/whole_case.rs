@@ -15,7 +15,7 @@ fn whole_case(criterion: &mut Criterion) {
     let case = load(&path, None).expect("a shipped case");
     let tables = contacts(&case).expect("solved contacts");
     let warmer = case
-        .with_key("operation.temperature", "60 °C")
+        .with_key("operation.bulk_temperature", "60 °C")
         .expect("a temperature");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.expect("a thread");

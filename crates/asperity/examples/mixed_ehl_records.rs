@@ -65,7 +65,7 @@ impl Condition {
             case: E_DRIVE,
             flanks: Flanks::OfCase,
             position,
-            keys: vec![("operation.temperature", format!("{temperature} °C"))],
+            keys: vec![("operation.bulk_temperature", format!("{temperature} °C"))],
         }
     }
 
@@ -262,7 +262,7 @@ pub fn conditions() -> Vec<Condition> {
     ] {
         let mut condition = Condition::fzg(speed, position);
         condition.name = format!("fzg_{speed}_{temperature}C_{position}");
-        all.push(condition.with("operation.temperature", &format!("{temperature} °C")));
+        all.push(condition.with("operation.bulk_temperature", &format!("{temperature} °C")));
     }
     for cutoff in ["0.08", "0.8"] {
         let mut condition = Condition::fzg(8.3, 0.15);

@@ -14,7 +14,7 @@ impl Error {
     /// use asperity::case::from_text;
     /// let text = r#"
     ///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
-    ///     operation = { torque = "145 N m", speed = "9000 1/min", temperature = "90 °C" }
+    ///     operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
     ///     lubricant = { oil = "m100" }
     ///     surface = { pinion = { file = "flank.txt", z_unit = "um" } }
     /// "#;

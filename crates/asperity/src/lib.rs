@@ -28,7 +28,7 @@
 //! let summary = Run::new(&case).execute()?.result.summary;
 //! assert!((0.95..1.0).contains(&summary.efficiency));
 //! // A change rereads only the files that it affects.
-//! let cooler = case.with_key("operation.temperature", "70 °C")?;
+//! let cooler = case.with_key("operation.bulk_temperature", "70 °C")?;
 //! assert!(Run::new(&cooler).execute()?.result.summary.loss_w != summary.loss_w);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use asperity::Error;
 use asperity::case::{LoadedCase, load};
+use asperity::losses;
 
 fn e_drive() -> LoadedCase {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
@@ -21,7 +22,7 @@ fn key_of(error: &Error) -> &str {
 fn the_ends_of_a_range_are_in_or_out_as_its_rule_says() {
     let case = e_drive();
     // Key, values that may be, values that may not.
-    let ranges: [(&str, &[&str], &[&str]); 14] = [
+    let ranges: [(&str, &[&str], &[&str]); 15] = [
         ("positions", &["2", "10000"], &["1", "10001"]),
         ("offsets", &["1", "10000"], &["0", "10001"]),
         ("depths", &["0", "1000"], &["1001"]),
@@ -30,6 +31,7 @@ fn the_ends_of_a_range_are_in_or_out_as_its_rule_says() {
         ("friction_scale", &["0.001", "10"], &["0", "10.01"]),
         ("boundary_friction", &["0", "2"], &["-0.01", "2.01"]),
         ("boundary_layer", &["0 nm", "1 um"], &["-1 nm", "1.01 um"]),
+        ("inlet_layer", &["1 nm", "1 mm"], &["0 nm", "1.01 mm"]),
         ("delta_step", &["1 nm", "0.999 mm"], &["0 mm", "1 mm"]),
         ("numerical_error", &["0.001", "0.2"], &["0", "0.201"]),
         ("tolerance", &["1e-16", "1e-4"], &["0", "1.01e-4"]),
@@ -56,7 +58,7 @@ fn a_value_is_noted_where_its_usual_range_ends() {
     // Key, the usual ends, values beyond them.
     let ranges: [(&str, [&str; 2], [&str; 2]); 4] = [
         (
-            "operation.temperature",
+            "operation.bulk_temperature",
             ["-29 °C", "179 °C"],
             ["-31 °C", "181 °C"],
         ),
@@ -91,7 +93,12 @@ fn a_value_is_noted_where_its_usual_range_ends() {
 #[test]
 fn a_bulk_temperature_takes_the_conductances_of_its_law() {
     let case = e_drive();
-    let set = |law: &str| case.with_key("operation.bulk", law);
+    let set = |law: &str| {
+        case.with(|input| {
+            input.set("operation.oil_temperature", "90 °C").unwrap();
+            input.set("operation.bulk", law).unwrap();
+        })
+    };
     assert!(set(r#"{ law = "iso", lubrication = "jet" }"#).is_ok());
     for name in ["pinion_to_oil", "wheel_to_oil", "between"] {
         let law = format!(r#"{{ law = "iso", lubrication = "jet", {name} = "3 W/K" }}"#);
@@ -221,12 +228,12 @@ fn deliberate_mistakes_are_named() {
             "pitch-line speed (by",
         ),
         ("operation.speed", "0 1/min", "E209", "operation.speed"),
-        ("operation.temperature", "90 K", "E212", "-183.15 °C"),
+        ("operation.bulk_temperature", "90 K", "E212", "-183.15 °C"),
         (
-            "operation.temperature",
+            "operation.bulk_temperature",
             "363 °C",
             "W201",
-            "operation.temperature = 363 °C",
+            "operation.bulk_temperature = 363 °C",
         ),
         (
             "gears.teeth",
@@ -353,4 +360,45 @@ fn deliberate_mistakes_are_named() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_starved_inlet_thins_the_film_to_its_layer() {
+    let case = e_drive().with(|input| {
+        (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+    });
+    let case = case.unwrap();
+    let with = |layer: &str| losses(&case.with_key("model.inlet_layer", layer).unwrap()).unwrap();
+    let flooded = losses(&case).unwrap();
+    let plenty = with("100 um");
+    assert!((plenty.summary.loss_w / flooded.summary.loss_w - 1.0).abs() < 1e-12);
+    let starved = with("0.05 um");
+    assert!(starved.summary.asperity_share > flooded.summary.asperity_share);
+    for (starved, flooded) in starved.path.iter().zip(&flooded.path) {
+        // Shown as gap, the layer as mass flow: the same ratio.
+        let ratio = starved.film_central_um / flooded.film_central_um;
+        let minimum = starved.film_minimum_um / flooded.film_minimum_um;
+        assert!(
+            ratio < 0.6 && (minimum / ratio - 1.0).abs() < 1e-12,
+            "{ratio}"
+        );
+        assert!(starved.film_central_um <= 0.05 + 1e-12);
+        assert!((starved.rolling_w_per_m / flooded.rolling_w_per_m - 1.0).abs() < 1e-12);
+    }
+    for keys in [
+        [("model.inlet_layer", "1 um"), ("formulation", "paper")],
+        [("model.inlet_layer", "1 um"), ("model.load_share", "ehl")],
+        [("model.inlet_layer", "1 um"), ("model.full_film", "ehl")],
+    ] {
+        let refused = case.with(|input| {
+            for (key, value) in keys {
+                input.set(key, value).unwrap();
+            }
+        });
+        let error = refused.unwrap_err();
+        assert_eq!(
+            (error.code(), key_of(&error)),
+            ("E205", "model.inlet_layer")
+        );
+    }
 }

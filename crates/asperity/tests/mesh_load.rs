@@ -253,7 +253,7 @@ young = "206 GPa"
 [operation]
 torque = "120 N m"
 speed = "3000 1/min"
-temperature = "90 °C"
+bulk_temperature = "90 °C"
 [lubricant]
 oil = "m100"
 [surface]

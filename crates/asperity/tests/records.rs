@@ -74,7 +74,7 @@ fn shares_come_from_records_and_a_second_run_finds_them() {
     // What changes the contact is another record; what does not, is not.
     run(&recorded(
         cache.path(),
-        &[("operation.temperature", "80 °C")],
+        &[("operation.bulk_temperature", "80 °C")],
     ));
     assert_eq!(files(cache.path()), 6);
     run(&recorded(cache.path(), &[("model.hysteresis", "2 %")]));

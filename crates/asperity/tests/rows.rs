@@ -78,7 +78,7 @@ fn losses_name_what_left_its_range_as_a_run_does() {
             input.model.offsets = Some(2);
         });
         case.unwrap()
-            .with_key("operation.temperature", temperature)
+            .with_key("operation.bulk_temperature", temperature)
             .unwrap()
     };
     let named = |temperature: &str| asperity::losses(&few(temperature)).unwrap().outside;

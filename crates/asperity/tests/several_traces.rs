@@ -39,7 +39,7 @@ fn trace(seed: u32) -> String {
 fn case_of(helix: &str, pinion: &str, wheel: &str) -> Result<LoadedCase, Error> {
     let text = format!(
         "gears = {{ teeth = [23, 68], module = \"1.8 mm\", helix = \"{helix} deg\", face_width = \"32 mm\" }}\n\
-         operation = {{ torque = \"145 N m\", speed = \"3000 1/min\", temperature = \"90 °C\" }}\n\
+         operation = {{ torque = \"145 N m\", speed = \"3000 1/min\", bulk_temperature = \"90 °C\" }}\n\
          lubricant = {{ viscosity = {{ law = \"astm-d341\", at_40 = \"30.8 mm2/s\", at_100 = \"5.9 mm2/s\" }}, \
          density = \"845 kg/m3\", base_oil = \"pao\" }}\n\
          model = {{ positions = 4, offsets = 2 }}\n\
@@ -181,7 +181,9 @@ fn the_order_of_the_traces_changes_nothing() {
 fn kept_contacts_are_those_of_every_pair() {
     let several = case("traces = [\"0\", \"1\"]", "traces = [\"2\", \"3\"]");
     let tables = contacts(&several).unwrap();
-    let warmer = several.with_key("operation.temperature", "100 °C").unwrap();
+    let warmer = several
+        .with_key("operation.bulk_temperature", "100 °C")
+        .unwrap();
     let kept = losses_with(&tables, &warmer).unwrap();
     let anew = losses(&warmer).unwrap();
     assert_eq!(kept.summary.loss_w, anew.summary.loss_w);

@@ -145,7 +145,7 @@ mod tests {
         let correlations = vec![vec![-0.3; 4]; 4];
         let text = block("rig.csv \"first\"", &all, &correlations);
         let head = "gears = { teeth = [23, 68], module = \"2 mm\", face_width = \"30 mm\" }\n\
-                    operation = { torque = \"100 N m\", speed = \"3000 1/min\", temperature = \"60 °C\" }\n\
+                    operation = { torque = \"100 N m\", speed = \"3000 1/min\", bulk_temperature = \"60 °C\" }\n\
                     lubricant = { oil = \"m100\" }\nsurface = { pinion = { rq = \"0.3 um\" } }\n";
         let case: asperity::CaseInput = format!("{head}{text}").parse().unwrap();
         let read: CalibrationInput = case.calibration.unwrap();

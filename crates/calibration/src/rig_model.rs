@@ -197,7 +197,8 @@ impl RigModel {
             .map_or((0.0, setting), |(offset, parameters)| (*offset, parameters));
         let changed = group.case.with(|input| {
             input.operation.speed = place.speed;
-            input.operation.temperature = Temperature::from_celsius(place.temperature_c + offset);
+            let temperature = Temperature::from_celsius(place.temperature_c + offset);
+            input.operation.set_temperature(temperature);
         });
         let mut case = changed.map_err(named)?;
         for (parameter, logarithm) in self.parameters.iter().zip(logarithms) {

@@ -29,6 +29,7 @@ pub mod path;
 pub mod plasticity;
 pub mod problem;
 pub mod running_in;
+pub mod shakedown;
 pub mod solver;
 pub mod strip_kernel;
 pub mod subsurface;

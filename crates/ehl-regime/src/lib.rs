@@ -36,6 +36,7 @@ pub mod micropitting;
 pub mod published_shares;
 pub mod regime;
 pub mod rough_inlet;
+pub mod starvation;
 pub mod thermal_reduction;
 
 pub use attenuation::{Attenuation, MoesNumbers, TraceSpectrum};

@@ -29,7 +29,7 @@ const ZHU_HU_RISE: (f64, f64) = (1.21, 0.64);
 /// Zhu and Hu 2001: factor and exponent of the denominator.
 const ZHU_HU_FALL: (f64, f64) = (0.37, 1.26);
 
-/// Lubrication regime: separation of the flanks.
+/// Lubrication regime: separation of the flanks, and the origin of their friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Regime {
@@ -37,6 +37,8 @@ pub enum Regime {
     FullFilm,
     /// Film and asperities share the load, Λ* < 1.
     Mixed,
+    /// As mixed, and the boundary layer of touching asperities makes more than half of the friction.
+    Boundary,
 }
 
 impl Regime {
@@ -57,6 +59,33 @@ impl Regime {
         } else {
             Self::Mixed
         })
+    }
+
+    /// Regime of a contact, or of a path of contact, with its friction and the part of it in the boundary layer.
+    ///
+    /// ```
+    /// use asperity_ehl_regime::Regime;
+    /// assert_eq!(Regime::of_friction(true, 51.0, 100.0), Regime::Boundary);
+    /// assert_eq!(Regime::of_friction(true, 50.0, 100.0), Regime::Mixed);
+    /// assert_eq!(Regime::of_friction(false, 0.0, 100.0), Regime::FullFilm);
+    /// ```
+    #[must_use]
+    pub fn of_friction(touches: bool, boundary: f64, friction: f64) -> Self {
+        match touches {
+            false => Self::FullFilm,
+            true if boundary > 0.5 * friction => Self::Boundary,
+            true => Self::Mixed,
+        }
+    }
+
+    /// Name in words.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::FullFilm => "full film",
+            Self::Mixed => "mixed",
+            Self::Boundary => "boundary",
+        }
     }
 }
 

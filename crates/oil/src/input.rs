@@ -33,7 +33,7 @@ pub enum ViscosityLaw {
     Given {
         /// Dynamic viscosity.
         dynamic_viscosity: DynamicViscosity,
-        /// Temperature it holds at; default `operation.temperature` as the case states it.
+        /// Temperature it holds at; default the temperature of the operation as the case states it.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         temperature: Option<Temperature>,
     },
@@ -55,7 +55,7 @@ pub struct LubricantInput {
     /// Density at `density_temperature`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub density: Option<Density>,
-    /// Temperature of the density; default 15 °C, or `operation.temperature` as the case states it if the viscosity is
+    /// Temperature of the density; default 15 °C, or the temperature of the operation as the case states it if the viscosity is
     /// given at one temperature.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub density_temperature: Option<Temperature>,

@@ -224,6 +224,9 @@ impl Map {
         arrays.set_item("extended", extended.into_pyarray(py))?;
         let codes: Vec<Option<&str>> = points.iter().map(|point| point.code.as_deref()).collect();
         arrays.set_item("code", codes)?;
+        let regime = |point: &Point| point.numbers.as_ref().map(|n| n.regime().name());
+        let regimes: Vec<Option<&str>> = points.iter().map(regime).collect();
+        arrays.set_item("regime", regimes)?;
         Ok(arrays)
     }
 

@@ -37,7 +37,7 @@ def small(**changed: Any) -> dict[str, Any]:
         "title": "small",
         "gears": {"teeth": [23, 68], "module": "1.8 mm", "helix": "23.4 deg", "face_width": ["35 mm", "32 mm"]},
         "material": {"pinion": {"elastic_limit": "1500 MPa", "flow_pressure": "7 GPa"}},
-        "operation": {"torque": "145 N m", "speed": "9000 1/min", "temperature": "90 °C"},
+        "operation": {"torque": "145 N m", "speed": "9000 1/min", "bulk_temperature": "90 °C"},
         "lubricant": {
             "viscosity": {"law": "astm-d341", "at_40": "30.8 mm2/s", "at_100": "5.9 mm2/s"},
             "density": "845 kg/m3",

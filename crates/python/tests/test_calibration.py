@@ -12,7 +12,7 @@ from conftest import PROFILES, json_of
 CASE = {
     "title": "test gears",
     "gears": {"teeth": [16, 24], "module": "4.5 mm", "face_width": "14 mm", "profile_shift": [0.182, 0.172]},
-    "operation": {"torque": "183.4 N m", "speed": "2166 1/min", "temperature": "90 °C"},
+    "operation": {"torque": "183.4 N m", "speed": "2166 1/min", "bulk_temperature": "90 °C"},
     "lubricant": {"oil": "m100"},
     "surface": {
         "cutoff": "0.25 mm",

@@ -27,7 +27,7 @@ def test_numbers_are_in_si_units():
     si = asperity.Case(
         small(
             gears={"teeth": [23, 68], "module": 1.8e-3, "helix": np.deg2rad(23.4), "face_width": [0.035, 0.032]},
-            operation={"torque": 145, "speed": "9000 rpm", "temperature": "90 C"},
+            operation={"torque": 145, "speed": "9000 rpm", "bulk_temperature": "90 C"},
             lubricant={
                 "viscosity": {"law": "astm-d341", "at_40": 30.8e-6, "at_100": "5.9 mm2/s"},
                 "density": np.float64(845),
@@ -60,9 +60,9 @@ def test_pint_is_taken():
 
 def test_a_change_leaves_the_case_as_it_was(case):
     before = case.to_dict()
-    hot = case.replace({"operation.temperature": "110 °C"}, model={"boundary_friction": 0.1})
+    hot = case.replace({"operation.bulk_temperature": "110 °C"}, model={"boundary_friction": 0.1})
     assert case.to_dict() == before
-    assert hot.inputs.operation.temperature == "110 °C" and hot.inputs.model.boundary_friction == 0.1
+    assert hot.inputs.operation.bulk_temperature == "110 °C" and hot.inputs.model.boundary_friction == 0.1
     assert hot.inputs.operation.torque == "145 N m", "the other keys of a table stay"
     assert hot.replace({"model.boundary_friction": None}).inputs.model.boundary_friction is None
 
@@ -133,7 +133,7 @@ def losses_of(case):
 PLANETARY = {
     "title": "set",
     "planetary": {"teeth": [24, 27, -78], "planets": 3, "module": 2e-3, "face_width": ["25 mm", "25 mm", 0.03]},
-    "operation": {"torque": "60 N m", "speed": "3000 1/min", "temperature": "80 °C"},
+    "operation": {"torque": "60 N m", "speed": "3000 1/min", "bulk_temperature": "80 °C"},
     "lubricant": {"oil": "m100"},
     "surface": {"sun": {"rq": "0.4 um"}},
 }

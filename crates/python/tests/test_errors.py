@@ -170,17 +170,17 @@ RAISES = {
     "E303": lambda place: Case(small(surface=BARE), formulation="paper").contact(),
     "E304": lambda place: Case(small(model={"numerical_error": "1e-13 %"}), formulation="paper").run(),
     "E305": values(
-        operation={"torque": "145 N m", "speed": "9000 1/min", "temperature": "240 °C"},
+        operation={"torque": "145 N m", "speed": "9000 1/min", "bulk_temperature": "240 °C"},
         model={"positions": 4, "offsets": 2, "film_friction": "xu"},
     ),
     "E306": values(material={"pinion": {"flow_pressure": "100 MPa"}}),
     "E307": thin,
-    "E308": values(operation={"torque": "145 N m", "speed": "9e5 1/min", "temperature": "90 °C"}),
+    "E308": values(operation={"torque": "145 N m", "speed": "9e5 1/min", "bulk_temperature": "90 °C"}),
     "E311": values(
         operation={
             "torque": "145 N m",
             "speed": "9000 1/min",
-            "temperature": "60 °C",
+            "bulk_temperature": "60 °C",
             "bulk": {"law": "network", "pinion_to_oil": "0.1 W/K", "wheel_to_oil": 0.1},
         },
     ),

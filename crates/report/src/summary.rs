@@ -9,7 +9,7 @@ use asperity::message::Warning;
 use asperity::result::loss_band::{Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
     BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
-    RunResult, Summary,
+    Regime, RunResult, Summary,
 };
 use asperity_storage::one_line;
 
@@ -141,14 +141,12 @@ fn parts(printed: &PrintedLoss) -> String {
     parts.join(", ")
 }
 
-/// The regime with the load on the asperities; boundary lubrication where it makes more than half of the loss.
+/// The regime with the load on the asperities.
 pub(crate) fn regime(s: &Summary) -> String {
-    if s.mixed_share <= 0.0 {
-        return "full film all along the path".to_owned();
-    }
-    let name = match s.boundary_w > 0.5 * s.loss_w {
-        true => "boundary, mixed",
-        false => "mixed",
+    let name = match s.regime() {
+        regime @ Regime::FullFilm => return format!("{} all along the path", regime.name()),
+        regime @ Regime::Boundary => format!("{}, mixed", regime.name()),
+        regime @ Regime::Mixed => regime.name().to_owned(),
     };
     let percent = |share: f64| match share < 0.005 {
         true => "< 1 %".to_owned(),

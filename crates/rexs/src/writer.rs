@@ -419,10 +419,13 @@ impl<'a> Text<'a> {
             }
         }
         if let Some((value, from)) = &point.temperature {
-            self.sourced_line(&format!("temperature = \"{value} °C\""), from);
+            self.sourced_line(&format!("bulk_temperature = \"{value} °C\""), from);
+            self.note(format!(
+                "the flanks are taken at the oil's {value} °C; for the temperature that the loss heats them to, state it as operation.oil_temperature with operation.bulk"
+            ));
         } else {
             self.sourced_line(
-                &format!("temperature = \"{TEMPERATURE} °C\""),
+                &format!("bulk_temperature = \"{TEMPERATURE} °C\""),
                 "default: the file has no temperature_lubricant",
             );
             self.note(format!(

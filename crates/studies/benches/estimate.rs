@@ -107,7 +107,10 @@ fn main() {
             with(&[("model.load_share", "lambda-star")])
         }),
         ("bulk temperature", &|| {
-            with(&[("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#)])
+            with(&[
+                ("operation.oil_temperature", "90 °C"),
+                ("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#),
+            ])
         }),
         ("200 depths", &|| with(&[("model.depths", "200")])),
         ("traces of 16 000 points", &|| on_long_traces(16_000)),

@@ -51,7 +51,7 @@ fn cells() {
                 let (torque, temperature) = (format!("{torque} N m"), format!("{temperature} °C"));
                 let at = [
                     ("operation.torque", torque.as_str()),
-                    ("operation.temperature", &temperature),
+                    ("operation.bulk_temperature", &temperature),
                 ];
                 let case = shipped(name, &at);
                 let (found, _) = drawn(&case);

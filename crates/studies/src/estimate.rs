@@ -53,9 +53,9 @@ const LOWERED: f64 = 6.4e-6;
 /// Time of the stress per point and depth \[s\]; measured: 6.3 to 7.4e-8.
 const SECONDS_OF_STRESS: f64 = 7e-8;
 /// Time per point of a contact of running-in \[s\].
-const SECONDS_OF_WEAR: f64 = 1e-6;
-/// Contacts at each point of a trace during running-in: 4 in each of up to 12 cycles.
-const PASSES_OF_A_POINT: f64 = 40.0;
+const SECONDS_OF_WEAR: f64 = 5e-7;
+/// Usual number of cycles of running-in, in each of which every window of a trace is in contact with every window of the other.
+const CYCLES: f64 = 9.0;
 /// Time of the film and its friction at one position and offset \[s\].
 const SECONDS_OF_FILM: f64 = 3e-5;
 /// Time of a transform per point and logarithm of the points \[s\].
@@ -125,7 +125,9 @@ pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
             input.model.positions = Some(model.positions.min(SAMPLED));
             input.model.offsets = Some(offsets);
             input.model.run_in = None;
-            input.operation.bulk = None;
+            input
+                .operation
+                .set_bulk_temperature(loaded.case.temperature);
         })?;
         let begin = Instant::now();
         single_thread.install(|| Run::new(&few).without_pictures().execute())?;
@@ -170,8 +172,6 @@ struct Work {
     of_contacts: f64,
     /// Other parallel work of the positions.
     other: f64,
-    /// Serial work.
-    serial: f64,
     /// Number of records, solved in parallel, and the time of each.
     records: (usize, f64),
 }
@@ -204,7 +204,6 @@ impl Work {
                 traced: traced as f64,
                 of_contacts: 0.0,
                 other: SECONDS_OF_FILM * positions as f64 * evaluations(loaded),
-                serial: 0.0,
                 records: (0, 0.0),
             });
         };
@@ -239,7 +238,8 @@ impl Work {
         let of_film = SECONDS_OF_FILM * offsets
             + SECONDS_OF_TRANSFORM * transformed * transformed.max(2.0).log2();
         let worn = match model.run_in {
-            true => PASSES_OF_A_POINT * model.window * trace.len() as f64,
+            // Windows lie a contact width apart.
+            true => CYCLES * window * (trace.len() as f64 * model.window / window).powi(2),
             false => 0.0,
         };
         let cells = model.ehl.cells as f64;
@@ -256,8 +256,8 @@ impl Work {
             traced: traced as f64,
             of_contacts: of_a_point * points * solves * named,
             other: SECONDS_OF_STRESS * window_points * model.depths as f64
-                + of_film * positions as f64 * evaluations(loaded) * solves,
-            serial: SECONDS_OF_WEAR * worn,
+                + of_film * positions as f64 * evaluations(loaded) * solves
+                + SECONDS_OF_WEAR * worn,
             records: (records, SECONDS_OF_A_CELL * cells * steps),
         })
     }
@@ -278,7 +278,6 @@ impl Work {
             seconds: SECONDS_AROUND
                 + SECONDS_OF_A_TRACE_POINT * self.traced
                 + (scale * self.of_contacts + self.other) / together
-                + scale * self.serial
                 + rounds * of_a_record,
             bytes: BYTES_AROUND
                 + stored / self.positions.max(1) as f64 * of_fields

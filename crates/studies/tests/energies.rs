@@ -122,7 +122,7 @@ fn columns_of_a_sweep_hold_the_quantiles_of_runs() {
     let expected = [loss.median_w, loss.quantiles_w[0], loss.quantiles_w[1]];
     for detail in ["losses", "contacts"] {
         let text = format!(
-            r#"{{ "axis": [{{ "key": "operation.temperature", "values": ["90 °C", "60 °C"] }}], "detail": "{detail}",
+            r#"{{ "axis": [{{ "key": "operation.bulk_temperature", "values": ["90 °C", "60 °C"] }}], "detail": "{detail}",
             "columns": ["loss_median_w", "loss_p05_w", "loss_p95_w"] }}"#
         );
         let cases = Cases::of(Study::of_case(case.clone(), &text, ".".as_ref()).unwrap()).unwrap();

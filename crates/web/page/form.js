@@ -87,7 +87,7 @@ export function caseText(files) {
     title && `title = ${quoted(title)}\n`,
     gearsText(),
     table("material.pinion", steel.map((key) => quantity("material.pinion", key))),
-    table("operation", ["torque", "speed", "temperature"].map((key) => quantity("operation", key))),
+    table("operation", ["torque", "speed", "bulk_temperature"].map((key) => quantity("operation", key))),
     table("lubricant", oil()),
     table("surface", [quantity("surface", "cutoff"), flank("pinion", files.pinion), flank("wheel", files.wheel)]),
   ].join("").trimStart();
@@ -100,6 +100,8 @@ function byField(input) {
   const seen = structuredClone(input);
   const width = input.gears?.face_width;
   if (typeof width === "string") seen.gears.face_width = [width, ""];
+  const { operation } = seen;
+  if (operation && !operation.bulk) operation.bulk_temperature ??= operation.temperature;
   for (const body of ["pinion", "wheel"]) {
     if (at(seen, `gears.${body}.tip_relief`) === "none") seen.gears[body].tip_relief = { amount: "none" };
   }

@@ -59,7 +59,8 @@ function inputsOf(result) {
   const bare = (name) => name?.split(/[/\\]/).pop();
   const files = [bare(surface.pinion?.file), bare(surface.wheel?.file)].filter(Boolean);
   const traces = files.length ? `, ${files.join(" and ")}` : "";
-  return `${operation.torque}, ${operation.speed}, ${operation.temperature}${traces}`;
+  const temperature = operation.bulk_temperature ?? operation.oil_temperature ?? operation.temperature;
+  return `${operation.torque}, ${operation.speed}, ${temperature}${traces}`;
 }
 
 function showBoth(versus) {

@@ -361,6 +361,7 @@ fn summary(
             .map(|position| position.at.weight * mean(position.offsets.iter().map(of)));
         shares.sum::<f64>() / total
     };
+    let (sliding_w, boundary_w) = (power(LossKind::Sliding), part_of(2));
     Ok(Summary {
         scope: Scope::Mesh,
         gearbox_efficiency: None,
@@ -371,10 +372,10 @@ fn summary(
         power_in_w: flow.input_power.si(),
         torque_out_nm: flow.output_torque.si(),
         loss_w: loss,
-        sliding_w: power(LossKind::Sliding),
+        sliding_w,
         film_w: part_of(0),
         lubricated_asperity_w: part_of(1),
-        boundary_w: part_of(2),
+        boundary_w,
         rolling_w: power(LossKind::Rolling),
         deformation_w: [
             power(LossKind::DeformationPinion),
@@ -396,6 +397,7 @@ fn summary(
         loss_factor: ohlendorf,
         loss_factor_local: local,
         mixed_share: mixed / total,
+        regime: Some(Regime::of_friction(mixed > 0.0, boundary_w, sliding_w)),
         positions: positions.len(),
         worst_load_error: contacts().map(|c| c.load_error).fold(0.0, f64::max),
         worst_duality_gap: contacts().map(|c| c.duality_gap).fold(0.0, f64::max),
@@ -467,11 +469,7 @@ fn row(case: &Case, position: &LubricatedPosition, rolling: f64, per_width: f64)
         // Between flat flanks it has no limit.
         film_ratio: Some(over(|offset| offset.film_ratio)).filter(|ratio| ratio.is_finite()),
         mixed_share: share,
-        regime: if share >= 0.5 {
-            Regime::Mixed
-        } else {
-            Regime::FullFilm
-        },
+        regime: Regime::of_friction(share >= 0.5, parts[2], force),
         film_share: over(|offset| offset.film_share),
         film_share_standard_error: recorded.map(|share| share.solid_share.standard_error),
         boundary_of_asperities: (solid > 0.0).then(|| over(boundary_share) / solid),

@@ -112,7 +112,7 @@ impl OperationInput {
         Self {
             torque,
             speed,
-            temperature,
+            bulk_temperature: Some(OneOrTwo::One(temperature)),
             ..Self::default()
         }
     }

@@ -26,7 +26,7 @@ pub enum BulkModel {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct BulkReport {
-    /// Law of the rise: `iso` with the lubrication, as in `iso, jet`, or `network`.
+    /// Law of the rise: `iso` with the lubrication, as in `iso, unconfirmed, jet`, or `network`.
     pub law: String,
     /// Temperature of the oil \[°C\].
     pub oil_c: f64,
@@ -83,7 +83,7 @@ pub(super) fn bulk_model(
         return Err(section.conflict_of_key("", rule));
     }
     if model.load_share == LoadShareName::Ehl || model.full_film != FullFilmName::Formulas {
-        let rule = "runs the mesh some twenty times, which ehl solutions make too long; find the temperature with load_share = \"solved\" and give it as operation.temperature";
+        let rule = "runs the mesh some twenty times, which ehl solutions make too long; find the temperature with load_share = \"solved\" and state it as operation.bulk_temperature";
         return Err(section.conflict_of_key("", rule));
     }
     let has_conductances = [pinion_to_oil, wheel_to_oil, between]

@@ -4,11 +4,11 @@ use asperity_core::quantity::ThermalConductance;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Bulk temperature from the loss: `{ law = "iso", lubrication = "jet" }`, or by conductances.
+/// Bulk temperature from the loss: by conductances, or `{ law = "iso", lubrication = "jet" }`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BulkInput {
-    /// Law of the rise over the oil.
+    /// Law of the rise over the oil: `network` takes conductances, `iso` (unconfirmed) how the oil is supplied.
     pub law: BulkLaw,
     /// How the oil reaches the mesh, with `iso`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -28,7 +28,7 @@ pub struct BulkInput {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum BulkLaw {
-    /// Oster's rise, as in ISO/TR 15144-1.
+    /// Oster's rise, as in ISO/TR 15144-1; unconfirmed, as no accessible source has its constants.
     Iso,
     /// Two gears with conductances to the oil and between them.
     Network,

@@ -8,7 +8,7 @@ use serde_json::Value as Json;
 use toml::{Table, Value};
 
 use super::error::CaseError;
-use super::input::{CaseInput, schema};
+use super::input::{CaseInput, TEMPERATURE_KEYS, schema};
 use super::known_keys::{first_unknown, property};
 use super::place::Place;
 use super::plain_words::plain;
@@ -71,7 +71,7 @@ pub(super) trait CaseFile: Serialize + DeserializeOwned {
 impl CaseFile for CaseInput {
     const VALID: &'static str = r#"
 gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" }
-operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
+operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
 lubricant = { oil = "m100" }
 surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
 "#;
@@ -117,7 +117,16 @@ fn replaced<T: CaseFile>(
         };
     }
     table.insert(last.to_owned(), value);
+    remove_replaced(table, path);
     read_table(root, |_| place.clone())
+}
+
+/// Removes from the table of the key at `path` the keys that it replaces.
+pub(super) fn remove_replaced(table: &mut Table, path: &str) {
+    let replaced = TEMPERATURE_KEYS.iter().find(|(key, _)| *key == path);
+    for other in replaced.map_or(&[][..], |(_, others)| others) {
+        table.remove(*other);
+    }
 }
 
 /// A value as written in a case file; text that is not a value needs no quotation marks.

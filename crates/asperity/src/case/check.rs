@@ -10,10 +10,10 @@ use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-use super::case_file::CaseFile;
+use super::case_file::{CaseFile, remove_replaced};
 use super::error::CaseError;
 use super::files::Files;
-use super::input::CaseInput;
+use super::input::{CaseInput, TEMPERATURE_KEYS};
 use super::known_keys::first_unknown;
 use super::loaded::{LoadedCase, complete};
 use super::plain_words::plain;
@@ -246,6 +246,10 @@ fn part_of(key: &str) -> &str {
         "surface.planet",
         "surface.ring",
     ];
+    // The keys that state a temperature replace each other.
+    if TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key) {
+        return TEMPERATURE_KEYS[0].0;
+    }
     let is_in = |part: &&str| {
         key.strip_prefix(*part)
             .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
@@ -260,6 +264,10 @@ fn part_of(key: &str) -> &str {
 fn put_right(input: &mut CaseInput, part: &str, right: &Table) -> Option<()> {
     let mut table = Table::try_from(&*input).ok()?;
     change(&mut table, part, value_at(right, part)).then_some(())?;
+    let of_part = part.rsplit_once('.').map_or("", |(above, _)| above);
+    if let Some(Value::Table(inner)) = table.get_mut(of_part) {
+        remove_replaced(inner, part);
+    }
     *input = from_table(table).ok()?;
     Some(())
 }

@@ -165,11 +165,87 @@ table! {
     torque: Torque = "N m" usual [0.01, 1e6] possible [1e-9, 1e8];
     /// Speed of the pinion.
     speed: AngularSpeed = "1/min" usual [1.0, 60_000.0] possible [1e-6, 1e6];
-    /// Bulk temperature of the flanks; with `bulk` the temperature of the oil, from which that follows.
-    temperature: Temperature = "°C" usual [-30.0, 180.0] possible [-100.0, 400.0];
-    /// Bulk temperature from the loss; default: as given by `temperature`.
+    /// Bulk temperature of the flanks, one value or `[pinion, wheel]`: film and friction are computed at the mean of
+    /// both. A case states this or `oil_temperature`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bulk_temperature: Option<OneOrTwo<Temperature>> = "°C" usual [-30.0, 180.0] possible [-100.0, 400.0];
+    /// Temperature of the oil that is supplied to the mesh. The bulk temperature of the flanks then follows from the loss
+    /// by `operation.bulk.law`, which must be stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    oil_temperature: Option<Temperature> = "°C" usual [-30.0, 180.0] possible [-100.0, 400.0];
+    /// Former name of `bulk_temperature`, or of `oil_temperature` if `operation.bulk` is stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    temperature: Option<Temperature> = "°C" usual [-30.0, 180.0] possible [-100.0, 400.0];
+    /// Law of the bulk temperature that follows from the loss, with `oil_temperature`.
     #[serde(skip_serializing_if = "Option::is_none")]
     bulk: Option<BulkInput>;
+}
+
+/// Paths of the keys that state a temperature, and the keys that each of them replaces if it is set.
+pub(super) const TEMPERATURE_KEYS: [(&str, &[&str]); 3] = [
+    (
+        "operation.bulk_temperature",
+        &["oil_temperature", "temperature", "bulk"],
+    ),
+    (
+        "operation.oil_temperature",
+        &["bulk_temperature", "temperature"],
+    ),
+    (
+        "operation.temperature",
+        &["bulk_temperature", "oil_temperature"],
+    ),
+];
+
+impl OperationInput {
+    /// The temperature that the case states: the mean of the flanks, or the temperature of the oil if the bulk temperature
+    /// follows from the loss; `None` if it states none.
+    #[must_use]
+    pub fn stated_temperature(&self) -> Option<Temperature> {
+        let mean = |stated: OneOrTwo<Temperature>| {
+            let [pinion, wheel] = stated.both();
+            Temperature::from_si(0.5 * (pinion.si() + wheel.si()))
+        };
+        let of_flanks = self.bulk_temperature.map(mean);
+        of_flanks.or(self.oil_temperature).or(self.temperature)
+    }
+
+    /// States another temperature by the name that the case uses; two flanks retain their difference.
+    pub fn set_temperature(&mut self, temperature: Temperature) {
+        match (self.bulk_temperature, self.oil_temperature) {
+            (Some(OneOrTwo::Two([pinion, wheel])), _) if pinion != wheel => {
+                let half = 0.5 * (wheel - pinion).si();
+                let flanks =
+                    [-half, half].map(|part| Temperature::from_si(temperature.si() + part));
+                self.bulk_temperature = Some(OneOrTwo::Two(flanks));
+            }
+            (None, Some(_)) => self.oil_temperature = Some(temperature),
+            (None, None) if self.temperature.is_some() => self.temperature = Some(temperature),
+            _ => self.bulk_temperature = Some(OneOrTwo::One(temperature)),
+        }
+    }
+
+    /// States the bulk temperature of the flanks, which no law determines then.
+    pub fn set_bulk_temperature(&mut self, bulk: Temperature) {
+        self.bulk_temperature = Some(OneOrTwo::One(bulk));
+        self.oil_temperature = None;
+        self.temperature = None;
+        self.bulk = None;
+    }
+
+    /// Path of the key that states the temperature.
+    pub(super) fn temperature_key(&self) -> &'static str {
+        let [(bulk, _), (oil, _), (former, _)] = TEMPERATURE_KEYS;
+        match (
+            self.bulk_temperature,
+            self.oil_temperature,
+            self.temperature,
+        ) {
+            (None, Some(_), _) => oil,
+            (None, None, Some(_)) => former,
+            _ => bulk,
+        }
+    }
 }
 
 /// Ranges of the default axes of a map.

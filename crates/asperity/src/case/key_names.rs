@@ -22,7 +22,7 @@ const NAMES: &[Name] = &[
     ("gears", "tip chamfer", "gears.pinion.tip_chamfer"),
     ("gears", "pitch deviation", "gears.pitch_deviations"),
     ("gears", "length of the end relief", "gears.end_relief"),
-    ("lubricant", "temperature", "operation.temperature"),
+    ("lubricant", "temperature", "operation.bulk_temperature"),
     ("lubricant", "density at 15 °C", "lubricant.density"),
     ("lubricant", "temperature of the density", "lubricant.density_temperature"),
     ("lubricant", "specific heat capacity", "lubricant.heat_capacity"),

@@ -91,12 +91,13 @@ pub fn nearest_name(seen: &str, known: &[String]) -> Option<String> {
 }
 
 /// Names of a key in older versions and other programs, with the present name.
-const OTHER_NAMES: [(&str, &str); 6] = [
+const OTHER_NAMES: [(&str, &str); 7] = [
     ("load_sharing", "load_distribution"),
     ("friction", "film_friction"),
     ("friction_law", "film_friction"),
     ("film_share", "load_share"),
-    ("oil_temperature", "temperature"),
+    ("sump_temperature", "oil_temperature"),
+    ("flank_temperature", "bulk_temperature"),
     ("width", "face_width"),
 ];
 

@@ -97,7 +97,7 @@ pub fn load_set(
 /// use asperity::core::{Profile, quantity::Length};
 /// let text = r#"
 ///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
-///     operation = { torque = "145 N m", speed = "9000 1/min", temperature = "90 °C" }
+///     operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
 ///     lubricant = { oil = "m100" }
 ///     surface = { pinion = { file = "measured just now" }, cutoff = "0.25 mm" }
 /// "#;
@@ -163,7 +163,7 @@ pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedC
 /// use asperity::case;
 /// let text = r#"
 ///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
-///     operation = { torque = "145 N m", speed = "9000 1/min", temperature = "90 °C" }
+///     operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
 ///     lubricant = { oil = "m100" }
 ///     surface = { pinion = { file = "flank", dx = "0.5 um", z_unit = "um" }, cutoff = "0.25 mm" }
 /// "#;
@@ -222,9 +222,9 @@ impl LoadedCase {
     /// ```
     /// use asperity::case;
     /// let case = case::load("../../fixtures/cases/e-drive.toml".as_ref(), None)?;
-    /// let hotter = case.with_key("operation.temperature", "91 °C")?;
+    /// let hotter = case.with_key("operation.bulk_temperature", "91 °C")?;
     /// assert_ne!(case.fingerprint(), hotter.fingerprint());
-    /// assert_eq!(case.fingerprint(), hotter.with_key("operation.temperature", "90 °C")?.fingerprint());
+    /// assert_eq!(case.fingerprint(), hotter.with_key("operation.bulk_temperature", "90 °C")?.fingerprint());
     /// # Ok::<(), asperity::Error>(())
     /// ```
     #[must_use]
@@ -359,8 +359,11 @@ fn open(path: &Path) -> Result<Source, CaseError> {
 
 /// States the temperature of a viscosity and a density that hold at the temperature of the case, if that is changed.
 fn keep_oil(stated: &CaseInput, input: &mut CaseInput) {
-    let temperature = stated.operation.temperature;
-    if input.operation.temperature == temperature || input.lubricant != stated.lubricant {
+    let Some(temperature) = stated.operation.stated_temperature() else {
+        return;
+    };
+    let is_kept = input.operation.stated_temperature() == Some(temperature);
+    if is_kept || input.lubricant != stated.lubricant {
         return;
     }
     // An oil that is not in the library is reported with its place when the case is completed.

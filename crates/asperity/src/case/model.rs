@@ -133,6 +133,10 @@ choices! {
     /// elastohydrodynamic solution of smooth flanks, or `ehl-transient`, records with both traces.
     #[serde(skip_serializing_if = "Option::is_none")]
     full_film: FullFilmName = listed_if(false, FullFilmName::Formulas);
+    /// Thickness of the oil layers of both flanks together ahead of the contact, where an oil jet does not flood the inlet;
+    /// default flooded. The film is starved; the rolling resistance is left as flooded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inlet_layer: Length => Option<Length> = starved_inlet(load_share, full_film);
     /// The elastohydrodynamic solutions of `load_share = "ehl"` and `full_film`.
     #[serde(skip_serializing_if = "Option::is_none")]
     ehl: EhlInput => EhlChoices = ehl_solutions(load_share, full_film);
@@ -298,6 +302,29 @@ impl Choices<'_> {
             return Err(Section::of(self.source, key).conflict("", rule));
         }
         self.corrected(key, stated, default)
+    }
+
+    /// The layers of a starved inlet, which solutions with a flooded one do not have.
+    fn starved_inlet(
+        &mut self,
+        key: Key,
+        stated: Option<Length>,
+        share: LoadShareName,
+        film: FullFilmName,
+    ) -> Choice<Option<Length>> {
+        let Some(layer) = stated else {
+            return Ok(None);
+        };
+        let is_flooded = share == LoadShareName::Ehl || film != FullFilmName::Formulas;
+        if is_flooded || self.formulation == Formulation::Paper {
+            let rule = "starves the film of the formulas in the corrected formulation; leave it out or choose these";
+            return Err(Section::of(self.source, key).conflict("", rule));
+        }
+        let rule = "must be above 0 and at most 1 mm";
+        let holds = layer.si() > 0.0 && layer.si() <= 1e-3;
+        DomainError::require(holds, "oil layer", layer.si(), "m", rule)
+            .map_err(domain(self.source, key))?;
+        Ok(stated)
     }
 
     /// A number of positions, of which the paper's formulation has one.

@@ -13,7 +13,7 @@ use crate::error::Error;
 /// The shortest case: the keys that it leaves out show the defaults.
 const SHORTEST: &str = r#"
 gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" }
-operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
+operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
 lubricant = { oil = "m100" }
 surface = { pinion = { file = "flank", dx = "0.5 um", z_unit = "um" } }
 "#;

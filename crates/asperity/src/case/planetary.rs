@@ -288,7 +288,7 @@ fn identity(error: &CaseError) -> (&'static str, Option<usize>, String) {
 impl CaseFile for PlanetaryCaseInput {
     const VALID: &'static str = r#"
 planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] }
-operation = { torque = "100 N m", speed = "3000 1/min", temperature = "60 °C" }
+operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
 lubricant = { oil = "m100" }
 surface = { sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
 "#;

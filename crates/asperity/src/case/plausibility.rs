@@ -12,7 +12,7 @@ use asperity_gear::GearPair;
 use asperity_oil::{LubricantInput, LubricantState, ViscosityLaw};
 
 use super::error::CaseError;
-use super::input::CaseInput;
+use super::input::{CaseInput, OperationInput, TEMPERATURE_KEYS};
 use super::rows::{Limits, Table, in_unit, limits};
 use super::section::Section;
 use super::source::Source;
@@ -22,6 +22,8 @@ use crate::message::Warning;
 const UNUSUAL: &str = "W201";
 /// Code of the warning that names the keys of symbols.
 pub(super) const SYMBOLS: &str = "W202";
+/// Code of a key that is read by its former name.
+const FORMER_NAME: &str = "W203";
 
 limits! {
     LubricantInput;
@@ -223,14 +225,18 @@ pub(super) fn refuse_impossible(input: &CaseInput, source: &Source) -> Result<()
 }
 
 /// Refuses an oil that does not flow at the bulk temperature, or is a gas there.
-pub(super) fn refuse_stiff_oil(oil: &LubricantState, source: &Source) -> Result<(), CaseError> {
+pub(super) fn refuse_stiff_oil(
+    oil: &LubricantState,
+    operation: &OperationInput,
+    source: &Source,
+) -> Result<(), CaseError> {
     let viscosity = oil.dynamic_viscosity.si();
     if within(viscosity, OIL_POSSIBLE) {
         return Ok(());
     }
     let seen = format!("an oil of {} Pa s there", digits(viscosity));
     let usual = format!("{} to {} Pa s", OIL_USUAL[0], OIL_USUAL[1]);
-    let key = Section::of(source, "operation").key("temperature");
+    let key = operation.temperature_key().into();
     Err(impossible_at(source, key, seen, usual))
 }
 
@@ -304,6 +310,18 @@ impl AtPitchPoint {
     }
 }
 
+/// The note that the temperature is stated by its former name.
+fn former_name(operation: &OperationInput) -> Option<Warning> {
+    operation.temperature?;
+    let [(of_flanks, _), (of_oil, _), (former, _)] = TEMPERATURE_KEYS;
+    let now = match operation.bulk {
+        Some(_) => of_oil,
+        None => of_flanks,
+    };
+    let text = format!("{former} is the former name of {now}, as which it is read");
+    Some(Warning::new(FORMER_NAME, text))
+}
+
 /// Warnings about the unusual numbers of a case.
 pub(super) fn unusual(
     input: &CaseInput,
@@ -321,12 +339,13 @@ pub(super) fn unusual(
     if !within(viscosity, OIL_USUAL) {
         let [low, high] = OIL_USUAL;
         let viscosity = digits(viscosity);
-        let text = format!(
-            "operation.temperature: the oil has {viscosity} Pa s there; usual is {low} to {high} Pa s"
-        );
+        let key = input.operation.temperature_key();
+        let text =
+            format!("{key}: the oil has {viscosity} Pa s there; usual is {low} to {high} Pa s");
         warnings.push(Warning::new(UNUSUAL, text));
     }
     warnings.extend(loads.iter().filter_map(AtPitchPoint::unusual));
+    warnings.extend(former_name(&input.operation));
     warnings
 }
 
@@ -343,7 +362,8 @@ pub(super) fn step_up(gears: &GearPair, source: &Source) -> Option<Warning> {
 
 /// The warnings that are not about numbers of the case.
 pub(super) fn of_files(warnings: &[Warning]) -> Vec<Warning> {
-    let is_of_a_file = |warning: &&Warning| ![UNUSUAL, SYMBOLS].contains(&&*warning.code);
+    let is_of_a_file =
+        |warning: &&Warning| ![UNUSUAL, SYMBOLS, FORMER_NAME].contains(&&*warning.code);
     warnings.iter().filter(is_of_a_file).cloned().collect()
 }
 
@@ -356,7 +376,7 @@ mod tests {
     #[test]
     fn every_range_is_of_a_key_of_the_case_file_and_the_usual_one_is_possible() {
         let ranges = ranges(None);
-        assert_eq!(ranges.len(), 44);
+        assert_eq!(ranges.len(), 46);
         let keys: Vec<_> = ranges.iter().map(Range::key).collect();
         assert_eq!(
             first_unknown(&schema(), keys.iter().map(|key| &**key)),

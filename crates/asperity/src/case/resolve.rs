@@ -13,14 +13,16 @@ use super::assumed_relief::AssumedRelief;
 use super::bulk::{BulkModel, FoundBulk, bulk_model};
 use super::calibrated;
 use super::calibration::CalibrationInput;
+use super::case_file::CaseFile;
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
 use super::gearbox::Gearbox;
 use super::gears::{assumed_relief, check_load, gears, load_settings, micro_geometry};
-use super::input::{CaseInput, OperationInput, SurfaceInput};
+use super::input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
 use super::key_names::key_of;
 use super::micropitting_input::MicropittingInput;
 use super::model::{Formulation, Model, model};
+use super::plain_words::plain;
 use super::plausibility::{at_pitch_point, refuse_impossible, refuse_stiff_oil};
 use super::section::{Section, domain};
 use super::source::Source;
@@ -118,9 +120,10 @@ pub(super) fn resolve_checked(
     let OperationInput {
         torque,
         speed,
-        temperature,
         bulk,
+        ..
     } = input.operation;
+    let temperature = operating_temperature(&input.operation, source)?;
     let section = Section::of(source, "operation");
     let is_loaded = torque.si().is_finite() && torque.si() != 0.0;
     DomainError::require(
@@ -135,15 +138,13 @@ pub(super) fn resolve_checked(
     for load in at_pitch_point(&gears, modulus, torque, speed) {
         load.refuse_impossible(source)?;
     }
-    let lubricant = input
-        .lubricant
-        .resolve(temperature)
-        .map_err(lubricant_at(source))?;
+    let lubricant_at = |error| lubricant_at(source, &input.operation, error);
+    let lubricant = input.lubricant.resolve(temperature).map_err(lubricant_at)?;
     for assumption in lubricant.assumptions() {
         defaults.assume(assumption);
     }
-    let oil = lubricant.at(temperature).map_err(lubricant_at(source))?;
-    refuse_stiff_oil(&oil.value, source)?;
+    let oil = lubricant.at(temperature).map_err(lubricant_at)?;
+    refuse_stiff_oil(&oil.value, &input.operation, source)?;
     let preparation = preparation(&input, source, &mut defaults)?;
     let choices = match &input.calibration {
         None => input.model.clone(),
@@ -176,10 +177,10 @@ pub(super) fn resolve_checked(
         false => None,
         true => {
             let calibration = input.calibration.as_ref();
-            let rheology = rheology(&lubricant, &model, temperature, calibration)
-                .map_err(lubricant_at(source))?;
+            let rheology =
+                rheology(&lubricant, &model, temperature, calibration).map_err(lubricant_at)?;
             // The whole run uses the film thickness that follows from the oil of the film friction.
-            let state = rheology.state(temperature).map_err(lubricant_at(source))?;
+            let state = rheology.state(temperature).map_err(lubricant_at)?;
             oil_state.pressure_viscosity = state.pressure_viscosity;
             oil_state.thermal_conductivity = state.conductivity;
             Some(rheology)
@@ -318,9 +319,59 @@ fn check_micropitting(
     Ok(())
 }
 
-fn lubricant_at(source: &Source) -> impl Fn(LubricantError) -> CaseError + use<'_> {
-    |error| match error {
-        LubricantError::Domain(error) => domain(source, key_of("lubricant", error.name))(error),
+/// The temperature that the case states: of the flanks, or of the oil with a law of the bulk temperature.
+fn operating_temperature(
+    operation: &OperationInput,
+    source: &Source,
+) -> Result<Temperature, CaseError> {
+    let section = Section::of(source, "operation");
+    let OperationInput {
+        bulk_temperature,
+        oil_temperature,
+        temperature: former,
+        bulk,
+        ..
+    } = operation;
+    if former.is_some() && (bulk_temperature.is_some() || oil_temperature.is_some()) {
+        let rule = "is the former name of operation.bulk_temperature, and of operation.oil_temperature with operation.bulk; leave it out";
+        return Err(section.conflict_of_key("temperature", rule));
+    }
+    if bulk_temperature.is_some() && oil_temperature.is_some() {
+        let rule = "is not used if operation.bulk_temperature is stated; leave one of the two out";
+        return Err(section.conflict_of_key("oil_temperature", rule));
+    }
+    if bulk_temperature.is_some() && bulk.is_some() {
+        let rule = "is the law of the bulk temperature, which operation.bulk_temperature states; leave the law out, or state operation.oil_temperature instead of the bulk temperature";
+        return Err(section.conflict_of_key("bulk", rule));
+    }
+    if oil_temperature.is_some() && bulk.is_none() {
+        let rule = "needs operation.bulk.law, by which the loss heats the flanks above the oil: \"network\" with the conductances of your gearbox, or \"iso\" with the lubrication, whose constants are unconfirmed; or state operation.bulk_temperature instead";
+        return Err(section.conflict_of_key("oil_temperature", rule));
+    }
+    operation.stated_temperature().ok_or_else(|| {
+        let message = plain(
+            CaseInput::schema(),
+            Some(section.table),
+            "missing field `bulk_temperature`",
+        );
+        CaseError::Value {
+            place: section.place("bulk_temperature"),
+            key: Some(section.table.to_owned()),
+            message,
+        }
+    })
+}
+
+fn lubricant_at(source: &Source, operation: &OperationInput, error: LubricantError) -> CaseError {
+    match error {
+        LubricantError::Domain(error) => {
+            let key = key_of("lubricant", error.name);
+            let key = match TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key) {
+                true => operation.temperature_key().into(),
+                false => key,
+            };
+            domain(source, key)(error)
+        }
         error => {
             let key = match error {
                 LubricantError::ImplausiblePressureViscosity { .. } => {

@@ -37,8 +37,8 @@ const SYMBOLS: &[(&str, &str, &str)] = &[
     ("operation", "n", "speed"),
     ("operation", "rpm", "speed"),
     ("operation", "T", "torque"),
-    ("operation", "theta", "temperature"),
-    ("operation", "ϑ", "temperature"),
+    ("operation", "theta", "bulk_temperature"),
+    ("operation", "ϑ", "bulk_temperature"),
     ("lubricant", "oil", "oil"),
     ("lubricant", "rho", "density"),
     ("lubricant", "ρ", "density"),
@@ -156,6 +156,10 @@ fn parent<'a, 'b>(
 }
 
 #[cfg(test)]
+#[allow(
+    clippy::disallowed_methods,
+    reason = "tests read the files of the project"
+)]
 mod tests {
     use super::*;
     use crate::case::{CaseInput, load};
@@ -246,7 +250,7 @@ mod tests {
         let text = |pinion: &str| {
             format!(
                 "gears = {{ teeth = [23, 68], module = \"2 mm\", face_width = \"30 mm\" }}\n\
-             operation = {{ torque = \"100 N m\", speed = \"3000 1/min\", temperature = \"60 °C\" }}\n\
+             operation = {{ torque = \"100 N m\", speed = \"3000 1/min\", bulk_temperature = \"60 °C\" }}\n\
              lubricant = {{ oil = \"m100\" }}\nsurface = {{ pinion = {pinion} }}\n"
             )
         };

@@ -3,11 +3,10 @@
 use asperity_contact::SolverSettings;
 use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::{Length, Pressure};
-use asperity_mixed_film::{ContactState, RoughContact, RoughWindow};
+use asperity_mixed_film::{RoughContact, RoughWindow};
 
 use crate::case::Case;
 use crate::error::PositionError;
-use crate::mesh::MeshPosition;
 
 /// Loosest tolerance of the contacts that decide the loss: at 1e-4 it would move by 3e-5.
 const LOOSEST_TOLERANCE: f64 = 1e-8;
@@ -32,15 +31,4 @@ pub(crate) fn rough_window(
             ..SolverSettings::default()
         },
     })?)
-}
-
-/// The contact of heights `composite` that carries the whole load of a position without a film.
-pub(crate) fn without_film(
-    case: &Case,
-    position: &MeshPosition,
-    composite: &[f64],
-    spacing: Length,
-) -> Result<ContactState, PositionError> {
-    let contact = position.line_contact(case.modulus, case.materials);
-    Ok(rough_window(case, &contact, composite, spacing)?.at(1.0)?)
 }

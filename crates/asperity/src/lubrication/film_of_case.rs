@@ -1,5 +1,6 @@
 //! The film of a mesh position by the film law and the thermal reduction of a case.
 
+use asperity_ehl_regime::starvation::starved;
 use asperity_ehl_regime::{FilmConditions, FilmThickness, thermal_loading};
 
 use super::formula_film::FormulaFilm;
@@ -39,7 +40,10 @@ impl FormulaFilm {
         )?;
         let mut outside = smooth.outside;
         outside.extend(reduction.outside);
-        let film = smooth.value.reduced(reduction.value);
+        let mut film = smooth.value.reduced(reduction.value);
+        if let Some(layer) = case.model.inlet_layer {
+            film = film.reduced(starved(film.central, layer)?);
+        }
         let lambda_film = case.model.lambda_film;
         let shown = FilmThickness {
             central: lambda_film.thickness(film.central, max_pressure)?,

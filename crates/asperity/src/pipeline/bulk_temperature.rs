@@ -25,7 +25,7 @@ pub(crate) fn settle(
 ) -> Result<LoadedCase, Error> {
     let used = Provenance::new();
     let law = used.collect(|| Law::of(loaded, model)).map_err(Box::new)?;
-    let oil = loaded.case.input.operation.temperature;
+    let oil = loaded.case.temperature;
     let made = |bulk: Temperature| {
         let losses = losses(&at(loaded, bulk)?)?;
         let [pinion, wheel] = law
@@ -46,12 +46,11 @@ pub(crate) fn settle(
 /// The case with its flanks at a temperature, its uncertain parameters where they are.
 fn at(loaded: &LoadedCase, bulk: Temperature) -> Result<LoadedCase, Error> {
     let mut warmed = loaded.with(|input| {
-        input.operation.temperature = bulk;
-        input.operation.bulk = None;
+        input.operation.set_bulk_temperature(bulk);
     })?;
     keep_parameters(loaded, &mut warmed).map_err(Box::new)?;
     // Bearings and jet stay in the oil, whatever the flanks are at.
-    let oil = loaded.case.input.operation.temperature;
+    let oil = loaded.case.temperature;
     if let Some(gearbox) = &mut warmed.case.gearbox {
         gearbox.temperature.get_or_insert(oil);
     }
@@ -100,7 +99,9 @@ impl<'a> Law<'a> {
         let split = rises.map(|[a, b]| [a, b].map(|one| celsius(oil) + rise * 2.0 * one / (a + b)));
         BulkReport {
             law: match self.model {
-                BulkModel::Iso(lubrication) => format!("iso, {}", words(lubrication)),
+                BulkModel::Iso(lubrication) => {
+                    format!("iso, unconfirmed, {}", words(lubrication))
+                }
                 BulkModel::Network(_) => "network".to_owned(),
             },
             oil_c: celsius(oil),

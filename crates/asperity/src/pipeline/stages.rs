@@ -157,7 +157,7 @@ pub fn losses(loaded: &LoadedCase) -> Result<Losses, Error> {
 /// })?;
 /// let contacts = pipeline::contacts(&case)?;
 /// for temperature in ["60 °C", "90 °C"] {
-///     let case = case.with_key("operation.temperature", temperature)?;
+///     let case = case.with_key("operation.bulk_temperature", temperature)?;
 ///     let losses = pipeline::losses_with(&contacts, &case)?;
 ///     assert!(losses.summary.boundary_w > 0.0);
 /// }
@@ -177,7 +177,10 @@ pub fn losses_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Losses, E
 ///     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
 /// })?;
 /// assert!(pipeline::settled(&case, None)?.case.found_bulk.is_none());
-/// let unknown = case.with_key("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#)?;
+/// let unknown = case.with(|input| {
+///     let _ = input.set("operation.oil_temperature", "90 °C");
+///     let _ = input.set("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#);
+/// })?;
 /// let settled = pipeline::settled(&unknown, None)?;
 /// let bulk = settled.case.found_bulk.as_ref().ok_or("it is computed")?;
 /// assert!(bulk.report.bulk_c > bulk.report.oil_c + 5.0);

@@ -11,7 +11,7 @@ use asperity_efficiency::shaft_seal::seal_torque;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::case::{Case, Part, PartKind, Shaft};
+use crate::case::{Case, OperationInput, Part, PartKind, Shaft};
 use crate::error::PositionError;
 use crate::result::Uncertainty;
 
@@ -159,11 +159,15 @@ pub(crate) fn check(case: &Case) -> Result<(), PositionError> {
 
 fn operating_point(case: &Case) -> OperatingPoint {
     // What was found from the loss of the mesh is the temperature of its flanks.
-    let of_oil = case.found_bulk.as_ref().map(|found| found.stated.operation);
+    let stated = case
+        .found_bulk
+        .as_ref()
+        .map(|found| &found.stated.operation);
+    let of_oil = stated.and_then(OperationInput::stated_temperature);
     OperatingPoint {
         torque: case.torque,
         speed: case.speed,
-        temperature: of_oil.map_or(case.temperature, |operation| operation.temperature),
+        temperature: of_oil.unwrap_or(case.temperature),
     }
 }
 

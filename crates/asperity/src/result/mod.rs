@@ -182,12 +182,26 @@ pub struct Summary {
     pub loss_factor_local: f64,
     /// Share of the path (by mesh time) in mixed or boundary lubrication.
     pub mixed_share: f64,
+    /// Lubrication regime: boundary if the boundary layer makes more than half of the sliding loss; absent from older
+    /// results.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub regime: Option<Regime>,
     /// Mesh positions computed.
     pub positions: usize,
     /// Largest relative load error of a contact solution.
     pub worst_load_error: f64,
     /// Largest certified duality gap of a contact solution.
     pub worst_duality_gap: f64,
+}
+
+impl Summary {
+    /// Lubrication regime of the mesh.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        let of_parts =
+            || Regime::of_friction(self.mixed_share > 0.0, self.boundary_w, self.sliding_w);
+        self.regime.unwrap_or_else(of_parts)
+    }
 }
 
 /// A published friction law applied whole: its coefficient times the load, instead of film and asperities.
@@ -278,7 +292,7 @@ pub struct PositionRow {
     pub film_ratio: Option<f64>,
     /// Share of the offsets in the mixed regime.
     pub mixed_share: f64,
-    /// Regime of most offsets.
+    /// Regime of most offsets; boundary if the boundary layer makes more than half of the friction.
     pub regime: Regime,
     /// Share of the load the film carries; asperities carry the rest, φ.
     pub film_share: f64,

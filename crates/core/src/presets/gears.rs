@@ -98,7 +98,9 @@ impl GearPreset {
         vec![
             operation.torque.row("operation.torque", quoted),
             operation.speed.row("operation.speed", quoted),
-            operation.temperature.row("operation.temperature", quoted),
+            operation
+                .temperature
+                .row("operation.bulk_temperature", quoted),
             self.oil.row("lubricant.oil", |oil| format!("\"{oil}\"")),
         ]
     }

@@ -33,7 +33,7 @@ class Case:
 
     >>> case = Case("case.toml")                                    # doctest: +SKIP
     >>> case = Case(gears={"teeth": [23, 68], "module": "1.8 mm", "face_width": 0.032},
-    ...             operation={"torque": 145, "speed": "9000 1/min", "temperature": "90 °C"},
+    ...             operation={"torque": 145, "speed": "9000 1/min", "bulk_temperature": "90 °C"},
     ...             lubricant={"oil": "m100"}, surface={"pinion": {"rq": "0.4 um"}})
 
     Args:

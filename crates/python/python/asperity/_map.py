@@ -34,8 +34,8 @@ class Map(Record):
     """A map of losses: arrays over finish, temperature, torque and speed.
 
     ``loss_w``, ``loss_torque_nm``, ``efficiency`` and the other numbers have the shape (finishes, temperatures,
-    torques, speeds), NaN where a point has no such number; ``extended`` marks points below the smallest torque whose
-    contacts the traces resolve. ``scope`` is ``"mesh"``: no bearings, seals, churning.
+    torques, speeds), NaN where a point has no such number; ``regime`` names the lubrication regime; ``extended`` marks
+    points below the smallest torque whose contacts the traces resolve. ``scope`` is ``"mesh"``: no bearings, seals, churning.
     """
 
     def __init__(self, raw: _asperity.Map) -> None:

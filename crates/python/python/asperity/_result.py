@@ -218,12 +218,13 @@ class RunResult(Record):
             ("boundary_w", "in the boundary layer", "W"),
             ("rolling_w", "rolling", "W"),
             ("mu_equivalent", "equivalent friction coefficient", ""),
-            ("mixed_share", "share of the path in mixed lubrication", ""),
+            ("mixed_share", "share of the path in mixed or boundary lubrication", ""),
         )
         rows = [("efficiency", f"{100 * self.efficiency:.4f} %")]
         if uncertainty := self._values.get("uncertainty"):
             rows.append(("loss, median and 5 to 95 %", drawn(uncertainty)))
         rows += [(name, f"{of[key]:.4g} {unit}".strip()) for key, name, unit in names if key in of]
+        rows += [("regime", str(of["regime"]))] if "regime" in of else []
         rows += [(str(warning.code), str(warning.text)) for warning in self.warnings]
         chart = str(self.plot()) if "path_fraction" in self.path.columns else None
         return page(self.title, rows, chart)

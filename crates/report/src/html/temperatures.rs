@@ -9,7 +9,10 @@ use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 pub(super) fn bulk(result: &RunResult) -> f64 {
     match &result.bulk {
         Some(bulk) => bulk.bulk_c,
-        None => result.inputs.operation.temperature.celsius(),
+        None => {
+            let stated = result.inputs.operation.stated_temperature();
+            stated.unwrap_or_default().celsius()
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use asperity::flanks::Surfaces;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::Progress;
 use asperity::result::loss_band::Uncertainty;
-use asperity::result::{GearboxReport, OffsetRow, Outcome, RunResult, Scope};
+use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
 use asperity::uncertainty::{self, PairedDifference, Predictive};
 use asperity_report::tables::FlankTables;
 use serde::Serialize;
@@ -67,6 +67,8 @@ pub struct FinishResult {
     pub gearbox: Option<GearboxReport>,
     /// Share of the path in mixed lubrication.
     pub mixed_share: f64,
+    /// Lubrication regime of the mesh.
+    pub regime: Regime,
     /// Codes and texts of the warnings.
     pub warnings: Vec<String>,
     /// Losses by offset.
@@ -186,6 +188,7 @@ fn finish_result(
         difference,
         gearbox: result.gearbox.clone(),
         mixed_share: result.summary.mixed_share,
+        regime: result.summary.regime(),
         warnings: result.warnings.iter().map(ToString::to_string).collect(),
         offsets: outcome.offsets,
         predictive,

@@ -39,7 +39,7 @@ fn verdict(comparison: &Comparison) -> Markup {
         div.scroll { table {
             thead { tr {
                 th { "finish" } th.number { "efficiency" } th.number { "loss [W]" }
-                th.number { "minus the first [W]" } th.number { "change [%]" } th.number { "mixed" }
+                th.number { "minus the first [W]" } th.number { "change [%]" } th.number { "mixed" } th { "regime" }
             } }
             tbody { @for finish in &comparison.finishes {
                 @let [loss, difference, change] = cells(finish);
@@ -50,6 +50,7 @@ fn verdict(comparison: &Comparison) -> Markup {
                     td.number { (difference) }
                     td.number { (change) }
                     td.number { (format!("{:.0} %", 100.0 * finish.mixed_share)) }
+                    td { (finish.regime.name()) }
                 }
             } }
         } }

@@ -55,6 +55,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         change_p05_percent: Option<f64>,
         change_p95_percent: Option<f64>,
         mixed_share_percent: f64,
+        regime: &'static str,
         gearbox_efficiency_percent: Option<f64>,
         gearbox_loss_w: Option<f64>,
     }
@@ -82,6 +83,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
                 change_p95_percent: difference
                     .map(|difference| 100.0 * difference.share_quantiles[1]),
                 mixed_share_percent: 100.0 * finish.mixed_share,
+                regime: finish.regime.name(),
                 gearbox_efficiency_percent: finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency),
                 gearbox_loss_w: finish.gearbox.as_ref().map(|g| g.loss_w),
             }

@@ -2,7 +2,8 @@
 //! than a line of a pie, so these are bars with their values.
 //!
 //! In contact the deformation of eq. 19 is elastic and plastic, after contact only plastic; sliding and rolling
-//! are the same in both.
+//! are the same in both. Eq. 19 counts a patch of one cell by one cell once per revolution; a third panel has the
+//! deformation after contact over the face width in every engagement of a tooth, b z₁/a of the printed value.
 
 use std::path::Path;
 
@@ -23,29 +24,43 @@ struct PartRow {
     in_contact_percent: f64,
     after_contact_w: f64,
     after_contact_percent: f64,
+    every_engagement_w: f64,
+    every_engagement_percent: f64,
 }
 
-pub(super) fn figures(summary: &Summary, folder: &Path) -> Result<Vec<Figure>, FigureError> {
+/// The panels; `engagements` is the number of cells across the face times the engagements in a revolution.
+pub(super) fn figures(
+    summary: &Summary,
+    engagements: f64,
+    folder: &Path,
+) -> Result<Vec<Figure>, FigureError> {
     let (within, after) = (summary.deformation_in_contact_w, summary.deformation_w);
     let (sliding, rolling) = (summary.sliding_w, summary.rolling_w);
     let parts = [
-        ("deformation, pinion", within[0], after[0]),
-        ("deformation, wheel", within[1], after[1]),
-        ("sliding", sliding, sliding),
-        ("rolling", rolling, rolling),
+        (
+            "deformation, pinion",
+            [within[0], after[0], engagements * after[0]],
+        ),
+        (
+            "deformation, wheel",
+            [within[1], after[1], engagements * after[1]],
+        ),
+        ("sliding", [sliding; 3]),
+        ("rolling", [rolling; 3]),
     ];
-    let whole = |of: fn(&(&str, f64, f64)) -> f64| parts.iter().map(of).sum::<f64>();
-    let (in_contact, after_contact) = (whole(|part| part.1), whole(|part| part.2));
+    let whole = [0, 1, 2].map(|panel: usize| parts.iter().map(|part| part.1[panel]).sum::<f64>());
     let percent = |power: f64, whole: f64| match whole > 0.0 {
         true => 100.0 * power / whole,
         false => 0.0,
     };
-    let rows = parts.map(|(part, first, second)| PartRow {
+    let rows = parts.map(|(part, [first, second, third])| PartRow {
         part,
         in_contact_w: first,
-        in_contact_percent: percent(first, in_contact),
+        in_contact_percent: percent(first, whole[0]),
         after_contact_w: second,
-        after_contact_percent: percent(second, after_contact),
+        after_contact_percent: percent(second, whole[1]),
+        every_engagement_w: third,
+        every_engagement_percent: percent(third, whole[2]),
     });
     write(&folder.join(TABLE), rows)?;
     let bars = |name, title: &str, of: fn(&PartRow) -> (f64, f64)| Figure {
@@ -66,6 +81,11 @@ pub(super) fn figures(summary: &Summary, folder: &Path) -> Result<Vec<Figure>, F
             "fig12b_after_contact",
             "Fig. 12b: losses after contact",
             |row| (row.after_contact_w, row.after_contact_percent),
+        ),
+        bars(
+            "fig12c_every_engagement",
+            "Fig. 12c: losses after contact, deformation over the face in every engagement",
+            |row| (row.every_engagement_w, row.every_engagement_percent),
         ),
     ])
 }

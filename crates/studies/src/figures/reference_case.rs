@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use asperity::case::LoadedCase;
+use asperity::result::PositionFields;
 use asperity_report::PageTables;
 use asperity_report::chart::{Axis, Chart, Drawing};
 use asperity_report::html::drawings_of_contact;
@@ -58,6 +59,7 @@ const FIGURES: &[(&str, &str, &str, &str)] = &[
 ];
 const SURFACE: &str = "fig09_fig10_surface.csv";
 const SUBSURFACE: &str = "fig11_subsurface.csv";
+const REFLECTED: &str = "fig10c_surface.csv";
 const MARCHING: &str = "fig13_convergence.csv";
 /// Range of a zoom into the contact [µm] and below it.
 const ZOOM_UM: [f64; 2] = [-110.0, -70.0];
@@ -73,7 +75,9 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
         write(&folder.join(SUBSURFACE), &contact.subsurface)?;
         write(&folder.join(MARCHING), &contact.convergence)?;
     }
-    let mut figures = parts::figures(&result.summary, folder)?;
+    let engagements = engagements(case, outcome.fields.first());
+    let mut figures = parts::figures(&result.summary, engagements, folder)?;
+    figures.push(reflected(case, folder)?);
     for &(name, id, title, table) in FIGURES {
         let drawing = drawings.iter().find(|drawing| drawing.id() == id);
         let drawing = drawing.ok_or(FigureError::NoContact { table })?;
@@ -84,6 +88,34 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
         figures.push(Figure { name, drawing });
     }
     Ok(figures)
+}
+
+/// Cells across the face width times engagements of a tooth in a revolution of the pinion.
+fn engagements(case: &LoadedCase, fields: Option<&PositionFields>) -> f64 {
+    let gears = &case.case.gears;
+    let cell = fields.and_then(|fields| Some(fields.x.get(1)? - fields.x.first()?));
+    let cells = gears.face_width.si() / cell.unwrap_or(f64::INFINITY);
+    f64::from(gears.teeth[0]) * cells
+}
+
+/// Contact stress where the wheel's flank is the pinion's, reflected across the contact instead of read from its other end.
+fn reflected(case: &LoadedCase, folder: &Path) -> Result<Figure, FigureError> {
+    let case = case.with_key("surface.wheel.mirrored", "false")?;
+    let outcome = asperity::Run::new(&case).execute()?;
+    let tables = PageTables::of(&outcome, Some(1))?;
+    let drawings = drawings_of_contact(&outcome.result, &tables)?;
+    let drawing = drawings
+        .into_iter()
+        .find(|drawing| drawing.id() == "pressure");
+    let drawing = drawing.ok_or(FigureError::NoContact { table: REFLECTED })?;
+    if let Some(contact) = &tables.contact {
+        write(&folder.join(REFLECTED), &contact.surface)?;
+    }
+    let title = "Fig. 10c: contact stress with the trace reflected across the contact: asymmetric, as the paper's";
+    Ok(Figure {
+        name: "fig10c_contact_stress_reflected",
+        drawing: renamed(drawing, title, REFLECTED),
+    })
 }
 
 fn renamed(mut drawing: Drawing, title: &str, table: &str) -> Drawing {

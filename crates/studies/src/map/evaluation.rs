@@ -109,7 +109,7 @@ fn at(
     let (speed, temperature) = (speed_of(speed), temperature_of(temperature));
     let case = case.with(|input| {
         input.operation.speed = speed;
-        input.operation.temperature = temperature;
+        input.operation.set_temperature(temperature);
     })?;
     let losses = match tables {
         Some(tables) => losses_with(tables, &case)?,

@@ -231,11 +231,8 @@ fn field(map: &Map, finish: &FinishMap, temperature: usize, of: &dyn Fn(&Point) 
 fn usual<'a>(map: &Map, finish: &'a FinishMap) -> Vec<&'a str> {
     let operation = &map.input.operation;
     let speed = operation.speed.si() * 30.0 / std::f64::consts::PI;
-    let nearest = [
-        operation.torque.si(),
-        speed,
-        operation.temperature.celsius(),
-    ];
+    let temperature = operation.stated_temperature().unwrap_or_default();
+    let nearest = [operation.torque.si(), speed, temperature.celsius()];
     let far = |point: &&Point| {
         let at = [point.torque_nm, point.speed_rpm, point.temperature_c];
         let reach = [0, 1, 2].map(|k| (at[k] - nearest[k]).abs() / nearest[k].abs().max(1.0));

@@ -1,6 +1,7 @@
 //! Data of a map.
 
 use asperity::case::{CaseInput, DefaultUsed};
+use asperity::result::Regime;
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
@@ -138,6 +139,14 @@ pub struct Numbers {
     pub mu_equivalent: Option<f64>,
     /// Share of the path in mixed lubrication.
     pub mixed_share: f64,
+}
+
+impl Numbers {
+    /// Lubrication regime of the mesh.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        Regime::of_friction(self.mixed_share > 0.0, self.boundary_w, self.sliding_w)
+    }
 }
 
 impl FinishMap {

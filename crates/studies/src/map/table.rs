@@ -38,6 +38,9 @@ pub(super) struct PointRow<'a> {
     /// Absent in older maps.
     #[serde(default)]
     deformation_w: Option<f64>,
+    /// Absent in older maps; follows from the other numbers.
+    #[serde(default)]
+    regime: Cow<'a, str>,
 }
 
 /// Separator between the marks of a point.
@@ -71,6 +74,7 @@ impl<'a> PointRow<'a> {
             boundary_w: of(|n| n.boundary_w),
             finish: asperity_storage::cell(&finish.name),
             deformation_w: of(|n| n.deformation_w),
+            regime: numbers.map_or("", |n| n.regime().name()).into(),
         }
     }
 

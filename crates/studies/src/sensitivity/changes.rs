@@ -210,7 +210,7 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
             .and_then(|law| loaded.with(|input| input.lubricant.viscosity = Some(law)));
         change("viscosity", format!("× {factor}"), case)
     });
-    let temperature = loaded.case.input.operation.temperature.celsius();
+    let temperature = loaded.case.temperature.celsius();
     let celsius = |temperature: f64| format!("{} °C", digits(temperature, 5));
     // A viscosity without temperature applies at any temperature of the case.
     let knows_temperature = !matches!(
@@ -222,9 +222,12 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
     );
     let steps = [-TEMPERATURE, TEMPERATURE].into_iter();
     let temperature = steps.filter(|_| knows_temperature).map(|step| {
-        let to = celsius(temperature + step);
-        let case = loaded.with_key("operation.temperature", &to);
-        change(&format!("temperature {}", celsius(temperature)), to, case)
+        let (from, temperature) = (celsius(temperature), temperature + step);
+        let case = loaded.with(|input| {
+            (input.operation).set_temperature(Temperature::from_celsius(temperature));
+        });
+        let to = celsius(temperature);
+        change(&format!("temperature {from}"), to, case)
     });
     let present = loaded.case.lubricant.base_oil();
     let others = BASE_OILS.into_iter().filter(|oil| Some(*oil) != present);
