@@ -348,30 +348,18 @@ impl Predictive {
         STEP_RULE * share * (friction - structure.film_friction).max(0.0) * structure.loss_factor_w
     }
 
-    /// g: excess of the fast model over records of mixed lubrication, where the roughness exceeds two films.
-    ///
-    /// ```text
-    /// g = min(0.28, 0.16 max(0, s − 2.1)), gap law power: min(0.2, 0.16 max(0, s − 2))   [Model-bias]
-    /// ```
-    ///
-    /// Fitted to 65 records with heat (`power`: 24 without); drawn with a weight of 0 to 1, as the records have errors of their
-    /// own.
-    fn bias(&self) -> f64 {
-        cite!("Model-bias");
+    /// Bias of the fast model over records, and its standard deviation.
+    fn model_deviation(&self) -> [f64; 2] {
         let s = self.roughness_over_film.unwrap_or(0.0);
-        let [most, slope, from] = match self.gap_law {
-            GapLaw::Inlet => [0.28, 0.16, 2.1],
-            GapLaw::Power => [0.2, 0.16, 2.0],
-        };
-        (slope * (s - from).max(0.0)).min(most)
+        model_deviation(self.gap_law, s, self.asperity_share)
+    }
+
+    fn bias(&self) -> f64 {
+        self.model_deviation()[0]
     }
 
     fn model_error(&self) -> f64 {
-        let error = match self.gap_law {
-            _ if self.asperity_share < SMOOTH => SMOOTH_ERROR,
-            GapLaw::Inlet => between(&ROUGH_ERROR, self.roughness_over_film.unwrap_or(0.0)),
-            GapLaw::Power => POWER_ERROR,
-        };
+        let [_, error] = self.model_deviation();
         error.hypot(self.surface_rms)
     }
 
@@ -401,6 +389,39 @@ impl Predictive {
     pub const fn count() -> usize {
         DRAWS
     }
+}
+
+/// Bias g of ln of the losses by the fast model over those by records of mixed lubrication, and its standard deviation.
+///
+/// ```text
+/// g = min(0.28, 0.16 max(0, s − 2.1)), gap law power: min(0.2, 0.16 max(0, s − 2))   [Model-bias]
+/// ```
+///
+/// s is the roughness that the contact leaves over the film. Fitted to 65 records with heat (`power`: 24 without); the bias is drawn
+/// with a weight of 0 to 1, as the records have errors of their own.
+///
+/// ```
+/// use asperity::uncertainty::model_deviation;
+/// use asperity_ehl_regime::GapLaw;
+/// assert_eq!(model_deviation(GapLaw::Inlet, 1.0, 0.2), [0.0, 0.05]);
+/// assert_eq!(model_deviation(GapLaw::Inlet, 1.0, 0.0), [0.0, 0.03]);
+/// ```
+#[must_use]
+pub fn model_deviation(law: GapLaw, roughness_over_film: f64, asperity_share: f64) -> [f64; 2] {
+    cite!("Model-bias");
+    let [most, slope, from] = match law {
+        GapLaw::Inlet => [0.28, 0.16, 2.1],
+        GapLaw::Power => [0.2, 0.16, 2.0],
+    };
+    let error = match law {
+        _ if asperity_share < SMOOTH => SMOOTH_ERROR,
+        GapLaw::Inlet => between(&ROUGH_ERROR, roughness_over_film),
+        GapLaw::Power => POWER_ERROR,
+    };
+    [
+        (slope * (roughness_over_film - from).max(0.0)).min(most),
+        error,
+    ]
 }
 
 /// The gap law of draws that do not name one.
