@@ -37,6 +37,7 @@ fn tables() -> Vec<(&'static str, String)> {
     tables.push(("gates", gates::gate_table()));
     tables.push(("ehl-laws", ehl_records::law_table()));
     tables.push(("ehl-classes", ehl_records::class_table()));
+    tables.push(("ehl-blind", ehl_records::blind_table()));
     tables.push(("gap-laws", gates::gap_law_table()));
     tables.push(("load-share-reference", measured::reference_table()));
     tables.push(("load-share-laws", share_laws::share_table()));

@@ -2,11 +2,12 @@
 //!
 //! ```text
 //! cargo run --release -p asperity --example mixed_ehl_records > fixtures/records/gear_meshes.csv
+//! cargo run --release -p asperity --example mixed_ehl_records -- blind > fixtures/records/blind.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- fzg_8.3 hb=2
 //! ```
 //!
-//! Prints the conditions whose names begin with a word, or all, as many at a time as there are threads;
-//! `list` prints their roughness over the film without a record. Keys: `hb` (contact film in nm), `cells`,
+//! Prints the conditions whose names begin with a word, or all, as many at a time as there are threads: of the gear meshes, or of
+//! the `blind` test. `list` prints their roughness over the film without a record. Keys: `hb` (contact film in nm), `cells`,
 //! `start` and `length` (travel in half-widths). Run it in the folder of the workspace.
 
 use std::path::{Path, PathBuf};
@@ -19,7 +20,9 @@ use asperity::lubrication::FormulaFilm;
 use asperity::quantity::Length;
 use asperity::quantity::Pressure;
 use asperity::reference_solution::{RefereeContact, RefereeSettings, record_heat, record_warnings};
-use asperity::roughness::generate::SelfAffine;
+use asperity::roughness::generate::{
+    Ground, HeightDistribution, NonGaussian, PlateauHoned, SelfAffine,
+};
 use asperity_core::Profile;
 use rayon::prelude::*;
 
@@ -45,6 +48,90 @@ enum Flanks {
     Scaled(f64),
     Fine,
     SelfAffine,
+    /// Generated flanks of a finish, from the seeds of pinion and wheel.
+    Generated(Finish, [u64; 2]),
+}
+
+/// Finishes of the blind test.
+#[derive(Clone, Copy)]
+enum Finish {
+    /// The recipe of the ground flanks of the fixtures.
+    Ground,
+    /// Deeper grooves of coarser grits on a smoother background of longer waves.
+    Coarse,
+    /// Fine grits.
+    Fine,
+    /// The recipe of the superfinished flanks of the fixtures.
+    Superfinished,
+    /// Short waves only.
+    Polished,
+    /// Plateaus with dales.
+    Honed,
+    /// Heights with a tail of dales.
+    Dales,
+    /// Long waves.
+    Long,
+}
+
+impl Finish {
+    /// A self-affine trace: Rq, Hurst exponent, roll-off, shortest wave, seed.
+    fn affine(rq_um: f64, hurst: f64, [roll_off, short_cut]: [f64; 2], seed: u64) -> SelfAffine {
+        SelfAffine {
+            points: 6001,
+            spacing: SPACING,
+            rq: Length::from_si(1e-6 * rq_um),
+            hurst,
+            roll_off: Length::from_si(1e-6 * roll_off),
+            short_cut: Length::from_si(1e-6 * short_cut),
+            seed,
+        }
+    }
+
+    /// Grooves of grits with their Rq and spacing, on a self-affine background.
+    fn ground(rq_um: f64, grit_spacing_um: f64, background: SelfAffine) -> Outcome<Profile> {
+        let grooves = Ground {
+            points: background.points,
+            spacing: SPACING,
+            rq: Length::from_si(1e-6 * rq_um),
+            grit_spacing: Length::from_si(1e-6 * grit_spacing_um),
+            grit_radius: Length::from_si(60e-6),
+            grit_protrusion: Length::from_si(0.5e-6),
+            seed: background.seed - 500,
+        };
+        let (grooves, background) = (grooves.generate()?, background.generate()?);
+        let heights = grooves.heights().iter().zip(background.heights());
+        Ok(Profile::new(
+            SPACING,
+            heights.map(|(a, b)| a + b).collect(),
+        )?)
+    }
+
+    fn trace(self, seed: u64) -> Outcome<Profile> {
+        let affine = Self::affine;
+        Ok(match self {
+            Self::Ground => Self::ground(0.12, 9.0, affine(0.32, 0.7, [60.0, 5.0], seed + 500))?,
+            Self::Coarse => Self::ground(0.3, 18.0, affine(0.2, 0.85, [100.0, 5.0], seed + 500))?,
+            Self::Fine => Self::ground(0.1, 6.0, affine(0.15, 0.65, [40.0, 5.0], seed + 500))?,
+            Self::Superfinished => affine(0.08, 0.8, [150.0, 4.0], seed).generate()?,
+            Self::Polished => affine(0.05, 0.6, [40.0, 4.0], seed).generate()?,
+            Self::Honed => {
+                let recipe = PlateauHoned {
+                    coarse: affine(0.5, 0.8, [80.0, 5.0], seed),
+                    fine: affine(0.06, 0.7, [30.0, 5.0], seed + 500),
+                    depth: Length::from_si(0.25e-6),
+                };
+                recipe.generate()?
+            }
+            Self::Dales => {
+                let recipe = NonGaussian {
+                    spectrum: affine(0.3, 0.8, [50.0, 5.0], seed),
+                    heights: HeightDistribution::WeibullDales { shape: 1.5 },
+                };
+                recipe.generate()?.profile
+            }
+            Self::Long => affine(0.25, 0.9, [200.0, 5.0], seed).generate()?,
+        })
+    }
 }
 
 /// A contact to record.
@@ -125,6 +212,15 @@ impl Condition {
                 let held = [
                     (PathBuf::from(&names[0]), pinion?),
                     (PathBuf::from(&names[1]), wheel?),
+                ];
+                loaded = loaded.holding(&held);
+                names
+            }
+            Flanks::Generated(finish, seeds) => {
+                let names = ["pinion", "wheel"].map(|flank| format!("generated {flank}"));
+                let held = [
+                    (PathBuf::from(&names[0]), finish.trace(seeds[0])?),
+                    (PathBuf::from(&names[1]), finish.trace(seeds[1])?),
                 ];
                 loaded = loaded.holding(&held);
                 names
@@ -279,6 +375,65 @@ pub fn conditions() -> Vec<Condition> {
     all
 }
 
+/// The conditions of the blind test, on traces that no record had before. Name, finish, seeds, then the case with its place,
+/// temperature [°C] and speed: of the e-drive [1/min], of the pitch line of FZG gears [m/s].
+pub fn blind_conditions() -> Vec<Condition> {
+    use Finish::{Coarse, Dales, Fine, Ground, Honed, Long, Polished, Superfinished};
+    let e_drive = [
+        (Ground, [71, 72], 70, 0.2, 9000),
+        (Ground, [71, 72], 110, 0.4, 9000),
+        (Ground, [73, 74], 130, 0.7, 9000),
+        (Ground, [73, 74], 110, 0.3, 1200),
+        (Coarse, [81, 82], 80, 0.2, 9000),
+        (Coarse, [81, 82], 130, 0.8, 9000),
+        (Coarse, [83, 84], 100, 0.4, 4000),
+        (Coarse, [83, 84], 140, 0.2, 2500),
+        (Fine, [91, 92], 100, 0.2, 9000),
+        (Fine, [91, 92], 140, 0.6, 9000),
+        (Fine, [93, 94], 80, 0.8, 2000),
+        (Superfinished, [101, 102], 110, 0.2, 2000),
+        (Superfinished, [101, 102], 70, 0.6, 9000),
+        (Polished, [111, 112], 130, 0.4, 5000),
+        (Honed, [121, 122], 80, 0.2, 9000),
+        (Honed, [121, 122], 130, 0.8, 9000),
+        (Dales, [131, 132], 100, 0.4, 9000),
+        (Dales, [131, 132], 140, 0.2, 9000),
+        (Long, [141, 142], 80, 0.4, 9000),
+        (Long, [141, 142], 120, 0.7, 6000),
+    ];
+    let fzg = [
+        (Ground, [75, 76], 90, 0.3, 1.0),
+        (Ground, [75, 76], 90, 0.6, 12.0),
+        (Coarse, [85, 86], 90, 0.3, 4.0),
+        (Fine, [95, 96], 90, 0.6, 1.5),
+        (Superfinished, [103, 104], 90, 0.3, 1.0),
+        (Honed, [123, 124], 90, 0.6, 2.0),
+        (Dales, [133, 134], 70, 0.3, 6.0),
+        (Long, [143, 144], 110, 0.3, 1.5),
+    ];
+    let name = |finish: Finish| match finish {
+        Ground => "ground",
+        Coarse => "coarse",
+        Fine => "fine",
+        Superfinished => "superfinished",
+        Polished => "polished",
+        Honed => "honed",
+        Dales => "dales",
+        Long => "long",
+    };
+    let e_drive = e_drive.map(|(finish, seeds, celsius, place, speed)| {
+        let condition = Condition::e_drive(name(finish), celsius, place);
+        let condition = condition.on(Flanks::Generated(finish, seeds));
+        condition.at_speed(speed)
+    });
+    let fzg = fzg.map(|(finish, seeds, celsius, place, speed)| {
+        let mut condition = Condition::fzg(speed, place).on(Flanks::Generated(finish, seeds));
+        condition.name = format!("fzg-{}_{celsius}_{place}_{speed}", name(finish));
+        condition.with("operation.temperature", &format!("{celsius} °C"))
+    });
+    e_drive.into_iter().chain(fzg).collect()
+}
+
 /// Settings of the records of a table: every step a frame, 14 half-widths.
 pub fn record_settings() -> RecordSettings {
     RecordSettings {
@@ -407,7 +562,7 @@ fn roughness_over_film(loaded: &LoadedCase, contact: &RefereeContact) -> Outcome
 /// Prints a row for each condition.
 pub fn main() -> Outcome<()> {
     let (mut prefix, mut settings) = (String::new(), record_settings());
-    let mut is_list = false;
+    let (mut is_blind, mut is_list) = (false, false);
     for word in std::env::args().skip(1) {
         match word.split_once('=') {
             Some(("hb", value)) => {
@@ -417,11 +572,15 @@ pub fn main() -> Outcome<()> {
             Some(("start", value)) => settings.start = value.parse()?,
             Some(("length", value)) => settings.length = value.parse()?,
             Some((key, _)) => return Err(format!("unknown key {key}").into()),
+            None if word == "blind" => is_blind = true,
             None if word == "list" => is_list = true,
             None => prefix = word,
         }
     }
-    let conditions = conditions();
+    let conditions = match is_blind {
+        true => blind_conditions(),
+        false => conditions(),
+    };
     let chosen: Vec<&Condition> = conditions
         .iter()
         .filter(|condition| condition.name.starts_with(&prefix))

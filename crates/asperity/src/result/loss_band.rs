@@ -26,7 +26,7 @@ pub struct Uncertainty {
     pub evaluations: usize,
     /// Root mean square error of the interpolation of ln loss, at evaluations that it was not fitted to.
     pub interpolation_error: f64,
-    /// Roughness that the contact leaves over the film, weighted with the sliding loss: beyond 2.5 (gap law
+    /// Roughness that the contact leaves over the film, weighted with the sliding loss: beyond 2.1 (gap law
     /// `power`: 2) the model loses more than records of mixed lubrication.
     pub roughness_over_film: Option<f64>,
     /// Contribution of the sampling of the flanks.

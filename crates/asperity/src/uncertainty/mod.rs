@@ -52,7 +52,7 @@ use crate::sampling::{length_for, means_of_pairs, windows_of_traces};
 pub use crate::parameters::UncertainParameter;
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use difference::{PairedDifference, Verdict, difference};
-pub use predictive::Predictive;
+pub use predictive::{Predictive, model_deviation};
 pub use quantiles::Quantiles;
 
 use evaluations::{Evaluated, Nominal, count, evaluate, evaluated, losses_of_positions, widest};
