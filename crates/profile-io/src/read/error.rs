@@ -56,7 +56,7 @@ pub enum ReadError {
         span: f64,
     },
     /// x changes its direction.
-    #[error("{file}:{line}: x goes from {previous} to {next}, against the direction of the trace")]
+    #[error("{file}:{line}: {}", if previous == next { format!("x repeats {next}: two points at one place") } else { format!("x goes from {previous} to {next}, against the direction of the trace") })]
     NotMonotone {
         /// Name of the file.
         file: String,
@@ -334,6 +334,11 @@ impl ReadError {
             Self::NotReadable { .. } => Remedy::act("check name and access rights"),
             Self::NoUnit { axis, .. } => {
                 Remedy::set(axis.setting(), Value::OneOf("um | nm | mm".into()))
+            }
+            Self::NotMonotone { previous, next, .. } if previous == next => {
+                Remedy::act("remove one of the two rows")
+                    .or_set(Setting::Spacing, Value::Like("0.5 um".into()))
+                    .because("if the points are even")
             }
             Self::NotMonotone { .. } => Remedy::act("remove the repeated part")
                 .or_set(Setting::Columns, Value::Any)
