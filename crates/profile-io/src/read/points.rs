@@ -73,7 +73,7 @@ impl Points {
     fn of(along: &[f64], across: &[f64], z: &[f64], along_x: bool) -> Option<Self> {
         let first = *across.first()?;
         let line = across.iter().take_while(|y| **y == first).count();
-        if line < 2 || along.len() % line != 0 {
+        if line < 2 || !along.len().is_multiple_of(line) {
             return None;
         }
         let points = &along[..line];

@@ -2,12 +2,12 @@
 //!
 //! Layout: section "GWY file format" of the Gwyddion user guide. An object is its name, its size and its items; an item is
 //! a name, a letter for its type, and a value, low byte first. The first surface whose heights have a unit of length is
-//! read, a surface whose title names a height before others.
+//! read, a surface whose title names a height before others; without such a surface, the first one without a unit.
 
 use std::collections::BTreeMap;
 
 use super::bytes::{Cursor, Plain};
-use super::trace::{Areal, Heights};
+use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::archive::damaged;
 use crate::read::error::ReadError;
 use crate::read::format::Format;
@@ -58,11 +58,17 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     };
     let mut order: Vec<usize> = surfaces.keys().copied().collect();
     order.sort_by_key(|number| !is_height(*number));
+    let mut fields = Vec::new();
     for number in order {
-        let field = items_of(surfaces[&number]).ok_or_else(broken)?;
-        let Some(unit) = unit(&field, "si_unit_z") else {
-            continue;
-        };
+        fields.push((number, items_of(surfaces[&number]).ok_or_else(broken)?));
+    }
+    let has_length = |field: &Items<'_>| unit(field, "si_unit_z").is_some();
+    let has_none =
+        |field: &Items<'_>| unit_text(field, "si_unit_z").is_none_or(|unit| unit.is_empty());
+    let first = |is: &dyn Fn(&Items<'_>) -> bool| fields.iter().position(|(_, field)| is(field));
+    if let Some(at) = first(&has_length).or_else(|| first(&has_none)) {
+        let (number, field) = &fields[at];
+        let (number, unit) = (*number, unit(field, "si_unit_z"));
         let side = |name: &str| match field.get(name) {
             Some(Value::Whole(count)) => usize::try_from(*count).ok(),
             _ => None,
@@ -79,8 +85,9 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
                 &title(number),
             ));
         }
-        let values = values.iter().map(|z| unit.metres(f64::from_le_bytes(*z)));
-        let lateral = self::unit(&field, "si_unit_xy");
+        let metres = |z: f64| unit.map_or(z, |unit| unit.metres(z));
+        let values = values.iter().map(|z| metres(f64::from_le_bytes(*z)));
+        let lateral = self::unit(field, "si_unit_xy");
         let spacing = |name: &str, count: usize| match (field.get(name), lateral) {
             (Some(Value::Real(length)), Some(unit)) => unit.metres(*length) / count as f64,
             _ => f64::NAN,
@@ -92,22 +99,33 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
         };
         let mut found = Areal::new(FORMAT, heights).spaced(dx, dy);
         found.metadata.title = short(&title(number));
+        if unit.is_none() {
+            found.unit = HeightUnit::Unstated;
+        }
         return Ok(found);
     }
     Err(ReadError::NotHeights {
         file: file.to_owned(),
         format: FORMAT,
-        content: "no surface whose heights have a unit of length",
+        content: "no surface of heights in a unit of length",
     })
 }
 
+/// Items by name.
+type Items<'a> = BTreeMap<String, Value<'a>>;
+
 /// A unit of length of a surface.
-fn unit(field: &BTreeMap<String, Value<'_>>, name: &str) -> Option<LengthUnit> {
+fn unit(field: &Items<'_>, name: &str) -> Option<LengthUnit> {
+    header::unit(&unit_text(field, name)?)
+}
+
+/// The text of a unit of a surface.
+fn unit_text(field: &Items<'_>, name: &str) -> Option<String> {
     let Some(Value::Object(_, content)) = field.get(name) else {
         return None;
     };
-    match items_of(content)?.get("unitstr") {
-        Some(Value::Text(unit)) => header::unit(unit),
+    match items_of(content)?.remove("unitstr") {
+        Some(Value::Text(unit)) => Some(unit),
         _ => None,
     }
 }
@@ -128,7 +146,7 @@ fn name(cursor: &mut Cursor<'_>) -> Option<String> {
 }
 
 /// The items of an object; `None` if one is damaged.
-fn items_of(bytes: &[u8]) -> Option<BTreeMap<String, Value<'_>>> {
+fn items_of(bytes: &[u8]) -> Option<Items<'_>> {
     let mut cursor = Cursor { bytes, at: 0 };
     let mut items = BTreeMap::new();
     while cursor.at < bytes.len() {

@@ -4,7 +4,7 @@
 //! Asylum Research leave the unit of a height out, which is metres. Curves, such as forces, are refused.
 
 use super::bytes::{Plain, part, text};
-use super::trace::{Areal, Heights};
+use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::archive::damaged;
 use crate::read::error::ReadError;
 use crate::read::format::Format;
@@ -114,9 +114,11 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     let unit_at = |at| text(bytes, 64 + at, 4).unwrap_or_default();
     let data_unit = header::unit(&unit_at(148));
     let unit = match (data_unit, layer) {
-        (Some(unit), _) => unit,
-        (None, Some(_)) if unit_at(148).is_empty() => LengthUnit::Metre,
-        _ => return Err(refused("numbers without a unit of length")),
+        (Some(unit), _) => Some(unit),
+        (None, _) if !unit_at(148).is_empty() => {
+            return Err(refused("numbers that are no lengths"));
+        }
+        (None, layer) => layer.map(|_| LengthUnit::Metre),
     };
     let first = HEADERS + layer_size * layer.unwrap_or(0);
     let value = |i: usize| -> Option<f64> {
@@ -135,7 +137,8 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     if part(bytes, first, layer_size).is_none() {
         return Err(short_file());
     }
-    let metres = |i| value(i).map_or(f64::NAN, |z| unit.metres(z));
+    let in_metres = |z: f64| unit.map_or(z, |unit| unit.metres(z));
+    let metres = |i| value(i).map_or(f64::NAN, in_metres);
     let values: Vec<f64> = (0..points).map(metres).collect();
     let spacing = |axis: usize| {
         let unit = header::unit(&unit_at(152 + 4 * axis));
@@ -145,6 +148,9 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     };
     let heights = Heights::Values { values, columns };
     let mut found = Areal::new(FORMAT, heights).spaced(spacing(0), spacing(1));
+    if unit.is_none() {
+        found.unit = HeightUnit::Unstated;
+    }
     found.metadata.title = text(bytes, 64 + 28, LABEL).as_deref().and_then(short);
     Ok(found)
 }
