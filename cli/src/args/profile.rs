@@ -23,7 +23,7 @@ pub enum ProfileCommand {
     Info(ProfileInfoArgs),
     /// Plot profile, filtered profile, material ratio curve with its Rk construction, and spectrum as SVG
     Plot(ProfilePlotArgs),
-    /// Convert any readable format to CSV, X3P or SMD, with heights exact to the last bit
+    /// Convert any readable format to CSV, X3P or SMD, without loss of digits
     #[command(after_help = "Example:\n  asperity profile convert flank.x3p flank.csv")]
     Convert(ProfileConvertArgs),
     /// Remove form and waviness, and write the roughness profile
