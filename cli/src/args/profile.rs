@@ -23,7 +23,7 @@ pub enum ProfileCommand {
     Info(ProfileInfoArgs),
     /// Plot profile, filtered profile, material ratio curve with its Rk construction, and spectrum as SVG
     Plot(ProfilePlotArgs),
-    /// Convert any readable format to CSV, X3P or SMD, with heights exact to the last bit
+    /// Convert any readable format to CSV, X3P or SMD, without loss of digits
     #[command(after_help = "Example:\n  asperity profile convert flank.x3p flank.csv")]
     Convert(ProfileConvertArgs),
     /// Remove form and waviness, and write the roughness profile
@@ -261,8 +261,8 @@ pub struct PreparingArgs {
     /// The trace runs from tip to root, for --form involute
     #[arg(long)]
     pub towards_root: bool,
-    /// Cut-off lambda_c, or none [default: as the file states, else 0.8 mm, which ISO 4288 and
-    /// ISO 21920-3 use for Ra from 0.1 to 2 um; a case uses 0.25 mm, usual on gear flanks]
+    /// Cut-off lambda_c, or none [default: as the file states, else 0.25 mm as in a case, usual on gear
+    /// flanks; ISO 4288 and ISO 21920-3 use 0.8 mm for Ra from 0.1 to 2 um]
     #[arg(long, value_parser = cutoff, allow_hyphen_values = true)]
     pub lambda_c: Option<Length>,
     /// Cut-off lambda_s, or none [default: as the file states, else 2.5 um]

@@ -429,7 +429,7 @@ pub fn blind_conditions() -> Vec<Condition> {
     let fzg = fzg.map(|(finish, seeds, celsius, place, speed)| {
         let mut condition = Condition::fzg(speed, place).on(Flanks::Generated(finish, seeds));
         condition.name = format!("fzg-{}_{celsius}_{place}_{speed}", name(finish));
-        condition.with("operation.temperature", &format!("{celsius} °C"))
+        condition.with("operation.bulk_temperature", &format!("{celsius} °C"))
     });
     e_drive.into_iter().chain(fzg).collect()
 }

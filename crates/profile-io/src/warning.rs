@@ -153,6 +153,24 @@ pub enum Warning {
     /// According to the file a replica was measured.
     #[error("the file says that a replica was measured: its peaks are the valleys of the flank")]
     Replica,
+    /// A value of the header differs from the value that is used.
+    #[error("the header states a {what} of {stated:.6}, but {used:.6} is used, {reason}")]
+    HeaderDisagrees {
+        /// Name of the value.
+        what: Cow<'static, str>,
+        /// As stated in the header.
+        stated: Length,
+        /// As used.
+        used: Length,
+        /// Origin of the value that is used.
+        reason: Cow<'static, str>,
+    },
+    /// Rows without position and height were left out.
+    #[error("{rows} rows hold neither a position nor a height and were left out")]
+    EmptyRows {
+        /// Number of rows.
+        rows: usize,
+    },
     /// The stated unit overrides the unit of the file.
     #[error("{stated} was stated for the {axis}, the file says {found}; the stated unit is used")]
     UnitOverridden {
@@ -203,6 +221,7 @@ impl Warning {
                 Remedy::set(Setting::Uneven, Value::This("resample".into()))
             }
             Self::ImplausibleHeights { steepness } => steepness.suspicion.remedy(),
+            Self::HeaderDisagrees { what, .. } if what == "spacing" => dx("to choose"),
             Self::UnitNotUsed { axis, .. } => Remedy::omit(axis.setting()),
             Self::Replica => Remedy::act("turn the heights round before exporting"),
             _ => Remedy::none(),
@@ -231,6 +250,8 @@ impl Warning {
             Self::UnitOverridden { .. } => "W322",
             Self::UnitNotUsed { .. } => "W323",
             Self::PositionsKept { .. } => "W324",
+            Self::HeaderDisagrees { .. } => "W325",
+            Self::EmptyRows { .. } => "W326",
         }
     }
 }

@@ -111,14 +111,18 @@ proptest! {
     }
 
     #[test]
-    fn what_is_written_of_an_uneven_trace_reads_back_to_the_last_bit(
+    fn what_is_written_of_an_uneven_trace_reads_back_to_the_last_bit_or_the_one_before(
         shares in prop::collection::vec(0.0..1.0_f64, 150..300),
     ) {
         let trace = kept("a.csv", csv(&uneven_x(&shares), sine).as_bytes());
         for (name, format) in [("b.csv", WrittenFormat::Csv), ("b.x3p", WrittenFormat::X3p)] {
             let again = kept(name, &write_trace(&trace, format).unwrap());
-            prop_assert_eq!(&again.x(), &trace.x());
-            prop_assert_eq!(&again.heights, &trace.heights);
+            // CSV holds micrometres, which reach 19 of 20 numbers of metres.
+            let most = if format == WrittenFormat::Csv { f64::EPSILON } else { 0.0 };
+            let near = |(again, value): (&f64, &f64)| (again - value).abs() <= most * value.abs();
+            prop_assert_eq!(again.heights.len(), trace.heights.len());
+            prop_assert!(again.x().iter().zip(trace.x().iter()).all(near));
+            prop_assert!(again.heights.iter().zip(&trace.heights).all(near));
         }
     }
 }

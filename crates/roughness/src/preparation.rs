@@ -15,10 +15,10 @@ use crate::gaussian_filter::{Ends, alpha, mean_line};
 use crate::robust_filter::{RobustEvidence, robust_mean_line};
 use crate::warning::Warning;
 
-/// λ_s of the default recipe `[m]` (ISO 3274 for λ_c = 0.8 mm).
-const LAMBDA_S: f64 = 2.5e-6;
-/// λ_c of the default recipe `[m]` (ISO 4288 for Ra from 0.1 to 2 um).
-const LAMBDA_C: f64 = 0.8e-3;
+/// λ_s of the default recipe (ISO 3274 for λ_c = 0.25 and 0.8 mm).
+pub const LAMBDA_S: Length = Length::from_si(2.5e-6);
+/// λ_c of the default recipe: that of gear practice, which a flank a few millimetres long holds several times.
+pub const LAMBDA_C: Length = Length::from_si(0.25e-3);
 
 /// Recipe of a preparation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -38,8 +38,8 @@ impl Default for Preparation {
     fn default() -> Self {
         Self {
             form: Form::Level,
-            lambda_s: Some(Length::from_si(LAMBDA_S)),
-            lambda_c: Some(Length::from_si(LAMBDA_C)),
+            lambda_s: Some(LAMBDA_S),
+            lambda_c: Some(LAMBDA_C),
             ends: Ends::Cut,
         }
     }

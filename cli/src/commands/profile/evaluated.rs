@@ -3,10 +3,13 @@
 use std::path::Path;
 
 use asperity_core::Profile;
+use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning as ReadWarning;
-use asperity_profile_io::read::{Metadata, ReadError, ReadOptions, Reading, Trace, read_trace};
-use asperity_profile_io::write::{WriteError, WrittenFormat, write, write_trace};
+use asperity_profile_io::read::{
+    FilterState, Metadata, ReadError, ReadOptions, Reading, Trace, read_trace,
+};
+use asperity_profile_io::write::{WriteError, WrittenFormat, write_filtered, write_trace};
 use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
 use asperity_roughness::outliers::{OutlierRecord, Outliers, replace};
@@ -44,8 +47,17 @@ impl Evaluated {
         preparing: &PreparingArgs,
         reading: &ReadingArgs,
     ) -> Result<Self, Failure> {
-        let reading = opened(file, reading, preparing.base_radius)?;
-        let (reading, outliers) = without_outliers(reading, preparing.outliers)?;
+        let trace = opened_trace(file, reading, preparing.base_radius)?;
+        Self::of_trace(trace, preparing, reading)
+    }
+
+    /// Evaluates a trace that was read with the options.
+    pub(super) fn of_trace(
+        trace: Trace,
+        preparing: &PreparingArgs,
+        options: &ReadingArgs,
+    ) -> Result<Self, Failure> {
+        let (reading, outliers) = without_outliers(even(trace, options)?, preparing.outliers)?;
         let plan = Plan::for_reading(preparing, &reading)?;
         let refused = |error| refusal(&reading, &plan, &error);
         let without_involute = plan.without_involute(&reading.profile).map_err(refused)?;
@@ -135,7 +147,11 @@ pub(super) fn opened(
     args: &ReadingArgs,
     base_radius: Option<Length>,
 ) -> Result<Reading, Failure> {
-    let trace = opened_trace(file, args, base_radius)?;
+    even(opened_trace(file, args, base_radius)?, args)
+}
+
+/// The trace on an even grid.
+fn even(trace: Trace, args: &ReadingArgs) -> Result<Reading, Failure> {
     let uneven = args.uneven.unwrap_or_default();
     trace.reading(uneven).map_err(|error| refused(&error))
 }
@@ -213,9 +229,31 @@ fn of_name(name: &str) -> Option<WrittenFormat> {
     WrittenFormat::of_name(if name == "-" { "-.csv" } else { name })
 }
 
-/// Writes a profile in the format of its name, completely or not at all.
-pub(super) fn save(output: &Path, profile: &Profile, metadata: &Metadata) -> Result<(), Failure> {
-    save_as(output, |format| write(profile, metadata, format))
+/// Writes a profile in the format of its name with its filter state, completely or not at all.
+pub(super) fn save(
+    output: &Path,
+    profile: &Profile,
+    metadata: &Metadata,
+    state: FilterState,
+) -> Result<(), Failure> {
+    save_as(output, |format| {
+        write_filtered(profile, metadata, state, format)
+    })
+}
+
+/// A computed profile to the digits that are written: a millionth of a micrometre, or of the range of finer heights.
+pub(super) fn to_digits(profile: &Profile) -> Result<Profile, Failure> {
+    const FINEST: f64 = 1e12;
+    const DIGITS: f64 = 1e6;
+    let (low, high) = extremes(profile.heights());
+    let mut steps = FINEST;
+    while steps * (high - low) < DIGITS && high > low && steps < 1e18 {
+        steps *= 10.0;
+    }
+    let heights = profile.heights().iter();
+    let heights = heights.map(|z| (z * steps).round() / (steps / 1e6) / 1e6);
+    Profile::new(profile.spacing(), heights.collect())
+        .map_err(|error| Failure::new("E209", error.to_string()))
 }
 
 /// Writes a trace unchanged.

@@ -5,8 +5,10 @@ use std::path::Path;
 
 use asperity_report::wrapped;
 
+use super::case_lines::case_lines;
 use super::details::Details;
-use super::evaluated::{Evaluated, um};
+use super::evaluated::{Evaluated, opened_trace, um};
+use super::file_facts::FileFacts;
 use super::plan::Plan;
 use super::{json, text};
 use crate::args::{Common, ProfileInfoArgs};
@@ -17,13 +19,28 @@ use crate::output::{print_json, print_text};
 pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     check(args, common)?;
     if let [file] = args.files.as_slice() {
-        let evaluated_file = evaluated(file, args)?;
-        return match common.json {
-            true => print_json(&as_json(&evaluated_file, args)),
-            false => print_text(
-                common,
-                &text::report(&evaluated_file, &Details::of(&evaluated_file, args)),
-            ),
+        let trace = opened_trace(file, &args.reading, args.preparing.base_radius)?;
+        let facts = FileFacts::of(&trace, &args.reading);
+        return match Evaluated::of_trace(trace, &args.preparing, &args.reading) {
+            Ok(evaluated_file) if common.json => print_json(&as_json(&evaluated_file, args)),
+            Ok(evaluated_file) => {
+                let details = Details::of(&evaluated_file, args);
+                let used = evaluated_file.plan.recipe.lambda_c;
+                let lines = case_lines(file, args, Some(used.unwrap_or_default()));
+                let report = text::report(&evaluated_file, &facts, &details);
+                print_text(common, &(report + &lines))
+            }
+            // What was read is shown even if it has no parameters.
+            Err(failure) if common.json => {
+                print_json(&facts.json(&failure))?;
+                Err(failure)
+            }
+            Err(failure) => {
+                let lines = case_lines(file, args, args.preparing.lambda_c);
+                let reason = "  no parameters: the error says why\n";
+                print_text(common, &(facts.text() + reason + &lines))?;
+                Err(failure)
+            }
         };
     }
     let (mut entries, mut good, mut failures) = (Vec::new(), Vec::new(), Vec::new());

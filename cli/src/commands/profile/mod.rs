@@ -1,7 +1,9 @@
 //! `asperity profile`: evaluation, conversion, filtering, generation and comparison of profiles.
 
+mod case_lines;
 mod details;
 mod evaluated;
+mod file_facts;
 mod info;
 mod json;
 mod levels;

@@ -8,13 +8,13 @@ use asperity_roughness::material_ratio::RkParameters;
 
 use super::details::Details;
 use super::evaluated::{Evaluated, um};
+use super::file_facts::{FileFacts, rounded};
 use super::plan::as_is;
 use crate::args::name_of;
 
-/// Report as text.
-pub fn report(evaluated: &Evaluated, details: &Details) -> String {
-    let mut page = Page(format!("{}\n", evaluated.reading.name));
-    file(&mut page, evaluated);
+/// Report as text, which begins with the facts of the file.
+pub(super) fn report(evaluated: &Evaluated, facts: &FileFacts, details: &Details) -> String {
+    let mut page = Page(facts.text());
     recipe(&mut page, evaluated);
     stated_cutoffs(&mut page, evaluated);
     heights(&mut page, evaluated, details);
@@ -52,35 +52,6 @@ impl Page {
             "{name:8} {a:>11} {b:>11} {c:>11} {d:>11}   {range}"
         ));
     }
-}
-
-fn file(page: &mut Page, evaluated: &Evaluated) {
-    let reading = &evaluated.reading;
-    let encoding = reading.encoding.map_or(String::new(), |e| format!(", {e}"));
-    page.line(&format!(
-        "{}{encoding}, heights in {}; {} points, dx {} ({}), length {}",
-        reading.format,
-        reading.z_unit,
-        reading.points,
-        rounded(reading.spacing),
-        name_of(&reading.spacing_source),
-        rounded(reading.length)
-    ));
-    let facts = &reading.metadata;
-    let length = |length: Option<Length>| length.map(|l| l.to_string());
-    let stated = [
-        ("instrument", facts.instrument.clone()),
-        ("date", facts.date.clone()),
-        ("title", facts.title.clone()),
-        ("nominal length", length(facts.nominal_length)),
-        ("lambda_c", length(facts.lambda_c)),
-        ("lambda_s", length(facts.lambda_s)),
-        ("filter state", Some(name_of(&reading.filter_state))),
-    ];
-    let known = stated
-        .into_iter()
-        .filter_map(|(name, value)| Some(format!("{name} {}", value?)));
-    page.line(&format!("stated: {}", known.collect::<Vec<_>>().join(", ")));
 }
 
 fn recipe(page: &mut Page, evaluated: &Evaluated) {
@@ -331,12 +302,6 @@ fn value_of(name: &str, evaluated: &Evaluated) -> Option<f64> {
         "Wt" => um(w?.rt),
         _ => return None,
     })
-}
-
-/// A length with seven digits, without round-off.
-fn rounded(length: Length) -> Length {
-    let text = format!("{:.6e}", length.si());
-    Length::from_si(text.parse().unwrap_or(length.si()))
 }
 
 /// A length in micrometres with four digits.

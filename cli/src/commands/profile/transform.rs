@@ -1,7 +1,7 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
 use asperity_profile_io::Warning;
-use asperity_profile_io::read::{Metadata, Positions, Trace};
+use asperity_profile_io::read::{FilterState, Metadata, Positions, Trace};
 use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
@@ -10,7 +10,7 @@ use asperity_storage::whole_file;
 use serde_json::json;
 
 use super::evaluated::{
-    Note, opened, opened_trace, refusal, refused, save, save_trace, um, without_outliers,
+    Note, opened, opened_trace, refusal, refused, save, save_trace, to_digits, um, without_outliers,
 };
 use super::plan::Plan;
 use crate::args::{
@@ -42,7 +42,12 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
         profile = resampled(&profile, dx)
             .map_err(|error| Failure::new("E209", format!("--resample {dx}: {error}")))?;
     }
-    save(&args.output, &profile, &reading.metadata)?;
+    save(
+        &args.output,
+        &profile,
+        &reading.metadata,
+        reading.filter_state,
+    )?;
     let (output, n) = (args.output.display().to_string(), profile.len());
     if common.json {
         return print_json(&json!({
@@ -84,7 +89,12 @@ fn convert_uneven(
         }
         Some(spacing) => {
             let even = trace.resampled(spacing).map_err(|error| refused(&error))?;
-            save(&args.output, &even.profile, &trace.metadata)?;
+            save(
+                &args.output,
+                &even.profile,
+                &trace.metadata,
+                trace.filter_state,
+            )?;
             (n, dx) = (even.profile.len(), Some(um(spacing)));
             trace.warnings.push(Warning::Resampled {
                 off,
@@ -136,7 +146,20 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
             Failure::new("E205", text)
         })?,
     };
-    save(&args.output, profile, &reading.metadata)?;
+    let (state, lambda_c) = match args.part {
+        ProfilePart::Primary => (FilterState::Primary, None),
+        ProfilePart::Roughness if plan.recipe.lambda_c.is_some() => {
+            (FilterState::Roughness, plan.recipe.lambda_c)
+        }
+        ProfilePart::Roughness => (reading.filter_state, reading.metadata.lambda_c),
+        ProfilePart::Waviness => (FilterState::Unknown, None),
+    };
+    let metadata = Metadata {
+        lambda_c,
+        lambda_s: plan.recipe.lambda_s.or(reading.metadata.lambda_s),
+        ..reading.metadata.clone()
+    };
+    save(&args.output, &to_digits(profile)?, &metadata, state)?;
     let record = &parts.roughness.record;
     let output = args.output.display().to_string();
     if common.json {
@@ -191,7 +214,12 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
         instrument: Some("asperity profile generate".to_owned()),
         ..Metadata::default()
     };
-    save(&args.output, &made.profile, &metadata)?;
+    save(
+        &args.output,
+        &to_digits(&made.profile)?,
+        &metadata,
+        FilterState::Primary,
+    )?;
     let output = args.output.display().to_string();
     if common.json {
         let achieved = made.achieved;

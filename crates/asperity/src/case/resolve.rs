@@ -7,7 +7,7 @@ use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
 use asperity_oil::{FilmRheology, Lubricant, LubricantError, LubricantState, TractionConstants};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
-use asperity_roughness::preparation::Preparation;
+use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
 
 use super::assumed_relief::AssumedRelief;
 use super::bulk::{BulkModel, FoundBulk, bulk_model};
@@ -28,10 +28,6 @@ use super::section::{Section, domain};
 use super::source::Source;
 use super::steel::{Steels, steels};
 use crate::lubrication::laws::Laws;
-
-/// Cut-offs of gear practice: λc 0.25 mm, which a flank a few millimetres long holds several times, λs 2.5 µm.
-const CUTOFF: Length = Length::from_si(0.25e-3);
-const NOISE_CUTOFF: Length = Length::from_si(2.5e-6);
 
 /// A case with every choice made.
 #[derive(Debug, Clone)]
@@ -268,8 +264,8 @@ fn preparation(
         coast: _,
     } = &input.surface;
     let section = Section::of(source, "surface");
-    let cutoff = defaults.take("surface.cutoff", *cutoff, CUTOFF);
-    let noise = defaults.take("surface.noise_cutoff", *noise_cutoff, NOISE_CUTOFF);
+    let cutoff = defaults.take("surface.cutoff", *cutoff, LAMBDA_C);
+    let noise = defaults.take("surface.noise_cutoff", *noise_cutoff, LAMBDA_S);
     DomainError::non_negative("cut-off", cutoff).map_err(section.domain("cutoff"))?;
     DomainError::non_negative("noise cut-off", noise).map_err(section.domain("noise_cutoff"))?;
     if let Some(deviations) = *outliers {

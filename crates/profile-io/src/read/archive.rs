@@ -140,6 +140,7 @@ impl Read for Bounded<'_> {
 pub(super) fn content(file: &str, stream: &mut dyn Stream, size: u64) -> Format {
     match Archive::open(file, Format::Archive, stream, size) {
         Ok(archive) if archive.holds("xl/workbook.xml") => Format::Excel,
+        Ok(archive) if archive.holds("content.xml") && archive.holds("mimetype") => Format::Excel,
         Ok(archive) if archive.holds("index.xml") && archive.find("LAYER_0.raw").is_some() => {
             Format::SensofarPlux
         }

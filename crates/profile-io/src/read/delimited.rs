@@ -11,6 +11,7 @@ use super::first_look::{no_data, sniff};
 use super::format::{Format, extension};
 use super::grid::{Spacing, SpacingSource};
 use super::header::{FilterState, Label, Role};
+use super::header_values::HeaderValues;
 use super::layout::TableLayout;
 use super::metadata::{self, Metadata};
 use super::options::{Abscissa, Axis, Encoding, LengthUnit, ReadOptions, TraceLine};
@@ -20,7 +21,9 @@ use super::table::Chosen;
 use super::text::{Head, Line, Text};
 use super::trace::{Positions, Trace};
 use super::units::Extent;
-use super::{found, grid, header, matrix, roll_length, single_column, stated_count, table, units};
+use super::{
+    found, grid, header, matrix, points, roll_length, single_column, stated_count, table, units,
+};
 use crate::warning::Warning;
 
 /// Reads the profile of a table.
@@ -40,28 +43,52 @@ pub(super) fn read(
         table::check_commas(name, table, &sniffed)?;
     }
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
-    if matrix::is_matrix(&labels, options) {
+    let values = HeaderValues::of(header);
+    if matrix::is_matrix(&labels, &values, options) {
         let fewer = stated_count::check(name, Format::TextMatrix, header, sniffed.columns)?;
         let first = table.first().map_or(1, |line| line.number);
         let found = match options.line {
-            TraceLine::Row => matrix::read(text, first, &lines, &sniffed, options)?,
-            _ => matrix::surface(text, first, &lines, &sniffed)?.trace(name, options)?,
+            TraceLine::Row => matrix::read(text, first, &lines, &sniffed, &values, options)?,
+            _ => matrix::surface(text, first, &lines, &sniffed, &values)?.trace(name, options)?,
         };
         let mut trace = found.finish(name, options)?;
         trace.warnings.extend(fewer);
         return Ok(trace);
     }
-    let chosen = table::choose(name, sniffed.columns, &labels, options)?;
     let first = table.first().map_or(1, |line| line.number);
-    let rows = rows::read(text, first, &lines, &sniffed, chosen)?;
+    let points = match points::columns(&labels, options) {
+        Some(columns) => points::read(text, first, &lines, &sniffed, columns)?.zip(Some(columns)),
+        None => None,
+    };
+    let (chosen, rows, before, format) = match &points {
+        Some((points, [x, y, z])) => {
+            let trace = points.trace(name, options)?;
+            let along = if points.runs_along_y(options) { y } else { x };
+            let chosen = Chosen {
+                x: Some(*along),
+                z: *z,
+                valid: None,
+                count: sniffed.columns,
+            };
+            (chosen, trace.rows, trace.before, Format::PointText)
+        }
+        None => {
+            let chosen = table::choose(name, sniffed.columns, &labels, options)?;
+            let rows = rows::read(text, first, &lines, &sniffed, chosen)?;
+            (chosen, rows, 0, Format::DelimitedText)
+        }
+    };
     let parsed = Parsed {
         name,
         header,
+        values,
         first,
+        before,
         sniffed,
         labels,
         chosen,
         encoding: text.encoding,
+        format,
         options,
     };
     parsed.assemble(text, rows)
@@ -83,6 +110,18 @@ pub(super) fn surface(
     table::check_line_above(name, &lines, &sniffed)?;
     let (header, table) = lines.split_at(sniffed.first);
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
+    let first = table.first().map_or(1, |line| line.number);
+    if let Some(columns) = points::columns(&labels, options)
+        && let Some(points) = points::read(text, first, &lines, &sniffed, columns)?
+    {
+        let unit = |stated: Option<LengthUnit>, column: usize| match &labels[column].unit {
+            _ if stated.is_some() => stated,
+            Some(header::Stated::Length(unit)) => Some(*unit),
+            _ => None,
+        };
+        let [x, _, z] = columns;
+        return Ok(points.surface(unit(options.x_unit, x), unit(options.z_unit, z)));
+    }
     if sniffed.columns < FEWEST || labels.iter().any(|label| label.role.is_some()) {
         return Err(ReadError::NotHeights {
             file: name.to_owned(),
@@ -90,9 +129,11 @@ pub(super) fn surface(
             content: "no matrix of heights",
         });
     }
-    let first = table.first().map_or(1, |line| line.number);
-    matrix::surface(text, first, &lines, &sniffed)
+    matrix::surface(text, first, &lines, &sniffed, &HeaderValues::of(header))
 }
+
+/// Relative difference up to which a value of a header and the value used are taken as equal.
+const HEADER_DIGITS: f64 = 0.01;
 
 /// Root mean square of the steps between neighbours.
 fn root_mean_square_step(z: &[f64]) -> f64 {
@@ -104,12 +145,18 @@ fn root_mean_square_step(z: &[f64]) -> f64 {
 struct Parsed<'a> {
     name: &'a str,
     header: &'a [Line<'a>],
+    /// Values that the header states.
+    values: HeaderValues,
     /// Number of the first line of the table.
     first: usize,
+    /// Number of rows of the table above the first row of the trace.
+    before: usize,
     sniffed: Sniffed,
     labels: Vec<Label>,
     chosen: Chosen,
     encoding: Encoding,
+    /// Format, unless the name or the header tells another.
+    format: Format,
     options: &'a ReadOptions,
 }
 
@@ -125,11 +172,28 @@ impl Parsed<'_> {
     fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Trace, ReadError> {
         let name = self.name;
         let mut warnings = Vec::new();
-        let Rows { mut x, mut z } = rows;
+        let Rows {
+            mut x,
+            mut z,
+            empty,
+        } = rows;
+        warnings.extend((empty > 0).then_some(Warning::EmptyRows { rows: empty }));
+        grid::unmark(&mut z);
         let abscissa = self.abscissa();
         let base_radius = match (abscissa, self.options.base_radius) {
             (Abscissa::Distance, _) => None,
-            (_, Some(radius)) => Some(radius),
+            (_, Some(radius)) => {
+                let differs = |stated: &Length| (*stated / radius - 1.0).abs() > HEADER_DIGITS;
+                let stated = self.values.base_radius.filter(differs);
+                warnings.extend(stated.map(|stated| Warning::HeaderDisagrees {
+                    what: "base radius".into(),
+                    stated,
+                    used: radius,
+                    reason: "as stated".into(),
+                }));
+                Some(radius)
+            }
+            (_, None) if self.values.base_radius.is_some() => self.values.base_radius,
             (_, None) => {
                 return Err(ReadError::RollLength {
                     file: name.to_owned(),
@@ -142,9 +206,15 @@ impl Parsed<'_> {
         }
         let count = z.len();
         let special = match x {
-            None => {
-                single_column::interpret(text, self.first, &mut z, self.options, &mut warnings)?
-            }
+            None if self.stated_spacing().is_some() => Special::delimited(),
+            None => single_column::interpret(
+                text,
+                self.first,
+                !self.header.is_empty(),
+                &mut z,
+                self.options,
+                &mut warnings,
+            )?,
             Some(_) => Special::delimited(),
         };
         let header_numbers = count - z.len();
@@ -154,7 +224,8 @@ impl Parsed<'_> {
             self.header,
             z.len(),
         )?);
-        let mut place = |row: usize| rows::place(text, self.first, row + header_numbers);
+        let mut place =
+            |row: usize| rows::place(text, self.first, self.before + row + header_numbers);
         grid::enough(name, z.len())?;
         let mut column = None;
         // With a stated spacing x is not required and not checked.
@@ -191,7 +262,13 @@ impl Parsed<'_> {
                 spacing: Length::from_si(measured.spacing),
             },
         };
-        let filter_state = header::filter_state(name, self.header);
+        let filter_state = match self.values.filter {
+            Some(filter) => {
+                (metadata.lambda_c, metadata.lambda_s) = (filter.lambda_c, filter.lambda_s);
+                filter.state
+            }
+            None => header::filter_state(name, self.header),
+        };
         if filter_state == FilterState::Roughness {
             warnings.push(Warning::AlreadyFiltered);
         }
@@ -244,11 +321,14 @@ impl Parsed<'_> {
             Axis::Trace => self.options.x_unit,
             Axis::Height => self.options.z_unit,
         };
+        let of_header = match axis {
+            Axis::Trace => None,
+            Axis::Height => self.values.z_unit.as_ref(),
+        };
+        let label = self.labels.get(column);
         match (
             stated,
-            self.labels
-                .get(column)
-                .and_then(|label| label.unit.as_ref()),
+            label.and_then(|label| label.unit.as_ref()).or(of_header),
         ) {
             (Some(unit), _) | (None, Some(&header::Stated::Length(unit))) => Ok(Some(unit)),
             (None, Some(header::Stated::Other(unit))) => Err(ReadError::UnknownUnit {
@@ -326,6 +406,20 @@ impl Parsed<'_> {
                 z_unit,
             });
         }
+        if let (None, Some(spacing)) = (x, self.values.spacing) {
+            let length = spacing * (heights.len() - 1) as f64;
+            let slope = root_mean_square_step(heights) / spacing;
+            let extent = Extent {
+                length,
+                span,
+                slope,
+            };
+            let dx = Length::from_si(spacing);
+            return Ok(Measured {
+                source: SpacingSource::Header,
+                ..self.with_stated_spacing(dx, z_stated, extent, warnings)?
+            });
+        }
         let (Some(x), Some(x_column), Some(column)) = (x, self.chosen.x, column) else {
             return Err(self.no_spacing(SpacingHint::None));
         };
@@ -356,11 +450,20 @@ impl Parsed<'_> {
         }
         // x has rounding errors; the header of a file of this program states the spacing.
         let from_column = x_unit.metres(column.mean);
-        let agrees =
-            |dx: &f64| common_spacing(Length::from_si(*dx), Length::from_si(from_column)).is_some();
-        let (spacing, source) = match self.header_spacing().filter(agrees) {
-            Some(dx) => (dx, SpacingSource::Header),
-            None => (from_column, SpacingSource::XColumn),
+        let used = Length::from_si(from_column);
+        let agrees = |dx: &f64| common_spacing(Length::from_si(*dx), used).is_some();
+        let (spacing, source) = match self.values.spacing {
+            Some(dx) if agrees(&dx) => (dx, SpacingSource::Header),
+            Some(dx) if (dx / from_column - 1.0).abs() > HEADER_DIGITS => {
+                warnings.push(Warning::HeaderDisagrees {
+                    what: "spacing".into(),
+                    stated: Length::from_si(dx),
+                    used,
+                    reason: "as the x column gives it".into(),
+                });
+                (from_column, SpacingSource::XColumn)
+            }
+            _ => (from_column, SpacingSource::XColumn),
         };
         Ok(Measured {
             spacing,
@@ -407,6 +510,7 @@ impl Parsed<'_> {
         let starts = |text: &str| self.header.iter().any(|line| line.text.starts_with(text));
         match () {
             () if found != Format::DelimitedText => found,
+            () if self.format != Format::DelimitedText => self.format,
             () if extension(self.name) == "hfm" => Format::HommelHfm,
             () if starts("Meta Data") && starts("Lateral") => Format::DektakCsv,
             () => found,
@@ -434,15 +538,8 @@ impl Parsed<'_> {
         metadata
     }
 
-    /// The spacing of a header line "dx = 5e-7 m", to all its digits.
-    fn header_spacing(&self) -> Option<f64> {
-        let text = |line: &Line<'_>| {
-            let rest = line
-                .text
-                .trim_start_matches(['#', ' '])
-                .strip_prefix("dx = ")?;
-            metadata::length(rest).map(Length::si)
-        };
-        self.header.iter().find_map(text)
+    /// The spacing of the header, which is used without an x column unless another one is stated.
+    fn stated_spacing(&self) -> Option<f64> {
+        self.values.spacing.filter(|_| self.options.dx.is_none())
     }
 }

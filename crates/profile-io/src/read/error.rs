@@ -56,7 +56,7 @@ pub enum ReadError {
         span: f64,
     },
     /// x changes its direction.
-    #[error("{file}:{line}: x goes from {previous} to {next}, against the direction of the trace")]
+    #[error("{file}:{line}: {}", if previous == next { format!("x repeats {next}: two points at one place") } else { format!("x goes from {previous} to {next}, against the direction of the trace") })]
     NotMonotone {
         /// Name of the file.
         file: String,
@@ -330,10 +330,17 @@ impl ReadError {
             Self::UnreadableNumber { remedy, .. } => remedy.remedy(),
             Self::NoData { .. } => {
                 Remedy::act("export the profile as text with an x and a height column")
+                    .or_set(Setting::Columns, Value::Like("1,2".into()))
+                    .because("if other columns hold text")
             }
             Self::NotReadable { .. } => Remedy::act("check name and access rights"),
             Self::NoUnit { axis, .. } => {
                 Remedy::set(axis.setting(), Value::OneOf("um | nm | mm".into()))
+            }
+            Self::NotMonotone { previous, next, .. } if previous == next => {
+                Remedy::act("remove one of the two rows")
+                    .or_set(Setting::Spacing, Value::Like("0.5 um".into()))
+                    .because("if the points are even")
             }
             Self::NotMonotone { .. } => Remedy::act("remove the repeated part")
                 .or_set(Setting::Columns, Value::Any)
@@ -343,7 +350,9 @@ impl ReadError {
                 Remedy::set(Setting::Gaps, Value::This("interpolate".into()))
                     .because("to fill them")
             }
-            Self::MissingPoints { .. } => Remedy::act("measure again"),
+            Self::MissingPoints { .. } => Remedy::act("measure again")
+                .or_set(Setting::Row, Value::Any)
+                .because("to another trace of a surface"),
             Self::FormatNotRead { format, .. } => Remedy::act(format.remedy()),
             Self::UnevenSpacing { .. } => {
                 Remedy::set(Setting::Uneven, Value::This("resample".into()))
@@ -366,6 +375,10 @@ impl ReadError {
                 }
             }
             Self::RaggedRow { .. } => Remedy::act("correct or remove this line"),
+            Self::ColumnsUnclear { columns: 3, .. } => {
+                Remedy::set(Setting::Columns, Value::Like("1,2".into()))
+                    .or_do("export points x, y, z line by line on a grid")
+            }
             Self::ColumnsUnclear { .. } => Remedy::set(Setting::Columns, Value::Like("1,2".into())),
             Self::AmbiguousComma { .. } => {
                 Remedy::state_all(&[Setting::Separator, Setting::Decimal]).or_do("export with ';'")

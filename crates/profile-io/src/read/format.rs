@@ -49,6 +49,8 @@ formats! {
     DelimitedText "delimited text" [] [] ONE;
     /// A matrix of heights as text, one trace a row.
     TextMatrix "matrix of heights as text" [] [] SEVERAL;
+    /// Points x, y, z as text, line by line.
+    PointText "points x, y, z as text" [] [] SEVERAL;
     /// One column of heights under the spacing in um (NPL softgauge text).
     NplText "NPL text profile" [] [] ONE;
     /// One column of heights in um under nominal length and number of points (Surfcom tx1, tx2).
@@ -58,8 +60,11 @@ formats! {
         "read the .tx1 (primary) or .tx2 (roughness) file beside it, which holds the heights";
     /// ISO 25178-72.
     X3p "X3P (ISO 25178-72)" [] ["x3p"] SEVERAL;
-    /// A workbook, old or new.
-    Excel "Excel workbook" [b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"] ["xlsx", "xlsm", "xls"] ONE;
+    /// A workbook as a zip.
+    Excel "workbook (xlsx, ods)" [] ["xlsx", "xlsm", "ods"] SEVERAL;
+    /// A workbook of Excel 97 to 2003.
+    ExcelBinary "Excel workbook before 2007 (xls)" [b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"] ["xls"] ONE
+        "save it as xlsx, or as text with an x and a height column";
     /// Mitutoyo SurfTest workbook.
     MitutoyoXlsx "Mitutoyo SurfTest workbook" [] [] ONE;
     /// Bruker Dektak, binary.
@@ -101,8 +106,22 @@ formats! {
     /// FRT MicroProf.
     Frt "FRT MicroProf" [b"FRTM_GLIDERV"] ["frt"] ONE "export the surface as X3P, SDF or text";
     /// Gwyddion document.
-    Gwyddion "Gwyddion gwy" [b"GWYP", b"GWYO"] ["gwy"] ONE
-        "export the surface as SDF or as a text matrix from Gwyddion";
+    Gwyddion "Gwyddion gwy" [b"GWYP", b"GWYO"] ["gwy"] SEVERAL;
+    /// Nanosurf scan.
+    NanosurfNid "Nanosurf nid" [b"[DataSet]"] [] SEVERAL;
+    /// Igor binary wave of version 5, as instruments of Asylum Research write it.
+    IgorWave "Igor wave (ibw)" [b"\x05\x00", b"\x00\x05"] ["ibw"] SEVERAL;
+    /// Bruker NanoScope image.
+    NanoScope "Bruker NanoScope image" [b"\\*File list", b"?*File list", b"\\*Force file list"] [] ONE
+        "export the height channel as text with its units from NanoScope Analysis, or as gwy from Gwyddion";
+    /// WSxM image.
+    Wsxm "WSxM image" [b"WSxM file copyright"] [] ONE "export the image as gwy from Gwyddion, or as text x y z";
+    /// PicoView image.
+    PicoView "PicoView image" [b"fileType      Image"] [] ONE "export the image as gwy from Gwyddion, or as text x y z";
+    /// Triangles.
+    Stl "STL" [] ["stl"] ONE "export the surface as points x y z on a grid, as X3P or SDF; triangles are no grid of heights";
+    /// XML profiles of ASME B46 and NPL.
+    NplXml "ASME B46 or NPL XML profile" [] [] ONE;
     /// Olympus laser microscopes (lext, poir, oir).
     Lext "Olympus lext, poir or oir" [] ["lext", "poir", "oir"] ONE "export the surface as X3P, SDF or text";
     /// Digital Metrology OmniSurf3D.

@@ -59,6 +59,9 @@ impl Found {
         grid::enough(file, self.heights.len())?;
         let mut warnings = self.warnings;
         let (stated, mut heights) = (options.dx, self.heights);
+        if !self.scaled {
+            grid::unmark(&mut heights);
+        }
         let first_line = self.first_line;
         let count = heights.len();
         let mut x = self.x.filter(|_| stated.is_none());

@@ -219,6 +219,13 @@ fn resolution(x: &[f64]) -> f64 {
     0.0
 }
 
+/// Replaces marks for missing heights by NaN: the ends of the range of 32-bit integers, which no height reaches.
+pub(super) fn unmark(heights: &mut [f64]) {
+    const LARGEST: f64 = i32::MAX as f64;
+    let marked = heights.iter_mut().filter(|z| z.abs() >= LARGEST);
+    marked.for_each(|z| *z = f64::NAN);
+}
+
 /// Whether x just counts the points, from 0 or 1.
 pub(super) fn counts_points(x: &[f64]) -> bool {
     matches!(x.first(), Some(0.0 | 1.0)) && x.windows(2).all(|pair| pair[1] == pair[0] + 1.0)
@@ -236,7 +243,14 @@ pub(super) fn heights(
         return Ok((z, 0));
     };
     let missing = z.iter().filter(|z| !z.is_finite()).count();
-    let fillable = fillable(missing, z.len());
+    // Missing points at the ends are cut off, not filled.
+    let known = z.iter().position(|z| z.is_finite()).unwrap_or(z.len());
+    let end = z
+        .iter()
+        .rposition(|z| z.is_finite())
+        .map_or(known, |at| at + 1);
+    let inner = z[known..end].iter().filter(|z| !z.is_finite()).count();
+    let fillable = known < end && fillable(inner, end - known);
     if gaps == Gaps::Refuse || !fillable {
         let (line, text) = place(gap)?;
         return Err(ReadError::MissingPoints {

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::format::extension;
 use super::layout::Dialect;
+use super::metadata;
 use super::options::{Abscissa, LengthUnit};
 use super::text::Line;
 
@@ -55,7 +56,13 @@ pub(super) struct Label {
 pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> Vec<Label> {
     const LINES_LOOKED_AT: usize = 4;
     let mut labels = vec![Label::default(); columns];
-    for line in header.iter().rev().take(LINES_LOOKED_AT) {
+    // The unit of a stated length, as in "dx = 0.5 mm", is not that of a column.
+    let is_length = |line: &&Line<'_>| {
+        let value = line.text.split_once(['=', ':']);
+        value.is_some_and(|(_, value)| metadata::length(value).is_some())
+    };
+    let lines = header.iter().rev().take(LINES_LOOKED_AT);
+    for line in lines.filter(|line| !is_length(line)) {
         let text = line.text.trim_start_matches(['#', '%', '/', '*', '!', ' ']);
         let mut cells: Vec<&str> = dialect.cells(text).collect();
         while cells.len() > columns && cells.last().is_some_and(|cell| cell.is_empty()) {
@@ -73,6 +80,16 @@ pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> V
                 for (label, unit) in labels.iter_mut().zip(units) {
                     label.unit = label.unit.take().or(Some(unit));
                 }
+            }
+        }
+    }
+    // "# Roll length in mm" on a line of its own.
+    if columns == 2 && labels.iter().all(|label| label.role.is_none()) {
+        let is_name = |line: &&Line<'_>| !line.text.contains(|c: char| c.is_ascii_digit());
+        for line in header.iter().filter(is_name) {
+            if let Some(abscissa) = roll(&line.text.to_lowercase()) {
+                labels[0].role = Some(Role::Roll(abscissa));
+                labels[0].unit = labels[0].unit.take().or_else(|| unit_of(line.text));
             }
         }
     }
@@ -149,7 +166,7 @@ fn roll(label: &str) -> Option<Abscissa> {
 }
 
 /// The unit in a label: "[mm]", "(um)", "x in um", "x_mm", "z / nm", "z µm", "mm".
-fn unit_of(cell: &str) -> Option<Stated> {
+pub(super) fn unit_of(cell: &str) -> Option<Stated> {
     let opening = cell.rfind(['[', '(']);
     if let Some(at) = opening {
         let inside = cell[at + 1..].trim_end_matches([']', ')', ' ']);
@@ -196,7 +213,7 @@ fn units_in_order(line: &str) -> Vec<Stated> {
     units
 }
 
-fn unit(text: &str) -> Option<LengthUnit> {
+pub(super) fn unit(text: &str) -> Option<LengthUnit> {
     let text = text.trim().to_lowercase().replace(['µ', 'μ'], "u");
     match text.as_str() {
         "micron" | "microns" | "micrometer" | "micrometers" | "micrometre" | "micrometres"

@@ -5,9 +5,11 @@ use super::dialect::{Cell, Sniffed};
 use super::error::ReadError;
 use super::format::Format;
 use super::found::Found;
-use super::header::Label;
+use super::grid::SpacingSource;
+use super::header::{Label, Stated};
+use super::header_values::HeaderValues;
 use super::layout::TableLayout;
-use super::options::{Columns, ReadOptions};
+use super::options::{Columns, LengthUnit, ReadOptions};
 use super::table;
 use super::text::{Line, Text};
 use super::{grid, options, units};
@@ -15,10 +17,10 @@ use crate::warning::Warning;
 
 const FORMAT: Format = Format::TextMatrix;
 
-/// Whether a table with these labels is a matrix: at least as many columns as a profile has points, without names and
-/// not requested by `options`.
-pub(super) fn is_matrix(labels: &[Label], options: &ReadOptions) -> bool {
-    labels.len() >= grid::FEWEST_POINTS
+/// Whether a table with these labels is a matrix: as its header says, or with at least as many columns as a profile has
+/// points, without names and not requested by `options`.
+pub(super) fn is_matrix(labels: &[Label], values: &HeaderValues, options: &ReadOptions) -> bool {
+    (labels.len() >= grid::FEWEST_POINTS || (labels.len() > 2 && values.is_of_matrix()))
         && options.columns.is_none()
         && labels.iter().all(|label| label.role.is_none())
 }
@@ -29,6 +31,7 @@ pub(super) fn surface(
     first: usize,
     head: &[Line<'_>],
     sniffed: &Sniffed,
+    header: &HeaderValues,
 ) -> Result<Areal, ReadError> {
     let columns = sniffed.columns;
     let mut values = Vec::new();
@@ -39,10 +42,32 @@ pub(super) fn surface(
             values.extend(cells(file, head, sniffed, &line)?);
         }
     }
+    grid::unmark(&mut values);
+    let unit = unit(file, header)?;
+    if let Some(unit) = unit {
+        values.iter_mut().for_each(|z| *z = unit.metres(*z));
+    }
     Ok(Areal {
-        unit: HeightUnit::Unstated,
+        spacings: header.spacings(columns, values.len() / columns.max(1)),
+        unit: match unit {
+            Some(_) => HeightUnit::Metres,
+            None => HeightUnit::Unstated,
+        },
         ..Areal::new(FORMAT, Heights::Values { values, columns })
     })
+}
+
+/// The unit of the heights in the header.
+fn unit(file: &str, header: &HeaderValues) -> Result<Option<LengthUnit>, ReadError> {
+    match &header.z_unit {
+        None => Ok(None),
+        Some(Stated::Length(unit)) => Ok(Some(*unit)),
+        Some(Stated::Other(unit)) => Err(ReadError::UnknownUnit {
+            file: file.to_owned(),
+            axis: options::Axis::Height,
+            unit: table::shortened(unit),
+        }),
+    }
 }
 
 /// The heights of a line.
@@ -77,6 +102,7 @@ pub(super) fn read(
     first: usize,
     head: &[Line<'_>],
     sniffed: &Sniffed,
+    header: &HeaderValues,
     options: &ReadOptions,
 ) -> Result<Found, ReadError> {
     let file = text.file;
@@ -93,7 +119,7 @@ pub(super) fn read(
         }
         chosen = Some((line.number, cells(file, head, sniffed, &line)?));
     }
-    let Some((first_line, heights)) = chosen else {
+    let Some((first_line, mut heights)) = chosen else {
         return Err(ReadError::SeveralProfiles {
             file: file.to_owned(),
             rows,
@@ -101,12 +127,22 @@ pub(super) fn read(
             asked: options.row.unwrap_or(0),
         });
     };
-    let z_unit = units::of_heights(file, FORMAT, &heights, options)?;
-    let assumed = options.z_unit.is_none().then_some(Warning::UnitAssumed {
+    grid::unmark(&mut heights);
+    let stated = match options.z_unit {
+        None => unit(file, header)?,
+        stated => stated,
+    };
+    let z_unit = match stated {
+        Some(unit) => unit,
+        None => units::of_heights(file, FORMAT, &heights, options)?,
+    };
+    let assumed = stated.is_none().then_some(Warning::UnitAssumed {
         axis: options::Axis::Height,
         unit: z_unit,
     });
+    let [spacing, _] = header.spacings(columns, rows);
     Ok(Found {
+        spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
         warnings: assumed.into_iter().collect(),
         z_unit,
         first_line,

@@ -27,14 +27,16 @@ mod found;
 mod grid;
 mod hashed;
 mod header;
+mod header_values;
 mod layout;
 mod mahr;
 mod matrix;
 pub(crate) mod metadata;
-mod mitutoyo;
 mod natural_spline;
+mod npl_xml;
 pub(crate) mod options;
 mod plain_row;
+mod points;
 mod ptb;
 mod reading;
 mod recognise;
@@ -54,6 +56,7 @@ mod taylor_hobson;
 mod text;
 mod trace;
 mod units;
+mod workbook;
 mod x3p;
 mod xml;
 
@@ -80,6 +83,8 @@ use areal::trace::Areal;
 use asperity_storage::regular_file;
 use found::Found;
 use text::{Head, Start, Stream, Text};
+
+use crate::warning::Warning;
 
 /// Maximum size of a file in bytes: two hundred million points of text.
 const MOST_BYTES: u64 = 4 << 30;
@@ -157,8 +162,15 @@ fn surface_of(
     let start = Start::of(name, stream)?;
     not_larger(name, start.size, MOST_BYTES)?;
     let format = format_of(name, stream, &start);
+    let zipped = start.bytes.starts_with(recognise::ZIP);
     let found = match format {
         Some(Format::X3p) => x3p::surface(name, stream, start.size)?,
+        Some(Format::Excel) if zipped => {
+            let mut bytes = Cursor::new(workbook::read(name, stream, start.size, options)?.text);
+            let start = Start::of(name, &mut bytes)?;
+            let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
+            delimited::surface(&head, &mut text, options)?
+        }
         None | Some(Format::SdfAscii) => {
             let (head, mut text) = Text::new(name, stream, &start, options.encoding);
             match recognise::of_text(name, &head) {
@@ -320,8 +332,10 @@ fn trace_of(
             return x3p::read(name, stream, start.size, options)?.finish(name, options);
         }
         Some(Format::Excel) if zipped => {
-            return mitutoyo::read(name, stream, start.size)?.finish(name, options);
+            let table = workbook::read(name, stream, start.size, options)?;
+            return trace_of_table(name, table, options);
         }
+        Some(Format::NplXml) => return npl_xml::read(name, stream)?.finish(name, options),
         None | Some(Format::SdfAscii | Format::SigmaSurf) => {}
         Some(format) => {
             let found = areal::read(name, format, stream, start.size)?;
@@ -337,6 +351,43 @@ fn trace_of(
     // The text is not UTF-8, as its head seemed; then it is in the Windows code page 1252.
     let (head, mut text) = Text::new(name, stream, &start, Some(Encoding::Windows1252));
     read_text(&start, &head, &mut text, conditions, options)
+}
+
+/// Reads the trace in the table of a workbook.
+fn trace_of_table(
+    name: &str,
+    table: workbook::Table,
+    options: &ReadOptions,
+) -> Result<Trace, ReadError> {
+    let mut options = options.clone();
+    if table.is_chosen {
+        options.row = None;
+    }
+    let mut bytes = Cursor::new(table.text);
+    let start = Start::of(name, &mut bytes)?;
+    let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
+    let mut trace = delimited::read(&head, &mut text, &options)?;
+    if let Some(asked) = options.row.filter(|row| *row != 1)
+        && !trace.format.may_hold_several()
+    {
+        return Err(ReadError::SeveralProfiles {
+            file: name.to_owned(),
+            rows: 1,
+            points: trace.heights.len(),
+            asked,
+        });
+    }
+    if table.filter_state == FilterState::Roughness {
+        trace.warnings.push(Warning::AlreadyFiltered);
+    }
+    if table.format == Format::MitutoyoXlsx {
+        (trace.filter_state, trace.metadata) = (table.filter_state, table.metadata);
+    }
+    Ok(Trace {
+        format: table.format,
+        encoding: None,
+        ..trace
+    })
 }
 
 fn read_text(

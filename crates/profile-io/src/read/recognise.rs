@@ -13,12 +13,31 @@ pub(super) fn by_magic(name: &str, head: &[u8]) -> Option<Format> {
     }
     match (Format::starting(head), Format::named(name)) {
         // Containers of several formats, which the name distinguishes.
-        (Some(Format::Excel), Some(Format::MountainsMnt)) => Some(Format::MountainsMnt),
+        (Some(Format::ExcelBinary), Some(Format::MountainsMnt)) => Some(Format::MountainsMnt),
         (Some(Format::Hdf5), Some(Format::ZygoDatx)) => Some(Format::ZygoDatx),
         // A title may start with these letters, but a number of four bytes follows.
         (Some(Format::KeyenceVk), _) if !head.get(3..12).is_some_and(|b| b.contains(&0)) => None,
+        // The version of a wave may start any file; its header has 384 bytes.
+        (Some(Format::IgorWave), Some(Format::IgorWave)) if head.len() > 384 => {
+            Some(Format::IgorWave)
+        }
+        (Some(Format::IgorWave), _) => None,
+        (None, _) if is_npl_xml(head) => Some(Format::NplXml),
+        (None, _) if head.starts_with(b"solid ") && holds(head, b"facet normal") => {
+            Some(Format::Stl)
+        }
         (format, _) => format,
     }
+}
+
+/// Whether XML holds the element of the heights.
+fn is_npl_xml(head: &[u8]) -> bool {
+    let head = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
+    head.trim_ascii_start().starts_with(b"<") && holds(head, b"<DATAFILE>")
+}
+
+fn holds(head: &[u8], part: &[u8]) -> bool {
+    head.windows(part.len()).any(|bytes| bytes == part)
 }
 
 /// The text format that characteristic lines near the top or the name settle; `None` for a table.

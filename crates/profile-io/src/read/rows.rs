@@ -16,6 +16,8 @@ pub(super) struct Rows {
     pub x: Option<Vec<f64>>,
     /// Heights; NaN for missing ones.
     pub z: Vec<f64>,
+    /// Number of rows without x and height, which are left out.
+    pub empty: usize,
 }
 
 /// All rows from the line `first`, or the error of the first unreadable cell, explained with the lines `head`.
@@ -31,6 +33,7 @@ pub(super) fn read(
     let mut rows = Rows {
         x: chosen.x.map(|_| Vec::new()),
         z: Vec::new(),
+        empty: 0,
     };
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
@@ -38,7 +41,10 @@ pub(super) fn read(
             continue;
         }
         let (x, z) = row(file, head, &line, sniffed.dialect, chosen)?;
-        rows.push(x, z);
+        match chosen.x.is_some() && x.is_nan() {
+            true => rows.empty += 1,
+            false => rows.push(x, z),
+        }
         let (mut passed, at_hand) = (0, lines.at_hand());
         let mut rest = at_hand;
         while let Some((x, z, after)) = plain.row(rest) {
@@ -81,7 +87,8 @@ impl Rows {
     }
 }
 
-/// x and height of any row; x is NaN without an x column, the height is NaN if it is missing.
+/// x and height of any row; x is NaN without an x column and in a row without x and height, the height is NaN if it is
+/// missing.
 pub(super) fn row(
     file: &str,
     head: &[Line<'_>],
@@ -118,8 +125,8 @@ pub(super) fn row(
     if count < chosen.count || filled > chosen.count {
         return Err(table::ragged(file, line, count.max(filled), chosen.count));
     }
-    // A row without x has no position and cannot be filled.
-    if x.is_some_and(f64::is_nan) {
+    // A height without x has no position.
+    if x.is_some_and(f64::is_nan) && !z.is_nan() {
         return Err(unreadable(x_cell));
     }
     let valid = chosen.valid.is_none() || dialect.cell(valid_cell) != Cell::Number(0.0);

@@ -3,6 +3,9 @@
 //! NPL text states the spacing in um on line 1. Such a first line is recognised by its number of decimals, because
 //! instruments write all heights with the same number of decimals.
 
+use asperity_core::numerics::extremes;
+
+use super::archive::damaged;
 use super::error::{ReadError, SpacingHint};
 use super::format::Format;
 use super::grid;
@@ -29,10 +32,12 @@ impl Special {
     }
 }
 
-/// Removes header numbers from `heights` without x, which start at line `first`; an error if there is no spacing.
+/// Removes header numbers from `heights` without x, which start at line `first`; an error if there is no spacing, or if
+/// lines above them show that the first number is not a height. NPL text profiles have no lines above.
 pub(super) fn interpret(
     text: &mut Text<'_>,
     first: usize,
+    is_headed: bool,
     heights: &mut Vec<f64>,
     options: &ReadOptions,
     warnings: &mut Vec<Warning>,
@@ -49,6 +54,20 @@ pub(super) fn interpret(
         true => heights.first().copied().filter(|value| value.is_finite()),
         false => None,
     };
+    if let (true, Some(value)) = (is_headed, header_number) {
+        let (low, high) = extremes(&heights[1..]);
+        let is_height = (low..=high).contains(&value);
+        return match options.dx {
+            Some(_) if is_height => Ok(Special::delimited()),
+            Some(_) => Err(damaged(
+                file,
+                Format::DelimitedText,
+                "its first number is written unlike the heights and is outside of their range",
+                &value.to_string(),
+            )),
+            None => Err(no_spacing(SpacingHint::None)),
+        };
+    }
     match (options.dx, header_number) {
         (Some(_), None) => Ok(Special::delimited()),
         (None, None) => Err(no_spacing(SpacingHint::None)),

@@ -4,10 +4,19 @@ use std::fmt::Write as _;
 
 use super::field::field;
 use super::places::Places;
+use crate::read::FilterState;
 use crate::read::metadata::Metadata;
 
-/// Writes x and height in metres, with the spacing of even points in the header.
-pub(super) fn write(places: Places<'_>, heights: &[f64], metadata: &Metadata) -> Vec<u8> {
+/// Micrometres of a metre.
+const MICROMETRES: f64 = 1e6;
+
+/// Writes x and height in micrometres, with the spacing of even points and the filters in the header.
+pub(super) fn write(
+    places: Places<'_>,
+    heights: &[f64],
+    metadata: &Metadata,
+    filter_state: FilterState,
+) -> Vec<u8> {
     let mut text = String::new();
     let mut comment = |name: &str, value: &Option<String>| {
         if let Some(value) = value {
@@ -18,16 +27,75 @@ pub(super) fn write(places: Places<'_>, heights: &[f64], metadata: &Metadata) ->
     comment("instrument", &metadata.instrument);
     comment("date", &metadata.date);
     // Writing into a string cannot fail.
-    if let Places::Even(dx) = places {
-        let _ = writeln!(text, "# dx = {dx:e} m");
+    if let Some(filter) = filter(metadata, filter_state) {
+        let _ = writeln!(text, "# filter: {filter}");
     }
-    text += "x_m,z_m\n";
-    for (i, z) in heights.iter().enumerate() {
-        let x = match places {
-            Places::Even(dx) => i as f64 * dx,
-            Places::Own(x) => x[i],
+    if let Places::Even(dx) = places {
+        let um = micrometres(dx);
+        // A spacing that no number of micrometres gives is written in metres.
+        let _ = match um / MICROMETRES == dx {
+            true => writeln!(text, "# dx = {um} um"),
+            false => writeln!(text, "# dx = {dx:e} m"),
         };
-        let _ = writeln!(text, "{x:e},{z:e}");
+    }
+    text += "x [um],z [um]\n";
+    for (i, z) in heights.iter().enumerate() {
+        let _ = match places {
+            // The spacing above is exact, so x needs no more digits than a reader of the table.
+            Places::Even(dx) => write!(text, "{}", rounded(MICROMETRES * (i as f64 * dx))),
+            Places::Own(x) => write!(text, "{}", micrometres(x[i])),
+        };
+        let _ = writeln!(text, ",{}", micrometres(*z));
     }
     text.into_bytes()
+}
+
+/// "roughness, lambda_c 0.8 mm, lambda_s 2.5 um"; `None` if the state is not known.
+fn filter(metadata: &Metadata, state: FilterState) -> Option<String> {
+    let (name, lambda_c) = match state {
+        FilterState::Unknown => return None,
+        FilterState::Primary => ("primary", None),
+        FilterState::Roughness => ("roughness", metadata.lambda_c),
+    };
+    let cutoff =
+        |name: &str, length: Option<_>| length.map_or(String::new(), |l| format!(", {name} {l}"));
+    let cutoffs = cutoff("lambda_c", lambda_c) + &cutoff("lambda_s", metadata.lambda_s);
+    Some(format!("{name}{cutoffs}"))
+}
+
+/// The number of micrometres with the fewest digits that a reader converts to `metres`, or to the next number if there
+/// is none: the division by a million skips one number of twenty.
+fn micrometres(metres: f64) -> f64 {
+    let near = metres * MICROMETRES;
+    let candidates = [near, near.next_up(), near.next_down()];
+    let exact = candidates
+        .into_iter()
+        .filter(|um| um / MICROMETRES == metres);
+    let digits = |um: &f64| um.to_string().len();
+    exact.min_by_key(digits).unwrap_or(near)
+}
+
+/// `value` to twelve digits.
+fn rounded(value: f64) -> f64 {
+    const DIGITS: i32 = 12;
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    let scale = 10f64.powi(DIGITS - 1 - value.abs().log10().floor() as i32);
+    (value * scale).round() / scale
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn micrometres_have_the_digits_of_the_file_they_came_from() {
+        for um in [0.2796, -1.5, 0.0001, 106_000.123, 0.1 + 0.2, 0.0] {
+            assert_eq!(micrometres(um / MICROMETRES), um);
+        }
+        let odd = micrometres(6.407_687_859_264_384e-9);
+        assert!((odd / MICROMETRES / 6.407_687_859_264_384e-9 - 1.0).abs() < f64::EPSILON);
+        assert_eq!(rounded(1.500_000_000_000_000_2), 1.5);
+    }
 }

@@ -1,8 +1,8 @@
-//! Writing profiles in the formats of other programs, without loss.
+//! Writing profiles in the formats of other programs.
 //!
 //! | format | heights | spacing |
 //! |---|---|---|
-//! | CSV | metres, the fewest digits that are read back without loss | header line `# dx = 5e-7 m` |
+//! | CSV | micrometres, the fewest digits that are read back to the last bit or the one before | header line `# dx = 0.5 um` |
 //! | X3P (ISO 25178-72) | binary64 metres | increment of CX |
 //! | SMD (ISO 5436-2) | metres, the fewest digits that are read back without loss | CX line |
 //!
@@ -22,7 +22,7 @@ pub use error::WriteError;
 use places::Places;
 
 use crate::read::metadata::Metadata;
-use crate::read::{Positions, Trace};
+use crate::read::{FilterState, Positions, Trace};
 
 /// A format for writing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -56,7 +56,8 @@ impl WrittenFormat {
     }
 }
 
-/// The bytes of a file with `profile`; reading them back gives exactly the same profile.
+/// The bytes of a file with `profile`, of which nothing is known about its filters; reading them back gives the same
+/// profile, to the last bit or, for CSV, the one before.
 ///
 /// # Errors
 /// When the archive of an X3P cannot be created, as for more than 4 GiB of heights.
@@ -69,7 +70,10 @@ impl WrittenFormat {
 /// let profile = Profile::new(Length::from_si(0.1e-6), heights)?;
 /// for (name, format) in [("a.csv", WrittenFormat::Csv), ("a.x3p", WrittenFormat::X3p), ("a.smd", WrittenFormat::Smd)] {
 ///     let bytes = write(&profile, &Metadata::default(), format)?;
-///     assert_eq!(read_bytes(name, &bytes, &ReadOptions::default())?.profile, profile);
+///     let again = read_bytes(name, &bytes, &ReadOptions::default())?.profile;
+///     assert_eq!(again.spacing(), profile.spacing());
+///     let both = again.heights().iter().zip(profile.heights());
+///     assert!(both.into_iter().all(|(again, z)| (again - z).abs() <= f64::EPSILON * z.abs()));
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -78,9 +82,36 @@ pub fn write(
     metadata: &Metadata,
     format: WrittenFormat,
 ) -> Result<Vec<u8>, WriteError> {
+    write_filtered(profile, metadata, FilterState::Unknown, format)
+}
+
+/// The bytes of a file with `profile` as [`write()`], and its filter state with the cut-offs of `metadata`, which CSV
+/// states.
+///
+/// # Errors
+/// As [`write()`].
+///
+/// ```
+/// use asperity_core::{Profile, quantity::Length};
+/// use asperity_profile_io::read::{FilterState, Metadata, ReadOptions, read_bytes};
+/// use asperity_profile_io::write::{WrittenFormat, write_filtered};
+/// let heights = (0..200).map(|i| 1e-7 * (0.1 * f64::from(i)).sin()).collect();
+/// let profile = Profile::new(Length::from_si(0.1e-6), heights)?;
+/// let metadata = Metadata { lambda_c: Some("0.8 mm".parse()?), ..Metadata::default() };
+/// let bytes = write_filtered(&profile, &metadata, FilterState::Roughness, WrittenFormat::Csv)?;
+/// let again = read_bytes("r.csv", &bytes, &ReadOptions::default())?;
+/// assert_eq!((again.filter_state, again.metadata.lambda_c), (FilterState::Roughness, metadata.lambda_c));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_filtered(
+    profile: &Profile,
+    metadata: &Metadata,
+    filter_state: FilterState,
+    format: WrittenFormat,
+) -> Result<Vec<u8>, WriteError> {
     let (places, heights) = (Places::Even(profile.spacing().si()), profile.heights());
     match format {
-        WrittenFormat::Csv => Ok(csv::write(places, heights, metadata)),
+        WrittenFormat::Csv => Ok(csv::write(places, heights, metadata, filter_state)),
         WrittenFormat::X3p => x3p::write(places, heights, metadata),
         WrittenFormat::Smd => Ok(smd::write(profile, metadata)),
     }
@@ -101,7 +132,9 @@ pub fn write(
 /// let trace = read_trace_bytes("a.csv", file.as_bytes(), &options)?;
 /// for (name, format) in [("a.csv", WrittenFormat::Csv), ("a.x3p", WrittenFormat::X3p)] {
 ///     let again = read_trace_bytes(name, &write_trace(&trace, format)?, &options)?;
-///     assert_eq!((again.x(), &again.heights), (trace.x(), &trace.heights));
+///     assert_eq!(again.x().map(<[f64]>::len), trace.x().map(<[f64]>::len));
+///     let both = again.heights.iter().zip(&trace.heights);
+///     assert!(both.into_iter().all(|(again, z)| (again - z).abs() <= f64::EPSILON * z.abs()));
 /// }
 /// assert!(write_trace(&trace, WrittenFormat::Smd).is_err());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -109,18 +142,22 @@ pub fn write(
 pub fn write_trace(trace: &Trace, format: WrittenFormat) -> Result<Vec<u8>, WriteError> {
     let (heights, metadata) = (&trace.heights, &trace.metadata);
     match (&trace.positions, format) {
-        (Positions::Own { x, .. }, WrittenFormat::Csv) => {
-            Ok(csv::write(Places::Own(x), heights, metadata))
-        }
+        (Positions::Own { x, .. }, WrittenFormat::Csv) => Ok(csv::write(
+            Places::Own(x),
+            heights,
+            metadata,
+            trace.filter_state,
+        )),
         (Positions::Own { x, .. }, WrittenFormat::X3p) => {
             x3p::write(Places::Own(x), heights, metadata)
         }
         (Positions::Own { .. }, WrittenFormat::Smd) => Err(WriteError::Uneven),
         (Positions::Even { spacing }, _) => {
             let profile = Profile::new(*spacing, heights.clone());
-            write(
+            write_filtered(
                 &profile.map_err(|_| WriteError::NoProfile)?,
                 metadata,
+                trace.filter_state,
                 format,
             )
         }

@@ -60,7 +60,7 @@ fn formats_that_are_not_read_are_named() {
         (
             "a.xls",
             b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1".as_slice(),
-            Format::Excel,
+            Format::ExcelBinary,
         ),
         ("a.hwp", b"\x00\x01\x02\x03", Format::HommelHwp),
         ("a.pcd", b"\x00\x01\x02\x03", Format::MahrPcd),

@@ -203,8 +203,15 @@ fn a_mitutoyo_workbook_gives_profile_conditions_and_printed_values() {
     let other = shared
         .replace("Mitutoyo", "Sheet")
         .replace("SurfTest", "one");
-    let refused = read_bytes("a.xlsx", &book(&other), &ReadOptions::default()).unwrap_err();
-    assert_eq!(refused.code(), "E108");
+    // Without these labels it is an ordinary workbook, whose units are not known.
+    let options = ReadOptions {
+        x_unit: Some(LengthUnit::Millimetre),
+        z_unit: Some(LengthUnit::Micrometre),
+        ..ReadOptions::default()
+    };
+    let ordinary = read_bytes("a.xlsx", &book(&other), &options).unwrap();
+    check(&ordinary, Format::Excel, 9);
+    assert_eq!(ordinary.filter_state, FilterState::Unknown);
     // The grid is checked as that of a text file is.
     let uneven = read_bytes(
         "a.xlsx",

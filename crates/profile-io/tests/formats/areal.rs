@@ -50,6 +50,9 @@ fn every_point_of_every_areal_format_is_where_it_was_written() {
         Format::SdfBinary,
         Format::Opdx,
         Format::Matlab,
+        Format::NanosurfNid,
+        Format::IgorWave,
+        Format::Gwyddion,
     ];
     for ((name, bytes), format) in all().into_iter().zip(formats) {
         let found = surface(name, &bytes);

@@ -453,6 +453,108 @@ pub fn opdx() -> Vec<u8> {
     [mark, trees.concat()].concat()
 }
 
+/// Nanosurf: a channel of forces, then the heights as 32-bit numbers in a range of 2^32 nm.
+pub fn nid() -> Vec<u8> {
+    let channel = |number: usize, name: &str, unit: &str| {
+        format!(
+            "[DataSet-0:{number}]\r\nPoints={COLUMNS}\r\nLines={ROWS}\r\nSaveBits=32\r\nSaveSign=Signed\r\n\
+             Dim0Range=6e-05\r\nDim0Unit=m\r\nDim1Range=6e-06\r\nDim1Unit=m\r\n\
+             Dim2Name={name}\r\nDim2Unit={unit}\r\nDim2Range=4.294967296\r\nDim2Min=-2.147483648\r\n\r\n"
+        )
+    };
+    let mut bytes = format!(
+        "[DataSet]\r\nVersion=2\r\nGroupCount=1\r\nGr0-Name=Scan forward\r\nGr0-Count=2\r\nGr0-Ch0=DataSet-0:0\r\n\
+         Gr0-Ch1=DataSet-0:1\r\n\r\n{}{}#!",
+        channel(0, "Deflection", "N"),
+        channel(1, "Z-Axis", "m")
+    )
+    .into_bytes();
+    bytes.extend(points(|_, _| vec![9; 4]));
+    bytes.extend(points(|x, y| {
+        let number = if is_hole(x, y) {
+            i32::MIN
+        } else {
+            nanometres(x, y)
+        };
+        number.to_le_bytes().to_vec()
+    }));
+    bytes
+}
+
+/// Igor wave: two layers of floats, of which the second is the height in metres.
+pub fn ibw() -> Vec<u8> {
+    let labels = ["", "DeflectionRetrace", "HeightRetrace"].map(|label| {
+        let mut bytes = label.as_bytes().to_vec();
+        bytes.resize(32, 0);
+        bytes
+    });
+    let labels = labels.concat();
+    let sides = [COLUMNS as i32, ROWS as i32, 2, 0];
+    let sides: Vec<u8> = sides.iter().flat_map(|side| side.to_le_bytes()).collect();
+    let steps: Vec<u8> = [0.5e-6_f64, 2e-6]
+        .iter()
+        .flat_map(|step| step.to_le_bytes())
+        .collect();
+    let mut bytes = filled(
+        384,
+        &[
+            (0, &5_i16.to_le_bytes()),
+            (44, &(labels.len() as i32).to_le_bytes()),
+            (64 + 12, &((2 * COLUMNS * ROWS) as i32).to_le_bytes()),
+            (64 + 16, &2_i16.to_le_bytes()),
+            (64 + 28, b"flank"),
+            (64 + 68, &sides),
+            (64 + 84, &steps),
+            (64 + 148, b"m"),
+            (64 + 152, b"m"),
+            (64 + 156, b"m"),
+        ],
+    );
+    bytes.extend(points(|_, _| 7_f32.to_le_bytes().to_vec()));
+    bytes.extend(points(|x, y| {
+        ((um(x, y) / 1e6) as f32).to_le_bytes().to_vec()
+    }));
+    bytes.extend(labels);
+    bytes
+}
+
+/// Gwyddion: a phase, then the heights in metres under a title.
+pub fn gwy() -> Vec<u8> {
+    let text = |text: &str| [text.as_bytes(), &[0]].concat();
+    let item = |name: &str, kind: u8, value: &[u8]| [&text(name), &[kind][..], value].concat();
+    let object = |kind: &str, items: &[Vec<u8>]| {
+        let items = items.concat();
+        [&text(kind), &(items.len() as u32).to_le_bytes()[..], &items].concat()
+    };
+    let unit = |name: &str| object("GwySIUnit", &[item("unitstr", b's', &text(name))]);
+    let field = |z_unit: &str| {
+        let count = ((COLUMNS * ROWS) as u32).to_le_bytes().to_vec();
+        let data = points(|x, y| (um(x, y) / 1e6).to_le_bytes().to_vec());
+        object(
+            "GwyDataField",
+            &[
+                item("xres", b'i', &(COLUMNS as i32).to_le_bytes()),
+                item("yres", b'i', &(ROWS as i32).to_le_bytes()),
+                item("xreal", b'd', &(0.5e-6 * COLUMNS as f64).to_le_bytes()),
+                item("yreal", b'd', &(2e-6 * ROWS as f64).to_le_bytes()),
+                item("si_unit_xy", b'o', &unit("m")),
+                item("si_unit_z", b'o', &unit(z_unit)),
+                item("data", b'D', &[count, data].concat()),
+            ],
+        )
+    };
+    let container = object(
+        "GwyContainer",
+        &[
+            item("/0/data", b'o', &field("deg")),
+            item("/1/data", b'o', &field("m")),
+            item("/1/data/title", b's', &text("Topography")),
+            item("/1/data/visible", b'b', &[1]),
+        ],
+    );
+    [b"GWYP".to_vec(), container].concat()
+}
+
 /// A file of every kind, with its name.
 pub fn all() -> Vec<(&'static str, Vec<u8>)> {
     vec![
@@ -469,6 +571,9 @@ pub fn all() -> Vec<(&'static str, Vec<u8>)> {
         ("b.sdf", sdf_binary(true)),
         ("a.opdx", opdx()),
         ("a.mat", mat(&[mat_array("z", ROWS, COLUMNS, um)], true)),
+        ("a.nid", nid()),
+        ("a.ibw", ibw()),
+        ("a.gwy", gwy()),
     ]
 }
 

@@ -58,7 +58,7 @@ fn write_seeds() {
         .collect();
     let mut all = vec![
         ("delimited", format!("x [um];z [um]\n{csv}").into_bytes()),
-        ("mitutoyo", workbook()),
+        ("workbook", workbook()),
     ];
     let targets = [
         "x3p",
@@ -70,6 +70,9 @@ fn write_seeds() {
         "taylor_hobson",
         "ptb",
         "surfcom",
+        "npl_xml",
+        "workbook",
+        "workbook",
     ];
     all.extend(
         targets
@@ -90,6 +93,9 @@ fn write_seeds() {
         "sdf_binary",
         "opdx",
         "mat",
+        "nid",
+        "ibw",
+        "gwy",
     ];
     let areal = areal.into_iter().zip(areal_files::all());
     all.extend(areal.map(|(target, (_, bytes))| (target, bytes)));
@@ -103,7 +109,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
     #[test]
-    fn what_is_written_reads_back_to_the_last_bit(
+    fn what_is_written_reads_back_to_the_last_bit_or_the_one_before(
         heights in prop::collection::vec(-1e-4..1e-4_f64, 100..200),
         dx in 1e-8..1e-5_f64,
     ) {
@@ -112,7 +118,11 @@ proptest! {
         for (name, format) in [("a.csv", WrittenFormat::Csv), ("a.x3p", WrittenFormat::X3p), ("a.smd", WrittenFormat::Smd)] {
             let bytes = write(&profile, &metadata, format).unwrap();
             let reading = read_bytes(name, &bytes, &ReadOptions::default()).unwrap();
-            prop_assert_eq!(&reading.profile, &profile);
+            // Micrometres of text reach 19 of 20 numbers of metres, and the one before of the others.
+            let most = if format == WrittenFormat::Csv { f64::EPSILON } else { 0.0 };
+            let both = reading.profile.heights().iter().zip(profile.heights());
+            prop_assert!(both.into_iter().all(|(again, z)| (again - z).abs() <= most * z.abs()));
+            prop_assert_eq!((reading.points, reading.profile.spacing()), (profile.len(), profile.spacing()));
             prop_assert_eq!(reading.metadata.date.as_deref(), Some("2026-11-20"));
             // White noise of 0.1 mm is as steep as no flank.
             let others = reading.warnings.iter().filter(|warning| warning.code() != "W124");
@@ -122,7 +132,7 @@ proptest! {
 
     #[test]
     fn a_damaged_instrument_file_is_read_or_refused(
-        seed in 0..9_usize,
+        seed in 0..12_usize,
         edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0..3_u8), 1..12),
     ) {
         let (name, mut bytes) = seeds().swap_remove(seed);
@@ -148,7 +158,7 @@ proptest! {
 
     #[test]
     fn a_damaged_surface_is_read_or_refused(
-        seed in 0..13_usize,
+        seed in 0..16_usize,
         edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0..4_u8), 1..12),
     ) {
         let (name, mut bytes) = areal_files::all().swap_remove(seed);

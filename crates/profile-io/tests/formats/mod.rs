@@ -6,5 +6,6 @@ mod archives;
 mod areal;
 mod areal_files;
 mod every;
+mod layouts;
 mod samples;
 mod text;

@@ -184,6 +184,104 @@ pub fn workbook() -> Vec<u8> {
     ])
 }
 
+/// An XML profile as ASME B46 and NPL publish it.
+pub fn npl_xml() -> String {
+    let rows = rows(|z| format!("{z:.6}\n"));
+    format!(
+        "<?xml version='1.0' encoding='UTF-8'?>\n<!DOCTYPE DATA SYSTEM \"data.dtd\">\n<DATA>\n<PART>\n\
+         <PART_NAME>flank 7</PART_NAME>\n</PART>\n<DATAFILE>\n<UNITS>um</UNITS>\n<NUMPOINTS>{POINTS}</NUMPOINTS>\n\
+         <SPACING>0.5</SPACING>\n<DATA_POINT_VALUES>{rows}</DATA_POINT_VALUES>\n</DATAFILE>\n</DATA>\n"
+    )
+}
+
+/// A sheet of an ordinary `.xlsx`: a remark, names with values, labels, then the rows of numbers of each line.
+pub fn sheet_xml(
+    remarks: &[&str],
+    labels: &[&str],
+    lines: impl Iterator<Item = Vec<f64>>,
+) -> String {
+    let text = |column: usize, row: usize, text: &str| {
+        let letter = char::from(b'B' + column as u8);
+        format!("<c r=\"{letter}{row}\" t=\"inlineStr\"><is><t>{text}</t></is></c>")
+    };
+    let number = |column: usize, row: usize, value: f64| {
+        let letter = char::from(b'B' + column as u8);
+        format!("<c r=\"{letter}{row}\"><v>{value}</v></c>")
+    };
+    let mut xml = String::new();
+    for (row, remark) in remarks.iter().enumerate() {
+        let cells = remark.split('|').enumerate();
+        let cells: String = cells.map(|(at, cell)| text(at, row + 1, cell)).collect();
+        xml += &format!("<row>{cells}</row>");
+    }
+    let row = remarks.len() + 2;
+    let cells: String = labels
+        .iter()
+        .enumerate()
+        .map(|(at, cell)| text(at, row, cell))
+        .collect();
+    xml += &format!("<row>{cells}</row>");
+    for (i, line) in lines.enumerate() {
+        let cells: String = line
+            .iter()
+            .enumerate()
+            .map(|(at, v)| number(at, row + 1 + i, *v))
+            .collect();
+        xml += &format!("<row>{cells}</row>");
+    }
+    format!("<worksheet><sheetData>{xml}</sheetData></worksheet>")
+}
+
+/// An ordinary `.xlsx` of the sheets.
+pub fn xlsx(sheets: &[String]) -> Vec<u8> {
+    let names: Vec<String> = (1..=sheets.len())
+        .map(|number| format!("xl/worksheets/sheet{number}.xml"))
+        .collect();
+    let mut members = vec![("xl/workbook.xml", b"<workbook/>".as_slice())];
+    members.extend(
+        names
+            .iter()
+            .zip(sheets)
+            .map(|(name, sheet)| (name.as_str(), sheet.as_bytes())),
+    );
+    zip(&members)
+}
+
+/// An `.ods` with labels, x in millimetres and heights in micrometres, and cells repeated to the end of the sheet.
+pub fn ods() -> Vec<u8> {
+    let text = |text: &str| {
+        format!(
+            "<table:table-cell office:value-type=\"string\"><text:p>{text}</text:p></table:table-cell>"
+        )
+    };
+    let number = |value: f64| {
+        format!(
+            "<table:table-cell office:value-type=\"float\" office:value=\"{value}\"><text:p>shown</text:p></table:table-cell>"
+        )
+    };
+    let row = |cells: String| {
+        format!(
+            "<table:table-row>{cells}<table:table-cell table:number-columns-repeated=\"16382\"/></table:table-row>"
+        )
+    };
+    let mut rows = row(text("Weg [mm]") + &text("Höhe [µm]"));
+    for i in 0..POINTS {
+        rows += &row(number(0.0005 * i as f64) + &number(height(i)));
+    }
+    let content = format!(
+        "<office:document-content xmlns:office=\"o\" xmlns:table=\"t\" xmlns:text=\"x\"><office:body>\
+         <office:spreadsheet><table:table>{rows}<table:table-row table:number-rows-repeated=\"1048000\">\
+         <table:table-cell/></table:table-row></table:table></office:spreadsheet></office:body></office:document-content>"
+    );
+    zip(&[
+        (
+            "mimetype",
+            b"application/vnd.oasis.opendocument.spreadsheet".as_slice(),
+        ),
+        ("content.xml", content.as_bytes()),
+    ])
+}
+
 /// One valid file of every format.
 pub fn seeds() -> Vec<(&'static str, Vec<u8>)> {
     let heights = (0..POINTS).map(|i| height(i) * 1e-6).collect();
@@ -202,5 +300,8 @@ pub fn seeds() -> Vec<(&'static str, Vec<u8>)> {
             "a.tx1",
             format!("0.12\n{POINTS}\n{}", rows(|z| format!("{z:.4}\n"))).into_bytes(),
         ),
+        ("a.xml", npl_xml().into_bytes()),
+        ("a.xlsx", workbook()),
+        ("a.ods", ods()),
     ]
 }

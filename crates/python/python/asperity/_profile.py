@@ -139,7 +139,7 @@ class Profile:
 
         Args:
             form: ``"level"`` (default), ``"none"``, ``"mean"``, ``"poly2"``, ``"circle"`` or ``"involute"``.
-            cutoff: cut-off λc, m; default what the file states, else 0.8 mm; 0 turns the filter off.
+            cutoff: cut-off λc, m; default what the file states, else 0.25 mm; 0 turns the filter off.
             noise_cutoff: cut-off λs, m; default what the file states, else 2.5 µm; 0 turns the filter off.
             ends: ``"cut"`` (default: half a cut-off is dropped at each end), ``"reg0"``, ``"reg1"`` or ``"reflect"``.
             robust: the robust Gaussian regression filter (ISO 16610-31).

@@ -6,11 +6,14 @@
 
 mod al3d;
 mod bytes;
+mod gwy;
 mod held;
+mod ibw;
 mod inflate;
 mod mat;
 mod mat_elements;
 mod metropro;
+mod nid;
 mod opd;
 mod opdx;
 mod opdx_items;
@@ -48,6 +51,9 @@ pub(crate) fn read(
         Format::SdfBinary => sdf_binary::read(file, held(stream)?)?,
         Format::Opdx => opdx::read(file, held(stream)?)?,
         Format::Matlab => mat::read(file, &held(stream)?)?,
+        Format::Gwyddion => gwy::read(file, &held(stream)?)?,
+        Format::NanosurfNid => nid::read(file, held(stream)?)?,
+        Format::IgorWave => ibw::read(file, &held(stream)?)?,
         _ => return Ok(None),
     }))
 }

@@ -29,6 +29,11 @@ impl Number {
         }
     }
 
+    /// Whether `value` is the smallest 32-bit integer, which several makers write for a missing height.
+    fn is_mark(self, value: f64) -> bool {
+        matches!(self, Self::I32 | Self::I32Big) && value == f64::from(i32::MIN)
+    }
+
     fn value(self, bytes: &[u8]) -> Option<f64> {
         Some(match self {
             Self::U8 => u8::little(bytes)?.into(),
@@ -170,7 +175,11 @@ impl Raw {
         let at = self.first as i64 + along * column as i64 + across * row as i64;
         let bytes = part(&self.bytes, at as usize, self.number.width());
         match bytes.and_then(|bytes| self.number.value(bytes)) {
-            Some(value) if value.is_finite() && !self.missing.holds(value) => {
+            Some(value)
+                if value.is_finite()
+                    && !self.missing.holds(value)
+                    && !self.number.is_mark(value) =>
+            {
                 self.unit.metres(value * self.scale)
             }
             _ => f64::NAN,

@@ -1,0 +1,58 @@
+//! The lines of a case that read and prepare a file as the options did.
+
+use std::path::Path;
+
+use asperity_core::quantity::Length;
+use asperity_core::remedy::Setting;
+use asperity_profile_io::read::Columns;
+use serde_json::json;
+
+use crate::args::ProfileInfoArgs;
+
+/// The lines of the table `surface` for the file and the options, with the cut-off that was used; zero is no filter.
+pub(super) fn case_lines(file: &Path, args: &ProfileInfoArgs, lambda_c: Option<Length>) -> String {
+    let (reading, preparing) = (&args.reading, &args.preparing);
+    let text = |value: Option<String>| value.map(|value| json!(value).to_string());
+    fn named<T: std::fmt::Display>(value: &Option<T>) -> Option<String> {
+        value.as_ref().map(ToString::to_string)
+    }
+    let columns = |columns: Columns| match columns.x {
+        Some(x) => format!("{{ x = {x}, z = {} }}", columns.z),
+        None => format!("{{ z = {} }}", columns.z),
+    };
+    let options = [
+        (Setting::XUnit, text(named(&reading.x_unit))),
+        (Setting::ZUnit, text(named(&reading.z_unit))),
+        (Setting::Spacing, text(named(&reading.dx))),
+        (Setting::Columns, reading.columns.map(columns)),
+        (Setting::Decimal, text(named(&reading.decimal))),
+        (Setting::Separator, text(named(&reading.separator))),
+        (Setting::Encoding, text(named(&reading.encoding))),
+        (Setting::Gaps, text(named(&reading.gaps))),
+        (Setting::Row, named(&reading.row)),
+        (Setting::Line, text(named(&reading.line))),
+        (Setting::Abscissa, text(named(&reading.abscissa))),
+        (Setting::Uneven, text(named(&reading.uneven))),
+    ];
+    let stated = options
+        .into_iter()
+        .filter_map(|(setting, value)| Some(format!(", {} = {}", setting.key(), value?)));
+    let name = json!(file.display().to_string());
+    let mut lines = format!(
+        "  in a case:\n    [surface]\n    pinion = {{ file = {name}{} }}\n",
+        stated.collect::<String>()
+    );
+    let cutoffs = [
+        (Setting::Cutoff, lambda_c),
+        (Setting::NoiseCutoff, preparing.lambda_s),
+    ];
+    for (setting, length) in cutoffs {
+        if let Some(length) = length {
+            lines += &format!("    {} = \"{length}\"\n", setting.key());
+        }
+    }
+    if let Some(outliers) = preparing.outliers {
+        lines += &format!("    {} = {outliers}\n", Setting::Outliers.key());
+    }
+    lines
+}

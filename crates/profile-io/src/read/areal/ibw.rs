@@ -1,0 +1,156 @@
+//! Igor binary waves of version 5: a header of 384 bytes, the numbers with the first index running fastest, then texts.
+//!
+//! Layout: Technical Note PTN003 of WaveMetrics. Of several layers the first one named a height is read. Instruments of
+//! Asylum Research leave the unit of a height out, which is metres. Curves, such as forces, are refused.
+
+use super::bytes::{Plain, part, text};
+use super::trace::{Areal, HeightUnit, Heights};
+use crate::read::archive::damaged;
+use crate::read::error::ReadError;
+use crate::read::format::Format;
+use crate::read::header;
+use crate::read::metadata::short;
+use crate::read::options::LengthUnit;
+
+const FORMAT: Format = Format::IgorWave;
+/// Bytes of the two headers.
+const HEADERS: usize = 384;
+/// Bytes of a label.
+const LABEL: usize = 32;
+/// Words of layers that are heights.
+const NAMES: [&str; 4] = ["height", "zsensor", "topography", "z sensor"];
+
+/// Numbers of a header in the byte order of the file.
+#[derive(Clone, Copy)]
+struct Header<'a> {
+    bytes: &'a [u8],
+    is_big: bool,
+}
+
+impl Header<'_> {
+    fn number<T: Plain>(self, at: usize) -> Option<T> {
+        let bytes = part(self.bytes, at, T::WIDTH)?;
+        if self.is_big {
+            T::big(bytes)
+        } else {
+            T::little(bytes)
+        }
+    }
+
+    /// A size of bytes or points; none if it is negative.
+    fn size(self, at: usize) -> Option<usize> {
+        usize::try_from(self.number::<i32>(at)?).ok()
+    }
+}
+
+/// Reads the first layer of heights.
+pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
+    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+    let short_file = || fault("it ends within its header or its numbers", "");
+    let header = Header {
+        bytes,
+        is_big: bytes.first() == Some(&0),
+    };
+    let refused = |content| ReadError::NotHeights {
+        file: file.to_owned(),
+        format: FORMAT,
+        content,
+    };
+    let size = |at| header.size(at).ok_or_else(short_file);
+    let mut sides = [0; 4];
+    for (k, side) in sides.iter_mut().enumerate() {
+        *side = size(64 + 68 + 4 * k)?;
+    }
+    let [columns, rows, layers, chunks] = sides;
+    if columns == 0 || chunks > 1 {
+        return Err(refused("no image"));
+    }
+    let kind: i16 = header.number(64 + 16).ok_or_else(short_file)?;
+    let width = match kind {
+        0x08 | 0x48 => 1,
+        0x10 | 0x50 => 2,
+        0x02 | 0x20 | 0x60 => 4,
+        0x04 => 8,
+        0x00 => return Err(refused("texts")),
+        _ => {
+            return Err(fault(
+                "its numbers are of an unknown kind",
+                &kind.to_string(),
+            ));
+        }
+    };
+    let (lines, layers) = (rows.max(1), layers.max(1));
+    let points = columns.checked_mul(lines).ok_or_else(short_file)?;
+    let layer_size = points.checked_mul(width).ok_or_else(short_file)?;
+    let data_size = layer_size.checked_mul(layers).ok_or_else(short_file)?;
+    // Behind the numbers: formula, note, units of data and axes, labels of the axes.
+    let mut before_labels = HEADERS.checked_add(data_size).ok_or_else(short_file)?;
+    for at in [8, 12, 16, 20, 24, 28, 32] {
+        before_labels = before_labels
+            .checked_add(size(at)?)
+            .ok_or_else(short_file)?;
+    }
+    let labels = |axis: usize| -> Result<Vec<String>, ReadError> {
+        let start = (0..axis).try_fold(before_labels, |at, k| {
+            Ok(at.saturating_add(size(36 + 4 * k)?))
+        })?;
+        let count = size(36 + 4 * axis)? / LABEL;
+        let label = |k| text(bytes, start.saturating_add(LABEL * k), LABEL).unwrap_or_default();
+        // The first one names the axis.
+        Ok((1..count.min(1000)).map(label).collect())
+    };
+    if layers == 1 && labels(1)?.iter().any(|label| !label.is_empty()) {
+        return Err(refused("curves side by side"));
+    }
+    let names = labels(2)?;
+    let is_height = |name: &String| {
+        let name = name.to_lowercase();
+        NAMES.iter().any(|height| name.contains(height))
+    };
+    let layer = names.iter().position(is_height);
+    if layer.is_none() && layers > 1 {
+        return Err(refused("several layers, none of which is named a height"));
+    }
+    let unit_at = |at| text(bytes, 64 + at, 4).unwrap_or_default();
+    let data_unit = header::unit(&unit_at(148));
+    let unit = match (data_unit, layer) {
+        (Some(unit), _) => Some(unit),
+        (None, _) if !unit_at(148).is_empty() => {
+            return Err(refused("numbers that are no lengths"));
+        }
+        (None, layer) => layer.map(|_| LengthUnit::Metre),
+    };
+    let first = HEADERS + layer_size * layer.unwrap_or(0);
+    let value = |i: usize| -> Option<f64> {
+        let at = first + i * width;
+        Some(match kind {
+            0x08 => header.number::<i8>(at)?.into(),
+            0x48 => header.number::<u8>(at)?.into(),
+            0x10 => header.number::<i16>(at)?.into(),
+            0x50 => header.number::<u16>(at)?.into(),
+            0x20 => header.number::<i32>(at)?.into(),
+            0x60 => header.number::<u32>(at)?.into(),
+            0x02 => header.number::<f32>(at)?.into(),
+            _ => header.number::<f64>(at)?,
+        })
+    };
+    if part(bytes, first, layer_size).is_none() {
+        return Err(short_file());
+    }
+    let in_metres = |z: f64| unit.map_or(z, |unit| unit.metres(z));
+    let metres = |i| value(i).map_or(f64::NAN, in_metres);
+    let values: Vec<f64> = (0..points).map(metres).collect();
+    let spacing = |axis: usize| {
+        let unit = header::unit(&unit_at(152 + 4 * axis));
+        let step: Option<f64> = header.number(64 + 84 + 8 * axis);
+        unit.zip(step)
+            .map_or(f64::NAN, |(unit, step)| unit.metres(step.abs()))
+    };
+    let heights = Heights::Values { values, columns };
+    let mut found = Areal::new(FORMAT, heights).spaced(spacing(0), spacing(1));
+    if unit.is_none() {
+        found.unit = HeightUnit::Unstated;
+    }
+    found.metadata.title = text(bytes, 64 + 28, LABEL).as_deref().and_then(short);
+    Ok(found)
+}

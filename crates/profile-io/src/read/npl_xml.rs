@@ -1,0 +1,71 @@
+//! XML profiles of ASME B46 and NPL: `DATA/DATAFILE` with `UNITS`, `NUMPOINTS`, `SPACING` and `DATA_POINT_VALUES`.
+//!
+//! No schema was found; the layout is that of the published samples (NavierPy/surface-roughness-profile-analyser), whose
+//! spacing is in the unit of the heights: a softgauge of 8000 points in 4 mm states the spacing 0.5 and the unit um.
+
+use super::archive::damaged;
+use super::error::ReadError;
+use super::format::Format;
+use super::found::Found;
+use super::grid::SpacingSource;
+use super::header;
+use super::metadata::{Metadata, number, short};
+use super::options::{Axis, LengthUnit};
+use super::text::Stream;
+use super::xml::walk;
+
+const FORMAT: Format = Format::NplXml;
+
+/// Reads the profile.
+pub(super) fn read(file: &str, stream: &mut dyn Stream) -> Result<Found, ReadError> {
+    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+    stream.rewind().map_err(|source| ReadError::NotReadable {
+        file: file.to_owned(),
+        source,
+    })?;
+    let mut metadata = Metadata::default();
+    let (mut unit, mut points, mut spacing) = (String::new(), None, None);
+    let mut values: Option<String> = None;
+    let sound = walk(stream, |leaf| {
+        match (leaf.parent(), leaf.name()) {
+            ("DATAFILE", "UNITS") => unit = leaf.text.to_owned(),
+            ("DATAFILE", "NUMPOINTS") => points = leaf.text.parse::<usize>().ok(),
+            ("DATAFILE", "SPACING") => spacing = number(leaf.text).filter(|dx| *dx > 0.0),
+            ("DATAFILE", "DATA_POINT_VALUES") => values = Some(leaf.text.to_owned()),
+            ("PART", "PART_NAME") => metadata.title = short(leaf.text),
+            ("PART", "PART_DATE") => metadata.date = short(leaf.text),
+            ("MEASUREMENT", "MEASUREMENT_INSTRUMENT_TYPE") => {
+                metadata.instrument = short(leaf.text).filter(|name| name != "N/A");
+            }
+            _ => {}
+        }
+        values.is_none()
+    });
+    let values = match values {
+        Some(values) if sound => values,
+        _ => return Err(fault("there is no DATA_POINT_VALUES in its DATAFILE", "")),
+    };
+    let unit: LengthUnit = header::unit(&unit).ok_or_else(|| ReadError::UnknownUnit {
+        file: file.to_owned(),
+        axis: Axis::Height,
+        unit,
+    })?;
+    let heights: Vec<f64> = values
+        .split_whitespace()
+        .map(|value| number(value).ok_or_else(|| fault("a height is not a number", value)))
+        .collect::<Result<_, _>>()?;
+    if let Some(stated) = points.filter(|stated| *stated != heights.len()) {
+        let seen = format!("{} of {stated}", heights.len());
+        return Err(fault(
+            "the number of heights is not that of the header",
+            &seen,
+        ));
+    }
+    Ok(Found {
+        z_unit: unit,
+        x_unit: unit,
+        spacing: spacing.map(|dx| (dx, SpacingSource::Header)),
+        metadata,
+        ..Found::new(FORMAT, heights)
+    })
+}

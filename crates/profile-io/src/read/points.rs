@@ -1,0 +1,218 @@
+//! Points x, y, z as text: a single line of points, or the lines of a grid, along either coordinate first.
+
+use super::areal::trace::{Areal, HeightUnit, Heights};
+use super::dialect::Sniffed;
+use super::error::ReadError;
+use super::format::Format;
+use super::header::{Label, Role};
+use super::options::{LengthUnit, ReadOptions, TraceLine};
+use super::rows::{self, Rows};
+use super::table::Chosen;
+use super::text::{Line, Text};
+
+/// Largest difference of a coordinate from its value in the first line, in steps, due to rounding.
+const SAME: f64 = 0.25;
+
+/// The columns of x, y and z of a table of three columns, counted from 0: as labelled, or in this order.
+pub(super) fn columns(labels: &[Label], options: &ReadOptions) -> Option<[usize; 3]> {
+    if labels.len() != 3 || options.columns.is_some() || options.dx.is_some() {
+        return None;
+    }
+    let with = |role| labels.iter().position(|label| label.role == Some(role));
+    if labels.iter().all(|label| label.role.is_none()) {
+        return Some([0, 1, 2]);
+    }
+    Some([with(Role::X)?, with(Role::Y)?, with(Role::Z)?])
+}
+
+/// Points on lines with the same number of points.
+pub(super) struct Points {
+    /// Coordinates of the points of a line.
+    along: Vec<f64>,
+    /// Coordinates of the lines.
+    across: Vec<f64>,
+    /// Heights, line by line.
+    heights: Vec<f64>,
+    /// Whether the lines run along x.
+    along_x: bool,
+}
+
+/// A trace of points, with the number of rows of the table above its first point.
+pub(super) struct PointTrace {
+    pub rows: Rows,
+    pub before: usize,
+}
+
+/// The points of a table; `None` if they are on no grid.
+pub(super) fn read(
+    text: &mut Text<'_>,
+    first: usize,
+    head: &[Line<'_>],
+    sniffed: &Sniffed,
+    [x, y, z]: [usize; 3],
+) -> Result<Option<Points>, ReadError> {
+    let chosen = |x, z| Chosen {
+        x: Some(x),
+        z,
+        valid: None,
+        count: 3,
+    };
+    let with_z = rows::read(text, first, head, sniffed, chosen(x, z))?;
+    let with_y = rows::read(text, first, head, sniffed, chosen(x, y))?;
+    let (Some(x), y, z) = (with_z.x, with_y.z, with_z.z) else {
+        return Ok(None);
+    };
+    if x.len() != y.len() || y.iter().any(|y| y.is_nan()) {
+        return Ok(None);
+    }
+    Ok(Points::of(&x, &y, &z, true).or_else(|| Points::of(&y, &x, &z, false)))
+}
+
+impl Points {
+    /// The grid in which `along` changes from point to point, and `across` from line to line.
+    fn of(along: &[f64], across: &[f64], z: &[f64], along_x: bool) -> Option<Self> {
+        let first = *across.first()?;
+        let line = across.iter().take_while(|y| **y == first).count();
+        if line < 2 || !along.len().is_multiple_of(line) {
+            return None;
+        }
+        let points = &along[..line];
+        let step = (points[line - 1] - points[0]) / (line - 1) as f64;
+        let is_line = |(along, across): (&[f64], &[f64])| {
+            let same = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME * step.abs();
+            along.iter().zip(points).all(same) && across.iter().all(|y| *y == across[0])
+        };
+        let lines = || along.chunks(line).zip(across.chunks(line));
+        let across: Vec<f64> = across.iter().step_by(line).copied().collect();
+        let repeats = across.windows(2).any(|pair| pair[0] == pair[1]);
+        (step != 0.0 && !repeats && lines().all(is_line)).then(|| Self {
+            along: points.to_vec(),
+            across,
+            heights: z.to_vec(),
+            along_x,
+        })
+    }
+
+    /// Number of lines.
+    pub(super) fn lines(&self) -> usize {
+        self.across.len()
+    }
+
+    /// Whether the trace requested by `options` runs along y.
+    pub(super) fn runs_along_y(&self, options: &ReadOptions) -> bool {
+        let is_row = matches!(options.line, TraceLine::Row | TraceLine::Mean);
+        match self.lines() {
+            1 => !self.along_x,
+            _ => !is_row,
+        }
+    }
+
+    /// Height of point `i` of line `line`.
+    fn height(&self, i: usize, line: usize) -> f64 {
+        self.heights[line * self.along.len() + i]
+    }
+
+    /// The trace requested by `options`: rows run along x.
+    pub(super) fn trace(&self, file: &str, options: &ReadOptions) -> Result<PointTrace, ReadError> {
+        let as_stored = self.runs_along_y(options) != self.along_x;
+        let (x, count) = match as_stored {
+            true => (&self.along, self.lines()),
+            false => (&self.across, self.along.len()),
+        };
+        let at = |i: usize, line: usize| match as_stored {
+            true => self.height(i, line),
+            false => self.height(line, i),
+        };
+        let (z, before): (Vec<f64>, usize) = if options.line.is_mean() {
+            let sum = |i| (0..count).map(|line| at(i, line)).sum::<f64>();
+            ((0..x.len()).map(|i| sum(i) / count as f64).collect(), 0)
+        } else {
+            let asked = options.row.unwrap_or(usize::from(count == 1));
+            if asked == 0 || asked > count {
+                return Err(ReadError::SeveralProfiles {
+                    file: file.to_owned(),
+                    rows: count,
+                    points: x.len(),
+                    asked,
+                });
+            }
+            let line = asked - 1;
+            let before = if as_stored { line * x.len() } else { 0 };
+            ((0..x.len()).map(|i| at(i, line)).collect(), before)
+        };
+        Ok(PointTrace {
+            rows: Rows {
+                x: Some(x.clone()),
+                z,
+                empty: 0,
+            },
+            before,
+        })
+    }
+
+    /// The surface, with spacings if the unit of x is known.
+    pub(super) fn surface(&self, x_unit: Option<LengthUnit>, unit: Option<LengthUnit>) -> Areal {
+        let (columns, rows) = match self.along_x {
+            true => (self.along.len(), self.lines()),
+            false => (self.lines(), self.along.len()),
+        };
+        let height = |row: usize, column: usize| match self.along_x {
+            true => self.height(column, row),
+            false => self.height(row, column),
+        };
+        let metres = |z: f64| unit.map_or(z, |unit| unit.metres(z));
+        let values = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+        let values = values.map(|(row, column)| metres(height(row, column)));
+        let step = |x: &[f64]| {
+            let steps = (x.len().max(2) - 1) as f64;
+            Some((x_unit?.metres(x[x.len() - 1] - x[0]) / steps).abs())
+        };
+        let [dx, dy] = match self.along_x {
+            true => [step(&self.along), step(&self.across)],
+            false => [step(&self.across), step(&self.along)],
+        };
+        Areal {
+            spacings: [dx, dy].map(|dx| dx.filter(|dx| *dx > 0.0)),
+            unit: match unit {
+                Some(_) => HeightUnit::Metres,
+                None => HeightUnit::Unstated,
+            },
+            ..Areal::new(
+                Format::PointText,
+                Heights::Values {
+                    values: values.collect(),
+                    columns,
+                },
+            )
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_along_either_coordinate_are_found_and_others_are_none() {
+        let x = [0.0, 1.0, 2.01, 0.0, 1.0, 2.0];
+        let y = [5.0, 5.0, 5.0, 7.0, 7.0, 7.0];
+        let z = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+        let rows = Points::of(&x, &y, &z, true).unwrap();
+        assert_eq!((rows.lines(), rows.along_x), (2, true));
+        assert!(Points::of(&y, &x, &z, false).is_none());
+        let second = ReadOptions {
+            row: Some(2),
+            ..ReadOptions::default()
+        };
+        let trace = rows.trace("a", &second).unwrap();
+        assert_eq!((trace.rows.z, trace.before), (vec![4.0, 5.0, 6.0], 3));
+        let column = ReadOptions {
+            line: TraceLine::Column,
+            ..second
+        };
+        assert_eq!(rows.trace("a", &column).unwrap().rows.z, [2.0, 5.0]);
+        assert!(rows.trace("a", &ReadOptions::default()).is_err());
+        let scattered = [5.0, 5.0, 5.0, 7.0, 7.0, 8.0];
+        assert!(Points::of(&x, &scattered, &z, true).is_none());
+    }
+}

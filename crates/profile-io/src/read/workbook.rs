@@ -1,0 +1,410 @@
+//! Workbooks (`.xlsx`, `.ods`): the longest table of numbers in a sheet, read as a table of text with its labels.
+//!
+//! The rows of the table keep their numbers, so that messages name them. A row above the table is a line of the header:
+//! the labels of the columns, or a name with its value. Mitutoyo SurfTest workbooks (`.xlsx` of the USB communication
+//! tool) have no labels: sheet `Certificate` states the conditions as label and value side by side (`Profile` R,
+//! `Cut-Off` 0.08mm, λs), sheet `DATA` holds printed results in column A ("Ra 0.018 µm") and the profile in two columns,
+//! x in millimetres and heights in micrometres.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use super::archive::{Archive, damaged};
+use super::error::ReadError;
+use super::format::Format;
+use super::grid::FEWEST_POINTS;
+use super::header::FilterState;
+use super::metadata::{self, Metadata, PrintedParameter, short};
+use super::options::ReadOptions;
+use super::text::Stream;
+use super::xml::walk;
+
+const FORMAT: Format = Format::Excel;
+/// Maximum number of columns of a sheet that are read.
+const MOST_COLUMNS: usize = 2000;
+/// Maximum number of rows of a sheet: that of the programs.
+const MOST_ROWS: usize = 1 << 20;
+/// Maximum number of cells of a sheet.
+const MOST_CELLS: usize = 50_000_000;
+/// Maximum number of shared texts.
+const MOST_TEXTS: usize = 100_000;
+/// Maximum number of texts of a sheet.
+const MOST_LABELS: usize = 5000;
+/// A column belongs to a table if it has at least this part of the numbers of its longest column.
+const MOSTLY: f64 = 0.9;
+
+/// One sheet: its texts and its numbers, with row and column from 0.
+#[derive(Default)]
+struct Sheet {
+    /// Texts in reading order.
+    labels: Vec<(usize, usize, String)>,
+    /// Numbers by column, in the order of the rows.
+    columns: BTreeMap<usize, Vec<(usize, f64)>>,
+    cells: usize,
+}
+
+/// The table of a workbook as text, and what the workbook says about it.
+pub(super) struct Table {
+    pub text: String,
+    pub format: Format,
+    pub filter_state: FilterState,
+    pub metadata: Metadata,
+    /// Whether `row` of the options chose the sheet.
+    pub is_chosen: bool,
+}
+
+/// Reads the table of a workbook: of several sheets with tables as long, the one that `options` chooses.
+pub(super) fn read(
+    file: &str,
+    stream: &mut dyn Stream,
+    size: u64,
+    options: &ReadOptions,
+) -> Result<Table, ReadError> {
+    let mut archive = Archive::open(file, FORMAT, stream, size)?;
+    let sheets = match archive.holds("content.xml") {
+        true => open_document(file, &mut archive)?,
+        false => office_open(file, &mut archive)?,
+    };
+    let mut metadata = Metadata::default();
+    let mut filter_state = FilterState::Unknown;
+    let mut is_mitutoyo = false;
+    for sheet in &sheets {
+        let labels = sheet.labels.iter().map(|(.., label)| label.as_str());
+        is_mitutoyo |= describe(
+            &labels.collect::<Vec<_>>(),
+            &mut metadata,
+            &mut filter_state,
+        );
+    }
+    if !is_mitutoyo {
+        (metadata, filter_state) = (Metadata::default(), FilterState::Unknown);
+    }
+    let tables: Vec<(&Sheet, Block)> = sheets
+        .iter()
+        .filter_map(|sheet| Some((sheet, sheet.block()?)))
+        .collect();
+    let longest = tables
+        .iter()
+        .map(|(_, block)| block.rows)
+        .max()
+        .unwrap_or(0);
+    let longest: Vec<_> = tables
+        .iter()
+        .filter(|(_, block)| block.rows == longest)
+        .collect();
+    let is_chosen = longest.len() > 1;
+    let asked = if is_chosen {
+        options.row.unwrap_or(0)
+    } else {
+        1
+    };
+    let Some((sheet, block)) = asked.checked_sub(1).and_then(|at| longest.get(at)) else {
+        return Err(match longest.first() {
+            None => ReadError::NotHeights {
+                file: file.to_owned(),
+                format: FORMAT,
+                content: "no columns of a hundred numbers",
+            },
+            Some((_, block)) => ReadError::SeveralProfiles {
+                file: file.to_owned(),
+                rows: longest.len(),
+                points: block.rows,
+                asked,
+            },
+        });
+    };
+    let units = is_mitutoyo.then_some("x [mm]\tz [um]");
+    Ok(Table {
+        text: sheet.text(block, units),
+        format: if is_mitutoyo {
+            Format::MitutoyoXlsx
+        } else {
+            FORMAT
+        },
+        filter_state,
+        metadata,
+        is_chosen,
+    })
+}
+
+/// The sheets of an `.xlsx`.
+fn office_open(file: &str, archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadError> {
+    let texts = texts(file, archive)?;
+    let mut sheets = Vec::new();
+    for number in 1.. {
+        let name = format!("xl/worksheets/sheet{number}.xml");
+        if !archive.holds(&name) {
+            break;
+        }
+        sheets.push(sheet(file, archive, &name, &texts)?);
+    }
+    Ok(sheets)
+}
+
+/// The shared texts of the workbook.
+fn texts(file: &str, archive: &mut Archive<'_>) -> Result<Vec<String>, ReadError> {
+    let name = "xl/sharedStrings.xml";
+    if !archive.holds(name) {
+        return Ok(Vec::new());
+    }
+    archive.read(name, |stream| {
+        let mut texts = Vec::new();
+        let mut parts = String::new();
+        let sound = walk(stream, |leaf| {
+            match leaf.name() {
+                "t" => parts.push_str(leaf.text),
+                "si" => texts.push(std::mem::take(&mut parts)),
+                _ => {}
+            }
+            texts.len() < MOST_TEXTS
+        });
+        match sound {
+            true => Ok(texts),
+            false => Err(damaged(file, FORMAT, "the texts are not sound XML", "")),
+        }
+    })
+}
+
+fn sheet(
+    file: &str,
+    archive: &mut Archive<'_>,
+    name: &str,
+    texts: &[String],
+) -> Result<Sheet, ReadError> {
+    archive.read(name, |stream| {
+        let mut sheet = Sheet::default();
+        let mut value = String::new();
+        let sound = walk(stream, |leaf| {
+            match leaf.name() {
+                "v" | "t" => value = leaf.text.to_owned(),
+                "c" => {
+                    let value = std::mem::take(&mut value);
+                    if let Some((column, row)) = leaf.attribute("r").and_then(cell) {
+                        match leaf.attribute("t").unwrap_or_default() {
+                            "s" => {
+                                let at: Option<usize> = value.parse().ok();
+                                let text = at.and_then(|at| texts.get(at));
+                                sheet.label(row, column, text.map_or("", String::as_str));
+                            }
+                            "str" | "inlineStr" => sheet.label(row, column, &value),
+                            "" | "n" => sheet.number(row, column, &value),
+                            _ => {}
+                        }
+                    }
+                }
+                _ => {}
+            }
+            sheet.cells < MOST_CELLS
+        });
+        match sound {
+            true => Ok(sheet),
+            false => Err(damaged(file, FORMAT, "a sheet is not sound XML", name)),
+        }
+    })
+}
+
+/// The sheets of an `.ods`. Repeated cells and rows hold no profile and are read once.
+fn open_document(file: &str, archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadError> {
+    archive.read("content.xml", |stream| {
+        let mut sheets = Vec::new();
+        let mut sheet = Sheet::default();
+        let (mut row, mut column, mut text) = (0, 0, String::new());
+        let repeats = |stated: Option<&str>| {
+            let count = stated.and_then(|count| count.parse().ok());
+            count.unwrap_or(1_usize).min(MOST_ROWS)
+        };
+        let sound = walk(stream, |leaf| {
+            match leaf.name() {
+                "p" => text.push_str(leaf.text),
+                "table-cell" | "covered-table-cell" => {
+                    let text = std::mem::take(&mut text);
+                    match leaf.attribute("value") {
+                        Some(value) => sheet.number(row, column, value),
+                        None => sheet.label(row, column, &text),
+                    }
+                    column += repeats(leaf.attribute("number-columns-repeated"));
+                }
+                "table-row" => {
+                    row += repeats(leaf.attribute("number-rows-repeated"));
+                    column = 0;
+                }
+                "table" => {
+                    sheets.push(std::mem::take(&mut sheet));
+                    row = 0;
+                }
+                _ => {}
+            }
+            sheet.cells < MOST_CELLS && sheets.len() < MOST_COLUMNS
+        });
+        match sound {
+            true => Ok(sheets),
+            false => Err(damaged(file, FORMAT, "the sheets are not sound XML", "")),
+        }
+    })
+}
+
+/// Table of a sheet.
+struct Block {
+    columns: Vec<usize>,
+    /// First row of the table and the row after its last.
+    first: usize,
+    end: usize,
+    /// Number of rows with numbers.
+    rows: usize,
+}
+
+impl Sheet {
+    fn label(&mut self, row: usize, column: usize, text: &str) {
+        let text = text.trim();
+        if !text.is_empty() && self.labels.len() < MOST_LABELS {
+            self.labels.push((row, column, text.to_owned()));
+        }
+    }
+
+    fn number(&mut self, row: usize, column: usize, value: &str) {
+        if let Some(number) = metadata::number(value)
+            && column < MOST_COLUMNS
+            && row < MOST_ROWS
+        {
+            self.cells += 1;
+            self.columns.entry(column).or_default().push((row, number));
+        }
+    }
+
+    /// The longest columns of numbers; `None` if they are too short for a profile.
+    fn block(&self) -> Option<Block> {
+        let longest = self.columns.values().map(Vec::len).max()?;
+        if longest < FEWEST_POINTS {
+            return None;
+        }
+        let is_long = |cells: &&Vec<_>| cells.len() as f64 >= MOSTLY * longest as f64;
+        let long = || self.columns.iter().filter(|(_, cells)| is_long(cells));
+        // A number above the table is not its first row: all columns have one there.
+        let first = long()
+            .filter_map(|(_, cells)| cells.first())
+            .map(|cell| cell.0);
+        let last = long()
+            .filter_map(|(_, cells)| cells.last())
+            .map(|cell| cell.0);
+        Some(Block {
+            columns: long().map(|(column, _)| *column).collect(),
+            first: first.max()?,
+            end: last.max()? + 1,
+            rows: longest,
+        })
+    }
+
+    /// The table as text with tabs, one line a row, under the labels above it.
+    fn text(&self, block: &Block, units: Option<&str>) -> String {
+        let mut above: BTreeMap<usize, BTreeMap<usize, String>> = BTreeMap::new();
+        if units.is_none() {
+            let labels = self.labels.iter().filter(|(row, ..)| *row < block.first);
+            for (row, column, label) in labels {
+                let label = label.replace(['\t', '\n', '\r'], " ");
+                above.entry(*row).or_default().insert(*column, label);
+            }
+            for (column, cells) in &self.columns {
+                for (row, value) in cells.iter().filter(|(row, _)| *row < block.first) {
+                    let line = above.entry(*row).or_default();
+                    line.insert(*column, value.to_string());
+                }
+            }
+        }
+        let mut lines = vec![String::new(); block.end];
+        for (row, cells) in above {
+            let is_label = |column: &usize| cells.get(column).map_or("", String::as_str);
+            lines[row] = match row + 1 == block.first {
+                true => block
+                    .columns
+                    .iter()
+                    .map(is_label)
+                    .collect::<Vec<_>>()
+                    .join("\t"),
+                // A name with its value, or a remark.
+                false => format!("# {}", cells.into_values().collect::<Vec<_>>().join("\t")),
+            };
+        }
+        let mut cells: Vec<_> = block
+            .columns
+            .iter()
+            .map(|column| self.columns[column].iter().peekable())
+            .collect();
+        for (row, line) in lines.iter_mut().enumerate().skip(block.first) {
+            let mut is_empty = true;
+            for (at, column) in cells.iter_mut().enumerate() {
+                while column.next_if(|cell| cell.0 < row).is_some() {}
+                if at > 0 {
+                    line.push('\t');
+                }
+                if let Some((_, value)) = column.next_if(|cell| cell.0 == row) {
+                    // Writing into a string cannot fail.
+                    let _ = write!(line, "{value}");
+                    is_empty = false;
+                }
+            }
+            if is_empty {
+                line.clear();
+            }
+        }
+        let text = lines.join("\n");
+        match units {
+            // The labels take the place of the row above, or of a line of their own.
+            Some(units) if block.first == 0 => format!("{units}\n{text}\n"),
+            Some(units) => format!("{units}{text}\n"),
+            None => text + "\n",
+        }
+    }
+}
+
+/// Column and row from 0 of a reference like "F12".
+fn cell(reference: &str) -> Option<(usize, usize)> {
+    let at = reference.find(|c: char| c.is_ascii_digit())?;
+    let (letters, digits) = reference.split_at(at);
+    let mut column = 0_usize;
+    for letter in letters.chars() {
+        let value = (letter.to_ascii_uppercase() as usize).checked_sub('A' as usize)?;
+        column = column.checked_mul(26)?.checked_add(value.min(25) + 1)?;
+    }
+    let row: usize = digits.parse().ok()?;
+    Some((column.checked_sub(1)?, row.checked_sub(1)?))
+}
+
+/// Stores conditions and printed results; returns whether the sheet is a Mitutoyo export.
+fn describe(labels: &[&str], metadata: &mut Metadata, state: &mut FilterState) -> bool {
+    let known = labels
+        .iter()
+        .any(|label| *label == "Mitutoyo" || *label == "SurfTest");
+    for (at, label) in labels.iter().enumerate() {
+        let value = labels.get(at + 1).copied().unwrap_or("");
+        match *label {
+            "Mitutoyo" | "SurfTest" => {
+                let before = metadata.instrument.take().unwrap_or_default();
+                metadata.instrument = short(&format!("{before} {label}"));
+            }
+            "Work Name" => metadata.title = short(value),
+            "Profile" => {
+                *state = match value {
+                    "R" => FilterState::Roughness,
+                    "P" => FilterState::Primary,
+                    _ => FilterState::Unknown,
+                }
+            }
+            "Cut-Off" | "λc" => metadata.lambda_c = metadata::length(value),
+            "λs" => metadata.lambda_s = metadata::length(value),
+            _ if at == 0 && label.contains('-') && label.contains(|c: char| c.is_ascii_digit()) => {
+                metadata.date = short(label);
+            }
+            _ => {
+                let parts: Vec<&str> = label.split_whitespace().collect();
+                if let [name, value, rest @ ..] = parts.as_slice() {
+                    let unit = rest.first().copied().unwrap_or_default();
+                    let printed = PrintedParameter::parse(name, value, unit);
+                    metadata
+                        .printed
+                        .extend(printed.filter(|_| name.starts_with(['R', 'P', 'W', 'M'])));
+                }
+            }
+        }
+    }
+    known
+}
