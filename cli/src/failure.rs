@@ -128,6 +128,11 @@ impl Failure {
         let _ = writeln!(std::io::stderr(), "{}", self.rendered());
     }
 
+    /// Whether the error says why a trace that was read has no parameters.
+    pub fn is_of_trace(&self) -> bool {
+        ["E109", "E120", "E136"].contains(&self.code)
+    }
+
     /// The error as JSON.
     pub fn json(&self) -> serde_json::Value {
         serde_json::json!({

@@ -53,8 +53,25 @@ impl Said {
     /// Checks an error: exit status, code, and what the message must say; plain text, no panic.
     #[track_caller]
     pub fn refused(&self, status: i32, code: &str, says: &[&str]) {
-        assert_eq!(self.status, status, "{self:?}");
         assert_eq!(self.out, "", "an error goes to standard error");
+        self.failed(status, code, says);
+    }
+
+    /// A trace was read and its facts shown, but it has no parameters, for the reason on standard error.
+    pub fn informed(&self, code: &str, says: &[&str]) {
+        for part in [
+            "heights from",
+            "filter state",
+            "no parameters",
+            "pinion = { file =",
+        ] {
+            assert!(self.out.contains(part), "{part:?} is not in {}", self.out);
+        }
+        self.failed(2, code, says);
+    }
+
+    fn failed(&self, status: i32, code: &str, says: &[&str]) {
+        assert_eq!(self.status, status, "{self:?}");
         assert!(self.err.starts_with(&format!("{code} ")), "{}", self.err);
         let message = self.err.lines().next().unwrap();
         for part in says {

@@ -30,6 +30,8 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
                 let report = text::report(&evaluated_file, &facts, &details);
                 print_text(common, &(report + &lines))
             }
+            // A contradiction of options is no property of the trace.
+            Err(failure) if !failure.is_of_trace() => Err(failure),
             // What was read is shown even if it has no parameters.
             Err(failure) if common.json => {
                 print_json(&facts.json(&failure))?;
