@@ -238,6 +238,8 @@ fn noted() -> Vec<Noted> {
         (with_row(77, "38.5,NaN"), &["--gaps", "interpolate", "--lambda-c", "0.08 mm"], "W115", &["1 missing points interpolated"]),
         (format!("x_um,z_um\n{}", rows(long, |i, z| format!("{:.1},{z:.5}", 0.5 * (long - i) as f64))), &[], "W116", &["x decreases along the file"]),
         (trace("x_um,z_um", long), &["--dx", "0.4um"], "W117", &["spacing 400 nm was stated, the x column says 500 nm"]),
+        (trace("# dx = 0.4 um\nx_um,z_um", long), &[], "W325", &["states a spacing of 400", "Pass --dx to choose"]),
+        (trace("x_um,z_um", long) + &"NaN,NaN\n".repeat(9), &[], "W326", &["9 rows hold neither a position nor a height"]),
         (trace("roughness profile\nx_um,z_um", long), &[], "W118", &["already filtered roughness profile", "--lambda-c none"]),
     ]
 }
