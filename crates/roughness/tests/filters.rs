@@ -142,7 +142,11 @@ fn preparing_drops_half_a_cutoff_and_says_what_was_done() {
     let wave = profile(0.5e-6, 11_200, |x| {
         1e-6 * (TAU * x / 50e-6).sin() + 0.02 * x + 0.1
     });
-    let prepared = prepare(&wave, &Preparation::default()).unwrap();
+    let recipe = Preparation {
+        lambda_c: Some(Length::from_si(0.8e-3)),
+        ..Preparation::default()
+    };
+    let prepared = prepare(&wave, &recipe).unwrap();
     assert_eq!((prepared.first_index, prepared.profile.len()), (800, 9600));
     assert_eq!(prepared.record.dropped_each_end, 800);
     assert_eq!(prepared.warnings, []);

@@ -93,7 +93,11 @@ fn a_cutoff_of_one_spacing_hardly_filters_and_a_shorter_one_is_refused() {
 
 #[test]
 fn a_trace_too_short_for_its_cutoff_is_refused_with_the_length_needed() {
-    let prepared = prepare(&rough(1500), &Preparation::default());
+    let recipe = Preparation {
+        lambda_c: Some(Length::from_si(0.8e-3)),
+        ..Preparation::default()
+    };
+    let prepared = prepare(&rough(1500), &recipe);
     match prepared {
         Err(RoughnessError::TooShort { needed, .. }) => assert_eq!(needed, Length::from_si(1.6e-3)),
         other => panic!("{other:?}"),
