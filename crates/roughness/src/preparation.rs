@@ -107,7 +107,7 @@ pub struct Prepared {
 /// let wave = |i: usize| 1e-6 * (i as f64 * 0.5e-6 / 50e-6 * std::f64::consts::TAU).sin();
 /// let profile = Profile::new(Length::from_si(0.5e-6), (0..11_201).map(wave).collect())?;
 /// let prepared = prepare(&profile, &Preparation::default())?;
-/// assert_eq!((prepared.first_index, prepared.profile.len()), (800, 9601));
+/// assert_eq!((prepared.first_index, prepared.profile.len()), (250, 10_701));
 /// assert!(prepared.warnings.is_empty());
 /// # Ok::<(), asperity_roughness::RoughnessError>(())
 /// ```
