@@ -132,7 +132,7 @@ pub fn write_filtered(
 /// let trace = read_trace_bytes("a.csv", file.as_bytes(), &options)?;
 /// for (name, format) in [("a.csv", WrittenFormat::Csv), ("a.x3p", WrittenFormat::X3p)] {
 ///     let again = read_trace_bytes(name, &write_trace(&trace, format)?, &options)?;
-///     assert_eq!(again.x().map(<[f64]>::len), trace.x().map(<[f64]>::len));
+///     assert_eq!(again.x().len(), trace.x().len());
 ///     let both = again.heights.iter().zip(&trace.heights);
 ///     assert!(both.into_iter().all(|(again, z)| (again - z).abs() <= f64::EPSILON * z.abs()));
 /// }
