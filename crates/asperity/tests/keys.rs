@@ -20,7 +20,8 @@ fn key_of(error: &Error) -> &str {
 
 #[test]
 fn the_ends_of_a_range_are_in_or_out_as_its_rule_says() {
-    let case = e_drive();
+    // A starved inlet needs this gap law.
+    let case = e_drive().with_key("model.gap_law", "power").unwrap();
     // Key, values that may be, values that may not.
     let ranges: [(&str, &[&str], &[&str]); 15] = [
         ("positions", &["2", "10000"], &["1", "10001"]),
@@ -366,6 +367,7 @@ fn deliberate_mistakes_are_named() {
 fn a_starved_inlet_thins_the_film_to_its_layer() {
     let case = e_drive().with(|input| {
         (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+        input.set("model.gap_law", "power").unwrap();
     });
     let case = case.unwrap();
     let with = |layer: &str| losses(&case.with_key("model.inlet_layer", layer).unwrap()).unwrap();
@@ -389,6 +391,7 @@ fn a_starved_inlet_thins_the_film_to_its_layer() {
         [("model.inlet_layer", "1 um"), ("formulation", "paper")],
         [("model.inlet_layer", "1 um"), ("model.load_share", "ehl")],
         [("model.inlet_layer", "1 um"), ("model.full_film", "ehl")],
+        [("model.inlet_layer", "1 um"), ("model.gap_law", "inlet")],
     ] {
         let refused = case.with(|input| {
             for (key, value) in keys {

@@ -134,9 +134,10 @@ choices! {
     #[serde(skip_serializing_if = "Option::is_none")]
     full_film: FullFilmName = listed_if(false, FullFilmName::Formulas);
     /// Thickness of the oil layers of both flanks together ahead of the contact, where an oil jet does not flood the inlet;
-    /// default flooded. The film is starved; the rolling resistance is left as flooded.
+    /// default flooded. The film is starved; the rolling resistance is left as flooded. Needs `gap_law = "power"`: the law
+    /// `inlet` is that of a flooded inlet.
     #[serde(skip_serializing_if = "Option::is_none")]
-    inlet_layer: Length => Option<Length> = starved_inlet(load_share, full_film);
+    inlet_layer: Length => Option<Length> = starved_inlet(gap_law, load_share, full_film);
     /// The elastohydrodynamic solutions of `load_share = "ehl"` and `full_film`.
     #[serde(skip_serializing_if = "Option::is_none")]
     ehl: EhlInput => EhlChoices = ehl_solutions(load_share, full_film);
@@ -309,6 +310,7 @@ impl Choices<'_> {
         &mut self,
         key: Key,
         stated: Option<Length>,
+        gap: GapLaw,
         share: LoadShareName,
         film: FullFilmName,
     ) -> Choice<Option<Length>> {
@@ -318,6 +320,12 @@ impl Choices<'_> {
         let is_flooded = share == LoadShareName::Ehl || film != FullFilmName::Formulas;
         if is_flooded || self.formulation == Formulation::Paper {
             let rule = "starves the film of the formulas in the corrected formulation; leave it out or choose these";
+            return Err(Section::of(self.source, key).conflict("", rule));
+        }
+        // Its mean gap would not follow the film: the length of the inlet is that of one full of oil.
+        if gap == GapLaw::Inlet && share == LoadShareName::Solved {
+            let rule =
+                "needs model.gap_law = \"power\": the gap law inlet is that of a flooded inlet";
             return Err(Section::of(self.source, key).conflict("", rule));
         }
         let rule = "must be above 0 and at most 1 mm";
