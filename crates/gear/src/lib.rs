@@ -42,7 +42,6 @@ pub mod flank_coordinate;
 pub mod forces;
 mod hertz_compliance;
 pub mod input;
-mod interpolation;
 pub mod involute;
 pub mod iso_stiffness;
 pub mod kinematics;

@@ -13,11 +13,11 @@
 
 use asperity_core::DomainError;
 use asperity_core::cite;
+use asperity_core::numerics::interpolate;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::GearError;
-use crate::interpolation::interpolate;
 
 /// Rounding error of a profile coordinate.
 const ROUNDING: f64 = 1e-12;

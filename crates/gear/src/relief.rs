@@ -15,12 +15,12 @@
 
 use asperity_core::DomainError;
 use asperity_core::cite;
+use asperity_core::numerics::{interpolate, interpolate_between};
 use asperity_core::quantity::Length;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Gear, GearError};
-use crate::interpolation::{self, interpolate};
 use crate::pair::GearPair;
 
 /// The direction in which amounts are measured.
@@ -97,7 +97,7 @@ impl MeasuredForm {
     pub fn at(&self, roll: Length) -> f64 {
         let above = self.roll_length.partition_point(|point| *point <= roll);
         let point = |k: usize| Some((self.roll_length.get(k)?.si(), self.height.get(k)?.si()));
-        interpolation::between(
+        interpolate_between(
             above.checked_sub(1).and_then(point),
             point(above),
             roll.si(),

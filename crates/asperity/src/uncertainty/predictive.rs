@@ -17,6 +17,7 @@
 //! loss of a draw; model error and sampling differ from flanks to other flanks.
 
 use asperity_core::cite;
+use asperity_core::numerics::interpolate;
 use asperity_ehl_regime::GapLaw;
 use serde::{Deserialize, Serialize};
 
@@ -34,9 +35,10 @@ const STATES: [f64; 2] = [0.65, 0.90];
 const STEP_RULE: f64 = 0.27;
 /// Mean and standard deviation of the power of the ratio of loss factors.
 const RELIEF_POWER: [f64; 2] = [1.15, 0.08];
-/// Standard deviation of ln of the fast model over records: of smooth films, and of rough ones between values of s.
+/// Standard deviation of ln of the fast model over records: of smooth films, and of rough ones between values of s. Those at
+/// s = 1.5 to 2.7 are fitted; that of smooth films and the last are judged.
 const SMOOTH_ERROR: f64 = 0.03;
-const ROUGH_ERROR: [[f64; 2]; 4] = [[1.5, 0.05], [2.1, 0.09], [2.7, 0.12], [3.3, 0.25]];
+const ROUGH_ERROR: [(f64, f64); 4] = [(1.5, 0.05), (2.1, 0.09), (2.7, 0.12), (3.3, 0.25)];
 /// The same of rough films by the gap law `power`.
 const POWER_ERROR: f64 = 0.05;
 /// Asperity share below which a film is smooth.
@@ -415,7 +417,7 @@ pub fn model_deviation(law: GapLaw, roughness_over_film: f64, asperity_share: f6
     };
     let error = match law {
         _ if asperity_share < SMOOTH => SMOOTH_ERROR,
-        GapLaw::Inlet => between(&ROUGH_ERROR, roughness_over_film),
+        GapLaw::Inlet => interpolate(&ROUGH_ERROR, roughness_over_film),
         GapLaw::Power => POWER_ERROR,
     };
     [
@@ -427,19 +429,6 @@ pub fn model_deviation(law: GapLaw, roughness_over_film: f64, asperity_share: f6
 /// The gap law of draws that do not name one.
 fn former_gap_law() -> GapLaw {
     GapLaw::Power
-}
-
-/// Linear interpolation between points of rising x, constant beyond them.
-fn between(points: &[[f64; 2]], x: f64) -> f64 {
-    let at = points.partition_point(|point| point[0] <= x);
-    match (
-        at.checked_sub(1).and_then(|k| points.get(k)),
-        points.get(at),
-    ) {
-        (Some([x0, y0]), Some([x1, y1])) => y0 + (y1 - y0) * (x - x0) / (x1 - x0),
-        (Some([_, y]), None) | (None, Some([_, y])) => *y,
-        (None, None) => 0.0,
-    }
 }
 
 #[cfg(test)]

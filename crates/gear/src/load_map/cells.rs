@@ -11,13 +11,13 @@
 //! constant friction. For μ ~ f^0.2 V_s^−0.1 the error of the loss is 1.5e-3 with K = 16, and 3.8e-3 at a tenth of the
 //! torque with relief. With the arithmetic mean of f it would be two to three times larger.
 
+use asperity_core::numerics::interpolate_between;
 use asperity_core::quantity::{Force, Length, LineLoad};
 use asperity_core::{DomainError, cite};
 use serde::Serialize;
 
 use super::map::{LoadMap, LoadSample, Model, NARROW_OVERLAP};
 use crate::error::GearError;
-use crate::interpolation;
 use crate::positions::distribute;
 use crate::quadrature::breakpoints;
 
@@ -314,7 +314,7 @@ fn between_neighbours(position: f64, points: impl Iterator<Item = (f64, f64)>) -
             _ => {}
         }
     }
-    interpolation::between(below, above, position)
+    interpolate_between(below, above, position)
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! Line load of a user-defined law, tabulated along the path of contact.
 
+use asperity_core::numerics::interpolate;
+
 use super::rigid::LinePoint;
-use crate::interpolation::interpolate;
 use crate::pair::GearPair;
 
 /// Line loads at ascending coordinates, with linear interpolation, constant beyond the first and the last.

@@ -5,14 +5,19 @@ type Point = (f64, f64);
 
 /// Linear interpolation at `x` of `points` in ascending order, constant beyond the first and the last; zero without
 /// points.
-pub(crate) fn interpolate(points: &[Point], x: f64) -> f64 {
+///
+/// ```
+/// use asperity_core::numerics::interpolate;
+/// assert_eq!(interpolate(&[(1.0, 2.0), (3.0, 6.0)], 2.0), 4.0);
+/// ```
+pub fn interpolate(points: &[Point], x: f64) -> f64 {
     let above = points.partition_point(|(abscissa, _)| *abscissa <= x);
     let below = above.checked_sub(1).and_then(|k| points.get(k));
-    between(below.copied(), points.get(above).copied(), x)
+    interpolate_between(below.copied(), points.get(above).copied(), x)
 }
 
 /// Linear interpolation at `x` between its neighbours; with a single neighbour its value, without any zero.
-pub(crate) fn between(below: Option<Point>, above: Option<Point>, x: f64) -> f64 {
+pub fn interpolate_between(below: Option<Point>, above: Option<Point>, x: f64) -> f64 {
     match (below, above) {
         (Some((x0, y0)), Some((x1, y1))) => y0 + (y1 - y0) * (x - x0) / (x1 - x0),
         (Some((_, y)), None) | (None, Some((_, y))) => y,
