@@ -48,10 +48,8 @@ fn table(rows: &[RegimeRow]) -> String {
         let lambda = row
             .lambda_star
             .map_or("-".to_owned(), |value| format!("{value:.3}"));
-        let regime = match row.mixed_share >= 0.5 {
-            true => Regime::Mixed,
-            false => Regime::FullFilm,
-        };
+        // No friction is computed here.
+        let regime = Regime::of_friction(row.mixed_share, 0.0, 0.0);
         text.push_str(&format!(
             "{:>8.4} {:>9.2} {:>7.0} {:>9.4} {:>9.4} {:>9.4} {:>7.3} {lambda:>8} {:>7.1}  {}\n",
             row.path_fraction,

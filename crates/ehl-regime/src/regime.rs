@@ -61,20 +61,21 @@ impl Regime {
         })
     }
 
-    /// Regime of a contact, or of a path of contact, with its friction and the part of it in the boundary layer.
+    /// Regime of a contact, or of a path of contact, with this share of it in mixed lubrication, its friction and the part
+    /// of that in the boundary layer: boundary from half of the friction, mixed from half of the contact.
     ///
     /// ```
     /// use asperity_ehl_regime::Regime;
-    /// assert_eq!(Regime::of_friction(true, 51.0, 100.0), Regime::Boundary);
-    /// assert_eq!(Regime::of_friction(true, 50.0, 100.0), Regime::Mixed);
-    /// assert_eq!(Regime::of_friction(false, 0.0, 100.0), Regime::FullFilm);
+    /// assert_eq!(Regime::of_friction(0.9, 51.0, 100.0), Regime::Boundary);
+    /// assert_eq!(Regime::of_friction(0.5, 50.0, 100.0), Regime::Mixed);
+    /// assert_eq!(Regime::of_friction(0.1, 2.0, 100.0), Regime::FullFilm);
     /// ```
     #[must_use]
-    pub fn of_friction(touches: bool, boundary: f64, friction: f64) -> Self {
-        match touches {
-            false => Self::FullFilm,
-            true if boundary > 0.5 * friction => Self::Boundary,
+    pub fn of_friction(mixed_share: f64, boundary: f64, friction: f64) -> Self {
+        match mixed_share >= 0.5 {
+            _ if boundary > 0.5 * friction => Self::Boundary,
             true => Self::Mixed,
+            false => Self::FullFilm,
         }
     }
 

@@ -397,7 +397,7 @@ fn summary(
         loss_factor: ohlendorf,
         loss_factor_local: local,
         mixed_share: mixed / total,
-        regime: Some(Regime::of_friction(mixed > 0.0, boundary_w, sliding_w)),
+        regime: Some(Regime::of_friction(mixed / total, boundary_w, sliding_w)),
         positions: positions.len(),
         worst_load_error: contacts().map(|c| c.load_error).fold(0.0, f64::max),
         worst_duality_gap: contacts().map(|c| c.duality_gap).fold(0.0, f64::max),
@@ -469,7 +469,7 @@ fn row(case: &Case, position: &LubricatedPosition, rolling: f64, per_width: f64)
         // Between flat flanks it has no limit.
         film_ratio: Some(over(|offset| offset.film_ratio)).filter(|ratio| ratio.is_finite()),
         mixed_share: share,
-        regime: Regime::of_friction(share >= 0.5, parts[2], force),
+        regime: Regime::of_friction(share, parts[2], force),
         film_share: over(|offset| offset.film_share),
         film_share_standard_error: recorded.map(|share| share.solid_share.standard_error),
         boundary_of_asperities: (solid > 0.0).then(|| over(boundary_share) / solid),

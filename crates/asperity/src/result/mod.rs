@@ -198,8 +198,7 @@ impl Summary {
     /// Lubrication regime of the mesh.
     #[must_use]
     pub fn regime(&self) -> Regime {
-        let of_parts =
-            || Regime::of_friction(self.mixed_share > 0.0, self.boundary_w, self.sliding_w);
+        let of_parts = || Regime::of_friction(self.mixed_share, self.boundary_w, self.sliding_w);
         self.regime.unwrap_or_else(of_parts)
     }
 }

@@ -145,7 +145,7 @@ impl Numbers {
     /// Lubrication regime of the mesh.
     #[must_use]
     pub fn regime(&self) -> Regime {
-        Regime::of_friction(self.mixed_share > 0.0, self.boundary_w, self.sliding_w)
+        Regime::of_friction(self.mixed_share, self.boundary_w, self.sliding_w)
     }
 }
 
