@@ -188,7 +188,10 @@ fn a_map_has_nodes_at_rest_and_its_points_are_those_of_runs() {
     );
     let page = fs::read_to_string(bench.path("m/map.html")).unwrap();
     // Most of it is extrapolated, so that a sentence says so in place of hatching.
-    assert!(page.contains("Efficiency, case, 90 °C") && page.contains("are extrapolated beyond"));
+    assert!(
+        page.contains("Efficiency, case, 90 °C")
+            && page.contains("leave ranges that the operating point")
+    );
     assert!(!page.contains("class=\"hatch\""));
 }
 

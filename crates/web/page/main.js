@@ -79,7 +79,7 @@ function changed() {
 
 async function drawPair() {
   const figure = element("pair");
-  const [drawing, caption] = figure.children;
+  const drawing = figure.querySelector(".drawing"), caption = figure.querySelector("[role=status]");
   const given = state.apart ? text.value : gearsText();
   try {
     const { svg, facts } = await questions.ask("pair", { text: given });

@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use serde_json::json;
 
 use super::page::{figure, page};
-use super::policy::PLAYER;
+use super::policy::FRAMES;
 use crate::chart::{Axis, Chart, Drawing, Line, Series};
 
 /// Width of the animation.
@@ -347,6 +347,6 @@ fn player(contact: &LubricatedContact) -> Markup {
             }
         }
         script type="application/json" id="frames" { (PreEscaped(data)) }
-        script { (PreEscaped(PLAYER)) }
+        script { (PreEscaped(FRAMES)) }
     }
 }

@@ -1,6 +1,5 @@
 // Moves along the path of contact: turns the gears, shows the contact there, and sets the cursor of every chart over the
 // path. Without it the page shows the pitch point and the first contact.
-"use strict";
 (() => {
   const tell = (s) => document.dispatchEvent(new CustomEvent("along", { detail: s }));
   const follow = (action) => document.addEventListener("along", (e) => action(e.detail));
@@ -14,7 +13,7 @@
   // The gears, turned so that their flanks touch at s.
   function turn(figure) {
     const { path: [a, e], pitch, turns, along, contacts, step, place } = dataOf(figure);
-    const slider = enabled(figure), caption = figure.querySelector(".caption"), button = figure.querySelector("button");
+    const slider = enabled(figure), caption = figure.querySelector(".caption");
     const gears = [...figure.querySelectorAll("[data-gear]")], dots = [...figure.querySelectorAll(".touch")];
     const share = (s) => (s - a) / (e - a);
     follow((s) => {
@@ -29,22 +28,11 @@
       caption.textContent = `Contact ${s.toFixed(2)} mm from T₁, ${Math.round(100 * share(s))} % of the way from A to E`;
     });
     const go = (step) => tell(a + (e - a) * step / Number(slider.max));
-    slider.addEventListener("input", () => { stop(); go(Number(slider.value)); });
 
     // From A to E in 10 s; slowly and in few steps for readers who prefer reduced motion.
     const slow = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const [wait, stride] = slow ? [1000, Number(slider.max) / 10] : [40, 1];
-    let timer = null;
-    function stop() {
-      clearInterval(timer);
-      timer = null;
-      button.textContent = "Play";
-    }
-    button.addEventListener("click", () => {
-      if (timer !== null) return stop();
-      button.textContent = "Pause";
-      timer = setInterval(() => go((Number(slider.value) + stride) % (Number(slider.max) + 1)), wait);
-    });
+    player(figure.querySelector("button"), slider, go, wait, stride);
     return pitch;
   }
 

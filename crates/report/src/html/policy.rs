@@ -8,9 +8,9 @@ use crate::chart;
 /// Zoom and read-off of every chart.
 pub(super) const CHARTS: &str = include_str!("chart.js");
 /// Motion along the path of contact: gears, flanks, and the cursor of all charts.
-pub(super) const PATH: &str = include_str!("path.js");
+pub(super) const PATH: &str = concat!(include_str!("player.js"), include_str!("path.js"));
 /// Animation of a lubricated contact.
-pub(super) const PLAYER: &str = include_str!("frames.js");
+pub(super) const FRAMES: &str = concat!(include_str!("player.js"), include_str!("frames.js"));
 
 /// Style of every page.
 pub(super) fn style() -> String {
@@ -24,7 +24,7 @@ pub(super) fn style() -> String {
 /// ```
 #[must_use]
 pub fn policy() -> String {
-    let scripts = [CHARTS, PATH, PLAYER].map(source).join(" ");
+    let scripts = [CHARTS, PATH, FRAMES].map(source).join(" ");
     format!(
         "default-src 'none'; style-src {}; script-src {scripts}; img-src data:; base-uri 'none'; form-action 'none'",
         source(&style())

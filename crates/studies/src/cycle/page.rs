@@ -32,9 +32,14 @@ fn energy(result: &CycleResult) -> Markup {
         @if let Some(note) = left_aside(result) { p { (note) "." } }
         p { "Scope: " (result.scope) " only. " (format!("{:.1}", result.drive_wh)) " Wh at the pinion while it drives, "
             (format!("{:.1}", result.coast_wh)) " Wh while the wheel drives, " (format!("{:.0}", result.duration_s)) " s, flanks at "
-            (result.temperature_c) " °C. Outside of the map, where the ratio of loss to torque is that of its edge, " (percent(result.outside_energy_share)) " of the energy and "
-            (percent(result.outside_share)) " of the moving time; "
-            (percent(result.extended_share)) " at torques whose sliding loss is scaled from the smallest resolved one." }
+            (result.temperature_c) " °C."
+            @if result.outside_share > 0.0 {
+                " Outside of the map, where the ratio of loss to torque is that of its edge: " (percent(result.outside_energy_share))
+                " of the energy, " (percent(result.outside_share)) " of the moving time."
+            }
+            @if result.extended_share > 0.0 {
+                " At torques whose sliding loss is scaled from the smallest resolved one: " (percent(result.extended_share)) " of the moving time."
+            } }
         div.scroll { table {
             thead { tr { th { "finish" } th.number { "lost" } th.number { "driving" } th.number { "braking" }
                 th.number { "of drive energy" } th.number { "per 100 km" } th.number { "minus the first" } } }

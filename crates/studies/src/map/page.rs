@@ -173,7 +173,7 @@ fn extrapolated(map: &Map, finish: &FinishMap) -> Option<String> {
         false => "",
     };
     Some(format!(
-        "{}: {:.0} % of the points{drawn} are extrapolated beyond what is extrapolated at the operating point of the case: {}.",
+        "{}: {:.0} % of the points{drawn} leave ranges that the operating point of the case keeps: {}.",
         finish.name,
         100.0 * share,
         marks.collect::<Vec<_>>().join(", ")

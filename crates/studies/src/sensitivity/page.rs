@@ -15,7 +15,7 @@ pub(super) fn render(study: &Sensitivity) -> String {
         div.charts { (figure(&chart(study))) }
     };
     let sections = [("Changes of the loss", changes), ("Parts", table(study))];
-    let subtitle = format!("sensitivity of a loss of {} W", headline(study));
+    let subtitle = format!("sensitivity · {}", headline(study));
     page(&study.title, &subtitle, &sections)
 }
 

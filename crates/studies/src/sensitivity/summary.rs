@@ -14,9 +14,9 @@ pub(super) const NOTE: &str = "Each row is a run of the model with one thing cha
 /// Summary of the study for the terminal.
 pub(super) fn summary(study: &Sensitivity) -> String {
     let mut text = format!(
-        "{}\nloss {:.0} W, and how it changes\n",
+        "{}\n{}, and how it changes\n",
         one_line(&study.title),
-        study.loss_w
+        headline(study)
     );
     let name = |row: &SensitivityRow| format!("{} -> {}", row.what, row.to);
     let width = study.rows.iter().map(|row| name(row).chars().count());
@@ -66,9 +66,10 @@ pub(super) fn left_aside(study: &Sensitivity) -> Option<String> {
     })
 }
 
-/// The loss \[W\], with the two digits that the band of a loss usually justifies.
+/// The loss that the changes are relative to, with three digits: at given windows and constants it has no interval.
 pub(super) fn headline(study: &Sensitivity) -> String {
-    rounded(study.loss_w, study.loss_w)
+    let loss = rounded(study.loss_w, 0.01 * study.loss_w);
+    format!("loss {loss} W at the medians of all constants")
 }
 
 /// The change \[W\] with its interval.
