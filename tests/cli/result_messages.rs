@@ -199,6 +199,17 @@ fn an_oil_thinner_than_a_law_takes_is_outside_the_model() {
 }
 
 #[test]
+fn a_pressure_beyond_sense_on_the_path_ends_without_an_efficiency() {
+    // At the pitch point the pressure is below the limit; edge contact exceeds it.
+    let bench = bench_with("torque", "torque = \"40 kN m\"");
+    let says = [
+        "position 1 of",
+        "is beyond physical sense (at most 2e10 Pa). No efficiency is reported",
+    ];
+    run_is_refused(&bench, &[], 4, "E308", &says);
+}
+
+#[test]
 fn a_folder_that_is_no_result_is_refused_and_untouched() {
     let bench = bench_with("title", "title = \"x\"");
     std::fs::create_dir(bench.path("notes")).unwrap();

@@ -48,6 +48,7 @@ pub mod mesh;
 pub mod message;
 pub mod paper;
 mod parameters;
+mod physical_limits;
 mod pictures;
 pub mod pipeline;
 pub mod planetary;

@@ -54,7 +54,7 @@ pub enum GearError {
     },
     /// Tip radii are unknown because only the sum of the profile shifts is known.
     #[error(
-        "tip radii must be given when the profile shifts are not: the centre distance gives only their sum, {sum:.4}"
+        "neither the profile shifts nor the tip diameters are given: the centre distance gives only the sum of the shifts, {sum:.4}"
     )]
     TipRadiusUnknown {
         /// Sum of the profile shifts.

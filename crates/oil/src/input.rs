@@ -9,7 +9,7 @@ use asperity_core::quantity::{
     Temperature, ThermalConductivity,
 };
 
-/// Viscosity law and its values.
+/// Viscosity law and its values; the law may be left out where the two values of a data sheet are given.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "law", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ViscosityLaw {

@@ -175,7 +175,10 @@ RAISES = {
     ),
     "E306": values(material={"pinion": {"flow_pressure": "100 MPa"}}),
     "E307": thin,
-    "E308": values(operation={"torque": "145 N m", "speed": "9e5 1/min", "bulk_temperature": "90 °C"}),
+    "E308": values(
+        operation={"torque": "40 kN m", "speed": "9000 1/min", "bulk_temperature": "90 °C"},
+        model={"positions": 4, "offsets": 2},
+    ),
     "E311": values(
         operation={
             "torque": "145 N m",

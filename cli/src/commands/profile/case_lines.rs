@@ -9,7 +9,7 @@ use serde_json::json;
 
 use crate::args::ProfileInfoArgs;
 
-/// The lines of the table `surface` for the file and the options, with the cut-off that was used; zero is no filter.
+/// The table `surface` for the file and the options, with the cut-off λc of the evaluation; zero means unfiltered.
 pub(super) fn case_lines(file: &Path, args: &ProfileInfoArgs, lambda_c: Option<Length>) -> String {
     let (reading, preparing) = (&args.reading, &args.preparing);
     let text = |value: Option<String>| value.map(|value| json!(value).to_string());

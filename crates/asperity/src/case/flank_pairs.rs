@@ -142,10 +142,10 @@ pub(super) fn on_common_spacing(
     if is_resampled {
         let text = match [flanks[0].len(), flanks[1].len()] {
             [1, 1] => format!(
-                "the flanks are spaced {a} and {b}; the coarser was resampled linearly to {finest}"
+                "the flanks are spaced {a:.5} and {b:.5}; the coarser was resampled linearly to {finest:.5}"
             ),
             _ => format!(
-                "the traces have different spacings; the coarser ones were resampled linearly to {finest}"
+                "the traces have different spacings; the coarser ones were resampled linearly to {finest:.5}"
             ),
         };
         warnings.push(Warning::new("W119", text));

@@ -34,7 +34,7 @@ pub(super) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String 
         if key == Some("lubricant.viscosity") && seen.to_lowercase().contains("vg") {
             return format!(
                 "{seen} states the viscosity at 40 °C only; write both values of the data sheet, \
-                 {{ law = \"astm-d341\", at_40 = \"100 mm2/s\", at_100 = \"11.2 mm2/s\" }}, or name an oil of the library"
+                 {{ at_40 = \"100 mm2/s\", at_100 = \"11.2 mm2/s\" }}, or name an oil of the library"
             );
         }
         return format!("{seen} does not fit, expected {}{meaning}", noun(expected));

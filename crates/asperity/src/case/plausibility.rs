@@ -17,6 +17,7 @@ use super::rows::{Limits, Table, in_unit, limits};
 use super::section::Section;
 use super::source::Source;
 use crate::message::Warning;
+use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 
 /// Code of the warning about an unusual number.
 const UNUSUAL: &str = "W201";
@@ -269,7 +270,7 @@ pub(super) fn at_pitch_point(
             value: 1e-9 * (load * modulus.si() / (PI * radius)).sqrt(),
             unit: "GPa",
             usual: [0.06, 3.0],
-            most: 10.0,
+            most: 1e-9 * HIGHEST_PRESSURE.si(),
             key: "torque",
             name: "Hertz pressure at the pitch point (by torque, face width, teeth, module, Young's modulus)",
         },
@@ -277,7 +278,7 @@ pub(super) fn at_pitch_point(
             value: gears.working_pitch_radius[0].si().abs() * speed.si(),
             unit: "m/s",
             usual: [0.0, 200.0],
-            most: 1000.0,
+            most: HIGHEST_SPEED,
             key: "speed",
             name: "pitch-line speed (by speed, teeth, module)",
         },

@@ -8,6 +8,7 @@ use super::case_file::{CaseFile, read_table, table_of};
 use super::error::CaseError;
 use super::input::CaseInput;
 use super::source::{Source, from_table, stated};
+use super::symbols::with_keys;
 use crate::error::Error;
 
 impl CaseInput {
@@ -41,6 +42,7 @@ impl CaseInput {
     /// # Errors
     /// When the key is not known or has no default; the case is then unchanged.
     pub fn unset(&mut self, path: &str) -> Result<(), Error> {
+        let path = &*with_keys(path);
         let place = Source::in_memory().place_of(path);
         Self::refuse_unknown(std::iter::once(path), |_| place.clone())?;
         let mut root = table_of(self, &place)?;

@@ -9,7 +9,7 @@ use toml::{Table, Value};
 
 use super::error::CaseError;
 use super::place::Place;
-use super::symbols::{key_of_symbol, key_of_text, moved};
+use super::symbols::{key_of_symbol, key_of_text, moved, name_viscosity_law};
 
 /// Format of the text of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -434,7 +434,10 @@ pub(super) fn stated(value: serde_json::Value) -> Option<Value> {
 
 /// Reads a value from a table of its keys; the key and the message of what cannot be read. All formats are read through
 /// it, because the code that reads every key is large and is compiled anew for every format.
-pub(super) fn from_table<T: DeserializeOwned>(root: Table) -> Result<T, (Option<String>, String)> {
+pub(super) fn from_table<T: DeserializeOwned>(
+    mut root: Table,
+) -> Result<T, (Option<String>, String)> {
+    name_viscosity_law(&mut root);
     serde_path_to_error::deserialize(Value::Table(root))
         .map_err(|error| (key_of(error.path()), error.inner().message().to_owned()))
 }

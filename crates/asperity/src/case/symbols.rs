@@ -5,64 +5,59 @@
 
 use toml::{Table, Value};
 
-/// Table, symbol and key of each symbol.
-const SYMBOLS: &[(&str, &str, &str)] = &[
-    ("gears", "z", "teeth"),
-    ("gears", "m_n", "module"),
-    ("gears", "mn", "module"),
-    ("gears", "m", "module"),
-    ("gears", "b", "face_width"),
-    ("gears", "a", "centre_distance"),
-    ("gears", "x", "profile_shift"),
-    ("gears", "alpha_n", "pressure_angle"),
-    ("gears", "alpha", "pressure_angle"),
-    ("gears", "α_n", "pressure_angle"),
-    ("gears", "α", "pressure_angle"),
-    ("gears", "beta", "helix"),
-    ("gears", "β", "helix"),
-    ("gears", "d_a", "tip_diameter"),
-    ("gears", "da", "tip_diameter"),
-    ("gears", "h_aP", "addendum"),
-    ("gears.pinion", "C_a", "tip_relief"),
-    ("gears.wheel", "C_a", "tip_relief"),
-    ("gears.pinion", "C_beta", "crowning"),
-    ("gears.wheel", "C_beta", "crowning"),
-    ("gears.pinion", "h_fP", "dedendum"),
-    ("gears.wheel", "h_fP", "dedendum"),
-    ("gears.pinion", "rho_fP", "fillet_radius"),
-    ("gears.wheel", "rho_fP", "fillet_radius"),
-    ("material.pinion", "E", "young"),
-    ("material.pinion", "nu", "poisson"),
-    ("material.pinion", "ν", "poisson"),
-    ("operation", "n", "speed"),
-    ("operation", "rpm", "speed"),
-    ("operation", "T", "torque"),
-    ("operation", "theta", "bulk_temperature"),
-    ("operation", "ϑ", "bulk_temperature"),
-    ("lubricant", "oil", "oil"),
-    ("lubricant", "rho", "density"),
-    ("lubricant", "ρ", "density"),
-    ("lubricant", "nu", "viscosity"),
-    ("lubricant", "ν", "viscosity"),
-    ("lubricant.viscosity", "nu_40", "at_40"),
-    ("lubricant.viscosity", "nu_100", "at_100"),
-    ("lubricant.viscosity", "ν_40", "at_40"),
-    ("lubricant.viscosity", "ν_100", "at_100"),
-    ("planetary", "z", "teeth"),
-    ("planetary", "m_n", "module"),
-    ("planetary", "mn", "module"),
-    ("planetary", "m", "module"),
-    ("planetary", "b", "face_width"),
-    ("planetary", "a", "centre_distance"),
-    ("planetary", "x", "profile_shift"),
-    ("planetary", "alpha_n", "pressure_angle"),
-    ("planetary", "alpha", "pressure_angle"),
-    ("planetary", "α_n", "pressure_angle"),
-    ("planetary", "α", "pressure_angle"),
-    ("planetary", "beta", "helix"),
-    ("planetary", "β", "helix"),
-    ("planetary", "d_a", "tip_diameter"),
-    ("planetary", "da", "tip_diameter"),
+/// A key with its symbols, and the tables that have it.
+struct Row {
+    tables: &'static [&'static str],
+    symbols: &'static [&'static str],
+    key: &'static str,
+}
+
+const fn row(
+    tables: &'static [&'static str],
+    symbols: &'static [&'static str],
+    key: &'static str,
+) -> Row {
+    Row {
+        tables,
+        symbols,
+        key,
+    }
+}
+
+/// Tables of a pair of gears, of each flank, of a steel, of the operation, of the oil and of its viscosity.
+const GEARS: &[&str] = &["gears", "planetary"];
+const FLANK: &[&str] = &["gears.pinion", "gears.wheel"];
+const STEEL: &[&str] = &["material.pinion", "material.wheel"];
+const OPERATION: &[&str] = &["operation"];
+const OIL: &[&str] = &["lubricant"];
+const VISCOSITY: &[&str] = &["lubricant.viscosity"];
+
+/// The keys that have symbols.
+#[rustfmt::skip]
+const SYMBOLS: &[Row] = &[
+    row(GEARS, &["z"], "teeth"),
+    row(GEARS, &["m_n", "mn", "m"], "module"),
+    row(GEARS, &["b"], "face_width"),
+    row(GEARS, &["a"], "centre_distance"),
+    row(GEARS, &["x"], "profile_shift"),
+    row(GEARS, &["alpha_n", "alpha", "α_n", "α"], "pressure_angle"),
+    row(GEARS, &["beta", "β"], "helix"),
+    row(GEARS, &["d_a", "da"], "tip_diameter"),
+    row(GEARS, &["h_aP"], "addendum"),
+    row(FLANK, &["C_a"], "tip_relief"),
+    row(FLANK, &["C_beta", "C_β"], "crowning"),
+    row(FLANK, &["h_fP"], "dedendum"),
+    row(FLANK, &["rho_fP", "ρ_fP"], "fillet_radius"),
+    row(STEEL, &["E"], "young"),
+    row(STEEL, &["nu", "ν"], "poisson"),
+    row(OPERATION, &["n", "rpm"], "speed"),
+    row(OPERATION, &["T"], "torque"),
+    row(OPERATION, &["theta", "ϑ"], "bulk_temperature"),
+    row(OIL, &["oil"], "oil"),
+    row(OIL, &["rho", "ρ"], "density"),
+    row(OIL, &["nu", "ν"], "viscosity"),
+    row(VISCOSITY, &["nu_40", "ν_40"], "at_40"),
+    row(VISCOSITY, &["nu_100", "ν_100"], "at_100"),
 ];
 
 /// Tables that the symbols above all tables are moved into.
@@ -76,16 +71,19 @@ const FILES: [&str; 4] = [
     "surface.coast.wheel",
 ];
 
-/// Path of the key that `name` in the table `above` means; `None` if it is no symbol.
+/// Path of the key for the symbol `name` in the table `above`; `None` if it is not a symbol.
 pub(super) fn key_of_symbol(above: &str, name: &str) -> Option<String> {
-    let tables: &[&str] = if above.is_empty() {
-        &OF_A_CASE
-    } else {
-        &[above]
+    let of = |table: &&str| {
+        let rows = SYMBOLS.iter();
+        let mut found =
+            rows.filter(|row| row.tables.contains(table) && row.symbols.contains(&name));
+        found.next().map(|row| format!("{table}.{}", row.key))
     };
-    let (table, _, key) =
-        (SYMBOLS.iter()).find(|(table, symbol, _)| *symbol == name && tables.contains(table))?;
-    (above.is_empty() || name != *key).then(|| format!("{table}.{key}"))
+    let key = match above {
+        "" => OF_A_CASE.iter().find_map(of),
+        above => of(&above),
+    };
+    key.filter(|key| above.is_empty() || !key.ends_with(&format!(".{name}")))
 }
 
 /// The key among `known` that `name` is a symbol of.
@@ -93,25 +91,26 @@ pub(super) fn key_named<'a>(
     name: &str,
     mut known: impl Iterator<Item = &'a str>,
 ) -> Option<&'a str> {
-    known.find(|key| {
-        SYMBOLS
-            .iter()
-            .any(|(_, symbol, of)| *symbol == name && of == key)
-    })
+    let is_of = |row: &Row, key: &str| row.key == key && row.symbols.contains(&name);
+    known.find(|key| SYMBOLS.iter().any(|row| is_of(row, key)))
 }
 
 /// The symbols of a drawing with their keys, for the page of the case file.
 pub(super) fn listed() -> String {
-    let shown = SYMBOLS
-        .iter()
-        .filter(|(table, symbol, key)| *table != "planetary" && symbol != key);
-    let rows: Vec<String> = shown
-        .map(|(table, symbol, key)| format!("`{table}.{symbol}` for `{key}`"))
-        .collect();
-    rows.join(", ")
+    let shown = SYMBOLS.iter().filter(|row| !row.symbols.contains(&row.key));
+    let rows = shown.map(|row| {
+        let symbols: Vec<String> = row.symbols.iter().map(|name| format!("`{name}`")).collect();
+        format!(
+            "{} for `{}.{}`",
+            symbols.join(" or "),
+            row.tables[0],
+            row.key
+        )
+    });
+    rows.collect::<Vec<_>>().join(", ")
 }
 
-/// Key of a flank's file that a text at `path` means.
+/// Path of the file key for a text at the path of a flank; `None` elsewhere.
 pub(super) fn key_of_text(path: &str) -> Option<String> {
     FILES.contains(&path).then(|| format!("{path}.file"))
 }
@@ -133,6 +132,18 @@ pub(super) fn moved(root: &mut Table, from: &str, to: &str) {
     };
     if let Some((table, name)) = parent(root, to, true) {
         table.insert(name.to_owned(), value);
+    }
+}
+
+/// Names the law of a viscosity that is stated by the two values of a data sheet alone.
+pub(super) fn name_viscosity_law(root: &mut Table) {
+    let Some((viscosity, law)) = parent(root, "lubricant.viscosity.law", false) else {
+        return;
+    };
+    if !viscosity.contains_key(law)
+        && (viscosity.contains_key("at_40") || viscosity.contains_key("at_100"))
+    {
+        viscosity.insert(law.to_owned(), Value::from("astm-d341"));
     }
 }
 
@@ -173,17 +184,19 @@ mod tests {
             } else {
                 format!("{above}.{name}")
             };
-            let symbol = SYMBOLS.iter().find(|row| row.0 == above && row.2 == name);
+            let symbol = (SYMBOLS.iter())
+                .find(|row| row.tables.contains(&above) && row.key == name)
+                .map(|row| row.symbols[0]);
             let value = match value {
                 Value::Table(inner) => Value::Table(drawn(inner, &path, is_flat, top)),
                 value => value,
             };
             match symbol {
-                Some((_, symbol, _)) if is_flat && OF_A_CASE.contains(&above) => {
-                    top.insert((*symbol).to_owned(), value);
+                Some(symbol) if is_flat && OF_A_CASE.contains(&above) => {
+                    top.insert(symbol.to_owned(), value);
                 }
-                Some((_, symbol, _)) => {
-                    out.insert((*symbol).to_owned(), value);
+                Some(symbol) => {
+                    out.insert(symbol.to_owned(), value);
                 }
                 None => {
                     out.insert(name, value);
@@ -243,6 +256,27 @@ mod tests {
         let mut input = loaded.case.input.clone();
         input.set("gears.z", "[24, 68]").unwrap();
         assert_eq!(input.gears.teeth, [24, 68]);
+    }
+
+    #[test]
+    fn two_viscosities_of_a_data_sheet_need_no_law() {
+        let text = |viscosity: &str| {
+            format!(
+                "gears = {{ teeth = [23, 68], module = \"2 mm\", face_width = \"30 mm\" }}\n\
+             operation = {{ torque = \"100 N m\", speed = \"3000 1/min\", bulk_temperature = \"60 °C\" }}\n\
+             lubricant = {{ viscosity = {{ {viscosity} }}, density = \"865 kg/m3\" }}\n\
+             surface = {{ pinion = {{ rq = \"0.3 um\" }} }}\n"
+            )
+        };
+        let both = "at_40 = \"68 mm2/s\", at_100 = \"10.4 mm2/s\"";
+        let short: CaseInput = text(both).parse().unwrap();
+        let named = text(&format!("law = \"astm-d341\", {both}"));
+        assert_eq!(short, named.parse().unwrap());
+        let refused = text("at_40 = \"68 mm2/s\"")
+            .parse::<CaseInput>()
+            .unwrap_err()
+            .to_string();
+        assert!(refused.contains("at_100"), "{refused}");
     }
 
     #[test]

@@ -17,9 +17,9 @@ mod rough_film;
 mod share_comparison;
 mod solve;
 
+pub use crate::physical_limits::HIGHEST_PRESSURE;
 pub use formula_film::FormulaFilm;
 pub use load_share_law::{LoadShare, ShareConditions, SharedLoad};
-pub use plausibility::HIGHEST_PRESSURE;
 
 pub(crate) use chosen_laws::ChosenLaws;
 pub(crate) use decision::Decision;

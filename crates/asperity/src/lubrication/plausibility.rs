@@ -3,18 +3,13 @@
 //! The limits are own choices, some powers of ten beyond what was ever measured on gears, where the model says
 //! nothing any more whatever its laws return.
 
-use asperity_core::quantity::Pressure;
-
 use super::formula_film::FormulaFilm;
 use super::position::LubricatedPosition;
 use crate::case::Case;
 use crate::error::PositionError;
 use crate::mesh::MeshPosition;
+use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 
-/// Pressure that no steel bears: hardened steel flows at 7 GPa.
-pub const HIGHEST_PRESSURE: Pressure = Pressure::from_si(20e9);
-/// Speed of a flank \[m/s\]: turbine gears reach 200.
-const SPEED: f64 = 1000.0;
 /// Film \[m\]: gear films are below 10 um.
 const FILM: f64 = 1e-3;
 /// Rq of a flank under the contact \[m\].
@@ -30,7 +25,7 @@ pub(crate) fn check_mesh_position(position: &MeshPosition) -> Result<(), Positio
     let speeds = motion.u1.si().abs().max(motion.u2.si().abs());
     let pressure = position.hertz.max_pressure.si();
     below("Hertz pressure", pressure, "Pa", HIGHEST_PRESSURE.si())?;
-    below("speed of the flanks", speeds, "m/s", SPEED)
+    below("speed of the flanks", speeds, "m/s", HIGHEST_SPEED)
 }
 
 /// The film at `position` by the formulas, unless it cannot be.

@@ -21,7 +21,7 @@ use crate::error::PositionError;
 use crate::flanks::Texture;
 use crate::mesh::{Mesh, MeshPosition, position_at};
 
-/// Attenuated roughness over the smooth film beyond which ridges that cannot leak make the contact not a reference:
+/// Attenuated roughness over the smooth film beyond which the contact is not a reference, because oil cannot leak along the ridges:
 /// compared with gear tests, gap and friction are off from about 3 on.
 pub const LARGEST_ROUGHNESS: f64 = 3.0;
 /// Roelands' exponent of the film; one that follows from α and η₀ moves the shares by some 2 %.

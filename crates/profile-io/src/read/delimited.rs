@@ -155,7 +155,7 @@ struct Parsed<'a> {
     labels: Vec<Label>,
     chosen: Chosen,
     encoding: Encoding,
-    /// Format, unless the name or the header tells another.
+    /// Format, unless the name or the header specifies another.
     format: Format,
     options: &'a ReadOptions,
 }

@@ -119,7 +119,7 @@ formats! {
     /// PicoView image.
     PicoView "PicoView image" [b"fileType      Image"] [] ONE "export the image as gwy from Gwyddion, or as text x y z";
     /// Triangles.
-    Stl "STL" [] ["stl"] ONE "export the surface as points x y z on a grid, as X3P or SDF; triangles are no grid of heights";
+    Stl "STL" [] ["stl"] ONE "export the surface as points x y z on a grid, as X3P or SDF; triangles are not a grid of heights";
     /// XML profiles of ASME B46 and NPL.
     NplXml "ASME B46 or NPL XML profile" [] [] ONE;
     /// Olympus laser microscopes (lext, poir, oir).

@@ -32,8 +32,8 @@ impl Special {
     }
 }
 
-/// Removes header numbers from `heights` without x, which start at line `first`; an error if there is no spacing, or if
-/// lines above them show that the first number is not a height. NPL text profiles have no lines above.
+/// Removes the numbers of a header from the begin of `heights`, whose first is at line `first`; an error if there is no
+/// spacing, or if lines above them show that the first number is not a height. NPL text profiles have no lines above.
 pub(super) fn interpret(
     text: &mut Text<'_>,
     first: usize,

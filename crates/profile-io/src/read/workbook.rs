@@ -312,12 +312,12 @@ impl Sheet {
         }
         let mut lines = vec![String::new(); block.end];
         for (row, cells) in above {
-            let is_label = |column: &usize| cells.get(column).map_or("", String::as_str);
+            let label = |column: &usize| cells.get(column).map_or("", String::as_str);
             lines[row] = match row + 1 == block.first {
                 true => block
                     .columns
                     .iter()
-                    .map(is_label)
+                    .map(label)
                     .collect::<Vec<_>>()
                     .join("\t"),
                 // A name with its value, or a remark.

@@ -116,7 +116,7 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     let unit = match (data_unit, layer) {
         (Some(unit), _) => Some(unit),
         (None, _) if !unit_at(148).is_empty() => {
-            return Err(refused("numbers that are no lengths"));
+            return Err(refused("numbers that are not lengths"));
         }
         (None, layer) => layer.map(|_| LengthUnit::Metre),
     };

@@ -29,7 +29,7 @@ pub(super) fn read(file: &str, mut bytes: Vec<u8>) -> Result<Areal, ReadError> {
     let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
     let text = &bytes[..bytes.len().min(LONGEST_TEXT)];
     let end = text.windows(DATA.len()).position(|mark| mark == DATA);
-    let end = end.ok_or_else(|| fault("there is no mark before the data", ""))?;
+    let end = end.ok_or_else(|| fault("the mark before the data is missing", ""))?;
     let sections = sections(&encoding_rs::WINDOWS_1252.decode(&text[..end]).0);
     let mut first = end + DATA.len();
     let none = Section::new();
