@@ -218,6 +218,10 @@ const COMMANDS: [(&[&str], &[&str]); 8] = [
         ],
         &["found/calibration.html"],
     ),
+    (
+        &["oil", "traction", "m100", "-o", "traction"],
+        &["traction/traction.html"],
+    ),
 ];
 
 fn studies(bench: &Bench) -> Vec<Page> {
