@@ -57,7 +57,10 @@ pub use pressure_viscosity::{
     HIGHEST_PLAUSIBLE, LOWEST_PLAUSIBLE, gold_pressure_viscosity, plausible_pressure_viscosity,
 };
 pub use rheology::{FilmOilState, FilmPoint, FilmRheology, GOLD_TEMPERATURE};
-pub use shear_law::{ShearLaw, ShearLawName, ShearThinning, TangentFluidity, limited_stress};
+pub use shear_law::{
+    LIMIT_POWER, ShearLaw, ShearLawName, ShearThinning, TangentFluidity, limited_stress,
+    limited_stress_by,
+};
 pub use traction_constants::{
     AMBIENT_LIMIT, CarreauConstants, LIMITING_SHEAR_BAND, PRESSURE_VISCOSITY_BAND,
     TractionConstants, eyring_stress_band,

@@ -16,7 +16,7 @@
 //! harmless as traction, and for thin oils it is closer to measured gear losses than Roelands' law with the
 //! same α, which gives a third of them. Never use it for film thickness.
 //!
-//! τ_L0 = 2 MPa is judgement; b_L and f are 0 and 1 unless traction curves of the oil determine them. The blend of τ_E and τ_L is [`limited_stress`].
+//! τ_L0 = 2 MPa is judgement; b_L and f are 0 and 1 unless traction curves of the oil determine them. The blend of τ_E and τ_L is [`limited_stress_by`].
 
 use asperity_core::cite;
 use asperity_core::numerics::{Solved, newton_root};
@@ -31,7 +31,7 @@ use crate::viscosity_pressure::{ROELANDS_LOG, ROELANDS_PER_PASCAL, roelands_grow
 use crate::viscosity_table::ViscosityTable;
 use crate::{
     BaseOil, CarreauConstants, LARGEST_BARUS_EXPONENT, Lubricant, LubricantError, PressureLaw,
-    ShearLawName, TractionConstants, gold_pressure_viscosity, limited_stress,
+    ShearLawName, TractionConstants, gold_pressure_viscosity, limited_stress_by,
 };
 
 /// Temperature at which Gold's formula gives α, 80 °C.
@@ -376,11 +376,11 @@ impl FilmRheology {
 
     /// τ and dτ/dT at a mean temperature of the film.
     ///
-    /// τ = τ_E (1 + (τ_E/τ_L)⁴)^(−1/4)                                      `[Limiting-shear]`
+    /// τ = τ_E (1 + (τ_E/τ_L)^m)^(−1/m)                                     `[Limiting-shear]`
     fn stress(&self, point: &FilmPoint, temperature: f64) -> [f64; 2] {
         let free = self.unlimited(self.log_viscosity(point, temperature), point.log_rate);
         let limit = self.limit(point, temperature);
-        limited_stress(free, limit)
+        limited_stress_by(self.constants.limit_power, free, limit)
     }
 
     /// τ_L = τ_L0 + Λ exp(−b_L (T − 363.15)) p, and its slope over temperature.

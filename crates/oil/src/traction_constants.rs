@@ -5,7 +5,7 @@ use asperity_core::quantity::{PerKelvin, Pressure, Temperature, ThermalConductiv
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{BaseOil, LubricantError, ShearLaw, ShearLawName};
+use crate::{BaseOil, LIMIT_POWER, LubricantError, ShearLaw, ShearLawName};
 
 /// Temperature at which Λ of a base oil holds, 90 °C \[K\].
 const LIMIT_TEMPERATURE: f64 = 363.15;
@@ -56,6 +56,8 @@ pub struct TractionConstants {
     pub pressure_viscosity_factor: f64,
     /// Limiting shear stress τ_L0 at ambient pressure.
     pub ambient_limit: Pressure,
+    /// Power m with which the stress approaches its limit.
+    pub limit_power: f64,
     /// Eyring stress τ₀.
     pub eyring_stress: Pressure,
     /// Carreau-Yasuda constants.
@@ -110,6 +112,7 @@ impl TractionConstants {
             limiting_shear_fall: PerKelvin::from_si(0.0),
             pressure_viscosity_factor: 1.0,
             ambient_limit: AMBIENT_LIMIT,
+            limit_power: LIMIT_POWER,
             eyring_stress: Pressure::from_si(data.eyring_stress.value),
             carreau: CarreauConstants::default(),
             conductivity: ThermalConductivity::from_si(data.conductivity.value),
@@ -166,6 +169,7 @@ impl TractionConstants {
         for (name, value) in [
             ("limiting shear stress over pressure", self.limiting_shear),
             ("pressure-viscosity factor", self.pressure_viscosity_factor),
+            ("power of the limit", self.limit_power),
             ("Carreau exponent", self.carreau.exponent),
             ("Carreau sharpness", self.carreau.sharpness),
         ] {
