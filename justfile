@@ -18,7 +18,7 @@ validation:
 
 # Independent numbers in Python, compared with what the tests and the constants hold; needs numpy, scipy and mpmath.
 references python="python3":
-    for script in table_2 half_plane rough_contact film_friction load_map load_share swept smooth_film rough_inlet small_constants shakedown; do {{ python }} references/$script.py || exit 1; done
+    for script in table_2 half_plane rough_contact film_friction point_film load_map load_share swept smooth_film rough_inlet small_constants shakedown; do {{ python }} references/$script.py || exit 1; done
 
 # Benches; the table of results is in docs/PERFORMANCE.md.
 bench:

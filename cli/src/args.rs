@@ -5,6 +5,7 @@ mod ehl;
 mod finish;
 mod from_rexs;
 mod map;
+mod oil;
 mod profile;
 mod set;
 mod values;
@@ -23,6 +24,7 @@ pub use from_rexs::{CaseCommand, FromRexsArgs};
 pub use map::{
     CycleArgs, ExportArg, MapArgs, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs,
 };
+pub use oil::{OilCommand, OilTractionArgs};
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, Ratios, ReadingArgs,
@@ -89,7 +91,10 @@ pub enum Command {
     /// List the differences between two results: inputs, losses, positions
     #[command(after_help = "Example:\n  asperity diff results/before results/after")]
     Diff(DiffArgs),
-    /// List the oils of the library, any of which a case can name in lubricant.oil
+    /// Oils: the library, and the traction of a film between ball and disc
+    #[command(subcommand)]
+    Oil(OilCommand),
+    /// List the oils of the library, any of which a case can name in lubricant.oil: short for oil list and oil show
     #[command(after_help = "Examples:\n  asperity oils\n  asperity oils m100")]
     Oils(PresetArgs),
     /// List the steels of the library, any of which a case can name in material.pinion.steel

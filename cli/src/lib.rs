@@ -80,6 +80,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Schema { markdown } => commands::reference::schema(*markdown, common),
         Command::Check(args) => commands::check::check(args, common),
         Command::Diff(args) => commands::diff::diff(args, common),
+        Command::Oil(command) => commands::oil::oil(command, common),
         Command::Oils(args) => commands::oils::oils(args, common),
         Command::Steels(args) => commands::steels::steels(args, common),
         Command::Gears(args) => commands::gears::gears(args, common),

@@ -28,6 +28,7 @@ mod micropitting;
 mod mutated;
 #[cfg(unix)]
 mod odd_files;
+mod oil;
 mod outside;
 mod presets;
 mod profile_reports;

@@ -19,11 +19,7 @@ pub fn oils(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
     let internal = |error: &dyn std::fmt::Display| Failure::new("E501", error.to_string());
     let mut oils = library().map_err(|error| internal(&error))?;
     if let Some(name) = &args.name {
-        let known: Vec<String> = oils.iter().map(|oil| oil.name.clone()).collect();
-        oils.retain(|oil| oil.name.eq_ignore_ascii_case(name.trim()));
-        if oils.is_empty() {
-            return Err(unknown("oil", name, &known));
-        }
+        oils = vec![named(name)?];
     }
     let mut listed = Vec::new();
     let mut text = format!(
@@ -66,6 +62,19 @@ pub fn oils(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
             "{text}{LETTERS}\nA viscosity given at one temperature only is used at the bulk temperature of the case.\n"
         ),
     )
+}
+
+/// The oil of the library with this name, in upper or lower case.
+pub fn named(name: &str) -> Result<LibraryOil, Failure> {
+    let mut oils = library().map_err(|error| Failure::new("E501", error.to_string()))?;
+    let is_named = |oil: &LibraryOil| oil.name.eq_ignore_ascii_case(name.trim());
+    match oils.iter().position(is_named) {
+        Some(index) => Ok(oils.swap_remove(index)),
+        None => {
+            let known: Vec<String> = oils.into_iter().map(|oil| oil.name).collect();
+            Err(unknown("oil", name, &known))
+        }
+    }
 }
 
 /// One line per number of an oil, with its certainty.

@@ -19,7 +19,10 @@
 use asperity_core::numerics::{Z_95, Z_975, standard_normal_below};
 use asperity_core::quantity::{Length, Pressure, PressureViscosity};
 use asperity_ehl_regime::inlet_flow::Lay;
-use asperity_oil::{ShearLawName, TractionConstants};
+use asperity_oil::{
+    LIMITING_SHEAR_BAND, PRESSURE_VISCOSITY_BAND, ShearLawName, TractionConstants,
+    eyring_stress_band,
+};
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_BAND};
 
 use crate::case::{CalibratedName, LoadedCase};
@@ -39,13 +42,6 @@ pub(crate) const AXES: [UncertainParameter; 6] = [
 
 /// Upper end of the lay of ground and superfinished flanks, whose ridges run nearly across the face.
 const MOST_LAY: f64 = 1.0 / 6.0;
-/// 5 % and 95 % quantiles of the limiting shear stress over pressure, over its median.
-const LIMITING_SHEAR: [f64; 2] = [0.87, 1.15];
-/// The same of the Eyring stress of an oil without family.
-const EYRING_STRESS: [f64; 2] = [0.75, 4.0 / 3.0];
-/// The same of a pressure-viscosity coefficient that is estimated.
-const PRESSURE_VISCOSITY: [f64; 2] = [0.85, 1.18];
-
 /// An uncertain constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -206,34 +202,19 @@ impl UncertainParameter {
             }
             (Self::PressureViscosity, _) => {
                 let value = case.oil.pressure_viscosity.si();
-                range(value, PRESSURE_VISCOSITY.map(|factor| factor * value))
+                range(value, PRESSURE_VISCOSITY_BAND.map(|factor| factor * value))
             }
             (Self::LimitingShear, Some(constants)) => {
                 let value = constants.limiting_shear;
-                range(value, LIMITING_SHEAR.map(|factor| factor * value))
+                range(value, LIMITING_SHEAR_BAND.map(|factor| factor * value))
             }
             (Self::EyringStress, Some(constants)) => {
                 let value = constants.eyring_stress.si();
-                range(value, eyring_range(loaded, value)?)
+                range(value, eyring_stress_band(case.lubricant.base_oil(), value)?)
             }
             (Self::LimitingShear | Self::EyringStress, None) => None,
         })
     }
-}
-
-/// The family's band of the Eyring stress.
-fn eyring_range(loaded: &LoadedCase, value: f64) -> Result<[f64; 2], PositionError> {
-    let known = match loaded.case.lubricant.base_oil() {
-        Some(base) => {
-            let stress = &base.data()?.eyring_stress;
-            stress.low.zip(stress.high)
-        }
-        None => None,
-    };
-    Ok(match known {
-        Some((low, high)) => [low, high],
-        None => EYRING_STRESS.map(|factor| factor * value),
-    })
 }
 
 /// The uncertain constants of a case, and names of those that the case states.

@@ -13,6 +13,7 @@
 //! | stages and the fit | [`least_squares`], [`problem`], [`fit`] |
 //! | bands | [`birge`], [`profile_likelihood`], [`bootstrap`](mod@bootstrap) |
 //! | optimal design | [`optimal_design`], [`design`] |
+//! | traction curves of ball and disc | [`oil`] |
 
 pub mod birge;
 mod block;
@@ -26,6 +27,7 @@ mod held_out;
 pub mod identifiability;
 pub mod information;
 pub mod least_squares;
+pub mod oil;
 pub mod optimal_design;
 mod outliers;
 mod page;

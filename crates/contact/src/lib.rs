@@ -10,7 +10,7 @@
 //! | two measured profiles | [`two_flanks`] |
 //! | plastic flow of the surface, running-in | [`plasticity`], [`running_in`] |
 //! | stress below the surface | [`subsurface`] |
-//! | closed forms | [`hertz_line`], [`westergaard`], [`flat_punch`] |
+//! | closed forms | [`hertz_line`], [`hertz_point`], [`westergaard`], [`flat_punch`] |
 //! | the kernel and its fast product | [`strip_kernel`], [`half_plane`] |
 //! | the dense reference solver | `dense_reference` (feature `oracle`) |
 //! | files | [`array_file`] |
@@ -25,6 +25,7 @@ pub mod error;
 pub mod flat_punch;
 pub mod half_plane;
 pub mod hertz_line;
+pub mod hertz_point;
 pub mod path;
 pub mod plasticity;
 pub mod problem;

@@ -19,6 +19,7 @@
 //! | roughness flattened in the inlet | [`AttenuatedTraces`], [`TraceSpectra`] |
 //! | film, share and friction at one temperature and speed | [`PositionFilm`], [`LoadShareSolution`] |
 //! | friction of the film without asperities | [`FilmAlone`] |
+//! | film and friction of ball and disc | [`PointContact`] |
 //!
 //! The table does not depend on oil, temperature or speed: changing these costs film laws only, no contact.
 //! Everything here is serial and pure, and needs no gear and no case file: two traces, a line contact and an oil.
@@ -40,6 +41,7 @@ mod attenuated_traces;
 mod contact_table;
 mod error;
 mod film_alone;
+mod point_contact;
 mod position_film;
 mod rough_contact;
 mod solution;
@@ -50,6 +52,7 @@ pub use attenuated_traces::AttenuatedTraces;
 pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
 pub use error::LoadShareError;
 pub use film_alone::FilmAlone;
+pub use point_contact::{PointContact, PointFilm};
 pub use position_film::{InletSupply, LoadShareSettings, PositionFilm, SmoothFilm, SpotSpeed};
 pub use rough_contact::{ContactState, RoughContact, RoughWindow, Spot};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};

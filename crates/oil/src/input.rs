@@ -71,6 +71,12 @@ pub struct LubricantInput {
     /// Pressure-viscosity coefficient α; default estimated from the base oil.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_viscosity: Option<PressureViscosity>,
+    /// Pressure-viscosity coefficient of the film friction over the one of the film thickness; default 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_viscosity_factor: Option<f64>,
+    /// Fall of the logarithm of the limiting shear stress with temperature, from its value at 90 °C; default 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limiting_shear_temperature: Option<PerKelvin>,
     /// Thermal conductivity; default estimated from the density.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thermal_conductivity: Option<ThermalConductivity>,

@@ -56,9 +56,15 @@ pub use lubricant::{Assumption, Lubricant, LubricantState};
 pub use pressure_viscosity::{
     HIGHEST_PLAUSIBLE, LOWEST_PLAUSIBLE, gold_pressure_viscosity, plausible_pressure_viscosity,
 };
-pub use rheology::{FilmOilState, FilmPoint, FilmRheology};
-pub use shear_law::{ShearLaw, ShearLawName, ShearThinning, TangentFluidity, limited_stress};
-pub use traction_constants::{AMBIENT_LIMIT, CarreauConstants, TractionConstants};
+pub use rheology::{FilmOilState, FilmPoint, FilmRheology, GOLD_TEMPERATURE};
+pub use shear_law::{
+    LIMIT_POWER, ShearLaw, ShearLawName, ShearThinning, TangentFluidity, limited_stress,
+    limited_stress_by,
+};
+pub use traction_constants::{
+    AMBIENT_LIMIT, CarreauConstants, LIMITING_SHEAR_BAND, PRESSURE_VISCOSITY_BAND,
+    TractionConstants, eyring_stress_band,
+};
 pub use viscosity_pressure::{
     HeatedViscosity, LARGEST_BARUS_EXPONENT, PressureLaw, PressureViscosityLaw, RelativeViscosity,
     barus, roelands, roelands_exponent,

@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    AstmD341, BaseOil, DensityLine, GivenViscosity, LubricantError, LubricantInput, ViscosityLaw,
-    Vogel, cragoe_conductivity, cragoe_heat_capacity, gold_pressure_viscosity, library,
-    plausible_pressure_viscosity,
+    AstmD341, BaseOil, DensityLine, GivenViscosity, LubricantError, LubricantInput,
+    TractionConstants, ViscosityLaw, Vogel, cragoe_conductivity, cragoe_heat_capacity,
+    gold_pressure_viscosity, library, plausible_pressure_viscosity,
 };
 use asperity_core::quantity::{
     Density, DynamicViscosity, KinematicViscosity, PerKelvin, PressureViscosity, SpecificHeat,
@@ -33,6 +33,10 @@ pub struct Lubricant {
     viscosity: Viscosity,
     density: DensityLine,
     pressure_viscosity: Coefficient,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pressure_viscosity_factor: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    limiting_shear_temperature: Option<PerKelvin>,
     thermal_conductivity: Option<ThermalConductivity>,
     heat_capacity: Option<SpecificHeat>,
     base_oil: Option<BaseOil>,
@@ -123,6 +127,8 @@ impl LubricantInput {
             viscosity,
             density,
             pressure_viscosity,
+            pressure_viscosity_factor: input.pressure_viscosity_factor,
+            limiting_shear_temperature: input.limiting_shear_temperature,
             thermal_conductivity: input.thermal_conductivity,
             heat_capacity: input.heat_capacity,
             base_oil: input.base_oil,
@@ -206,6 +212,12 @@ impl LubricantInput {
             base_oil: self.base_oil.or(base.base_oil),
             assume_base_oil: self.assume_base_oil,
             pressure_viscosity: self.pressure_viscosity.or(base.pressure_viscosity),
+            pressure_viscosity_factor: self
+                .pressure_viscosity_factor
+                .or(base.pressure_viscosity_factor),
+            limiting_shear_temperature: self
+                .limiting_shear_temperature
+                .or(base.limiting_shear_temperature),
             thermal_conductivity: self.thermal_conductivity.or(base.thermal_conductivity),
             heat_capacity: self.heat_capacity.or(base.heat_capacity),
         }
@@ -321,6 +333,12 @@ impl Lubricant {
         self.base_oil
     }
 
+    /// Whether its viscosity is known over temperature, and not only at one.
+    #[must_use]
+    pub fn has_viscosity_law(&self) -> bool {
+        !matches!(self.viscosity, Viscosity::Given(_))
+    }
+
     /// Pressure-viscosity coefficient, where it is given and not estimated.
     pub fn given_pressure_viscosity(&self) -> Option<PressureViscosity> {
         match self.pressure_viscosity {
@@ -332,6 +350,27 @@ impl Lubricant {
     /// Thermal conductivity, where it is given and not estimated.
     pub fn given_thermal_conductivity(&self) -> Option<ThermalConductivity> {
         self.thermal_conductivity
+    }
+
+    /// Constants of the film friction: those of the family `base_oil`, with the properties that the input gives.
+    ///
+    /// # Errors
+    /// As [`BaseOil::data`].
+    pub fn traction_constants(
+        &self,
+        base_oil: BaseOil,
+    ) -> Result<TractionConstants, LubricantError> {
+        let of_family = TractionConstants::of(base_oil)?;
+        Ok(TractionConstants {
+            conductivity: self.thermal_conductivity.unwrap_or(of_family.conductivity),
+            pressure_viscosity_factor: self
+                .pressure_viscosity_factor
+                .unwrap_or(of_family.pressure_viscosity_factor),
+            limiting_shear_fall: self
+                .limiting_shear_temperature
+                .unwrap_or(of_family.limiting_shear_fall),
+            ..of_family
+        })
     }
 
     /// Missing input.

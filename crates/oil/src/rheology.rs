@@ -8,6 +8,7 @@
 //! | τ_E | stress without a limit | Pa |
 //! | τ_L | limiting shear stress | Pa |
 //! | Λ, b_L, τ_L0 | its slope over pressure at 90 °C, its fall over temperature, its value at p = 0 | -, 1/K, Pa |
+//! | f | pressure-viscosity coefficient of the friction over α, which the film thickness keeps | - |
 //! | τ₀ | Eyring stress | Pa |
 //! | G_c, n, a | Carreau-Yasuda: critical stress, exponent, sharpness | Pa, -, - |
 //!
@@ -15,7 +16,7 @@
 //! harmless as traction, and for thin oils it is closer to measured gear losses than Roelands' law with the
 //! same α, which gives a third of them. Never use it for film thickness.
 //!
-//! τ_L0 = 2 MPa is judgement; b_L is not known and 0. The blend of τ_E and τ_L is [`limited_stress`].
+//! τ_L0 = 2 MPa is judgement; b_L and f are 0 and 1 unless traction curves of the oil determine them. The blend of τ_E and τ_L is [`limited_stress_by`].
 
 use asperity_core::cite;
 use asperity_core::numerics::{Solved, newton_root};
@@ -30,13 +31,11 @@ use crate::viscosity_pressure::{ROELANDS_LOG, ROELANDS_PER_PASCAL, roelands_grow
 use crate::viscosity_table::ViscosityTable;
 use crate::{
     BaseOil, CarreauConstants, LARGEST_BARUS_EXPONENT, Lubricant, LubricantError, PressureLaw,
-    ShearLawName, TractionConstants, gold_pressure_viscosity, limited_stress,
+    ShearLawName, TractionConstants, gold_pressure_viscosity, limited_stress_by,
 };
 
-/// Temperature at which Λ of a base oil holds, 90 °C \[K\].
-const LIMIT_TEMPERATURE: f64 = 363.15;
 /// Temperature at which Gold's formula gives α, 80 °C.
-const GOLD_TEMPERATURE: Temperature = Temperature::from_si(353.15);
+pub const GOLD_TEMPERATURE: Temperature = Temperature::from_si(353.15);
 /// Largest ln(η/η₀) of Roelands' law: beyond it the shear stress is the limit.
 const LARGEST_ROELANDS: f64 = 200.0;
 /// Mean over the film of the parabolic temperature profile above the walls; its middle has 1/8.
@@ -138,6 +137,23 @@ impl FilmRheology {
         let alpha = gold_pressure_viscosity(base_oil, nu)?.value;
         let constants = TractionConstants::of(base_oil)?;
         Self::with_alpha(lubricant, constants, alpha, GOLD_TEMPERATURE)
+    }
+
+    /// The rheology of a lubricant with these constants, with α as the lubricant gives it, at `alpha_temperature`, or by
+    /// Gold's formula.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new) and [`with_alpha`](Self::with_alpha).
+    pub fn of(
+        lubricant: &Lubricant,
+        base_oil: BaseOil,
+        constants: TractionConstants,
+        alpha_temperature: Temperature,
+    ) -> Result<Self, LubricantError> {
+        match lubricant.given_pressure_viscosity() {
+            Some(alpha) => Self::with_alpha(lubricant, constants, alpha, alpha_temperature),
+            None => Self::new(lubricant, base_oil)?.with_constants(constants),
+        }
     }
 
     /// The rheology of a lubricant with α known at one temperature.
@@ -275,7 +291,10 @@ impl FilmRheology {
             pressure,
             roelands_growth: match self.pressure {
                 PressureLaw::Barus => 0.0,
-                PressureLaw::Roelands => roelands_growth(self.roelands_exponent, pressure),
+                PressureLaw::Roelands => {
+                    let factor = self.constants.pressure_viscosity_factor;
+                    roelands_growth(self.roelands_exponent * factor, pressure)
+                }
             },
             log_rate: (sliding / film).ln(),
             heating: FILM_MEAN * sliding * film / self.conductivity(pressure),
@@ -291,12 +310,13 @@ impl FilmRheology {
         c.conductivity.si() * (1.0 + rise)
     }
 
-    /// ln η(p, T) and its slope over temperature.
+    /// ln η(p, T) with f times the pressure-viscosity coefficient, and its slope over temperature.
     fn log_viscosity(&self, point: &FilmPoint, temperature: f64) -> [f64; 2] {
         let [log, slope] = self.viscosity.at(temperature);
         match self.pressure {
             PressureLaw::Barus => {
-                let exponent = self.alpha(log) * point.pressure;
+                let factor = self.constants.pressure_viscosity_factor;
+                let exponent = factor * self.alpha(log) * point.pressure;
                 if exponent < LARGEST_BARUS_EXPONENT {
                     let t = self.constants.gold_exponent;
                     [log + exponent, slope * (1.0 + t * exponent)]
@@ -356,21 +376,18 @@ impl FilmRheology {
 
     /// τ and dτ/dT at a mean temperature of the film.
     ///
-    /// τ = τ_E (1 + (τ_E/τ_L)⁴)^(−1/4)                                      `[Limiting-shear]`
+    /// τ = τ_E (1 + (τ_E/τ_L)^m)^(−1/m)                                     `[Limiting-shear]`
     fn stress(&self, point: &FilmPoint, temperature: f64) -> [f64; 2] {
         let free = self.unlimited(self.log_viscosity(point, temperature), point.log_rate);
         let limit = self.limit(point, temperature);
-        limited_stress(free, limit)
+        limited_stress_by(self.constants.limit_power, free, limit)
     }
 
     /// τ_L = τ_L0 + Λ exp(−b_L (T − 363.15)) p, and its slope over temperature.
     fn limit(&self, point: &FilmPoint, temperature: f64) -> [f64; 2] {
         let c = &self.constants;
+        let proportional = c.limiting_shear_near(temperature) * point.pressure;
         let fall = c.limiting_shear_fall.si();
-        let mut proportional = c.limiting_shear * point.pressure;
-        if fall > 0.0 {
-            proportional *= (-fall * (temperature - LIMIT_TEMPERATURE)).exp();
-        }
         [c.ambient_limit.si() + proportional, -fall * proportional]
     }
 
@@ -386,7 +403,7 @@ impl FilmRheology {
     /// τ = Law(p, T_s + (1/12) τ V_s h/k(p), V_s/h)                            [Film-heat]
     /// ```
     ///
-    /// The law falls with temperature, so there is one root.
+    /// The law falls with temperature, or rises by less than the heat that it takes, so there is one root.
     ///
     /// # Errors
     /// When pressure, film or temperature is not positive, the sliding speed not finite.
@@ -449,7 +466,12 @@ impl FilmRheology {
             return Ok((isothermal, slope));
         }
         cite!("Film-heat");
-        let start = start.filter(|tau| *tau < cold[0]).unwrap_or_else(|| {
+        // Where the limit rises with the temperature, the stress rises above the unheated one.
+        let highest = match slope > 0.0 {
+            true => 2.0 * cold[0],
+            false => cold[0],
+        };
+        let start = start.filter(|tau| *tau < highest).unwrap_or_else(|| {
             // One Newton step from the unheated stress.
             cold[0] / (1.0 - point.heating * cold[1])
         });
@@ -460,7 +482,7 @@ impl FilmRheology {
                 slope = falls;
                 (tau - law, 1.0 - point.heating * falls)
             },
-            [0.0, cold[0]],
+            [0.0, highest],
             start,
             STRESS_TOLERANCE,
         )

@@ -13,6 +13,9 @@ use asperity_core::quantity::Pressure;
 use asperity_core::{DomainError, cite};
 use serde::{Deserialize, Serialize};
 
+/// Power m with which the stress approaches its limit (judgement).
+pub const LIMIT_POWER: f64 = 4.0;
+
 /// Name of a shear law; the oil gives its constants ([`TractionConstants::shear_law`](crate::TractionConstants::shear_law)).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
@@ -203,10 +206,7 @@ impl ShearThinning {
     }
 }
 
-/// Stress below a limit, τ = τ_E (1 + (τ_E/τ_L)⁴)^(−1/4).
-///
-/// Both stresses with their slopes over some variable, and so is the result. The power 4 is judgement. The smaller
-/// stress is the factor in front, so that no fourth power overflows. A limit that is not positive gives 0.
+/// Stress below a limit, τ = τ_E (1 + (τ_E/τ_L)⁴)^(−1/4): [`limited_stress_by`] with the power [`LIMIT_POWER`].
 ///
 /// ```
 /// use asperity_oil::limited_stress;
@@ -216,23 +216,49 @@ impl ShearThinning {
 /// ```
 #[inline]
 #[must_use]
-pub fn limited_stress([free, free_slope]: [f64; 2], [limit, limit_slope]: [f64; 2]) -> [f64; 2] {
+pub fn limited_stress(free: [f64; 2], limit: [f64; 2]) -> [f64; 2] {
+    limited_stress_by(LIMIT_POWER, free, limit)
+}
+
+/// Stress below a limit, τ = τ_E (1 + (τ_E/τ_L)^m)^(−1/m) with the power m.
+///
+/// Both stresses with their slopes over some variable, and so is the result. The smaller stress is the factor in front, so
+/// that no power overflows. A limit that is not positive gives 0.
+#[inline]
+#[must_use]
+pub fn limited_stress_by(
+    power: f64,
+    [free, free_slope]: [f64; 2],
+    [limit, limit_slope]: [f64; 2],
+) -> [f64; 2] {
     if limit <= 0.0 {
         return [0.0, 0.0];
     }
     let r = free / limit;
     if r < 1.0 {
-        let r4 = (r * r) * (r * r);
-        let root = (1.0 + r4).sqrt().sqrt();
-        let share = 1.0 / (root * (1.0 + r4));
-        [free / root, share * (free_slope + r4 * r * limit_slope)]
+        let (raised, root) = raised(r, power);
+        let share = 1.0 / (root * (1.0 + raised));
+        [free / root, share * (free_slope + raised * r * limit_slope)]
     } else {
         let s = limit / free;
-        let s4 = (s * s) * (s * s);
-        let root = (1.0 + s4).sqrt().sqrt();
-        let share = 1.0 / (root * (1.0 + s4));
-        [limit / root, share * (limit_slope + s4 * s * free_slope)]
+        let (raised, root) = raised(s, power);
+        let share = 1.0 / (root * (1.0 + raised));
+        [
+            limit / root,
+            share * (limit_slope + raised * s * free_slope),
+        ]
     }
+}
+
+/// r^m and (1 + r^m)^(1/m); the power 4 without a logarithm.
+#[inline]
+fn raised(ratio: f64, power: f64) -> (f64, f64) {
+    if power == LIMIT_POWER {
+        let raised = (ratio * ratio) * (ratio * ratio);
+        return (raised, (1.0 + raised).sqrt().sqrt());
+    }
+    let raised = ratio.powf(power);
+    (raised, (1.0 + raised).powf(1.0 / power))
 }
 
 #[cfg(test)]
@@ -293,6 +319,16 @@ mod tests {
             let by_limit = slope(|limit| limited_stress([free, 0.0], [limit, 0.0])[0], limit);
             assert!((limited_stress([free, 1.0], [limit, 0.0])[1] - by_free).abs() < 1e-7);
             assert!((limited_stress([free, 0.0], [limit, 1.0])[1] - by_limit).abs() < 1e-7);
+            for power in [2.0, 5.5] {
+                let by = |free, limit| limited_stress_by(power, free, limit);
+                let by_free = slope(|free| by([free, 0.0], [limit, 0.0])[0], free);
+                let by_limit = slope(|limit| by([free, 0.0], [limit, 0.0])[0], limit);
+                assert!((by([free, 1.0], [limit, 0.0])[1] - by_free).abs() < 1e-7);
+                assert!((by([free, 0.0], [limit, 1.0])[1] - by_limit).abs() < 1e-7);
+            }
+            // Both ways to the power 4 agree.
+            let near = limited_stress_by(4.0 * (1.0 + f64::EPSILON), [free, 0.0], [limit, 0.0])[0];
+            assert!((limited_stress([free, 0.0], [limit, 0.0])[0] / near - 1.0).abs() < 1e-14);
         }
     }
 }

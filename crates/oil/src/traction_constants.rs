@@ -1,14 +1,26 @@
 //! Constants of an oil for film friction besides its viscosity; symbols as in `rheology`.
 
 use asperity_core::DomainError;
-use asperity_core::quantity::{PerKelvin, Pressure, ThermalConductivity};
+use asperity_core::quantity::{PerKelvin, Pressure, Temperature, ThermalConductivity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{BaseOil, LubricantError, ShearLaw, ShearLawName};
+use crate::{BaseOil, LIMIT_POWER, LubricantError, ShearLaw, ShearLawName};
 
+/// Temperature at which Λ of a base oil holds, 90 °C \[K\].
+const LIMIT_TEMPERATURE: f64 = 363.15;
 /// Limiting shear stress τ_L0 at ambient pressure (judgement).
 pub const AMBIENT_LIMIT: Pressure = Pressure::from_si(2e6);
+
+/// 5 % and 95 % quantiles of the limiting shear stress over pressure, over its median (judgement).
+pub const LIMITING_SHEAR_BAND: [f64; 2] = [0.87, 1.15];
+/// 5 % and 95 % quantiles of a pressure-viscosity coefficient that is estimated, over its median (judgement).
+pub const PRESSURE_VISCOSITY_BAND: [f64; 2] = [0.85, 1.18];
+/// 5 % and 95 % quantiles of the Eyring stress of an oil without family, over its median (judgement).
+const EYRING_STRESS_BAND: [f64; 2] = [0.75, 4.0 / 3.0];
+/// Largest fall or rise of ln Λ \[1/K\]: beyond it a film that heats itself may have several temperatures (a rise of
+/// 30 K changes Λ by a factor 1.8 here; own choice).
+const STEEPEST_FALL: f64 = 0.02;
 
 /// Constants of the Carreau-Yasuda law; no source states them for gear oils, the defaults are judgement.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -38,10 +50,14 @@ impl Default for CarreauConstants {
 pub struct TractionConstants {
     /// Limiting shear stress over pressure Λ at 90 °C.
     pub limiting_shear: f64,
-    /// Fall b_L of ln Λ with temperature.
+    /// Fall b_L of ln Λ with temperature; a negative one is a rise.
     pub limiting_shear_fall: PerKelvin,
+    /// Pressure-viscosity coefficient of the friction over that of the film thickness, f.
+    pub pressure_viscosity_factor: f64,
     /// Limiting shear stress τ_L0 at ambient pressure.
     pub ambient_limit: Pressure,
+    /// Power m with which the stress approaches its limit.
+    pub limit_power: f64,
     /// Eyring stress τ₀.
     pub eyring_stress: Pressure,
     /// Carreau-Yasuda constants.
@@ -56,6 +72,34 @@ pub struct TractionConstants {
     pub gold_exponent: f64,
 }
 
+/// 5 % and 95 % quantiles of the Eyring stress \[Pa\] of an oil of this family; of an oil without family about `value`.
+///
+/// # Errors
+/// As [`BaseOil::data`].
+///
+/// ```
+/// use asperity_oil::{BaseOil, eyring_stress_band};
+/// assert_eq!(eyring_stress_band(Some(BaseOil::Pao), 4e6)?, [3e6, 5.5e6]);
+/// assert_eq!(eyring_stress_band(None, 4e6)?, [3e6, 4e6 * 4.0 / 3.0]);
+/// # Ok::<(), asperity_oil::LubricantError>(())
+/// ```
+pub fn eyring_stress_band(
+    base_oil: Option<BaseOil>,
+    value: f64,
+) -> Result<[f64; 2], LubricantError> {
+    let known = match base_oil {
+        Some(base_oil) => {
+            let stress = &base_oil.data()?.eyring_stress;
+            stress.low.zip(stress.high)
+        }
+        None => None,
+    };
+    Ok(match known {
+        Some((low, high)) => [low, high],
+        None => EYRING_STRESS_BAND.map(|factor| factor * value),
+    })
+}
+
 impl TractionConstants {
     /// The constants of a base oil.
     ///
@@ -66,7 +110,9 @@ impl TractionConstants {
         Ok(Self {
             limiting_shear: data.limiting_shear.value,
             limiting_shear_fall: PerKelvin::from_si(0.0),
+            pressure_viscosity_factor: 1.0,
             ambient_limit: AMBIENT_LIMIT,
+            limit_power: LIMIT_POWER,
             eyring_stress: Pressure::from_si(data.eyring_stress.value),
             carreau: CarreauConstants::default(),
             conductivity: ThermalConductivity::from_si(data.conductivity.value),
@@ -74,6 +120,21 @@ impl TractionConstants {
             conductivity_bend: data.conductivity_bend.value,
             gold_exponent: family.gold_constants()[1],
         })
+    }
+
+    /// Limiting shear stress over pressure at a temperature, Λ exp(−b_L (T − 363.15)).
+    #[must_use]
+    pub fn limiting_shear_at(&self, temperature: Temperature) -> f64 {
+        self.limiting_shear_near(temperature.si())
+    }
+
+    /// The same at a temperature \[K\].
+    pub(crate) fn limiting_shear_near(&self, temperature: f64) -> f64 {
+        let fall = self.limiting_shear_fall.si();
+        match fall == 0.0 {
+            true => self.limiting_shear,
+            false => self.limiting_shear * (-fall * (temperature - LIMIT_TEMPERATURE)).exp(),
+        }
     }
 
     /// The shear law of this name with its constants; Carreau's with the sharpness 2.
@@ -92,7 +153,14 @@ impl TractionConstants {
     }
 
     pub(crate) fn validate(&self) -> Result<(), DomainError> {
-        DomainError::non_negative("fall of the limiting shear", self.limiting_shear_fall)?;
+        let fall = self.limiting_shear_fall.si();
+        DomainError::require(
+            fall.abs() <= STEEPEST_FALL,
+            "fall of the limiting shear",
+            fall,
+            "1/K",
+            "must lie between -0.02 and 0.02: the film would have no single temperature",
+        )?;
         DomainError::non_negative("limiting shear stress at p = 0", self.ambient_limit)?;
         DomainError::positive("Eyring stress", self.eyring_stress)?;
         DomainError::positive("critical stress", self.carreau.critical_stress)?;
@@ -100,6 +168,8 @@ impl TractionConstants {
         let rule = "must be finite and greater than zero";
         for (name, value) in [
             ("limiting shear stress over pressure", self.limiting_shear),
+            ("pressure-viscosity factor", self.pressure_viscosity_factor),
+            ("power of the limit", self.limit_power),
             ("Carreau exponent", self.carreau.exponent),
             ("Carreau sharpness", self.carreau.sharpness),
         ] {

@@ -158,6 +158,17 @@ pub enum PressureLaw {
     Roelands,
 }
 
+impl PressureLaw {
+    /// The name in a case file.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Barus => "barus",
+            Self::Roelands => "roelands",
+        }
+    }
+}
+
 /// Pressure-viscosity law with its constants, except α.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]

@@ -1,4 +1,5 @@
-//! Friction of a smooth film in a line contact, with the heat of film and surfaces.
+//! Friction of a smooth film in a line contact, with the heat of film and surfaces; a contact at a point is in
+//! [`point_film`](crate::point_film).
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
@@ -38,7 +39,7 @@ use serde::Serialize;
 use crate::error::FrictionError;
 
 /// √(2π) Γ(5/2) Γ(1/4)/(2^(5/2) Γ(7/4)² Γ(11/4)) · (2/π) √(2/π).
-const MEAN_FLASH: f64 = 0.798_507_829_726;
+pub(crate) const MEAN_FLASH: f64 = 0.798_507_829_726;
 /// Share of the limiting stress from which a place counts as limited.
 const LIMITED: f64 = 0.7;
 /// Relative step at which the iteration for the surface temperature ends; the error is its square.
@@ -116,7 +117,7 @@ pub struct FilmFrictionSolution {
     pub mean_film_rise: f64,
     /// Share of the load on places with more than 0.7 of the limiting stress.
     pub limited_share: f64,
-    /// Half width a.
+    /// Half width a along the motion.
     pub half_width: Length,
     /// Largest Hertz pressure p₀.
     pub max_pressure: Pressure,
@@ -124,16 +125,16 @@ pub struct FilmFrictionSolution {
     pub evidence: Solved,
 }
 
-/// A Gauss node of half the contact, and the stress there at the last temperature.
+/// A Gauss node of the contact, and the stress there at the last temperature.
 #[derive(Debug, Clone)]
 struct Node {
     point: FilmPoint,
-    /// (2a/w) times weight times cos t.
+    /// Friction coefficient per stress \[1/Pa\].
     weight: f64,
     stress: Option<f64>,
 }
 
-/// The film of one line contact, for evaluation at any surface temperature.
+/// The film of one contact, for evaluation at any surface temperature.
 ///
 /// Stores the stresses of the last temperature as the start of the next.
 #[derive(Debug, Clone)]
@@ -143,15 +144,40 @@ pub struct LoadedFilm<'a> {
     /// T_s − T₀ per friction coefficient \[K\].
     rise_per_friction: f64,
     bulk: f64,
+    /// Load, per length of a line.
     load: f64,
+    /// Area of contact, width of a line.
+    area: f64,
     half_width: f64,
     max_pressure: f64,
     heat: FilmHeat,
     outside: Vec<OutOfRange>,
 }
 
+/// Loaded area of a film, in SI units.
+pub(crate) struct FilmArea {
+    /// Load, per length of a line.
+    pub load: f64,
+    /// Area, width of a line.
+    pub area: f64,
+    /// Half width along the motion.
+    pub half_width: f64,
+    pub max_pressure: f64,
+    pub speeds: [f64; 2],
+    pub film: f64,
+    pub bulk: f64,
+    /// T_s − T₀ per friction coefficient \[K\].
+    pub rise_per_friction: f64,
+    /// Pressure at each node, and friction coefficient per stress there.
+    pub nodes: Vec<[f64; 2]>,
+}
+
 impl<'a> LoadedFilm<'a> {
-    /// The film of a contact.
+    /// The film of a line contact.
+    ///
+    /// ```text
+    /// μ_f = (2a/w) ∫₀^(π/2) τ cos t dt,  p = p₀ cos t                      [Film-friction]
+    /// ```
     ///
     /// # Errors
     /// When load, radius, modulus, film, the sum of the speeds or a thermal constant is not positive, or
@@ -161,6 +187,7 @@ impl<'a> LoadedFilm<'a> {
         contact: &FilmLineContact,
         settings: FilmSettings,
     ) -> Result<Self, FrictionError> {
+        cite!("Film-friction");
         let line = &contact.line;
         let w = DomainError::positive("line load", line.load)?;
         let r = DomainError::positive("radius", line.radius)?;
@@ -172,49 +199,72 @@ impl<'a> LoadedFilm<'a> {
             DomainError::finite("speed of the first surface", u1)?,
             DomainError::finite("speed of the second surface", u2)?,
         ];
-        let entrainment = DomainError::positive("entrainment speed", line.entrainment())?;
-        let viscosity = rheology.state(contact.temperature)?.viscosity;
+        DomainError::positive("entrainment speed", line.entrainment())?;
         let half_width = (4.0 * w * r / (PI * e)).sqrt();
         let max_pressure = 2.0 * w / (PI * half_width);
-        let sliding = (u[0] - u[1]).abs();
-        let rise = match settings.heat {
+        let rise_per_friction = match settings.heat {
             FilmHeat::FilmAndSurfaces => surface_rise_per_friction(w, u, half_width, &line.bodies)?,
             FilmHeat::Isothermal => 0.0,
         };
-        let mut outside = Vec::new();
+        let node = |&(x, weight): &(f64, f64)| {
+            let cos = (0.5 * FRAC_PI_2 * (1.0 + x)).cos();
+            let weight = 2.0 * half_width / w * 0.5 * FRAC_PI_2 * weight * cos;
+            [max_pressure * cos, weight]
+        };
+        let area = FilmArea {
+            load: w,
+            area: 2.0 * half_width,
+            half_width,
+            max_pressure,
+            speeds: u,
+            film: h,
+            bulk,
+            rise_per_friction,
+            nodes: rule(settings.nodes).iter().map(node).collect(),
+        };
+        Self::on(rheology, area, settings.heat)
+    }
+
+    /// The film on a loaded area.
+    pub(crate) fn on(
+        rheology: &'a FilmRheology,
+        area: FilmArea,
+        heat: FilmHeat,
+    ) -> Result<Self, FrictionError> {
+        let [u1, u2] = area.speeds;
+        let bulk = Temperature::from_si(area.bulk);
         let seen = [
-            Temperature::from_si(bulk).celsius(),
-            viscosity.si() * 1e3,
-            max_pressure * 1e-9,
-            entrainment,
+            bulk.celsius(),
+            rheology.state(bulk)?.viscosity.si() * 1e3,
+            area.max_pressure * 1e-9,
+            0.5 * (u1 + u2),
         ];
+        let mut outside = Vec::new();
         for (range, value) in RANGES.iter().zip(seen) {
             range.check(value, &mut outside);
         }
-        let nodes = rule(settings.nodes)
-            .iter()
-            .map(|&(x, weight)| {
-                let cos = (0.5 * FRAC_PI_2 * (1.0 + x)).cos();
-                let point = rheology.film_point(max_pressure * cos, sliding, h);
-                Node {
-                    point: match settings.heat {
-                        FilmHeat::FilmAndSurfaces => point,
-                        FilmHeat::Isothermal => point.isothermal(),
-                    },
-                    weight: 2.0 * half_width / w * 0.5 * FRAC_PI_2 * weight * cos,
-                    stress: None,
-                }
-            })
-            .collect();
+        let sliding = (u1 - u2).abs();
+        let node = |&[pressure, weight]: &[f64; 2]| {
+            let point = rheology.film_point(pressure, sliding, area.film);
+            Node {
+                point: match heat {
+                    FilmHeat::FilmAndSurfaces => point,
+                    FilmHeat::Isothermal => point.isothermal(),
+                },
+                weight,
+                stress: None,
+            }
+        };
         Ok(Self {
             rheology,
-            nodes,
-            rise_per_friction: rise,
-            bulk,
-            load: w,
-            half_width,
-            max_pressure,
-            heat: settings.heat,
+            nodes: area.nodes.iter().map(node).collect(),
+            rise_per_friction: area.rise_per_friction,
+            bulk: area.bulk,
+            load: area.load,
+            area: area.area,
+            half_width: area.half_width,
+            max_pressure: area.max_pressure,
+            heat,
             outside,
         })
     }
@@ -234,14 +284,9 @@ impl<'a> LoadedFilm<'a> {
 
     /// Film friction at a surface temperature `rise` \[K\] above the bulk, and its slope over it \[1/K\].
     ///
-    /// ```text
-    /// μ_f = (2a/w) ∫₀^(π/2) τ cos t dt,  p = p₀ cos t                      [Film-friction]
-    /// ```
-    ///
     /// # Errors
     /// When a stress has no root, which no finite input causes.
     pub fn friction_at(&mut self, rise: f64) -> Result<[f64; 2], FrictionError> {
-        cite!("Film-friction");
         cite!("Limiting-shear");
         cite!("Larsson-Andersson");
         cite!("Alpha-T");
@@ -277,6 +322,11 @@ impl<'a> LoadedFilm<'a> {
             }
         } else {
             let mut failed = None;
+            // Friction rises with the temperature where the limiting stress does.
+            let highest = match slope > 0.0 {
+                true => 2.0 * cold,
+                false => cold,
+            };
             let root = newton_root(
                 |mu| match self.friction_at(c * mu) {
                     Ok([friction, slope]) => (mu - friction, 1.0 - c * slope),
@@ -285,7 +335,7 @@ impl<'a> LoadedFilm<'a> {
                         (f64::NAN, 1.0)
                     }
                 },
-                [0.0, cold],
+                [0.0, highest],
                 cold / (1.0 - c * slope),
                 TEMPERATURE_TOLERANCE,
             );
@@ -325,7 +375,7 @@ impl<'a> LoadedFilm<'a> {
         }
         Ok(FilmFrictionSolution {
             coefficient: mu,
-            mean_stress: Pressure::from_si(mu * self.load / (2.0 * self.half_width)),
+            mean_stress: Pressure::from_si(mu * self.load / self.area),
             surface_rise: rise,
             largest_film_rise: largest,
             mean_film_rise: mean / weights,
@@ -344,7 +394,7 @@ impl<'a> LoadedFilm<'a> {
 }
 
 /// Gauss-Legendre nodes and weights; the default order is computed once.
-fn rule(order: NonZeroUsize) -> Cow<'static, [(f64, f64)]> {
+pub(crate) fn rule(order: NonZeroUsize) -> Cow<'static, [(f64, f64)]> {
     static DEFAULT: OnceLock<Vec<(f64, f64)>> = OnceLock::new();
     let make = || {
         GaussLegendre::new(order)

@@ -35,6 +35,7 @@ pub mod iso_14179_1;
 pub mod iso_14179_2;
 pub mod matsumoto;
 pub mod mixed;
+pub mod point_film;
 pub mod published_law;
 pub mod rolling;
 pub mod xu;
@@ -48,6 +49,7 @@ pub use film_friction_law::{FilmContact, FilmFriction, FilmTraction, NamedFricti
 pub use flash::flash_temperature;
 pub use friction_law::{FrictionLaw, FrictionSettings};
 pub use mixed::{MixedFriction, mixed_friction};
+pub use point_film::FilmPointContact;
 pub use published_law::PublishedLaw;
 pub use rolling::rolling_force;
 pub use xu::{RoughnessReading, XuCalibration, XuCoefficients, XuLaw};

@@ -339,13 +339,14 @@ fn what_a_solution_says_of_its_stress_and_heat_agrees() {
 #[test]
 fn constants_that_no_oil_has_are_refused_by_name() {
     let good = TractionConstants::of(BaseOil::Mineral).unwrap();
-    let mut all = [good; 6];
+    let mut all = [good; 7];
     all[0].limiting_shear = 0.0;
-    all[1].limiting_shear_fall = PerKelvin::from_si(-1e-3);
+    all[1].limiting_shear_fall = PerKelvin::from_si(-0.03);
     all[2].ambient_limit = Pressure::from_si(-1.0);
     all[3].eyring_stress = Pressure::from_si(0.0);
     all[4].gold_exponent = f64::NAN;
     all[5].conductivity_rise = -1.0;
+    all[6].pressure_viscosity_factor = 0.0;
     let names = [
         "limiting shear stress over pressure",
         "fall of the limiting shear",
@@ -353,6 +354,7 @@ fn constants_that_no_oil_has_are_refused_by_name() {
         "Eyring stress",
         "Gold exponent t",
         "conductivity rise c1",
+        "pressure-viscosity factor",
     ];
     for (constants, name) in all.into_iter().zip(names) {
         let error = oil("M100").with_constants(constants).unwrap_err();

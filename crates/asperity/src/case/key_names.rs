@@ -27,6 +27,8 @@ const NAMES: &[Name] = &[
     ("lubricant", "temperature of the density", "lubricant.density_temperature"),
     ("lubricant", "specific heat capacity", "lubricant.heat_capacity"),
     ("lubricant", "pressure-viscosity coefficient", "lubricant.pressure_viscosity"),
+    ("lubricant", "pressure-viscosity factor", "lubricant.pressure_viscosity_factor"),
+    ("lubricant", "fall of the limiting shear", "lubricant.limiting_shear_temperature"),
     ("lubricant", "temperature coefficient -(d eta/dT)/eta", "lubricant.temperature_coefficient"),
     ("lubricant", "viscosity at 40 °C", "lubricant.viscosity.at_40"),
     ("lubricant", "viscosity at 100 °C", "lubricant.viscosity.at_100"),

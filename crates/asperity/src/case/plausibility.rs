@@ -30,6 +30,8 @@ limits! {
     LubricantInput;
     density = "kg/m3" usual [700.0, 1200.0] possible [300.0, 3000.0];
     thermal_expansion = "1/K" usual [4e-4, 1.2e-3] possible [1e-6, 1e-2];
+    pressure_viscosity_factor = "" usual [0.5, 1.5] possible [0.1, 10.0];
+    limiting_shear_temperature = "1/K" usual [-0.005, 0.01] possible [-0.02, 0.02];
     thermal_conductivity = "W/(m K)" usual [0.08, 0.3] possible [0.005, 5.0];
     heat_capacity = "J/(kg K)" usual [1400.0, 3000.0] possible [200.0, 10_000.0];
     temperature_coefficient = "1/K" usual [0.005, 0.15] possible [1e-4, 1.0];

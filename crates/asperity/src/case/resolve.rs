@@ -4,7 +4,7 @@ use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
 use asperity_core::{DomainError, OutOfRange};
 use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
-use asperity_oil::{FilmRheology, Lubricant, LubricantError, LubricantState, TractionConstants};
+use asperity_oil::{FilmRheology, Lubricant, LubricantError, LubricantState};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
@@ -170,7 +170,10 @@ pub(super) fn resolve_checked(
     }
     let mut oil_state = oil.value;
     let rheology = match model.film_friction.shear_law().is_some() || model.shears_its_film() {
-        false => None,
+        false => {
+            without_film_friction(&input, source)?;
+            None
+        }
         true => {
             let calibration = input.calibration.as_ref();
             let rheology =
@@ -219,6 +222,28 @@ pub(super) fn title_by_gears(teeth: &[u32], module: Length) -> String {
     format!("untitled, {} teeth, module {module}", teeth.join("/"))
 }
 
+/// Refuses properties of the oil that only film friction with a shear stress uses.
+fn without_film_friction(input: &CaseInput, source: &Source) -> Result<(), CaseError> {
+    let oil = &input.lubricant;
+    let stated = [
+        (
+            "pressure_viscosity_factor",
+            oil.pressure_viscosity_factor.is_some(),
+        ),
+        (
+            "limiting_shear_temperature",
+            oil.limiting_shear_temperature.is_some(),
+        ),
+    ];
+    match stated.into_iter().find(|(_, is_stated)| *is_stated) {
+        None => Ok(()),
+        Some((key, _)) => {
+            let rule = "belongs to film friction by a shear stress, which this model does not have; leave it out";
+            Err(Section::of(source, "lubricant").conflict(key, rule))
+        }
+    }
+}
+
 /// The oil in the film: constants of its family, α as stated at the temperature of the case or by Gold.
 fn rheology(
     lubricant: &Lubricant,
@@ -227,20 +252,14 @@ fn rheology(
     calibration: Option<&CalibrationInput>,
 ) -> Result<FilmRheology, LubricantError> {
     let family = lubricant.base_oil().ok_or(LubricantError::NoBaseOil)?;
-    let mut constants = TractionConstants::of(family)?;
-    if let Some(stated) = lubricant.given_thermal_conductivity() {
-        constants.conductivity = stated;
-    }
+    let mut constants = lubricant.traction_constants(family)?;
     if let Some(fitted) = calibration.and_then(|fit| fit.limiting_shear) {
         constants.limiting_shear = fitted.value;
     }
     if let Some(fitted) = calibration.and_then(|fit| fit.eyring_stress) {
         constants.eyring_stress = fitted.value;
     }
-    let rheology = match lubricant.given_pressure_viscosity() {
-        Some(alpha) => FilmRheology::with_alpha(lubricant, constants, alpha, bulk)?,
-        None => FilmRheology::new(lubricant, family)?.with_constants(constants)?,
-    };
+    let rheology = FilmRheology::of(lubricant, family, constants, bulk)?;
     let shear = model.film_friction.shear_law().unwrap_or_default();
     Ok(rheology.with_laws(shear, model.film_pressure_law))
 }

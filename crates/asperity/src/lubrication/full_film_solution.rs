@@ -120,7 +120,7 @@ fn traction_law(case: &Case) -> Result<TractionLaw, PositionError> {
     let constants = rheology.constants();
     Ok(TractionLaw {
         shear: constants.shear_law(rheology.laws().0),
-        limit: Some(constants.limiting_shear),
+        limit: Some(constants.limiting_shear_at(case.temperature)),
         heat: Some(Heat {
             bulk: case.temperature,
             temperature_coefficient: case.oil.temperature_coefficient,

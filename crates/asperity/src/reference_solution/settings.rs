@@ -117,10 +117,10 @@ impl RefereeContact {
         let mut record = settings.record.clone();
         record.friction = Some(FrictionLaw {
             viscosity: oil.viscosity,
-            pressure_viscosity: oil.pressure_viscosity,
+            pressure_viscosity: oil.pressure_viscosity * constants.pressure_viscosity_factor,
             eyring_stress: stress,
             limiting_stress: constants.ambient_limit,
-            limiting_slope: constants.limiting_shear,
+            limiting_slope: constants.limiting_shear_at(case.temperature),
             boundary_friction: case.model.boundary_friction,
             boundary_layer: case.model.boundary_layer,
         });

@@ -1,6 +1,7 @@
-//! The little numerics that is not physics: transforms, convolution, roots, sums, Student's t.
+//! The little numerics that is not physics: transforms, convolution, roots, sums, elliptic integrals, Student's t.
 
 mod convolution;
+mod elliptic;
 mod fft_length;
 mod fourier;
 mod increasing_root;
@@ -11,6 +12,7 @@ mod student_t;
 mod sums;
 
 pub use convolution::SymmetricToeplitz;
+pub use elliptic::CompleteElliptic;
 pub use fft_length::good_fft_length;
 pub use fourier::{complex_inverse, real_transforms};
 pub use increasing_root::{Solved, newton_root, secant_root};

@@ -1,0 +1,199 @@
+//! Page, tables and summary of predicted traction curves.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
+use asperity_report::html::{figure, page};
+use asperity_report::{ReportError, StudyResult, tables, wrapped};
+use maud::{Markup, html};
+
+use super::traction::{Curves, LEAST_RATIO, PredictedPoint, TractionCurves};
+
+const OVER_SLIDE: &str = "traction_over_slide_to_roll.csv";
+const OVER_SPEED: &str = "traction_over_speed.csv";
+/// Slide-to-roll ratios \[%\] of the summary.
+const SHOWN: [f64; 4] = [1.0, 5.0, 20.0, 50.0];
+
+impl StudyResult for TractionCurves {
+    const KIND: &'static str = "traction curves";
+    const NAME: &'static str = "traction";
+    type Context<'a> = ();
+
+    fn summary(&self, (): ()) -> String {
+        let mut text = conditions(self) + "\n";
+        let heads = SHOWN.map(|percent| format!("{:>10}", format!("at {percent} %")));
+        // Writing into a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{:>6} {:>8} {:>6} {}",
+            "°C",
+            "film nm",
+            "h/Rq",
+            heads.concat()
+        );
+        for curves in &self.curves {
+            let found = SHOWN.map(|percent| {
+                let point = nearest(&curves.over_slide, percent);
+                point.map_or(format!("{:>10}", "-"), |point| {
+                    format!("{:>10.4}", point.traction)
+                })
+            });
+            let film = curves.film_ratio * self.roughness_nm;
+            let _ = writeln!(
+                text,
+                "{:>6.0} {film:>8.0} {:>6.1} {}",
+                curves.temperature_c,
+                curves.film_ratio,
+                found.concat()
+            );
+        }
+        for line in notes(self) {
+            text.push_str(&wrapped(&line, "  "));
+            text.push('\n');
+        }
+        text
+    }
+
+    fn page(&self, (): ()) -> String {
+        let sections = [
+            ("Traction", charts(self)),
+            (
+                "Conditions",
+                html! { p { (conditions(self)) } @for note in notes(self) { p { (note) } } },
+            ),
+        ];
+        let subtitle = format!("{} · predicted traction", self.program);
+        page(&self.title, &subtitle, &sections)
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        tables::write(&folder.join(OVER_SLIDE), self.over_slide.iter())?;
+        tables::write(&folder.join(OVER_SPEED), self.over_speed.iter())
+    }
+}
+
+fn conditions(traction: &TractionCurves) -> String {
+    format!(
+        "{}: {:.0} N ({:.2} GPa), {} m/s, roughness {:.0} nm, law of pressure {}",
+        traction.title,
+        traction.load_n,
+        traction.max_pressure_gpa,
+        traction.mean_speed_m_s,
+        traction.roughness_nm,
+        traction.pressure_law
+    )
+}
+
+fn notes(traction: &TractionCurves) -> Vec<String> {
+    let percent = traction.deviations.map(|deviation| 100.0 * deviation);
+    let mut notes = vec![format!(
+        "The band is the 5 to 95 % range of the friction by the constants of the oil only: standard deviations of {:.0} % of the Eyring stress, {:.0} % of the limiting shear stress and {:.0} % of the pressure-viscosity coefficient in friction.",
+        percent[0], percent[1], percent[2]
+    )];
+    let thin = traction
+        .curves
+        .iter()
+        .filter(|curves| curves.film_ratio < LEAST_RATIO);
+    let thin: Vec<String> = thin
+        .map(|curves| format!("{:.0} °C", curves.temperature_c))
+        .collect();
+    if !thin.is_empty() {
+        notes.push(format!(
+            "At {} the film at {} m/s is thinner than three times the roughness: no prediction.",
+            thin.join(", "),
+            traction.mean_speed_m_s
+        ));
+    }
+    notes
+}
+
+fn nearest(points: &[PredictedPoint], percent: f64) -> Option<&PredictedPoint> {
+    let far = |point: &PredictedPoint| (point.slide_roll_percent / percent).ln().abs();
+    points.iter().min_by(|a, b| far(a).total_cmp(&far(b)))
+}
+
+fn charts(traction: &TractionCurves) -> Markup {
+    let slide = Chart::new(
+        "over-slide",
+        &format!(
+            "Traction over the slide-to-roll ratio at {} m/s",
+            traction.mean_speed_m_s
+        ),
+        OVER_SLIDE,
+        Axis::new("slide-to-roll ratio", "%").log(),
+        Axis::new("friction coefficient", "").from_zero(),
+    );
+    let speed = Chart::new(
+        "over-speed",
+        &format!(
+            "Traction over the speed at a slide-to-roll ratio of {} %",
+            traction.slide_roll_percent
+        ),
+        OVER_SPEED,
+        Axis::new("mean speed", "m/s").log(),
+        Axis::new("friction coefficient", "").from_zero(),
+    );
+    let slide = drawn(
+        slide,
+        traction,
+        |curves| &curves.over_slide,
+        |point| point.slide_roll_percent,
+    );
+    let mut speed = drawn(
+        speed,
+        traction,
+        |curves| &curves.over_speed,
+        |point| point.mean_speed_m_s,
+    );
+    for curves in traction
+        .curves
+        .iter()
+        .filter(|curves| !curves.guide.is_empty())
+    {
+        let name = format!("guide to boundary friction, {:.0} °C", curves.temperature_c);
+        let points = curves.guide.iter().copied();
+        speed
+            .series
+            .push(Series::through(&name, Line::Dashed, points));
+    }
+    html! {
+        div.charts { (figure(&Drawing::Curves(slide))) (figure(&Drawing::Curves(speed))) }
+        p { "Solid: predicted where the film is at least three times as thick as the roughness. Dashed: a guide to the boundary friction of "
+            (traction.boundary_friction) ", not a prediction; it is in no file." }
+    }
+}
+
+fn drawn(
+    mut chart: Chart,
+    traction: &TractionCurves,
+    points: fn(&Curves) -> &[PredictedPoint],
+    x: fn(&PredictedPoint) -> f64,
+) -> Chart {
+    let shown = traction
+        .curves
+        .iter()
+        .filter(|curves| !points(curves).is_empty());
+    let shown: Vec<&Curves> = shown.collect();
+    for curves in &shown {
+        let name = format!("{:.0} °C", curves.temperature_c);
+        let line = points(curves)
+            .iter()
+            .map(|point| [x(point), point.traction]);
+        chart.series.push(Series::through(&name, Line::Solid, line));
+    }
+    for (k, curves) in shown.iter().enumerate() {
+        let of = |value: fn(&PredictedPoint) -> f64| {
+            points(curves).iter().map(value).collect::<Vec<f64>>()
+        };
+        let name = format!("5 to 95 %, {:.0} °C", curves.temperature_c);
+        let (low, high) = (
+            of(|point| point.traction_p05),
+            of(|point| point.traction_p95),
+        );
+        chart
+            .series
+            .push(Series::band_of(k, &name, &of(x), &low, &high));
+    }
+    chart
+}

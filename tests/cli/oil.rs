@@ -1,0 +1,139 @@
+//! `asperity oil`: the library under its other name, traction curves.
+
+use std::fs;
+
+use crate::bench::{Bench, E_DRIVE};
+
+/// A model without shear stress of the film.
+const XU: [&str; 4] = [
+    "--set",
+    "model.film_friction=\"xu\"",
+    "--set",
+    "model.load_share=\"lambda-star\"",
+];
+
+#[test]
+fn oils_is_short_for_oil_list_and_oil_show() {
+    let bench = Bench::new();
+    let of = |arguments: &[&str]| bench.run(arguments).well().out;
+    assert_eq!(of(&["oil", "list"]), of(&["oils"]));
+    assert_eq!(of(&["oil", "show", "M100"]), of(&["oils", "m100"]));
+    assert_eq!(of(&["oil", "list", "--json"]), of(&["oils", "--json"]));
+}
+
+/// Columns of a table of a folder: rows of numbers.
+fn rows(bench: &Bench, file: &str) -> Vec<Vec<f64>> {
+    let text = fs::read_to_string(bench.path(file)).unwrap();
+    let lines = text.lines().skip(1);
+    lines
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+        .collect()
+}
+
+#[test]
+fn traction_is_predicted_where_the_film_separates_the_surfaces() {
+    let bench = Bench::new();
+    let arguments = ["oil", "traction", "e-fluid-70w75w", "--speed", "1 m/s"];
+    let out = bench.run(&arguments).well().unwrapped();
+    assert!(
+        out.contains("At 120 °C the film at 1 m/s is thinner"),
+        "{out}"
+    );
+    let folder = "results/e-fluid-70w75w-traction";
+    for file in ["traction_over_slide_to_roll.csv", "traction_over_speed.csv"] {
+        let rows = rows(&bench, &format!("{folder}/{file}"));
+        assert!(rows.len() > 30);
+        for row in rows {
+            let [traction, low, high, ratio] = [row[4], row[5], row[6], row[8]];
+            assert!(
+                ratio >= 3.0 && 0.0 < low && low < traction && traction < high,
+                "{row:?}"
+            );
+        }
+    }
+    let page = fs::read_to_string(bench.path(folder).join("traction.html")).unwrap();
+    assert!(page.contains("guide to boundary friction, 120 °C"));
+    // The guide is a drawing.
+    let json = fs::read_to_string(bench.path(folder).join("traction.json")).unwrap();
+    assert!(!json.contains("guide"));
+}
+
+#[test]
+fn the_oil_of_a_case_has_its_own_constants() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let traction = |set: &[&str]| {
+        let mut arguments = vec!["oil", "traction", "case.toml", "-o", "found"];
+        arguments.extend(set);
+        bench.run(&arguments).well();
+        rows(&bench, "found/traction_over_slide_to_roll.csv")
+    };
+    let own = traction(&[]);
+    let factor = traction(&["--set", "lubricant.pressure_viscosity_factor=0.9"]);
+    assert_eq!(own.len(), factor.len());
+    for (own, factor) in own.iter().zip(&factor) {
+        // The film keeps its thickness, the friction falls.
+        assert!(own[7] == factor[7] && factor[4] < own[4]);
+    }
+    let falling = traction(&["--set", "lubricant.limiting_shear_temperature=0.004 1/K"]);
+    assert!(
+        own.iter()
+            .zip(&falling)
+            .all(|(own, falling)| match own[3] < 80.0 {
+                true => falling[4] > own[4],
+                false => true,
+            })
+    );
+}
+
+#[test]
+fn oils_and_settings_that_give_no_traction_are_refused() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench
+        .run(&["oil", "traction", "m-100"])
+        .refused(2, "E220", &["Did you mean \"m100\"?"]);
+    let one = bench.run(&["oil", "traction", "paper-table-2"]);
+    one.refused(2, "E208", &["known at one temperature only"]);
+    let negative = bench.run(&["oil", "traction", "m100", "--load", "-3 N"]);
+    negative.refused(2, "E209", &["load = -3 N"]);
+    let axis = bench.run(&["oil", "traction", "m100", "--temperature", "x"]);
+    axis.refused(2, "E209", &["--temperature"]);
+    let friction = bench.run(&["oil", "traction", "m100", "--boundary-friction", "0"]);
+    friction.refused(2, "E209", &["--boundary-friction"]);
+    bench.write("case.toml", E_DRIVE);
+    let law = bench.run(&[&["oil", "traction", "case.toml"], &XU[..]].concat());
+    law.refused(2, "E205", &["not computed from a shear stress"]);
+}
+
+#[test]
+fn constants_of_the_film_friction_need_a_shear_stress() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    for (line, says) in [
+        (
+            "pressure_viscosity_factor = 0.9",
+            "pressure_viscosity_factor",
+        ),
+        (
+            "limiting_shear_temperature = \"0.001 1/K\"",
+            "limiting_shear_temperature",
+        ),
+    ] {
+        let case = E_DRIVE.replacen("[lubricant]\n", &format!("[lubricant]\n{line}\n"), 1);
+        bench.write("case.toml", &case);
+        bench.run(&["check", "case.toml"]).well();
+        let run = bench.run(&[&["run", "case.toml", "--json"], &XU[..]].concat());
+        run.refused_json("E205", says);
+    }
+    let steep = E_DRIVE.replacen(
+        "[lubricant]\n",
+        "[lubricant]\nlimiting_shear_temperature = \"0.05 1/K\"\n",
+        1,
+    );
+    bench.write("case.toml", &steep);
+    bench
+        .run(&["run", "case.toml", "--json"])
+        .refused_json("E212", "limiting_shear_temperature");
+}
