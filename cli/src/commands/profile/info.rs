@@ -22,8 +22,11 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
         let trace = match opened_trace(file, &args.reading, args.preparing.base_radius) {
             // A file of several traces is a surface until one of them is chosen.
             Err(failure) if failure.is_of_several() && args.reading.row.is_none() => {
-                surface_facts::print(file, args, common, &failure)?;
-                return Err(failure);
+                let is_shown = surface_facts::print(file, args, common, &failure)?;
+                return Err(match is_shown && common.json {
+                    true => failure.printed(),
+                    false => failure,
+                });
             }
             trace => trace?,
         };

@@ -17,15 +17,15 @@ use crate::output::{print_json, print_text};
 
 /// Prints facts and parameters of the surface in a file, from which no trace was chosen; `failure` says how to choose one.
 ///
-/// A file of several traces that are not a surface prints nothing.
+/// Returns whether there is something to print: traces of a file need not be a surface.
 pub(super) fn print(
     file: &Path,
     args: &ProfileInfoArgs,
     common: &Common,
     failure: &Failure,
-) -> Result<(), Failure> {
+) -> Result<bool, Failure> {
     let Ok(surface) = opened_surface(file, &args.reading) else {
-        return Ok(());
+        return Ok(false);
     };
     let areal = evaluated(&surface);
     if common.json {
@@ -40,7 +40,7 @@ pub(super) fn print(
             "areal": areal.as_ref().ok(),
         });
         report["error"] = failure.json()["error"].clone();
-        return print_json(&report);
+        return print_json(&report).map(|()| true);
     }
     let mut text = format!("{}\n", surface.name);
     let mut line = |content: &str| {
@@ -72,7 +72,7 @@ pub(super) fn print(
             texture.std_degrees.min(180.0 - texture.std_degrees)
         );
     }
-    print_text(common, &text)
+    print_text(common, &text).map(|()| true)
 }
 
 /// The areal parameters, or why there are none.
