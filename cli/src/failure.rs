@@ -133,6 +133,11 @@ impl Failure {
         ["E109", "E120", "E136"].contains(&self.code)
     }
 
+    /// Whether the file holds several traces and none was chosen.
+    pub fn is_of_several(&self) -> bool {
+        self.code == "E119"
+    }
+
     /// The error as JSON.
     pub fn json(&self) -> serde_json::Value {
         serde_json::json!({

@@ -70,6 +70,21 @@ impl Said {
         self.failed(2, code, says);
     }
 
+    /// A surface was read and its facts shown, but no trace of it was chosen.
+    pub fn surveyed(&self, says: &[&str]) {
+        for part in [
+            "rows of",
+            "are missing",
+            "areal parameters",
+            "pinion = { file =",
+        ] {
+            let is_shown =
+                self.out.contains(part) || part == "areal parameters" && self.out.contains("Sdq");
+            assert!(is_shown, "{part:?} is not in {}", self.out);
+        }
+        self.failed(2, "E119", says);
+    }
+
     fn failed(&self, status: i32, code: &str, says: &[&str]) {
         assert_eq!(self.status, status, "{self:?}");
         assert!(self.err.starts_with(&format!("{code} ")), "{}", self.err);

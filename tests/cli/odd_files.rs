@@ -145,6 +145,7 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ("profile filter", "file", Read, "@ new.csv"),
     ("profile filter", "output", Written, "pinion.csv @"),
     ("profile generate", "recipe", Read, "--recipe @ -o new.csv"),
+    ("profile generate", "like", Read, "--like @ -o new.csv"),
     ("profile generate", "output", Written, "-o @"),
     ("demo", "folder", Written, "@"),
 ];

@@ -449,3 +449,84 @@ fn what_cannot_be_generated_is_refused_with_the_range_and_no_pores_are_none() {
     let made = |name: &str| std::fs::read(bench.path(name)).unwrap();
     assert_eq!(made("with.csv"), made("without.csv"));
 }
+
+/// A trace like measured ones has their parameters but other heights; its recipe makes the same trace again.
+#[test]
+fn a_trace_is_generated_like_measured_ones() {
+    let bench = Bench::new();
+    for seed in ["1", "2"] {
+        let file = format!("flank{seed}.csv");
+        let arguments = [
+            "profile", "generate", "--points", "8001", "--seed", seed, "-o", &file,
+        ];
+        bench.run(&arguments).well();
+    }
+    let like = |seed: &str, output: &str| {
+        bench
+            .run(&[
+                "profile",
+                "generate",
+                "--like",
+                "flank1.csv",
+                "--like",
+                "flank2.csv",
+                "--seed",
+                seed,
+                "--json",
+                "-o",
+                output,
+            ])
+            .well()
+            .json()
+    };
+    let (third, fourth) = (like("3", "three.csv"), like("4", "four.csv"));
+    let rq = |made: &serde_json::Value| made["achieved"]["rq"].as_str().unwrap().to_owned();
+    assert_ne!(rq(&third), rq(&fourth));
+    let info = |file: &str| {
+        let report = bench
+            .run(&["profile", "info", "--json", file])
+            .well()
+            .json();
+        ["ra_um", "rz_um", "rdq"].map(|key| report["iso4287"][key].as_f64().unwrap())
+    };
+    for (made, measured) in info("three.csv").into_iter().zip(info("flank1.csv")) {
+        assert!((made / measured - 1.0).abs() < 0.2, "{made} {measured}");
+    }
+    bench.write("recipe.json", third["recipe"].to_string());
+    bench
+        .run(&[
+            "profile",
+            "generate",
+            "--recipe",
+            "recipe.json",
+            "-o",
+            "again.csv",
+        ])
+        .well();
+    let bytes = |name: &str| std::fs::read(bench.path(name)).unwrap();
+    assert_eq!(bytes("three.csv"), bytes("again.csv"));
+    bench
+        .run(&[
+            "profile",
+            "generate",
+            "--points",
+            "2000",
+            "--spacing",
+            "0.7 um",
+            "-o",
+            "other.csv",
+        ])
+        .well();
+    bench
+        .run(&[
+            "profile",
+            "generate",
+            "--like",
+            "flank1.csv",
+            "--like",
+            "other.csv",
+            "-o",
+            "no.csv",
+        ])
+        .refused(2, "E120", &["spaced"]);
+}

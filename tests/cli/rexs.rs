@@ -38,7 +38,7 @@ fn stages_are_listed() {
     assert_eq!(listed["stages"][0]["kind"], "planetary");
     assert_eq!(
         listed["stages"][0]["teeth"],
-        serde_json::json!([27.0, 24.0, 75.0])
+        serde_json::json!([27, 24, 75])
     );
 }
 
@@ -123,4 +123,97 @@ fn what_cannot_be_used_is_refused() {
         let arguments = ["case", "from-rexs", "chain.rexs", "--stage", stage];
         bench.run(&arguments).refused(2, "E133", &["stage"]);
     }
+}
+
+/// Every attribute of a version reaches the case with its source, and what does not is listed by component.
+#[test]
+fn each_version_gives_its_modifications_roughness_oil_and_tools() {
+    use asperity_fixtures::gearbox::{VERSIONS, rexs};
+    let bench = Bench::new();
+    for (number, version) in VERSIONS.iter().enumerate() {
+        let at_least = |other: &str| VERSIONS.iter().position(|v| *v == other).unwrap() <= number;
+        bench.write("box.rexs", rexs(version));
+        let listed = bench.run(&["case", "from-rexs", "box.rexs"]).well().out;
+        assert!(listed.contains("23/57 teeth"), "{listed}");
+        let arguments = [
+            "case",
+            "from-rexs",
+            "box.rexs",
+            "--stage",
+            "1",
+            "-o",
+            "case.toml",
+        ];
+        assert_eq!(bench.run(&arguments).status, 0);
+        let case = fs::read_to_string(bench.path("case.toml")).unwrap();
+        let has = |line: &str, since: &str| {
+            assert_eq!(
+                case.contains(line),
+                at_least(since),
+                "{version}, {line}\n{case}"
+            );
+        };
+        has("teeth = [23, 57]", "1.0");
+        has("pinion.tip_chamfer = \"0.2 mm\"", "1.0");
+        has("pinion.fillet_radius = 0.3", "1.0");
+        // 1.35 of the tool, and 0.05 more from the shift that it generates.
+        has("pinion.dedendum = 1.4", "1.3");
+        assert!(
+            at_least("1.3") || case.contains("pinion.dedendum = 1.35"),
+            "{case}"
+        );
+        has(
+            "wheel.tip_relief = { amount = \"20 um\", length = \"3.5 mm\" }",
+            "1.2",
+        );
+        has(
+            "wheel.root_relief = { amount = \"8 um\", length = \"2 mm\", power = 2 }",
+            "1.2",
+        );
+        has("wheel.profile_crowning = \"3 um\"", "1.2");
+        has("wheel.profile_slope = \"2 um\"", "1.2");
+        has("wheel.crowning = \"5 um\"", "1.2");
+        has("wheel.lead_slope = \"6 um\"", "1.2");
+        has(
+            "end_relief = { amount = \"12 um\", length = \"4 mm\" }",
+            "1.2",
+        );
+        has("pinion.ra = \"0.4 um\"", "1.2");
+        has("wheel.ra = \"0.5 um\"", "1.2");
+        has("pinion.rz = \"3 um\"", "1.3");
+        has(
+            "base_oil = \"pao\"  # lubricant 54: lubricant_type_agma_925",
+            "1.3",
+        );
+        assert!(
+            at_least("1.3") || case.contains("assume_base_oil = \"pao\""),
+            "{case}"
+        );
+        // 0.010326 mm2/N times 20 to the power 0.0507.
+        has("pressure_viscosity = \"0.01201", "1.3");
+        has("operating_viscosity is 32.5 mm2/s", "1.4");
+        has("bulk_temperature = \"70 °C\"", "1.0");
+        has("# profile_twist 207, 307: nothing", "1.2");
+        has("# concept_bearing 51: nothing", "1.0");
+        has("# cylindrical_gear 2: u_coordinate_on_shaft", "1.0");
+        assert!(listed.contains("35.00000 % of the time"), "{listed}");
+        if at_least("1.2") {
+            bench.run(&["check", "case.toml"]).well();
+        }
+    }
+}
+
+/// An oil whose viscosity is known at the operating temperature only is read as such.
+#[test]
+fn an_operating_viscosity_stands_alone() {
+    let bench = Bench::new();
+    let text = asperity_fixtures::gearbox::rexs("1.7");
+    let text = text.replace("viscosity_at_40_degree_celsius", "custom_viscosity");
+    bench.write("box.rexs", text);
+    let case = bench
+        .run(&["case", "from-rexs", "box.rexs", "--stage", "1"])
+        .out;
+    // 32.5 mm2/s times 860 kg/m3.
+    let line = "dynamic_viscosity = \"27.95 mPa s\", temperature = \"70 °C\"";
+    assert!(case.contains(line), "{case}");
 }

@@ -64,15 +64,19 @@ fn a_surface_gives_a_row_or_its_mean() {
         bench.run(&[&all, more].concat())
     };
     let none = info(&[]);
-    none.refused(
-        2,
-        "E119",
-        &[
-            "flank.sur: the file holds 3 profiles",
-            "--row",
-            "--line mean",
-        ],
+    none.surveyed(&[
+        "flank.sur: the file holds 3 profiles",
+        "--row",
+        "--line mean",
+    ]);
+    assert!(
+        none.out.contains("Sq ") && none.out.contains("lay = "),
+        "{}",
+        none.out
     );
+    let json = info(&["--json"]).json();
+    assert_eq!(json["rows"], 3);
+    assert!(json["areal"]["sdr"].as_f64().unwrap() > 0.0, "{json:#}");
     let ra = |more: &[&str]| {
         let found = info(&[more, &["--json"]].concat()).well().json();
         (

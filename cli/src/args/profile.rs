@@ -31,6 +31,7 @@ pub enum ProfileCommand {
     /// Generate a synthetic profile from a recipe, and report the parameters achieved
     #[command(
         after_help = "Examples:\n  asperity profile generate -o rough.csv --rq \"0.4 um\" --seed 2\n  \
+        asperity profile generate --like flank.csv --seed 3 -o another.csv\n  \
         asperity profile generate --recipe porous.json -o porous.csv\n\n\
         A recipe is a surface (self-affine, non-gaussian, plateau-honed, ground) and what is done to it (pits,\n\
         pores, scratches, mirrored). Open pores of a sintered steel, a model:\n  \
@@ -113,8 +114,11 @@ pub enum ProfilePart {
 #[derive(Debug, Args)]
 pub struct ProfileGenerateArgs {
     /// Recipe in JSON [default: a self-affine profile from the options below]
-    #[arg(long)]
+    #[arg(long, conflicts_with = "like")]
     pub recipe: Option<PathBuf>,
+    /// Trace to which the recipe is fitted (spectrum and heights); may be repeated for traces of one surface
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["points", "spacing", "rq", "hurst", "roll_off", "short_cut"])]
+    pub like: Vec<PathBuf>,
     /// File to write; its extension (csv, x3p, smd) chooses the format
     #[arg(long, short)]
     pub output: PathBuf,
@@ -139,6 +143,9 @@ pub struct ProfileGenerateArgs {
     /// Seed
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
+    /// Reading of the traces of --like.
+    #[command(flatten)]
+    pub reading: ReadingArgs,
 }
 
 /// Profiles, with options for reading and preparation.

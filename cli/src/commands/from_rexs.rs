@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use asperity_rexs::{
     CaseText, Flanks, Model, OperatingPoint, RexsError, Stage, StageKind, case_text,
-    operating_points, stages,
+    operating_points, stages, teeth,
 };
 use asperity_storage::{one_line, whole_file};
 use serde_json::{Value, json};
@@ -42,7 +42,9 @@ pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
     let number = args.stage.unwrap_or(1);
     let case = case_text(&model, &file, number, args.load_case, &flanks).map_err(wrong)?;
     if common.json && args.output.is_none() {
-        return print_json(&json!({ "case": case.toml, "notes": case.notes }));
+        return print_json(&json!({
+            "case": case.toml, "notes": case.notes, "not_read": case.not_read,
+        }));
     }
     written(&case, output, number, common)
 }
@@ -109,12 +111,13 @@ fn list(model: &Model, common: &Common) -> Result<(), Listing> {
     let mut rows = Vec::new();
     for stage in &stages {
         let points = operating_points(model, stage)?;
-        let kind = described(model, stage);
+        let teeth = teeth_of(model, stage)?;
+        let kind = described(stage, &teeth);
         let _ = writeln!(text, "stage {}: {}", stage.number, one_line(&kind));
         for point in &points {
             let _ = writeln!(text, "  {}", one_line(&point_text(point)));
         }
-        rows.push(row(model, stage, &points));
+        rows.push(row(stage, &teeth, &points));
     }
     if stages.is_empty() {
         text.push_str("no stage of gears\n");
@@ -157,17 +160,17 @@ fn gears_of(stage: &Stage) -> Vec<&str> {
     }
 }
 
-fn teeth_of(model: &Model, stage: &Stage) -> Vec<String> {
+fn teeth_of(model: &Model, stage: &Stage) -> Result<Vec<u32>, RexsError> {
     gears_of(stage)
         .iter()
         .filter_map(|id| model.components.get(*id))
-        .filter_map(|gear| gear.attributes.get("number_of_teeth"))
-        .map(|teeth| teeth.text.clone())
+        .map(teeth)
         .collect()
 }
 
-fn described(model: &Model, stage: &Stage) -> String {
-    let teeth = teeth_of(model, stage).join("/");
+fn described(stage: &Stage, teeth: &[u32]) -> String {
+    let teeth: Vec<String> = teeth.iter().map(u32::to_string).collect();
+    let teeth = teeth.join("/");
     let kind = match &stage.kind {
         StageKind::Pair { is_ring: false, .. } => format!("{teeth} teeth"),
         StageKind::Pair { .. } => format!("{teeth} teeth, the wheel a ring"),
@@ -204,7 +207,7 @@ fn point_text(point: &OperatingPoint) -> String {
     }
 }
 
-fn row(model: &Model, stage: &Stage, points: &[OperatingPoint]) -> Value {
+fn row(stage: &Stage, teeth: &[u32], points: &[OperatingPoint]) -> Value {
     let kind = match &stage.kind {
         StageKind::Pair { is_ring: false, .. } => "pair",
         StageKind::Pair { .. } => "ring pair",
@@ -212,10 +215,6 @@ fn row(model: &Model, stage: &Stage, points: &[OperatingPoint]) -> Value {
         StageKind::Other { kind } => kind,
         _ => "",
     };
-    let teeth: Vec<Option<f64>> = teeth_of(model, stage)
-        .iter()
-        .map(|text| text.parse().ok())
-        .collect();
     let value = |number: &Option<(f64, String)>| number.as_ref().map(|value| value.0);
     let points: Vec<Value> = points
         .iter()

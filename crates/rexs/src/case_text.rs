@@ -27,6 +27,7 @@ pub fn case_text(
     load_case: usize,
     flanks: &Flanks,
 ) -> Result<CaseText, RexsError> {
+    let model = &model.unmarked();
     let stages = stages(model)?;
     let stage = number.checked_sub(1).and_then(|index| stages.get(index));
     let Some(stage) = stage else {
@@ -45,8 +46,8 @@ pub fn case_text(
         } => {
             let gears = [pinion, wheel].map(|id| &model.components[id]);
             pair(&mut case, &model.components[mesh], gears, *is_ring)?;
-            case.operation(stage, load_case, "pinion")?;
-            case.lubricant()?;
+            let temperature = case.operation(stage, load_case, "pinion")?;
+            case.lubricant(&model.components[mesh], temperature)?;
             case.material(&[("pinion", gears[0]), ("wheel", gears[1])])?;
             case.surface(&[
                 ("pinion", gears[0], flanks.pinion.as_deref()),
@@ -63,8 +64,8 @@ pub fn case_text(
         } => {
             let gears = [sun, planet, ring].map(|id| &model.components[id]);
             set_text::gears(&mut case, &model.components[mesh], gears, *planets)?;
-            case.operation(stage, load_case, "sun")?;
-            case.lubricant()?;
+            let temperature = case.operation(stage, load_case, "sun")?;
+            case.lubricant(&model.components[mesh], temperature)?;
             case.material(&[("sun", gears[0]), ("planet", gears[1]), ("ring", gears[2])])?;
             case.surface(&[
                 ("sun", gears[0], flanks.pinion.as_deref()),
@@ -100,7 +101,7 @@ fn pair(
         case.check_distance(mesh, &gears, &z.map(f64::from), shifts.as_deref())?;
     }
     for (name, gear) in ["pinion", "wheel"].into_iter().zip(gears) {
-        case.chamfer(name, gear)?;
+        case.teeth_form(name, gear)?;
     }
-    Ok(())
+    case.end_relief(&gears)
 }

@@ -89,6 +89,7 @@ fn component(value: &Value, place: &str) -> Result<Component, RexsError> {
             Attribute {
                 unit: text(attribute.get("unit")),
                 text: text(value),
+                ..Attribute::default()
             },
         );
     }

@@ -1,5 +1,6 @@
 //! Components, relations and load cases of a REXS file.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use crate::error::RexsError;
@@ -12,6 +13,27 @@ pub struct Attribute {
     pub unit: String,
     /// Value; empty for an array or a matrix.
     pub text: String,
+    /// Whether a case has used it.
+    pub(crate) is_read: ReadMark,
+}
+
+/// Mark of an attribute that was read; it does not count in comparisons.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ReadMark(Cell<bool>);
+
+impl PartialEq for ReadMark {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Eq for ReadMark {}
+
+impl ReadMark {
+    /// Whether the attribute was read.
+    pub(crate) fn is_set(&self) -> bool {
+        self.0.get()
+    }
 }
 
 /// A component: a gear, a shaft, a lubricant.
@@ -71,14 +93,41 @@ impl Component {
         }
     }
 
+    /// An attribute, which is marked as read; `None` if it is missing or empty.
+    fn stated(&self, attribute: &str) -> Option<&Attribute> {
+        let stated = self.attributes.get(attribute)?;
+        (!stated.text.is_empty()).then(|| {
+            stated.is_read.0.set(true);
+            stated
+        })
+    }
+
+    /// Text of an attribute without its blanks; `None` if it is missing or empty.
+    pub(crate) fn text(&self, attribute: &str) -> Option<&str> {
+        self.stated(attribute).map(|stated| stated.text.trim())
+    }
+
+    /// The first stated one of the names that an attribute has in the versions of REXS.
+    pub(crate) fn first_of(
+        &self,
+        attributes: &[&'static str],
+        unit: Unit,
+    ) -> Result<Option<(f64, &'static str)>, RexsError> {
+        for attribute in attributes {
+            if let Some(value) = self.number(attribute, unit)? {
+                return Ok(Some((value, attribute)));
+            }
+        }
+        Ok(None)
+    }
+
     /// An attribute in the unit of the case; `None` if it is missing or empty.
     pub(crate) fn number(
         &self,
         attribute: &'static str,
         unit: Unit,
     ) -> Result<Option<f64>, RexsError> {
-        let stated = self.attributes.get(attribute);
-        let Some(stated) = stated.filter(|stated| !stated.text.is_empty()) else {
+        let Some(stated) = self.stated(attribute) else {
             return Ok(None);
         };
         let value = converted(&stated.text, &stated.unit, unit);
@@ -155,11 +204,38 @@ impl Model {
             .filter(move |relation| relation.kind == kind)
     }
 
-    /// The component of type `kind` that `origin` refers to.
-    pub(crate) fn referenced(&self, origin: &Component, kind: &str) -> Option<&Component> {
-        self.related("reference")
+    /// The components of type `kind` that `origin` refers to.
+    pub(crate) fn referenced<'a>(
+        &'a self,
+        origin: &'a Component,
+        kind: &'a str,
+    ) -> impl Iterator<Item = &'a Component> {
+        ["reference", "ordered_reference"]
+            .into_iter()
+            .flat_map(|relation| self.related(relation))
             .filter(|relation| relation.role("origin") == Some(&origin.id))
             .filter_map(|relation| self.components.get(relation.role("referenced")?))
-            .find(|component| component.kind == kind)
+            .filter(move |component| component.kind == kind)
+    }
+
+    /// All components with their place in the file: those of the model, then those of the load cases.
+    pub(crate) fn all_components(&self) -> impl Iterator<Item = (Option<&LoadCase>, &Component)> {
+        let own = self.components.values().map(|component| (None, component));
+        let in_cases = self.load_cases.iter().flat_map(|case| {
+            let components = case.components.values();
+            components.map(move |component| (Some(case), component))
+        });
+        own.chain(in_cases)
+    }
+
+    /// This model without marks of attributes that were read.
+    pub(crate) fn unmarked(&self) -> Self {
+        let model = self.clone();
+        for (_, component) in model.all_components() {
+            for attribute in component.attributes.values() {
+                attribute.is_read.0.set(false);
+            }
+        }
+        model
     }
 }

@@ -60,7 +60,12 @@ impl Point<'_> {
         };
         let mut share = None;
         for unit in self.model.of_kind("gear_unit") {
-            share = self.number(unit, "load_duration_fraction", Unit::Percent)?;
+            // The second name is that of versions before 1.3.
+            for attribute in ["operating_time_fraction", "load_duration_fraction"] {
+                if share.is_none() {
+                    share = self.number(unit, attribute, Unit::Percent)?;
+                }
+            }
         }
         Ok(OperatingPoint {
             load_case: (!self.case.id.is_empty()).then(|| self.case.id.clone()),

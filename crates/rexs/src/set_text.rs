@@ -24,7 +24,7 @@ pub fn gears(
     );
     case.geometry(mesh, &gears, &z.map(f64::from))?;
     for (name, gear) in ["sun", "planet", "ring"].into_iter().zip(gears) {
-        case.chamfer(name, gear)?;
+        case.teeth_form(name, gear)?;
     }
     case.note(
         "the ring is assumed to be fixed and the sun to be driven: write planetary.ring_speed if the ring turns"

@@ -134,7 +134,10 @@ fn swapped(first: &Component, second: &Component) -> Result<bool, RexsError> {
     }
 }
 
-/// Number of teeth; some programs write it negative for a ring.
+/// Number of teeth of a gear; some programs write it negative for a ring.
+///
+/// # Errors
+/// When it is missing or not a whole number.
 pub fn teeth(gear: &Component) -> Result<u32, RexsError> {
     /// Maximum number of teeth of a gear.
     const MAX_TEETH: f64 = 10_000.0;

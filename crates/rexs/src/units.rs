@@ -31,6 +31,8 @@ pub enum Unit {
     JoulePerKilogramKelvin,
     /// W/(m K)
     WattPerMetreKelvin,
+    /// mPa s
+    MillipascalSecond,
     /// HV
     Vickers,
 }
@@ -60,6 +62,7 @@ impl Unit {
             Self::Percent => &[("%", 1.0)],
             Self::JoulePerKilogramKelvin => &[("J/(kgK)", 1.0)],
             Self::WattPerMetreKelvin => &[("W/(mK)", 1.0)],
+            Self::MillipascalSecond => &[("mPas", 1.0), ("Pas", 1e3)],
             Self::Vickers => &[("HV", 1.0), ("none", 1.0), ("", 1.0)],
         }
     }

@@ -7,9 +7,9 @@ use crate::model::{Component, Model};
 use crate::operating_points::{OperatingPoint, operating_points};
 use crate::stages::Stage;
 use crate::units::Unit;
+use crate::unread::unread;
 
-/// Default oil and temperature \[°C\].
-const OIL: &str = "m100";
+/// Default temperature \[°C\].
 const TEMPERATURE: f64 = 60.0;
 /// Tolerance of the centre distance \[mm\].
 const DISTANCE_TOLERANCE: f64 = 0.01;
@@ -22,12 +22,20 @@ pub struct CaseText {
     pub toml: String,
     /// Notes on contradictions in the file and on missing values.
     pub notes: Vec<String>,
+    /// Attributes of the file that the case does not use, by component.
+    pub not_read: Vec<String>,
 }
 
 /// Source of numbers: type and numbers of the components, and the attribute.
 pub fn source(components: &[&Component], attribute: &str) -> String {
     let ids: Vec<&str> = components.iter().map(|of| of.id.as_str()).collect();
     format!("{} {}: {attribute}", components[0].kind, ids.join(", "))
+}
+
+/// A text of the file without line breaks and other control characters.
+fn one_line(text: &str) -> String {
+    let shown = |c: char| if c.is_control() { ' ' } else { c };
+    text.chars().map(shown).collect()
 }
 
 /// `"1 mm", "2 mm"`
@@ -49,10 +57,6 @@ pub struct Text<'a> {
 impl<'a> Text<'a> {
     /// An empty case of a stage.
     pub fn new(model: &'a Model, file: &str, stage: &Stage) -> Self {
-        let one_line = |text: &str| -> String {
-            let shown = |c: char| if c.is_control() { ' ' } else { c };
-            text.chars().map(shown).collect()
-        };
         let (file, program) = (one_line(file), one_line(&model.program));
         let name = one_line(stage.name.trim());
         let mut toml = format!(
@@ -69,12 +73,34 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// The finished case.
-    pub fn done(self) -> CaseText {
+    /// The finished case, which ends with a list of what it does not use.
+    pub fn done(mut self) -> CaseText {
+        let (count, not_read) = unread(self.model);
+        if !not_read.is_empty() {
+            self.line("\n# Not read from the file:");
+            for line in &not_read {
+                self.comment(line);
+            }
+            self.note(format!(
+                "{count} attributes of the file are not read; the end of the case lists them"
+            ));
+        }
         CaseText {
             toml: self.toml,
             notes: self.notes,
+            not_read,
         }
+    }
+
+    /// The model of the file.
+    pub fn model(&self) -> &'a Model {
+        self.model
+    }
+
+    /// Appends a comment, on one line.
+    pub fn comment(&mut self, text: &str) {
+        let text = one_line(text);
+        self.line(&format!("# {text}"));
     }
 
     /// Appends a line.
@@ -106,13 +132,22 @@ impl<'a> Text<'a> {
             .collect()
     }
 
-    /// Flank component of a gear.
-    fn flank(&self, gear: &Component) -> Option<&'a Component> {
+    /// Flank component of a gear: the left one if both are stated.
+    pub fn flank(&self, gear: &Component) -> Option<&'a Component> {
+        self.flank_on(gear, ["left", "right"])
+    }
+
+    /// The right flank of a gear if both are stated.
+    pub fn other_flank(&self, gear: &Component) -> Option<&'a Component> {
+        self.flank_on(gear, ["right", "left"])
+    }
+
+    fn flank_on(&self, gear: &Component, sides: [&str; 2]) -> Option<&'a Component> {
         let relation = self
             .model
             .related("flank")
             .find(|relation| relation.role("gear") == Some(&gear.id))?;
-        let side = relation.role("left").or_else(|| relation.role("right"))?;
+        let side = sides.iter().find_map(|side| relation.role(side))?;
         self.model.components.get(side)
     }
 
@@ -132,6 +167,9 @@ impl<'a> Text<'a> {
         let shifts = self.shifts(gears)?;
         self.centre_distance(mesh, shifts.is_some())?;
         let has_tips = self.tips(gears, z)?;
+        if !has_tips {
+            self.addendum(gears)?;
+        }
         if shifts.is_none() && !has_tips {
             self.default_shifts(mesh, gears, z)?;
         }
@@ -314,10 +352,11 @@ impl<'a> Text<'a> {
                 &source(gears, "tip_diameter"),
             );
         } else {
-            self.line(
-                "# tip_diameter: not in the file for every gear, an addendum of 1 by default",
+            self.line("# tip_diameter: not in the file for every gear, from the addendum");
+            self.note(
+                "not every gear has a plausible tip_diameter: it follows from the addendum, 1 module by default"
+                    .into(),
             );
-            self.note("not every gear has a plausible tip_diameter: addendum of 1 module".into());
         }
         Ok(tips.len() == gears.len())
     }
@@ -368,8 +407,14 @@ impl<'a> Text<'a> {
         Ok(())
     }
 
-    /// Writes the tip chamfer of a gear.
-    pub fn chamfer(&mut self, name: &str, gear: &Component) -> Result<(), RexsError> {
+    /// Writes root, tip chamfer and modifications of a gear.
+    pub fn teeth_form(&mut self, name: &str, gear: &Component) -> Result<(), RexsError> {
+        self.tool(name, gear)?;
+        self.chamfer(name, gear)?;
+        self.modifications(name, gear)
+    }
+
+    fn chamfer(&mut self, name: &str, gear: &Component) -> Result<(), RexsError> {
         if let Some(flank) = self.flank(gear)
             && let Some(chamfer) = flank.number("tooth_tip_chamfer", Unit::Millimetre)?
             && chamfer > 0.0
@@ -380,13 +425,14 @@ impl<'a> Text<'a> {
         Ok(())
     }
 
-    /// Writes the operating point of a load case, and the others as comments.
+    /// Writes the operating point of a load case, and the others as comments; returns the stated temperature of the
+    /// oil \[°C\].
     pub fn operation(
         &mut self,
         stage: &Stage,
         wanted: usize,
         first: &str,
-    ) -> Result<(), RexsError> {
+    ) -> Result<Option<f64>, RexsError> {
         let points = operating_points(self.model, stage)?;
         let point = wanted.checked_sub(1).and_then(|index| points.get(index));
         let Some(point) = point else {
@@ -432,85 +478,14 @@ impl<'a> Text<'a> {
                 "the file has no temperature of the oil: {TEMPERATURE} °C"
             ));
         }
-        Ok(())
-    }
-
-    /// Writes the oil.
-    pub fn lubricant(&mut self) -> Result<(), RexsError> {
-        self.line("\n[lubricant]");
-        let mut oils = self.model.of_kind("lubricant");
-        let Some(oil) = oils.next() else {
-            self.sourced_line(
-                &format!("oil = \"{OIL}\""),
-                "default: the file has no lubricant",
-            );
-            self.note(format!("the file has no lubricant: {OIL}"));
-            return Ok(());
-        };
-        let several = oils.next().is_some();
-        if several {
-            self.note(format!(
-                "the file has several lubricants: {} is used",
-                oil.label()
-            ));
-        }
-        let viscosity = |attribute| oil.required(attribute, Unit::SquareMillimetrePerSecond);
-        let cold = viscosity("viscosity_at_40_degree_celsius")?;
-        let hot = viscosity("viscosity_at_100_degree_celsius")?;
-        let from = source(&[oil], "viscosity_at_40_degree_celsius, _at_100_");
-        self.sourced_line(
-            &format!(
-                "viscosity = {{ law = \"astm-d341\", at_40 = \"{cold} mm2/s\", at_100 = \"{hot} mm2/s\" }}"
-            ),
-            &from,
-        );
-        let density = "density_at_15_degree_celsius";
-        let rho = oil.required(density, Unit::KilogramPerCubicMetre)?;
-        self.sourced_line(
-            &format!("density = \"{} kg/m3\"", rounded(rho)),
-            &source(&[oil], density),
-        );
-        let optional = [
-            (
-                "pressure_viscosity_coefficient_at_38_degrees_celsius",
-                "pressure_viscosity",
-                Unit::SquareMillimetrePerNewton,
-                "mm2/N",
-            ),
-            (
-                "thermal_capacity",
-                "heat_capacity",
-                Unit::JoulePerKilogramKelvin,
-                "J/(kg K)",
-            ),
-            (
-                "thermal_conductivity",
-                "thermal_conductivity",
-                Unit::WattPerMetreKelvin,
-                "W/(m K)",
-            ),
-        ];
-        for (attribute, key, unit, written) in optional {
-            if let Some(value) = oil.number(attribute, unit)? {
-                self.sourced_line(
-                    &format!("{key} = \"{value} {written}\""),
-                    &source(&[oil], attribute),
-                );
-            }
-        }
-        self.sourced_line(
-            "assume_base_oil = \"mineral\"",
-            "assumed: REXS does not name the base oil",
-        );
-        self.note("the base oil is assumed to be mineral".into());
-        Ok(())
+        Ok(point.temperature.as_ref().map(|(value, _)| *value))
     }
 
     /// Writes the steel of the gears, which have these names in the case.
     pub fn material(&mut self, gears: &[(&str, &Component)]) -> Result<(), RexsError> {
         let mut lines = Vec::new();
         for (name, gear) in gears {
-            let Some(steel) = self.model.referenced(gear, "material") else {
+            let Some(steel) = self.model.referenced(gear, "material").next() else {
                 continue;
             };
             let properties = [
@@ -579,27 +554,41 @@ impl<'a> Text<'a> {
     }
 }
 
+/// Attributes of the roughness of a flank in versions 1.2 to 2.0, with their keys of a case. Where no Ra of the flank is
+/// stated, that at the cut-off of AGMA 925 is used.
+const ROUGHNESS: [(&str, &[&str]); 3] = [
+    (
+        "ra",
+        &[
+            "arithmetic_mean_roughness_flank_iso_4287_1997",
+            "arithmetic_average_roughness_flank",
+            "arithmentic_mean_roughness_at_filter_cutoff_of_wavelength_agma_925_2003",
+            "arithmentic_mean_roughness_at_filter_cutoff_of_wavelength_agma_925_a03",
+        ],
+    ),
+    (
+        "rz",
+        &[
+            "mean_peak_to_valley_roughness_flank_iso_4287_1997",
+            "averaged_peak_to_valley_height_flank",
+        ],
+    ),
+    (
+        "rq",
+        &[
+            "root_mean_square_roughness_at_filter_cutoff_of_wavelength_agma_925_2003",
+            "root_mean_square_roughness_at_filter_cutoff_of_wavelength_agma_925_a03",
+        ],
+    ),
+];
+
 /// Roughness values of a gear, with the keys of a case.
 fn roughness(gear: &Component) -> Result<Vec<(&'static str, f64, String)>, RexsError> {
-    let attributes = [
-        ("ra", "arithmetic_mean_roughness_flank_iso_4287_1997"),
-        // Misspelt in some versions.
-        ("ra", "arithmentic_mean_roughness_flank_iso_4287_1997"),
-        ("rz", "mean_peak_to_valley_roughness_flank_iso_4287_1997"),
-        (
-            "rq",
-            "root_mean_square_roughness_at_filter_cutoff_of_wavelength_agma_925_2003",
-        ),
-    ];
-    let mut values: Vec<(&'static str, f64, String)> = Vec::new();
-    for (key, attribute) in attributes {
-        if values.iter().any(|(known, ..)| *known == key) {
-            continue;
-        }
-        if let Some(value) = gear.number(attribute, Unit::Micrometre)?
-            && value > 0.0
-        {
-            values.push((key, value, source(&[gear], attribute)));
+    let mut values = Vec::new();
+    for (key, attributes) in ROUGHNESS {
+        let stated = gear.first_of(attributes, Unit::Micrometre)?;
+        if let Some((value, from)) = stated.filter(|(value, _)| *value > 0.0) {
+            values.push((key, value, source(&[gear], from)));
         }
     }
     Ok(values)
@@ -662,7 +651,7 @@ fn shift_sum(teeth: f64, distance: f64, helix: f64, pressure_angle: f64) -> Opti
 }
 
 /// A converted number without its rounding errors.
-fn rounded(value: f64) -> String {
+pub fn rounded(value: f64) -> String {
     let text = format!("{value:.9e}");
     text.parse::<f64>().map_or(text, |value| value.to_string())
 }

@@ -102,7 +102,7 @@ fn open_element(element: &BytesStart<'_>, open: &mut Open) -> Result<(), String>
         "attribute" => {
             let attribute = Attribute {
                 unit: value(element, "unit")?,
-                text: String::new(),
+                ..Attribute::default()
             };
             open.attribute = Some((value(element, "id")?, attribute));
         }

@@ -16,6 +16,7 @@
 //! ```
 
 pub mod ambiguity;
+pub mod areal;
 pub mod autocorrelation;
 mod blocks;
 pub mod composite;

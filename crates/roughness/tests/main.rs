@@ -1,7 +1,9 @@
 //! The tests of this crate as one program, which is linked only once.
 
+mod areal;
 mod common;
 mod filters;
+mod fitted;
 mod limits;
 mod properties;
 mod provenance;

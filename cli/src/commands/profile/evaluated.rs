@@ -7,7 +7,8 @@ use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::{
-    FilterState, Metadata, ReadError, ReadOptions, Reading, Trace, read_trace,
+    FilterState, Metadata, ReadError, ReadOptions, Reading, Surface, Trace, read_surface,
+    read_trace,
 };
 use asperity_profile_io::write::{WriteError, WrittenFormat, write_filtered, write_trace};
 use asperity_roughness::ambiguity::Sections;
@@ -169,13 +170,9 @@ pub(super) fn without_outliers(
     Ok((reading.corrected(cleaned), Some(record)))
 }
 
-/// Reads a file with the options, with possibly uneven points.
-pub(super) fn opened_trace(
-    file: &Path,
-    args: &ReadingArgs,
-    base_radius: Option<Length>,
-) -> Result<Trace, Failure> {
-    let options = ReadOptions {
+/// The options of the reader.
+fn read_options(args: &ReadingArgs, base_radius: Option<Length>) -> ReadOptions {
+    ReadOptions {
         x_unit: args.x_unit,
         z_unit: args.z_unit,
         dx: args.dx,
@@ -189,7 +186,21 @@ pub(super) fn opened_trace(
         abscissa: args.abscissa,
         base_radius,
         uneven: args.uneven.unwrap_or_default(),
-    };
+    }
+}
+
+/// Reads a surface with the options.
+pub(super) fn opened_surface(file: &Path, args: &ReadingArgs) -> Result<Surface, Failure> {
+    read_surface(file, &read_options(args, None)).map_err(|error| refused(&error))
+}
+
+/// Reads a file with the options, with possibly uneven points.
+pub(super) fn opened_trace(
+    file: &Path,
+    args: &ReadingArgs,
+    base_radius: Option<Length>,
+) -> Result<Trace, Failure> {
+    let options = read_options(args, base_radius);
     let trace = read_trace(file, &options).map_err(|error| refused(&error))?;
     let row = args.row.unwrap_or(1);
     let single = !trace.format.may_hold_several();

@@ -10,7 +10,7 @@ use super::details::Details;
 use super::evaluated::{Evaluated, opened_trace, um};
 use super::file_facts::FileFacts;
 use super::plan::Plan;
-use super::{json, text};
+use super::{json, surface_facts, text};
 use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
@@ -19,7 +19,17 @@ use crate::output::{print_json, print_text};
 pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     check(args, common)?;
     if let [file] = args.files.as_slice() {
-        let trace = opened_trace(file, &args.reading, args.preparing.base_radius)?;
+        let trace = match opened_trace(file, &args.reading, args.preparing.base_radius) {
+            // A file of several traces is a surface until one of them is chosen.
+            Err(failure) if failure.is_of_several() && args.reading.row.is_none() => {
+                let is_shown = surface_facts::print(file, args, common, &failure)?;
+                return Err(match is_shown && common.json {
+                    true => failure.printed(),
+                    false => failure,
+                });
+            }
+            trace => trace?,
+        };
         let facts = FileFacts::of(&trace, &args.reading);
         return match Evaluated::of_trace(trace, &args.preparing, &args.reading) {
             Ok(evaluated_file) if common.json => print_json(&as_json(&evaluated_file, args)),

@@ -9,6 +9,7 @@ mod json;
 mod levels;
 mod plan;
 mod plot;
+mod surface_facts;
 mod text;
 mod transform;
 

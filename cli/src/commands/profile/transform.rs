@@ -1,10 +1,13 @@
 //! `asperity profile convert`, `filter` and `generate`: a profile into a file.
 
+use std::path::{Path, PathBuf};
+
+use asperity_core::Profile;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{FilterState, Metadata, Positions, Trace};
 use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
-use asperity_roughness::generate::{Recipe, SelfAffine, Surface};
+use asperity_roughness::generate::{Fitted, Recipe, SelfAffine, Surface};
 use asperity_roughness::preparation::profiles;
 use asperity_storage::whole_file;
 use serde_json::json;
@@ -187,24 +190,9 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
 /// `asperity profile generate`
 pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
     let common = &besides_file(&args.output, common)?;
-    let recipe = match &args.recipe {
-        None => Recipe::of(Surface::SelfAffine(SelfAffine {
-            points: args.points,
-            spacing: args.spacing,
-            rq: args.rq,
-            hurst: args.hurst,
-            roll_off: args.roll_off,
-            short_cut: args.short_cut,
-            seed: args.seed,
-        })),
-        Some(path) => {
-            let name = path.display();
-            let text = whole_file(path, LARGEST_RECIPE).map_err(|error| {
-                Failure::new("E103", format!("{name}: cannot be read: {error}"))
-            })?;
-            serde_json::from_slice(&text)
-                .map_err(|error| Failure::new("E204", format!("{name}: not a recipe: {error}")))?
-        }
+    let (recipe, fit_warnings) = match args.like.split_first() {
+        Some((first, others)) => fitted(first, others, args)?,
+        None => (stated_recipe(args)?, Vec::new()),
     };
     let made = recipe
         .generate()
@@ -237,14 +225,57 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
         number(a.rku),
         number(a.rdq)
     );
-    print_text(common, &text)
+    print_text(common, &(text + &notes(&fit_warnings)))
+}
+
+/// The recipe of a file, or of the options.
+fn stated_recipe(args: &ProfileGenerateArgs) -> Result<Recipe, Failure> {
+    let Some(path) = &args.recipe else {
+        return Ok(Recipe::of(Surface::SelfAffine(SelfAffine {
+            points: args.points,
+            spacing: args.spacing,
+            rq: args.rq,
+            hurst: args.hurst,
+            roll_off: args.roll_off,
+            short_cut: args.short_cut,
+            seed: args.seed,
+        })));
+    };
+    let name = path.display();
+    let text = whole_file(path, LARGEST_RECIPE)
+        .map_err(|error| Failure::new("E103", format!("{name}: cannot be read: {error}")))?;
+    serde_json::from_slice(&text)
+        .map_err(|error| Failure::new("E204", format!("{name}: not a recipe: {error}")))
+}
+
+/// The recipe fitted to traces of one surface, and the warnings of their reader.
+fn fitted(
+    first: &Path,
+    others: &[PathBuf],
+    args: &ProfileGenerateArgs,
+) -> Result<(Recipe, Vec<Warning>), Failure> {
+    let mut warnings = Vec::new();
+    let mut profile = |file: &Path| {
+        let reading = opened(file, &args.reading, None)?;
+        warnings.extend(reading.warnings);
+        Ok::<_, Failure>(reading.profile)
+    };
+    let trace = profile(first)?;
+    let others: Vec<Profile> = others
+        .iter()
+        .map(|file| profile(file))
+        .collect::<Result<_, _>>()?;
+    let fitted = Fitted::to(&trace, &others, args.seed)
+        .map_err(|error| Failure::new("E120", format!("{}: {error}", first.display())))?;
+    Ok((Recipe::of(Surface::Fitted(fitted)), warnings))
 }
 
 fn seed(recipe: &Recipe) -> u64 {
-    match recipe.surface {
+    match &recipe.surface {
         Surface::SelfAffine(recipe) => recipe.seed,
         Surface::NonGaussian(recipe) => recipe.spectrum.seed,
         Surface::PlateauHoned(recipe) => recipe.fine.seed,
         Surface::Ground(recipe) => recipe.seed,
+        Surface::Fitted(recipe) => recipe.seed,
     }
 }

@@ -6,6 +6,7 @@
 
 mod achieved;
 mod damage;
+mod fitted;
 mod ground;
 mod non_gaussian;
 mod plateau;
@@ -18,6 +19,7 @@ mod surrogate;
 
 pub use achieved::{Achieved, Generated};
 pub use damage::{Pits, Scratches};
+pub use fitted::Fitted;
 pub use ground::Ground;
 pub use non_gaussian::{HeightDistribution, NonGaussian};
 pub use plateau::{PlateauHoned, lower_envelope, truncated};

@@ -88,59 +88,18 @@ impl NonGaussian {
     /// ```
     pub fn generate(&self) -> Result<Generated, DomainError> {
         cite!("NonGaussian-1");
-        const MAX_ITERATIONS: usize = 100;
-        // Relative change of the spectrum error below which further iterations change only single points.
-        const TOLERANCE: f64 = 1e-4;
         self.check()?;
         let start = self.spectrum.generate()?;
-        let n = start.len();
-        let targets = self.targets(n);
-        let (forward, inverse) = real_transforms(n);
-        let mut z = start.heights().to_vec();
-        let mut spectrum = forward.make_output_vec();
-        let done = forward.process(&mut z.clone(), &mut spectrum);
-        debug_assert!(done.is_ok(), "buffers are made by the plan");
-        let amplitudes: Vec<f64> = spectrum.iter().map(|value| value.norm()).collect();
-        let total: f64 = amplitudes.iter().map(|a| a * a).sum();
-        let mut order: Vec<usize> = (0..n).collect();
-        let (mut error, mut iterations) = (f64::INFINITY, 0);
-        let mut mapped = z.clone();
-        while iterations < MAX_ITERATIONS {
-            iterations += 1;
-            order.sort_unstable_by(|&a, &b| z[a].total_cmp(&z[b]));
-            for (target, &at) in targets.iter().zip(&order) {
-                mapped[at] = *target;
-            }
-            z.copy_from_slice(&mapped);
-            let done = forward.process(&mut z, &mut spectrum);
-            debug_assert!(done.is_ok(), "buffers are made by the plan");
-            let off = |(value, a): (&Complex<f64>, &f64)| (value.norm() - a).powi(2);
-            let squares: f64 = spectrum.iter().zip(&amplitudes).map(off).sum();
-            let next = (squares / total).sqrt();
-            if (error - next).abs() < TOLERANCE * error {
-                error = next;
-                break;
-            }
-            error = next;
-            for (k, (value, a)) in spectrum.iter_mut().zip(&amplitudes).enumerate() {
-                let norm = value.norm();
-                *value = if norm > 0.0 {
-                    *value * (a / norm)
-                } else {
-                    Complex::new(0.0, 0.0)
-                };
-                // The first and last coefficient of a real signal are real.
-                if k == 0 || 2 * k == n {
-                    value.im = 0.0;
-                }
-            }
-            let done = inverse.process(&mut spectrum, &mut z);
-            debug_assert!(done.is_ok(), "buffers are made by the plan");
-        }
-        let profile = Profile::new(self.spectrum.spacing, mapped)?;
+        let targets = self.targets(start.len());
+        let whole = Band {
+            transmission: None,
+            targets: &targets,
+        };
+        let imposed = with_heights(start.into_heights(), &[whole]);
+        let profile = Profile::new(self.spectrum.spacing, imposed.heights)?;
         let achieved = Achieved {
-            spectrum_error: Some(error),
-            iterations: Some(iterations),
+            spectrum_error: Some(imposed.spectrum_error),
+            iterations: Some(imposed.iterations),
             ..Achieved::of(&profile)
         };
         Ok(Generated { profile, achieved })
@@ -162,6 +121,97 @@ impl NonGaussian {
         let fallback = raw.clone();
         scaled(self.spectrum.spacing, raw, self.spectrum.rq)
             .map_or(fallback, |profile| profile.heights().to_vec())
+    }
+}
+
+/// Heights of a distribution in an order that has nearly the spectrum of a given profile.
+pub(super) struct Imposed {
+    pub(super) heights: Vec<f64>,
+    /// Root mean square error of the amplitudes, relative to those of the given profile.
+    pub(super) spectrum_error: f64,
+    pub(super) iterations: usize,
+}
+
+/// Part of a profile whose heights are given.
+pub(super) struct Band<'a> {
+    /// Share of each line of the spectrum in the part; `None` for the whole profile.
+    pub(super) transmission: Option<Vec<f64>>,
+    /// Heights in ascending order, as many as the profile has points.
+    pub(super) targets: &'a [f64],
+}
+
+/// Orders the heights of each of the `bands` of a profile so that the spectrum of their sum is near that of `start`.
+pub(super) fn with_heights(start: Vec<f64>, bands: &[Band<'_>]) -> Imposed {
+    cite!("NonGaussian-1");
+    const MAX_ITERATIONS: usize = 100;
+    // Relative change of the spectrum error below which further iterations change only single points.
+    const TOLERANCE: f64 = 1e-4;
+    let n = start.len();
+    let (forward, inverse) = real_transforms(n);
+    let mut spectrum = forward.make_output_vec();
+    let done = forward.process(&mut start.clone(), &mut spectrum);
+    debug_assert!(done.is_ok(), "buffers are made by the plan");
+    let amplitudes: Vec<f64> = spectrum.iter().map(|value| value.norm()).collect();
+    let total: f64 = amplitudes.iter().map(|a| a * a).sum();
+    let part = |spectrum: &[Complex<f64>], band: &Band<'_>| {
+        let mut lines = spectrum.to_vec();
+        for (line, share) in lines.iter_mut().zip(band.transmission.iter().flatten()) {
+            *line *= *share;
+        }
+        let mut heights = inverse.make_output_vec();
+        let done = inverse.process(&mut lines, &mut heights);
+        debug_assert!(done.is_ok(), "buffers are made by the plan");
+        heights
+    };
+    let mut parts: Vec<Vec<f64>> = bands
+        .iter()
+        .map(|band| match band.transmission {
+            Some(_) => part(&spectrum, band),
+            None => start.clone(),
+        })
+        .collect();
+    let mut order: Vec<usize> = (0..n).collect();
+    let (mut error, mut iterations) = (f64::INFINITY, 0);
+    let mut heights = start;
+    while iterations < MAX_ITERATIONS {
+        iterations += 1;
+        heights.fill(0.0);
+        for (z, band) in parts.iter().zip(bands) {
+            order.sort_unstable_by(|&a, &b| z[a].total_cmp(&z[b]));
+            for (target, &at) in band.targets.iter().zip(&order) {
+                heights[at] += *target;
+            }
+        }
+        let done = forward.process(&mut heights.clone(), &mut spectrum);
+        debug_assert!(done.is_ok(), "buffers are made by the plan");
+        let off = |(value, a): (&Complex<f64>, &f64)| (value.norm() - a).powi(2);
+        let squares: f64 = spectrum.iter().zip(&amplitudes).map(off).sum();
+        let next = (squares / total).sqrt();
+        let is_done = (error - next).abs() < TOLERANCE * error;
+        error = next;
+        if is_done {
+            break;
+        }
+        for (k, (value, a)) in spectrum.iter_mut().zip(&amplitudes).enumerate() {
+            let norm = value.norm();
+            *value = if norm > 0.0 {
+                *value * (a / norm)
+            } else {
+                Complex::new(0.0, 0.0)
+            };
+            // The first and last coefficient of a real signal are real.
+            if k == 0 || 2 * k == n {
+                value.im = 0.0;
+            }
+        }
+        for (z, band) in parts.iter_mut().zip(bands) {
+            *z = part(&spectrum, band);
+        }
+    }
+    Imposed {
+        heights,
+        spectrum_error: error,
+        iterations,
     }
 }
 

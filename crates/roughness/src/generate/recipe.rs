@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::achieved::{Achieved, Generated};
 use super::damage::{Pits, Scratches};
+use super::fitted::Fitted;
 use super::ground::Ground;
 use super::non_gaussian::NonGaussian;
 use super::plateau::PlateauHoned;
@@ -15,7 +16,7 @@ use super::self_affine::{Amplitudes, SelfAffine};
 use crate::error::RoughnessError;
 
 /// A surface to generate.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Surface {
     /// Self-affine with roll-off and cut-offs.
@@ -26,10 +27,12 @@ pub enum Surface {
     PlateauHoned(PlateauHoned),
     /// Ground, traced across the lay.
     Ground(Ground),
+    /// Fitted to measured traces.
+    Fitted(Fitted),
 }
 
 /// A surface with the modifications applied to it, in this order.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Recipe {
     /// The surface.
@@ -81,11 +84,12 @@ impl Recipe {
     /// # Ok::<(), asperity_roughness::RoughnessError>(())
     /// ```
     pub fn generate(&self) -> Result<Generated, RoughnessError> {
-        let made = match self.surface {
+        let made = match &self.surface {
             Surface::SelfAffine(recipe) => Generated::new(recipe.generate_with(self.amplitudes)?),
             Surface::NonGaussian(recipe) => recipe.generate()?,
             Surface::PlateauHoned(recipe) => Generated::new(recipe.generate()?),
             Surface::Ground(recipe) => Generated::new(recipe.generate()?),
+            Surface::Fitted(recipe) => recipe.generate()?,
         };
         let mut profile = made.profile;
         if let Some(pits) = self.pits {

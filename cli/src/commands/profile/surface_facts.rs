@@ -1,0 +1,119 @@
+//! What was read of a surface, with its areal parameters.
+
+use std::path::Path;
+
+use asperity_core::quantity::Length;
+use asperity_profile_io::read::Surface;
+use asperity_report::wrapped;
+use asperity_roughness::areal::{ArealParameters, parameters};
+use serde_json::json;
+
+use super::case_lines::case_lines;
+use super::evaluated::{opened_surface, um};
+use super::file_facts::rounded;
+use crate::args::{Common, ProfileInfoArgs};
+use crate::failure::Failure;
+use crate::output::{print_json, print_text};
+
+/// Prints facts and parameters of the surface in a file, from which no trace was chosen; `failure` says how to choose one.
+///
+/// Returns whether there is something to print: traces of a file need not be a surface.
+pub(super) fn print(
+    file: &Path,
+    args: &ProfileInfoArgs,
+    common: &Common,
+    failure: &Failure,
+) -> Result<bool, Failure> {
+    let Ok(surface) = opened_surface(file, &args.reading) else {
+        return Ok(false);
+    };
+    let areal = evaluated(&surface);
+    if common.json {
+        let mut report = json!({
+            "file": surface.name,
+            "format": surface.format,
+            "columns": surface.columns,
+            "rows": surface.rows,
+            "dx_um": surface.dx.map(um),
+            "dy_um": surface.dy.map(um),
+            "missing": surface.z.len() - surface.measured(),
+            "areal": areal.as_ref().ok(),
+        });
+        report["error"] = failure.json()["error"].clone();
+        return print_json(&report).map(|()| true);
+    }
+    let mut text = format!("{}\n", surface.name);
+    let mut line = |content: &str| {
+        text += &format!("{}\n", wrapped(&format!("  {content}"), "    ").trim_end());
+    };
+    let spacing = |spacing: Option<Length>| {
+        spacing.map_or("unknown".to_owned(), |length| rounded(length).to_string())
+    };
+    line(&format!(
+        "{}, {} rows of {} points, dx {}, dy {}; {} points are missing",
+        surface.format,
+        surface.rows,
+        surface.columns,
+        spacing(surface.dx),
+        spacing(surface.dy),
+        surface.z.len() - surface.measured()
+    ));
+    match &areal {
+        Ok(areal) => written(areal, &mut line),
+        Err(reason) => line(&format!("no areal parameters: {reason}")),
+    }
+    text += &case_lines(file, args, args.preparing.lambda_c);
+    if let Ok(areal) = &areal
+        && let Some(texture) = areal.texture
+        && let Some(ratio) = texture.str_at_most
+    {
+        text += &format!(
+            "    [model]\n    lay = {ratio:.2} # Str, for traces across the ridges: Std is {} deg off the rows\n",
+            texture.std_degrees.min(180.0 - texture.std_degrees)
+        );
+    }
+    print_text(common, &text).map(|()| true)
+}
+
+/// The areal parameters, or why there are none.
+fn evaluated(surface: &Surface) -> Result<ArealParameters, String> {
+    let (Some(dx), Some(dy)) = (surface.dx, surface.dy) else {
+        return Err("the file does not state both spacings".to_owned());
+    };
+    parameters(&surface.z, surface.columns, [dx, dy]).map_err(|error| error.to_string())
+}
+
+fn written(areal: &ArealParameters, line: &mut impl FnMut(&str)) {
+    let shape = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
+    line("ISO 25178-2, over the least-squares plane, without filters:");
+    line(&format!(
+        "Sa {:.4} Sq {:.4} Sp {:.4} Sv {:.4} Sz {:.4} um, Ssk {} Sku {}, Sdq {:.4}, Sdr {:.3} %",
+        um(areal.sa),
+        um(areal.sq),
+        um(areal.sp),
+        um(areal.sv),
+        um(areal.sz),
+        shape(areal.ssk),
+        shape(areal.sku),
+        areal.sdq,
+        100.0 * areal.sdr
+    ));
+    let Some(texture) = &areal.texture else {
+        line("no Sal, Str, Std: the surface is flat or has too many points");
+        return;
+    };
+    let sal = texture
+        .sal
+        .map_or("none".to_owned(), |length| rounded(length).to_string());
+    let ratio = match (texture.str, texture.str_at_most) {
+        (Some(ratio), _) => format!("{ratio:.3}"),
+        (None, Some(most)) => {
+            format!("below {most:.3} (correlated over the whole surface along the lay)")
+        }
+        (None, None) => "none".to_owned(),
+    };
+    line(&format!(
+        "Sal {sal}, Str {ratio}, Std {:.1} deg, across the lay",
+        texture.std_degrees
+    ));
+}

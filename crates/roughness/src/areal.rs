@@ -1,0 +1,386 @@
+//! Height, slope and texture parameters of a measured surface.
+//!
+//! Source: ISO 25178-2:2021, quoted from surfalize 0.19.2; the standard was not available.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | z | heights over the least-squares plane | m |
+//! | ρ(t) | autocorrelation, unbiased over the overlap, ρ(0) = 1 | - |
+//! | Sal, Str | least distance with ρ = 0.2, and its ratio to the largest one | m, - |
+//! | Std | direction in which the sum of the spectral amplitudes is largest | ° |
+//!
+//! Points without a height are left out of all sums.
+
+use asperity_core::DomainError;
+use asperity_core::numerics::{complex_inverse, extremes};
+use asperity_core::quantity::Length;
+use realfft::num_complex::Complex;
+use serde::{Deserialize, Serialize};
+
+use crate::error::RoughnessError;
+
+/// Parameters of a surface over its least-squares plane.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct ArealParameters {
+    /// Arithmetic mean height.
+    pub sa: Length,
+    /// Root mean square height.
+    pub sq: Length,
+    /// Highest point.
+    pub sp: Length,
+    /// Depth of the lowest point.
+    pub sv: Length,
+    /// Sum of both.
+    pub sz: Length,
+    /// Skewness; `None` for a plane.
+    pub ssk: Option<f64>,
+    /// Kurtosis; `None` for a plane.
+    pub sku: Option<f64>,
+    /// Root mean square gradient.
+    pub sdq: f64,
+    /// Developed area over the projected one, less one.
+    pub sdr: f64,
+    /// Texture; `None` for a plane or a surface of too many points.
+    pub texture: Option<Texture>,
+}
+
+/// Autocorrelation and direction of a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Texture {
+    /// Autocorrelation length Sal; `None` if it is not reached within the surface.
+    pub sal: Option<Length>,
+    /// Aspect ratio Str, 0 for a lay of straight ridges to 1; `None` if the surface is too small along the lay.
+    pub str: Option<f64>,
+    /// Largest value that Str can have: it equals Str if that is known.
+    pub str_at_most: Option<f64>,
+    /// Direction Std across the lay \[°\], from x towards rows of higher number, 0 to 180.
+    pub std_degrees: f64,
+}
+
+/// Most points of a surface whose texture is computed: its transforms take four times as many complex numbers.
+const MOST_POINTS: usize = 1 << 23;
+
+/// A grid of heights with missing points.
+struct Grid {
+    z: Vec<f64>,
+    columns: usize,
+    rows: usize,
+    dx: f64,
+    dy: f64,
+}
+
+/// The parameters of heights \[m\], row by row with NaN where there is none, over their least-squares plane.
+///
+/// # Errors
+/// When there are fewer than two rows or columns or three heights, or a spacing is not positive.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_roughness::areal::parameters;
+/// let [columns, rows] = [200, 100];
+/// // Waves of 20 um and 1 um amplitude along x, without change along y.
+/// let wave = |k: usize| 1e-6 * ((k % columns) as f64 / 20.0 * std::f64::consts::TAU).sin();
+/// let z: Vec<f64> = (0..columns * rows).map(wave).collect();
+/// let found = parameters(&z, columns, [Length::from_si(1e-6); 2])?;
+/// assert!((found.sq.si() / 0.7071e-6 - 1.0).abs() < 1e-2);
+/// let texture = found.texture.unwrap();
+/// assert_eq!((texture.str, texture.std_degrees), (None, 0.0));
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn parameters(
+    z: &[f64],
+    columns: usize,
+    spacings: [Length; 2],
+) -> Result<ArealParameters, RoughnessError> {
+    let grid = Grid::level(z, columns, spacings)?;
+    let heights: Vec<f64> = grid.z.iter().copied().filter(|z| z.is_finite()).collect();
+    let n = heights.len() as f64;
+    let moment = |power: i32| heights.iter().map(|z| z.powi(power)).sum::<f64>() / n;
+    let sq = moment(2).sqrt();
+    let shape = |power: i32| Some(moment(power) / sq.powi(power)).filter(|v| v.is_finite());
+    let (low, high) = extremes(&heights);
+    Ok(ArealParameters {
+        sa: Length::from_si(heights.iter().map(|z| z.abs()).sum::<f64>() / n),
+        sq: Length::from_si(sq),
+        sp: Length::from_si(high),
+        sv: Length::from_si(-low),
+        sz: Length::from_si(high - low),
+        ssk: shape(3),
+        sku: shape(4),
+        sdq: grid.gradient(),
+        sdr: grid.developed(),
+        texture: (sq > 0.0 && z.len() <= MOST_POINTS).then(|| grid.texture()),
+    })
+}
+
+impl Grid {
+    /// Heights over the least-squares plane.
+    fn level(z: &[f64], columns: usize, [dx, dy]: [Length; 2]) -> Result<Self, RoughnessError> {
+        const LEAST: usize = 2;
+        let rows = z.len().checked_div(columns).unwrap_or(0);
+        if columns < LEAST || rows < LEAST {
+            return Err(RoughnessError::TooFewPoints {
+                points: columns.min(rows),
+                needed: LEAST,
+                purpose: "rows and columns of a surface",
+            });
+        }
+        let mut grid = Self {
+            z: z[..rows * columns].to_vec(),
+            columns,
+            rows,
+            dx: DomainError::positive("spacing along a row", dx)?,
+            dy: DomainError::positive("spacing of the rows", dy)?,
+        };
+        let plane = grid.plane()?;
+        for (k, z) in grid.z.iter_mut().enumerate() {
+            let [x, y] = place(k, columns, rows);
+            *z -= plane[0] + plane[1] * x + plane[2] * y;
+        }
+        Ok(grid)
+    }
+
+    /// Least-squares plane c₀ + c₁ x + c₂ y over places from −1 to 1.
+    fn plane(&self) -> Result<[f64; 3], RoughnessError> {
+        const LEAST: usize = 3;
+        let mut normal = [[0.0; 4]; 3];
+        let mut points = 0;
+        for (k, z) in self.z.iter().enumerate().filter(|(_, z)| z.is_finite()) {
+            let [x, y] = place(k, self.columns, self.rows);
+            let basis = [1.0, x, y];
+            points += 1;
+            for (row, a) in normal.iter_mut().zip(basis) {
+                for (cell, b) in row.iter_mut().zip([1.0, x, y, *z]) {
+                    *cell += a * b;
+                }
+            }
+        }
+        let few = RoughnessError::TooFewPoints {
+            points,
+            needed: LEAST,
+            purpose: "a plane, not all on one line",
+        };
+        // Gauss-Jordan elimination; the places are within one of zero, so the largest pivot comes first.
+        for k in 0..3 {
+            if normal[k][k].abs() < 1e-9 * points as f64 || points < LEAST {
+                return Err(few);
+            }
+            let pivot = normal[k].map(|value| value / normal[k][k]);
+            normal[k] = pivot;
+            for other in (0..3).filter(|other| *other != k) {
+                let factor = normal[other][k];
+                for (cell, value) in normal[other].iter_mut().zip(pivot) {
+                    *cell -= factor * value;
+                }
+            }
+        }
+        Ok(normal.map(|row| row[3]))
+    }
+
+    /// Sdq = √(⟨(∂z/∂x)²⟩ + ⟨(∂z/∂y)²⟩) by differences of neighbours.
+    fn gradient(&self) -> f64 {
+        let mean_square = |differences: &mut dyn Iterator<Item = f64>| {
+            let known = differences.filter(|d| d.is_finite());
+            crate::spectral::mean_square(known)
+        };
+        let along = mean_square(
+            &mut self
+                .z
+                .chunks(self.columns)
+                .flat_map(|row| row.windows(2).map(|pair| (pair[1] - pair[0]) / self.dx)),
+        );
+        let mut below = self.z.iter().zip(self.z.iter().skip(self.columns));
+        let across = mean_square(&mut below.by_ref().map(|(a, b)| (b - a) / self.dy));
+        (along + across).sqrt()
+    }
+
+    /// Sdr: mean area of the two ways to divide each cell into triangles, over that of the cell, less one.
+    fn developed(&self) -> f64 {
+        let (mut sum, mut cells) = (0.0, 0_usize);
+        for (upper, lower) in self
+            .z
+            .chunks(self.columns)
+            .zip(self.z.chunks(self.columns).skip(1))
+        {
+            for (a, b) in upper.windows(2).zip(lower.windows(2)) {
+                let along = [a, b].map(|pair| ((pair[1] - pair[0]) / self.dx).powi(2));
+                let across = [0, 1].map(|k| ((b[k] - a[k]) / self.dy).powi(2));
+                let corner = |k: usize, l: usize| (1.0 + along[k] + across[l]).sqrt() - 1.0;
+                let area = 0.25 * (corner(0, 0) + corner(0, 1) + corner(1, 0) + corner(1, 1));
+                if area.is_finite() {
+                    sum += area;
+                    cells += 1;
+                }
+            }
+        }
+        sum / cells.max(1) as f64
+    }
+
+    fn texture(&self) -> Texture {
+        let acf = self.autocorrelation();
+        let (mut shortest, mut longest, mut is_open) = (f64::INFINITY, 0.0_f64, false);
+        const DIRECTIONS: usize = 720;
+        for k in 0..DIRECTIONS {
+            let angle = std::f64::consts::PI * k as f64 / DIRECTIONS as f64;
+            match self.decay(&acf, [angle.cos(), angle.sin()]) {
+                (length, true) => {
+                    shortest = shortest.min(length);
+                    longest = longest.max(length);
+                }
+                (length, false) => {
+                    is_open = true;
+                    longest = longest.max(length);
+                }
+            }
+        }
+        let ratio = shortest.is_finite().then(|| shortest / longest);
+        Texture {
+            sal: shortest.is_finite().then(|| Length::from_si(shortest)),
+            str: ratio.filter(|_| !is_open),
+            str_at_most: ratio,
+            std_degrees: self.direction(),
+        }
+    }
+
+    /// Distance at which the autocorrelation has fallen to 0.2 in a direction, or the end of the surface and `false`.
+    fn decay(&self, acf: &Lags, [cos, sin]: [f64; 2]) -> (f64, bool) {
+        const LEVEL: f64 = 0.2;
+        // Steps of a quarter of a point along the closer axis.
+        let step = 0.25 * self.dx.min(self.dy);
+        let mut before = 1.0;
+        let mut distance = 0.0;
+        loop {
+            let next = distance + step;
+            let at = acf.at([next * cos / self.dx, next * sin / self.dy]);
+            match at {
+                None => return (distance, false),
+                Some(value) if value <= LEVEL => {
+                    return (distance + step * (before - LEVEL) / (before - value), true);
+                }
+                Some(value) => before = value,
+            }
+            distance = next;
+        }
+    }
+
+    /// Unbiased autocorrelation for lags up to half of the surface in both directions.
+    fn autocorrelation(&self) -> Lags {
+        let [width, height] = [2 * self.columns, 2 * self.rows];
+        let squares = |value: &dyn Fn(f64) -> f64| {
+            let mut padded = vec![Complex::new(0.0, 0.0); width * height];
+            for (row, line) in self.z.chunks(self.columns).zip(padded.chunks_mut(width)) {
+                for (z, cell) in row.iter().zip(line) {
+                    cell.re = value(*z);
+                }
+            }
+            transform(&mut padded, width, height);
+            for cell in &mut padded {
+                *cell = Complex::new(cell.norm_sqr(), 0.0);
+            }
+            transform(&mut padded, width, height);
+            padded
+        };
+        let products = squares(&|z| if z.is_finite() { z } else { 0.0 });
+        let overlaps = squares(&|z| f64::from(u8::from(z.is_finite())));
+        let scale = 1.0 / (width * height) as f64;
+        let origin = products[0].re / overlaps[0].re;
+        let rho = products.iter().zip(&overlaps).map(|(p, o)| {
+            // Fewer than half a point is rounding.
+            match o.re * scale >= 0.5 {
+                true => p.re / o.re / origin,
+                false => 0.0,
+            }
+        });
+        Lags {
+            rho: rho.collect(),
+            width,
+            height,
+            reach: [self.columns - 1, self.rows - 1],
+        }
+    }
+
+    /// Std \[°\]: the half degree with the largest sum of amplitudes.
+    fn direction(&self) -> f64 {
+        const STEPS_PER_DEGREE: f64 = 2.0;
+        const BINS: usize = 360;
+        let mut lines: Vec<Complex<f64>> = self
+            .z
+            .iter()
+            .map(|z| Complex::new(if z.is_finite() { *z } else { 0.0 }, 0.0))
+            .collect();
+        transform(&mut lines, self.columns, self.rows);
+        let frequency = |k: usize, n: usize, d: f64| {
+            let k = if 2 * k > n {
+                k as f64 - n as f64
+            } else {
+                k as f64
+            };
+            k / (n as f64 * d)
+        };
+        let mut sums = [0.0_f64; BINS];
+        for (k, line) in lines.iter().enumerate().skip(1) {
+            let fx = frequency(k % self.columns, self.columns, self.dx);
+            let fy = frequency(k / self.columns, self.rows, self.dy);
+            let degrees = fy.atan2(fx).to_degrees().rem_euclid(180.0);
+            let bin = ((degrees * STEPS_PER_DEGREE) as usize).min(BINS - 1);
+            sums[bin] += line.norm();
+        }
+        let largest = sums.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
+        largest.map_or(0.0, |(bin, _)| bin as f64 / STEPS_PER_DEGREE)
+    }
+}
+
+/// Place of a point, from −1 to 1 in both directions.
+fn place(k: usize, columns: usize, rows: usize) -> [f64; 2] {
+    let at = |k: usize, n: usize| 2.0 * k as f64 / (n - 1) as f64 - 1.0;
+    [at(k % columns, columns), at(k / columns, rows)]
+}
+
+/// Autocorrelation by lags, with negative ones behind the positive ones.
+struct Lags {
+    rho: Vec<f64>,
+    width: usize,
+    height: usize,
+    /// Largest lag in points along a row and across.
+    reach: [usize; 2],
+}
+
+impl Lags {
+    /// Bilinear value at a lag in points; `None` beyond the surface.
+    fn at(&self, [x, y]: [f64; 2]) -> Option<f64> {
+        if x.abs() > self.reach[0] as f64 || y.abs() > self.reach[1] as f64 {
+            return None;
+        }
+        let (left, upper) = (x.floor(), y.floor());
+        let (u, v) = (x - left, y - upper);
+        let at = |x: f64, y: f64| {
+            let wrapped = |lag: f64, n: usize| lag.rem_euclid(n as f64) as usize;
+            self.rho[wrapped(y, self.height) * self.width + wrapped(x, self.width)]
+        };
+        Some(
+            (1.0 - v) * ((1.0 - u) * at(left, upper) + u * at(left + 1.0, upper))
+                + v * ((1.0 - u) * at(left, upper + 1.0) + u * at(left + 1.0, upper + 1.0)),
+        )
+    }
+}
+
+/// Transforms rows and columns in place, without a factor.
+fn transform(cells: &mut [Complex<f64>], width: usize, height: usize) {
+    let along = complex_inverse(width);
+    for row in cells.chunks_mut(width) {
+        along.process(row);
+    }
+    let across = complex_inverse(height);
+    let mut column = vec![Complex::new(0.0, 0.0); height];
+    for x in 0..width {
+        for (y, cell) in column.iter_mut().enumerate() {
+            *cell = cells[y * width + x];
+        }
+        across.process(&mut column);
+        for (y, cell) in column.iter().enumerate() {
+            cells[y * width + x] = *cell;
+        }
+    }
+}
