@@ -9,11 +9,13 @@ type Point = (f64, f64);
 /// ```
 /// use asperity_core::numerics::interpolate;
 /// assert_eq!(interpolate(&[(1.0, 2.0), (3.0, 6.0)], 2.0), 4.0);
+/// assert_eq!(interpolate(&[[1.0, 2.0], [3.0, 6.0]], 9.0), 6.0);
 /// ```
-pub fn interpolate(points: &[Point], x: f64) -> f64 {
-    let above = points.partition_point(|(abscissa, _)| *abscissa <= x);
-    let below = above.checked_sub(1).and_then(|k| points.get(k));
-    interpolate_between(below.copied(), points.get(above).copied(), x)
+pub fn interpolate<P: Copy + Into<Point>>(points: &[P], x: f64) -> f64 {
+    let point = |k: usize| points.get(k).map(|point| (*point).into());
+    let above = points.partition_point(|point| (*point).into().0 <= x);
+    let below = above.checked_sub(1).and_then(point);
+    interpolate_between(below, point(above), x)
 }
 
 /// Linear interpolation at `x` between its neighbours; with a single neighbour its value, without any zero.
@@ -27,7 +29,7 @@ pub fn interpolate_between(below: Option<Point>, above: Option<Point>, x: f64) -
 
 #[cfg(test)]
 mod tests {
-    use super::interpolate;
+    use super::{Point, interpolate};
 
     #[test]
     fn a_line_is_straight_between_its_points_and_level_beyond() {
@@ -45,7 +47,7 @@ mod tests {
             ],
             [2.0, 2.0, 4.0, 6.0, 3.0, 0.0, 0.0]
         );
-        assert_eq!(interpolate(&[], 1.0), 0.0);
+        assert_eq!(interpolate::<Point>(&[], 1.0), 0.0);
         assert_eq!(interpolate(&[(1.0, 5.0)], 7.0), 5.0);
     }
 }

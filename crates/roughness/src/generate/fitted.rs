@@ -10,7 +10,7 @@
 
 use std::f64::consts::TAU;
 
-use asperity_core::numerics::real_transforms;
+use asperity_core::numerics::{interpolate, real_transforms};
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use realfft::num_complex::Complex;
@@ -164,7 +164,7 @@ impl Fitted {
             let f = k as f64 * step;
             // Waves longer than the trace went with its straight line; the last line has no phase of its own.
             if f >= longest && 2 * k < n {
-                let density = interpolated(&logarithms, f.ln()).exp();
+                let density = interpolate(&logarithms, f.ln()).exp();
                 *line = Complex::from_polar(density.sqrt(), phase);
             }
         }
@@ -179,7 +179,7 @@ impl Fitted {
 /// The `n` heights \[m\] of a distribution in ascending order.
 fn heights(name: &'static str, list: &[[f64; 2]], n: usize) -> Result<Vec<f64>, DomainError> {
     check_list(name, list)?;
-    let at = |k: usize| interpolated(list, (k as f64 + 0.5) / n as f64);
+    let at = |k: usize| interpolate(list, (k as f64 + 0.5) / n as f64);
     Ok((0..n).map(|k| at(k) / MICRO).collect())
 }
 
@@ -188,20 +188,6 @@ fn mean_square(heights: &[f64]) -> f64 {
     let n = heights.len() as f64;
     let mean = heights.iter().sum::<f64>() / n;
     heights.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n
-}
-
-/// Value of a list of ascending places at `x`; the first or last one outside of them.
-fn interpolated(list: &[[f64; 2]], x: f64) -> f64 {
-    let above = list.partition_point(|[place, _]| *place <= x);
-    let value = |k: usize| list.get(k).map_or(0.0, |[_, value]| *value);
-    match (
-        above.checked_sub(1).and_then(|k| list.get(k)),
-        list.get(above),
-    ) {
-        (Some([a, low]), Some([b, high])) => low + (high - low) * (x - a) / (b - a),
-        (None, _) => value(0),
-        (Some([_, last]), None) => *last,
-    }
 }
 
 fn check_list(name: &'static str, list: &[[f64; 2]]) -> Result<(), DomainError> {
