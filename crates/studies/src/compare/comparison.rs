@@ -26,6 +26,7 @@ pub struct Finish {
 
 /// Results of several finishes; the first is the reference.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Comparison {
     /// Program and version.
     pub program: String,
@@ -46,6 +47,7 @@ pub struct Comparison {
 
 /// Result of a finish.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FinishResult {
     /// Name.
     pub name: String,
@@ -93,6 +95,7 @@ pub struct FinishResult {
 
 /// Rank correlation of a roughness parameter with the computed loss.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Correlation {
     /// Name of the parameter.
     pub parameter: &'static str,

@@ -13,6 +13,7 @@ use crate::map::{FinishMap, Map, Surface};
 
 /// Energies of a cycle.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct CycleResult {
     /// Program and version.
     pub program: String,
@@ -50,6 +51,7 @@ pub struct CycleResult {
 
 /// Energy loss with one finish.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct CycleFinish {
     /// Name.
     pub name: String,

@@ -46,6 +46,7 @@ pub struct SensitivityRow {
 
 /// Error of a changed case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Refused {
     /// Code of the error.
     pub code: String,

@@ -16,6 +16,7 @@ use super::draws::{random_of, uniform};
 
 /// Effect of an input, all others at their means.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Effect {
     /// Result at the mean of the lowest quarter of the input, or without the choice.
     pub low: f64,
@@ -42,6 +43,7 @@ pub struct Regressor {
 
 /// Sobol's indices of an input, each with its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Indices {
     /// Share of the variance due to the input without interactions.
     pub first: f64,

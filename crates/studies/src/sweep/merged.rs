@@ -7,6 +7,7 @@ use super::effects::{Effect, Indices};
 
 /// Merged study.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Merged {
     /// Name of the study.
     pub name: String,
@@ -38,6 +39,7 @@ pub struct Merged {
 
 /// Effect of an input on a result.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct EffectRow {
     /// Column of the result.
     pub output: String,

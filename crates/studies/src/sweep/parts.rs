@@ -18,6 +18,7 @@ pub(super) type Rows = BTreeMap<usize, Vec<String>>;
 
 /// Progress of a study.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Status {
     /// Hash of the study.
     pub study: String,
