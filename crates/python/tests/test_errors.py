@@ -183,7 +183,7 @@ RAISES = {
         operation={
             "torque": "145 N m",
             "speed": "9000 1/min",
-            "bulk_temperature": "60 °C",
+            "oil_temperature": "60 °C",
             "bulk": {"law": "network", "pinion_to_oil": "0.1 W/K", "wheel_to_oil": 0.1},
         },
     ),
