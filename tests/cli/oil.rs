@@ -212,7 +212,16 @@ fn curves_that_give_no_constants_are_refused() {
     let light = table.replace("\n30,2,", "\n0.5,2,");
     fit(&light, &[]).refused(2, "E318", &["at least 0.4 GPa"]);
     let high = curves(&bench, |traction| 3.0 * traction);
-    fit(&high, &[]).refused(2, "E319", &["no law explains the curves"]);
+    let machine = fit(&high, &[]);
+    machine.refused(2, "E319", &["the machine would have to read the friction"]);
+    let scattered = curves(&bench, |traction| match (1e7 * traction) as i64 % 2 {
+        0 => 1.15 * traction,
+        _ => 0.85 * traction,
+    });
+    fit(&scattered, &[]).refused(2, "E319", &["no law explains the curves", "curves.csv:"]);
+    let low = curves(&bench, |traction| 0.2 * traction);
+    fit(&low, &["--wide"]).refused(2, "E319", &["is the one of no known oil"]);
+    fit(&low, &["--wide", "--force"]).well();
     let out = bench.run(&["oil", "fit", "nothere.csv", "--oil", "m100"]);
     out.refused(2, "E103", &["nothere.csv"]);
     fit(&table, &["--point-sd", "0 %"]).refused(2, "E209", &["--point-sd"]);

@@ -122,6 +122,9 @@ fn synthetic_curves_give_the_constants_of_an_independent_fit() {
         .map(|one| one.is_identified)
         .collect();
     assert_eq!(identified, [true, false, false, true]);
+    let further = found.constants[1].would_help.as_deref().unwrap();
+    println!("{further}");
+    assert!(further.contains("70 N"), "{further}");
     let found = fitted(&oil(true), MINERAL);
     check(
         &found,

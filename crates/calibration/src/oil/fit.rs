@@ -81,7 +81,7 @@ impl LawFit<'_> {
 }
 
 /// Sets the errors of the points from their friction: stated ones stay.
-fn set_errors(
+pub(super) fn set_errors(
     problem: &mut TractionProblem<'_>,
     stated: &[Option<f64>],
     errors: PointErrors,

@@ -43,7 +43,16 @@ impl StudyResult for OilFit {
                 band(constant.prior_band)
             );
         }
-        for line in self.sentences() {
+        let mut lines = self.sentences();
+        for constant in &self.constants {
+            if let Some(further) = &constant.would_help {
+                lines.push(format!(
+                    "{}: ten readings would help most at {further}",
+                    constant.name
+                ));
+            }
+        }
+        for line in lines {
             text.push_str(&wrapped(&line, "  "));
             text.push('\n');
         }
@@ -194,7 +203,8 @@ fn constants(fit: &OilFit) -> Markup {
                 td.number { (digits(one.prior)) } td.number { (band(one.prior_band)) }
                 td.number { (digits(other.value)) }
                 td.number { (percent(one.expected)) } td.number { (percent(one.posterior)) }
-                td { @if one.is_identified { "identified" } @else { "not identified: the error of the family remains" } }
+                td { @if one.is_identified { "identified" } @else { "not identified: the error of the family remains" }
+                    @if let Some(further) = &one.would_help { "; ten readings would help most at " (further) } }
             } } }
         } }
         p { "Error left: standard deviation after the points over the one of the family." }
@@ -247,18 +257,13 @@ fn curves(fit: &OilFit) -> Markup {
                 .series
                 .push(Series::through(&name, Line::Scatter, points));
         }
-        // As many series of points as of lines, so that both have the same colours.
-        for _ in shown.len()..CURVES {
-            chart.series.push(Series::through("", Line::Solid, []));
-        }
-        for number in shown {
+        // One series of all fits, parted by points that are not finite.
+        let lines = shown.iter().flat_map(|number| {
             let points =
                 curve(*number).filter_map(|row| Some([row.slide_roll_percent, row.fitted?]));
-            chart
-                .series
-                .push(Series::through("fit", Line::Solid, points));
-        }
-        chart.series.retain(|series| !series.points.is_empty());
+            points.chain([[f64::NAN; 2]])
+        });
+        chart.series.push(Series::through("fit", Line::Ink, lines));
         chart
     });
     html! {

@@ -6,12 +6,13 @@
 //! | the machine | `machine` |
 //! | traction over slide-to-roll ratio and speed | `traction` |
 //! | readings of a machine, as table or export | `table`, `pcs_text`, `reading` |
-//! | selection, fit, verdicts | `selection`, [`problem`], [`fit`], `oil_fit` |
+//! | selection, fit, verdicts, further settings | [`selection`], [`problem`], [`fit`], `oil_fit`, `helpful` |
 
 mod base;
 mod error;
 pub mod fit;
 mod fit_page;
+mod helpful;
 mod machine;
 mod oil_fit;
 mod page;

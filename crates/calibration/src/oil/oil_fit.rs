@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::base::OilBase;
 use super::error::OilError;
 use super::fit::{DECISIVE, LawFit, PointErrors, expected, fit_law};
+use super::helpful::{Helpful, helpful};
 use super::problem::{CONSTANTS, FACTOR, Nuisance, Priors, STATED, Zero};
 use super::reading::{Reading, SetPoint, set_points};
 use super::selection::{Dropped, Judged, judge};
@@ -77,6 +78,8 @@ pub struct FittedConstant {
     pub posterior: f64,
     /// Whether the points determine it.
     pub is_identified: bool,
+    /// Setting at which ten more readings would help most, with the error left; for a constant that is not identified.
+    pub would_help: Option<String>,
 }
 
 /// A nuisance term.
@@ -199,6 +202,7 @@ impl OilFit {
         let mut fits = fits.collect::<Result<Vec<LawFit<'_>>, OilError>>()?;
         fits.sort_by(|a, b| a.total_squared.total_cmp(&b.total_squared));
         let [best, other] = [&fits[0], &fits[1]];
+        let further = helpful(oil, priors, zero, errors, &kept)?;
         let found = Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
             title: format!("Oil constants of {}", oil.name),
@@ -222,9 +226,9 @@ impl OilFit {
                 .fold(0.0, |most: f64, (_, judged)| {
                     most.max(1e-9 * judged.max_pressure)
                 }),
-            constants: constants(best, &before),
+            constants: constants(best, &before, &further),
             correlations: stated_correlations(best),
-            other_law: constants(other, &before),
+            other_law: constants(other, &before, &further),
             nuisance: nuisance(best),
             points: rows(&points, &judged, best),
             warnings: Vec::new(),
@@ -375,7 +379,11 @@ fn values(of: &TractionConstants) -> [f64; STATED] {
     ]
 }
 
-fn constants(fit: &LawFit<'_>, before: &[f64; CONSTANTS]) -> Vec<FittedConstant> {
+fn constants(
+    fit: &LawFit<'_>,
+    before: &[f64; CONSTANTS],
+    further: &[Option<Helpful>; STATED],
+) -> Vec<FittedConstant> {
     const NAMES: [(&str, &str, &str); STATED] = [
         ("eyring_stress", "Eyring stress", "MPa"),
         ("limiting_shear", "limiting shear stress over pressure", ""),
@@ -391,6 +399,7 @@ fn constants(fit: &LawFit<'_>, before: &[f64; CONSTANTS]) -> Vec<FittedConstant>
         let sd = fit.problem.priors.constants[k];
         let (shift, posterior) = (sd * fit.x[k], fit.deviation(k) * LINEARISED);
         let is_logarithm = k != 2;
+        let is_identified = posterior / LINEARISED <= NOT_IDENTIFIED;
         let at = |shift: f64| match is_logarithm {
             true => priors[k] * shift.exp(),
             false => priors[k] + shift,
@@ -406,10 +415,24 @@ fn constants(fit: &LawFit<'_>, before: &[f64; CONSTANTS]) -> Vec<FittedConstant>
             prior_band: band(0.0, sd),
             expected: before[k],
             posterior: posterior / LINEARISED,
-            is_identified: posterior / LINEARISED <= NOT_IDENTIFIED,
+            is_identified,
+            would_help: further[k].filter(|_| !is_identified).map(words),
         }
     });
     rows.collect()
+}
+
+/// A further setting in words.
+fn words(further: Helpful) -> String {
+    let at = &further.setting;
+    format!(
+        "{} N, {} m/s, {} %, {:.0} °C: {:.0} % of the error left",
+        at.load.si(),
+        at.mean_speed.si(),
+        100.0 * at.slide_to_roll,
+        at.temperature.celsius(),
+        100.0 * further.posterior
+    )
 }
 
 fn stated_correlations(fit: &LawFit<'_>) -> Vec<Vec<f64>> {
