@@ -354,6 +354,33 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
                     .collect(),
             )
         }
+        // The guide to the boundary friction is in no table.
+        ("traction/traction.html", _) if curve.starts_with("guide") => None,
+        ("traction/traction.html", chart) => {
+            let file = match chart {
+                "over-slide" => "traction_over_slide_to_roll.csv",
+                _ => "traction_over_speed.csv",
+            };
+            let at = curve.trim_start_matches("5 to 95 %, ");
+            let own = table(file).with("temperature_c", celsius(at));
+            let columns: &[&str] = match at == curve {
+                true => &["traction"],
+                false => &["traction_p05", "traction_p95"],
+            };
+            Some(
+                columns
+                    .iter()
+                    .flat_map(|column| own.column(column))
+                    .collect(),
+            )
+        }
+        ("oil/oil_fit.html", chart) => Some(match chart.strip_prefix("curves-") {
+            Some(at) => {
+                let own = table("points.csv").with("temperature_c", at);
+                own.column(if curve == "fit" { "fitted" } else { "traction" })
+            }
+            None => table("points.csv").column("residual_sigma"),
+        }),
         // The page of a film holds its numbers itself.
         ("film.html", _) => None,
         other => panic!("no table is known for {other:?}"),

@@ -134,7 +134,7 @@ vary."lubricant.viscosity.at_100" = { normal = ["5.9 mm2/s", "0.15 mm2/s"] }
 "#;
 
 /// Options of the commands that make the other pages, and the pages.
-const COMMANDS: [(&[&str], &[&str]); 9] = [
+const COMMANDS: [(&[&str], &[&str]); 10] = [
     (
         &[
             "compare",
@@ -221,6 +221,18 @@ const COMMANDS: [(&[&str], &[&str]); 9] = [
     (
         &["oil", "traction", "m100", "-o", "traction"],
         &["traction/traction.html"],
+    ),
+    (
+        &[
+            "oil",
+            "fit",
+            "traction/traction_over_slide_to_roll.csv",
+            "--oil",
+            "m100",
+            "-o",
+            "oil",
+        ],
+        &["oil/oil_fit.html"],
     ),
 ];
 

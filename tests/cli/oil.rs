@@ -137,3 +137,98 @@ fn constants_of_the_film_friction_need_a_shear_stress() {
         .run(&["run", "case.toml", "--json"])
         .refused_json("E212", "limiting_shear_temperature");
 }
+
+/// Predicted curves of an oil as a table of measured ones, each friction changed.
+fn curves(bench: &Bench, change: impl Fn(f64) -> f64) -> String {
+    bench
+        .run(&["oil", "traction", "m100", "-o", "curves"])
+        .well();
+    let mut text =
+        String::from("load_n,mean_speed_m_s,slide_roll_percent,temperature_c,traction\n");
+    for row in rows(bench, "curves/traction_over_slide_to_roll.csv") {
+        let traction = change(row[4]);
+        text.push_str(&format!(
+            "{},{},{},{},{traction}\n",
+            row[0], row[1], row[2], row[3]
+        ));
+    }
+    text
+}
+
+#[test]
+fn curves_of_an_oil_give_its_constants_back() {
+    let bench = Bench::new();
+    bench.write("curves.csv", curves(&bench, |traction| traction));
+    let arguments = ["oil", "fit", "curves.csv", "--oil", "m100", "-o", "found"];
+    let out = bench.run(&arguments).well().unwrapped();
+    // Exact curves: the stated errors are far too large.
+    assert!(
+        out.contains("W441 the residuals are 0.0 times the stated errors"),
+        "{out}"
+    );
+    assert!(out.contains("law of pressure barus: decided"), "{out}");
+    let text = fs::read_to_string(bench.path("found/oil_fit.json")).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    for constant in json["constants"].as_array().unwrap() {
+        let [value, prior] = ["value", "prior"].map(|key| constant[key].as_f64().unwrap());
+        assert!((value - prior).abs() < 1e-3 * prior.max(0.01), "{constant}");
+    }
+    // The keys for a case run.
+    bench.write_flanks();
+    let block = fs::read_to_string(bench.path("found/case.toml")).unwrap();
+    let [model, others] = block
+        .split_once("\n[lubricant]\n")
+        .map(|(a, b)| [a, b])
+        .unwrap();
+    let [lubricant, calibration] = others
+        .split_once("\n[calibration]\n")
+        .map(|(a, b)| [a, b])
+        .unwrap();
+    let model = model.trim_start_matches("[model]\n");
+    let case = E_DRIVE
+        .replacen("[lubricant]\n", &format!("[lubricant]\n{lubricant}"), 1)
+        .replacen("[model]\n", &format!("[model]\n{model}\n"), 1)
+        + &format!("\n[calibration]\n{calibration}");
+    bench.write("case.toml", case);
+    bench.run(&["check", "case.toml"]).well();
+}
+
+#[test]
+fn curves_that_give_no_constants_are_refused() {
+    let bench = Bench::new();
+    let fit = |text: &str, more: &[&str]| {
+        bench.write("curves.csv", text);
+        let arguments = [&["oil", "fit", "curves.csv", "--oil", "m100"], more].concat();
+        bench.run(&arguments)
+    };
+    let table = curves(&bench, |traction| traction);
+    fit(&table.replace("load_n", "load_kg"), &[]).refused(2, "E317", &["load_kg is not known"]);
+    fit(&table.replace("traction", "friction"), &[]).refused(2, "E317", &["traction is missing"]);
+    fit(&table.replacen("30,2,", "30,2000,", 1), &[]).refused(2, "E317", &["mean_speed_m_s"]);
+    fit("MTM Test Data File\n", &[]).refused(2, "E317", &["no table has the columns"]);
+    let few: Vec<&str> = table.lines().take(6).collect();
+    fit(&few.join("\n"), &[]).refused(2, "E318", &["5 of 5 set points"]);
+    fit(&table, &["--rq", "1 um"]).refused(2, "E318", &["film thinner than three times"]);
+    let light = table.replace("\n30,2,", "\n0.5,2,");
+    fit(&light, &[]).refused(2, "E318", &["at least 0.4 GPa"]);
+    let high = curves(&bench, |traction| 3.0 * traction);
+    let machine = fit(&high, &[]);
+    machine.refused(2, "E319", &["the machine would have to read the friction"]);
+    let scattered = curves(&bench, |traction| match (1e7 * traction) as i64 % 2 {
+        0 => 1.15 * traction,
+        _ => 0.85 * traction,
+    });
+    fit(&scattered, &[]).refused(2, "E319", &["no law explains the curves", "curves.csv:"]);
+    let low = curves(&bench, |traction| 0.2 * traction);
+    fit(&low, &["--wide"]).refused(2, "E319", &["is the one of no known oil"]);
+    fit(&low, &["--wide", "--force"]).well();
+    let out = bench.run(&["oil", "fit", "nothere.csv", "--oil", "m100"]);
+    out.refused(2, "E103", &["nothere.csv"]);
+    fit(&table, &["--point-sd", "0 %"]).refused(2, "E209", &["--point-sd"]);
+    let cold: Vec<&str> = table
+        .lines()
+        .filter(|line| !line.contains(",120,") && !line.contains(",80,"))
+        .collect();
+    let out = fit(&cold.join("\n"), &[]).well().unwrapped();
+    assert!(out.contains("W441 one temperature"), "{out}");
+}

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use asperity_core::quantity::{Force, Length, Ratio, Speed};
-use clap::{Args, Subcommand};
+use clap::{Args, Subcommand, ValueEnum};
 
 use super::SetArgs;
 
@@ -24,6 +24,78 @@ pub enum OilCommand {
         Predicted where the film is at least three times as thick as the roughness. The specimens are of\n\
         through-hardened steel (21 W/(m K)). The tables have the columns of a measured traction curve.")]
     Traction(OilTractionArgs),
+    /// Constants of an oil from measured traction curves of ball and disc, with their bands
+    #[command(after_help = "Examples:\n  asperity oil fit curves.csv --oil m100\n  \
+        asperity oil fit mtm.txt --oil case.toml --temperature-column pot -o results/my-oil\n\n\
+        A table has the columns load_n, mean_speed_m_s, slide_roll_percent (200 is pure sliding),\n\
+        temperature_c and traction, and where known sigma, group, set_temperature_c, film_nm and the\n\
+        specimens; a text export of a PCS machine is read as it is. case.toml in the result holds the\n\
+        keys for a case.")]
+    Fit(OilFitArgs),
+}
+
+/// Zeros of the friction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ZeroArg {
+    /// One for each curve
+    Curve,
+    /// One for all curves
+    Common,
+    /// None
+    None,
+}
+
+/// Probe of the temperature of an export.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum TemperatureColumnArg {
+    /// In the oil at the contact
+    Lube,
+    /// In the pot
+    Pot,
+}
+
+/// `asperity oil fit`
+#[derive(Debug, Args)]
+pub struct OilFitArgs {
+    /// Tables or text exports of traction curves
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Oil of the library with the viscosity and family, or a case file whose oil is taken
+    #[arg(long)]
+    pub oil: String,
+    /// Keys of the case set on the command line.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Root mean square roughness of both specimens together
+    #[arg(long, default_value = "15 nm", allow_hyphen_values = true)]
+    pub rq: Length,
+    /// Radius of the ball of rows that state none
+    #[arg(long, default_value = "9.525 mm", allow_hyphen_values = true)]
+    pub ball_radius: Length,
+    /// Radius of the second body of rows that state none [default: a flat disc]
+    #[arg(long, allow_hyphen_values = true)]
+    pub second_radius: Option<Length>,
+    /// Probe of the temperature in a text export
+    #[arg(long, value_enum, default_value = "lube")]
+    pub temperature_column: TemperatureColumnArg,
+    /// Leave the constants to the points, with wide priors in place of the family
+    #[arg(long)]
+    pub wide: bool,
+    /// Zeros of the friction
+    #[arg(long, value_enum, default_value = "curve")]
+    pub zero: ZeroArg,
+    /// Standard deviation of points without sigma, relative to the friction
+    #[arg(long, default_value = "1.5 %", allow_hyphen_values = true)]
+    pub point_sd: Ratio,
+    /// Least standard deviation of the friction coefficient of such points
+    #[arg(long, default_value_t = 3e-4, allow_hyphen_values = true)]
+    pub point_floor: f64,
+    /// Accept constants of no known oil
+    #[arg(long)]
+    pub force: bool,
+    /// Folder of the fit [default: results/<name of the first file>-oil]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
 }
 
 /// `asperity oil traction`

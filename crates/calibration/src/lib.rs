@@ -27,6 +27,7 @@ mod held_out;
 pub mod identifiability;
 pub mod information;
 pub mod least_squares;
+mod number_table;
 pub mod oil;
 pub mod optimal_design;
 mod outliers;

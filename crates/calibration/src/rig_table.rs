@@ -13,12 +13,12 @@
 //!
 //! The header is not case-sensitive; other columns are ignored. Lines that begin with `#` are comments.
 
-use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::{CalibrationError, RowFault};
+use crate::number_table::{NumberRow, NumberTable};
 
 /// Scope of a measured loss.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -174,67 +174,21 @@ impl RigTable {
     /// # Ok::<(), asperity_calibration::CalibrationError>(())
     /// ```
     pub fn read(name: &str, text: &str) -> Result<Self, CalibrationError> {
-        let text = text.trim_start_matches('\u{feff}');
-        let header = text
-            .lines()
-            .find(|line| !line.starts_with('#') && !line.trim().is_empty());
-        let header = header.unwrap_or_default();
-        let separator = [b';', b'\t', b',']
-            .into_iter()
-            .find(|sign| header.contains(char::from(*sign)));
-        let mut reader = csv::ReaderBuilder::new()
-            .comment(Some(b'#'))
-            .delimiter(separator.unwrap_or(b','))
-            .trim(csv::Trim::All)
-            .from_reader(text.as_bytes());
-        let unread = |source| CalibrationError::Csv {
-            file: name.to_owned(),
-            source,
-        };
-        let names: Vec<String> = reader
-            .headers()
-            .map_err(unread)?
-            .iter()
-            .map(str::to_lowercase)
-            .collect();
-        let columns = columns(name, &names)?;
-        let cells = Cells {
-            lines: Lines::new(text),
-            columns: &columns,
-            has_decimal_comma: separator == Some(b';'),
-        };
-        let (mut rows, mut faults) = (Vec::new(), Vec::new());
-        for record in reader.records() {
-            let record = record.map_err(unread)?;
-            match cells.row(&record) {
-                Ok(row) => rows.push(row),
-                Err(fault) => faults.push(fault),
-            }
-        }
-        if !faults.is_empty() {
-            return Err(CalibrationError::Rows {
-                file: name.to_owned(),
-                faults,
-            });
-        }
-        if rows.is_empty() {
-            let rule = "the table has no rows".to_owned();
-            return Err(CalibrationError::Column {
-                file: name.to_owned(),
-                rule,
-            });
-        }
+        let table = NumberTable::read(name, text)?;
+        check_columns(name, &table)?;
+        let rows = table.all(name, row)?;
         let is_simulated = text
             .lines()
             .any(|line| line.starts_with('#') && line.contains(SIMULATED));
-        let unused = names
-            .into_iter()
+        let unused = table
+            .names
+            .iter()
             .filter(|column| !KNOWN.contains(&column.as_str()));
         Ok(Self {
             name: name.to_owned(),
             rows,
             is_simulated,
-            unused: unused.collect(),
+            unused: unused.cloned().collect(),
             reach: Reach::default(),
         })
     }
@@ -273,16 +227,13 @@ impl RigTable {
     }
 }
 
-/// Index of each column.
-fn columns(
-    file: &str,
-    names: &[String],
-) -> Result<BTreeMap<&'static str, usize>, CalibrationError> {
+/// Checks that the needed columns are there in their units.
+fn check_columns(file: &str, table: &NumberTable) -> Result<(), CalibrationError> {
     let refuse = |rule: String| CalibrationError::Column {
         file: file.to_owned(),
         rule,
     };
-    for name in names {
+    for name in &table.names {
         let stem = STEMS.iter().find(|(stem, _)| name.starts_with(stem));
         if let (Some((_, column)), false) = (stem, KNOWN.contains(&name.as_str())) {
             return Err(refuse(format!(
@@ -290,9 +241,6 @@ fn columns(
             )));
         }
     }
-    let index_of =
-        |known: &'static str| Some((known, names.iter().position(|name| name == known)?));
-    let columns: BTreeMap<&'static str, usize> = KNOWN.into_iter().filter_map(index_of).collect();
     for needed in [
         "torque_nm",
         "speed_rpm",
@@ -300,125 +248,61 @@ fn columns(
         "sigma_w",
         "includes",
     ] {
-        if !columns.contains_key(needed) {
+        if !table.has(needed) {
             return Err(refuse(format!("column {needed} is missing")));
         }
     }
-    let losses = ["loss_w", "torque_loss_nm"].map(|name| columns.contains_key(name));
-    match losses {
+    match ["loss_w", "torque_loss_nm"].map(|name| table.has(name)) {
         [false, false] => Err(refuse(
             "column loss_w (or torque_loss_nm) is missing".to_owned(),
         )),
         [true, true] => Err(refuse(
             "loss_w and torque_loss_nm exclude each other".to_owned(),
         )),
-        _ => Ok(columns),
+        _ => Ok(()),
     }
 }
 
-/// Byte offset and text of every line.
-struct Lines<'a>(Vec<(usize, &'a str)>);
-
-impl<'a> Lines<'a> {
-    fn new(text: &'a str) -> Self {
-        let mut begin = 0;
-        let line = |line: &'a str| {
-            let here = begin;
-            begin += line.len();
-            (here, line)
-        };
-        Self(text.split_inclusive('\n').map(line).collect())
-    }
-
-    /// Line number of a row whose reader position is `byte`, possibly at a blank line before the row.
-    fn of(&self, byte: usize) -> usize {
-        let first = self
-            .0
-            .partition_point(|(begin, _)| *begin <= byte)
-            .saturating_sub(1);
-        let is_row = |(_, line): &&(usize, &str)| !line.trim().is_empty() && !line.starts_with('#');
-        let skipped = self.0[first..]
-            .iter()
-            .take_while(|line| !is_row(line))
-            .count();
-        1 + first + skipped
-    }
-}
-
-struct Cells<'a> {
-    lines: Lines<'a>,
-    columns: &'a BTreeMap<&'static str, usize>,
-    has_decimal_comma: bool,
-}
-
-impl Cells<'_> {
-    fn row(&self, record: &csv::StringRecord) -> Result<RigRow, RowFault> {
-        let line = record
-            .position()
-            .map_or(0, |place| self.lines.of(place.byte() as usize));
-        let text = |column: &'static str| {
-            let cell = self.columns.get(column).and_then(|k| record.get(*k));
-            cell.filter(|text| !text.is_empty()).map(str::to_owned)
-        };
-        let fault = |column, rule: String| RowFault { line, column, rule };
-        let number = |column: &'static str| -> Result<f64, RowFault> {
-            let cell = text(column).ok_or_else(|| fault(column, "is missing".to_owned()))?;
-            let plain = if self.has_decimal_comma {
-                cell.replace(',', ".")
-            } else {
-                cell.clone()
-            };
-            let value = plain.parse::<f64>().ok().filter(|value| value.is_finite());
-            value.ok_or_else(|| fault(column, format!("{cell:?} is not a finite number")))
-        };
-        let includes = text("includes").ok_or_else(|| {
-            fault(
-                "includes",
-                "is missing; write mesh or mesh+bearings, the scope of the loss".to_owned(),
-            )
-        })?;
-        let includes = match includes.to_lowercase().replace(' ', "").as_str() {
-            "mesh" => Scope::Mesh,
-            "mesh+bearings" => Scope::MeshAndBearings,
-            "all" => {
-                let rule = "all includes churning and seals, which cannot be separated from film friction; subtract the loss \
-                            measured without load at the same speed and temperature, and write mesh+bearings";
-                return Err(fault("includes", rule.to_owned()));
-            }
-            other => {
-                let rule = format!("{other:?} is not known; mesh, mesh+bearings or all");
-                return Err(fault("includes", rule));
-            }
-        };
-        let (torque_nm, speed_rpm) = (number("torque_nm")?, number("speed_rpm")?);
-        let omega = speed_rpm * PI / 30.0;
-        let is_power = self.columns.contains_key("loss_w");
-        let loss_w = match is_power {
-            true => number("loss_w")?,
-            false => number("torque_loss_nm")? * omega,
-        };
-        let order = match text("order") {
-            Some(_) => Some(number("order")?),
-            None => None,
-        };
-        let row = RigRow {
-            line,
-            torque_nm,
-            speed_rpm,
-            temperature_c: number("temperature_c")?,
-            loss_w,
-            sigma_w: number("sigma_w")?,
-            includes,
-            assembly: text("assembly").unwrap_or_else(|| "1".to_owned()),
-            run: text("run"),
-            order,
-            flank_state: text("flank_state"),
-            case: text("case"),
-        };
-        let loss = if is_power { "loss_w" } else { "torque_loss_nm" };
-        plausible(&row, loss).map_err(|(column, rule)| fault(column, rule))?;
-        Ok(row)
-    }
+fn row(cells: NumberRow<'_>) -> Result<RigRow, RowFault> {
+    let includes = cells.text("includes").ok_or_else(|| {
+        let rule = "is missing; write mesh or mesh+bearings, the scope of the loss";
+        cells.fault("includes", rule)
+    })?;
+    let includes = match includes.to_lowercase().replace(' ', "").as_str() {
+        "mesh" => Scope::Mesh,
+        "mesh+bearings" => Scope::MeshAndBearings,
+        "all" => {
+            let rule = "all includes churning and seals, which cannot be separated from film friction; subtract the loss \
+                        measured without load at the same speed and temperature, and write mesh+bearings";
+            return Err(cells.fault("includes", rule));
+        }
+        other => {
+            let rule = format!("{other:?} is not known; mesh, mesh+bearings or all");
+            return Err(cells.fault("includes", rule));
+        }
+    };
+    let (torque_nm, speed_rpm) = (cells.number("torque_nm")?, cells.number("speed_rpm")?);
+    let omega = speed_rpm * PI / 30.0;
+    let (loss, loss_w) = match cells.has("loss_w") {
+        true => ("loss_w", cells.number("loss_w")?),
+        false => ("torque_loss_nm", cells.number("torque_loss_nm")? * omega),
+    };
+    let row = RigRow {
+        line: cells.line,
+        torque_nm,
+        speed_rpm,
+        temperature_c: cells.number("temperature_c")?,
+        loss_w,
+        sigma_w: cells.number("sigma_w")?,
+        includes,
+        assembly: cells.text("assembly").unwrap_or_else(|| "1".to_owned()),
+        run: cells.text("run"),
+        order: cells.optional("order")?,
+        flank_state: cells.text("flank_state"),
+        case: cells.text("case"),
+    };
+    plausible(&row, loss).map_err(|(column, rule)| cells.fault(column, rule))?;
+    Ok(row)
 }
 
 /// Checks a row for wrong units, by ranges far wider than any rig needs.

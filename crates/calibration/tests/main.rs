@@ -2,3 +2,4 @@
 
 mod rig_tables;
 mod simulated_rigs;
+mod traction_curves;

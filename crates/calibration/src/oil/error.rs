@@ -3,6 +3,8 @@
 use asperity::mixed_film::LoadShareError;
 use asperity::oil::LubricantError;
 
+use crate::error::CalibrationError;
+
 /// Error of a traction curve.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -29,6 +31,94 @@ pub enum OilError {
         /// Name of the case.
         name: String,
     },
+    /// A table of readings that is not valid.
+    #[error(transparent)]
+    Table(CalibrationError),
+    /// A text without a traction curve.
+    #[error(
+        "{file}: no table has the columns Ball Load (N), Rolling Speed (mm/s), SRR (%), Traction Coeff (-) and a temperature"
+    )]
+    NoTable {
+        /// Name of the file.
+        file: String,
+    },
+    /// A row of a text that is not valid.
+    #[error("{file}:{line}: {rule}")]
+    Row {
+        /// Name of the file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// The value and the rule that it violates.
+        rule: String,
+    },
+    /// A probe of the oil that reads air.
+    #[error(
+        "{file}:{line}: the probe of the oil reads {lube} °C where the pot has {pot} °C: it reads air. Take the temperature of the pot, if it is the one of the oil"
+    )]
+    Air {
+        /// Name of the file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// Temperature of the probe \[°C\].
+        lube: f64,
+        /// Temperature of the pot \[°C\].
+        pot: f64,
+    },
+    /// Too few points for a fit.
+    #[error("{kept} of {points} set points can be used; at least 6 are needed ({dropped})")]
+    FewPoints {
+        /// Points that can be used.
+        kept: usize,
+        /// Set points.
+        points: usize,
+        /// Points dropped by each rule.
+        dropped: String,
+    },
+    /// A pressure that does not stiffen the oil.
+    #[error("the largest Hertz pressure is {gpa:.2} GPa; at least 0.4 GPa are needed")]
+    LowPressure {
+        /// Largest pressure \[GPa\].
+        gpa: f64,
+    },
+    /// Curves that no law of pressure explains.
+    #[error(
+        "no law explains the curves: squares of the residuals per point {per_point:.1}, at most 3 are accepted; largest: {worst}"
+    )]
+    Unexplained {
+        /// Squares of the residuals per point of the better law.
+        per_point: f64,
+        /// Points with the largest residuals.
+        worst: String,
+    },
+    /// A nuisance term of no calibrated machine.
+    #[error(
+        "for the fit to hold {text}: {deviations:+.1} standard deviations, at most 3 are accepted"
+    )]
+    Nuisance {
+        /// The term in words.
+        text: String,
+        /// Standard deviations of its prior.
+        deviations: f64,
+    },
+    /// A constant of no known oil.
+    #[error("{name} = {value:.4} {unit} is the one of no known oil: {low} to {high} {unit}")]
+    NoOil {
+        /// The constant.
+        name: String,
+        /// Its value.
+        value: f64,
+        /// Its unit.
+        unit: String,
+        /// Least value.
+        low: f64,
+        /// Largest value.
+        high: f64,
+    },
+    /// The fit did not converge.
+    #[error(transparent)]
+    Fit(CalibrationError),
     /// A number outside its domain, or no solution.
     #[error(transparent)]
     Contact(#[from] LoadShareError),
@@ -37,11 +127,16 @@ pub enum OilError {
 impl OilError {
     /// Stable code of the error.
     #[must_use]
-    pub const fn code(&self) -> &'static str {
+    pub fn code(&self) -> &'static str {
         match self {
             Self::Oil { .. } | Self::OneViscosity { .. } => "E208",
             Self::NoShearLaw { .. } => "E205",
             Self::Contact(_) => "E209",
+            Self::Table(CalibrationError::Open { .. }) => "E103",
+            Self::Table(_) | Self::NoTable { .. } | Self::Row { .. } | Self::Air { .. } => "E317",
+            Self::FewPoints { .. } | Self::LowPressure { .. } => "E318",
+            Self::Unexplained { .. } | Self::Nuisance { .. } | Self::NoOil { .. } => "E319",
+            Self::Fit(error) => error.code(),
         }
     }
 }

@@ -117,9 +117,27 @@ impl Machine {
         rheology: &FilmRheology,
         at: &Setting,
     ) -> Result<PredictedFriction, LoadShareError> {
+        self.predict_with(rheology, at, None, 1.0)
+    }
+
+    /// Film and friction at a setting, with `factor` times the computed film, or times the film `measured`.
+    ///
+    /// # Errors
+    /// When an input is outside its domain.
+    pub fn predict_with(
+        &self,
+        rheology: &FilmRheology,
+        at: &Setting,
+        measured: Option<Length>,
+        factor: f64,
+    ) -> Result<PredictedFriction, LoadShareError> {
         let contact = self.contact(at);
         let hertz = contact.hertz()?;
-        let film = contact.film(rheology, hertz.max_pressure)?.value.thickness;
+        let film = match measured {
+            Some(film) => film,
+            None => contact.film(rheology, hertz.max_pressure)?.value.thickness,
+        };
+        let film = film * factor;
         let settings = FilmSettings {
             nodes: NonZeroUsize::MIN.saturating_add(NODES - 1),
             ..FilmSettings::default()

@@ -5,14 +5,29 @@
 //! | the oil with the distribution of its constants in the family | `base` |
 //! | the machine | `machine` |
 //! | traction over slide-to-roll ratio and speed | `traction` |
+//! | readings of a machine, as table or export | `table`, `pcs_text`, `reading` |
+//! | selection, fit, verdicts, further settings | [`selection`], [`problem`], [`fit`], `oil_fit`, `helpful` |
 
 mod base;
 mod error;
+pub mod fit;
+mod fit_page;
+mod helpful;
 mod machine;
+mod oil_fit;
 mod page;
+mod pcs_text;
+pub mod problem;
+mod reading;
+pub mod selection;
+mod table;
 mod traction;
 
 pub use base::OilBase;
 pub use error::OilError;
 pub use machine::{Machine, Setting};
+pub use oil_fit::{FitSettings, FittedConstant, NuisanceTerm, OilFit, TractionPointRow};
+pub use pcs_text::{Probe, is_pcs, read_pcs};
+pub use reading::{Reading, SetPoint, set_points};
+pub use table::read_table;
 pub use traction::{PredictedPoint, TractionCurves, TractionRange};

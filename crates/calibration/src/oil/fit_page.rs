@@ -1,0 +1,326 @@
+//! Page, tables and summary of a fit to traction curves.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
+use asperity_report::html::{figure, page};
+use asperity_report::{ReportError, StudyResult, tables, wrapped};
+use maud::{Markup, html};
+
+use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
+use super::selection::Dropped;
+
+/// Table of the points.
+const POINTS: &str = "points.csv";
+/// Curves of a chart.
+const CURVES: usize = 6;
+
+impl StudyResult for OilFit {
+    const KIND: &'static str = "fit of traction curves";
+    const NAME: &'static str = "oil_fit";
+    type Context<'a> = ();
+
+    fn summary(&self, (): ()) -> String {
+        let mut text = String::new();
+        // Writing into a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{:<38} {:>10}   {:<20} {:<20}",
+            "constant", "value", "95 % band", "family"
+        );
+        for constant in &self.constants {
+            let verdict = match constant.is_identified {
+                true => "",
+                false => "  not identified",
+            };
+            let _ = writeln!(
+                text,
+                "{:<38} {:>10}   {:<20} {:<20}{verdict}",
+                named(constant),
+                digits(constant.value),
+                band(constant.band),
+                band(constant.prior_band)
+            );
+        }
+        let mut lines = self.sentences();
+        for constant in &self.constants {
+            if let Some(further) = &constant.would_help {
+                lines.push(format!(
+                    "{}: ten readings would help most at {further}",
+                    constant.name
+                ));
+            }
+        }
+        for line in lines {
+            text.push_str(&wrapped(&line, "  "));
+            text.push('\n');
+        }
+        for warning in &self.warnings {
+            text.push_str(&wrapped(&warning.to_string(), "     "));
+            text.push('\n');
+        }
+        text.push_str("for the case:\n");
+        text.push_str(&self.block());
+        text
+    }
+
+    fn page(&self, (): ()) -> String {
+        let sections = [
+            ("Constants", constants(self)),
+            ("Measured and fitted", curves(self)),
+            ("Residuals", residuals(self)),
+            ("Dropped points", dropped(self)),
+            ("Nuisance terms", nuisance(self)),
+            ("For the case", html! { pre { code { (self.block()) } } }),
+            (
+                "Provenance",
+                html! { @for [file, sum] in &self.sources { p { (file) ", SHA-256 " code { (sum) } } } },
+            ),
+        ];
+        page(
+            &self.title,
+            &format!("{} · fit of traction curves", self.program),
+            &sections,
+        )
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        asperity_report::write_text(&folder.join("case.toml"), &self.block())?;
+        tables::write(&folder.join(POINTS), self.points.iter())
+    }
+}
+
+impl OilFit {
+    /// What was fitted, in words.
+    fn sentences(&self) -> Vec<String> {
+        let [readings, points, kept] = self.counts;
+        let counted = Dropped::ALL.into_iter().filter_map(|rule| {
+            let count = self
+                .points
+                .iter()
+                .filter(|row| row.dropped == Some(rule))
+                .count();
+            (count > 0).then(|| format!(", {count} dropped: {rule}"))
+        });
+        let [best, other] = self.total_squared;
+        let decided = match self.is_law_decided {
+            true => "decided",
+            false => "not decided",
+        };
+        vec![
+            format!(
+                "{readings} readings at {points} set points, {kept} fitted{}",
+                counted.collect::<String>()
+            ),
+            format!(
+                "law of pressure {}: {decided}, sum of squares {best:.1} against {other:.1} of the other law",
+                self.pressure_law
+            ),
+            format!(
+                "squares of the residuals per point {:.3}; the error of the law adds {:.0} %",
+                self.squares_per_point,
+                100.0 * self.law_error
+            ),
+        ]
+    }
+
+    /// The constants as keys of a case.
+    #[must_use]
+    pub fn block(&self) -> String {
+        let [stress, limit, fall, factor] = &self.constants[..] else {
+            return String::new();
+        };
+        let quoted = |value: f64, unit: &str| format!("\"{} {unit}\"", digits(value));
+        let source: Vec<String> = self
+            .sources
+            .iter()
+            .map(|[file, _]| file.replace('\\', "/"))
+            .collect();
+        let source = source.join(", ").replace(['"', '\n'], "'");
+        let mut text = format!(
+            "[model]\nfilm_pressure_law = \"{}\"\n\n[lubricant]\npressure_viscosity_factor = {}\nlimiting_shear_temperature = {}\n\n[calibration]\nsource = \"{source}\"\n",
+            self.pressure_law,
+            digits(factor.value),
+            quoted(fall.value, "1/K"),
+        );
+        let [low, high] = stress.band;
+        // Writing into a string cannot fail.
+        let _ = writeln!(
+            text,
+            "eyring_stress = {{ value = {}, low = {}, high = {} }}",
+            quoted(stress.value, "MPa"),
+            quoted(low, "MPa"),
+            quoted(high, "MPa")
+        );
+        let [low, high] = limit.band;
+        let _ = writeln!(
+            text,
+            "limiting_shear = {{ value = {}, low = {}, high = {} }}",
+            digits(limit.value),
+            digits(low),
+            digits(high)
+        );
+        let _ = writeln!(
+            text,
+            "correlations = [{{ between = [\"eyring_stress\", \"limiting_shear\"], value = {:.3} }}]",
+            self.correlations[0][1]
+        );
+        text
+    }
+}
+
+fn named(constant: &FittedConstant) -> String {
+    match constant.unit.is_empty() {
+        true => constant.name.clone(),
+        false => format!("{} [{}]", constant.name, constant.unit),
+    }
+}
+
+/// A number with four digits.
+fn digits(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let decimals = (3 - value.abs().log10().floor() as i32).clamp(0, 12);
+    format!("{value:.*}", decimals as usize)
+}
+
+fn band([low, high]: [f64; 2]) -> String {
+    format!("{} .. {}", digits(low), digits(high))
+}
+
+fn constants(fit: &OilFit) -> Markup {
+    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    html! {
+        @for line in fit.sentences() { p { (line) "." } }
+        div.scroll { table {
+            thead { tr { th { "constant" } th.number { "value" } th.number { "95 % band" } th.number { "family" } th.number { "95 % of the family" }
+                th.number { "by the other law" } th.number { "error left, expected" } th.number { "error left" } th { "by the points" } } }
+            tbody { @for (one, other) in fit.constants.iter().zip(&fit.other_law) { tr {
+                th scope="row" { (named(one)) }
+                td.number { (digits(one.value)) } td.number { (band(one.band)) }
+                td.number { (digits(one.prior)) } td.number { (band(one.prior_band)) }
+                td.number { (digits(other.value)) }
+                td.number { (percent(one.expected)) } td.number { (percent(one.posterior)) }
+                td { @if one.is_identified { "identified" } @else { "not identified: the error of the family remains" }
+                    @if let Some(further) = &one.would_help { "; ten readings would help most at " (further) } }
+            } } }
+        } }
+        p { "Error left: standard deviation after the points over the one of the family." }
+        @if !fit.warnings.is_empty() { ul { @for warning in &fit.warnings { li { (warning.to_string()) } } } }
+        h3 { "Correlations" }
+        div.scroll { table {
+            thead { tr { th { "constant" } @for one in &fit.constants { th.number { (one.name) } } } }
+            tbody { @for (one, row) in fit.constants.iter().zip(&fit.correlations) { tr {
+                th scope="row" { (one.name) } @for value in row { td.number { (format!("{value:+.2}")) } }
+            } } }
+        } }
+    }
+}
+
+fn kept(fit: &OilFit) -> Vec<&TractionPointRow> {
+    fit.points
+        .iter()
+        .filter(|row| row.fitted.is_some())
+        .collect()
+}
+
+/// One chart for each set temperature.
+fn curves(fit: &OilFit) -> Markup {
+    let rows = kept(fit);
+    let charts = fit.temperatures_c.iter().map(|set| {
+        let of = rows.iter().copied().filter(|row| {
+            let far = |at: f64| (at - row.temperature_c).abs();
+            fit.temperatures_c
+                .iter()
+                .all(|other| far(*set) <= far(*other))
+        });
+        let of: Vec<&TractionPointRow> = of.collect();
+        let mut numbers: Vec<usize> = of.iter().map(|row| row.curve).collect();
+        numbers.dedup();
+        let mut chart = Chart::new(
+            &format!("curves-{set:.0}"),
+            &format!("Friction at {set:.0} °C"),
+            POINTS,
+            Axis::new("slide-to-roll ratio", "%").log(),
+            Axis::new("friction coefficient", "").from_zero(),
+        );
+        let curve = |number: usize| of.iter().copied().filter(move |row| row.curve == number);
+        let shown = &numbers[..numbers.len().min(CURVES)];
+        for number in shown {
+            let name = curve(*number).next().map_or(String::new(), |row| {
+                format!("{:.0} N, {} m/s", row.load_n, row.mean_speed_m_s)
+            });
+            let points = curve(*number).map(|row| [row.slide_roll_percent, row.traction]);
+            chart
+                .series
+                .push(Series::through(&name, Line::Scatter, points));
+        }
+        // One series of all fits, parted by points that are not finite.
+        let lines = shown.iter().flat_map(|number| {
+            let points =
+                curve(*number).filter_map(|row| Some([row.slide_roll_percent, row.fitted?]));
+            points.chain([[f64::NAN; 2]])
+        });
+        chart.series.push(Series::through("fit", Line::Ink, lines));
+        chart
+    });
+    html! {
+        div.charts { @for chart in charts { (figure(&Drawing::Curves(chart))) } }
+        p { "Dots: measured. Lines: fitted, with gain and zero." }
+    }
+}
+
+fn residuals(fit: &OilFit) -> Markup {
+    let rows = kept(fit);
+    let over = |id: &str, title: &str, x: Axis, of: fn(&TractionPointRow) -> f64| {
+        let chart = Chart::new(
+            id,
+            title,
+            POINTS,
+            x,
+            Axis::new("measured - fitted", "sigma"),
+        );
+        let points = rows
+            .iter()
+            .filter_map(|row| Some([of(row), row.residual_sigma?]));
+        let chart = chart
+            .level(0.0, "")
+            .with(Series::through("points", Line::Scatter, points));
+        figure(&Drawing::Curves(chart))
+    };
+    html! { div.charts {
+        (over("over-temperature", "Residuals over temperature", Axis::new("temperature", "°C"), |row| row.temperature_c))
+        (over("over-pressure", "Residuals over pressure", Axis::new("largest Hertz pressure", "GPa"), |row| row.pressure_gpa))
+        (over("over-slide", "Residuals over slide-to-roll ratio", Axis::new("slide-to-roll ratio", "%").log(), |row| row.slide_roll_percent))
+    } }
+}
+
+fn dropped(fit: &OilFit) -> Markup {
+    let rows: Vec<&TractionPointRow> = fit
+        .points
+        .iter()
+        .filter(|row| row.dropped.is_some())
+        .collect();
+    html! { @if !rows.is_empty() { div.scroll { table {
+        thead { tr { th { "reading" } th.number { "load" } th.number { "speed" } th.number { "slide-to-roll" } th.number { "temperature" } th.number { "friction" } th.number { "film over roughness" } th { "rule" } } }
+        tbody { @for row in rows { tr {
+            th scope="row" { (row.file) ":" (row.line) }
+            td.number { (format!("{:.0} N", row.load_n)) } td.number { (row.mean_speed_m_s) " m/s" }
+            td.number { (format!("{:.1} %", row.slide_roll_percent)) } td.number { (format!("{:.0} °C", row.temperature_c)) }
+            td.number { (format!("{:.4}", row.traction)) } td.number { (format!("{:.1}", row.film_ratio)) }
+            td { @if let Some(rule) = row.dropped { (rule.to_string()) } }
+        } } }
+    } } } }
+}
+
+fn nuisance(fit: &OilFit) -> Markup {
+    html! {
+        p { "For the fit to hold:" }
+        div.scroll { table {
+            thead { tr { th { "term" } th.number { "standard deviations" } } }
+            tbody { @for term in &fit.nuisance { tr { td { (term.text) } td.number { (format!("{:+.2}", term.deviations)) } } } }
+        } }
+    }
+}

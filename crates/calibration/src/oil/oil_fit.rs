@@ -1,0 +1,534 @@
+//! Oil constants from traction curves: selection, fit by both laws of pressure, decision, refusals and warnings.
+
+use std::fmt::Write as _;
+
+use asperity::message::Warning;
+use asperity::oil::{PressureLaw, TractionConstants};
+use asperity_core::numerics::Z_975;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::base::OilBase;
+use super::error::OilError;
+use super::fit::{DECISIVE, LawFit, PointErrors, expected, fit_law};
+use super::helpful::{Helpful, helpful};
+use super::problem::{CONSTANTS, FACTOR, Nuisance, Priors, STATED, Zero};
+use super::reading::{Reading, SetPoint, set_points};
+use super::selection::{Dropped, Judged, judge};
+use crate::information::correlations;
+
+/// Factor on the linearised standard deviations: bands without it hold nine tenths of what they should (simulated fits).
+const LINEARISED: f64 = 1.15;
+/// Posterior over prior standard deviation above which a constant is not identified.
+const NOT_IDENTIFIED: f64 = 0.8;
+/// Correlation above which two constants are reported as their combination.
+const COMBINED: f64 = 0.95;
+/// Fewest points of a fit.
+const FEWEST: usize = 6;
+/// Least Hertz pressure of a fit \[Pa\].
+const LEAST_PRESSURE: f64 = 0.4e9;
+/// Squares per point above which no law explains the curves, and above which the error of the law is larger.
+const UNEXPLAINED: f64 = 3.0;
+const POORLY_EXPLAINED: f64 = 1.5;
+/// Squares per point below which the stated errors are too large.
+const OVERSTATED: f64 = 0.3;
+/// Standard deviations of a nuisance term that are worth a warning, and that no calibrated machine has.
+const UNUSUAL: f64 = 2.0;
+const IMPOSSIBLE: f64 = 3.0;
+/// Prior standard deviations of a constant that are worth a warning.
+const UNLIKE_FAMILY: f64 = 2.5;
+/// Possible Eyring stress \[MPa\], limiting shear stress over pressure and factor.
+const POSSIBLE: [(usize, [f64; 2]); 3] =
+    [(0, [1.0, 20.0]), (1, [0.01, 0.12]), (FACTOR, [0.4, 1.6])];
+
+/// Settings of a fit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FitSettings {
+    /// Whether the priors leave the constants to the points.
+    pub is_wide: bool,
+    /// Zeros of the friction.
+    pub zero: Zero,
+    /// Errors of points that state none.
+    pub errors: PointErrors,
+    /// Whether constants of no known oil are accepted.
+    pub is_forced: bool,
+}
+
+/// A constant with its band.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct FittedConstant {
+    /// Key.
+    pub key: String,
+    /// Name in words.
+    pub name: String,
+    /// Unit of the value.
+    pub unit: String,
+    /// Value.
+    pub value: f64,
+    /// 95 % band.
+    pub band: [f64; 2],
+    /// Value of the family.
+    pub prior: f64,
+    /// 95 % band of the family.
+    pub prior_band: [f64; 2],
+    /// Posterior over prior standard deviation, expected before the fit.
+    pub expected: f64,
+    /// The same after the fit.
+    pub posterior: f64,
+    /// Whether the points determine it.
+    pub is_identified: bool,
+    /// Setting at which ten more readings would help most, with the error left; for a constant that is not identified.
+    pub would_help: Option<String>,
+}
+
+/// A nuisance term.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct NuisanceTerm {
+    /// Meaning in words.
+    pub text: String,
+    /// Value in standard deviations of its prior.
+    pub deviations: f64,
+}
+
+/// A point of the fit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct TractionPointRow {
+    /// File.
+    pub file: String,
+    /// Line of its first reading.
+    pub line: usize,
+    /// Curve, from 1.
+    pub curve: usize,
+    /// Load \[N\].
+    pub load_n: f64,
+    /// Mean speed \[m/s\].
+    pub mean_speed_m_s: f64,
+    /// Slide-to-roll ratio \[%\].
+    pub slide_roll_percent: f64,
+    /// Temperature \[°C\].
+    pub temperature_c: f64,
+    /// Number of readings.
+    pub readings: usize,
+    /// Largest Hertz pressure \[GPa\].
+    pub pressure_gpa: f64,
+    /// Film over roughness.
+    pub film_ratio: f64,
+    /// Measured friction.
+    pub traction: f64,
+    /// Fitted friction with gain and zero; `None` if the point is dropped.
+    pub fitted: Option<f64>,
+    /// Residual in standard deviations.
+    pub residual_sigma: Option<f64>,
+    /// Rule that drops it.
+    pub dropped: Option<Dropped>,
+}
+
+/// Oil constants from traction curves.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct OilFit {
+    /// Program and version.
+    pub program: String,
+    /// Title.
+    pub title: String,
+    /// Files with their SHA-256.
+    pub sources: Vec<[String; 2]>,
+    /// Law of pressure of the fit.
+    pub pressure_law: String,
+    /// Whether the points decide it.
+    pub is_law_decided: bool,
+    /// Whether they decide it without the prior of the factor.
+    pub is_law_decided_by_points: bool,
+    /// Sum of squares of this law and of the other one.
+    pub total_squared: [f64; 2],
+    /// Squares of the points over their number.
+    pub squares_per_point: f64,
+    /// Standard deviation of the error of the law that a use of the constants adds.
+    pub law_error: f64,
+    /// Readings, set points and points of the fit.
+    pub counts: [usize; 3],
+    /// Set temperatures \[°C\] of the points of the fit.
+    pub temperatures_c: Vec<f64>,
+    /// Largest Hertz pressure \[GPa\] of the fit.
+    pub pressure_max_gpa: f64,
+    /// The constants.
+    pub constants: Vec<FittedConstant>,
+    /// Correlations of the constants.
+    pub correlations: Vec<Vec<f64>>,
+    /// The same constants by the other law.
+    pub other_law: Vec<FittedConstant>,
+    /// Nuisance terms, largest first.
+    pub nuisance: Vec<NuisanceTerm>,
+    /// Kept and dropped points.
+    pub points: Vec<TractionPointRow>,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
+}
+
+impl OilFit {
+    /// Fits the constants of `oil` to readings.
+    ///
+    /// # Errors
+    /// When too few points are kept or their pressure is too low, no law explains them, or the constants are those of no
+    /// oil.
+    pub fn of(
+        oil: &OilBase,
+        readings: &[Reading],
+        sources: Vec<[String; 2]>,
+        settings: FitSettings,
+    ) -> Result<Self, OilError> {
+        let points = set_points(readings);
+        let judged = points.par_iter().map(|point| judge(oil, point));
+        let judged = judged.collect::<Result<Vec<Judged>, OilError>>()?;
+        let both = || points.iter().zip(&judged);
+        let kept: Vec<SetPoint> = both()
+            .filter(|(_, judged)| judged.dropped.is_none())
+            .map(|(point, _)| point.clone())
+            .collect();
+        refuse_points(&points, &judged, kept.len())?;
+        let priors = match settings.is_wide {
+            true => Priors::wide(),
+            false => Priors::family(oil.deviations),
+        };
+        let FitSettings { zero, errors, .. } = settings;
+        let before = expected(oil, priors, zero, errors, &kept)?;
+        let laws = [PressureLaw::Barus, PressureLaw::Roelands];
+        let fits = laws
+            .par_iter()
+            .map(|law| fit_law(oil, *law, priors, zero, errors, &kept));
+        let mut fits = fits.collect::<Result<Vec<LawFit<'_>>, OilError>>()?;
+        fits.sort_by(|a, b| a.total_squared.total_cmp(&b.total_squared));
+        let [best, other] = [&fits[0], &fits[1]];
+        let further = helpful(oil, priors, zero, errors, &kept)?;
+        let found = Self {
+            program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
+            title: format!("Oil constants of {}", oil.name),
+            sources,
+            pressure_law: best.problem.law.name().to_owned(),
+            is_law_decided: other.total_squared - best.total_squared >= DECISIVE,
+            is_law_decided_by_points: other.without_factor_prior() - best.without_factor_prior()
+                >= DECISIVE,
+            total_squared: [best.total_squared, other.total_squared],
+            squares_per_point: best.squares_per_point(),
+            law_error: match best.squares_per_point() > POORLY_EXPLAINED {
+                true => 0.12,
+                false => 0.02,
+            },
+            counts: [readings.len(), points.len(), kept.len()],
+            temperatures_c: super::problem::distinct(
+                kept.iter().map(|point| point.reading.set_temperature_c),
+            ),
+            pressure_max_gpa: both()
+                .filter(|(_, judged)| judged.dropped.is_none())
+                .fold(0.0, |most: f64, (_, judged)| {
+                    most.max(1e-9 * judged.max_pressure)
+                }),
+            constants: constants(best, &before, &further),
+            correlations: stated_correlations(best),
+            other_law: constants(other, &before, &further),
+            nuisance: nuisance(best),
+            points: rows(&points, &judged, best),
+            warnings: Vec::new(),
+        };
+        found.refuse(&fits, settings.is_forced)?;
+        let warnings = found.warnings_of(best);
+        Ok(Self { warnings, ..found })
+    }
+
+    fn refuse(&self, fits: &[LawFit<'_>], is_forced: bool) -> Result<(), OilError> {
+        if fits.iter().all(|fit| fit.squares_per_point() > UNEXPLAINED) {
+            let mut worst: Vec<&TractionPointRow> = self.points.iter().collect();
+            let size = |row: &TractionPointRow| row.residual_sigma.map_or(0.0, f64::abs);
+            worst.sort_by(|a, b| size(b).total_cmp(&size(a)));
+            let worst = worst.iter().take(5).map(|row| {
+                let residual = row.residual_sigma.unwrap_or(0.0);
+                format!(
+                    "{}:{} ({:.0} °C, {:.2} GPa, {:.0} %) by {residual:+.0} sigma",
+                    row.file, row.line, row.temperature_c, row.pressure_gpa, row.slide_roll_percent
+                )
+            });
+            return Err(OilError::Unexplained {
+                per_point: self.squares_per_point,
+                worst: worst.collect::<Vec<String>>().join(", "),
+            });
+        }
+        if let Some(term) = self
+            .nuisance
+            .iter()
+            .find(|term| term.deviations.abs() > IMPOSSIBLE)
+        {
+            return Err(OilError::Nuisance {
+                text: term.text.clone(),
+                deviations: term.deviations,
+            });
+        }
+        for (k, [low, high]) in POSSIBLE.into_iter().filter(|_| !is_forced) {
+            let constant = &self.constants[k];
+            if !(low..=high).contains(&constant.value) {
+                return Err(OilError::NoOil {
+                    name: constant.name.clone(),
+                    value: constant.value,
+                    unit: constant.unit.clone(),
+                    low,
+                    high,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn warnings_of(&self, best: &LawFit<'_>) -> Vec<Warning> {
+        let mut texts = Vec::new();
+        for term in self
+            .nuisance
+            .iter()
+            .filter(|term| term.deviations.abs() > UNUSUAL)
+        {
+            texts.push(format!(
+                "{}: {:.1} standard deviations",
+                term.text, term.deviations
+            ));
+        }
+        if let [only] = self.temperatures_c[..] {
+            texts.push(format!(
+                "one temperature: the constants hold within 15 K of {only:.0} °C"
+            ));
+        }
+        let [_, points, kept] = self.counts;
+        if 2 * kept < points {
+            texts.push(format!("{} of {points} points are dropped", points - kept));
+        }
+        for k in [0, FACTOR] {
+            let deviations = best.x[k];
+            if deviations.abs() > UNLIKE_FAMILY {
+                texts.push(format!(
+                    "{} lies {deviations:+.1} standard deviations from the family of the base oil",
+                    self.constants[k].name
+                ));
+            }
+        }
+        if self.squares_per_point < OVERSTATED {
+            texts.push(format!(
+                "the residuals are {:.1} times the stated errors: the errors are too large",
+                self.squares_per_point.sqrt()
+            ));
+        }
+        if self.squares_per_point > POORLY_EXPLAINED {
+            texts.push(format!(
+                "the residuals are {:.1} times the stated errors: the error of the law is 12 %",
+                self.squares_per_point.sqrt()
+            ));
+        }
+        if !self.is_law_decided {
+            texts.push("the points do not decide the law of pressure".to_owned());
+        } else if !self.is_law_decided_by_points {
+            let text = "the law of pressure is decided by the pressure-viscosity coefficient, which must be known to 10 %";
+            texts.push(text.to_owned());
+        }
+        for (i, first) in self.constants.iter().enumerate() {
+            for (j, other) in self.constants.iter().enumerate().skip(i + 1) {
+                let correlation = self.correlations[i][j];
+                if correlation.abs() > COMBINED {
+                    texts.push(format!(
+                        "{} and {} are known only as their combination: correlation {correlation:+.2}",
+                        first.name, other.name
+                    ));
+                }
+            }
+        }
+        texts
+            .into_iter()
+            .map(|text| Warning::new("W441", text))
+            .collect()
+    }
+}
+
+fn refuse_points(points: &[SetPoint], judged: &[Judged], kept: usize) -> Result<(), OilError> {
+    if kept < FEWEST {
+        let counted = Dropped::ALL.into_iter().filter_map(|rule| {
+            let count = judged
+                .iter()
+                .filter(|one| one.dropped == Some(rule))
+                .count();
+            (count > 0).then(|| format!("{count}: {rule}"))
+        });
+        return Err(OilError::FewPoints {
+            kept,
+            points: points.len(),
+            dropped: counted.collect::<Vec<String>>().join("; "),
+        });
+    }
+    let kept = judged.iter().filter(|one| one.dropped.is_none());
+    let most = kept.fold(0.0, |most: f64, one| most.max(one.max_pressure));
+    match most < LEAST_PRESSURE {
+        true => Err(OilError::LowPressure { gpa: 1e-9 * most }),
+        false => Ok(()),
+    }
+}
+
+/// Values of the stated constants in the units of an oil file.
+fn values(of: &TractionConstants) -> [f64; STATED] {
+    [
+        1e-6 * of.eyring_stress.si(),
+        of.limiting_shear,
+        of.limiting_shear_fall.si(),
+        of.pressure_viscosity_factor,
+    ]
+}
+
+fn constants(
+    fit: &LawFit<'_>,
+    before: &[f64; CONSTANTS],
+    further: &[Option<Helpful>; STATED],
+) -> Vec<FittedConstant> {
+    const NAMES: [(&str, &str, &str); STATED] = [
+        ("eyring_stress", "Eyring stress", "MPa"),
+        ("limiting_shear", "limiting shear stress over pressure", ""),
+        (
+            "limiting_shear_temperature",
+            "fall of the limiting shear stress",
+            "1/K",
+        ),
+        ("pressure_viscosity_factor", "pressure-viscosity factor", ""),
+    ];
+    let priors = values(fit.problem.oil.rheology.constants());
+    let rows = NAMES.iter().enumerate().map(|(k, (key, name, unit))| {
+        let sd = fit.problem.priors.constants[k];
+        let (shift, posterior) = (sd * fit.x[k], fit.deviation(k) * LINEARISED);
+        let is_logarithm = k != 2;
+        let is_identified = posterior / LINEARISED <= NOT_IDENTIFIED;
+        let at = |shift: f64| match is_logarithm {
+            true => priors[k] * shift.exp(),
+            false => priors[k] + shift,
+        };
+        let band = |middle: f64, sd: f64| [-Z_975, Z_975].map(|z| at(middle + z * sd));
+        FittedConstant {
+            key: (*key).to_owned(),
+            name: (*name).to_owned(),
+            unit: (*unit).to_owned(),
+            value: at(shift),
+            band: band(shift, sd * posterior),
+            prior: priors[k],
+            prior_band: band(0.0, sd),
+            expected: before[k],
+            posterior: posterior / LINEARISED,
+            is_identified,
+            would_help: further[k].filter(|_| !is_identified).map(words),
+        }
+    });
+    rows.collect()
+}
+
+/// A further setting in words.
+fn words(further: Helpful) -> String {
+    let at = &further.setting;
+    format!(
+        "{} N, {} m/s, {} %, {:.0} °C: {:.0} % of the error left",
+        at.load.si(),
+        at.mean_speed.si(),
+        100.0 * at.slide_to_roll,
+        at.temperature.celsius(),
+        100.0 * further.posterior
+    )
+}
+
+fn stated_correlations(fit: &LawFit<'_>) -> Vec<Vec<f64>> {
+    let all = correlations(&fit.covariance);
+    (0..STATED)
+        .map(|i| (0..STATED).map(|j| all[(i, j)]).collect())
+        .collect()
+}
+
+fn nuisance(fit: &LawFit<'_>) -> Vec<NuisanceTerm> {
+    let readings = &fit.problem;
+    let temperature = |k: usize| {
+        let of = readings.points.iter().find(|point| point.temperature == k);
+        of.map_or(0.0, |point| point.setting.temperature.celsius())
+    };
+    let terms = readings.terms.iter().enumerate().map(|(k, term)| {
+        let deviations = fit.x[CONSTANTS + k];
+        let value = deviations * term.deviation;
+        let percent = 100.0 * value.abs();
+        let side = |more: &'static str, less: &'static str| if value > 0.0 { more } else { less };
+        let mut text = String::new();
+        // Writing into a string cannot fail.
+        let _ = match term.kind {
+            Nuisance::Gain(group) => write!(
+                text,
+                "the machine{} would have to read the friction {percent:.1} % {}",
+                match group {
+                    0 => String::new(),
+                    group => format!(" (group {})", group + 1),
+                },
+                side("high", "low")
+            ),
+            Nuisance::Zero(curve) => write!(
+                text,
+                "the zero of {} would have to be {value:+.4} of the friction",
+                curve.map_or("all curves".to_owned(), |curve| format!(
+                    "curve {}",
+                    curve + 1
+                ))
+            ),
+            Nuisance::Film => write!(
+                text,
+                "the film would have to be {percent:.1} % {} than computed",
+                side("thicker", "thinner")
+            ),
+            Nuisance::Conductivity => write!(
+                text,
+                "the specimens would have to conduct {percent:.0} % {}",
+                side("better", "worse")
+            ),
+            Nuisance::Rise => write!(
+                text,
+                "the specimens would have to warm by {:.2} K per watt",
+                (readings.points[0].machine.bulk_rise + value).max(0.0)
+            ),
+            Nuisance::Temperature(k) => write!(
+                text,
+                "your temperature sensor would have to read {:.1} K {} at {:.0} °C",
+                value.abs(),
+                side("low", "high"),
+                temperature(k)
+            ),
+        };
+        NuisanceTerm { text, deviations }
+    });
+    let mut terms: Vec<NuisanceTerm> = terms.collect();
+    terms.sort_by(|a, b| b.deviations.abs().total_cmp(&a.deviations.abs()));
+    terms
+}
+
+fn rows(points: &[SetPoint], judged: &[Judged], fit: &LawFit<'_>) -> Vec<TractionPointRow> {
+    let mut kept = 0..;
+    let row = |(point, judged): (&SetPoint, &Judged)| {
+        let reading = &point.reading;
+        let number = judged.dropped.is_none().then(|| kept.next()).flatten();
+        let fitted = number.map(|k| fit.fitted[k]);
+        let sigma = number.map(|k| fit.problem.points[k].sigma);
+        let residual = fitted
+            .zip(sigma)
+            .map(|(fitted, sigma)| (reading.traction - fitted) / sigma);
+        TractionPointRow {
+            file: reading.file.clone(),
+            line: reading.line,
+            curve: point.curve + 1,
+            load_n: reading.setting.load.si(),
+            mean_speed_m_s: reading.setting.mean_speed.si(),
+            slide_roll_percent: 100.0 * reading.setting.slide_to_roll,
+            temperature_c: reading.setting.temperature.celsius(),
+            readings: point.readings,
+            pressure_gpa: 1e-9 * judged.max_pressure,
+            film_ratio: judged.film_ratio,
+            traction: reading.traction,
+            fitted,
+            residual_sigma: residual,
+            dropped: judged.dropped,
+        }
+    };
+    points.iter().zip(judged).map(row).collect()
+}

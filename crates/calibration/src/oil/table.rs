@@ -1,0 +1,169 @@
+//! Readings of a traction machine from a table with named columns.
+//!
+//! | column | meaning |
+//! |---|---|
+//! | `load_n`, `mean_speed_m_s`, `slide_roll_percent`, `temperature_c` | setting; 200 % is pure sliding |
+//! | `traction` | friction coefficient |
+//! | `sigma` | its standard deviation |
+//! | `group` | name of a calibration of load and force, with a gain of its own |
+//! | `set_temperature_c` | temperature that the machine was set to; default the reading rounded to 5 K |
+//! | `ball_radius_mm`, `second_radius_mm` | radii of both bodies; default 9.525 mm and a flat |
+//! | `radius_rolling_mm`, `radius_across_mm` | relative radii along and across the motion, in place of both |
+//! | `youngs_modulus_gpa`, `poisson`, `conductivity_w_mk` | of both specimens |
+//! | `film_nm` | measured central film |
+
+use asperity_core::quantity::{Force, Length, Pressure, Speed, Temperature, ThermalConductivity};
+
+use super::machine::{Machine, Setting};
+use super::reading::Reading;
+use crate::error::{CalibrationError, RowFault};
+use crate::number_table::{NumberRow, NumberTable};
+
+/// Known columns.
+const KNOWN: [&str; 15] = [
+    "load_n",
+    "mean_speed_m_s",
+    "slide_roll_percent",
+    "temperature_c",
+    "traction",
+    "sigma",
+    "group",
+    "set_temperature_c",
+    "ball_radius_mm",
+    "second_radius_mm",
+    "radius_rolling_mm",
+    "radius_across_mm",
+    "youngs_modulus_gpa",
+    "poisson",
+    "conductivity_w_mk",
+];
+/// Column of a measured film.
+const FILM: &str = "film_nm";
+/// Columns that a table needs.
+const NEEDED: usize = 5;
+/// Prefixes of column names, with the known column of the quantity.
+const STEMS: [(&str, &str); 5] = [
+    ("load", "load_n"),
+    ("mean_speed", "mean_speed_m_s"),
+    ("speed", "mean_speed_m_s"),
+    ("slide", "slide_roll_percent"),
+    ("temperature", "temperature_c"),
+];
+/// Columns with their possible numbers, far wider than any machine needs.
+const POSSIBLE: [(&str, [f64; 2], &str); 13] = [
+    ("load_n", [0.01, 1e5], "N"),
+    ("mean_speed_m_s", [1e-4, 200.0], "m/s"),
+    ("slide_roll_percent", [-200.0, 200.0], "%"),
+    ("temperature_c", [-60.0, 250.0], "°C"),
+    ("set_temperature_c", [-60.0, 250.0], "°C"),
+    ("traction", [-1.0, 1.0], ""),
+    ("sigma", [1e-6, 0.1], ""),
+    ("ball_radius_mm", [0.1, 1e4], "mm"),
+    ("second_radius_mm", [0.1, 1e6], "mm"),
+    ("youngs_modulus_gpa", [10.0, 1000.0], "GPa"),
+    ("poisson", [0.0, 0.49], ""),
+    ("conductivity_w_mk", [0.1, 1000.0], "W/(m K)"),
+    ("film_nm", [0.1, 1e5], "nm"),
+];
+
+/// Reads a table; `machine` has radii, material and roughness of rows that state none.
+///
+/// # Errors
+/// When a column is missing or a row is not valid; lists all such rows.
+pub fn read_table(
+    name: &str,
+    text: &str,
+    machine: &Machine,
+) -> Result<Vec<Reading>, CalibrationError> {
+    let table = NumberTable::read(name, text)?;
+    let refuse = |rule: String| CalibrationError::Column {
+        file: name.to_owned(),
+        rule,
+    };
+    for column in &table.names {
+        let is_known = KNOWN.contains(&column.as_str()) || column == FILM;
+        let stem = STEMS.iter().find(|(stem, _)| column.starts_with(stem));
+        if let (Some((_, known)), false) = (stem, is_known) {
+            return Err(refuse(format!(
+                "column {column} is not known; give {known} in this unit"
+            )));
+        }
+    }
+    for needed in &KNOWN[..NEEDED] {
+        if !table.has(needed) {
+            return Err(refuse(format!("column {needed} is missing")));
+        }
+    }
+    table.all(name, |row| reading(name, row, machine))
+}
+
+fn reading(file: &str, row: NumberRow<'_>, machine: &Machine) -> Result<Reading, RowFault> {
+    for (column, [low, high], unit) in POSSIBLE {
+        let value = row.optional(column)?;
+        if let Some(value) = value.filter(|value| !(low..=high).contains(value)) {
+            let rule = format!("{value} {unit}; expected is {low} to {high} {unit}");
+            return Err(row.fault(column, rule));
+        }
+    }
+    let celsius = row.number("temperature_c")?;
+    let set = row.optional("set_temperature_c")?;
+    let film = row.optional(FILM)?;
+    Ok(Reading {
+        file: file.to_owned(),
+        line: row.line,
+        step: 0,
+        group: row.text("group").unwrap_or_default(),
+        machine: machine_of(row, machine)?,
+        setting: Setting {
+            load: Force::from_si(row.number("load_n")?),
+            mean_speed: Speed::from_si(row.number("mean_speed_m_s")?),
+            slide_to_roll: 0.01 * row.number("slide_roll_percent")?,
+            temperature: Temperature::from_celsius(celsius),
+        },
+        set_temperature_c: set.unwrap_or_else(|| Reading::rounded_temperature(celsius)),
+        traction: row.number("traction")?,
+        sigma: row.optional("sigma")?,
+        film: film.map(|nm| Length::from_si(1e-9 * nm)),
+    })
+}
+
+/// The machine of a row.
+fn machine_of(row: NumberRow<'_>, default: &Machine) -> Result<Machine, RowFault> {
+    let mut machine = *default;
+    let millimetres = |column| -> Result<Option<Length>, RowFault> {
+        let value = row.optional(column)?;
+        Ok(value.map(|mm| Length::from_si(1e-3 * mm)))
+    };
+    let ball = millimetres("ball_radius_mm")?;
+    let second = millimetres("second_radius_mm")?;
+    if ball.is_some() || second.is_some() {
+        let ball = ball.unwrap_or(default.radii[0]);
+        let made = Machine::ball_on_disc(ball, second, default.roughness);
+        let made = made.map_err(|error| row.fault("ball_radius_mm", error.to_string()))?;
+        machine.radii = made.radii;
+    }
+    let relative = [
+        millimetres("radius_rolling_mm")?,
+        millimetres("radius_across_mm")?,
+    ];
+    match relative {
+        [Some(along), Some(across)] if along.si() > 0.0 && across.si() > 0.0 => {
+            machine.radii = [along, across];
+        }
+        [None, None] => {}
+        _ => {
+            let rule = "needs radius_across_mm as well, both positive";
+            return Err(row.fault("radius_rolling_mm", rule));
+        }
+    }
+    if let Some(value) = row.optional("youngs_modulus_gpa")? {
+        machine.material.young = Pressure::from_si(1e9 * value);
+    }
+    if let Some(value) = row.optional("poisson")? {
+        machine.material.poisson = value;
+    }
+    if let Some(value) = row.optional("conductivity_w_mk")? {
+        machine.material.conductivity = ThermalConductivity::from_si(value);
+    }
+    Ok(machine)
+}

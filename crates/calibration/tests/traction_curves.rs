@@ -1,0 +1,310 @@
+//! Fits to simulated traction curves against an independent program, coverage of the bands, and refusals.
+//!
+//! The tables in `golden` are simulated by the law of the film with errors of a machine (gain 2 %, zero 0.0005, film 5 %,
+//! temperature 1 K, conductivity 20 %, bulk rise) and of points (2.5 % and 0.001); the fits of an independent program to
+//! them are the expected values below.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests may unwrap as tests do"
+)]
+
+use asperity::oil::{
+    BaseOil, FilmRheology, LubricantInput, PressureLaw, TractionConstants, ViscosityLaw,
+};
+use asperity_calibration::oil::fit::{PointErrors, fit_law};
+use asperity_calibration::oil::problem::{CONSTANTS, Nuisance, Priors, TractionProblem, Zero};
+use asperity_calibration::oil::selection::judge;
+use asperity_calibration::oil::{
+    FitSettings, Machine, OilBase, OilError, OilFit, Probe, Reading, SetPoint, is_pcs, read_pcs,
+    read_table, set_points,
+};
+use asperity_core::numerics::{Z_975, standard_normal_quantile};
+use asperity_core::quantity::{
+    Density, KinematicViscosity, Length, PerKelvin, Pressure, Temperature, ThermalConductivity,
+};
+use nalgebra::DVector;
+use rand_chacha::ChaCha8Rng;
+use rand_core::{Rng, SeedableRng};
+use rayon::prelude::*;
+
+const E_FLUID: &str = include_str!("golden/traction_e_fluid.csv");
+const MINERAL: &str = include_str!("golden/traction_mineral.csv");
+const ROELANDS: &str = include_str!("golden/traction_e_fluid_roelands.csv");
+
+/// Oil with the constants and priors of the reference fits, whatever the library says later.
+fn oil(is_mineral: bool) -> OilBase {
+    let (nu, density, family, stress) = match is_mineral {
+        true => ([96.0, 10.6], 882.0, BaseOil::Mineral, 5e6),
+        false => ([30.8, 5.9], 845.0, BaseOil::Pao, 4e6),
+    };
+    let lubricant = LubricantInput {
+        viscosity: Some(ViscosityLaw::AstmD341 {
+            at_40: KinematicViscosity::from_si(nu[0] * 1e-6),
+            at_100: KinematicViscosity::from_si(nu[1] * 1e-6),
+        }),
+        density: Some(Density::from_si(density)),
+        thermal_expansion: Some(PerKelvin::from_si(0.63 / density)),
+        base_oil: Some(family),
+        ..LubricantInput::default()
+    };
+    let lubricant = lubricant.resolve(Temperature::from_celsius(80.0)).unwrap();
+    let mut constants = TractionConstants {
+        eyring_stress: Pressure::from_si(stress),
+        ..TractionConstants::of(family).unwrap()
+    };
+    if is_mineral {
+        constants.conductivity = ThermalConductivity::from_si(0.137);
+        (constants.conductivity_rise, constants.conductivity_bend) = (1.72, 0.54);
+    }
+    let rheology = FilmRheology::new(&lubricant, family).unwrap();
+    OilBase {
+        name: "test".to_owned(),
+        rheology: rheology.with_constants(constants).unwrap(),
+        deviations: [0.19, 0.09, 0.10],
+    }
+}
+
+fn machine() -> Machine {
+    let length = Length::from_si;
+    Machine::ball_on_disc(length(9.525e-3), None, length(15e-9)).unwrap()
+}
+
+/// Settings of the reference fits.
+const REFERENCE: FitSettings = FitSettings {
+    is_wide: false,
+    zero: Zero::Common,
+    errors: PointErrors {
+        relative: 0.025,
+        floor: 1e-3,
+    },
+    is_forced: false,
+};
+
+fn fitted(oil: &OilBase, text: &str) -> OilFit {
+    let readings = read_table("curves.csv", text, &machine()).unwrap();
+    OilFit::of(oil, &readings, Vec::new(), REFERENCE).unwrap()
+}
+
+/// Values of the constants, and their bands as factors without the widening of linearised bands.
+fn check(found: &OilFit, law: &str, kept: usize, expected: [(f64, f64); 3], per_point: f64) {
+    assert_eq!((found.pressure_law.as_str(), found.counts[2]), (law, kept));
+    assert!(found.is_law_decided);
+    for (k, (value, factor)) in [0, 1, 3].into_iter().zip(expected) {
+        let constant = &found.constants[k];
+        println!("{} {} {:?}", constant.name, constant.value, constant.band);
+        assert!((constant.value / value - 1.0).abs() < 0.01, "{constant:?}");
+        let log = (constant.band[1] / constant.value).ln() / 1.15;
+        assert!((log.exp() / factor - 1.0).abs() < 0.01, "{constant:?}");
+    }
+    println!("{} {:?}", found.squares_per_point, found.total_squared);
+    assert!((found.squares_per_point - per_point).abs() < 0.05);
+}
+
+#[test]
+fn synthetic_curves_give_the_constants_of_an_independent_fit() {
+    let found = fitted(&oil(false), E_FLUID);
+    check(
+        &found,
+        "barus",
+        100,
+        [(4.784, 1.132), (0.0356, 1.173), (0.9511, 1.039)],
+        0.764,
+    );
+    assert!(
+        (found.total_squared[0] - 78.0).abs() < 2.0 && (found.total_squared[1] - 309.0).abs() < 6.0
+    );
+    // The stress of a thin polyalphaolefin stays below the limit at this pressure.
+    let identified: Vec<bool> = found
+        .constants
+        .iter()
+        .map(|one| one.is_identified)
+        .collect();
+    assert_eq!(identified, [true, false, false, true]);
+    let further = found.constants[1].would_help.as_deref().unwrap();
+    println!("{further}");
+    assert!(further.contains("70 N"), "{further}");
+    let found = fitted(&oil(true), MINERAL);
+    check(
+        &found,
+        "barus",
+        120,
+        [(4.192, 1.136), (0.0502, 1.129), (1.092, 1.041)],
+        found.squares_per_point,
+    );
+    assert!(
+        (found.total_squared[0] - 104.0).abs() < 2.0
+            && (found.total_squared[1] - 206.0).abs() < 6.0
+    );
+    assert!(found.constants[1].is_identified);
+    let found = fitted(&oil(false), ROELANDS);
+    assert_eq!(found.pressure_law, "roelands");
+    assert!(
+        (found.total_squared[0] - 105.0).abs() < 2.0
+            && (found.total_squared[1] - 261.0).abs() < 6.0
+    );
+}
+
+#[test]
+fn units_order_and_signs_of_the_rows_do_not_matter() {
+    let oil = oil(false);
+    let plain = fitted(&oil, E_FLUID);
+    let (head, rows): (Vec<&str>, Vec<&str>) = E_FLUID
+        .lines()
+        .partition(|line| line.starts_with(['#', 'l']));
+    let mut reversed = rows.clone();
+    reversed.reverse();
+    let reversed = [head.clone(), reversed].concat().join("\n");
+    assert_eq!(fitted(&oil, &reversed).constants, plain.constants);
+    let mirrored = |row: &&str| {
+        let cells: Vec<&str> = row.split(',').collect();
+        let [load, speed, slide, celsius, traction] = cells[..] else {
+            panic!("{row}")
+        };
+        let [slide, traction] = [slide, traction].map(|cell| -cell.parse::<f64>().unwrap());
+        format!("{load};{speed};{slide};{celsius};{traction}").replace('.', ",")
+    };
+    let mirrored: Vec<String> = rows.iter().map(mirrored).collect();
+    let semicolons = head.last().unwrap().replace(',', ";");
+    let mirrored = format!("{semicolons}\n{}\n", mirrored.join("\n"));
+    for (one, other) in fitted(&oil, &mirrored)
+        .constants
+        .iter()
+        .zip(&plain.constants)
+    {
+        // Both fits end within 1e-10 of the sum of squares, 1e-5 of a standard deviation.
+        let sd = (other.band[1] - other.band[0]) / 4.0;
+        assert!(
+            (one.value - other.value).abs() < 1e-4 * sd,
+            "{one:?} {other:?}"
+        );
+    }
+}
+
+/// The rows of a table as an export of a machine: first columns repeated, friction and forces rounded.
+fn export(table: &str, lube_below_pot: f64) -> String {
+    let mut text = String::from("MTM311 Test Data File\r\nLubricant name:\tx\r\n\r\n");
+    let mut last = String::new();
+    let mut rows: Vec<Vec<f64>> = table
+        .lines()
+        .filter(|line| !line.starts_with(['#', 'l']))
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+        .collect();
+    let key = |row: &Vec<f64>| [row[3], row[0], row[1], row[2]];
+    rows.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap());
+    for row in rows {
+        let [load, speed, slide, celsius, traction] = row[..] else {
+            panic!()
+        };
+        let step = format!("{celsius} {load} {speed}");
+        if step != last {
+            text.push_str(
+                "\r\nStep 1 started at 23/03/2018 10:01:00\r\nStep type\tBOD_TRACTION\r\n",
+            );
+            text.push_str("SRR (%)\tTraction Coeff (-)\t\tPot RTD Temp (degC)\tLube RTD Temp (degC)\tBall Load (N)\tRolling Speed (mm/s)\tSliding Speed (mm/s)\tSRR (%)\tTraction Force (N)\tTraction Coeff (-)\r\n");
+            last = step;
+        }
+        let friction = format!("{traction:.4}");
+        let rounded: f64 = friction.parse().unwrap();
+        text.push_str(&format!(
+            "{slide:.3}\t{friction}\t\t{celsius}\t{:.1}\t{load:.3}\t{:.2}\t{:.2}\t{slide:.3}\t{:.4}\t{friction}\r\n",
+            celsius - lube_below_pot, 1000.0 * speed, 10.0 * speed * slide, rounded * load
+        ));
+    }
+    text
+}
+
+#[test]
+fn an_export_of_a_machine_gives_the_constants_of_its_table() {
+    let text = export(E_FLUID, 0.0);
+    assert!(is_pcs(&text) && !is_pcs(E_FLUID));
+    let readings = read_pcs("mtm.txt", &text, &machine(), Probe::Lube).unwrap();
+    assert_eq!(readings.len(), 120);
+    let found = OilFit::of(&oil(false), &readings, Vec::new(), REFERENCE).unwrap();
+    let values = [0, 1, 3].map(|k| found.constants[k].value);
+    // Friction has four decimals in the file.
+    for (value, expected) in values.into_iter().zip([4.786, 0.0356, 0.9511]) {
+        assert!((value / expected - 1.0).abs() < 2e-3, "{value} {expected}");
+    }
+    let air = export(E_FLUID, 100.0);
+    let refused = read_pcs("mtm.txt", &air, &machine(), Probe::Lube).unwrap_err();
+    assert!(matches!(refused, OilError::Air { .. }), "{refused}");
+    assert_eq!(
+        read_pcs("mtm.txt", &air, &machine(), Probe::Pot)
+            .unwrap()
+            .len(),
+        120
+    );
+    let wrong = text.replacen("\t10.00\t1.000\t", "\t90.00\t1.000\t", 1);
+    let refused = read_pcs("mtm.txt", &wrong, &machine(), Probe::Lube).unwrap_err();
+    assert!(matches!(refused, OilError::Row { .. }), "{refused}");
+}
+
+/// Readings of the plan of the reference tables.
+fn plan() -> Vec<Reading> {
+    read_table("plan.csv", E_FLUID, &machine()).unwrap()
+}
+
+/// A machine with errors drawn from the priors measures an oil drawn from its family: readings, and the variables.
+fn simulated(oil: &OilBase, points: &[SetPoint], seed: u64) -> (Vec<SetPoint>, [f64; CONSTANTS]) {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let mut normal = || {
+        standard_normal_quantile(((random.next_u64() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64)
+    };
+    let priors = Priors::family(oil.deviations);
+    let problem = TractionProblem::new(oil, PressureLaw::Barus, priors, Zero::Common, points);
+    let mut x = DVector::from_fn(problem.variables(), |_, _| normal());
+    for (k, term) in problem.terms.iter().enumerate() {
+        if term.kind == Nuisance::Rise {
+            // At least 0: the median is one standard deviation above it.
+            x[CONSTANTS + k] = x[CONSTANTS + k].max(-1.0);
+        }
+    }
+    let friction = problem.predicted(&x).unwrap();
+    let measured = points.iter().zip(friction).map(|(point, mu)| {
+        let mut point = point.clone();
+        point.reading.traction = mu + (0.025 * mu).hypot(1e-3) * normal();
+        point
+    });
+    (measured.collect(), std::array::from_fn(|k| x[k]))
+}
+
+/// Share of the bands with the factor 1.15 that hold the truth, for each stated constant.
+fn coverage(is_mineral: bool, oils: u64) -> [f64; 4] {
+    let oil = oil(is_mineral);
+    let points: Vec<SetPoint> = set_points(&plan())
+        .into_iter()
+        .filter(|point| judge(&oil, point).unwrap().dropped.is_none())
+        .collect();
+    let held: Vec<[bool; 4]> = (0..oils)
+        .into_par_iter()
+        .map(|seed| {
+            let (measured, truth) = simulated(&oil, &points, 1000 + seed);
+            let priors = Priors::family(oil.deviations);
+            let errors = REFERENCE.errors;
+            let fit = fit_law(
+                &oil,
+                PressureLaw::Barus,
+                priors,
+                Zero::Common,
+                errors,
+                &measured,
+            );
+            let fit = fit.unwrap();
+            std::array::from_fn(|k| (fit.x[k] - truth[k]).abs() < 1.15 * Z_975 * fit.deviation(k))
+        })
+        .collect();
+    std::array::from_fn(|k| held.iter().filter(|one| one[k]).count() as f64 / oils as f64)
+}
+
+#[test]
+fn bands_hold_the_constants_of_oils_drawn_from_their_family() {
+    for (is_mineral, oils) in [(false, 100), (true, 50)] {
+        let shares = coverage(is_mineral, oils);
+        println!("mineral {is_mineral}: {shares:?}");
+        for share in shares {
+            assert!((0.88..=1.0).contains(&share), "{is_mineral}: {shares:?}");
+        }
+    }
+}
