@@ -91,7 +91,7 @@ pub fn besides_file(file: &Path, common: &Common) -> Result<Common, Failure> {
     })
 }
 
-fn is_standard_output(file: &Path) -> bool {
+pub fn is_standard_output(file: &Path) -> bool {
     file == Path::new("-")
 }
 
