@@ -91,6 +91,7 @@ pub fn besides_file(file: &Path, common: &Common) -> Result<Common, Failure> {
     })
 }
 
+/// Whether a file name means standard output.
 pub fn is_standard_output(file: &Path) -> bool {
     file == Path::new("-")
 }
