@@ -108,6 +108,16 @@ pub enum Command {
         asperity demo --gears vw-id3-1\n\n\
         Certainty: A read in the source, B quoted by others, C derived, assumed: not known of these gears.")]
     Gears(PresetArgs),
+    /// Ask ten questions, and write a commented case with the answers
+    #[command(
+        after_help = "Examples:\n  asperity new my-case.toml\n  asperity new - < answers.txt\n\n\
+        An empty answer takes the default in brackets; each line of standard input is an answer."
+    )]
+    New {
+        /// Case file to write; - is standard output
+        #[arg(default_value = "case.toml")]
+        output: PathBuf,
+    },
     /// Make a case from the file of another program
     #[command(subcommand)]
     Case(CaseCommand),

@@ -84,6 +84,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Oils(args) => commands::oils::oils(args, common),
         Command::Steels(args) => commands::steels::steels(args, common),
         Command::Gears(args) => commands::gears::gears(args, common),
+        Command::New { output } => commands::new_case::new_case(output, common),
         Command::Case(CaseCommand::FromRexs(args)) => commands::from_rexs::from_rexs(args, common),
         Command::Demo {
             folder,

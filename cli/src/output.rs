@@ -91,7 +91,8 @@ pub fn besides_file(file: &Path, common: &Common) -> Result<Common, Failure> {
     })
 }
 
-fn is_standard_output(file: &Path) -> bool {
+/// Whether a file name means standard output.
+pub fn is_standard_output(file: &Path) -> bool {
     file == Path::new("-")
 }
 

@@ -26,6 +26,7 @@ mod kills;
 mod map;
 mod micropitting;
 mod mutated;
+mod new_case;
 #[cfg(unix)]
 mod odd_files;
 mod oil;

@@ -137,6 +137,7 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ),
     ("film", "case", Read, "@"),
     ("profile info", "files", Read, "@"),
+    ("oil traction", "output", Written, "m100 -o @"),
     ("profile compare", "files", Read, "pinion.csv @"),
     ("profile plot", "file", Read, "@"),
     ("profile plot", "output", Written, "pinion.csv -o @"),
@@ -148,6 +149,7 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ("profile generate", "like", Read, "--like @ -o new.csv"),
     ("profile generate", "output", Written, "-o @"),
     ("demo", "folder", Written, "@"),
+    ("new", "output", Written, "@"),
 ];
 
 /// Smooth contact for `ehl` without a case.

@@ -1,6 +1,6 @@
 //! Surfaces of instruments in the command and in cases.
 
-use crate::bench::{Bench, heights, rows, with_line};
+use crate::bench::{Bench, heights, rows, trace, with_line};
 
 /// A Digital Surf file of `count` rows of `points` points, 0.5 um apart, of this kind of content.
 fn sur(points: usize, count: usize, kind: i16, replica: i16) -> Vec<u8> {
@@ -77,6 +77,12 @@ fn a_surface_gives_a_row_or_its_mean() {
     let json = info(&["--json"]).json();
     assert_eq!(json["rows"], 3);
     assert!(json["areal"]["sdr"].as_f64().unwrap() > 0.0, "{json:#}");
+    assert_eq!(json["error"]["code"], "E119");
+    // A trace without parameters is one document too.
+    bench.write("short.csv", trace("x_um,z_um", 150));
+    let short = bench.run(&["profile", "info", "short.csv", "--json"]);
+    assert_eq!(short.json()["error"]["code"], "E120");
+    assert!(short.err.starts_with("E120 "), "{}", short.err);
     let ra = |more: &[&str]| {
         let found = info(&[more, &["--json"]].concat()).well().json();
         (
@@ -108,6 +114,17 @@ fn a_case_takes_lines_of_a_surface() {
     let row = of("pinion = { file = \"flank.sur\", row = 2 }");
     let mean = of("pinion = { file = \"flank.sur\", line = \"mean\" }");
     assert_ne!(row, mean);
+    // Rows 1 and 3 of three, each a tooth of its own.
+    let rows = of("pinion = { file = \"flank.sur\", rows = 2 }");
+    let listed = of(
+        "pinion = { traces = [{ file = \"flank.sur\", row = 1 }, { file = \"flank.sur\", row = 3 }] }",
+    );
+    assert_eq!(rows, listed);
+    assert_ne!(rows, row);
+    let said = run("pinion = { file = \"flank.sur\", rows = 4 }");
+    said.refused_json("E209", "surface.pinion.rows = 4");
+    let said = run("pinion = { file = \"flank.sur\", rows = 2, row = 1 }");
+    said.refused_json("E205", "leave row and line out");
     let said = run("pinion = { file = \"pinion.csv\", line = \"mean\" }");
     let says = "surface.pinion.file: this file holds a single profile; leave line out";
     assert!(said.err.contains(says), "{}", said.err);

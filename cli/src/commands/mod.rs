@@ -17,6 +17,7 @@ pub mod from_rexs;
 pub mod gear;
 pub mod gears;
 pub mod map;
+pub mod new_case;
 pub mod oil;
 pub mod oils;
 mod presets;

@@ -9,7 +9,7 @@ use asperity_core::quantity::{
     Temperature, ThermalConductivity,
 };
 
-/// Viscosity law and its values; the law may be left out where the two values of a data sheet are given.
+/// Viscosity law and its values; the law may be left out where the two values of a data sheet, or grade and index, are given.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "law", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ViscosityLaw {
@@ -19,6 +19,13 @@ pub enum ViscosityLaw {
         at_40: KinematicViscosity,
         /// Kinematic viscosity at 100 °C.
         at_100: KinematicViscosity,
+    },
+    /// ASTM D341 through the viscosities of an ISO VG grade and a viscosity index.
+    IsoVg {
+        /// Grade of ISO 3448: 100 or `"ISO VG 100"`.
+        grade: f64,
+        /// Viscosity index of ASTM D2270.
+        viscosity_index: f64,
     },
     /// Vogel's law η = K·exp(b/(T − θ)).
     Vogel {

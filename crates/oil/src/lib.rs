@@ -42,6 +42,7 @@ mod pressure_viscosity;
 mod rheology;
 mod shear_law;
 mod traction_constants;
+pub mod viscosity_index;
 mod viscosity_pressure;
 mod viscosity_table;
 mod viscosity_temperature;

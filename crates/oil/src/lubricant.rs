@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     AstmD341, BaseOil, DensityLine, GivenViscosity, LubricantError, LubricantInput,
     TractionConstants, ViscosityLaw, Vogel, cragoe_conductivity, cragoe_heat_capacity,
-    gold_pressure_viscosity, library, plausible_pressure_viscosity,
+    gold_pressure_viscosity, library, plausible_pressure_viscosity, viscosity_index,
 };
 use asperity_core::quantity::{
     Density, DynamicViscosity, KinematicViscosity, PerKelvin, PressureViscosity, SpecificHeat,
@@ -236,6 +236,17 @@ impl LubricantInput {
         match law {
             ViscosityLaw::AstmD341 { at_40, at_100 } => {
                 second("astm-d341")?;
+                Ok(Viscosity::AstmD341(AstmD341::from_data_sheet(
+                    at_40, at_100,
+                )?))
+            }
+            ViscosityLaw::IsoVg {
+                grade,
+                viscosity_index: index,
+            } => {
+                second("iso-vg")?;
+                let at_40 = viscosity_index::grade(grade)?;
+                let at_100 = viscosity_index::viscosity_at_100(at_40, index)?;
                 Ok(Viscosity::AstmD341(AstmD341::from_data_sheet(
                     at_40, at_100,
                 )?))

@@ -24,7 +24,7 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
             Err(failure) if failure.is_of_several() && args.reading.row.is_none() => {
                 let is_shown = surface_facts::print(file, args, common, &failure)?;
                 return Err(match is_shown && common.json {
-                    true => failure.printed(),
+                    true => within_json(failure),
                     false => failure,
                 });
             }
@@ -45,7 +45,7 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
             // What was read is shown even if it has no parameters.
             Err(failure) if common.json => {
                 print_json(&facts.json(&failure))?;
-                Err(failure)
+                Err(within_json(failure))
             }
             Err(failure) => {
                 let lines = case_lines(file, args, args.preparing.lambda_c);
@@ -93,6 +93,12 @@ pub fn compare(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
     let rows = all.map(|evaluated_file| Ok(FileRow::of(&evaluated_file?)));
     let rows = rows.collect::<Result<Vec<_>, Failure>>()?;
     print_text(common, &(table(&rows) + &ratios(&rows)))
+}
+
+/// An error that is part of the JSON already printed: only its text remains to be printed.
+fn within_json(failure: Failure) -> Failure {
+    failure.print();
+    failure.printed()
 }
 
 fn refused_entry(file: &Path, failure: &Failure) -> serde_json::Value {

@@ -114,6 +114,33 @@ pub(super) fn listed(
     Ok(traces)
 }
 
+/// `rows` of the `has` rows of the surface of a flank, in the middles of as many equal parts.
+pub(super) fn rows(
+    flank: &FlankInput,
+    rows: usize,
+    has: usize,
+    section: Section<'_>,
+) -> Result<Vec<Listed>, CaseError> {
+    if flank.row.is_some() || flank.line.is_some() {
+        return Err(section.conflict("rows", "takes several rows; leave row and line out"));
+    }
+    let name = "number of rows";
+    let rule = "must be from 1 to the number of rows of the surface";
+    DomainError::require((1..=has).contains(&rows), name, rows as f64, "-", rule)
+        .map_err(section.domain("rows"))?;
+    let listed = |k: usize| {
+        let row = (2 * k + 1) * has / (2 * rows) + 1;
+        let mut trace = Listed::alone(&FlankInput {
+            row: Some(row),
+            rows: None,
+            ..flank.clone()
+        });
+        trace.tooth = k;
+        trace
+    };
+    Ok((0..rows).map(listed).collect())
+}
+
 /// Files whose names match `text`, sorted.
 fn matching(
     text: &str,

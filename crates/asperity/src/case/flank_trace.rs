@@ -10,7 +10,7 @@ use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::steepness::implausible;
 use asperity_profile_io::read::{
-    LengthUnit, ReadError, ReadOptions, Reading, read_with_conditions,
+    LengthUnit, ReadError, ReadOptions, Reading, read_surface_bytes, read_with_conditions,
 };
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::outliers::{OutlierRecord, Outliers, replace};
@@ -91,8 +91,21 @@ pub(super) fn traces_of(
 ) -> Result<Vec<Listed>, CaseError> {
     let section = Section::of(context.source, keys.table);
     let Some(list) = &input.traces else {
-        return Ok(vec![Listed::alone(input)]);
+        return match (input.rows, &input.file) {
+            (None, _) => Ok(vec![Listed::alone(input)]),
+            (Some(_), None) => Err(section.conflict("rows", "needs file, the surface")),
+            (Some(rows), Some(file)) => {
+                let has = surface_rows(input, file, keys, context)?;
+                flank_sample::rows(input, rows, has, section)
+            }
+        };
     };
+    if input.rows.is_some() {
+        return Err(section.conflict(
+            "rows",
+            "takes rows of file; a list names a row of each file",
+        ));
+    }
     if input.file.is_some() || input.rq.or(input.ra).or(input.rz).is_some() {
         let rule = "stands in place of file and of rq, ra and rz; give one of them";
         return Err(section.conflict("traces", rule));
@@ -435,6 +448,27 @@ fn read_trace(
     })
 }
 
+/// Number of rows of the surface in `file`.
+fn surface_rows(
+    input: &FlankInput,
+    file: &Path,
+    keys: &Keys,
+    context: Context<'_>,
+) -> Result<usize, CaseError> {
+    let source = context.source;
+    let (content, _) = context.files.open(file, source, keys.file.clone())?;
+    let Content::Bytes(bytes) = content else {
+        return Ok(1);
+    };
+    let name = file.display().to_string();
+    let surface = read_surface_bytes(&name, &bytes, &read_options(input));
+    let refused = |error| CaseError::Profile {
+        place: source.place_of(&keys.file),
+        source: Box::new(error),
+    };
+    Ok(surface.map_err(refused)?.rows)
+}
+
 /// Options of the reader from the keys of a flank.
 fn read_options(input: &FlankInput) -> ReadOptions {
     // The other keys name the trace, its place, or roughness values.
@@ -457,6 +491,7 @@ fn read_options(input: &FlankInput) -> ReadOptions {
         mirrored: _,
         from: _,
         at: _,
+        rows: _,
         finish: _,
         rq: _,
         ra: _,

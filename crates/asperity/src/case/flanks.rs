@@ -66,7 +66,8 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     let wheel_input = own_wheel.cloned();
     let wheel_input = wheel_input.unwrap_or_else(|| pinion_input.for_wheel());
     let keys = keys_of(side, own_wheel.is_some());
-    if pinion_input.traces.is_some() && own_wheel.is_none() {
+    let is_list = pinion_input.traces.is_some() || pinion_input.rows.is_some();
+    if is_list && own_wheel.is_none() {
         return Err(CaseError::Conflict {
             place: source.place_of(&keys[0].traces()),
             key: keys[1].table.into(),

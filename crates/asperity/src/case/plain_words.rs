@@ -34,7 +34,8 @@ pub(super) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String 
         if key == Some("lubricant.viscosity") && seen.to_lowercase().contains("vg") {
             return format!(
                 "{seen} states the viscosity at 40 °C only; write both values of the data sheet, \
-                 {{ at_40 = \"100 mm2/s\", at_100 = \"11.2 mm2/s\" }}, or name an oil of the library"
+                 {{ at_40 = \"100 mm2/s\", at_100 = \"11.2 mm2/s\" }}, or the viscosity index, \
+                 {{ grade = 100, viscosity_index = 95 }}, or name an oil of the library"
             );
         }
         return format!("{seen} does not fit, expected {}{meaning}", noun(expected));

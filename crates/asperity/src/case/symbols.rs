@@ -135,15 +135,29 @@ pub(super) fn moved(root: &mut Table, from: &str, to: &str) {
     }
 }
 
-/// Names the law of a viscosity that is stated by the two values of a data sheet alone.
+/// Names the law of a viscosity that is stated by the two values of a data sheet alone, or by grade and index.
 pub(super) fn name_viscosity_law(root: &mut Table) {
     let Some((viscosity, law)) = parent(root, "lubricant.viscosity.law", false) else {
         return;
     };
-    if !viscosity.contains_key(law)
-        && (viscosity.contains_key("at_40") || viscosity.contains_key("at_100"))
+    // "ISO VG 100" is the number of its grade.
+    if let Some(text) = viscosity.get("grade").and_then(Value::as_str)
+        && let Ok(grade) = text
+            .trim_start_matches(|c: char| !c.is_ascii_digit())
+            .parse::<f64>()
     {
-        viscosity.insert(law.to_owned(), Value::from("astm-d341"));
+        viscosity.insert("grade".to_owned(), Value::from(grade));
+    }
+    if viscosity.contains_key(law) {
+        return;
+    }
+    let named = [
+        ("at_40", "astm-d341"),
+        ("at_100", "astm-d341"),
+        ("grade", "iso-vg"),
+    ];
+    if let Some((_, name)) = named.iter().find(|(key, _)| viscosity.contains_key(*key)) {
+        viscosity.insert(law.to_owned(), Value::from(*name));
     }
 }
 
@@ -272,6 +286,10 @@ mod tests {
         let short: CaseInput = text(both).parse().unwrap();
         let named = text(&format!("law = \"astm-d341\", {both}"));
         assert_eq!(short, named.parse().unwrap());
+        let grade = text("grade = \"ISO VG 68\", viscosity_index = 100");
+        let number = text("law = \"iso-vg\", grade = 68, viscosity_index = 100");
+        let [grade, number] = [grade, number].map(|text| text.parse::<CaseInput>().unwrap());
+        assert_eq!(grade, number);
         let refused = text("at_40 = \"68 mm2/s\"")
             .parse::<CaseInput>()
             .unwrap_err()

@@ -287,8 +287,8 @@ fn viscosity(loaded: &LoadedCase, factor: f64) -> Result<ViscosityLaw, Error> {
             dynamic_viscosity: *dynamic_viscosity * factor,
             temperature: *temperature,
         },
-        // An oil of the library.
-        None => {
+        // An oil of the library, or a grade with its index.
+        None | Some(ViscosityLaw::IsoVg { .. }) => {
             let at = |celsius: f64| {
                 let state = loaded.case.lubricant.at(Temperature::from_celsius(celsius));
                 state.map(|state| times(state.value.kinematic_viscosity))
