@@ -200,6 +200,7 @@ impl Windows {
         let settings = RefereeSettings {
             record: RecordSettings::default(),
             eyring_stress: None,
+            with_heat: false,
             beginning: 0,
         };
         let contact = RefereeContact::of(&loaded, condition.position, &settings).unwrap();

@@ -49,9 +49,10 @@ pub struct ShareComparison {
     pub referee_share: f64,
     /// Mean film of the reference solution \[µm\].
     pub referee_mean_film_um: f64,
-    /// Friction of the reference solution with the weight of the laws, e^(−h/h_b), on its boundary friction.
+    /// Friction of the reference solution with the heat of film and surfaces, as the laws have it, and with their weight e^(−h/h_b)
+    /// on its boundary friction.
     pub referee_friction: Option<f64>,
-    /// Friction of the reference solution with whole boundary friction on its contact nodes.
+    /// Friction of the reference solution with heat and whole boundary friction on its contact nodes.
     pub referee_friction_shifted: Option<f64>,
     /// Windows that the laws are averaged over.
     pub windows: usize,
@@ -71,7 +72,7 @@ pub struct ComparedWindow {
     roughness: Roughness,
 }
 
-/// Compares the load-share laws with `record` of `contact`.
+/// Compares the load-share laws with `record` of `contact`, made with heat.
 ///
 /// # Errors
 /// When a window leaves its trace, a rough contact does not converge or a law refuses the numbers.
@@ -89,6 +90,7 @@ pub fn shares(
     let [rough, smooth] =
         [settings, smooth].map(|settings| solved(loaded, contact, &windows, &settings));
     let referee_share = referee_share(record);
+    let friction = record.heated.map(|heated| heated.friction);
     let row = |law, share: Option<f64>, gap, friction| LawShare {
         law,
         solid_share: share,
@@ -108,8 +110,8 @@ pub fn shares(
     Ok(ShareComparison {
         referee_share,
         referee_mean_film_um: record.mean_film.mean * 1e6,
-        referee_friction: record.friction.map(|friction| friction.graded.mean),
-        referee_friction_shifted: record.friction.map(|friction| friction.shifted.mean),
+        referee_friction: friction.map(|friction| friction.graded.mean),
+        referee_friction_shifted: friction.map(|friction| friction.shifted.mean),
         windows: windows.len(),
         laws: vec![
             by_contact("solved", &rough?),
