@@ -21,7 +21,7 @@ use asperity_mixed_film::{
 };
 
 /// Windows of the traces that the laws are averaged over.
-const WINDOWS: usize = 8;
+pub const WINDOWS: usize = 8;
 /// Half width of a window in Hertz half-widths.
 const HALF_WINDOW: f64 = 3.0;
 /// The golden section, as the offsets of a run are spread.
@@ -81,7 +81,7 @@ pub fn shares(
     contact: &RefereeContact,
     record: &Record,
 ) -> Result<ShareComparison, RefereeError> {
-    let windows = compared_windows(loaded, contact)?;
+    let windows = compared_windows(loaded, contact, WINDOWS)?;
     let settings = share_settings(loaded, contact)?;
     let smooth = LoadShareSettings {
         supply: InletSupply::Smooth,
@@ -195,13 +195,14 @@ fn solved(
     windows.iter().map(share).collect()
 }
 
-/// The windows of `contact` over which [`shares`] averages, with their rough contacts.
+/// `count` windows of `contact` with their rough contacts; [`shares`] averages over [`WINDOWS`].
 ///
 /// # Errors
 /// When a window leaves its trace or a rough contact does not converge.
 pub fn compared_windows(
     loaded: &LoadedCase,
     contact: &RefereeContact,
+    count: usize,
 ) -> Result<Vec<ComparedWindow>, RefereeError> {
     let case = &loaded.case;
     let line = contact.position.line_contact(case.modulus, case.materials);
@@ -215,14 +216,14 @@ pub fn compared_windows(
         case.preparation.lambda_s,
         loaded.surfaces.same_trace,
     );
-    (0..WINDOWS)
+    (0..count)
         .into_par_iter()
         .map(|k| {
             let place = |part: f64, length: usize| {
                 (part * length.saturating_sub(points) as f64).round() as usize
             };
             let starts = [
-                place((k as f64 + 0.5) / WINDOWS as f64, first.len()),
+                place((k as f64 + 0.5) / count as f64, first.len()),
                 place((0.5 + k as f64 * GOLDEN_SECTION).fract(), second.len()),
             ];
             let cut = |k: usize| {
