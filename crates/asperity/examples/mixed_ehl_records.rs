@@ -19,7 +19,7 @@ use asperity::ehl::{RecordSettings, transient};
 use asperity::lubrication::FormulaFilm;
 use asperity::quantity::Length;
 use asperity::quantity::Pressure;
-use asperity::reference_solution::{RefereeContact, RefereeSettings, record_heat, record_warnings};
+use asperity::reference_solution::{RefereeContact, RefereeSettings, record_warnings};
 use asperity::roughness::generate::{
     Ground, HeightDistribution, NonGaussian, PlateauHoned, SelfAffine,
 };
@@ -183,6 +183,16 @@ impl Condition {
                 "operation.speed",
                 format!("{} 1/min", pitch_line * FZG_TURNS),
             )],
+        }
+    }
+
+    /// The settings of its record, with heat.
+    pub fn settings(&self, record: &RecordSettings) -> RefereeSettings {
+        RefereeSettings {
+            record: record.clone(),
+            eyring_stress: Some(EYRING_STRESS[usize::from(self.case == FZG)]),
+            with_heat: true,
+            beginning: 0,
         }
     }
 
@@ -480,21 +490,10 @@ pub const COLUMNS: [&str; 33] = [
     "seconds",
 ];
 
-/// The settings of a condition's record.
-fn at(condition: &Condition, settings: &RecordSettings) -> RefereeSettings {
-    RefereeSettings {
-        record: settings.clone(),
-        eyring_stress: Some(EYRING_STRESS[usize::from(condition.case == FZG)]),
-        beginning: 0,
-    }
-}
-
 /// A row of the table.
 fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
     let loaded = condition.load(Path::new("."))?;
-    let settings = at(condition, settings);
-    let mut contact = RefereeContact::of(&loaded, condition.position, &settings)?;
-    contact.record.heat = Some(record_heat(&loaded, &settings)?);
+    let contact = RefereeContact::of(&loaded, condition.position, &condition.settings(settings))?;
     let begin = Instant::now();
     let solved = transient::record(&contact.rough, &contact.record)?;
     let seconds = begin.elapsed().as_secs_f64();
@@ -589,7 +588,7 @@ pub fn main() -> Outcome<()> {
         for condition in chosen {
             let loaded = condition.load(Path::new("."))?;
             let contact =
-                RefereeContact::of(&loaded, condition.position, &at(condition, &settings))?;
+                RefereeContact::of(&loaded, condition.position, &condition.settings(&settings))?;
             let ratio = roughness_over_film(&loaded, &contact)?;
             println!("{},{ratio:.5}", condition.name);
         }

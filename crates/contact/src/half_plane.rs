@@ -86,22 +86,38 @@ impl HalfPlane {
         pressure: &[f64],
         displacement: &mut [f64],
     ) -> Result<(), ContactError> {
-        cite!("P1");
         cite_kernel(self.boundary);
-        let need = self.filter.points();
-        for (name, got) in [
-            ("pressure", pressure.len()),
-            ("displacement", displacement.len()),
-        ] {
-            if got != need {
-                return Err(ContactError::WrongLength { name, need, got });
-            }
-        }
-        self.filter
-            .filter(&mut self.buffers, self.compliance, pressure);
-        displacement.copy_from_slice(self.buffers.signal(need));
-        Ok(())
+        displace(
+            &self.filter,
+            &mut self.buffers,
+            self.compliance,
+            pressure,
+            displacement,
+        )
     }
+}
+
+/// Writes the displacement in m by `pressure` in Pa, of a filter and the compliance of a cell.
+pub(crate) fn displace(
+    filter: &EvenFilter,
+    buffers: &mut Buffers,
+    compliance: f64,
+    pressure: &[f64],
+    displacement: &mut [f64],
+) -> Result<(), ContactError> {
+    cite!("P1");
+    let need = filter.points();
+    for (name, got) in [
+        ("pressure", pressure.len()),
+        ("displacement", displacement.len()),
+    ] {
+        if got != need {
+            return Err(ContactError::WrongLength { name, need, got });
+        }
+    }
+    filter.filter(buffers, compliance, pressure);
+    displacement.copy_from_slice(buffers.signal(need));
+    Ok(())
 }
 
 /// g = h + u − δ,  u(x) = −(2/(π·E*))·∫ p(s)·ln|x − s| ds + const                         `[Gap-deformed]`

@@ -3,7 +3,6 @@
 //! The film carries 1 − φ of the load as that share of the Hertz pressure and deforms both flanks; the
 //! asperities carry φ on the roughness as it is outside the contact, up to the flow pressure.
 
-use asperity_contact::half_plane::HalfPlane;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::{
     Boundary, ContactProblem, ContactSolution, Control, Solver, SolverSettings,
@@ -135,8 +134,9 @@ impl RoughContact {
             });
         }
         let mut hertz_displacement = vec![0.0; n];
-        HalfPlane::new(n, window.spacing, window.modulus, Boundary::FreeEnds)?
-            .displacement(&hertz, &mut hertz_displacement)?;
+        let mut solver = Solver::new(n, Boundary::FreeEnds)?;
+        let cell = (window.spacing, window.modulus);
+        solver.displacement(cell, &hertz, &mut hertz_displacement)?;
         let within = |limit: f64| {
             let first = (0..n).find(|&i| place(i).abs() < limit).unwrap_or(0);
             let count = (first..n).take_while(|&i| place(i).abs() < limit).count();
@@ -150,7 +150,7 @@ impl RoughContact {
             inside: within(a),
             gap: vec![0.0; n],
             last: None,
-            solver: Solver::new(n, Boundary::FreeEnds)?,
+            solver,
             spacing: window.spacing,
             load: w,
             modulus: window.modulus,

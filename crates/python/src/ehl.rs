@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::several_records::{mean_of, record_several};
+use asperity::ehl::transient::{HeatedFriction, MeanFriction};
 use asperity::ehl::{Estimate, Record, RecordSettings};
 use asperity::lubrication::{HIGHEST_PRESSURE, shares};
 use asperity::quantity::Pressure;
@@ -51,6 +52,7 @@ pub fn ehl<'py>(
                 ..RecordSettings::default()
             },
             eyring_stress: asked.eyring_stress.map(Pressure::from_si),
+            with_heat: true,
             beginning: 0,
         };
         let contact = RefereeContact::of(loaded, place, &settings)?;
@@ -118,6 +120,23 @@ fn estimate(found: &Estimate) -> Value {
     json!({ "mean": found.mean, "standard_error": Some(found.standard_error).filter(|error| error.is_finite()) })
 }
 
+fn with_heat(heated: &HeatedFriction) -> Value {
+    json!({
+        "friction": friction(&heated.friction),
+        "film_rise_k": estimate(&heated.film_rise),
+        "surface_rise_k": estimate(&heated.surface_rise),
+    })
+}
+
+fn friction(friction: &MeanFriction) -> Value {
+    json!({
+        "shifted": estimate(&friction.shifted),
+        "graded": estimate(&friction.graded),
+        "stepped": estimate(&friction.stepped),
+        "film_alone": estimate(&friction.film),
+    })
+}
+
 fn numbers(record: &Record) -> Value {
     let scales = &record.scales;
     let finite =
@@ -150,11 +169,7 @@ fn numbers(record: &Record) -> Value {
         "mean_max_pressure_pa": record.mean_max_pressure.mean,
         "max_pressure_pa": record.max_pressure.si(),
         "plastic_share": record.plastic_share.mean,
-        "friction": record.friction.as_ref().map(|friction| json!({
-            "shifted": estimate(&friction.shifted),
-            "graded": estimate(&friction.graded),
-            "stepped": estimate(&friction.stepped),
-            "film_alone": estimate(&friction.film),
-        })),
+        "friction": record.friction.as_ref().map(friction),
+        "with_heat": record.heated.as_ref().map(with_heat),
     })
 }

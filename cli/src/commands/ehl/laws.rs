@@ -9,7 +9,7 @@ pub fn text(comparison: &ShareComparison) -> String {
     };
     let mut text = format!(
         "  laws over {} windows of the same traces; referee, the transient solution: mean of the loads below 20 and 50 nm,\n  \
-         friction with the boundary weight e^(-h/h_b) of the laws, and shifted, whole on its contact nodes\n  \
+         friction with heat and with the boundary weight e^(-h/h_b) of the laws, and shifted, whole on its contact nodes\n  \
          {:<18} {:>11} {:>9} {:>12} {:>9}\n  {:<18} {:>11.4} {:>9} {:>12.4} {:>9}\n  \
          {:<18} {:>11} {:>9} {:>12} {:>9}\n",
         comparison.windows,

@@ -39,6 +39,7 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
     let settings = RefereeSettings {
         record: record_settings(args),
         eyring_stress: args.eyring_stress,
+        with_heat: true,
         beginning: 0,
     };
     let about = |error| failed::of_referee(path, &error);

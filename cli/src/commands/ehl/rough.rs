@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::several_records::{mean_of, record_several};
+use asperity::ehl::transient::{HeatedFriction, MeanFriction};
 use asperity::ehl::{
     Estimate, NodeState, PlasticCeiling, Record, RecordSettings, RoughContact, Solved, Window,
 };
@@ -105,14 +106,6 @@ impl Recorded {
                 })
             })
             .collect();
-        let friction = record.friction.as_ref().map(|friction| {
-            json!({
-                "shifted": estimate(&friction.shifted),
-                "graded": estimate(&friction.graded),
-                "stepped": estimate(&friction.stepped),
-                "film_alone": estimate(&friction.film),
-            })
-        });
         let warnings: Vec<Value> = self
             .warnings()
             .into_iter()
@@ -143,7 +136,8 @@ impl Recorded {
             "mean_max_pressure_pa": record.mean_max_pressure.mean,
             "max_pressure_pa": record.max_pressure.si(),
             "plastic_share": record.plastic_share.mean,
-            "friction": friction,
+            "friction": record.friction.as_ref().map(friction),
+            "with_heat": record.heated.as_ref().map(with_heat),
             "steps": evidence.steps,
             "steps_cut": evidence.steps_cut,
             "loose_steps": evidence.loose_steps,
@@ -202,13 +196,23 @@ impl Recorded {
             record.max_pressure.si() * 1e-9,
             record.plastic_share.mean
         ));
-        if let Some(friction) = &record.friction {
-            text.push_str(&format!(
-                "  friction {} (graded {:.5}, boundary below the solid film {:.5}, film alone {:.5})\n",
+        let friction = |friction: &MeanFriction| {
+            format!(
+                "{} (graded {:.5}, boundary below the solid film {:.5}, film alone {:.5})\n",
                 with_error(friction.shifted.mean, friction.shifted.standard_error),
                 friction.graded.mean,
                 friction.stepped.mean,
                 friction.film.mean
+            )
+        };
+        if let Some(found) = &record.friction {
+            text.push_str(&format!("  friction {}", friction(found)));
+        }
+        if let Some(heated) = &record.heated {
+            text.push_str(&format!("  with heat {}", friction(&heated.friction)));
+            text.push_str(&format!(
+                "  rise of the film {:.1} K, of the surfaces {:.1} K\n",
+                heated.film_rise.mean, heated.surface_rise.mean
             ));
         }
         text.push_str(&format!(
@@ -267,6 +271,23 @@ pub(super) fn with_error(mean: f64, standard_error: f64) -> String {
 fn nanometres(film: Length) -> f64 {
     // Film thicknesses on the command line have few digits in nanometres.
     (film.si() * 1e15).round() * 1e-6
+}
+
+fn with_heat(heated: &HeatedFriction) -> Value {
+    json!({
+        "friction": friction(&heated.friction),
+        "film_rise_k": estimate(&heated.film_rise),
+        "surface_rise_k": estimate(&heated.surface_rise),
+    })
+}
+
+fn friction(friction: &MeanFriction) -> Value {
+    json!({
+        "shifted": estimate(&friction.shifted),
+        "graded": estimate(&friction.graded),
+        "stepped": estimate(&friction.stepped),
+        "film_alone": estimate(&friction.film),
+    })
 }
 
 fn estimate(estimate: &Estimate) -> Value {

@@ -30,6 +30,6 @@ pub(crate) use position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 pub(crate) use records::records_of;
 pub(crate) use rolling::{rolling, rolling_surfaces};
 pub use share_comparison::{
-    ComparedWindow, LawShare, ShareComparison, compared_windows, share_settings, shares,
+    ComparedWindow, LawShare, ShareComparison, WINDOWS, compared_windows, share_settings, shares,
 };
 pub(crate) use solve::{Lubrication, doubts};

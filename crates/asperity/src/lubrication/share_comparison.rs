@@ -21,7 +21,7 @@ use asperity_mixed_film::{
 };
 
 /// Windows of the traces that the laws are averaged over.
-const WINDOWS: usize = 8;
+pub const WINDOWS: usize = 8;
 /// Half width of a window in Hertz half-widths.
 const HALF_WINDOW: f64 = 3.0;
 /// The golden section, as the offsets of a run are spread.
@@ -49,9 +49,10 @@ pub struct ShareComparison {
     pub referee_share: f64,
     /// Mean film of the reference solution \[µm\].
     pub referee_mean_film_um: f64,
-    /// Friction of the reference solution with the weight of the laws, e^(−h/h_b), on its boundary friction.
+    /// Friction of the reference solution with the heat of film and surfaces, as the laws have it, and with their weight e^(−h/h_b)
+    /// on its boundary friction.
     pub referee_friction: Option<f64>,
-    /// Friction of the reference solution with whole boundary friction on its contact nodes.
+    /// Friction of the reference solution with heat and whole boundary friction on its contact nodes.
     pub referee_friction_shifted: Option<f64>,
     /// Windows that the laws are averaged over.
     pub windows: usize,
@@ -71,7 +72,7 @@ pub struct ComparedWindow {
     roughness: Roughness,
 }
 
-/// Compares the load-share laws with `record` of `contact`.
+/// Compares the load-share laws with `record` of `contact`, made with heat.
 ///
 /// # Errors
 /// When a window leaves its trace, a rough contact does not converge or a law refuses the numbers.
@@ -80,7 +81,7 @@ pub fn shares(
     contact: &RefereeContact,
     record: &Record,
 ) -> Result<ShareComparison, RefereeError> {
-    let windows = compared_windows(loaded, contact)?;
+    let windows = compared_windows(loaded, contact, WINDOWS)?;
     let settings = share_settings(loaded, contact)?;
     let smooth = LoadShareSettings {
         supply: InletSupply::Smooth,
@@ -89,6 +90,7 @@ pub fn shares(
     let [rough, smooth] =
         [settings, smooth].map(|settings| solved(loaded, contact, &windows, &settings));
     let referee_share = referee_share(record);
+    let friction = record.heated.map(|heated| heated.friction);
     let row = |law, share: Option<f64>, gap, friction| LawShare {
         law,
         solid_share: share,
@@ -108,8 +110,8 @@ pub fn shares(
     Ok(ShareComparison {
         referee_share,
         referee_mean_film_um: record.mean_film.mean * 1e6,
-        referee_friction: record.friction.map(|friction| friction.graded.mean),
-        referee_friction_shifted: record.friction.map(|friction| friction.shifted.mean),
+        referee_friction: friction.map(|friction| friction.graded.mean),
+        referee_friction_shifted: friction.map(|friction| friction.shifted.mean),
         windows: windows.len(),
         laws: vec![
             by_contact("solved", &rough?),
@@ -193,13 +195,14 @@ fn solved(
     windows.iter().map(share).collect()
 }
 
-/// The windows of `contact` over which [`shares`] averages, with their rough contacts.
+/// `count` windows of `contact` with their rough contacts; [`shares`] averages over [`WINDOWS`].
 ///
 /// # Errors
 /// When a window leaves its trace or a rough contact does not converge.
 pub fn compared_windows(
     loaded: &LoadedCase,
     contact: &RefereeContact,
+    count: usize,
 ) -> Result<Vec<ComparedWindow>, RefereeError> {
     let case = &loaded.case;
     let line = contact.position.line_contact(case.modulus, case.materials);
@@ -213,14 +216,14 @@ pub fn compared_windows(
         case.preparation.lambda_s,
         loaded.surfaces.same_trace,
     );
-    (0..WINDOWS)
+    (0..count)
         .into_par_iter()
         .map(|k| {
             let place = |part: f64, length: usize| {
                 (part * length.saturating_sub(points) as f64).round() as usize
             };
             let starts = [
-                place((k as f64 + 0.5) / WINDOWS as f64, first.len()),
+                place((k as f64 + 0.5) / count as f64, first.len()),
                 place((0.5 + k as f64 * GOLDEN_SECTION).fract(), second.len()),
             ];
             let cut = |k: usize| {

@@ -229,6 +229,7 @@ fn contacts(
                     ..RecordSettings::default()
                 },
                 eyring_stress: None,
+                with_heat: false,
                 beginning,
             };
             Ok(RefereeContact::at(loaded, position.clone(), &settings)?)

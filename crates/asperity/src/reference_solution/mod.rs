@@ -13,7 +13,6 @@ mod yielding;
 pub use error::RefereeError;
 pub use settings::{
     LARGEST_ROUGHNESS, RefereeContact, RefereeSettings, attenuated_roughness, formula_film,
-    record_heat,
 };
 pub(crate) use settings::{rheology, smooth_contact};
 pub use yielding::{elastic_above_flow, record_warnings};

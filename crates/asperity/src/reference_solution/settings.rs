@@ -42,10 +42,12 @@ const OFFSET_STEPS: [f64; 2] = [0.618_033_988_749_894_9, 0.414_213_562_373_095];
 /// Choices of the reference solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RefereeSettings {
-    /// Grid, length and films of the record; its law of friction and ceiling are those of the case.
+    /// Grid, length and films of the record; its law of friction, heat and ceiling are those of the case.
     pub record: RecordSettings,
     /// Eyring stress that replaces the value of the base oil.
     pub eyring_stress: Option<Pressure>,
+    /// Whether the friction also has the heat of film and surfaces.
+    pub with_heat: bool,
     /// Number of the pair of places on the traces at which the record begins, from 0.
     pub beginning: usize,
 }
@@ -59,7 +61,7 @@ pub struct RefereeContact {
     pub position: MeshPosition,
     /// Bodies, oil and surfaces.
     pub rough: RoughContact,
-    /// Grid, length, friction and ceiling.
+    /// Grid, length, friction, heat and ceiling.
     pub record: RecordSettings,
     /// Both traces as the transient solution uses them: without waves too short for its cells.
     pub traces: [Profile; 2],
@@ -111,8 +113,11 @@ impl RefereeContact {
         };
         let contact = line_contact(case, &position);
         let rheology = rheology(case)?;
-        let constants = rheology.constants();
-        let stress = settings.eyring_stress.unwrap_or(constants.eyring_stress);
+        let stress = (settings.eyring_stress).unwrap_or(rheology.constants().eyring_stress);
+        let constants = TractionConstants {
+            eyring_stress: stress,
+            ..*rheology.constants()
+        };
         let oil = oil_of(case, ShearLaw::Eyring { stress });
         let mut record = settings.record.clone();
         record.friction = Some(FrictionLaw {
@@ -124,6 +129,14 @@ impl RefereeContact {
             boundary_friction: case.model.boundary_friction,
             boundary_layer: case.model.boundary_layer,
         });
+        record.heat = match settings.with_heat {
+            true => Some(RecordHeat {
+                rheology: rheology.with_constants(constants)?,
+                bulk: case.temperature,
+                bodies: case.materials,
+            }),
+            false => None,
+        };
         let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
         record.ceiling = Some(PlasticCeiling {
             pressure: Pressure::from_si(pinion.min(wheel)),
@@ -152,27 +165,6 @@ impl RefereeContact {
             attenuated_roughness,
         })
     }
-}
-
-/// Oil over temperature, bulk temperature and bodies of `loaded`, for the friction of a record with heat.
-///
-/// # Errors
-/// When the base oil is not known, or an Eyring stress is not positive.
-pub fn record_heat(
-    loaded: &LoadedCase,
-    settings: &RefereeSettings,
-) -> Result<RecordHeat, RefereeError> {
-    let case = &loaded.case;
-    let rheology = rheology(case)?;
-    let constants = TractionConstants {
-        eyring_stress: (settings.eyring_stress).unwrap_or(rheology.constants().eyring_stress),
-        ..*rheology.constants()
-    };
-    Ok(RecordHeat {
-        rheology: rheology.with_constants(constants)?,
-        bulk: case.temperature,
-        bodies: case.materials,
-    })
 }
 
 /// Bodies and Newtonian oil of a mesh position, without its surfaces.

@@ -32,7 +32,9 @@ use rustfft::FftPlanner;
 use crate::boundary::Boundary;
 use crate::convolution::{Buffers, EvenFilter};
 use crate::error::{ContactError, SolverShape};
-use crate::half_plane::{cite_kernel, displacement_filter, inverse_filter, line_load};
+use crate::half_plane::{
+    cell_compliance, cite_kernel, displace, displacement_filter, inverse_filter, line_load,
+};
 use crate::plasticity::{dissipated_energy, plastic_displacement};
 use crate::problem::{
     ContactProblem, ContactSolution, LEAST_POINTS, MAX_TOLERANCE, SolverSettings,
@@ -197,6 +199,23 @@ impl Solver {
     /// Number of points and boundary of the problems that it solves.
     pub fn shape(&self) -> SolverShape {
         self.shape
+    }
+
+    /// Writes the displacement in m by `pressure` in Pa, with the operator of its problems.
+    ///
+    /// # Errors
+    /// When spacing or modulus is not positive, or an array does not have one value per cell.
+    pub fn displacement(
+        &mut self,
+        (spacing, modulus): (Length, Pressure),
+        pressure: &[f64],
+        displacement: &mut [f64],
+    ) -> Result<(), ContactError> {
+        cite_kernel(self.shape.boundary);
+        let compliance = cell_compliance(spacing, modulus)?;
+        let buffers = &mut self.work.buffers;
+        let filter = self.levels.displacement(self.shape.points, buffers);
+        displace(filter, buffers, compliance, pressure, displacement)
     }
 
     /// Solves a problem.

@@ -27,6 +27,8 @@ pub(crate) struct CoarseLevel {
     hat: Vec<f64>,
     /// Displacement by the half hats at the two ends.
     ends: [Vec<f64>; 2],
+    /// Coarse node before each fine node, and the weight of the one after it.
+    places: Vec<(usize, f64)>,
     columns: Vec<Column>,
     own: Vec<Vec<f64>>,
     factors: SmallLu,
@@ -60,12 +62,17 @@ impl CoarseLevel {
             (0..=n).map(|i| sum(i - n, -reach, 0)).collect(),
         ];
         let count = cells / ratio + 1;
+        let place = |i: usize| {
+            let before = (i / ratio).min(count - 2);
+            (before, (i - before * ratio) as f64 / ratio as f64)
+        };
         Self {
             cells,
             ratio,
             kernel: kernel.to_vec(),
             hat,
             ends,
+            places: (0..=cells).map(place).collect(),
             columns: vec![Column::Shifted; count],
             own: Vec::new(),
             factors: SmallLu::default(),
@@ -77,13 +84,6 @@ impl CoarseLevel {
 
     fn count(&self) -> usize {
         self.columns.len()
-    }
-
-    /// Coarse node before fine node `i` and the weight of the one after it.
-    fn place(&self, i: usize) -> (usize, f64) {
-        let before = (i / self.ratio).min(self.count() - 2);
-        let part = (i - before * self.ratio) as f64 / self.ratio as f64;
-        (before, part)
     }
 
     /// Fine nodes of the hat of coarse node `q`.
@@ -106,10 +106,9 @@ impl CoarseLevel {
             self.galerkin_row(system, a);
         }
         let load = self.factors.row_mut(count);
-        for (i, (w, cavitated)) in system.weights.iter().zip(system.masked).enumerate() {
+        let nodes = system.weights.iter().zip(system.masked);
+        for ((w, cavitated), &(before, part)) in nodes.zip(&self.places) {
             if !cavitated {
-                let before = (i / self.ratio).min(count - 2);
-                let part = (i - before * self.ratio) as f64 / self.ratio as f64;
                 load[before] += w * (1.0 - part);
                 load[before + 1] += w * part;
             }
@@ -150,10 +149,7 @@ impl CoarseLevel {
             };
             *element += dot(&self.film_weights, column);
         }
-        for (k, weight) in self.local_weights.iter().enumerate() {
-            let i = low + k;
-            let before = (i / self.ratio).min(count - 2);
-            let part = (i - before * self.ratio) as f64 / self.ratio as f64;
+        for (weight, &(before, part)) in self.local_weights.iter().zip(&self.places[low..high]) {
             row[before] += weight * (1.0 - part);
             row[before + 1] += weight * part;
         }
@@ -213,16 +209,13 @@ impl CoarseLevel {
     pub(crate) fn correct(&mut self, residual: &[f64], output: &mut [f64]) {
         let count = self.count();
         self.right.fill(0.0);
-        for (i, value) in residual[..=self.cells].iter().enumerate() {
-            let (before, part) = self.place(i);
+        for (value, &(before, part)) in residual.iter().zip(&self.places) {
             self.right[before] += (1.0 - part) * value;
             self.right[before + 1] += part * value;
         }
         self.right[count] = residual[self.cells + 1];
         self.factors.solve(&mut self.right);
-        for (i, value) in output[..=self.cells].iter_mut().enumerate() {
-            let before = (i / self.ratio).min(count - 2);
-            let part = (i - before * self.ratio) as f64 / self.ratio as f64;
+        for (value, &(before, part)) in output.iter_mut().zip(&self.places) {
             *value = (1.0 - part) * self.right[before] + part * self.right[before + 1];
         }
         output[self.cells + 1] = self.right[count];

@@ -1,12 +1,14 @@
 //! Fine level of the preconditioner: banded factors.
 //!
 //! Without storage the matrix is the near field of the kernel, band(local + film·K). With storage the balance of a node
-//! depends almost only on its own film, so the film is the unknown: z = G·[band(local·G + film)]⁻¹ with
-//! the periodic inverse G of the kernel.
+//! depends almost only on its own film, so the displacement u of every node is the unknown, and its pressure is G·u with the
+//! periodic inverse G of the kernel: film·u + local·G·u. A node whose pressure stays (cavitated, or at the ceiling) has its void
+//! fraction or its depth of flow as a second unknown, and (G·u)ᵢ = 0 as a second equation; without it, such nodes would hold the
+//! surface where it is, and the iterations of a thin rough film are three times as many.
 
 use asperity_core::numerics::SymmetricToeplitz;
 
-use super::band_matrix::BandMatrix;
+use super::band_matrix::{BandMatrix, HALF};
 use super::system::Linearised;
 use crate::hat_kernel::inverse_column;
 
@@ -14,19 +16,21 @@ use crate::hat_kernel::inverse_column;
 const NEAR_FIELD: usize = 6;
 /// Half width of the inverse kernel with storage: the inverse decays with the square of the distance, the kernel only
 /// with its logarithm.
-const INVERSE_FIELD: usize = 4;
+const INVERSE_FIELD: usize = 3;
 
 pub(crate) struct FineLevel {
     band: BandMatrix,
     kernel: Vec<f64>,
     inverse: Option<Inverse>,
-    free: Vec<f64>,
-    solution: Vec<f64>,
 }
 
 struct Inverse {
     column: Vec<f64>,
     product: SymmetricToeplitz,
+    /// Place of the displacement of each node among the unknowns.
+    places: Vec<usize>,
+    unknowns: Vec<f64>,
+    displacement: Vec<f64>,
 }
 
 impl FineLevel {
@@ -35,8 +39,6 @@ impl FineLevel {
             band: BandMatrix::default(),
             kernel: kernel[..kernel.len().min(NEAR_FIELD + 4)].to_vec(),
             inverse: None,
-            free: Vec::new(),
-            solution: Vec::new(),
         }
     }
 
@@ -46,24 +48,18 @@ impl FineLevel {
         self.inverse = Some(Inverse {
             product: SymmetricToeplitz::new(&column, cells + 1),
             column,
+            places: Vec::new(),
+            unknowns: Vec::new(),
+            displacement: vec![0.0; cells + 1],
         });
-        self.free = vec![0.0; cells + 1];
-        self.solution = vec![0.0; cells + 1];
     }
 
     pub(crate) fn set_up(&mut self, system: &Linearised) {
-        let nodes = system.weights.len();
-        match &self.inverse {
-            Some(inverse) if system.transient => {
-                let half = INVERSE_FIELD + 2;
-                self.band.reset(nodes, half);
-                for i in 0..nodes {
-                    let row = self.band.row_mut(i);
-                    inverse_row(system, &inverse.column, i, half, row);
-                }
-            }
+        match &mut self.inverse {
+            Some(inverse) if system.transient => inverse.set_up(system, &mut self.band),
             _ => {
-                self.band.reset(nodes, NEAR_FIELD);
+                let nodes = system.weights.len();
+                self.band.reset(nodes);
                 for i in 0..nodes {
                     near_field_row(system, &self.kernel, i, self.band.row_mut(i));
                 }
@@ -74,69 +70,103 @@ impl FineLevel {
 
     /// Replaces the residual on the nodes by the correction of their unknowns.
     pub(crate) fn correct(&mut self, system: &Linearised, residual: &mut [f64]) {
-        self.band.solve(residual);
-        let Some(inverse) = self.inverse.as_mut().filter(|_| system.transient) else {
-            return;
-        };
-        let last = residual.len() - 1;
-        self.free.copy_from_slice(residual);
-        self.free[0] = 0.0;
-        self.free[last] = 0.0;
-        for (value, cavitated) in self.free.iter_mut().zip(system.masked) {
-            if *cavitated {
-                *value = 0.0;
-            }
+        match &mut self.inverse {
+            Some(inverse) if system.transient => inverse.correct(system, &self.band, residual),
+            _ => self.band.solve(residual),
         }
-        let (first_value, last_value) = (residual[0], residual[last]);
-        self.solution.copy_from_slice(residual);
-        inverse.product.apply(&self.free, residual);
-        for ((value, solution), cavitated) in
-            residual.iter_mut().zip(&self.solution).zip(system.masked)
-        {
-            if *cavitated {
-                *value = *solution;
-            }
-        }
-        residual[0] = first_value;
-        residual[last] = last_value;
     }
+}
+
+impl Inverse {
+    /// The banded matrix. The unknown of a node is its displacement u; a masked node has its own unknown besides, and
+    /// the condition that its pressure G·u stays.
+    fn set_up(&mut self, system: &Linearised, band: &mut BandMatrix) {
+        let nodes = system.weights.len();
+        self.places.clear();
+        let mut place = 0;
+        for (i, masked) in system.masked.iter().enumerate() {
+            self.places.push(place);
+            place += 1 + usize::from(*masked && is_inner(i, nodes));
+        }
+        band.reset(place);
+        for i in 0..nodes {
+            let row = self.balance_place(system, i);
+            if !is_inner(i, nodes) {
+                band.add(row, row, 1.0);
+                continue;
+            }
+            if system.masked[i] {
+                self.add_pressure(band, self.places[i], i, 1.0);
+            }
+            for (j, value) in system.film.row(i).filter(|(j, _)| is_inner(*j, nodes)) {
+                band.add(row, self.places[j], value);
+            }
+            for (j, value) in system.local.row(i).filter(|(_, value)| *value != 0.0) {
+                if system.masked[j] || !is_inner(j, nodes) {
+                    band.add(row, self.balance_place(system, j), value);
+                } else {
+                    self.add_pressure(band, row, j, value);
+                }
+            }
+        }
+    }
+
+    /// Place of the balance of node `i`, and of its unknown where its pressure is masked.
+    fn balance_place(&self, system: &Linearised, i: usize) -> usize {
+        self.places[i] + usize::from(system.masked[i] && is_inner(i, self.places.len()))
+    }
+
+    /// Adds `factor` times the pressure of node `j`, a sum over displacements, to a row.
+    fn add_pressure(&self, band: &mut BandMatrix, row: usize, j: usize, factor: f64) {
+        let last = self.places.len() - 1;
+        for k in j.saturating_sub(INVERSE_FIELD).max(1)..(j + INVERSE_FIELD + 1).min(last) {
+            band.add(row, self.places[k], factor * self.column[k.abs_diff(j)]);
+        }
+    }
+
+    fn correct(&mut self, system: &Linearised, band: &BandMatrix, residual: &mut [f64]) {
+        let last = residual.len() - 1;
+        self.unknowns.clear();
+        let nodes = residual.iter().zip(system.masked).enumerate();
+        for (i, (value, masked)) in nodes {
+            if *masked && is_inner(i, last + 1) {
+                self.unknowns.push(0.0);
+            }
+            self.unknowns.push(*value);
+        }
+        band.solve(&mut self.unknowns);
+        for (u, place) in self.displacement.iter_mut().zip(&self.places) {
+            *u = self.unknowns[*place];
+        }
+        let ends = [self.displacement[0], self.displacement[last]];
+        (self.displacement[0], self.displacement[last]) = (0.0, 0.0);
+        self.product.apply(&self.displacement, residual);
+        for ((value, place), masked) in residual.iter_mut().zip(&self.places).zip(system.masked) {
+            if *masked {
+                *value = self.unknowns[(place + 1).min(self.unknowns.len() - 1)];
+            }
+        }
+        (residual[0], residual[last]) = (ends[0], ends[1]);
+    }
+}
+
+fn is_inner(i: usize, nodes: usize) -> bool {
+    i > 0 && i + 1 < nodes
 }
 
 /// Row of local + film·K within the near field; K acts on the pressure of free nodes.
 fn near_field_row(system: &Linearised, kernel: &[f64], i: usize, row: &mut [f64]) {
-    let half = NEAR_FIELD;
     let nodes = system.weights.len();
-    let (low, high) = (i.saturating_sub(half), (i + half + 1).min(nodes));
+    let (low, high) = (
+        i.saturating_sub(NEAR_FIELD),
+        (i + NEAR_FIELD + 1).min(nodes),
+    );
     for (j, value) in system.film.row(i).filter(|(_, value)| *value != 0.0) {
         for k in (low..high).filter(|&k| !system.masked[k]) {
-            row[k + half - i] += value * kernel[j.abs_diff(k)];
+            row[k + HALF - i] += value * kernel[j.abs_diff(k)];
         }
     }
     for (j, value) in system.local.row(i) {
-        row[j + half - i] += value;
-    }
-}
-
-/// Row of local·G + film; only of local in the columns of nodes whose unknown is the void fraction.
-fn inverse_row(system: &Linearised, inverse: &[f64], i: usize, half: usize, row: &mut [f64]) {
-    let nodes = system.weights.len();
-    if i == 0 || i + 1 == nodes {
-        row[half] = 1.0;
-        return;
-    }
-    for (j, value) in system.local.row(i) {
-        if system.masked[j] {
-            row[j + half - i] += value;
-        } else if value != 0.0 {
-            let low = j.saturating_sub(INVERSE_FIELD);
-            for k in low..(j + INVERSE_FIELD + 1).min(nodes) {
-                row[k + half - i] += value * inverse[k.abs_diff(j)];
-            }
-        }
-    }
-    for (j, value) in system.film.row(i) {
-        if !system.masked[j] {
-            row[j + half - i] += value;
-        }
+        row[j + HALF - i] += value;
     }
 }

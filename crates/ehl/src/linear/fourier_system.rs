@@ -24,6 +24,9 @@ const LEAST_COARSE_CELLS: usize = 32;
 /// Fewest fine cells of a coarse cell on larger grids.
 const LEAST_RATIO: usize = 8;
 
+/// Coarse cells with storage, where the fine level leaves only the longest waves.
+const TRANSIENT_COARSE_CELLS: usize = 32;
+
 pub(crate) struct FourierSystem {
     levels: Levels,
     gmres: Gmres,
@@ -68,7 +71,10 @@ impl FourierSystem {
     /// Prepares the preconditioner for balances with storage.
     pub(crate) fn prepare_transient(&mut self) {
         let levels = &mut self.levels;
-        levels.fine.prepare_transient(levels.spacing, levels.cells);
+        let cells = levels.cells;
+        levels.fine.prepare_transient(levels.spacing, cells);
+        let kernel = hat_column(levels.spacing, cells + 1);
+        levels.coarse = CoarseLevel::new(&kernel, cells, cells / TRANSIENT_COARSE_CELLS);
     }
 }
 

@@ -21,7 +21,7 @@ class EhlRecord(Record):
 
     ``solid_share`` and ``solid_share_standard_error``, ``mean_film_um``, ``central_film_um`` (smooth), ``friction``
     (``shifted``: boundary friction with the weight min(1, exp(-(h - H_b)/h_b)), ``graded``: exp(-h/h_b),
-    ``stepped``, ``film_alone``), ``load_below``, ``max_pressure_pa``; ``x`` (m), ``mean_pressure`` (Pa), ``mean_film``
+    ``stepped``, ``film_alone``), ``with_heat`` (the same ``friction`` with the heat of film and surfaces, and their rises in K), ``load_below``, ``max_pressure_pa``; ``x`` (m), ``mean_pressure`` (Pa), ``mean_film``
     (m) of shape (n,).
     """
 
