@@ -162,14 +162,14 @@ fn a_case_is_set_beside_the_laws_of_load_sharing() {
     let expected = ["solved", "lambda-star", "zhu-hu", "masjedi-khonsari", "jgp"];
     assert_eq!(names, expected);
     // Compared with the weight of the laws; the weight that is whole on contact nodes is a row of its own.
-    let weights = ["referee_friction", "referee_friction_shifted"];
+    let weights = ["reference_friction", "reference_friction_shifted"];
     let [graded, shifted] = weights.map(|key| number(comparison, key));
     assert!(graded < shifted, "{graded} {shifted}");
-    let referee = number(comparison, "referee_share");
+    let referee = number(comparison, "reference_share");
     for law in laws.iter().filter(|law| !law["solid_share"].is_null()) {
         let share = number(law, "solid_share");
         assert!((0.0..=1.0).contains(&share), "{law}");
-        assert!((number(law, "minus_referee") - (share - referee)).abs() < 1e-12);
+        assert!((number(law, "minus_reference") - (share - referee)).abs() < 1e-12);
     }
     let smooth = bench
         .run(&["ehl", "case.toml", "--smooth", "--json"])

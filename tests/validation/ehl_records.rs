@@ -13,7 +13,7 @@ use asperity::LoadedCase;
 use asperity::ehl::RecordSettings;
 use asperity::lubrication::{ComparedWindow, WINDOWS, compared_windows, share_settings};
 use asperity::mixed_film::{AttenuatedTraces, PositionFilm};
-use asperity::reference_solution::{LARGEST_ROUGHNESS, RefereeContact, RefereeSettings};
+use asperity::reference_solution::{LARGEST_ROUGHNESS, ReferenceContact, ReferenceSettings};
 use asperity::uncertainty::model_deviation;
 use asperity_core::Profile;
 use asperity_core::numerics::standard_normal_quantile;
@@ -184,7 +184,7 @@ fn compared(table: &str, conditions: Vec<mixed_ehl_records::Condition>) -> Vec<C
 /// The contact of a condition with its windows.
 struct Windows {
     loaded: LoadedCase,
-    contact: RefereeContact,
+    contact: ReferenceContact,
     windows: Vec<ComparedWindow>,
     spectra: [TraceSpectrum; 2],
     /// Whether σ_d of a window is √2 times the root mean square of the heights above their mean line alone, which is the same for
@@ -201,13 +201,13 @@ impl Windows {
         let loaded = keys.iter().fold(loaded, |loaded, (key, value)| {
             loaded.with_key(key, value).unwrap()
         });
-        let settings = RefereeSettings {
+        let settings = ReferenceSettings {
             record: RecordSettings::default(),
             eyring_stress: None,
             with_heat: false,
             beginning: 0,
         };
-        let contact = RefereeContact::of(&loaded, condition.position, &settings).unwrap();
+        let contact = ReferenceContact::of(&loaded, condition.position, &settings).unwrap();
         let windows = compared_windows(&loaded, &contact, count).unwrap();
         let spectrum = |z: &Profile| TraceSpectrum::new(z.heights(), z.spacing()).unwrap();
         let spectra = contact.traces.each_ref().map(spectrum);

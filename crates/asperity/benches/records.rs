@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use asperity::ehl::{RecordSettings, transient};
-use asperity::reference_solution::RefereeContact;
+use asperity::reference_solution::ReferenceContact;
 use criterion::{Criterion, criterion_group, criterion_main};
 
 #[path = "../examples/mixed_ehl_records.rs"]
@@ -34,7 +34,7 @@ fn records(criterion: &mut Criterion) {
         let loaded = condition.load(&workspace).expect("a condition");
         let settings = condition.settings(&settings);
         let contact =
-            RefereeContact::of(&loaded, condition.position, &settings).expect("a contact");
+            ReferenceContact::of(&loaded, condition.position, &settings).expect("a contact");
         group.bench_function(&condition.name, |bencher| {
             bencher.iter(|| transient::record(&contact.rough, &contact.record).expect("a record"));
         });

@@ -19,7 +19,7 @@ use asperity::ehl::{RecordSettings, transient};
 use asperity::lubrication::FormulaFilm;
 use asperity::quantity::Length;
 use asperity::quantity::Pressure;
-use asperity::reference_solution::{RefereeContact, RefereeSettings, record_warnings};
+use asperity::reference_solution::{ReferenceContact, ReferenceSettings, record_warnings};
 use asperity::roughness::generate::{
     Ground, HeightDistribution, NonGaussian, PlateauHoned, SelfAffine,
 };
@@ -187,8 +187,8 @@ impl Condition {
     }
 
     /// The settings of its record, with heat.
-    pub fn settings(&self, record: &RecordSettings) -> RefereeSettings {
-        RefereeSettings {
+    pub fn settings(&self, record: &RecordSettings) -> ReferenceSettings {
+        ReferenceSettings {
             record: record.clone(),
             eyring_stress: Some(EYRING_STRESS[usize::from(self.case == FZG)]),
             with_heat: true,
@@ -493,7 +493,7 @@ pub const COLUMNS: [&str; 33] = [
 /// A row of the table.
 fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
     let loaded = condition.load(Path::new("."))?;
-    let contact = RefereeContact::of(&loaded, condition.position, &condition.settings(settings))?;
+    let contact = ReferenceContact::of(&loaded, condition.position, &condition.settings(settings))?;
     let begin = Instant::now();
     let solved = transient::record(&contact.rough, &contact.record)?;
     let seconds = begin.elapsed().as_secs_f64();
@@ -552,7 +552,7 @@ fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
 }
 
 /// Attenuated roughness over the isothermal central film of the formula.
-fn roughness_over_film(loaded: &LoadedCase, contact: &RefereeContact) -> Outcome<f64> {
+fn roughness_over_film(loaded: &LoadedCase, contact: &ReferenceContact) -> Outcome<f64> {
     let formula = FormulaFilm::of(&loaded.case, &contact.position)?;
     let film = formula.film.central / formula.thermal_reduction;
     Ok(contact.attenuated_roughness / film)
@@ -588,7 +588,7 @@ pub fn main() -> Outcome<()> {
         for condition in chosen {
             let loaded = condition.load(Path::new("."))?;
             let contact =
-                RefereeContact::of(&loaded, condition.position, &condition.settings(&settings))?;
+                ReferenceContact::of(&loaded, condition.position, &condition.settings(&settings))?;
             let ratio = roughness_over_film(&loaded, &contact)?;
             println!("{},{ratio:.5}", condition.name);
         }

@@ -7,7 +7,7 @@ use asperity::ehl::transient::{HeatedFriction, MeanFriction};
 use asperity::ehl::{Estimate, Record, RecordSettings};
 use asperity::lubrication::{HIGHEST_PRESSURE, shares};
 use asperity::quantity::Pressure;
-use asperity::reference_solution::{RefereeContact, RefereeSettings, record_warnings};
+use asperity::reference_solution::{ReferenceContact, ReferenceSettings, record_warnings};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
@@ -44,7 +44,7 @@ pub fn ehl<'py>(
     let loaded = case.pair()?;
     let (numbers, record) = in_parallel(py, threads, progress.as_ref(), |told| {
         let place = on_the_path(asked.position)?.unwrap_or(loaded.case.model.position);
-        let settings = RefereeSettings {
+        let settings = ReferenceSettings {
             record: RecordSettings {
                 cells: asked.cells,
                 start: asked.start,
@@ -55,7 +55,7 @@ pub fn ehl<'py>(
             with_heat: true,
             beginning: 0,
         };
-        let contact = RefereeContact::of(loaded, place, &settings)?;
+        let contact = ReferenceContact::of(loaded, place, &settings)?;
         // Thousandths of a half-width, of all records together.
         let travelled: Vec<AtomicU64> = (0..asked.records.max(1))
             .map(|_| AtomicU64::new(0))

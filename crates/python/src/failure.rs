@@ -9,7 +9,7 @@ use asperity::error::PositionError;
 use asperity::message;
 use asperity::profile_io::read::ReadError;
 use asperity::quantity::QuantityError;
-use asperity::reference_solution::RefereeError;
+use asperity::reference_solution::ReferenceError;
 use asperity::remedy::{Remedy, Setting, Value};
 use asperity::roughness::RoughnessError;
 use asperity::tribo_friction::FrictionError;
@@ -179,12 +179,12 @@ impl From<EhlError> for Failure {
     }
 }
 
-impl From<RefereeError> for Failure {
-    fn from(error: RefereeError) -> Self {
+impl From<ReferenceError> for Failure {
+    fn from(error: ReferenceError) -> Self {
         match error {
-            RefereeError::Position(error) => error.into(),
-            RefereeError::Ehl(error) => error.into(),
-            RefereeError::NoBaseOil => Self::new("E208", error.to_string()),
+            ReferenceError::Position(error) => error.into(),
+            ReferenceError::Ehl(error) => error.into(),
+            ReferenceError::NoBaseOil => Self::new("E208", error.to_string()),
             error => Self::new("E305", error.to_string()),
         }
     }

@@ -14,7 +14,7 @@ use asperity_core::quantity::{
     ThermalConductivity,
 };
 
-use super::failed::of_referee;
+use super::failed::of_reference;
 use crate::args::{EhlArgs, ViscosityLawArg};
 use crate::commands::contact::column_file;
 use crate::failure::Failure;
@@ -97,7 +97,7 @@ pub fn read(args: &EhlArgs) -> Result<Bare, Failure> {
     let attenuated_roughness = match profiles[..] {
         [] => Length::from_si(0.0),
         _ => attenuated_roughness(&contact, &oil, &profiles)
-            .map_err(|error| of_referee(Path::new(&title), &error))?,
+            .map_err(|error| of_reference(Path::new(&title), &error))?,
     };
     let moving = |surface: Option<(Profile, MovingProfile)>| {
         surface.map_or_else(MovingProfile::smooth, |(_, moving)| moving)

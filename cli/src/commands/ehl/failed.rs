@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::ehl::EhlError;
 use asperity::error::Error;
-use asperity::reference_solution::RefereeError;
+use asperity::reference_solution::ReferenceError;
 
 use crate::failure::Failure;
 
@@ -26,14 +26,14 @@ pub fn of_contact(title: &str, error: &EhlError) -> Failure {
 }
 
 /// Error of the reference solution for the case in `file`.
-pub fn of_referee(file: &Path, error: &RefereeError) -> Failure {
+pub fn of_reference(file: &Path, error: &ReferenceError) -> Failure {
     let title = file.display().to_string();
     match error {
-        RefereeError::Position(error) => {
+        ReferenceError::Position(error) => {
             Failure::about(file, &Error::Whole(Box::new(error.clone())))
         }
-        RefereeError::Ehl(error) => of_contact(&title, error),
-        RefereeError::NoBaseOil => Failure::new("E208", format!("{title}: {error}"))
+        ReferenceError::Ehl(error) => of_contact(&title, error),
+        ReferenceError::NoBaseOil => Failure::new("E208", format!("{title}: {error}"))
             .advising("Set lubricant.base_oil in the case: mineral, pao, ester or polyglycol."),
         _ => Failure::new("E305", format!("{title}: {error}")),
     }

@@ -8,7 +8,7 @@ pub fn text(comparison: &ShareComparison) -> String {
         value.map_or_else(|| String::from("-"), |value| format!("{value:.digits$}"))
     };
     let mut text = format!(
-        "  laws over {} windows of the same traces; referee, the transient solution: mean of the loads below 20 and 50 nm,\n  \
+        "  laws over {} windows of the same traces; reference, the transient solution: mean of the loads below 20 and 50 nm,\n  \
          friction with heat and with the boundary weight e^(-h/h_b) of the laws, and shifted, whole on its contact nodes\n  \
          {:<18} {:>11} {:>9} {:>12} {:>9}\n  {:<18} {:>11.4} {:>9} {:>12.4} {:>9}\n  \
          {:<18} {:>11} {:>9} {:>12} {:>9}\n",
@@ -18,20 +18,20 @@ pub fn text(comparison: &ShareComparison) -> String {
         "off by",
         "mean gap um",
         "friction",
-        "referee",
-        comparison.referee_share,
+        "reference",
+        comparison.reference_share,
         "",
-        comparison.referee_mean_film_um,
-        or_dash(comparison.referee_friction, 5),
-        "referee, shifted",
+        comparison.reference_mean_film_um,
+        or_dash(comparison.reference_friction, 5),
+        "reference, shifted",
         "",
         "",
         "",
-        or_dash(comparison.referee_friction_shifted, 5),
+        or_dash(comparison.reference_friction_shifted, 5),
     );
     for law in &comparison.laws {
         let off = law
-            .minus_referee
+            .minus_reference
             .map_or_else(String::new, |off| format!("{off:+.4}"));
         text.push_str(&format!(
             "  {:<18} {:>11} {off:>9} {:>12} {:>9}\n",

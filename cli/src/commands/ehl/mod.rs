@@ -13,7 +13,7 @@ use asperity::ehl::RecordSettings;
 use asperity::ehl::traction::Heat;
 use asperity::lubrication::shares;
 use asperity::pipeline;
-use asperity::reference_solution::{RefereeContact, RefereeSettings};
+use asperity::reference_solution::{ReferenceContact, ReferenceSettings};
 
 use super::{load_case, on_the_path};
 use crate::args::{Common, EhlArgs};
@@ -36,14 +36,14 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
     let loaded = load_case(path, &args.set, None)?;
     let loaded = pipeline::settled(&loaded, None).map_err(|error| Failure::about(path, &error))?;
     let position = on_the_path(&loaded, args.position)?.unwrap_or(loaded.case.model.position);
-    let settings = RefereeSettings {
+    let settings = ReferenceSettings {
         record: record_settings(args),
         eyring_stress: args.eyring_stress,
         with_heat: true,
         beginning: 0,
     };
-    let about = |error| failed::of_referee(path, &error);
-    let contact = RefereeContact::of(&loaded, position, &settings).map_err(about)?;
+    let about = |error| failed::of_reference(path, &error);
+    let contact = ReferenceContact::of(&loaded, position, &settings).map_err(about)?;
     let title = format!("{} at {position:.4} of the path", path.display());
     if args.smooth {
         let heat = Heat {

@@ -24,7 +24,7 @@ fn page_of(
     contact: &RoughContact,
     smooth: &SteadyFilm,
 ) -> Result<LubricatedContact, Failure> {
-    let refused = |error| super::failed::of_referee(about.title.as_ref(), &error);
+    let refused = |error| super::failed::of_reference(about.title.as_ref(), &error);
     let formula = formula_film(&contact.contact, &contact.oil).map_err(refused)?;
     let scales = about.scales;
     let owned = |(code, text): (&str, String)| (code.to_owned(), text);

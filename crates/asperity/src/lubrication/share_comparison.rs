@@ -14,7 +14,7 @@ use super::decision::lambda_star_of;
 use super::formula_film::FormulaFilm;
 use crate::case::LoadedCase;
 use crate::flanks::{Roughness, Surfaces, Texture};
-use crate::reference_solution::{RefereeContact, RefereeError, rheology};
+use crate::reference_solution::{ReferenceContact, ReferenceError, rheology};
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, InletSupply, LoadShareSettings, LoadShareSolution,
     PositionFilm, RoughContact, RoughWindow, SmoothFilm,
@@ -35,7 +35,7 @@ pub struct LawShare {
     /// Share of the load on the asperities; none where the law has no answer.
     pub solid_share: Option<f64>,
     /// Solid share minus that in the reference solution.
-    pub minus_referee: Option<f64>,
+    pub minus_reference: Option<f64>,
     /// Mean gap of the flanks \[µm\], of laws that solve for it.
     pub mean_gap_um: Option<f64>,
     /// Friction coefficient, of laws that solve for it.
@@ -46,14 +46,14 @@ pub struct LawShare {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ShareComparison {
     /// Solid share of the reference solution: mean of the loads below 20 and 50 nm.
-    pub referee_share: f64,
+    pub reference_share: f64,
     /// Mean film of the reference solution \[µm\].
-    pub referee_mean_film_um: f64,
+    pub reference_mean_film_um: f64,
     /// Friction of the reference solution with the heat of film and surfaces, as the laws have it, and with their weight e^(−h/h_b)
     /// on its boundary friction.
-    pub referee_friction: Option<f64>,
+    pub reference_friction: Option<f64>,
     /// Friction of the reference solution with heat and whole boundary friction on its contact nodes.
-    pub referee_friction_shifted: Option<f64>,
+    pub reference_friction_shifted: Option<f64>,
     /// Windows that the laws are averaged over.
     pub windows: usize,
     /// The laws.
@@ -78,9 +78,9 @@ pub struct ComparedWindow {
 /// When a window leaves its trace, a rough contact does not converge or a law refuses the numbers.
 pub fn shares(
     loaded: &LoadedCase,
-    contact: &RefereeContact,
+    contact: &ReferenceContact,
     record: &Record,
-) -> Result<ShareComparison, RefereeError> {
+) -> Result<ShareComparison, ReferenceError> {
     let windows = compared_windows(loaded, contact, WINDOWS)?;
     let settings = share_settings(loaded, contact)?;
     let smooth = LoadShareSettings {
@@ -89,12 +89,12 @@ pub fn shares(
     };
     let [rough, smooth] =
         [settings, smooth].map(|settings| solved(loaded, contact, &windows, &settings));
-    let referee_share = referee_share(record);
+    let reference_share = reference_share(record);
     let friction = record.heated.map(|heated| heated.friction);
     let row = |law, share: Option<f64>, gap, friction| LawShare {
         law,
         solid_share: share,
-        minus_referee: share.map(|share| share - referee_share),
+        minus_reference: share.map(|share| share - reference_share),
         mean_gap_um: gap,
         friction,
     };
@@ -108,10 +108,10 @@ pub fn shares(
     };
     let by_law = |law: LoadShareLaw| mean_share(loaded, contact, &windows, law);
     Ok(ShareComparison {
-        referee_share,
-        referee_mean_film_um: record.mean_film.mean * 1e6,
-        referee_friction: friction.map(|friction| friction.graded.mean),
-        referee_friction_shifted: friction.map(|friction| friction.shifted.mean),
+        reference_share,
+        reference_mean_film_um: record.mean_film.mean * 1e6,
+        reference_friction: friction.map(|friction| friction.graded.mean),
+        reference_friction_shifted: friction.map(|friction| friction.shifted.mean),
         windows: windows.len(),
         laws: vec![
             by_contact("solved", &rough?),
@@ -129,7 +129,7 @@ pub fn shares(
 }
 
 /// Mean of the loads below 20 and 50 nm: what touches is between the two.
-fn referee_share(record: &Record) -> f64 {
+fn reference_share(record: &Record) -> f64 {
     let below = |nm: f64| {
         let same = |film: Length| (film.si() * 1e9 - nm).abs() < 1e-6;
         record.load_below.iter().find(|below| same(below.film))
@@ -146,8 +146,8 @@ fn referee_share(record: &Record) -> f64 {
 /// When the roughness of a trace is not finite.
 pub fn share_settings(
     loaded: &LoadedCase,
-    contact: &RefereeContact,
-) -> Result<LoadShareSettings, RefereeError> {
+    contact: &ReferenceContact,
+) -> Result<LoadShareSettings, ReferenceError> {
     let model = &loaded.case.model;
     let rms = |trace: &Profile| {
         let square = trace.heights().iter().map(|z| z * z).sum::<f64>() / trace.len() as f64;
@@ -170,10 +170,10 @@ pub fn share_settings(
 /// Load share and friction of the windows, with Ψ of the inlet from both whole traces.
 fn solved(
     loaded: &LoadedCase,
-    contact: &RefereeContact,
+    contact: &ReferenceContact,
     windows: &[ComparedWindow],
     settings: &LoadShareSettings,
-) -> Result<Vec<LoadShareSolution>, RefereeError> {
+) -> Result<Vec<LoadShareSolution>, ReferenceError> {
     let case = &loaded.case;
     let line = contact.position.line_contact(case.modulus, case.materials);
     let rheology = rheology(case)?;
@@ -201,9 +201,9 @@ fn solved(
 /// When a window leaves its trace or a rough contact does not converge.
 pub fn compared_windows(
     loaded: &LoadedCase,
-    contact: &RefereeContact,
+    contact: &ReferenceContact,
     count: usize,
-) -> Result<Vec<ComparedWindow>, RefereeError> {
+) -> Result<Vec<ComparedWindow>, ReferenceError> {
     let case = &loaded.case;
     let line = contact.position.line_contact(case.modulus, case.materials);
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
@@ -258,10 +258,10 @@ pub fn compared_windows(
 /// Mean solid share of a law of Λ* or of the classical film ratio; none where a window has no Λ* to decide by.
 fn mean_share(
     loaded: &LoadedCase,
-    contact: &RefereeContact,
+    contact: &ReferenceContact,
     windows: &[ComparedWindow],
     law: LoadShareLaw,
-) -> Result<Option<f64>, RefereeError> {
+) -> Result<Option<f64>, ReferenceError> {
     let laws = ChosenLaws::of(&loaded.case);
     let position = &contact.position;
     let film = FormulaFilm::of(&loaded.case, position)?.film;
@@ -279,9 +279,9 @@ fn mean_share(
 
 fn regression(
     loaded: &LoadedCase,
-    contact: &RefereeContact,
+    contact: &ReferenceContact,
     windows: &[ComparedWindow],
-) -> Result<f64, RefereeError> {
+) -> Result<f64, ReferenceError> {
     let case = &loaded.case;
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
     let film = FormulaFilm::of(case, &contact.position)?.conditions;

@@ -15,7 +15,7 @@ use crate::equations::find;
 use crate::error::PositionError;
 use crate::flanks::is_substituted;
 use crate::mesh::{MeshPosition, Resolution};
-use crate::reference_solution::{RefereeContact, RefereeError, RefereeSettings};
+use crate::reference_solution::{ReferenceContact, ReferenceError, ReferenceSettings};
 
 /// A record at its place on the path.
 #[derive(Debug, Clone)]
@@ -217,12 +217,12 @@ fn chosen(loaded: &LoadedCase, positions: &[MeshPosition]) -> Vec<MeshPosition> 
 fn contacts(
     loaded: &LoadedCase,
     positions: &[MeshPosition],
-) -> Result<Vec<RefereeContact>, PositionError> {
+) -> Result<Vec<ReferenceContact>, PositionError> {
     let choices = &loaded.case.model.ehl;
     let numbered = positions.iter().enumerate();
     numbered
         .map(|(beginning, position)| {
-            let settings = RefereeSettings {
+            let settings = ReferenceSettings {
                 record: RecordSettings {
                     cells: choices.cells,
                     length: choices.travel,
@@ -232,13 +232,13 @@ fn contacts(
                 with_heat: false,
                 beginning,
             };
-            Ok(RefereeContact::at(loaded, position.clone(), &settings)?)
+            Ok(ReferenceContact::at(loaded, position.clone(), &settings)?)
         })
         .collect()
 }
 
-fn solved(contact: &RefereeContact) -> Result<PathRecord, PositionError> {
-    let law = contact.record.friction.ok_or(RefereeError::NoBaseOil)?;
+fn solved(contact: &ReferenceContact) -> Result<PathRecord, PositionError> {
+    let law = contact.record.friction.ok_or(ReferenceError::NoBaseOil)?;
     let used = Provenance::new();
     let solve = || -> Result<_, PositionError> {
         let record = transient::record(&contact.rough, &contact.record)?;

@@ -13,7 +13,7 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl::{Estimate, FrictionLaw, Record, Solved};
 use serde::{Deserialize, Serialize};
 
-use crate::reference_solution::RefereeContact;
+use crate::reference_solution::ReferenceContact;
 
 /// Points at which friction is summed over the Hertz pressure.
 const HERTZ_POINTS: usize = 200;
@@ -77,7 +77,7 @@ pub struct PathRecord {
 impl PathRecord {
     /// Selects the values to store from `solved`, the record of `contact` with a friction law.
     pub(super) fn new(
-        contact: &RefereeContact,
+        contact: &ReferenceContact,
         solved: &Solved<Record>,
         law: &FrictionLaw,
     ) -> Self {
@@ -168,7 +168,7 @@ fn parts(phi: f64, [mu, mu_s, mu_tau]: [f64; 3], b: f64, mu_b: f64) -> [f64; 2] 
 }
 
 /// Friction coefficient of a film of one thickness under the Hertz pressure.
-fn smooth_friction(contact: &RefereeContact, law: &FrictionLaw, film: Length) -> f64 {
+fn smooth_friction(contact: &ReferenceContact, law: &FrictionLaw, film: Length) -> f64 {
     let line = &contact.rough.contact;
     let rate = (line.speed_1 - line.speed_2).si().abs() / film.si();
     let p_0 = contact.position.hertz.max_pressure.si();

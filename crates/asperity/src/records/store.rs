@@ -9,7 +9,7 @@ use serde_json::{from_slice, to_vec};
 
 use super::path_record::PathRecord;
 use crate::fingerprint::Fingerprint;
-use crate::reference_solution::RefereeContact;
+use crate::reference_solution::ReferenceContact;
 
 /// Raised whenever the solver gives other numbers for the same contact, so that older records are not used.
 const REVISION: u32 = 2;
@@ -32,7 +32,7 @@ impl RecordStore {
     }
 
     /// File of the record of `contact`, named by the fingerprint of its bodies, oil, surfaces and settings.
-    pub(super) fn file(&self, contact: &RefereeContact) -> Option<PathBuf> {
+    pub(super) fn file(&self, contact: &ReferenceContact) -> Option<PathBuf> {
         // Debug prints every digit of a number.
         let name = Fingerprint::default()
             .with(format!("{REVISION}"))

@@ -9,7 +9,7 @@ use asperity_mixed_film::LoadShareError;
 /// Errors of the transient reference solution.
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
-pub enum RefereeError {
+pub enum ReferenceError {
     /// The place on the path has no smooth contact, or a flank no trace.
     #[error(transparent)]
     Position(#[from] PositionError),
@@ -25,20 +25,20 @@ pub enum RefereeError {
 }
 
 /// A position whose load share is recorded has the errors of the records.
-impl From<RefereeError> for PositionError {
-    fn from(error: RefereeError) -> Self {
+impl From<ReferenceError> for PositionError {
+    fn from(error: ReferenceError) -> Self {
         match error {
-            RefereeError::Position(error) => error,
-            RefereeError::Ehl(error) => Self::Ehl(error),
-            RefereeError::Share(error) => Self::LoadShare(error),
-            RefereeError::NoBaseOil => Self::Lubricant(LubricantError::NoBaseOil),
+            ReferenceError::Position(error) => error,
+            ReferenceError::Ehl(error) => Self::Ehl(error),
+            ReferenceError::Share(error) => Self::LoadShare(error),
+            ReferenceError::NoBaseOil => Self::Lubricant(LubricantError::NoBaseOil),
         }
     }
 }
 
 macro_rules! by_position {
     ($($error:ty),+) => {
-        $(impl From<$error> for RefereeError {
+        $(impl From<$error> for ReferenceError {
             fn from(error: $error) -> Self {
                 Self::Position(error.into())
             }

@@ -1,6 +1,6 @@
 //! Reference solution of the load share: the transient mixed lubrication of a case at one place of the path.
 //!
-//! [`RefereeContact::of`] makes of a case and a place the rough contact and the record that
+//! [`ReferenceContact::of`] makes of a case and a place the rough contact and the record that
 //! [`asperity_ehl`] solves; [`lubrication::shares`](crate::lubrication::shares) compares the laws of load sharing with it.
 //!
 //! Its ridges go across the whole face and cannot leak. Where the roughness that is left in the contact is above
@@ -10,9 +10,9 @@ mod error;
 mod settings;
 mod yielding;
 
-pub use error::RefereeError;
+pub use error::ReferenceError;
 pub use settings::{
-    LARGEST_ROUGHNESS, RefereeContact, RefereeSettings, attenuated_roughness, formula_film,
+    LARGEST_ROUGHNESS, ReferenceContact, ReferenceSettings, attenuated_roughness, formula_film,
 };
 pub(crate) use settings::{rheology, smooth_contact};
 pub use yielding::{elastic_above_flow, record_warnings};

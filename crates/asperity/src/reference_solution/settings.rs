@@ -14,7 +14,7 @@ use asperity_ehl_regime::{
 use asperity_oil::{DensityLaw, FilmRheology, PressureViscosityLaw, ShearLaw, TractionConstants};
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 
-use super::error::RefereeError;
+use super::error::ReferenceError;
 use crate::case::{Case, LoadedCase};
 use crate::contacts::running_in::run_in;
 use crate::error::PositionError;
@@ -41,7 +41,7 @@ const OFFSET_STEPS: [f64; 2] = [0.618_033_988_749_894_9, 0.414_213_562_373_095];
 
 /// Choices of the reference solution.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RefereeSettings {
+pub struct ReferenceSettings {
     /// Grid, length and films of the record; its law of friction, heat and ceiling are those of the case.
     pub record: RecordSettings,
     /// Eyring stress that replaces the value of the base oil.
@@ -54,7 +54,7 @@ pub struct RefereeSettings {
 
 /// The lubricated contact of a case at one place, with what was measured of its roughness.
 #[derive(Debug, Clone)]
-pub struct RefereeContact {
+pub struct ReferenceContact {
     /// Place on the path, 0 at A and 1 at E.
     pub path_fraction: f64,
     /// The smooth mesh position.
@@ -69,7 +69,7 @@ pub struct RefereeContact {
     pub attenuated_roughness: Length,
 }
 
-impl RefereeContact {
+impl ReferenceContact {
     /// The contact of `loaded` at `path_fraction`, 0 at A and 1 at E; of flanks that have run in, where the
     /// case asks
     /// for them.
@@ -81,8 +81,8 @@ impl RefereeContact {
     pub fn of(
         loaded: &LoadedCase,
         path_fraction: f64,
-        settings: &RefereeSettings,
-    ) -> Result<Self, RefereeError> {
+        settings: &ReferenceSettings,
+    ) -> Result<Self, ReferenceError> {
         let case = &loaded.case;
         let path = case.gears.path();
         let position = position_at(case, path.a + (path.e - path.a) * path_fraction)?;
@@ -102,8 +102,8 @@ impl RefereeContact {
     pub fn at(
         loaded: &LoadedCase,
         position: MeshPosition,
-        settings: &RefereeSettings,
-    ) -> Result<Self, RefereeError> {
+        settings: &ReferenceSettings,
+    ) -> Result<Self, ReferenceError> {
         let case = &loaded.case;
         let path = case.gears.path();
         let path_fraction = (position.s - path.a) / (path.e - path.a);
@@ -197,16 +197,16 @@ fn line_contact(case: &Case, position: &MeshPosition) -> LineContact {
 }
 
 /// The oil in the film, from the case or the constants of its base oil.
-pub(crate) fn rheology(case: &Case) -> Result<FilmRheology, RefereeError> {
+pub(crate) fn rheology(case: &Case) -> Result<FilmRheology, ReferenceError> {
     match (&case.rheology, case.lubricant.base_oil()) {
         (Some(rheology), _) => Ok(rheology.clone()),
         (None, Some(base)) => Ok(FilmRheology::new(&case.lubricant, base)?),
-        (None, None) => Err(RefereeError::NoBaseOil),
+        (None, None) => Err(ReferenceError::NoBaseOil),
     }
 }
 
 /// The trace without waves shorter than `shortest`.
-fn smoothed(trace: &Profile, shortest: Length) -> Result<Profile, RefereeError> {
+fn smoothed(trace: &Profile, shortest: Length) -> Result<Profile, ReferenceError> {
     if shortest < trace.spacing() * 2.0 {
         return Ok(trace.clone());
     }
@@ -230,7 +230,7 @@ pub fn attenuated_roughness(
     contact: &LineContact,
     oil: &Oil,
     traces: &[&Profile],
-) -> Result<Length, RefereeError> {
+) -> Result<Length, ReferenceError> {
     let conditions = conditions(contact, oil);
     let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)
         .map_err(PositionError::from)?;
@@ -250,7 +250,7 @@ pub fn attenuated_roughness(
 ///
 /// # Errors
 /// When a number is outside its domain.
-pub fn formula_film(contact: &LineContact, oil: &Oil) -> Result<[Length; 2], RefereeError> {
+pub fn formula_film(contact: &LineContact, oil: &Oil) -> Result<[Length; 2], ReferenceError> {
     let film = FilmLaw::DowsonToyoda.film(&conditions(contact, oil))?.value;
     let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)
         .map_err(PositionError::from)?;

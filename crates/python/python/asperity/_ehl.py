@@ -72,7 +72,7 @@ def ehl(
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
 ) -> EhlRecord:
-    """Solves the mixed lubricated contact of a case at one place in time, the referee of the faster laws.
+    """Solves the mixed lubricated contact of a case at one place in time, the reference of the faster laws.
 
     Args:
         case: the case, both of whose flanks have traces.
