@@ -138,6 +138,8 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ("film", "case", Read, "@"),
     ("profile info", "files", Read, "@"),
     ("oil traction", "output", Written, "m100 -o @"),
+    ("oil fit", "files", Read, "@ --oil m100 -o new"),
+    ("oil fit", "output", Written, "curves.csv --oil m100 -o @"),
     ("profile compare", "files", Read, "pinion.csv @"),
     ("profile plot", "file", Read, "@"),
     ("profile plot", "output", Written, "pinion.csv -o @"),
@@ -189,6 +191,8 @@ fn bench() -> Bench {
         "gap.csv",
         format!("x_um,h_um\n{}", (-60..=60).map(gap).collect::<String>()),
     );
+    let curves = "crates/calibration/tests/golden/traction_mineral.csv";
+    std::fs::copy(crate::bench::root().join(curves), bench.path("curves.csv")).unwrap();
     let rexs = crate::bench::root().join("crates/rexs/tests/gearboxes/chain.rexs");
     std::fs::copy(rexs, bench.path("box.rexs")).unwrap();
     bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
