@@ -116,7 +116,12 @@ fn modules_and_shifts_of_the_cars_follow_from_their_tip_diameters() {
     let mut cars = 0;
     for preset in gears().unwrap() {
         let numbers = &preset.gears;
-        let Some(tip) = &numbers.tip_diameter else {
+        // Those of the test rigs are not inferred.
+        let Some(tip) = numbers
+            .tip_diameter
+            .as_ref()
+            .filter(|_| !preset.name.starts_with("fzg"))
+        else {
             continue;
         };
         let [d1, d2] = tip.value.map(|d| d.si() * 1e3);
