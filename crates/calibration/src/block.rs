@@ -21,19 +21,11 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
         .enumerate()
         .filter(|(_, parameter)| is_identified(parameter))
         .collect();
-    let mut text = String::from("[calibration]\n");
-    let plain = |letter: char| match letter {
-        '\\' => '/',
-        '"' => '\'',
-        letter if letter.is_control() => ' ',
-        letter => letter,
-    };
-    let quoted: String = source.chars().map(plain).collect();
-    // Writing into a string cannot fail.
-    let _ = writeln!(text, "source = \"{quoted}\"");
+    let mut text = format!("[calibration]\nsource = {}\n", quoted(source));
     for (_, parameter) in &included {
         let [value, low, high] = [parameter.value, parameter.band[0], parameter.band[1]]
             .map(|value| quantity(&parameter.key, value));
+        // Writing into a string cannot fail.
         let _ = writeln!(
             text,
             "{} = {{ value = {value}, low = {low}, high = {high} }}",
@@ -59,8 +51,19 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
     text
 }
 
+/// A text in quotation marks, with other marks in place of those that TOML does not take there.
+pub(crate) fn quoted(source: &str) -> String {
+    let plain = |letter: char| match letter {
+        '\\' => '/',
+        '"' => '\'',
+        letter if letter.is_control() => ' ',
+        letter => letter,
+    };
+    format!("\"{}\"", source.chars().map(plain).collect::<String>())
+}
+
 /// Correlations of the parameters `numbers`, rounded as in the block.
-fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f64> {
+pub(crate) fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f64> {
     /// Steps per unit of a written correlation.
     const STEPS: f64 = 1000.0;
     let count = numbers.len();
@@ -107,7 +110,10 @@ fn quantity(key: &str, value: f64) -> String {
 }
 
 /// A number with four digits.
-fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
     let decimals = (3 - value.abs().log10().floor() as i32).clamp(0, 12);
     format!("{value:.*}", decimals as usize)
 }

@@ -53,7 +53,7 @@ pub struct LubricantInput {
     /// Name of an oil in the library; the other keys override its values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub oil: Option<String>,
-    /// Viscosity law and its values; the law may be left out where the two values of a data sheet are given.
+    /// Viscosity law and its values; the law may be left out where the two values of a data sheet, or grade and index, are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub viscosity: Option<ViscosityLaw>,
     /// Temperature coefficient −(dη/dT)/η of a viscosity given at one temperature.

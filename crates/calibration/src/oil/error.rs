@@ -94,7 +94,7 @@ pub enum OilError {
     },
     /// A nuisance term of no calibrated machine.
     #[error(
-        "for the fit to hold {text}: {deviations:+.1} standard deviations, at most 3 are accepted"
+        "for the fit to hold, {text}: {deviations:+.1} standard deviations, at most 3 are accepted"
     )]
     Nuisance {
         /// The term in words.

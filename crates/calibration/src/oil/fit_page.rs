@@ -10,6 +10,7 @@ use maud::{Markup, html};
 
 use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
 use super::selection::Dropped;
+use crate::block::{digits, quoted, rounded};
 
 /// Table of the points.
 const POINTS: &str = "points.csv";
@@ -131,27 +132,23 @@ impl OilFit {
         let [stress, limit, fall, factor] = &self.constants[..] else {
             return String::new();
         };
-        let quoted = |value: f64, unit: &str| format!("\"{} {unit}\"", digits(value));
-        let source: Vec<String> = self
-            .sources
-            .iter()
-            .map(|[file, _]| file.replace('\\', "/"))
-            .collect();
-        let source = source.join(", ").replace(['"', '\n'], "'");
+        let with_unit = |value: f64, unit: &str| format!("\"{} {unit}\"", digits(value));
+        let files: Vec<&str> = self.sources.iter().map(|[file, _]| &**file).collect();
         let mut text = format!(
-            "[model]\nfilm_pressure_law = \"{}\"\n\n[lubricant]\npressure_viscosity_factor = {}\nlimiting_shear_temperature = {}\n\n[calibration]\nsource = \"{source}\"\n",
+            "[model]\nfilm_pressure_law = \"{}\"\n\n[lubricant]\npressure_viscosity_factor = {}\nlimiting_shear_temperature = {}\n\n[calibration]\nsource = {}\n",
             self.pressure_law,
             digits(factor.value),
-            quoted(fall.value, "1/K"),
+            with_unit(fall.value, "1/K"),
+            quoted(&files.join(", ")),
         );
         let [low, high] = stress.band;
         // Writing into a string cannot fail.
         let _ = writeln!(
             text,
             "eyring_stress = {{ value = {}, low = {}, high = {} }}",
-            quoted(stress.value, "MPa"),
-            quoted(low, "MPa"),
-            quoted(high, "MPa")
+            with_unit(stress.value, "MPa"),
+            with_unit(low, "MPa"),
+            with_unit(high, "MPa")
         );
         let [low, high] = limit.band;
         let _ = writeln!(
@@ -164,7 +161,7 @@ impl OilFit {
         let _ = writeln!(
             text,
             "correlations = [{{ between = [\"eyring_stress\", \"limiting_shear\"], value = {:.3} }}]",
-            self.correlations[0][1]
+            rounded(&[0, 1], &self.correlations)[(0, 1)]
         );
         text
     }
@@ -177,17 +174,8 @@ fn named(constant: &FittedConstant) -> String {
     }
 }
 
-/// A number with four digits.
-fn digits(value: f64) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    let decimals = (3 - value.abs().log10().floor() as i32).clamp(0, 12);
-    format!("{value:.*}", decimals as usize)
-}
-
 fn band([low, high]: [f64; 2]) -> String {
-    format!("{} .. {}", digits(low), digits(high))
+    format!("({}..{})", digits(low), digits(high))
 }
 
 fn constants(fit: &OilFit) -> Markup {

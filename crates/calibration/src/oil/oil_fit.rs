@@ -30,6 +30,9 @@ const LEAST_PRESSURE: f64 = 0.4e9;
 /// Squares per point above which no law explains the curves, and above which the error of the law is larger.
 const UNEXPLAINED: f64 = 3.0;
 const POORLY_EXPLAINED: f64 = 1.5;
+/// Standard deviation of the error of the law that explains the curves, and that explains them poorly (judgement).
+const LAW_ERROR: f64 = 0.02;
+const POOR_LAW_ERROR: f64 = 0.12;
 /// Squares per point below which the stated errors are too large.
 const OVERSTATED: f64 = 0.3;
 /// Standard deviations of a nuisance term that are worth a warning, and that no calibrated machine has.
@@ -214,8 +217,8 @@ impl OilFit {
             total_squared: [best.total_squared, other.total_squared],
             squares_per_point: best.squares_per_point(),
             law_error: match best.squares_per_point() > POORLY_EXPLAINED {
-                true => 0.12,
-                false => 0.02,
+                true => POOR_LAW_ERROR,
+                false => LAW_ERROR,
             },
             counts: [readings.len(), points.len(), kept.len()],
             temperatures_c: super::problem::distinct(
@@ -318,8 +321,9 @@ impl OilFit {
         }
         if self.squares_per_point > POORLY_EXPLAINED {
             texts.push(format!(
-                "the residuals are {:.1} times the stated errors: the error of the law is 12 %",
-                self.squares_per_point.sqrt()
+                "the residuals are {:.1} times the stated errors: the error of the law is {:.0} %",
+                self.squares_per_point.sqrt(),
+                100.0 * self.law_error
             ));
         }
         if !self.is_law_decided {
@@ -397,9 +401,9 @@ fn constants(
     let priors = values(fit.problem.oil.rheology.constants());
     let rows = NAMES.iter().enumerate().map(|(k, (key, name, unit))| {
         let sd = fit.problem.priors.constants[k];
-        let (shift, posterior) = (sd * fit.x[k], fit.deviation(k) * LINEARISED);
+        let (shift, posterior) = (sd * fit.x[k], fit.deviation(k));
         let is_logarithm = k != 2;
-        let is_identified = posterior / LINEARISED <= NOT_IDENTIFIED;
+        let is_identified = posterior <= NOT_IDENTIFIED;
         let at = |shift: f64| match is_logarithm {
             true => priors[k] * shift.exp(),
             false => priors[k] + shift,
@@ -410,11 +414,11 @@ fn constants(
             name: (*name).to_owned(),
             unit: (*unit).to_owned(),
             value: at(shift),
-            band: band(shift, sd * posterior),
+            band: band(shift, LINEARISED * sd * posterior),
             prior: priors[k],
             prior_band: band(0.0, sd),
             expected: before[k],
-            posterior: posterior / LINEARISED,
+            posterior,
             is_identified,
             would_help: further[k].filter(|_| !is_identified).map(words),
         }
