@@ -198,11 +198,16 @@ pub fn measured_loss(speed: u32) -> [f64; 2] {
     }
 }
 
+/// The superfinished pair of Petry-Johnson with its contacts, which serve every speed, temperature and gap law.
+fn petry_johnson() -> &'static Kept {
+    static KEPT: OnceLock<Kept> = OnceLock::new();
+    KEPT.get_or_init(|| Kept::new(measured("petry-johnson", &[])))
+}
+
 /// The losses of superfinished flanks known by their Rq, with all other defaults.
 pub fn petry_johnson_by(law: GapLaw, speed: u32) -> Sampled {
     let speed = format!("{speed} 1/min");
-    let keys = [gap_law_key(law), ("operation.speed", &speed)];
-    Sampled::of(&measured("petry-johnson", &keys))
+    petry_johnson().at(&[gap_law_key(law), ("operation.speed", &speed)])
 }
 
 /// Laws of the bulk temperature of T2 with their names: the conductances of the rig are unknown, 10 to 40 W/K a gear are
@@ -233,7 +238,7 @@ fn with_bulk_temperature(speed: u32, law: &str) -> f64 {
         ("operation.oil_temperature", "110 °C"),
         ("operation.bulk", law),
     ];
-    losses(&measured("petry-johnson", &keys)).summary.loss_w
+    petry_johnson().at(&keys).losses.summary.loss_w
 }
 
 /// Losses with the laws of the bulk temperature, as text.

@@ -16,12 +16,17 @@ pub fn shipped(name: &str) -> LoadedCase {
 
 /// A shipped case with these keys changed.
 pub fn with(name: &str, keys: &[(&str, &str)]) -> LoadedCase {
+    with_keys(&shipped(name), keys)
+}
+
+/// The case with keys changed together: one alone may contradict what the others replace.
+pub fn with_keys(case: &LoadedCase, keys: &[(&str, &str)]) -> LoadedCase {
     let set = |input: &mut CaseInput| {
         for (key, value) in keys {
             input.set(key, value).unwrap();
         }
     };
-    shipped(name).with(set).unwrap()
+    case.with(set).unwrap()
 }
 
 pub fn losses(case: &LoadedCase) -> Losses {

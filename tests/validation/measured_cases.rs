@@ -7,7 +7,7 @@ use asperity::result::{Losses, OffsetRow};
 use asperity::uncertainty::standard_error;
 
 use crate::gate::Estimate;
-use crate::load_share::with;
+use crate::load_share::{with, with_keys};
 
 /// Pitch line speeds m/s and the friction an independent program found there, boundary friction 0.08.
 pub const FZG_SPEEDS: [(f64, f64); 6] = [
@@ -117,9 +117,7 @@ impl Kept {
     }
 
     pub fn with(&self, keys: &[(&str, &str)]) -> LoadedCase {
-        keys.iter().fold(self.case.clone(), |case, (key, value)| {
-            case.with_key(key, value).unwrap()
-        })
+        with_keys(&self.case, keys)
     }
 
     pub fn at(&self, keys: &[(&str, &str)]) -> Sampled {
