@@ -24,7 +24,10 @@ pub use from_rexs::{CaseCommand, FromRexsArgs};
 pub use map::{
     CycleArgs, ExportArg, MapArgs, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs,
 };
-pub use oil::{OilCommand, OilFitArgs, OilTractionArgs, TemperatureColumnArg, ZeroArg};
+pub use oil::{
+    ErrorArgs, OilCommand, OilFitArgs, OilPlanArgs, OilStribeckArgs, OilTractionArgs, SpecimenArgs,
+    TemperatureColumnArg, ZeroArg,
+};
 pub use profile::{
     FormArg, PreparingArgs, ProfileCommand, ProfileConvertArgs, ProfileFilterArgs,
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, Ratios, ReadingArgs,

@@ -232,3 +232,187 @@ fn curves_that_give_no_constants_are_refused() {
     let out = fit(&cold.join("\n"), &[]).well().unwrapped();
     assert!(out.contains("W441 one temperature"), "{out}");
 }
+
+#[test]
+fn a_plan_lists_its_curves_and_the_errors_that_they_leave() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let quick = E_DRIVE.replacen("[model]\n", "[model]\npositions = 6\noffsets = 4\n", 1);
+    bench.write("case.toml", quick);
+    let plan = |more: &[&str]| {
+        let arguments = [&["oil", "plan", "--json"], more].concat();
+        bench.run(&arguments).well().json()
+    };
+    let of_case = plan(&["--oil", "case.toml", "-o", "plan"]);
+    let loss = |stage: usize| of_case["stages"][stage]["loss_deviation"].as_f64().unwrap();
+    // Ten points that are chosen for the loss leave less of its error than one curve of ten points.
+    assert!(loss(0) > 3.0 * loss(1) && loss(5) < loss(1) && loss(3) < loss(2));
+    assert_eq!(of_case["chosen"].as_array().unwrap().len(), 10);
+    let thin = of_case["curves"].as_array().unwrap();
+    let thin = thin
+        .iter()
+        .find(|curve| curve["slides_percent"] == serde_json::json!([]));
+    assert_eq!(thin.unwrap()["dropped"][0], "thin-film");
+    // The table to fill in is a table of traction curves without friction.
+    let table = fs::read_to_string(bench.path("plan/plan.csv")).unwrap();
+    assert_eq!(table.lines().count(), 1 + 2 * 100);
+    let fit = bench.run(&["oil", "fit", "plan/plan.csv", "--oil", "case.toml"]);
+    fit.refused(2, "E317", &["plan.csv:2", "traction is missing"]);
+    let filled = table.lines().map(|line| {
+        let cells: Vec<&str> = line.split(',').collect();
+        let traction = match cells[4] {
+            "" => cells[6],
+            head => head,
+        };
+        format!(
+            "{},{},{},{},{traction},{}\n",
+            cells[0], cells[1], cells[2], cells[3], cells[5]
+        )
+    });
+    bench.write("filled.csv", filled.collect::<String>());
+    let out = bench.run(&["oil", "fit", "filled.csv", "--oil", "case.toml"]);
+    let out = out.well().unwrapped();
+    assert!(
+        out.contains("200 readings at 100 set points, 100 fitted"),
+        "{out}"
+    );
+    // Without a case, the constants together.
+    let of_oil = plan(&["--oil", "e-fluid-70w75w"]);
+    assert!(of_oil["case"].is_null() && of_oil["stages"][0]["loss_deviation"].is_null());
+    let both = plan(&[
+        "--oil",
+        "e-fluid-70w75w",
+        "--case",
+        "case.toml",
+        "-o",
+        "both",
+    ]);
+    assert!(both["stages"][1]["loss_deviation"].is_number());
+    let rough = bench.run(&[
+        "oil", "plan", "--oil", "m100", "--rq", "1 um", "-o", "rough",
+    ]);
+    let out = rough.well().unwrapped();
+    assert!(
+        out.contains("left out: film thinner than three times"),
+        "{out}"
+    );
+    let law = bench.run(&[&["oil", "plan", "--oil", "case.toml"], &XU[..]].concat());
+    law.refused(2, "E205", &["not computed from a shear stress"]);
+}
+
+/// Stribeck curves at 120 °C and 50 N: friction over speed and time of rubbing.
+fn stribeck(friction: impl Fn(f64, f64) -> f64) -> String {
+    let head = "load_n,mean_speed_m_s,slide_roll_percent,temperature_c,rubbing_s,traction\n";
+    let row = |rubbing: f64, k: i32| {
+        let speed = 0.002 * 1.5_f64.powi(k);
+        format!("50,{speed},50,120,{rubbing},{}\n", friction(speed, rubbing))
+    };
+    let rows = [0.0, 7200.0].map(|time| (0..20).map(|k| row(time, k)).collect::<String>());
+    head.to_owned() + &rows.concat()
+}
+
+/// Friction that falls from the boundary friction where the film grows.
+fn rubbed(speed: f64, rubbing: f64) -> f64 {
+    let boundary = if rubbing > 0.0 { 0.117 } else { 0.059 };
+    0.02 + (boundary - 0.02) / (1.0 + (speed / 0.3).powi(2))
+}
+
+#[test]
+fn stribeck_curves_give_the_boundary_friction_of_rubbed_specimens() {
+    let bench = Bench::new();
+    bench.write("curves.csv", stribeck(rubbed));
+    let arguments = [
+        "oil",
+        "stribeck",
+        "curves.csv",
+        "--oil",
+        "m100",
+        "-o",
+        "found",
+    ];
+    let out = bench.run(&arguments).well().unwrapped();
+    for part in [
+        "before rubbing               0.0590, 5 points",
+        "after 7200 s of rubbing      0.117",
+        "(0.0992..0.1378, 5 to 95 %) at 120 °C",
+    ] {
+        assert!(out.contains(part), "{part:?} is not in {out}");
+    }
+    let text = fs::read_to_string(bench.path("found/stribeck.json")).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let number = |key: &str| json[key].as_f64().unwrap();
+    assert!((number("boundary_friction") / 0.117 - 1.0).abs() < 1e-3);
+    assert!((number("deviation") - 0.1).abs() < 1e-3);
+    // The lines for a case run.
+    bench.write_flanks();
+    let block = fs::read_to_string(bench.path("found/case.toml")).unwrap();
+    bench.write("case.toml", format!("{E_DRIVE}\n{block}"));
+    bench.run(&["check", "case.toml"]).well();
+    // The case is 30 K colder.
+    let of_case = [
+        "oil",
+        "stribeck",
+        "curves.csv",
+        "--oil",
+        "case.toml",
+        "-o",
+        "of-case",
+    ];
+    let out = bench.run(&of_case).well().unwrapped();
+    assert!(
+        out.contains("W441 the case has 90 °C, 30 K outside of the tested"),
+        "{out}"
+    );
+    // Files with the time of rubbing on the command line.
+    let table = stribeck(rubbed);
+    let file = |time: &str| {
+        let of = table.lines().skip(1).filter(|line| line.contains(time));
+        let rows = of.map(|line| line.replace(time, ",120,") + "\n");
+        let head = "load_n,mean_speed_m_s,slide_roll_percent,temperature_c,traction\n";
+        head.to_owned() + &rows.collect::<String>()
+    };
+    bench.write("new.csv", file(",120,0,"));
+    bench.write("rubbed.csv", file(",120,7200,"));
+    let times = [
+        "--rubbing",
+        "0 s,2 h",
+        "--oil",
+        "m100",
+        "-o",
+        "files",
+        "--json",
+    ];
+    let files = [&["oil", "stribeck", "new.csv", "rubbed.csv"], &times[..]].concat();
+    let files = bench.run(&files).well().json();
+    assert_eq!(files["states"], json["states"]);
+}
+
+#[test]
+fn stribeck_curves_without_a_boundary_friction_are_refused() {
+    let bench = Bench::new();
+    let given = |text: &str, more: &[&str]| {
+        bench.write("curves.csv", text);
+        let arguments = [&["oil", "stribeck", "curves.csv", "--oil", "m100"], more].concat();
+        bench.run(&arguments)
+    };
+    let table = stribeck(rubbed);
+    let unstated = table.replace(",rubbing_s", "").replace(",120,0,", ",120,");
+    let unstated = unstated.replace(",120,7200,", ",120,");
+    given(&unstated, &[]).refused(2, "E322", &["curves.csv:2", "--rubbing"]);
+    given(&unstated, &["--rubbing", "0 s"]).refused(2, "E322", &["new specimens"]);
+    given(&unstated, &["--rubbing", "1 h,2 h"]).refused(2, "E205", &["for each file"]);
+    given(&unstated, &["--rubbing", "-1 h"]).refused(2, "E209", &["--rubbing"]);
+    given(&table, &["--rq", "3 nm"]).refused(2, "E322", &["0 of 20 set points", "two speeds"]);
+    let one_speed: Vec<&str> = table
+        .lines()
+        .filter(|line| !line.starts_with("50,0.00"))
+        .collect();
+    given(&one_speed.join("\n"), &[]).refused(2, "E322", &["at least 4"]);
+    let falling = stribeck(|speed, _| 0.1 * speed.powf(-0.06));
+    given(&falling, &[]).refused(2, "E322", &["-13 % per decade of speed"]);
+    let mut slow = String::from(table.lines().next().unwrap());
+    for slide in [20, 30, 40, 50, 60] {
+        slow += &format!("\n50,0.002,{slide},120,7200,0.1");
+    }
+    given(&slow, &[]).refused(2, "E322", &["5 of 5 set points", "two speeds"]);
+}

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use asperity_core::quantity::{Force, Length, Ratio, Speed};
+use asperity_core::quantity::{Force, Length, Ratio, Speed, Time};
 use clap::{Args, Subcommand, ValueEnum};
 
 use super::SetArgs;
@@ -32,6 +32,20 @@ pub enum OilCommand {
         specimens; a text export of a PCS machine is read as it is. case.toml in the result holds the\n\
         keys for a case.")]
     Fit(OilFitArgs),
+    /// Traction measurements that would determine the constants of an oil, with the errors they would leave
+    #[command(after_help = "Examples:\n  asperity oil plan --oil m100\n  \
+        asperity oil plan --oil case.toml\n\n\
+        plan.csv in the result is the table to fill in for asperity oil fit. With a case, the error of its\n\
+        loss by the constants is listed too, and the points are chosen that narrow it most.")]
+    Plan(OilPlanArgs),
+    /// Boundary friction from Stribeck curves of ball and disc, with its band
+    #[command(
+        after_help = "Examples:\n  asperity oil stribeck stribeck.csv --oil m100\n  \
+        asperity oil stribeck new.txt rubbed.txt --rubbing \"0 s,2 h\" --oil case.toml\n\n\
+        The files have the columns of a traction curve, and rubbing_s, the time for which the specimens\n\
+        have rubbed before. Points with a film of at most a fifth of the roughness count."
+    )]
+    Stribeck(OilStribeckArgs),
 }
 
 /// Zeros of the friction.
@@ -54,30 +68,23 @@ pub enum TemperatureColumnArg {
     Pot,
 }
 
-/// `asperity oil fit`
+/// Specimens of a machine.
 #[derive(Debug, Args)]
-pub struct OilFitArgs {
-    /// Tables or text exports of traction curves
-    #[arg(required = true, value_name = "FILE")]
-    pub files: Vec<PathBuf>,
-    /// Oil of the library with the viscosity and family, or a case file whose oil is taken
-    #[arg(long)]
-    pub oil: String,
-    /// Keys of the case set on the command line.
-    #[command(flatten)]
-    pub set: SetArgs,
+pub struct SpecimenArgs {
     /// Root mean square roughness of both specimens together
     #[arg(long, default_value = "15 nm", allow_hyphen_values = true)]
     pub rq: Length,
-    /// Radius of the ball of rows that state none
+    /// Radius of the ball, unless a row states it
     #[arg(long, default_value = "9.525 mm", allow_hyphen_values = true)]
     pub ball_radius: Length,
-    /// Radius of the second body of rows that state none [default: a flat disc]
+    /// Radius of the second body, unless a row states it [default: a flat disc]
     #[arg(long, allow_hyphen_values = true)]
     pub second_radius: Option<Length>,
-    /// Probe of the temperature in a text export
-    #[arg(long, value_enum, default_value = "lube")]
-    pub temperature_column: TemperatureColumnArg,
+}
+
+/// Priors of the constants and errors of the points.
+#[derive(Debug, Args)]
+pub struct ErrorArgs {
     /// Leave the constants to the points, with wide priors in place of the family
     #[arg(long)]
     pub wide: bool,
@@ -90,6 +97,29 @@ pub struct OilFitArgs {
     /// Least standard deviation of the friction coefficient of such points
     #[arg(long, default_value_t = 3e-4, allow_hyphen_values = true)]
     pub point_floor: f64,
+}
+
+/// `asperity oil fit`
+#[derive(Debug, Args)]
+pub struct OilFitArgs {
+    /// Tables or text exports of traction curves
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Oil of the library with the viscosity and family, or a case file whose oil is taken
+    #[arg(long)]
+    pub oil: String,
+    /// Keys of the case set on the command line.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Specimens.
+    #[command(flatten)]
+    pub specimens: SpecimenArgs,
+    /// Probe of the temperature in a text export
+    #[arg(long, value_enum, default_value = "lube")]
+    pub temperature_column: TemperatureColumnArg,
+    /// Priors and errors.
+    #[command(flatten)]
+    pub errors: ErrorArgs,
     /// Accept constants of no known oil
     #[arg(long)]
     pub force: bool,
@@ -123,19 +153,62 @@ pub struct OilTractionArgs {
         allow_hyphen_values = true
     )]
     pub temperature: String,
-    /// Radius of the ball
-    #[arg(long, default_value = "9.525 mm", allow_hyphen_values = true)]
-    pub ball_radius: Length,
-    /// Radius of the second body [default: a flat disc]
-    #[arg(long, allow_hyphen_values = true)]
-    pub second_radius: Option<Length>,
-    /// Root mean square roughness of ball and disc together
-    #[arg(long, default_value = "15 nm", allow_hyphen_values = true)]
-    pub rq: Length,
+    /// Specimens.
+    #[command(flatten)]
+    pub specimens: SpecimenArgs,
     /// Boundary friction to which the dashed guide of the chart leads [default: that of the model]
     #[arg(long, allow_hyphen_values = true)]
     pub boundary_friction: Option<f64>,
     /// Folder of the curves [default: results/<name of the oil or case>-traction]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+}
+
+/// `asperity oil plan`
+#[derive(Debug, Args)]
+pub struct OilPlanArgs {
+    /// Oil of the library, or a case file whose oil is taken
+    #[arg(long)]
+    pub oil: String,
+    /// Case whose loss is to be narrowed [default: the case of --oil]
+    #[arg(long)]
+    pub case: Option<PathBuf>,
+    /// Keys of the case set on the command line.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Specimens.
+    #[command(flatten)]
+    pub specimens: SpecimenArgs,
+    /// Priors and errors.
+    #[command(flatten)]
+    pub errors: ErrorArgs,
+    /// Folder of the plan [default: results/<name of the oil or case>-plan]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+}
+
+/// `asperity oil stribeck`
+#[derive(Debug, Args)]
+pub struct OilStribeckArgs {
+    /// Tables or text exports of Stribeck curves
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Oil of the library, or a case file whose oil is taken
+    #[arg(long)]
+    pub oil: String,
+    /// Keys of the case set on the command line.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Time of rubbing before each file, 0 s for new specimens, unless a row states it
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true)]
+    pub rubbing: Vec<Time>,
+    /// Specimens.
+    #[command(flatten)]
+    pub specimens: SpecimenArgs,
+    /// Probe of the temperature in a text export
+    #[arg(long, value_enum, default_value = "lube")]
+    pub temperature_column: TemperatureColumnArg,
+    /// Folder of the result [default: results/<name of the first file>-stribeck]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
 }

@@ -1,16 +1,17 @@
 //! `asperity oil`: oils of the library, traction of the film between ball and disc, and the constants behind it.
 
 use std::ffi::OsString;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use asperity::LoadedCase;
 use asperity::fingerprint::sha256;
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
-    FitSettings, Machine, OilBase, OilError, OilFit, Probe, Reading, TractionCurves, TractionRange,
-    is_pcs, read_pcs, read_table,
+    FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe, Reading,
+    Stribeck, TractionCurves, TractionRange, is_pcs, read_pcs, read_table,
 };
 use asperity_calibration::table_text;
 use asperity_core::DomainError;
@@ -20,8 +21,8 @@ use asperity_studies::map::axis;
 use super::oils::{named, oils};
 use super::{load_case, result_name, study};
 use crate::args::{
-    Common, OilCommand, OilFitArgs, OilTractionArgs, PresetArgs, SetArgs, TemperatureColumnArg,
-    ZeroArg,
+    Common, ErrorArgs, OilCommand, OilFitArgs, OilPlanArgs, OilStribeckArgs, OilTractionArgs,
+    PresetArgs, SetArgs, SpecimenArgs, TemperatureColumnArg, ZeroArg,
 };
 use crate::failure::Failure;
 
@@ -35,6 +36,8 @@ pub fn oil(command: &OilCommand, common: &Common) -> Result<(), Failure> {
         }
         OilCommand::Traction(args) => traction(args, common),
         OilCommand::Fit(args) => fit(args, common),
+        OilCommand::Plan(args) => plan(args, common),
+        OilCommand::Stribeck(args) => stribeck(args, common),
     }
 }
 
@@ -44,22 +47,120 @@ impl From<OilError> for Failure {
     }
 }
 
-/// The oil of a case file or of the library, with the name of its results.
-fn base(oil: &str, set: &SetArgs) -> Result<(OilBase, OsString), Failure> {
+/// An oil with the name of its results, and its case if it is the oil of one.
+struct NamedOil {
+    oil: OilBase,
+    name: OsString,
+    case: Option<LoadedCase>,
+}
+
+/// The oil of a case file or of the library.
+fn base(oil: &str, set: &SetArgs) -> Result<NamedOil, Failure> {
     let path = Path::new(oil);
     let is_file = path.extension().is_some() || path.exists();
     if is_file {
         let loaded = load_case(path, set, None)?;
-        return Ok((OilBase::of_case(&loaded.case)?, result_name(path)));
+        return Ok(NamedOil {
+            oil: OilBase::of_case(&loaded.case)?,
+            name: result_name(path),
+            case: Some(loaded),
+        });
     }
     let name = named(oil)?.name;
-    Ok((OilBase::of_library(&name)?, OsString::from(name)))
+    Ok(NamedOil {
+        oil: OilBase::of_library(&name)?,
+        name: OsString::from(name),
+        case: None,
+    })
+}
+
+fn refused(error: DomainError) -> Failure {
+    Failure::new("E209", error.to_string())
+}
+
+fn machine(of: &SpecimenArgs) -> Result<Machine, Failure> {
+    Machine::ball_on_disc(of.ball_radius, of.second_radius, of.rq).map_err(refused)
+}
+
+/// Zeros and errors of the points.
+fn errors(args: &ErrorArgs) -> Result<(Zero, PointErrors), Failure> {
+    let errors = PointErrors {
+        relative: args.point_sd.value(),
+        floor: args.point_floor,
+    };
+    for (option, value) in [
+        ("--point-sd", errors.relative),
+        ("--point-floor", errors.floor),
+    ] {
+        let rule = "must be positive and below 1";
+        DomainError::require(value > 0.0 && value < 1.0, option, value, "-", rule)
+            .map_err(refused)?;
+    }
+    let zero = match args.zero {
+        ZeroArg::Curve => Zero::Curve,
+        ZeroArg::Common => Zero::Common,
+        ZeroArg::None => Zero::None,
+    };
+    Ok((zero, errors))
+}
+
+fn plan(args: &OilPlanArgs, common: &Common) -> Result<(), Failure> {
+    let begin = Instant::now();
+    let NamedOil { oil, name, case } = base(&args.oil, &args.set)?;
+    let title = format!("Traction plan of {}", oil.name);
+    let output = args.output.as_deref();
+    let folder = study::folder::<OilPlan>(output, &name, "plan", &title)?;
+    let case = match &args.case {
+        Some(path) => Some(load_case(path, &args.set, None)?),
+        None => case,
+    };
+    let (zero, errors) = errors(&args.errors)?;
+    let settings = PlanSettings {
+        machine: machine(&args.specimens)?,
+        is_wide: args.errors.wide,
+        zero,
+        errors,
+    };
+    let plan = OilPlan::of(&oil, case.as_ref(), &settings)?;
+    study::write(&plan, (), &folder)?;
+    study::print(&plan, (), Some(&folder), Some(begin), common)
+}
+
+fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
+    let begin = Instant::now();
+    let NamedOil { oil, case, .. } = base(&args.oil, &args.set)?;
+    let title = format!("Boundary friction of {}", oil.name);
+    let name = args.files.first().map(|first| result_name(first));
+    let name = name.unwrap_or_default();
+    let folder = study::folder::<Stribeck>(args.output.as_deref(), &name, "stribeck", &title)?;
+    if !args.rubbing.is_empty() && args.rubbing.len() != args.files.len() {
+        let rule = "--rubbing takes one time for each file";
+        return Err(Failure::new("E205", rule));
+    }
+    if let Some(time) = args.rubbing.iter().find(|time| time.si() < 0.0) {
+        let refusal =
+            DomainError::require(false, "--rubbing", time.si(), "s", "must not be negative");
+        refusal.map_err(refused)?;
+    }
+    let machine = machine(&args.specimens)?;
+    let (mut all, sources) = all_readings(&args.files, &machine, args.temperature_column)?;
+    for reading in &mut all {
+        let file = args
+            .files
+            .iter()
+            .position(|file| file.display().to_string() == reading.file);
+        let time = file.and_then(|k| args.rubbing.get(k));
+        reading.rubbing_s = reading.rubbing_s.or(time.map(|time| time.si()));
+    }
+    let celsius = case.map(|case| case.case.temperature.celsius());
+    let found = Stribeck::of(&oil, &all, sources, celsius)?;
+    study::write(&found, (), &folder)?;
+    study::print(&found, (), Some(&folder), Some(begin), common)
 }
 
 fn traction(args: &OilTractionArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let refused = |error: DomainError| Failure::new("E209", error.to_string());
-    let (oil, name) = base(&args.oil, &args.set)?;
+    let NamedOil { oil, name, .. } = base(&args.oil, &args.set)?;
     let title = format!("Traction of {}", oil.name);
     let output = args.output.as_deref();
     let folder = study::folder::<TractionCurves>(output, &name, "traction", &title)?;
@@ -77,8 +178,7 @@ fn traction(args: &OilTractionArgs, common: &Common) -> Result<(), Failure> {
     )
     .map_err(refused)?;
     let range = TractionRange {
-        machine: Machine::ball_on_disc(args.ball_radius, args.second_radius, args.rq)
-            .map_err(refused)?,
+        machine: machine(&args.specimens)?,
         load: args.load,
         mean_speed: args.speed,
         slide_to_roll: args.slide_to_roll.value(),
@@ -108,47 +208,40 @@ fn readings(
     Ok((readings, [name, sha256(text.as_bytes())]))
 }
 
+/// Readings of files, and their SHA-256.
+fn all_readings(
+    files: &[PathBuf],
+    machine: &Machine,
+    column: TemperatureColumnArg,
+) -> Result<(Vec<Reading>, Vec<[String; 2]>), Failure> {
+    let probe = match column {
+        TemperatureColumnArg::Lube => Probe::Lube,
+        TemperatureColumnArg::Pot => Probe::Pot,
+    };
+    let (mut all, mut sources) = (Vec::new(), Vec::new());
+    for path in files {
+        let (readings, source) = readings(path, machine, probe)?;
+        all.extend(readings);
+        sources.push(source);
+    }
+    Ok((all, sources))
+}
+
 fn fit(args: &OilFitArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let refused = |error: DomainError| Failure::new("E209", error.to_string());
-    let (oil, _) = base(&args.oil, &args.set)?;
+    let NamedOil { oil, .. } = base(&args.oil, &args.set)?;
     let Some(first) = args.files.first() else {
         return Err(Failure::new("E205", "name a file of traction curves"));
     };
     let title = format!("Oil constants of {}", oil.name);
     let name = result_name(first);
     let folder = study::folder::<OilFit>(args.output.as_deref(), &name, "oil", &title)?;
-    let machine = Machine::ball_on_disc(args.ball_radius, args.second_radius, args.rq);
-    let machine = machine.map_err(refused)?;
-    let probe = match args.temperature_column {
-        TemperatureColumnArg::Lube => Probe::Lube,
-        TemperatureColumnArg::Pot => Probe::Pot,
-    };
-    let errors = PointErrors {
-        relative: args.point_sd.value(),
-        floor: args.point_floor,
-    };
-    for (option, value) in [
-        ("--point-sd", errors.relative),
-        ("--point-floor", errors.floor),
-    ] {
-        let rule = "must be positive and below 1";
-        DomainError::require(value > 0.0 && value < 1.0, option, value, "-", rule)
-            .map_err(refused)?;
-    }
-    let (mut all, mut sources) = (Vec::new(), Vec::new());
-    for path in &args.files {
-        let (readings, source) = readings(path, &machine, probe)?;
-        all.extend(readings);
-        sources.push(source);
-    }
+    let machine = machine(&args.specimens)?;
+    let (zero, errors) = errors(&args.errors)?;
+    let (all, sources) = all_readings(&args.files, &machine, args.temperature_column)?;
     let settings = FitSettings {
-        is_wide: args.wide,
-        zero: match args.zero {
-            ZeroArg::Curve => Zero::Curve,
-            ZeroArg::Common => Zero::Common,
-            ZeroArg::None => Zero::None,
-        },
+        is_wide: args.errors.wide,
+        zero,
         errors,
         is_forced: args.force,
     };

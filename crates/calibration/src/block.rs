@@ -23,14 +23,8 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
         .collect();
     let mut text = format!("[calibration]\nsource = {}\n", quoted(source));
     for (_, parameter) in &included {
-        let [value, low, high] = [parameter.value, parameter.band[0], parameter.band[1]]
-            .map(|value| quantity(&parameter.key, value));
-        // Writing into a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{} = {{ value = {value}, low = {low}, high = {high} }}",
-            parameter.key
-        );
+        text.push_str(&constant(&parameter.key, parameter.value, parameter.band));
+        text.push('\n');
     }
     let numbers: Vec<usize> = included.iter().map(|(number, _)| *number).collect();
     let written = rounded(&numbers, correlations);
@@ -39,6 +33,7 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
         for (i, (_, first)) in included.iter().enumerate() {
             for (j, (_, other)) in included.iter().enumerate().skip(i + 1) {
                 let value = written[(i, j)];
+                // Writing into a string cannot fail.
                 let _ = writeln!(
                     text,
                     "  {{ between = [\"{}\", \"{}\"], value = {value:.3} }},",
@@ -49,6 +44,12 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
         text.push_str("]\n");
     }
     text
+}
+
+/// A constant with its 2.5 % and 97.5 % quantile.
+pub(crate) fn constant(key: &str, value: f64, [low, high]: [f64; 2]) -> String {
+    let [value, low, high] = [value, low, high].map(|value| quantity(key, value));
+    format!("{key} = {{ value = {value}, low = {low}, high = {high} }}")
 }
 
 /// A text in quotation marks, with other marks in place of those that TOML does not take there.

@@ -95,10 +95,15 @@ fn with_unit(key: &str, band: [f64; 2]) -> String {
     format!("{} {unit}", range(key, band)).trim_end().to_owned()
 }
 
-fn warnings(warnings: &[Warning]) -> Markup {
+pub(crate) fn warnings(warnings: &[Warning]) -> Markup {
     html! { @if !warnings.is_empty() {
         ul { @for warning in warnings { li { (warning.to_string()) } } }
     } }
+}
+
+/// Files with their SHA-256.
+pub(crate) fn files(sources: &[[String; 2]]) -> Markup {
+    html! { @for [file, sum] in sources { p { (file) ", SHA-256 " code { (sum) } } } }
 }
 
 fn correlations(calibration: &Calibration) -> Markup {

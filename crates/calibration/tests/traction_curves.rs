@@ -17,8 +17,8 @@ use asperity_calibration::oil::fit::{PointErrors, fit_law};
 use asperity_calibration::oil::problem::{CONSTANTS, Nuisance, Priors, TractionProblem, Zero};
 use asperity_calibration::oil::selection::judge;
 use asperity_calibration::oil::{
-    FitSettings, Machine, OilBase, OilError, OilFit, Probe, Reading, SetPoint, is_pcs, read_pcs,
-    read_table, set_points,
+    FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe, Reading,
+    SetPoint, is_pcs, read_pcs, read_table, set_points,
 };
 use asperity_core::numerics::{Z_975, standard_normal_quantile};
 use asperity_core::quantity::{
@@ -311,6 +311,43 @@ fn check_coverage(oils: u64) {
 #[test]
 fn bands_hold_the_constants_of_oils_drawn_from_their_family() {
     check_coverage(25);
+}
+
+/// Expected standard deviations of an independent program with 2.5 % and 0.001 a point and one common zero, rounded as it
+/// prints them: Eyring stress, limiting shear stress and factor in per cent, of one curve to the plan with a small ball.
+#[test]
+fn a_plan_leaves_the_errors_of_an_independent_program() {
+    let expected = [
+        [
+            [12.0, 9.0, 3.4],
+            [9.0, 9.0, 2.7],
+            [6.0, 8.0, 2.2],
+            [6.0, 7.0, 2.1],
+        ],
+        [
+            [13.0, 8.5, 3.4],
+            [12.0, 7.0, 2.9],
+            [7.0, 5.5, 1.9],
+            [7.0, 3.8, 1.8],
+        ],
+    ];
+    for (is_mineral, expected) in [false, true].into_iter().zip(expected) {
+        let settings = PlanSettings {
+            machine: machine(),
+            is_wide: false,
+            zero: Zero::Common,
+            errors: REFERENCE.errors,
+        };
+        let plan = OilPlan::of(&oil(is_mineral), None, &settings).unwrap();
+        let stages = &plan.stages[1..5];
+        for (stage, expected) in stages.iter().zip(expected) {
+            let left = [0, 1, 3].map(|k| 100.0 * stage.constants[k].deviation);
+            println!(
+                "{}: {} points, {left:.2?} {expected:?}",
+                stage.name, stage.points
+            );
+        }
+    }
 }
 
 /// Minutes of processor time.

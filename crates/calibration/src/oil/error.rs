@@ -31,6 +31,45 @@ pub enum OilError {
         /// Name of the case.
         name: String,
     },
+    /// A Stribeck curve without the time of rubbing.
+    #[error(
+        "{file}:{line}: the time of rubbing before the reading is not stated; boundary friction may double by rubbing. Give a column rubbing_s, 0 for new specimens, or pass --rubbing"
+    )]
+    NoRubbing {
+        /// Name of the file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+    },
+    /// A Stribeck curve of new specimens only.
+    #[error("all readings are of new specimens; measure again after rubbing")]
+    NotRubbed,
+    /// Too few points in boundary lubrication.
+    #[error(
+        "{kept} of {points} set points after rubbing have a film of at most {ratio} times the roughness (thinnest: {thinnest:.2} times); at least {least} at two speeds are needed"
+    )]
+    FewBoundary {
+        /// Such points.
+        kept: usize,
+        /// Set points after rubbing.
+        points: usize,
+        /// Largest film over roughness.
+        ratio: f64,
+        /// Smallest film over roughness.
+        thinnest: f64,
+        /// Fewest points.
+        least: usize,
+    },
+    /// Friction that still depends on the speed.
+    #[error(
+        "the friction of the {points} points in boundary lubrication changes by {percent:+.0} % per decade of speed; at most 10 % are accepted"
+    )]
+    Sloping {
+        /// Points in boundary lubrication.
+        points: usize,
+        /// Change of the friction over a decade of speed \[%\].
+        percent: f64,
+    },
     /// A table of readings that is not valid.
     #[error(transparent)]
     Table(CalibrationError),
@@ -116,7 +155,7 @@ pub enum OilError {
         /// Largest value.
         high: f64,
     },
-    /// The fit did not converge.
+    /// The fit did not converge, or the model has no solution.
     #[error(transparent)]
     Fit(CalibrationError),
     /// A number outside its domain, or no solution.
@@ -136,6 +175,10 @@ impl OilError {
             Self::Table(_) | Self::NoTable { .. } | Self::Row { .. } | Self::Air { .. } => "E317",
             Self::FewPoints { .. } | Self::LowPressure { .. } => "E318",
             Self::Unexplained { .. } | Self::Nuisance { .. } | Self::NoOil { .. } => "E319",
+            Self::NoRubbing { .. }
+            | Self::NotRubbed
+            | Self::FewBoundary { .. }
+            | Self::Sloping { .. } => "E322",
             Self::Fit(error) => error.code(),
         }
     }

@@ -137,7 +137,43 @@ pub fn fit_law<'a>(
     })
 }
 
-/// Standard deviations of the constants, over those of their priors, that points would leave: before any measurement.
+/// The problem of points that are still to be measured, with the friction of the family's constants.
+pub(super) fn planned<'a>(
+    oil: &'a OilBase,
+    priors: Priors,
+    zero: Zero,
+    errors: PointErrors,
+    points: &[SetPoint],
+) -> Result<TractionProblem<'a>, OilError> {
+    let law = oil.rheology.laws().1;
+    let mut problem = TractionProblem::new(oil, law, priors, zero, points);
+    let friction = problem.predicted(&DVector::zeros(problem.variables()))?;
+    let stated: Vec<Option<f64>> = points.iter().map(|point| point.reading.sigma).collect();
+    set_errors(&mut problem, &stated, errors, &friction);
+    Ok(problem)
+}
+
+/// Covariance of the constants, in standard deviations of their priors, that points would leave: before any measurement.
+///
+/// # Errors
+/// When the friction has no solution at a point.
+pub fn expected_covariance(
+    oil: &OilBase,
+    priors: Priors,
+    zero: Zero,
+    errors: PointErrors,
+    points: &[SetPoint],
+) -> Result<DMatrix<f64>, OilError> {
+    let problem = planned(oil, priors, zero, errors, points)?;
+    let slopes = problem.at(&DVector::zeros(problem.variables())).1;
+    let all = covariance(&information(&slopes));
+    Ok(all.map_or_else(
+        || DMatrix::identity(CONSTANTS, CONSTANTS),
+        |all| all.view((0, 0), (CONSTANTS, CONSTANTS)).into_owned(),
+    ))
+}
+
+/// Standard deviations of the constants, over those of their priors, of [`expected_covariance`].
 ///
 /// # Errors
 /// When the friction has no solution at a point.
@@ -148,14 +184,6 @@ pub fn expected(
     errors: PointErrors,
     points: &[SetPoint],
 ) -> Result<[f64; CONSTANTS], OilError> {
-    let law = oil.rheology.laws().1;
-    let mut problem = TractionProblem::new(oil, law, priors, zero, points);
-    let x = DVector::zeros(problem.variables());
-    let friction = problem.predicted(&x)?;
-    let stated: Vec<Option<f64>> = points.iter().map(|point| point.reading.sigma).collect();
-    set_errors(&mut problem, &stated, errors, &friction);
-    let covariance = covariance(&information(&problem.at(&x).1));
-    Ok(std::array::from_fn(|k| {
-        covariance.as_ref().map_or(1.0, |all| all[(k, k)].sqrt())
-    }))
+    let all = expected_covariance(oil, priors, zero, errors, points)?;
+    Ok(std::array::from_fn(|k| all[(k, k)].sqrt()))
 }

@@ -11,6 +11,7 @@ use maud::{Markup, html};
 use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
 use super::selection::Dropped;
 use crate::block::{digits, quoted, rounded};
+use crate::page::{files, warnings};
 
 /// Table of the points.
 const POINTS: &str = "points.csv";
@@ -28,7 +29,7 @@ impl StudyResult for OilFit {
         let _ = writeln!(
             text,
             "{:<38} {:>10}   {:<20} {:<20}",
-            "constant", "value", "95 % band", "family"
+            "constant", "value", "5 to 95 %", "family, 5 to 95 %"
         );
         for constant in &self.constants {
             let verdict = match constant.is_identified {
@@ -40,8 +41,8 @@ impl StudyResult for OilFit {
                 "{:<38} {:>10}   {:<20} {:<20}{verdict}",
                 named(constant),
                 digits(constant.value),
-                band(constant.band),
-                band(constant.prior_band)
+                range(constant.range),
+                range(constant.prior_range)
             );
         }
         let mut lines = self.sentences();
@@ -74,10 +75,7 @@ impl StudyResult for OilFit {
             ("Dropped points", dropped(self)),
             ("Nuisance terms", nuisance(self)),
             ("For the case", html! { pre { code { (self.block()) } } }),
-            (
-                "Provenance",
-                html! { @for [file, sum] in &self.sources { p { (file) ", SHA-256 " code { (sum) } } } },
-            ),
+            ("Provenance", files(&self.sources)),
         ];
         page(
             &self.title,
@@ -174,7 +172,7 @@ fn named(constant: &FittedConstant) -> String {
     }
 }
 
-fn band([low, high]: [f64; 2]) -> String {
+pub(super) fn range([low, high]: [f64; 2]) -> String {
     format!("({}..{})", digits(low), digits(high))
 }
 
@@ -183,20 +181,20 @@ fn constants(fit: &OilFit) -> Markup {
     html! {
         @for line in fit.sentences() { p { (line) "." } }
         div.scroll { table {
-            thead { tr { th { "constant" } th.number { "value" } th.number { "95 % band" } th.number { "family" } th.number { "95 % of the family" }
+            thead { tr { th { "constant" } th.number { "value" } th.number { "5 to 95 %" } th.number { "family" } th.number { "5 to 95 % of the family" }
                 th.number { "by the other law" } th.number { "error left, expected" } th.number { "error left" } th { "by the points" } } }
             tbody { @for (one, other) in fit.constants.iter().zip(&fit.other_law) { tr {
                 th scope="row" { (named(one)) }
-                td.number { (digits(one.value)) } td.number { (band(one.band)) }
-                td.number { (digits(one.prior)) } td.number { (band(one.prior_band)) }
+                td.number { (digits(one.value)) } td.number { (range(one.range)) }
+                td.number { (digits(one.prior)) } td.number { (range(one.prior_range)) }
                 td.number { (digits(other.value)) }
                 td.number { (percent(one.expected)) } td.number { (percent(one.posterior)) }
                 td { @if one.is_identified { "identified" } @else { "not identified: the error of the family remains" }
                     @if let Some(further) = &one.would_help { "; ten readings would help most at " (further) } }
             } } }
         } }
-        p { "Error left: standard deviation after the points over the one of the family." }
-        @if !fit.warnings.is_empty() { ul { @for warning in &fit.warnings { li { (warning.to_string()) } } } }
+        p { "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The keys for a case state the 2.5 % and 97.5 % quantiles. Error left: standard deviation after the points over the one of the family." }
+        (warnings(&fit.warnings))
         h3 { "Correlations" }
         div.scroll { table {
             thead { tr { th { "constant" } @for one in &fit.constants { th.number { (one.name) } } } }

@@ -108,6 +108,26 @@ impl Machine {
         }
     }
 
+    /// Hertz contact and central film at a setting: `factor` times the computed film, or times the film `measured`.
+    ///
+    /// # Errors
+    /// When an input is outside its domain.
+    pub fn film(
+        &self,
+        rheology: &FilmRheology,
+        at: &Setting,
+        measured: Option<Length>,
+        factor: f64,
+    ) -> Result<(HertzPoint, Length), LoadShareError> {
+        let contact = self.contact(at);
+        let hertz = contact.hertz()?;
+        let film = match measured {
+            Some(film) => film,
+            None => contact.film(rheology, hertz.max_pressure)?.value.thickness,
+        };
+        Ok((hertz, film * factor))
+    }
+
     /// Film and friction at a setting.
     ///
     /// # Errors
@@ -120,7 +140,7 @@ impl Machine {
         self.predict_with(rheology, at, None, 1.0)
     }
 
-    /// Film and friction at a setting, with `factor` times the computed film, or times the film `measured`.
+    /// Film and friction at a setting, with the film of [`Machine::film`].
     ///
     /// # Errors
     /// When an input is outside its domain.
@@ -131,17 +151,12 @@ impl Machine {
         measured: Option<Length>,
         factor: f64,
     ) -> Result<PredictedFriction, LoadShareError> {
-        let contact = self.contact(at);
-        let hertz = contact.hertz()?;
-        let film = match measured {
-            Some(film) => film,
-            None => contact.film(rheology, hertz.max_pressure)?.value.thickness,
-        };
-        let film = film * factor;
+        let (hertz, film) = self.film(rheology, at, measured, factor)?;
         let settings = FilmSettings {
             nodes: NonZeroUsize::MIN.saturating_add(NODES - 1),
             ..FilmSettings::default()
         };
+        let contact = self.contact(at);
         let friction = contact.friction(rheology, &hertz, film, settings)?.value;
         Ok(PredictedFriction {
             hertz,

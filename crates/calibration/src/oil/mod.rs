@@ -7,19 +7,27 @@
 //! | traction over slide-to-roll ratio and speed | `traction` |
 //! | readings of a machine, as table or export | `table`, `pcs_text`, `reading` |
 //! | selection, fit, verdicts, further settings | [`selection`], [`problem`], [`fit`], `oil_fit`, `helpful` |
+//! | plan of measurements, for a case by its loss | `plan`, `grid`, `case_loss` |
+//! | boundary friction from Stribeck curves | `stribeck` |
 
 mod base;
+mod case_loss;
 mod error;
 pub mod fit;
 mod fit_page;
+mod grid;
 mod helpful;
 mod machine;
 mod oil_fit;
 mod page;
 mod pcs_text;
+mod plan;
+mod plan_page;
 pub mod problem;
 mod reading;
 pub mod selection;
+mod stribeck;
+mod stribeck_page;
 mod table;
 mod traction;
 
@@ -28,6 +36,8 @@ pub use error::OilError;
 pub use machine::{Machine, Setting};
 pub use oil_fit::{FitSettings, FittedConstant, NuisanceTerm, OilFit, TractionPointRow};
 pub use pcs_text::{Probe, is_pcs, read_pcs};
+pub use plan::{ExpectedError, OilPlan, PlanSettings, PlannedCurve, PlannedPoint, Stage};
 pub use reading::{Reading, SetPoint, set_points};
+pub use stribeck::{BoundaryState, Stribeck, StribeckPoint};
 pub use table::read_table;
 pub use traction::{PredictedPoint, TractionCurves, TractionRange};

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use asperity::message::Warning;
 use asperity::oil::{PressureLaw, TractionConstants};
-use asperity_core::numerics::Z_975;
+use asperity_core::numerics::{Z_95, Z_975};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +12,7 @@ use super::base::OilBase;
 use super::error::OilError;
 use super::fit::{DECISIVE, LawFit, PointErrors, expected, fit_law};
 use super::helpful::{Helpful, helpful};
-use super::problem::{CONSTANTS, FACTOR, Nuisance, Priors, STATED, Zero};
+use super::problem::{CONSTANTS, FACTOR, Nuisance, Priors, STATED, STATED_CONSTANTS, Zero};
 use super::reading::{Reading, SetPoint, set_points};
 use super::selection::{Dropped, Judged, judge};
 use crate::information::correlations;
@@ -69,12 +69,14 @@ pub struct FittedConstant {
     pub unit: String,
     /// Value.
     pub value: f64,
-    /// 95 % band.
+    /// 5 % and 95 % quantile, as printed.
+    pub range: [f64; 2],
+    /// 2.5 % and 97.5 % quantile, as files state them.
     pub band: [f64; 2],
     /// Value of the family.
     pub prior: f64,
-    /// 95 % band of the family.
-    pub prior_band: [f64; 2],
+    /// 5 % and 95 % quantile of the family.
+    pub prior_range: [f64; 2],
     /// Posterior over prior standard deviation, expected before the fit.
     pub expected: f64,
     /// The same after the fit.
@@ -192,10 +194,7 @@ impl OilFit {
             .map(|(point, _)| point.clone())
             .collect();
         refuse_points(&points, &judged, kept.len())?;
-        let priors = match settings.is_wide {
-            true => Priors::wide(),
-            false => Priors::family(oil.deviations),
-        };
+        let priors = Priors::of(oil, settings.is_wide);
         let FitSettings { zero, errors, .. } = settings;
         let before = expected(oil, priors, zero, errors, &kept)?;
         let laws = [PressureLaw::Barus, PressureLaw::Roelands];
@@ -388,41 +387,36 @@ fn constants(
     before: &[f64; CONSTANTS],
     further: &[Option<Helpful>; STATED],
 ) -> Vec<FittedConstant> {
-    const NAMES: [(&str, &str, &str); STATED] = [
-        ("eyring_stress", "Eyring stress", "MPa"),
-        ("limiting_shear", "limiting shear stress over pressure", ""),
-        (
-            "limiting_shear_temperature",
-            "fall of the limiting shear stress",
-            "1/K",
-        ),
-        ("pressure_viscosity_factor", "pressure-viscosity factor", ""),
-    ];
     let priors = values(fit.problem.oil.rheology.constants());
-    let rows = NAMES.iter().enumerate().map(|(k, (key, name, unit))| {
-        let sd = fit.problem.priors.constants[k];
-        let (shift, posterior) = (sd * fit.x[k], fit.deviation(k));
-        let is_logarithm = k != 2;
-        let is_identified = posterior <= NOT_IDENTIFIED;
-        let at = |shift: f64| match is_logarithm {
-            true => priors[k] * shift.exp(),
-            false => priors[k] + shift,
-        };
-        let band = |middle: f64, sd: f64| [-Z_975, Z_975].map(|z| at(middle + z * sd));
-        FittedConstant {
-            key: (*key).to_owned(),
-            name: (*name).to_owned(),
-            unit: (*unit).to_owned(),
-            value: at(shift),
-            band: band(shift, LINEARISED * sd * posterior),
-            prior: priors[k],
-            prior_band: band(0.0, sd),
-            expected: before[k],
-            posterior,
-            is_identified,
-            would_help: further[k].filter(|_| !is_identified).map(words),
-        }
-    });
+    let rows = STATED_CONSTANTS
+        .iter()
+        .enumerate()
+        .map(|(k, (key, name, unit))| {
+            let sd = fit.problem.priors.constants[k];
+            let (shift, posterior) = (sd * fit.x[k], fit.deviation(k));
+            let is_logarithm = k != 2;
+            let is_identified = posterior <= NOT_IDENTIFIED;
+            let at = |shift: f64| match is_logarithm {
+                true => priors[k] * shift.exp(),
+                false => priors[k] + shift,
+            };
+            let quantiles = |z: f64, middle: f64, sd: f64| [-z, z].map(|z| at(middle + z * sd));
+            let widened = LINEARISED * sd * posterior;
+            FittedConstant {
+                key: (*key).to_owned(),
+                name: (*name).to_owned(),
+                unit: (*unit).to_owned(),
+                value: at(shift),
+                range: quantiles(Z_95, shift, widened),
+                band: quantiles(Z_975, shift, widened),
+                prior: priors[k],
+                prior_range: quantiles(Z_95, 0.0, sd),
+                expected: before[k],
+                posterior,
+                is_identified,
+                would_help: further[k].filter(|_| !is_identified).map(words),
+            }
+        });
     rows.collect()
 }
 

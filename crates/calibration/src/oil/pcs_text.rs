@@ -195,6 +195,7 @@ impl Columns {
                 temperature: Temperature::from_celsius(celsius),
             },
             set_temperature_c: Reading::rounded_temperature(celsius),
+            rubbing_s: None,
             traction,
             sigma: None,
             film: None,

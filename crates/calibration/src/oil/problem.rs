@@ -33,6 +33,17 @@ use crate::least_squares::Residuals;
 pub const CONSTANTS: usize = 6;
 /// Number of constants that an oil file states: Eyring stress, limiting shear, its temperature coefficient, factor.
 pub const STATED: usize = 4;
+/// Keys, names and units of the stated constants.
+pub(super) const STATED_CONSTANTS: [(&str, &str, &str); STATED] = [
+    ("eyring_stress", "Eyring stress", "MPa"),
+    ("limiting_shear", "limiting shear stress over pressure", ""),
+    (
+        "limiting_shear_temperature",
+        "fall of the limiting shear stress",
+        "1/K",
+    ),
+    ("pressure_viscosity_factor", "pressure-viscosity factor", ""),
+];
 /// Index of the factor f among the constants.
 pub const FACTOR: usize = 3;
 /// Step of a derivative, in standard deviations of the prior.
@@ -65,6 +76,15 @@ impl Priors {
     pub const fn family([stress, limit, alpha]: [f64; 3]) -> Self {
         Self {
             constants: [stress, limit, 0.002, alpha, 0.5, 0.3],
+        }
+    }
+
+    /// Priors of an oil, of its family or wide.
+    #[must_use]
+    pub const fn of(oil: &OilBase, is_wide: bool) -> Self {
+        match is_wide {
+            true => Self::wide(),
+            false => Self::family(oil.deviations),
         }
     }
 

@@ -23,6 +23,8 @@ pub struct Reading {
     pub setting: Setting,
     /// Temperature that the machine was set to \[°C\].
     pub set_temperature_c: f64,
+    /// Time for which the specimens have rubbed before \[s\], if stated.
+    pub rubbing_s: Option<f64>,
     /// Friction coefficient.
     pub traction: f64,
     /// Its standard deviation, if stated.
@@ -47,7 +49,7 @@ pub struct SetPoint {
     pub reading: Reading,
     /// Number of readings.
     pub readings: usize,
-    /// Curve: one load, speed, set temperature and file or step.
+    /// Curve: one load, speed, set temperature, time of rubbing and file or step.
     pub curve: usize,
     /// Whether it is half the difference of readings with both signs of the slide-to-roll ratio.
     pub has_both_signs: bool,
@@ -66,6 +68,7 @@ fn is_same_curve(a: &Reading, b: &Reading) -> bool {
         && a.group == b.group
         && a.machine == b.machine
         && a.set_temperature_c == b.set_temperature_c
+        && a.rubbing_s == b.rubbing_s
         && is_same(a.setting.load.si(), b.setting.load.si())
         && is_same(a.setting.mean_speed.si(), b.setting.mean_speed.si())
 }
@@ -140,7 +143,9 @@ pub fn set_points(readings: &[Reading]) -> Vec<SetPoint> {
     }
     let key = |curve: &Vec<&Reading>| {
         let at = &curve[0].setting;
-        [curve[0].set_temperature_c, at.load.si(), at.mean_speed.si()]
+        let rubbing = curve[0].rubbing_s.unwrap_or(0.0);
+        let celsius = curve[0].set_temperature_c;
+        [rubbing, celsius, at.load.si(), at.mean_speed.si()]
     };
     curves.sort_by(|a, b| {
         let places = [a, b].map(|curve| (&curve[0].file, curve[0].step));
@@ -230,6 +235,7 @@ mod tests {
                 temperature: Temperature::from_celsius(81.0),
             },
             set_temperature_c: Reading::rounded_temperature(81.0),
+            rubbing_s: None,
             traction,
             sigma: None,
             film: None,

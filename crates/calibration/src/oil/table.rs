@@ -11,6 +11,7 @@
 //! | `radius_rolling_mm`, `radius_across_mm` | relative radii along and across the motion, in place of both |
 //! | `youngs_modulus_gpa`, `poisson`, `conductivity_w_mk` | of both specimens |
 //! | `film_nm` | measured central film |
+//! | `rubbing_s` | time for which the specimens have rubbed before \[s\] |
 
 use asperity_core::quantity::{Force, Length, Pressure, Speed, Temperature, ThermalConductivity};
 
@@ -50,7 +51,7 @@ const STEMS: [(&str, &str); 5] = [
     ("temperature", "temperature_c"),
 ];
 /// Columns with their possible numbers, far wider than any machine needs.
-const POSSIBLE: [(&str, [f64; 2], &str); 13] = [
+const POSSIBLE: [(&str, [f64; 2], &str); 14] = [
     ("load_n", [0.01, 1e5], "N"),
     ("mean_speed_m_s", [1e-4, 200.0], "m/s"),
     ("slide_roll_percent", [-200.0, 200.0], "%"),
@@ -64,6 +65,7 @@ const POSSIBLE: [(&str, [f64; 2], &str); 13] = [
     ("poisson", [0.0, 0.49], ""),
     ("conductivity_w_mk", [0.1, 1000.0], "W/(m K)"),
     ("film_nm", [0.1, 1e5], "nm"),
+    ("rubbing_s", [0.0, 1e7], "s"),
 ];
 
 /// Reads a table; `machine` has radii, material and roughness of rows that state none.
@@ -121,6 +123,7 @@ fn reading(file: &str, row: NumberRow<'_>, machine: &Machine) -> Result<Reading,
             temperature: Temperature::from_celsius(celsius),
         },
         set_temperature_c: set.unwrap_or_else(|| Reading::rounded_temperature(celsius)),
+        rubbing_s: row.optional("rubbing_s")?,
         traction: row.number("traction")?,
         sigma: row.optional("sigma")?,
         film: film.map(|nm| Length::from_si(1e-9 * nm)),

@@ -16,7 +16,7 @@ use super::machine::{Machine, PredictedFriction, Setting};
 /// Film thickness over roughness from which the film separates the surfaces.
 pub(super) const LEAST_RATIO: f64 = 3.0;
 /// Film thickness over roughness at which the boundary layer carries all.
-const BOUNDARY_RATIO: f64 = 0.2;
+pub(super) const BOUNDARY_RATIO: f64 = 0.2;
 /// Ends of the slide-to-roll ratios: below, the creep of the bodies counts.
 const SLIDES: [f64; 2] = [0.005, 1.0];
 /// Ends of the speeds \[m/s\].

@@ -1,0 +1,47 @@
+//! Sensitivity of the loss of a case to the constants of its oil.
+
+use asperity::LoadedCase;
+use asperity::pipeline::{contacts, losses_with};
+use nalgebra::DVector;
+use rayon::prelude::*;
+
+use super::base::OilBase;
+use super::error::OilError;
+use super::problem::{CONSTANTS, Priors, TractionProblem, Zero};
+use crate::error::CalibrationError;
+
+/// Step of a constant, in standard deviations of its prior.
+const STEP: f64 = 0.1;
+
+/// Derivatives of the logarithm of the loss of `case` by the constants of its oil, in standard deviations of `priors`.
+///
+/// # Errors
+/// When the film friction of the case has no shear stress, or a contact has no solution.
+pub(super) fn loss_slopes(case: &LoadedCase, priors: Priors) -> Result<[f64; CONSTANTS], OilError> {
+    let oil = OilBase::of_case(&case.case)?;
+    let named = |source: asperity::Error| {
+        OilError::Fit(CalibrationError::Model {
+            place: oil.name.clone(),
+            source: Box::new(source),
+        })
+    };
+    // Losses of a mesh with new flanks.
+    let case = case.with(|input| (input.model.run_in, input.gearbox) = (None, None));
+    let case = case.map_err(named)?;
+    let contacts = contacts(&case).map_err(named)?;
+    let law = oil.rheology.laws().1;
+    let problem = TractionProblem::new(&oil, law, priors, Zero::None, &[]);
+    let log_loss = |k: usize, step: f64| -> Result<f64, OilError> {
+        let mut x = DVector::zeros(problem.variables());
+        x[k] = step;
+        let mut moved = case.clone();
+        moved.case.rheology = Some(problem.rheology(&x)?);
+        let losses = losses_with(&contacts, &moved).map_err(named)?;
+        let summary = losses.summary;
+        Ok((summary.sliding_w + summary.rolling_w).ln())
+    };
+    let slope = |k: usize| Ok((log_loss(k, STEP)? - log_loss(k, -STEP)?) / (2.0 * STEP));
+    let slopes = (0..CONSTANTS).into_par_iter().map(slope);
+    let slopes = slopes.collect::<Result<Vec<f64>, OilError>>()?;
+    Ok(std::array::from_fn(|k| slopes[k]))
+}

@@ -1,0 +1,378 @@
+//! Plan of traction measurements: curves to measure, the error of each constant that they would leave, and the points that
+//! narrow the loss of a case most.
+//!
+//! The minimal plan has three temperatures, two loads, two speeds and ten slide-to-roll ratios, both signs of each.
+
+use asperity::LoadedCase;
+use asperity_core::quantity::Length;
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::base::OilBase;
+use super::case_loss::loss_slopes;
+use super::error::OilError;
+use super::fit::{PointErrors, expected_covariance, planned};
+use super::grid::Grid;
+use super::helpful;
+use super::machine::Machine;
+use super::problem::{Priors, STATED, STATED_CONSTANTS, Zero, distinct};
+use super::reading::SetPoint;
+use super::selection::{Dropped, Judged, judge};
+use crate::information::information;
+use crate::least_squares::Residuals;
+use crate::optimal_design::d_optimal;
+
+/// Slide-to-roll ratios of a curve.
+const SLIDES: &[f64] = &[0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.5];
+/// Temperatures \[°C\] of the plans.
+const TEMPERATURES: &[f64] = &[40.0, 80.0, 120.0];
+const ONE_CURVE: Grid<'static> = Grid {
+    loads: &[30.0],
+    speeds: &[2.0],
+    slides: SLIDES,
+    temperatures: &[100.0],
+};
+const THREE_CURVES: Grid<'static> = Grid {
+    temperatures: TEMPERATURES,
+    ..ONE_CURVE
+};
+const MINIMAL: Grid<'static> = Grid {
+    loads: &[20.0, 60.0],
+    speeds: &[1.0, 3.0],
+    slides: SLIDES,
+    temperatures: TEMPERATURES,
+};
+/// Curves of a small ball, at about 2 GPa.
+const SMALL_BALL: Grid<'static> = Grid {
+    loads: &[75.0],
+    speeds: &[3.0],
+    slides: SLIDES,
+    temperatures: TEMPERATURES,
+};
+/// Radius of the small ball.
+const SMALL_RADIUS: Length = Length::from_si(4.75e-3);
+/// Minutes of a curve with both signs, and of heating to a temperature.
+const MINUTES: [f64; 2] = [4.0, 15.0];
+/// Points chosen one by one.
+const CHOSEN: usize = 10;
+
+/// Settings of a plan.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanSettings {
+    /// The machine.
+    pub machine: Machine,
+    /// Whether the priors leave the constants to the points.
+    pub is_wide: bool,
+    /// Zeros of the friction.
+    pub zero: Zero,
+    /// Errors of the points.
+    pub errors: PointErrors,
+}
+
+/// Error of a constant that points would leave.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct ExpectedError {
+    /// Key.
+    pub key: String,
+    /// Standard deviation: of the logarithm, or in 1/K of the temperature coefficient.
+    pub deviation: f64,
+    /// The same over its value before any test.
+    pub share: f64,
+}
+
+/// Amount of measurement with the errors that it would leave.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Stage {
+    /// Name.
+    pub name: String,
+    /// Points that the law of the film describes, each with both signs of the slide-to-roll ratio.
+    pub points: usize,
+    /// Duration \[min\], with heating.
+    pub minutes: f64,
+    /// Errors of the constants.
+    pub constants: Vec<ExpectedError>,
+    /// Standard deviation of the logarithm of the loss of the case by these constants; `None` without a case.
+    pub loss_deviation: Option<f64>,
+}
+
+/// Curve of the plan.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PlannedCurve {
+    /// Temperature \[°C\].
+    pub temperature_c: f64,
+    /// Load \[N\].
+    pub load_n: f64,
+    /// Mean speed \[m/s\].
+    pub mean_speed_m_s: f64,
+    /// Largest Hertz pressure \[GPa\].
+    pub pressure_gpa: f64,
+    /// Smallest film over roughness.
+    pub film_ratio: f64,
+    /// Slide-to-roll ratios to measure \[%\], both signs; empty if the curve is left out.
+    pub slides_percent: Vec<f64>,
+    /// Rules that leave points out.
+    pub dropped: Vec<Dropped>,
+}
+
+/// Point to measure.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PlannedPoint {
+    /// Load \[N\].
+    pub load_n: f64,
+    /// Mean speed \[m/s\].
+    pub mean_speed_m_s: f64,
+    /// Slide-to-roll ratio \[%\].
+    pub slide_roll_percent: f64,
+    /// Temperature \[°C\].
+    pub temperature_c: f64,
+    /// Friction with the constants before any test.
+    pub expected_traction: f64,
+    /// Film over roughness.
+    pub film_ratio: f64,
+}
+
+/// Plan of traction measurements.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct OilPlan {
+    /// Program and version.
+    pub program: String,
+    /// Title.
+    pub title: String,
+    /// Name of the oil.
+    pub oil: String,
+    /// Case whose loss is narrowed.
+    pub case: Option<String>,
+    /// Root mean square roughness of both specimens \[nm\].
+    pub roughness_nm: f64,
+    /// Relative radius of the contact along the motion \[mm\].
+    pub radius_mm: f64,
+    /// Amounts of measurement with the errors that they would leave.
+    pub stages: Vec<Stage>,
+    /// Curves of the minimal plan.
+    pub curves: Vec<PlannedCurve>,
+    /// Points of the minimal plan.
+    pub points: Vec<PlannedPoint>,
+    /// The few points that narrow the loss of the case most; without a case, all constants together.
+    pub chosen: Vec<PlannedPoint>,
+}
+
+/// Computation of the errors that points would leave.
+struct Planner<'a> {
+    oil: &'a OilBase,
+    settings: &'a PlanSettings,
+    priors: Priors,
+    /// Derivatives of the logarithm of the loss of the case.
+    slopes: Option<DVector<f64>>,
+}
+
+impl OilPlan {
+    /// Plans the measurement of `oil`, for the loss of `case` if there is one.
+    ///
+    /// # Errors
+    /// When the film has no solution at a point, or the case has no loss.
+    ///
+    /// ```
+    /// use asperity_calibration::oil::fit::PointErrors;
+    /// use asperity_calibration::oil::problem::Zero;
+    /// use asperity_calibration::oil::{Machine, OilBase, OilPlan, PlanSettings};
+    /// let machine = Machine::ball_on_disc("9.525 mm".parse()?, None, "15 nm".parse()?)?;
+    /// let settings = PlanSettings { machine, is_wide: false, zero: Zero::Curve, errors: PointErrors::default() };
+    /// let plan = OilPlan::of(&OilBase::of_library("m100")?, None, &settings)?;
+    /// assert_eq!((plan.curves.len(), plan.points.len()), (12, 120));
+    /// // A full plan leaves less of each error than one curve.
+    /// let left = |stage: usize| plan.stages[stage].constants.iter().map(|one| one.share);
+    /// assert!(left(3).zip(left(1)).all(|(full, one)| full <= one));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of(
+        oil: &OilBase,
+        case: Option<&LoadedCase>,
+        settings: &PlanSettings,
+    ) -> Result<Self, OilError> {
+        let priors = Priors::of(oil, settings.is_wide);
+        let slopes = case.map(|case| loss_slopes(case, priors)).transpose()?;
+        let planner = Planner {
+            oil,
+            settings,
+            priors,
+            slopes: slopes.map(|slopes| DVector::from_row_slice(&slopes)),
+        };
+        let small = Machine {
+            radii: [SMALL_RADIUS; 2],
+            ..settings.machine
+        };
+        let described = |grid: &Grid<'_>| grid.described(oil, &settings.machine);
+        let minimal = described(&MINIMAL)?;
+        let mut further = SMALL_BALL.described(oil, &small)?;
+        for point in &mut further {
+            point.curve += minimal.len();
+        }
+        let chosen = planner.chosen(&described(&helpful::GRID)?)?;
+        let chosen_points = format!("{CHOSEN} chosen points");
+        let stages = [
+            ("before any test", Vec::new()),
+            ("one curve", described(&ONE_CURVE)?),
+            ("three curves", described(&THREE_CURVES)?),
+            ("minimal plan", minimal.clone()),
+            ("with a small ball", [&minimal[..], &further].concat()),
+            (&chosen_points, chosen.clone()),
+        ];
+        let stages = stages
+            .par_iter()
+            .map(|(name, points)| planner.stage(name, points));
+        Ok(Self {
+            program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
+            title: format!("Traction plan of {}", oil.name),
+            oil: oil.name.clone(),
+            case: case.map(|case| case.case.title.clone()),
+            roughness_nm: 1e9 * settings.machine.roughness.si(),
+            radius_mm: 1e3 * settings.machine.radii[0].si(),
+            stages: stages.collect::<Result<Vec<Stage>, OilError>>()?,
+            curves: planner.curves()?,
+            points: planner.points(&minimal)?,
+            chosen: planner.points(&chosen)?,
+        })
+    }
+}
+
+impl Planner<'_> {
+    fn stage(&self, name: &str, points: &[SetPoint]) -> Result<Stage, OilError> {
+        let PlanSettings { zero, errors, .. } = *self.settings;
+        let covariance = expected_covariance(self.oil, self.priors, zero, errors, points)?;
+        let constants = STATED_CONSTANTS.iter().enumerate().map(|(k, (key, ..))| {
+            let share = covariance[(k, k)].sqrt();
+            ExpectedError {
+                key: (*key).to_owned(),
+                deviation: share * self.priors.constants[k],
+                share,
+            }
+        });
+        let loss = self.slopes.as_ref().map(|slopes| {
+            let variance = slopes.dot(&(&covariance * slopes));
+            variance.sqrt()
+        });
+        let temperature = |point: &SetPoint| {
+            let radius = point.reading.machine.radii[0].si();
+            [radius, point.reading.set_temperature_c]
+        };
+        let heated = distinct(points.iter().map(temperature)).len();
+        let curves = points.len() as f64 / SLIDES.len() as f64;
+        Ok(Stage {
+            name: name.to_owned(),
+            points: points.len(),
+            minutes: MINUTES[0] * curves + MINUTES[1] * heated as f64,
+            constants: constants.collect(),
+            loss_deviation: loss,
+        })
+    }
+
+    /// The candidates that narrow the loss of the case most; without a case, all stated constants together.
+    fn chosen(&self, candidates: &[SetPoint]) -> Result<Vec<SetPoint>, OilError> {
+        let PlanSettings { zero, errors, .. } = *self.settings;
+        let problem = planned(self.oil, self.priors, zero, errors, candidates)?;
+        let mut slopes = problem.at(&DVector::zeros(problem.variables())).1;
+        let interest = match &self.slopes {
+            Some(loss) => {
+                slopes *= reflection(loss, slopes.ncols());
+                1
+            }
+            None => STATED,
+        };
+        let row = |k: usize| slopes.rows(k, 1).into_owned();
+        let rows: Vec<DMatrix<f64>> = (0..candidates.len()).map(row).collect();
+        let of_priors = slopes.rows(candidates.len(), slopes.ncols()).into_owned();
+        let mut chosen = d_optimal(&rows, (CHOSEN, 1), interest, &information(&of_priors));
+        chosen.sort_unstable();
+        Ok(chosen.into_iter().map(|k| candidates[k].clone()).collect())
+    }
+
+    fn curves(&self) -> Result<Vec<PlannedCurve>, OilError> {
+        let all = MINIMAL.points(&self.settings.machine);
+        let curve = |points: &[SetPoint]| {
+            let judged = points.iter().map(|point| judge(self.oil, point));
+            let judged = judged.collect::<Result<Vec<Judged>, OilError>>()?;
+            let both = || points.iter().zip(&judged);
+            let setting = &points[0].reading.setting;
+            let kept = both().filter(|(_, judged)| judged.dropped.is_none());
+            let rules = Dropped::ALL.into_iter();
+            Ok(PlannedCurve {
+                temperature_c: setting.temperature.celsius(),
+                load_n: setting.load.si(),
+                mean_speed_m_s: setting.mean_speed.si(),
+                pressure_gpa: 1e-9 * judged[0].max_pressure,
+                film_ratio: judged
+                    .iter()
+                    .fold(f64::INFINITY, |least, one| least.min(one.film_ratio)),
+                slides_percent: kept.map(|(point, _)| percent(point)).collect(),
+                dropped: rules
+                    .filter(|rule| judged.iter().any(|one| one.dropped == Some(*rule)))
+                    .collect(),
+            })
+        };
+        let curves = all.par_chunks(SLIDES.len()).map(curve);
+        let mut curves = curves.collect::<Result<Vec<PlannedCurve>, OilError>>()?;
+        curves.sort_by(|a, b| a.temperature_c.total_cmp(&b.temperature_c));
+        Ok(curves)
+    }
+
+    /// Rows of points, by temperature.
+    fn points(&self, points: &[SetPoint]) -> Result<Vec<PlannedPoint>, OilError> {
+        let row = |point: &SetPoint| {
+            let reading = &point.reading;
+            let at = &reading.setting;
+            let found = reading.machine.predict(&self.oil.rheology, at)?;
+            Ok(PlannedPoint {
+                load_n: at.load.si(),
+                mean_speed_m_s: at.mean_speed.si(),
+                slide_roll_percent: percent(point),
+                temperature_c: at.temperature.celsius(),
+                expected_traction: found.friction.coefficient,
+                film_ratio: found.film / reading.machine.roughness,
+            })
+        };
+        let rows = points.par_iter().map(row);
+        let mut rows = rows.collect::<Result<Vec<PlannedPoint>, OilError>>()?;
+        rows.sort_by(|a, b| a.temperature_c.total_cmp(&b.temperature_c));
+        Ok(rows)
+    }
+}
+
+/// Slide-to-roll ratio \[%\] without round-off.
+fn percent(point: &SetPoint) -> f64 {
+    (1e4 * point.reading.setting.slide_to_roll).round() / 100.0
+}
+
+/// Householder's reflection that turns the first of `size` variables into the combination `of` of the first ones.
+fn reflection(of: &DVector<f64>, size: usize) -> DMatrix<f64> {
+    let mut normal = DVector::zeros(size);
+    normal.rows_mut(0, of.len()).copy_from(&of.normalize());
+    normal[0] -= 1.0;
+    let square = normal.norm_squared();
+    let identity = DMatrix::identity(size, size);
+    match square > f64::EPSILON {
+        true => identity - (2.0 / square) * &normal * normal.transpose(),
+        false => identity,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_variable_becomes_the_combination() {
+        let of = DVector::from_row_slice(&[3.0, 0.0, -4.0]);
+        let turned = reflection(&of, 5);
+        let first = DVector::from_row_slice(&[0.6, 0.0, -0.8, 0.0, 0.0]);
+        assert!((turned.column(0) - first).norm() < 1e-15);
+        assert!((&turned * &turned - DMatrix::identity(5, 5)).norm() < 1e-14);
+        let along = reflection(&DVector::from_row_slice(&[2.0, 0.0]), 3);
+        assert_eq!(along, DMatrix::identity(3, 3));
+    }
+}

@@ -1,0 +1,147 @@
+//! Page, tables and summary of a boundary friction from Stribeck curves.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use asperity::case::CalibratedName;
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series};
+use asperity_report::html::{figure, page};
+use asperity_report::{ReportError, StudyResult, tables, wrapped, write_text};
+use maud::{Markup, html};
+
+use super::stribeck::{BoundaryState, Stribeck};
+use super::traction::BOUNDARY_RATIO;
+use crate::block::{constant, digits, quoted};
+use crate::page::{files, warnings};
+
+const POINTS: &str = "points.csv";
+
+impl StudyResult for Stribeck {
+    const KIND: &'static str = "boundary friction";
+    const NAME: &'static str = "stribeck";
+    type Context<'a> = ();
+
+    fn summary(&self, (): ()) -> String {
+        let mut text = String::new();
+        for state in &self.states {
+            // Writing into a string cannot fail.
+            let _ = writeln!(text, "{:<28} {}", named(state), values(state));
+        }
+        for line in sentences(self) {
+            text.push_str(&wrapped(&line, "  "));
+            text.push('\n');
+        }
+        for warning in &self.warnings {
+            text.push_str(&wrapped(&warning.to_string(), "     "));
+            text.push('\n');
+        }
+        text.push_str("for the case (low and high are the 2.5 % and 97.5 % quantiles):\n");
+        text.push_str(&self.block());
+        text
+    }
+
+    fn page(&self, (): ()) -> String {
+        let sections = [
+            ("Boundary friction", friction(self)),
+            (
+                "For the case",
+                html! { pre { code { (self.block()) } } p { "low and high are the 2.5 % and 97.5 % quantiles." } },
+            ),
+            ("Provenance", files(&self.sources)),
+        ];
+        let subtitle = format!("{} · boundary friction", self.program);
+        page(&self.title, &subtitle, &sections)
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        write_text(&folder.join("case.toml"), &self.block())?;
+        tables::write(&folder.join(POINTS), self.points.iter())
+    }
+}
+
+impl Stribeck {
+    /// The boundary friction as table `calibration` of a case.
+    #[must_use]
+    pub fn block(&self) -> String {
+        let files: Vec<&str> = self.sources.iter().map(|[file, _]| &**file).collect();
+        let key = CalibratedName::BoundaryFriction.key();
+        format!(
+            "[calibration]\nsource = {}\n{}\n",
+            quoted(&files.join(", ")),
+            constant(key, self.boundary_friction, self.band)
+        )
+    }
+}
+
+fn named(state: &BoundaryState) -> String {
+    match state.rubbing_s > 0.0 {
+        true => format!("after {:.0} s of rubbing", state.rubbing_s),
+        false => "before rubbing".to_owned(),
+    }
+}
+
+fn values(state: &BoundaryState) -> String {
+    let Some(friction) = state.boundary_friction else {
+        return "no point in boundary lubrication".to_owned();
+    };
+    let slope = state.slope_per_decade.map_or(String::new(), |slope| {
+        format!(", {:+.1} % per decade of speed", 100.0 * slope)
+    });
+    format!(
+        "{}, {} points, scatter {:.1} %{slope}",
+        digits(friction),
+        state.points,
+        100.0 * state.scatter
+    )
+}
+
+fn sentences(stribeck: &Stribeck) -> Vec<String> {
+    let temperatures = stribeck.temperatures_c.iter();
+    let temperatures: Vec<String> = temperatures.map(|at| format!("{at:.0}")).collect();
+    let [low, high] = stribeck.range.map(digits);
+    vec![
+        format!(
+            "Boundary friction {} ({low}..{high}, 5 to 95 %) at {} °C: the mean of the points with a film of at most {BOUNDARY_RATIO} times the roughness of {:.0} nm after the longest rubbing",
+            digits(stribeck.boundary_friction),
+            temperatures.join(", "),
+            stribeck.roughness_nm
+        ),
+        format!(
+            "Standard deviation {:.1} %: 10 % for the transfer from the machine to a gear (judgement), and the scatter",
+            100.0 * stribeck.deviation
+        ),
+        "Smooth specimens do not show the thickness of the boundary layer; losses of a rig do"
+            .to_owned(),
+    ]
+}
+
+fn friction(stribeck: &Stribeck) -> Markup {
+    let mut chart = Chart::new(
+        "stribeck",
+        "Friction over the film",
+        POINTS,
+        Axis::new("film over roughness", "").log(),
+        Axis::new("friction coefficient", "").from_zero(),
+    );
+    for state in &stribeck.states {
+        let of = |point: &&super::stribeck::StribeckPoint| point.rubbing_s == state.rubbing_s;
+        let points = stribeck.points.iter().filter(of);
+        let points = points.map(|point| [point.film_ratio, point.traction]);
+        chart = chart.with(Series::through(&named(state), Line::Scatter, points));
+    }
+    let chart = chart
+        .marked(&[Mark {
+            at: BOUNDARY_RATIO,
+            label: "boundary".to_owned(),
+        }])
+        .level(stribeck.boundary_friction, "boundary friction");
+    html! {
+        (warnings(&stribeck.warnings))
+        @for line in sentences(stribeck) { p { (line) "." } }
+        div.charts { (figure(&Drawing::Curves(chart))) }
+        div.scroll { table {
+            thead { tr { th { "state" } th { "boundary friction" } } }
+            tbody { @for state in &stribeck.states { tr { th scope="row" { (named(state)) } td { (values(state)) } } } }
+        } }
+    }
+}
