@@ -43,7 +43,13 @@ pub fn oil(command: &OilCommand, common: &Common) -> Result<(), Failure> {
 
 impl From<OilError> for Failure {
     fn from(error: OilError) -> Self {
-        Self::new(error.code(), error.to_string())
+        let failure = Self::new(error.code(), error.to_string());
+        match error {
+            OilError::NoRubbing { .. } => failure.advising(
+                "Add a column rubbing_s, or pass --rubbing with one time for each file, such as --rubbing \"0 s,2 h\".",
+            ),
+            _ => failure,
+        }
     }
 }
 

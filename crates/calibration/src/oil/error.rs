@@ -33,7 +33,7 @@ pub enum OilError {
     },
     /// A Stribeck curve without the time of rubbing.
     #[error(
-        "{file}:{line}: the time of rubbing before the reading is not stated; boundary friction may double by rubbing. Give a column rubbing_s, 0 for new specimens, or pass --rubbing"
+        "{file}:{line}: the time of rubbing before the reading is not stated; boundary friction may double by rubbing. Give a column rubbing_s, 0 for new specimens, or a time of rubbing for each file"
     )]
     NoRubbing {
         /// Name of the file.
