@@ -193,6 +193,14 @@ pub enum GearError {
         /// Tip diameter of a planet.
         needed: Length,
     },
+    /// Speed or torque of a shaft does not follow from the stages of a gear train.
+    #[error("shaft \"{shaft}\" {rule}")]
+    Train {
+        /// Name of the shaft.
+        shaft: String,
+        /// Reason.
+        rule: &'static str,
+    },
     /// A load sharing law for spur gears on a helical pair.
     #[error("the load sharing \"{law}\" is for spur pairs")]
     SpurLawOnHelical {

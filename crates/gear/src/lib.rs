@@ -40,6 +40,7 @@ pub mod edge_contact;
 pub mod error;
 pub mod flank_coordinate;
 pub mod forces;
+pub mod gear_train;
 mod hertz_compliance;
 pub mod input;
 pub mod involute;
