@@ -74,10 +74,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// When a position has no solution; the first one along the path is named.
     pub fn execute(self) -> Result<Outcome, Error> {
-        match self.band {
-            true => Ok(self.draw()?.0),
-            false => Ok(pipeline::outcome(self.case, self.pictures, self.progress)?.0),
-        }
+        Ok(self.drawn(self.band)?.0)
     }
 
     /// Runs the case with the uncertainty of its loss, and returns its draws, which
@@ -86,7 +83,17 @@ impl<'a> Run<'a> {
     /// # Errors
     /// As [`execute`](Self::execute).
     pub fn draw(self) -> Result<(Outcome, Option<Predictive>), Error> {
-        uncertainty::run_and_draw(self.case, self.pictures, self.progress)
+        self.drawn(true)
+    }
+
+    fn drawn(self, band: bool) -> Result<(Outcome, Option<Predictive>), Error> {
+        let mut contacts = Vec::new();
+        uncertainty::run_and_draw(
+            self.case,
+            (self.pictures, band),
+            &mut contacts,
+            self.progress,
+        )
     }
 
     /// Losses only, equal to those of [`execute`](Self::execute) to the last digit.

@@ -8,7 +8,6 @@ use asperity_core::material::Material;
 use asperity_core::quantity::{Length, Torque};
 use asperity_gear::{GearPair, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
 use asperity_mixed_film::ContactTable;
-use rayon::prelude::*;
 
 use crate::case::{Case, Formulation, LoadedCase};
 use crate::error::PositionError;
@@ -82,18 +81,26 @@ pub(crate) struct WindowContact {
 }
 
 impl WindowContact {
-    /// The windows of all offsets at `position`, with their roughness.
+    /// The windows of all offsets at `position`, with their roughness; those that `known` contacts have are shared.
     ///
     /// # Errors
     /// When the traces are too coarse or too short for the contact.
     pub(crate) fn of_position(
         loaded: &LoadedCase,
         position: &MeshPosition,
+        known: &[&Contacts],
     ) -> Result<Vec<Arc<Self>>, PositionError> {
         let count = loaded.surfaces.offsets(loaded.case.model.offsets);
-        (0..count)
-            .map(|k| Self::of_offset(loaded, position, (k, count)))
-            .collect()
+        let contact = |k: usize| {
+            let mut shared = known
+                .iter()
+                .filter_map(|known| known.of_offset(position, (k, count)));
+            match shared.next() {
+                Some(shared) => Ok(shared),
+                None => Self::of_offset(loaded, position, (k, count)),
+            }
+        };
+        (0..count).map(contact).collect()
     }
 
     /// The window of offset `k` of `count` at `position`, with its roughness.
@@ -153,31 +160,24 @@ impl Contacts {
         self.each
     }
 
-    /// The contacts of `loaded`, which has more offsets of each pair of traces at the positions of `mesh`; those that are
-    /// known are shared. The places of the windows nest.
-    pub(crate) fn extended(&self, loaded: &LoadedCase, mesh: &Mesh) -> Result<Self, PositionError> {
-        let (case, surfaces) = (&loaded.case, &loaded.surfaces);
-        let (each, more) = (self.each, case.model.offsets);
-        let count = surfaces.offsets(more);
-        let row = |position: &MeshPosition| {
-            let known = self.at(position)?;
-            let contact = |k: usize| match k % more < each {
-                true => Ok(Arc::clone(&known[k / more * each + k % more])),
-                false => WindowContact::of_offset(loaded, position, (k, count)),
-            };
-            let row: Result<Vec<_>, PositionError> = (0..count).map(contact).collect();
-            Ok((key(position), row?))
-        };
-        Ok(Self {
-            fingerprint: fingerprint(case, surfaces),
-            each: more,
-            rows: mesh
-                .positions
-                .par_iter()
-                .map(row)
-                .collect::<Result<_, PositionError>>()?,
-            ..self.clone()
-        })
+    /// Whether these have windows of the flanks of `loaded`, of the same steels and size.
+    pub(crate) fn have_windows_of(&self, loaded: &LoadedCase) -> bool {
+        self.surfaces.has_flanks_of(&loaded.surfaces)
+            && self.fingerprint == fingerprint(&loaded.case, &loaded.surfaces)
+    }
+
+    /// The contact of offset `k` of `count` at `position`; `None` if these have fewer offsets. The places of the windows
+    /// nest.
+    fn of_offset(
+        &self,
+        position: &MeshPosition,
+        (k, count): (usize, usize),
+    ) -> Option<Arc<WindowContact>> {
+        let row = self.rows.get(&key(position))?;
+        let pairs = self.surfaces.pairs();
+        let [each, known] = [count, row.len()].map(|all| (all / pairs).max(1));
+        let place = (k % each < known).then_some(k / each * known + k % each)?;
+        row.get(place).cloned()
     }
 
     /// The first `each` offsets of every pair of traces, shared with these.
@@ -225,9 +225,7 @@ impl Contacts {
 
     /// Refuses contacts whose flanks, steels, windows or offsets differ from `loaded`.
     pub(crate) fn check(&self, loaded: &LoadedCase) -> Result<(), PositionError> {
-        let is_same = self.surfaces.has_flanks_of(&loaded.surfaces)
-            && self.each == loaded.case.model.offsets
-            && self.fingerprint == fingerprint(&loaded.case, &loaded.surfaces);
+        let is_same = self.have_windows_of(loaded) && self.each == loaded.case.model.offsets;
         match is_same {
             true => Ok(()),
             false => Err(PositionError::OtherTables {
@@ -305,4 +303,79 @@ fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
         }
     }
     bits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case;
+    use crate::pipeline::outcome;
+
+    fn at(settings: &[(&str, &str)]) -> LoadedCase {
+        let file = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../fixtures/cases/e-drive.toml"
+        );
+        let few = [
+            ("model.positions", "4"),
+            ("model.offsets", "2"),
+            ("model.depths", "0"),
+        ];
+        case::load_with(file.as_ref(), &|input| {
+            for (key, value) in few.iter().chain(settings) {
+                input.set(key, value).unwrap();
+            }
+        })
+        .unwrap()
+    }
+
+    fn windows(contacts: &Contacts) -> Vec<*const WindowContact> {
+        contacts.rows.values().flatten().map(Arc::as_ptr).collect()
+    }
+
+    #[test]
+    fn meshes_with_the_same_windows_under_the_same_load_share_their_contacts() {
+        let first = outcome(&at(&[]), None, &[], &|_, _| {}).unwrap().2;
+        let known = std::slice::from_ref(&first);
+        assert!(
+            first
+                .rows
+                .values()
+                .flatten()
+                .any(|window| window.table.get().is_some())
+        );
+        // Speed and temperature are not of the contact, and more offsets nest.
+        let other = [
+            ("operation.speed", "3000 1/min"),
+            ("operation.bulk_temperature", "70 °C"),
+        ];
+        let (shared, _, contacts) = outcome(&at(&other), None, known, &|_, _| {}).unwrap();
+        assert_eq!(windows(&contacts), windows(&first));
+        let (alone, _, own) = outcome(&at(&other), None, &[], &|_, _| {}).unwrap();
+        assert_eq!(shared.result, alone.result);
+        assert!(
+            windows(&own)
+                .iter()
+                .all(|window| !windows(&first).contains(window))
+        );
+        let more = outcome(&at(&[("model.offsets", "4")]), None, known, &|_, _| {})
+            .unwrap()
+            .2;
+        let of_first = |contacts: &Contacts| {
+            let known = windows(&first);
+            windows(contacts)
+                .iter()
+                .filter(|window| known.contains(window))
+                .count()
+        };
+        assert_eq!(of_first(&more), windows(&first).len());
+        // Another load or other steels have other contacts.
+        for other in [
+            ("operation.torque", "140 N m"),
+            ("material.pinion.flow_pressure", "6 GPa"),
+        ] {
+            let contacts = outcome(&at(&[other]), None, known, &|_, _| {}).unwrap().2;
+            assert_eq!(of_first(&contacts), 0, "{other:?}");
+        }
+    }
 }

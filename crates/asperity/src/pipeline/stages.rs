@@ -91,13 +91,15 @@ fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Er
 /// # Errors
 /// When the traces are too coarse or too short for a contact.
 pub fn contacts(loaded: &LoadedCase) -> Result<Contacts, Error> {
-    Ok(sampled(loaded, None)?.1.into_owned())
+    Ok(sampled(loaded, None, &[])?.1.into_owned())
 }
 
-/// The case with the number of offsets that it needs, and its contacts: those that are known, or new ones.
+/// The case with the number of offsets that it needs, and its contacts: those that are known, or new ones, which
+/// share the windows that `others` have under the same load.
 pub(super) fn sampled<'a>(
     loaded: &'a LoadedCase,
     known: Option<&'a Contacts>,
+    others: &[Contacts],
 ) -> Result<(Cow<'a, LoadedCase>, Cow<'a, Contacts>), Error> {
     if let Some(known) = known {
         let loaded = with_offsets(loaded, known.offsets());
@@ -105,7 +107,7 @@ pub(super) fn sampled<'a>(
         return Ok((loaded, Cow::Borrowed(known)));
     }
     let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
-    let contacts = contacts_of(loaded, &mesh)?;
+    let contacts = contacts_of(loaded, &mesh, others.iter())?;
     if !chooses_offsets(loaded) {
         return Ok((Cow::Borrowed(loaded), Cow::Owned(contacts)));
     }
@@ -120,16 +122,23 @@ pub(super) fn sampled<'a>(
     let mesh = first.mesh;
     let more = with_offsets(loaded, wanted);
     let contacts = match wanted > contacts.offsets() {
-        true => contacts.extended(&more, &mesh).map_err(Box::new)?,
+        true => contacts_of(&more, &mesh, others.iter().chain([&contacts]))?,
         false => contacts,
     };
     Ok((more, Cow::Owned(contacts)))
 }
 
-fn contacts_of(loaded: &LoadedCase, mesh: &Mesh) -> Result<Contacts, Error> {
+fn contacts_of<'a>(
+    loaded: &LoadedCase,
+    mesh: &Mesh,
+    others: impl Iterator<Item = &'a Contacts>,
+) -> Result<Contacts, Error> {
+    let known: Vec<&Contacts> = others
+        .filter(|other| other.have_windows_of(loaded))
+        .collect();
     let at = |position: &MeshPosition| {
         check_mesh_position(position)?;
-        WindowContact::of_position(loaded, position)
+        WindowContact::of_position(loaded, position, &known)
     };
     let rows = numbered(mesh.positions.par_iter().map(at).collect())?;
     Ok(Contacts::new(loaded, mesh, rows))
@@ -196,7 +205,7 @@ pub fn settled<'a>(
     if loaded.case.bulk.is_none() {
         return Ok(Cow::Borrowed(loaded));
     }
-    let (sampled, contacts) = sampled(loaded, known)?;
+    let (sampled, contacts) = sampled(loaded, known, &[])?;
     Ok(Cow::Owned(warmed(&sampled, &contacts)?.into_owned()))
 }
 
@@ -218,7 +227,7 @@ pub(crate) fn losses_of(
     progress: Progress<'_>,
 ) -> Result<Losses, Error> {
     let used = Provenance::new();
-    let (sampled, contacts) = used.collect(|| sampled(loaded, known))?;
+    let (sampled, contacts) = used.collect(|| sampled(loaded, known, &[]))?;
     let warmed = warmed(&sampled, &contacts)?;
     let stages = Stages::of(&warmed, &contacts, progress, used)?;
     let positions = stages.lubricated()?;
@@ -229,14 +238,15 @@ pub(crate) fn losses_of(
 }
 
 /// The outcome of a run with the case and the contacts that it has in the end; pictures of every position are computed
-/// unless `pictures` is `None`.
+/// unless `pictures` is `None`. Windows that `others` have under the same load are shared.
 pub(crate) fn outcome(
     loaded: &LoadedCase,
     pictures: Option<&KeptFields>,
+    others: &[Contacts],
     progress: Progress<'_>,
 ) -> Result<(Outcome, LoadedCase, Contacts), Error> {
     let used = Provenance::new();
-    let (sampled, contacts) = used.collect(|| sampled(loaded, None))?;
+    let (sampled, contacts) = used.collect(|| sampled(loaded, None, others))?;
     let warmed = warmed(&sampled, &contacts)?;
     let stages = Stages::of(&warmed, &contacts, progress, used)?;
     let mut positions = stages.lubricated()?;
@@ -393,7 +403,7 @@ impl<'a> Stages<'a> {
         let solve = |(name, at): &(&'static str, MeshPosition)| {
             self.used.collect(|| {
                 check_mesh_position(at)?;
-                let contacts = match WindowContact::of_position(loaded, at) {
+                let contacts = match WindowContact::of_position(loaded, at, &[]) {
                     // Its window is wider than those of the positions, which have theirs.
                     Err(PositionError::TraceTooShort { .. }) => return Ok(None),
                     contacts => contacts?,
@@ -446,7 +456,7 @@ impl<'a> Stages<'a> {
         worn.surfaces = ran_in.surfaces.clone();
         let shown = |done, _| (self.progress)(before + done, total);
         let mesh = self.mesh.clone();
-        let contacts = Cow::Owned(self.used.collect(|| contacts_of(&worn, &mesh))?);
+        let contacts = Cow::Owned(self.used.collect(|| contacts_of(&worn, &mesh, [].iter()))?);
         let stages = Stages::on(&worn, mesh, contacts, &shown, Provenance::new())?;
         let positions = stages.lubricated()?;
         let report = stages.summed(|| stages.solved(positions)?.run_in_flanks(ran_in))?;

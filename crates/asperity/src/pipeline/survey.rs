@@ -49,7 +49,7 @@ pub struct RegimeRow {
 /// # Errors
 /// When an equation refuses the numbers at a position.
 pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
-    let (sampled, contacts) = sampled(loaded, None)?;
+    let (sampled, contacts) = sampled(loaded, None, &[])?;
     let warmed = warmed(&sampled, &contacts)?;
     let case = &warmed.case;
     let stages = Stages::of(&warmed, &contacts, &|_, _| {}, Provenance::new())?;

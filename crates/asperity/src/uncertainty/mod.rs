@@ -82,21 +82,24 @@ pub fn evaluations(loaded: &LoadedCase) -> usize {
     }
 }
 
-/// Runs a case with the uncertainty of its loss, and returns its draws; `None` if the case has no uncertainty.
+/// Runs a case, with the uncertainty of its loss if `band` is set, and returns its draws; `None` if the case has no
+/// uncertainty. Its contacts share the windows of the `known` ones under the same load, and are added to them.
 pub(crate) fn run_and_draw(
     loaded: &LoadedCase,
-    pictures: Option<&KeptFields>,
+    (pictures, band): (Option<&KeptFields>, bool),
+    known: &mut Vec<Contacts>,
     progress: Progress<'_>,
 ) -> Result<(Outcome, Option<Predictive>), Error> {
     // Each evaluation counts like a position.
-    let more = evaluations(loaded);
+    let more = if band { evaluations(loaded) } else { 0 };
     let before = AtomicUsize::new(0);
     let shown = |done, total| {
         before.store(total, Ordering::Relaxed);
         progress(done, total + more);
     };
-    let (mut outcome, loaded, contacts) = outcome(loaded, pictures, &shown)?;
-    if !has_band(&loaded) {
+    let (mut outcome, loaded, contacts) = outcome(loaded, pictures, known, &shown)?;
+    if !band || !has_band(&loaded) {
+        known.push(contacts);
         return Ok((outcome, None));
     }
     let used = Provenance::new();
@@ -116,6 +119,7 @@ pub(crate) fn run_and_draw(
         warnings.push(Warning::new("W440", text));
     }
     note(&mut outcome.result, &used.tags());
+    known.push(contacts);
     Ok((outcome, Some(predictive)))
 }
 
