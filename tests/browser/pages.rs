@@ -5,10 +5,10 @@ use std::sync::OnceLock;
 
 use asperity::Run;
 use asperity::case::{CaseInput, Formulation, load_with};
+use asperity::gear_train::run_train;
 use asperity::pipeline::KeptFields;
-use asperity::planetary::run_planetary;
 use asperity::result::Outcome;
-use asperity_report::{Fields, write_folder, write_planetary};
+use asperity_report::{Fields, write_folder, write_train};
 use asperity_tests::planetary_set;
 
 use crate::bench::{Bench, E_DRIVE};
@@ -107,9 +107,9 @@ fn reports(bench: &Bench) -> Vec<Page> {
             page(&format!("report, {name}"), &folder.join("report.html"))
         })
         .collect();
-    let set = run_planetary(&planetary_set(), &KeptFields::All, &|_, _| {}).unwrap();
+    let set = run_train(&planetary_set(), &KeptFields::All, true, &|_, _| {}).unwrap();
     let folder = bench.path("set");
-    write_planetary(&set, &folder, &Fields::Page).unwrap();
+    write_train(&set, &folder, &Fields::Page).unwrap();
     for (name, file) in [("set", "report.html"), ("mesh", "planet_ring/report.html")] {
         pages.push(page(&format!("planetary, {name}"), &folder.join(file)));
     }

@@ -247,7 +247,7 @@ fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it()
         &[&["compare", "case.toml"], &finishes[..]].concat(),
     ] {
         let refused = bench.run(command);
-        refused.refused(2, "E205", &["is a planetary set"]);
+        refused.refused(2, "E205", &["has several meshes"]);
     }
 }
 
@@ -280,4 +280,167 @@ fn check_tells_every_error_of_a_planetary_set_once() {
         assert!(said.err.contains(says), "{says} is not in {}", said.err);
     }
     assert_eq!(bench.listing(), before);
+}
+
+/// Two stages on three shafts.
+const TRAIN: &str = r#"
+title = "two stages"
+[train]
+input = "motor"
+[mesh.fast]
+shafts = ["motor", "middle"]
+gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm", helix = "23.4 deg" }
+[mesh.slow]
+shafts = ["middle", "wheel"]
+gears = { teeth = [25, 61], module = "2.5 mm", face_width = "40 mm" }
+[operation]
+torque = "100 N m"
+speed = "6000 1/min"
+bulk_temperature = "90 °C"
+[lubricant]
+oil = "m100"
+[surface]
+cutoff = "0.25 mm"
+pinion = { file = "pinion.csv" }
+wheel = { file = "wheel.csv", mirrored = true }
+[model]
+positions = 6
+offsets = 2
+depths = 0
+"#;
+
+#[test]
+fn a_gear_train_gives_its_shafts_its_meshes_and_one_loss() {
+    let bench = bench(TRAIN);
+    let said = bench.run(&["run", "case.toml", "-o", "train"]).well().out;
+    for says in [
+        "two stages",
+        "fast",
+        "slow",
+        "motor",
+        "middle",
+        "wheel",
+        "295.652",
+    ] {
+        assert!(said.contains(says), "{says} is not in {said}");
+    }
+    for file in [
+        "train.json",
+        "meshes.csv",
+        "shafts.csv",
+        "report.html",
+        "fast/report.html",
+        "slow/result.json",
+    ] {
+        assert!(bench.path("train").join(file).is_file(), "{file}");
+    }
+    let page = std::fs::read_to_string(bench.path("train/report.html")).unwrap();
+    for says in [
+        "fast/report.html",
+        "lubricated asperities",
+        "Shafts",
+        "torque carried",
+    ] {
+        assert!(page.contains(says), "{says}");
+    }
+    let run = |more: &[&str]| {
+        let arguments = [&["run", "case.toml", "--no-output", "--json"], more].concat();
+        bench.run(&arguments).well().json()
+    };
+    let w = |value: &serde_json::Value| value.as_f64().unwrap();
+    let json = run(&[]);
+    let losses: Vec<f64> = [0, 1]
+        .iter()
+        .map(|k| w(&json["meshes"][*k as usize]["loss_w"]))
+        .collect();
+    assert_eq!(w(&json["loss_w"]), losses[0] + losses[1]);
+    // Oil and constants are drawn together: the band is between independent and equal draws.
+    let band = |row: &serde_json::Value| w(&row["loss_q95_w"]) - w(&row["loss_q05_w"]);
+    let [first, second] = [0, 1].map(|k: usize| band(&json["meshes"][k]));
+    let quantiles = &json["loss_distribution"]["quantiles_w"];
+    let whole = w(&quantiles[1]) - w(&quantiles[0]);
+    assert!(whole > 1.02 * first.hypot(second) && whole < 1.02 * (first + second));
+    assert!(run(&["--no-band"])["loss_distribution"].is_null());
+    let passed = run(&["--no-band", "--set", "train.losses=passed-on"]);
+    assert!(w(&passed["meshes"][1]["torque_nm"]) < w(&json["meshes"][1]["torque_nm"]));
+    let slow = run(&["--no-band", "--set", "mesh.slow.gears.face_width=60 mm"]);
+    assert_eq!(slow["meshes"][0]["loss_w"], json["meshes"][0]["loss_w"]);
+    assert_ne!(slow["meshes"][1]["loss_w"], json["meshes"][1]["loss_w"]);
+    // A shaft belongs to no result of another case.
+    bench.run(&["check", "case.toml"]).well();
+    assert_eq!(
+        bench
+            .run(&["gear", "case.toml"])
+            .well()
+            .out
+            .matches("teeth 2")
+            .count(),
+        2
+    );
+}
+
+#[test]
+fn a_gear_train_that_is_not_determined_is_refused_at_its_key() {
+    let bench = bench(TRAIN);
+    for (set, code, says) in [
+        (
+            "train.input=none",
+            "E205",
+            "mesh.fast.shafts: has no shaft in common",
+        ),
+        (
+            "train.output=none",
+            "E205",
+            "train.output: is not a shaft of any mesh",
+        ),
+        (
+            "mesh.slow.shafts=[\"motor\", \"wheel\"]",
+            "E205",
+            "train.output: is needed",
+        ),
+        ("mesh.slow.shafts=[\"middle\"]", "E205", "mesh.slow.shafts"),
+        (
+            "mesh.slow.shafts=[\"middle\", \"motor\"]",
+            "E205",
+            "train.output: is needed",
+        ),
+        ("mesh.slow.gearz=1", "E203", "Did you mean \"gears\"?"),
+        (
+            "mesh.slow.gears.module=2.5 m",
+            "E212",
+            "(mesh \"slow\"): gears.module",
+        ),
+        ("mesh.slow.surface.pinion.file=none.csv", "E103", "none.csv"),
+        ("train.losses=maybe", "E204", "passed-on"),
+    ] {
+        bench
+            .run(&["run", "case.toml", "--no-output", "--set", set])
+            .refused(2, code, &[says]);
+    }
+    let idle = [
+        TRAIN.replace("[operation]", "[mesh.idle]\nshafts = [\"middle\", \"idle\"]\ngears = { teeth = [25, 61], module = \"2.5 mm\", face_width = \"40 mm\" }\n[operation]"),
+        "train.output=wheel".to_owned(),
+    ];
+    bench.write("case.toml", &idle[0]);
+    let run = ["run", "case.toml", "--no-output"];
+    bench
+        .run(&run)
+        .refused(2, "E205", &["train.output: is needed"]);
+    bench
+        .run(&[&run[..], &["--set", &idle[1]]].concat())
+        .refused(2, "E206", &["leave out meshes that run idle"]);
+    let bad = TRAIN
+        .replace("2.5 mm", "2.5 m")
+        .replace("m100", "m1000")
+        .replace("wheel.csv", "nosuch.csv");
+    bench.write("case.toml", bad);
+    let said = bench.run(&["check", "case.toml"]);
+    for says in [
+        "E212 case.toml:9 (mesh \"slow\"): gears.module",
+        "E208",
+        "E103",
+        "3 errors",
+    ] {
+        assert!(said.err.contains(says), "{says} is not in {}", said.err);
+    }
 }

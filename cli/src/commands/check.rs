@@ -1,12 +1,12 @@
 //! `asperity check`: checks of a case without running it.
 
 use asperity::Error;
-use asperity::case::planetary::{self, LoadedPlanetary};
+use asperity::case::gear_train::{self, LoadedTrain};
 use asperity::case::{self, DefaultUsed, LoadedCase};
 use asperity::message::Warning;
 use asperity::pipeline;
 use asperity::pipeline::KeptFields;
-use asperity_studies::estimate::{Estimate, estimate, estimate_of_set, measured, measured_of_set};
+use asperity_studies::estimate::{Estimate, estimate, estimate_of_train, measured};
 use serde_json::{Value, json};
 
 use super::{keys, source};
@@ -19,10 +19,10 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     let shown = Progress::of(common.quiet, READING);
     let (source, folder) = source(&args.case)?;
     let name = source.name().to_owned();
-    let (mut failures, valid) = match planetary::is_planetary(&source) {
+    let (mut failures, valid) = match gear_train::is_train(&source) {
         true => {
-            let findings = planetary::check(source, folder, &keys(&args.set));
-            (failures(&findings.errors), findings.case.map(of_set))
+            let findings = gear_train::check(source, folder, &keys(&args.set));
+            (failures(&findings.errors), findings.case.map(of_train))
         }
         false => {
             let findings = case::check(source, folder, &keys(&args.set));
@@ -111,24 +111,24 @@ fn of_pair(loaded: LoadedCase) -> Result<ValidCase, Error> {
     })
 }
 
-fn of_set(set: LoadedPlanetary) -> Result<ValidCase, Error> {
-    set.meshes.iter().try_for_each(pipeline::check)?;
+fn of_train(train: LoadedTrain) -> Result<ValidCase, Error> {
+    let cases = || train.meshes().map(|mesh| &mesh.case);
+    cases().try_for_each(pipeline::check)?;
     let fields = KeptFields::Highest;
-    let work = measured_of_set(&set, &fields).or_else(|_| estimate_of_set(&set, &fields))?;
-    let mut valid = ValidCase {
-        warnings: Vec::new(),
-        defaults: set.defaults,
-        work,
-        traced: set.meshes.iter().filter_map(traced).collect(),
-    };
-    for mesh in set.meshes {
-        for warning in mesh.warnings {
-            if !valid.warnings.contains(&warning) {
-                valid.warnings.push(warning);
-            }
+    let work = estimate_of_train(&train, &fields, measured)
+        .or_else(|_| estimate_of_train(&train, &fields, estimate))?;
+    let mut warnings: Vec<Warning> = Vec::new();
+    for warning in cases().flat_map(|case| &case.warnings) {
+        if !warnings.contains(warning) {
+            warnings.push(warning.clone());
         }
     }
-    Ok(valid)
+    Ok(ValidCase {
+        traced: cases().filter_map(traced).collect(),
+        warnings,
+        defaults: train.defaults,
+        work,
+    })
 }
 
 fn report(failures: &[Failure], valid: Option<&ValidCase>) -> Value {

@@ -24,13 +24,14 @@ pub fn gear(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
             }
             print_text(common, &text(&report))
         }
-        AnyCase::Set(set) => {
-            let [first, second] = &set.meshes;
-            let reports = [report(first)?, report(second)?];
+        AnyCase::Train(train) => {
+            let reports = train.meshes().map(|mesh| report(&mesh.case));
+            let reports = reports.collect::<Result<Vec<_>, Failure>>()?;
             if common.json {
-                return print_json(&json!({ "title": set.title, "meshes": reports }));
+                return print_json(&json!({ "title": train.title, "meshes": reports }));
             }
-            print_text(common, &reports.each_ref().map(text).join("\n"))
+            let texts: Vec<String> = reports.iter().map(text).collect();
+            print_text(common, &texts.join("\n"))
         }
     }
 }

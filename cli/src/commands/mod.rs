@@ -36,7 +36,7 @@ use std::ffi::{OsStr, OsString};
 use std::io::Read as _;
 use std::path::Path;
 
-use asperity::case::planetary::{self, LoadedPlanetary};
+use asperity::case::gear_train::{self, LoadedTrain};
 use asperity::case::{self, CaseInput, Formulation, LoadedCase, PathPoint, Source};
 
 use crate::args::{FormulationArg, SetArgs};
@@ -83,15 +83,15 @@ fn load_changed(
     case::load_set(source, folder, &keys(set), change).map_err(|error| Failure::of(&error))
 }
 
-/// Rejects a planetary set for a command that needs a pair of gears.
+/// Rejects a gear train for a command that needs a pair of gears.
 fn pair_only(source: &Source) -> Result<(), Failure> {
-    if !planetary::is_planetary(source) {
+    if !gear_train::is_train(source) {
         return Ok(());
     }
     let name = source.name();
-    let message = format!("{name}: is a planetary set; this command takes a pair of gears");
+    let message = format!("{name}: has several meshes; this command takes a pair of gears");
     Err(Failure::new("E205", message).advising(
-        "run, check, gear and regime take planetary sets; the result of a set holds a result of each mesh.",
+        "run, check, gear and regime take gear trains and planetary sets; their result holds a result of each mesh.",
     ))
 }
 
@@ -151,8 +151,8 @@ fn load_case(
 pub enum AnyCase {
     /// Pair of gears.
     Pair(Box<LoadedCase>),
-    /// Planetary set.
-    Set(Box<LoadedPlanetary>),
+    /// Several meshes: a gear train or a planetary set.
+    Train(Box<LoadedTrain>),
 }
 
 /// Reads a case of either kind with its traces.
@@ -163,9 +163,9 @@ fn load_any(
 ) -> Result<AnyCase, Failure> {
     let formulation = formulation.map(self::formulation);
     let (source, folder) = source(path)?;
-    let loaded = match planetary::is_planetary(&source) {
-        true => planetary::load_set(source, folder, &keys(set), formulation)
-            .map(|set| AnyCase::Set(Box::new(set))),
+    let loaded = match gear_train::is_train(&source) {
+        true => gear_train::load_set(source, folder, &keys(set), formulation)
+            .map(|train| AnyCase::Train(Box::new(train))),
         false => case::load_set(source, folder, &keys(set), &|input| {
             if formulation.is_some() {
                 input.formulation = formulation;

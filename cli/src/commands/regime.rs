@@ -1,6 +1,7 @@
 //! `asperity regime`: film thickness and regime along the path, without the rough contact.
 
 use asperity::case::LoadedCase;
+use asperity::case::gear_train::LoadedMesh;
 use asperity::pipeline::{RegimeRow, survey};
 use asperity::result::Regime;
 use serde_json::json;
@@ -22,19 +23,22 @@ pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
             }
             print_text(common, &table(&rows))
         }
-        AnyCase::Set(set) => {
-            let [first, second] = &set.meshes;
-            let rows_of_meshes = [(first, rows(first)?), (second, rows(second)?)];
+        AnyCase::Train(train) => {
+            let of_mesh = |mesh: &LoadedMesh| Ok((mesh.case.case.title.clone(), rows(&mesh.case)?));
+            let of_meshes = train
+                .meshes()
+                .map(of_mesh)
+                .collect::<Result<Vec<_>, Failure>>()?;
             if common.json {
-                let meshes = rows_of_meshes
-                    .map(|(mesh, rows)| json!({ "title": mesh.case.title, "rows": rows }));
-                return print_json(&json!({ "title": set.title, "meshes": meshes }));
+                let meshes = of_meshes.iter();
+                let meshes = meshes.map(|(title, rows)| json!({ "title": title, "rows": rows }));
+                let meshes: Vec<_> = meshes.collect();
+                return print_json(&json!({ "title": train.title, "meshes": meshes }));
             }
-            let tables = rows_of_meshes.map(|(mesh, rows)| {
-                let title = asperity_storage::one_line(&mesh.case.title).into_owned();
-                format!("{title}\n{}", table(&rows))
+            let tables = of_meshes.iter().map(|(title, rows)| {
+                format!("{}\n{}", asperity_storage::one_line(title), table(rows))
             });
-            print_text(common, &tables.join("\n"))
+            print_text(common, &tables.collect::<Vec<_>>().join("\n"))
         }
     }
 }

@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::planetary::LoadedPlanetary;
-use asperity::planetary::{PlanetaryResult, run_planetary};
+use asperity::case::gear_train::LoadedTrain;
+use asperity::gear_train::{TrainResult, run_train};
 use asperity::result::RunResult;
 use asperity::{Error, Run};
 use asperity_report::{self as report, Fields, ReportError};
 
 use super::bibtex::bibtex;
-use super::work::{check_work, check_work_of_set};
+use super::work::{check_work, check_work_of_train};
 use super::{AnyCase, load_any, refuse_other, result_name};
 use crate::args::{Common, RunArgs};
 use crate::failure::Failure;
@@ -26,7 +26,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let progress = Progress::of(common.quiet, READING);
     let loaded = match load_any(&args.case, &args.set, args.formulation)? {
         AnyCase::Pair(loaded) => loaded,
-        AnyCase::Set(set) => return run_set(&set, args, common, &fields, progress),
+        AnyCase::Train(train) => return run_meshes(&train, args, common, &fields, progress),
     };
     check_work(&args.work, &loaded, &fields.kept(), 1)?;
     let target = Target::of(args, &loaded.case.title, report::check_place)?;
@@ -57,62 +57,106 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     print_verdict(common, &text, &report::headline(&outcome.result))
 }
 
-/// Runs both kinds of meshes of a planetary set.
-fn run_set(
-    set: &LoadedPlanetary,
+/// Runs all meshes of a gear train.
+fn run_meshes(
+    train: &LoadedTrain,
     args: &RunArgs,
     common: &Common,
     fields: &Fields,
     progress: Progress,
 ) -> Result<(), Failure> {
-    check_work_of_set(&args.work, set, &fields.kept())?;
-    let target = Target::of(args, &set.title, report::check_planetary_place)?;
+    check_work_of_train(&args.work, train, &fields.kept())?;
+    let target = Target::of(args, &train.title, report::check_train_place)?;
     let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
-    let outcome = run_planetary(set, &fields.kept(), &|done, total| progress.at(done, total));
+    let at = |done, total| progress.at(done, total);
+    let outcome = run_train(train, &fields.kept(), !args.no_band, &at);
     let outcome = outcome.map_err(|error| failed(&error, args, folder))?;
     if let Some(folder) = folder {
         progress.begin(WRITING);
-        report::write_planetary(&outcome, folder, fields)?;
+        report::write_train(&outcome, folder, fields)?;
     }
     drop(progress);
     if common.json {
         return print_json(&outcome.result);
     }
-    let mut text = text_of_set(&outcome.result);
+    let mut text = text_of_train(&outcome.result);
     if let Some(target) = &target {
         text.push_str(&target.text(&outcome.result.title, ""));
     }
     print_text(common, &text)
 }
 
-fn text_of_set(result: &PlanetaryResult) -> String {
+fn text_of_train(result: &TrainResult) -> String {
     let [loss, efficiency] = result.with_bands();
+    let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
     let mut text = format!(
-        "{}\nefficiency (meshes only)  {efficiency} %   loss {loss} W\n  power in {:.2} kW\n\
-         {} planets   carrier {:.1} 1/min   power through the meshes {:.2} kW\n\
-         {:<16} {:>10} {:>10} {:>12} {:>8} {:>8} {:>9}\n",
+        "{}\nefficiency (meshes only)  {efficiency} %   loss {loss} W\n  power in {:.2} kW\n",
         asperity_storage::one_line(&result.title),
         1e-3 * result.power_in_w,
-        result.planets,
-        result.carrier_rad_per_s * 30.0 / std::f64::consts::PI,
-        1e-3 * result.rolling_power_w,
+    );
+    for (name, set) in result.planetary_sets() {
+        let name = if name.is_empty() {
+            String::new()
+        } else {
+            format!("{name}: ")
+        };
+        text.push_str(&format!(
+            "{name}{} planets   carrier {:.1} 1/min   power through the meshes {:.2} kW\n",
+            set.planets,
+            rpm(set.carrier_rad_per_s),
+            1e-3 * set.rolling_power_w,
+        ));
+    }
+    let width = |names: &mut dyn Iterator<Item = &String>| {
+        names
+            .map(|name| name.chars().count())
+            .max()
+            .unwrap_or(0)
+            .max(16)
+    };
+    let wide = width(&mut result.meshes.iter().map(|row| &row.mesh));
+    text.push_str(&format!(
+        "{:<wide$} {:>2} {:>10} {:>8} {:>9} {:>8} {:>8} {:>12} {:>7} {:>8} {:>7}\n",
         "mesh",
+        "n",
         "T N m",
+        "1/min",
         "loss W",
+        "sliding",
+        "rolling",
         "efficiency",
         "H_V",
         "mu_eq",
         "p0 MPa",
-    );
+    ));
     for row in &result.meshes {
         let [loss, efficiency, mu] = row.with_digits();
+        let [sliding, rolling] = row.parts_with_digits();
         text.push_str(&format!(
-            "{:<16} {:>10.3} {loss:>10} {efficiency:>10} % {:>8.4} {mu:>8} {:>9.0}\n",
-            row.mesh, row.torque_nm, row.loss_factor, row.hertz_pressure_mpa,
+            "{:<wide$} {:>2} {:>10.3} {:>8.1} {loss:>9} {sliding:>8} {rolling:>8} {efficiency:>10} % {:>7.4} {mu:>8} {:>7.0}\n",
+            row.mesh, row.count, row.torque_nm, rpm(row.speed_rad_per_s), row.loss_factor, row.hertz_pressure_mpa,
         ));
     }
-    if !result.can_be_equally_spaced {
+    let wide = width(&mut result.shafts.iter().map(|row| &row.shaft));
+    text.push_str(&format!(
+        "{:<wide$} {:>13} {:>8} {:>13} {:>9}\n",
+        "shaft", "T N m", "1/min", "T into N m", "kW",
+    ));
+    for row in &result.shafts {
+        text.push_str(&format!(
+            "{:<wide$} {:>13.3} {:>8.1} {:>13.3} {:>9.3}\n",
+            row.shaft,
+            row.carried_nm,
+            rpm(row.speed_rad_per_s),
+            row.torque_nm,
+            1e-3 * row.power_w + 0.0,
+        ));
+    }
+    if result
+        .planetary_sets()
+        .any(|(_, set)| !set.can_be_equally_spaced)
+    {
         text.push_str("equally spaced planets cannot be assembled with these tooth numbers\n");
     }
     text

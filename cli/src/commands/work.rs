@@ -1,9 +1,9 @@
 //! Limits of the estimated time and memory.
 
 use asperity::case::LoadedCase;
-use asperity::case::planetary::LoadedPlanetary;
+use asperity::case::gear_train::LoadedTrain;
 use asperity::pipeline::KeptFields;
-use asperity_studies::estimate::{Estimate, estimate, estimate_of_set};
+use asperity_studies::estimate::{Estimate, estimate, estimate_of_train};
 
 use crate::args::WorkArgs;
 use crate::failure::Failure;
@@ -22,13 +22,13 @@ pub fn check_work(
     }
 }
 
-/// Rejects the run of a planetary set with an estimated time or memory above the limits.
-pub fn check_work_of_set(
+/// Rejects the run of a gear train with an estimated time or memory above the limits.
+pub fn check_work_of_train(
     limits: &WorkArgs,
-    set: &LoadedPlanetary,
+    train: &LoadedTrain,
     fields: &KeptFields,
 ) -> Result<(), Failure> {
-    match estimate_of_set(set, fields) {
+    match estimate_of_train(train, fields, estimate) {
         Ok(estimate) => check(limits, &estimate, 1),
         Err(_) => Ok(()),
     }

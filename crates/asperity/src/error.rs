@@ -75,6 +75,12 @@ pub enum PositionError {
         /// Passes made.
         passes: usize,
     },
+    /// Losses that lower the torques of the following meshes do not settle.
+    #[error("the torques of the gear train do not settle (last change {change:.1e})")]
+    TorquesNotSettled {
+        /// Last change of a torque, relative to it.
+        change: f64,
+    },
     /// A part of the gearbox has no loss.
     #[error("gearbox: {part}: {source}")]
     GearboxPart {
@@ -276,6 +282,7 @@ fn advice(source: &PositionError) -> &'static str {
         | PositionError::Impossible { .. }
         | PositionError::Ehl(_)
         | PositionError::FlashNotSettled { .. }
+        | PositionError::TorquesNotSettled { .. }
         | PositionError::Marching { .. } => ". No efficiency is reported",
         _ => "",
     }
@@ -364,7 +371,7 @@ impl PositionError {
             Self::Impossible { .. } => "E308",
             Self::Unbalanced(error) => error.code(),
             Self::Marching { .. } => "E304",
-            Self::FlashNotSettled { .. } => "E301",
+            Self::FlashNotSettled { .. } | Self::TorquesNotSettled { .. } => "E301",
             Self::Contact(ContactError::NotConverged { .. })
             | Self::LoadShare(
                 LoadShareError::Contact(ContactError::NotConverged { .. })
@@ -395,6 +402,7 @@ impl PositionError {
                 Remedy::state(key("model.ehl.cells")).because("to more cells across the film")
             }
             Self::FlashNotSettled { .. } => Remedy::omit(key("model.flash_feedback")),
+            Self::TorquesNotSettled { .. } => Remedy::omit(key("train.losses")),
             Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => {
                 Remedy::state(key("material.pinion.flow_pressure"))
                     .because("to the indentation hardness, 6 to 8 GPa for case-hardened steel")

@@ -10,7 +10,7 @@
 //! Case -> Mesh -> windows of the flanks -> Contacts -> lubricated positions -> pictures -> RunResult
 //! ```
 //!
-//! [`pipeline`] has the functions between them: the bulk temperature, the interval of the loss, planetary sets, maps and
+//! [`pipeline`] has the functions between them: the bulk temperature, the interval of the loss, gear trains, maps and
 //! calibrations are loops around them.
 //!
 //! ```
@@ -41,6 +41,7 @@ pub mod equations;
 pub mod error;
 pub mod fingerprint;
 pub mod flanks;
+pub mod gear_train;
 pub mod key_words;
 pub mod loss_table;
 pub mod lubrication;
@@ -51,7 +52,6 @@ mod parameters;
 mod physical_limits;
 mod pictures;
 pub mod pipeline;
-pub mod planetary;
 pub mod prelude;
 pub mod records;
 pub mod reference_solution;

@@ -4,9 +4,9 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::{CaseInput, LoadedCase, load, planetary};
+use asperity::case::{CaseInput, LoadedCase, gear_train, load};
+use asperity::gear_train::run_train;
 use asperity::pipeline::KeptFields;
-use asperity::planetary::run_planetary;
 use asperity::result::gear_report::gear_report;
 use asperity::result::{Losses, RunResult};
 
@@ -267,8 +267,8 @@ fn a_planetary_set_is_the_run_of_its_two_meshes() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("set.toml");
     std::fs::write(&file, SET).unwrap();
-    let set = planetary::load(&file).unwrap().unwrap();
-    let outcome = run_planetary(&set, &KeptFields::All, &|_, _| {}).unwrap();
+    let set = gear_train::load(&file).unwrap().unwrap();
+    let outcome = run_train(&set, &KeptFields::All, false, &|_, _| {}).unwrap();
     let result = &outcome.result;
     let [sun, ring] = &result.meshes[..] else {
         panic!("{} meshes", result.meshes.len())
@@ -279,15 +279,20 @@ fn a_planetary_set_is_the_run_of_its_two_meshes() {
     close(sun.loss_factor, 0.165_14, 1.5e-3);
     close(result.loss_w, 3.0 * (sun.loss_w + ring.loss_w), 1e-12);
     // The carrier turns at 27/102 of the sun; nothing else drives.
-    close(result.power_in_w, 120.0 * result.sun_rad_per_s, 1e-12);
     close(
-        result.carrier_rad_per_s,
-        result.sun_rad_per_s * 27.0 / 102.0,
+        result.power_in_w,
+        120.0 * 100.0 * std::f64::consts::PI,
+        1e-12,
+    );
+    let speeds = result.set.as_ref().unwrap();
+    close(
+        speeds.carrier_rad_per_s,
+        speeds.sun_rad_per_s * 27.0 / 102.0,
         1e-12,
     );
     assert!(result.efficiency > sun.efficiency * ring.efficiency);
     assert!(
-        planetary::load(&fixtures().join("cases/fzg-c.toml"))
+        gear_train::load(&fixtures().join("cases/fzg-c.toml"))
             .unwrap()
             .is_none()
     );
@@ -299,7 +304,7 @@ fn a_planetary_set_that_does_not_fit_is_refused_with_its_reason() {
     let refusal = |from: &str, to: &str| {
         let file = folder.path().join("set.toml");
         std::fs::write(&file, SET.replace(from, to)).unwrap();
-        planetary::load(&file).unwrap_err()
+        gear_train::load(&file).unwrap_err()
     };
     let error = refusal("planets = 3", "planets = 12");
     assert!(

@@ -273,21 +273,4 @@ impl PlanetarySet {
         let speeds = self.speeds(operation.sun_speed, operation.ring_speed)?;
         Ok(Power::from_si((torque * speeds.sun_relative.si()).abs()))
     }
-
-    /// Input power through sun, ring and carrier without losses: T_r = T_s z_r/z_s, T_c = −T_s − T_r.
-    ///
-    /// # Errors
-    /// When a number is not finite.
-    pub fn input_power(&self, operation: &PlanetaryOperation) -> Result<Power, GearError> {
-        let torque = DomainError::finite("torque at the sun", operation.sun_torque)?;
-        let speeds = self.speeds(operation.sun_speed, operation.ring_speed)?;
-        let [z_s, _, z_r] = self.teeth();
-        let at_ring = torque * z_r / z_s;
-        let powers = [
-            torque * speeds.sun.si(),
-            at_ring * speeds.ring.si(),
-            -(torque + at_ring) * speeds.carrier.si(),
-        ];
-        Ok(Power::from_si(powers.iter().map(|p| p.max(0.0)).sum()))
-    }
 }

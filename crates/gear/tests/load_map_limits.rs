@@ -816,7 +816,7 @@ fn the_meshes_of_a_planetary_set_carry_the_torque_of_the_sun() {
         close(mesh.torque.si() * mesh.speed.si() * 3.0, rolling, 1e-12);
     }
     close(
-        rolling / set.input_power(&operation).unwrap().si(),
+        rolling / (operation.sun_torque.si() * operation.sun_speed.si()),
         0.735_294_118,
         NINE_DIGITS,
     );

@@ -4,13 +4,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity::Run;
-use asperity::case::planetary::{self, LoadedPlanetary};
+use asperity::case::gear_train::{self, LoadedMesh, LoadedTrain};
+use asperity::case::planetary;
 use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_source};
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
-use asperity::planetary::run_planetary;
+use asperity::gear_train::run_train;
 use asperity::result::gear_report;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -31,10 +32,10 @@ fn profiles(traces: &Traces<'_>) -> Vec<(PathBuf, Profile)> {
         .collect()
 }
 
-/// A planetary set with the text that it is made from, which is read again with other keys.
+/// A gear train or planetary set with the text that it is made from, which is read again with other keys.
 #[derive(Clone)]
-pub struct Set {
-    loaded: Arc<LoadedPlanetary>,
+pub struct Train {
+    loaded: Arc<LoadedTrain>,
     source: Source,
     folder: PathBuf,
     keys: Vec<(String, String)>,
@@ -45,7 +46,7 @@ pub struct Set {
 #[derive(Clone)]
 enum Kind {
     Pair(Arc<LoadedCase>),
-    Set(Box<Set>),
+    Train(Box<Train>),
 }
 
 /// A case, checked, with its traces.
@@ -55,12 +56,13 @@ pub struct Case {
     kind: Kind,
 }
 
-/// JSON schema of a case file, of an ordinary one or a planetary one.
+/// JSON schema of a case file with the tables `kind`: `gears`, `planetary`, or `mesh` of a gear train.
 #[pyfunction]
-pub fn schema(planetary: bool) -> PyResult<String> {
-    let schema = match planetary {
-        true => planetary::schema(),
-        false => case::schema(),
+pub fn schema(kind: &str) -> PyResult<String> {
+    let schema = match kind {
+        "planetary" => planetary::schema(),
+        "mesh" => gear_train::schema(),
+        _ => case::schema(),
     };
     Ok(failure::json(&schema)?)
 }
@@ -92,14 +94,14 @@ impl Case {
         keys: Vec<(String, String)>,
         formulation: Option<Formulation>,
     ) -> Result<Self, Failure> {
-        if planetary::is_planetary(&source) {
+        if gear_train::is_train(&source) {
             if !traces.is_empty() {
                 let message =
-                    "a planetary set takes its traces from files; write them with Profile.write";
+                    "a case of several meshes takes its traces from files; write them with Profile.write";
                 return Err(Failure::new("E205", message));
             }
-            let loaded = planetary::load_set(source.clone(), folder, &keys, formulation)?;
-            let set = Set {
+            let loaded = gear_train::load_set(source.clone(), folder, &keys, formulation)?;
+            let train = Train {
                 loaded: loaded.into(),
                 source,
                 folder: folder.to_owned(),
@@ -107,7 +109,7 @@ impl Case {
                 formulation,
             };
             return Ok(Self {
-                kind: Kind::Set(set.into()),
+                kind: Kind::Train(train.into()),
             });
         }
         let loaded = load_holding(source, folder, traces, &keys, &|input| {
@@ -124,8 +126,8 @@ impl Case {
     pub fn pair(&self) -> Result<&Arc<LoadedCase>, Failure> {
         match &self.kind {
             Kind::Pair(loaded) => Ok(loaded),
-            Kind::Set(_) => {
-                let message = "the case is a planetary set; this takes a pair of gears";
+            Kind::Train(_) => {
+                let message = "the case has several meshes; this takes a pair of gears";
                 Err(Failure::new("E205", message))
             }
         }
@@ -189,18 +191,18 @@ impl Case {
                     kind: Kind::Pair(changed.into()),
                 })
             }
-            Kind::Set(set) => {
-                let mut all = set.keys.clone();
+            Kind::Train(train) => {
+                let mut all = train.keys.clone();
                 for (key, value) in keys {
                     let value = value.ok_or_else(|| {
                         Failure::new(
                             "E205",
-                            format!("{key}: a key of a planetary set cannot be taken away"),
+                            format!("{key}: a key of a case with several meshes cannot be taken away"),
                         )
                     })?;
                     all.push((key, value));
                 }
-                Self::of(set.source.clone(), &set.folder, &held, all, set.formulation)
+                Self::of(train.source.clone(), &train.folder, &held, all, train.formulation)
             }
         })
     }
@@ -229,10 +231,14 @@ impl Case {
         })
     }
 
-    /// Whether the case is a planetary set.
+    /// Table of the gears: `gears`, `planetary`, or `mesh` of a gear train.
     #[getter]
-    fn is_planetary(&self) -> bool {
-        matches!(self.kind, Kind::Set(_))
+    fn gears_table(&self) -> &'static str {
+        match &self.kind {
+            Kind::Pair(_) => "gears",
+            Kind::Train(train) if train.loaded.only_set().is_some() => "planetary",
+            Kind::Train(_) => "mesh",
+        }
     }
 
     /// Title, inputs, defaults and warnings as JSON.
@@ -245,12 +251,15 @@ impl Case {
                 "defaults": loaded.case.defaults,
                 "warnings": loaded.warnings,
             }),
-            Kind::Set(set) => json!({
-                "title": set.loaded.title,
-                "inputs": set.loaded.input,
-                "defaults": set.loaded.defaults,
-                "warnings": set.loaded.meshes.iter().flat_map(|mesh| &mesh.warnings).collect::<Vec<_>>(),
-            }),
+            Kind::Train(train) => {
+                let warnings = train.loaded.meshes().flat_map(|mesh| &mesh.case.warnings);
+                json!({
+                    "title": train.loaded.title,
+                    "inputs": train.loaded.input,
+                    "defaults": train.loaded.defaults,
+                    "warnings": warnings.collect::<Vec<_>>(),
+                })
+            }
         };
         Ok(failure::json(&about)?)
     }
@@ -272,11 +281,11 @@ impl Case {
         in_parallel(py, threads, progress.as_ref(), |told| {
             let shown = |done, total| told.tell(done, total);
             let found = match (&self.kind, detail) {
-                (Kind::Set(set), "fields") => {
-                    Found::Set(run_planetary(&set.loaded, &KeptFields::All, &shown)?.into())
-                }
-                (Kind::Set(_), _) => {
-                    let message = "a planetary set is run with detail = \"fields\" alone";
+                (Kind::Train(train), "fields") => Found::Train(
+                    run_train(&train.loaded, &KeptFields::All, band, &shown)?.into(),
+                ),
+                (Kind::Train(_), _) => {
+                    let message = "a case of several meshes is run only with detail = \"fields\"";
                     return Err(Failure::new("E205", message));
                 }
                 (Kind::Pair(loaded), "losses") => {
@@ -318,12 +327,10 @@ impl Case {
             };
             let meshes = match &self.kind {
                 Kind::Pair(loaded) => vec![rows(loaded)?],
-                Kind::Set(set) => set
-                    .loaded
-                    .meshes
-                    .iter()
-                    .map(rows)
-                    .collect::<Result<_, _>>()?,
+                Kind::Train(train) => {
+                    let of_mesh = |mesh: &LoadedMesh| rows(&mesh.case);
+                    train.loaded.meshes().map(of_mesh).collect::<Result<_, _>>()?
+                }
             };
             failure::json(&meshes)
         })

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::planetary::PlanetaryOutcome;
+use asperity::gear_train::TrainOutcome;
 use asperity::result::{Losses, Outcome as Whole, PositionFields};
-use asperity_report::{Fields, write_folder, write_planetary};
+use asperity_report::{Fields, write_folder, write_train};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -19,8 +19,8 @@ pub enum Found {
     Losses(&'static str, String, Box<Losses>),
     /// A pair of gears.
     Whole(Box<Whole>),
-    /// A planetary set.
-    Set(Box<PlanetaryOutcome>),
+    /// A gear train or planetary set.
+    Train(Box<TrainOutcome>),
 }
 
 /// Losses with what they are of.
@@ -65,7 +65,7 @@ impl Outcome {
                 failure::json(&outcome.result)?,
                 failure::json(&outcome.offsets)?,
             )),
-            Found::Set(outcome) => Ok((failure::json(&outcome.result)?, "[]".to_owned())),
+            Found::Train(outcome) => Ok((failure::json(&outcome.result)?, "[]".to_owned())),
         })
     }
 
@@ -120,10 +120,10 @@ impl Outcome {
         Ok(arrays)
     }
 
-    /// Outcomes of both meshes of a planetary set.
+    /// Outcomes of all meshes of a gear train.
     fn meshes(&self) -> PyResult<Vec<Self>> {
         match self.0.as_ref() {
-            Found::Set(outcome) => {
+            Found::Train(outcome) => {
                 let each = outcome.meshes.iter();
                 Ok(each
                     .map(|mesh| Self(Arc::new(Found::Whole(mesh.clone().into()))))
@@ -138,7 +138,7 @@ impl Outcome {
         let fields = if fields { Fields::All } else { Fields::Page };
         alone(py, || match self.0.as_ref() {
             Found::Whole(outcome) => Ok(write_folder(outcome, &folder, &fields)?),
-            Found::Set(outcome) => Ok(write_planetary(outcome, &folder, &fields)?),
+            Found::Train(outcome) => Ok(write_train(outcome, &folder, &fields)?),
             Found::Losses(..) => {
                 let message = "losses alone have no result folder; run with detail = \"fields\"";
                 Err(Failure::new("E402", message))

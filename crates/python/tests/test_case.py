@@ -150,3 +150,19 @@ def test_a_planetary_set_has_the_results_of_its_meshes():
     with pytest.raises(asperity.AsperityError) as refused:
         case.contact()
     assert refused.value.code == "E205"
+
+
+def test_a_gear_train_has_the_results_of_its_meshes():
+    gears = {"teeth": [23, 68], "module": 2e-3, "face_width": "25 mm"}
+    case = asperity.Case(
+        train={"input": "in"},
+        mesh={"a": {"shafts": ["in", "b"], "gears": gears}, "z": {"shafts": ["b", "out"], "gears": gears}},
+        operation=PLANETARY["operation"],
+        lubricant=PLANETARY["lubricant"],
+        surface={"pinion": {"rq": "0.4 um"}},
+    )
+    result = case.run()
+    assert not case.is_planetary and len(result.meshes) == 2
+    assert result.loss_w == result.meshes[0].loss_w + result.meshes[1].loss_w
+    wider = case.replace({"mesh.a.gears.face_width": 0.03}).run()
+    assert wider.loss_w != result.loss_w

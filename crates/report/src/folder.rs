@@ -19,6 +19,8 @@ use crate::tables::{self, ContactTables, folder_of};
 const MARK: &str = "result.json";
 /// The file that marks a folder as a planetary result.
 pub(crate) const PLANETARY_MARK: &str = "planetary.json";
+/// The file that marks a folder as the result of a gear train.
+pub(crate) const TRAIN_MARK: &str = "train.json";
 /// The page of a result.
 pub const PAGE: &str = "report.html";
 /// Thinned tables of the page.
@@ -76,7 +78,7 @@ pub fn check_place(target: &Path) -> Result<(), ReportError> {
 
 /// Title of the result in folder `target`; `None` if there is none, or no title can be read.
 pub fn title_of(target: &Path) -> Option<String> {
-    let mut marks = [MARK, PLANETARY_MARK].iter();
+    let mut marks = [MARK, PLANETARY_MARK, TRAIN_MARK].iter();
     marks.find_map(|mark| title_in(&target.join(mark)))
 }
 

@@ -14,9 +14,9 @@
 pub mod chart;
 mod error;
 mod folder;
+mod gear_train;
 pub mod html;
 mod page_tables;
-mod planetary;
 mod printed;
 mod study;
 mod summary;
@@ -31,8 +31,8 @@ pub use folder::{
     Fields, FileText, PAGE, check_place, make_folder, read_result, redraw, texts, title_of,
     write_bytes, write_folder, write_json, write_load_points, write_text, write_unsolved,
 };
+pub use gear_train::{check_train_place, write_train};
 pub use page_tables::PageTables;
-pub use planetary::{check_planetary_place, write_planetary};
 pub use printed::{stated, stated_parts};
 pub use study::StudyResult;
 pub use summary::{brief, headline, models, published_laws, summary, summary_within};

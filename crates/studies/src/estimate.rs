@@ -7,7 +7,7 @@
 
 use std::time::Instant;
 
-use asperity::case::planetary::LoadedPlanetary;
+use asperity::case::gear_train::LoadedTrain;
 use asperity::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use asperity::flanks::Texture;
 use asperity::mesh::Mesh;
@@ -97,13 +97,19 @@ pub fn estimate(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
     Ok(Work::of(loaded)?.estimate(loaded, kept, 1.0))
 }
 
-/// Estimates the run of both meshes of a planetary set.
+/// Estimates the run of all meshes of a gear train, each by `estimate`: [`estimate()`] or [`measured`].
 ///
 /// # Errors
-/// As [`estimate`].
-pub fn estimate_of_set(loaded: &LoadedPlanetary, kept: &KeptFields) -> Result<Estimate, Error> {
-    let [first, second] = &loaded.meshes;
-    Ok(estimate(first, kept)?.and(estimate(second, kept)?))
+/// As `estimate`.
+pub fn estimate_of_train(
+    loaded: &LoadedTrain,
+    kept: &KeptFields,
+    estimate: fn(&LoadedCase, &KeptFields) -> Result<Estimate, Error>,
+) -> Result<Estimate, Error> {
+    let mut meshes = loaded.meshes();
+    meshes.try_fold(Estimate::default(), |sum, mesh| {
+        Ok(sum.and(estimate(&mesh.case, kept)?))
+    })
 }
 
 /// Estimates the run of `loaded` with the measured time of a few of its contacts on one thread. Records of mixed
@@ -143,15 +149,6 @@ pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
         1.0
     };
     Ok(work.estimate(loaded, kept, scale))
-}
-
-/// Estimates the run of both meshes of a planetary set as [`measured`] does.
-///
-/// # Errors
-/// As [`measured`].
-pub fn measured_of_set(loaded: &LoadedPlanetary, kept: &KeptFields) -> Result<Estimate, Error> {
-    let [first, second] = &loaded.meshes;
-    Ok(measured(first, kept)?.and(measured(second, kept)?))
 }
 
 fn has_records(loaded: &LoadedCase) -> bool {

@@ -1,7 +1,7 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
 use asperity::Run;
-use asperity::case::{self, CaseInput, LoadedCase, Source, planetary};
+use asperity::case::{self, CaseInput, LoadedCase, Source, gear_train};
 use asperity::flanks::Surfaces;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::Progress;
@@ -48,7 +48,7 @@ impl Finished {
 /// Runs the case in `text`, called `name`, on `files`.
 ///
 /// # Errors
-/// When the case cannot be read or run, as for `asperity run`; when it is a planetary set; and when its fields
+/// When the case cannot be read or run, as for `asperity run`; when it has several meshes; and when its fields
 /// would not fit into the memory of a page.
 pub fn run(
     name: &str,
@@ -73,9 +73,9 @@ pub fn run(
 
 fn load(name: &str, text: &str, files: &Files) -> Result<LoadedCase, Failure> {
     let source = read(name, text)?;
-    if planetary::is_planetary(&source) {
+    if gear_train::is_train(&source) {
         let message =
-            format!("{name}: is a planetary set; the page takes a pair of gears, the command both");
+            format!("{name}: has several meshes; the page takes a pair of gears, the command both");
         return Err(Failure::new("E205", message));
     }
     case::from_text(name, text, &|file| Ok(files.find(file)?.to_vec()))

@@ -134,8 +134,8 @@ pub(super) struct Mending {
 }
 
 impl Mending {
-    /// The parts of a mesh of a planetary set.
-    pub(super) fn of_mesh(&self, mesh: MeshKeys) -> Option<Self> {
+    /// The parts of a mesh of a gear train.
+    pub(super) fn of_mesh(&self, mesh: &MeshKeys) -> Option<Self> {
         let blamed = self.blamed.iter().chain(&self.replaced);
         let in_mesh = blamed.map(|part| mesh.in_mesh(part).unwrap_or_else(|| part.clone()));
         Some(Self {

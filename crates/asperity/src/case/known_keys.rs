@@ -25,7 +25,7 @@ fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<Stri
         }
         let next: Vec<&Value> = candidates
             .iter()
-            .filter_map(|object| object.get("properties")?.get(segment))
+            .filter_map(|object| value_of(object, segment))
             .collect();
         if next.is_empty() {
             let known = candidates.iter().flat_map(|object| properties(object));
@@ -41,13 +41,26 @@ pub(super) fn property<'a>(schema: &'a Value, path: &str) -> Option<&'a Value> {
     path.split('.').try_fold(schema, |node, segment| {
         objects(schema, node)
             .into_iter()
-            .find_map(|object| object.get("properties")?.get(segment))
+            .find_map(|object| value_of(object, segment))
     })
+}
+
+/// The schema of the key `name` in an object; the keys of some objects are names of the user's choice.
+fn value_of<'a>(object: &'a Value, name: &str) -> Option<&'a Value> {
+    let of_properties = object.get("properties").and_then(|keys| keys.get(name));
+    of_properties.or_else(|| named_values(object))
+}
+
+/// The schema of all values in an object whose keys are names of the user's choice.
+fn named_values(object: &Value) -> Option<&Value> {
+    object
+        .get("additionalProperties")
+        .filter(|values| values.is_object())
 }
 
 /// The object schemas of `node`, with its references and alternatives resolved.
 fn objects<'a>(schema: &'a Value, node: &'a Value) -> Vec<&'a Value> {
-    if node.get("properties").is_some() {
+    if node.get("properties").is_some() || named_values(node).is_some() {
         return vec![node];
     }
     if let Some(name) = node

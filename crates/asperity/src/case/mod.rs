@@ -10,6 +10,8 @@
 //! | quantities and traces in memory | [`Case::builder`] |
 //! | a value | [`LoadedCase::try_from`] a [`CaseInput`] |
 //! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
+//!
+//! [`gear_train`] reads cases of several meshes.
 
 mod assumed_relief;
 mod builder;
@@ -30,6 +32,7 @@ mod flank_sample;
 mod flank_trace;
 mod flanks;
 mod gear_input;
+pub mod gear_train;
 mod gearbox;
 mod gearbox_input;
 mod gears;
@@ -59,6 +62,9 @@ mod symbols;
 mod trace;
 mod trace_filters;
 mod trace_list;
+mod train_flow;
+mod train_input;
+mod train_parts;
 
 pub use assumed_relief::AssumedRelief;
 pub use builder::CaseBuilder;
@@ -99,3 +105,4 @@ pub use source::{Source, Syntax};
 pub(crate) use steel::STEEL_FLOW_PRESSURE;
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};
+pub use train_flow::{MeshLoad, StageKind, Train, TrainFlow};

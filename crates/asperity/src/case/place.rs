@@ -17,9 +17,9 @@ pub struct Place {
     pub column: Option<usize>,
     /// Byte range in the text; `None` as for the line.
     pub span: Option<Range<usize>>,
-    /// Mesh of a planetary set, in which its gears are called pinion and wheel.
+    /// Mesh of a gear train, in which its gears are called pinion and wheel.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub mesh: Option<&'static str>,
+    pub mesh: Option<String>,
 }
 
 impl Place {
@@ -38,7 +38,7 @@ impl std::fmt::Display for Place {
             Some(line) => write!(f, "{}:{line}", self.file)?,
             None => write!(f, "{}", self.file)?,
         }
-        match self.mesh {
+        match &self.mesh {
             Some(mesh) => write!(f, " ({mesh})"),
             None => Ok(()),
         }

@@ -352,7 +352,7 @@ pub(super) fn unusual(
     warnings
 }
 
-/// Warns of a pinion with more teeth than the wheel, which may be exchanged; not in a planetary set.
+/// Warns of a pinion with more teeth than the wheel, which may be exchanged; not in a gear train.
 pub(super) fn step_up(gears: &GearPair, source: &Source) -> Option<Warning> {
     let [pinion, wheel] = gears.teeth;
     let text = || {
@@ -360,7 +360,7 @@ pub(super) fn step_up(gears: &GearPair, source: &Source) -> Option<Warning> {
             "gears.teeth: the pinion, which is named first and has the speed and the torque of the case, has {pinion} teeth and the wheel {wheel}"
         )
     };
-    (pinion > wheel && !source.is_of_a_set()).then(|| Warning::new(UNUSUAL, text()))
+    (pinion > wheel && !source.is_of_a_train()).then(|| Warning::new(UNUSUAL, text()))
 }
 
 /// The warnings that are not about numbers of the case.

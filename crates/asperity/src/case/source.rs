@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+use std::sync::Arc;
 
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
@@ -36,32 +37,32 @@ pub struct Source {
     symbols: Vec<[String; 2]>,
     /// Keys that were set after the text was read.
     changed: BTreeSet<String>,
-    /// The mesh that this is the source of, if the text describes a planetary set.
-    mesh: Option<MeshKeys>,
+    /// The mesh that this is the source of, if the text describes a gear train.
+    mesh: Option<Arc<MeshKeys>>,
 }
 
-/// Mesh of a planetary set, whose keys have other places in the text than those of an ordinary case.
-#[derive(Debug, Clone, Copy)]
+/// Mesh of a gear train, whose keys have other places in the text than those of an ordinary case.
+#[derive(Debug)]
 pub(super) struct MeshKeys {
     /// Name of the mesh, for messages.
-    pub name: &'static str,
-    /// Tables of the case of the mesh with those of the set; a table follows the tables below it.
-    pub tables: &'static [(&'static str, &'static str)],
+    pub name: String,
+    /// Tables of the case of the mesh with those of the train; a table follows the tables below it.
+    pub tables: Vec<(String, String)>,
 }
 
 impl MeshKeys {
-    /// The key of the set for `key` of the mesh; `None` if both are the same.
-    pub fn in_set(&self, key: &str) -> Option<String> {
-        self.tables.iter().find_map(|(of_mesh, of_set)| {
-            let rest = key.strip_prefix(of_mesh)?;
-            (rest.is_empty() || rest.starts_with('.')).then(|| format!("{of_set}{rest}"))
+    /// The key of the train for `key` of the mesh; `None` if both are the same.
+    pub fn in_train(&self, key: &str) -> Option<String> {
+        self.tables.iter().find_map(|(of_mesh, of_train)| {
+            let rest = key.strip_prefix(of_mesh.as_str())?;
+            (rest.is_empty() || rest.starts_with('.')).then(|| format!("{of_train}{rest}"))
         })
     }
 
-    /// The part of the mesh's case that `part` of the set describes.
+    /// The part of the mesh's case that `part` of the train describes.
     pub fn in_mesh(&self, part: &str) -> Option<String> {
-        self.tables.iter().find_map(|(of_mesh, of_set)| {
-            let rest = part.strip_prefix(of_set)?;
+        self.tables.iter().find_map(|(of_mesh, of_train)| {
+            let rest = part.strip_prefix(of_train.as_str())?;
             (rest.is_empty() || rest.starts_with('.')).then(|| format!("{of_mesh}{rest}"))
         })
     }
@@ -138,16 +139,16 @@ impl Source {
         }
     }
 
-    /// The source of one mesh of the planetary set in this text.
-    pub(super) fn of_mesh(&self, mesh: MeshKeys) -> Self {
+    /// The source of one mesh of the gear train in this text.
+    pub(super) fn of_mesh(&self, mesh: &Arc<MeshKeys>) -> Self {
         Self {
-            mesh: Some(mesh),
+            mesh: Some(Arc::clone(mesh)),
             ..self.clone()
         }
     }
 
-    /// Whether this is the source of a mesh of a planetary set.
-    pub(super) fn is_of_a_set(&self) -> bool {
+    /// Whether this is the source of a mesh of a gear train.
+    pub(super) fn is_of_a_train(&self) -> bool {
         self.mesh.is_some()
     }
 
@@ -212,8 +213,8 @@ impl Source {
 
     /// The value of `key` as written in the file; `None` for a table or a missing key.
     pub fn written(&self, key: &str) -> Option<&str> {
-        let in_set = self.mesh.and_then(|mesh| mesh.in_set(key));
-        let key = in_set.as_deref().unwrap_or(key);
+        let in_train = self.mesh.as_ref().and_then(|mesh| mesh.in_train(key));
+        let key = in_train.as_deref().unwrap_or(key);
         self.written.get(key).map(String::as_str)
     }
 
@@ -264,13 +265,13 @@ impl Source {
     }
 
     fn nearest(&self, index: &BTreeMap<String, Range<usize>>, key: &str) -> Place {
-        let Some(mesh) = self.mesh else {
+        let Some(mesh) = &self.mesh else {
             return self.nearest_in(index, key);
         };
-        match mesh.in_set(key) {
-            Some(in_set) => Place {
-                mesh: Some(mesh.name),
-                ..self.nearest_in(index, &in_set).about(key)
+        match mesh.in_train(key) {
+            Some(in_train) => Place {
+                mesh: Some(mesh.name.clone()),
+                ..self.nearest_in(index, &in_train).about(key)
             },
             None => self.nearest_in(index, key),
         }

@@ -12,7 +12,7 @@ from . import _asperity
 from ._contact import Contact
 from ._errors import AsperityError
 from ._html import page
-from ._keys import Schema, Traces, changes, written
+from ._keys import Schema, Traces, changes, kind_of, written
 from ._progress import Progress, Told
 from ._record import Record, Table
 from ._result import Regime, RunResult
@@ -25,7 +25,7 @@ CaseLike = Union["Case", str, PathLike[str], Mapping[str, Any]]
 
 
 class Case:
-    """A gear pair or planetary set with its load, oil and flanks, checked.
+    """A gear pair, gear train or planetary set with its load, oil and flanks, checked.
 
     The keys are those of a case file (docs/CASE_FILE.md). Values are numbers in SI units, text with a unit, or
     quantities of pint; a flank, or its ``file``, can be a `Profile`. Files are relative to ``folder``, by default the working
@@ -59,7 +59,7 @@ class Case:
         else:
             given = {**(case or {}), **tables}
             traces: Traces = []
-            values = written(given, Schema("planetary" in given), traces)
+            values = written(given, Schema(kind_of(given)), traces)
             text = json.dumps(values, ensure_ascii=False, indent=1)
             self._take((("from_json", (text, os.path.abspath(fspath(folder or ".")), traces, formulation)),))
 
@@ -96,7 +96,7 @@ class Case:
         if not keys:
             return cls._of((("load", (fspath(path), [], formulation)),))
         traces: Traces = []
-        found = changes(keys, any(key.startswith("planetary") for key in keys), traces)
+        found = changes(keys, kind_of(keys), traces)
         set_keys = [(key, value) for key, value in found if value is not None]
         if traces or len(set_keys) < len(found):
             return cls.load(path, formulation=formulation).replace(keys)
@@ -110,7 +110,7 @@ class Case:
         holds again. A flank takes a `Profile`.
         """
         traces: Traces = []
-        found = changes({**(changed or {}), **more}, self._raw.is_planetary, traces)
+        found = changes({**(changed or {}), **more}, self._raw.gears_table, traces)
         return Case._of((*self._steps, ("replace", (found, traces))), self._raw)
 
     def _on_finish(self, finish: Any, offsets: Optional[int]) -> Case:
@@ -153,7 +153,7 @@ class Case:
     @property
     def is_planetary(self) -> bool:
         """Whether the case is a planetary set."""
-        return self._raw.is_planetary
+        return self._raw.gears_table == "planetary"
 
     def run(
         self,
@@ -178,7 +178,7 @@ class Case:
             return RunResult._of(self._raw.run(detail, band, threads, told))
 
     def regime(self, *, threads: Optional[int] = None) -> Regime:
-        """Film thickness, Λ* and regime along the path of contact; of a planetary set, that of its first mesh."""
+        """Film thickness, Λ* and regime along the path of contact; of several meshes, the first."""
         meshes = json.loads(self._raw.regime(threads))
         return Regime(meshes)
 

@@ -18,7 +18,7 @@ class Place(NamedTuple):
     column: Optional[int]
     """Column from 1, where the case has a text."""
     mesh: Optional[str]
-    """Mesh of a planetary set."""
+    """Mesh of a gear train."""
 
 
 class AsperityError(ValueError):

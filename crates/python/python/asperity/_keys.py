@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from os import PathLike, fspath
 from typing import Any, Optional
 
@@ -18,17 +18,17 @@ Traces = list[tuple[str, _asperity.Trace]]
 
 
 @functools.cache
-def _schema(planetary: bool) -> dict[str, Any]:
-    schema: dict[str, Any] = json.loads(_asperity.schema(planetary))
+def _schema(kind: str) -> dict[str, Any]:
+    schema: dict[str, Any] = json.loads(_asperity.schema(kind))
     return schema
 
 
 class Schema:
     """A node of the schema of a case file."""
 
-    def __init__(self, planetary: bool = False, nodes: Optional[list[dict[str, Any]]] = None) -> None:
-        self._root = _schema(planetary)
-        self._planetary = planetary
+    def __init__(self, kind: str = "gears", nodes: Optional[list[dict[str, Any]]] = None) -> None:
+        self._root = _schema(kind)
+        self._kind = kind
         self._nodes = list(self._through([self._root] if nodes is None else nodes))
 
     def _through(self, nodes: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
@@ -44,7 +44,9 @@ class Schema:
     def at(self, key: str) -> Schema:
         """The node of a key below."""
         found = [node["properties"][key] for node in self._nodes if key in node.get("properties", {})]
-        return Schema(self._planetary, found)
+        # The meshes of a gear train have names of the user's choice.
+        named = (node.get("additionalProperties") for node in self._nodes)
+        return Schema(self._kind, found or [node for node in named if isinstance(node, dict)])
 
     def item(self) -> Schema:
         """The node of the items of a list."""
@@ -54,7 +56,7 @@ class Schema:
             if isinstance(items, dict):
                 found.append(items)
             found.extend(node.get("prefixItems", []))
-        return Schema(self._planetary, found)
+        return Schema(self._kind, found)
 
     @property
     def quantity(self) -> Optional[str]:
@@ -67,6 +69,12 @@ class Schema:
         tables = [node for node in self._nodes if "properties" in node]
         optional = any(set(node["properties"]) > set(node.get("required", ())) for node in tables)
         return optional and not any("oneOf" in node for node in self._nodes)
+
+
+def kind_of(keys: Iterable[str]) -> str:
+    """The table of the gears among the keys of a case, ``gears`` unless there is another."""
+    tables = {key.split(".")[0] for key in keys}
+    return next((kind for kind in ("planetary", "mesh") if kind in tables), "gears")
 
 
 def named(profile: Profile) -> str:
@@ -130,7 +138,7 @@ _OF_VALUES = ("finish", "rq", "ra", "rz", "rpk", "asperity_radius")
 
 
 def changes(
-    given: Mapping[str, Any], planetary: bool, traces: Traces
+    given: Mapping[str, Any], kind: str, traces: Traces
 ) -> list[tuple[str, Optional[str]]]:
     """Keys by their paths with the text of their values, none where a key is taken away."""
     found: list[tuple[str, Optional[str]]] = []
@@ -148,7 +156,7 @@ def changes(
             found.append((path, as_toml(written(value, schema, traces))))
 
     for path, value in given.items():
-        schema = Schema(planetary)
+        schema = Schema(kind)
         for part in path.split("."):
             schema = schema.at(part)
         add(path, value, schema)

@@ -95,7 +95,7 @@ class RunResult(Record):
 
     @property
     def summary(self) -> Record:
-        """Efficiency and losses, mean over the offsets; of a planetary set, the set."""
+        """Efficiency and losses, mean over the offsets; of several meshes, their train."""
         return Record(self._values.get("summary", self._values))
 
     @property
@@ -126,7 +126,7 @@ class RunResult(Record):
 
     @property
     def path(self) -> Table:
-        """One row per mesh position from A to E; of a planetary set, its meshes."""
+        """One row per mesh position from A to E; of several meshes, a row of each."""
         return Table(self._values.get("path", self._values.get("meshes", [])))
 
     @property
@@ -157,7 +157,7 @@ class RunResult(Record):
 
     @property
     def meshes(self) -> list[RunResult]:
-        """Results of both meshes of a planetary set."""
+        """Results of the meshes of a gear train or planetary set."""
         return [] if self._outcome is None else [RunResult._of(mesh) for mesh in self._outcome.meshes()]
 
     def write(self, folder: Union[str, PathLike[str]], *, fields: bool = False) -> None:
@@ -244,7 +244,7 @@ class Regime(Table):
 
     @property
     def meshes(self) -> list[Regime]:
-        """The regime of each mesh of a planetary set."""
+        """The regime of each mesh of a gear train or planetary set."""
         return [Regime([mesh]) for mesh in self._meshes]
 
     def plot(self) -> Chart:

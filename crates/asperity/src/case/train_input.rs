@@ -1,0 +1,505 @@
+//! Keys of a gear train, and the case of each mesh that they state.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use asperity_core::quantity::{AngularSpeed, Length, Torque};
+use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
+use asperity_oil::LubricantInput;
+use asperity_roughness::form::Form;
+use asperity_roughness::gaussian_filter::Ends;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::calibration::CalibrationInput;
+use super::case_file::CaseFile;
+use super::defaults::DefaultUsed;
+use super::error::CaseError;
+use super::finish::FinishName;
+use super::input::{
+    BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MaterialInput, OperationInput,
+    SurfaceInput,
+};
+use super::model::{Formulation, ModelInput};
+use super::planetary::{
+    self, PlanetaryCaseInput, PlanetaryInput, PlanetaryMaterialInput, PlanetarySurfaceInput,
+};
+use super::source::{MeshKeys, Source};
+use super::train_flow::StageKind;
+use super::train_parts::{MeshParts, StageParts, TrainFile, TrainParts, conflict, refused};
+
+/// A case of several meshes as the user writes it. Torque and speed of the operation are those of the input shaft.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TrainCaseInput {
+    /// Title of the case, shown in every output.
+    pub title: Option<String>,
+    /// Reading of the model: `corrected` (default) or `paper`.
+    pub formulation: Option<Formulation>,
+    /// Input and output shaft.
+    pub train: TrainInput,
+    /// The meshes by their names, each a table `[mesh.NAME]`.
+    pub mesh: BTreeMap<String, MeshInput>,
+    /// Steel of all meshes that have no own.
+    #[serde(default)]
+    pub material: TrainMaterialInput,
+    /// Torque and speed of the input shaft, temperature.
+    pub operation: OperationInput,
+    /// The oil.
+    pub lubricant: LubricantInput,
+    /// Flanks of all meshes that have no own, and the preparation of their traces.
+    #[serde(default)]
+    pub surface: TrainSurfaceInput,
+    /// Choices of the model, for all meshes.
+    #[serde(default)]
+    pub model: ModelInput,
+    /// Parameters calibrated on a rig, for all meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<CalibrationInput>,
+}
+
+/// Shafts at which the power enters and leaves a gear train.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TrainInput {
+    /// Shaft with torque and speed of the operation.
+    pub input: String,
+    /// Shaft at which the power leaves; default: the only other end of the train.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub output: Option<String>,
+    /// Shafts that do not turn; a ring without a shaft is held.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub held: Vec<String>,
+    /// Torques of the meshes: `not-passed-on` (default), by the tooth numbers, or `passed-on`, lowered by the losses
+    /// of the meshes before.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub losses: Option<PassedLosses>,
+}
+
+/// Whether losses lower the torques of the following meshes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PassedLosses {
+    /// Torques by the tooth numbers.
+    #[default]
+    NotPassedOn,
+    /// Torques lowered by the losses.
+    PassedOn,
+}
+
+/// A mesh of a gear train: a pair of gears, or a planetary set.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshInput {
+    /// Shafts of pinion and wheel; of a planetary set sun and carrier, or sun, carrier and ring.
+    pub shafts: Vec<String>,
+    /// A pair of gears; the number of teeth of a ring is negative.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gears: Option<GearsInput>,
+    /// A planetary set.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub planetary: Option<PlanetaryInput>,
+    /// Steel of this mesh.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub material: TrainMaterialInput,
+    /// Flanks of this mesh, and the preparation of their traces.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub surface: TrainSurfaceInput,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+/// Steel of pinion and wheel, or of sun, planets and ring.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TrainMaterialInput {
+    /// The pinion; also the wheel unless given, and the sun if the steel is that of all meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pinion: Option<BodyInput>,
+    /// The wheel, where it differs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wheel: Option<BodyInput>,
+    /// The sun; also planets and ring unless given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sun: Option<BodyInput>,
+    /// The planets, where they differ.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub planet: Option<BodyInput>,
+    /// The ring, where it differs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ring: Option<BodyInput>,
+}
+
+/// Flanks of pinion and wheel, or of sun, planets and ring, and the preparation of their traces.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TrainSurfaceInput {
+    /// Trace of the pinion's flank; of the sun's, if the flanks are those of all meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pinion: Option<FlankInput>,
+    /// Trace of the wheel's flank; default: the pinion's trace, mirrored.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wheel: Option<FlankInput>,
+    /// Trace of the sun's flank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sun: Option<FlankInput>,
+    /// Trace of a planet's flank, for both of its meshes; default: the sun's trace, mirrored.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub planet: Option<FlankInput>,
+    /// Trace of the ring's flank; default: the planet's trace, mirrored.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ring: Option<FlankInput>,
+    /// Finish of flanks without a file; default by Ra.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub finish: Option<FinishName>,
+    /// Form removed from each trace; default `level` (a straight line).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub form: Option<Form>,
+    /// Cut-off λc; default as the file states, else 0.25 mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cutoff: Option<Length>,
+    /// Cut-off λs; default as the file states, else 2.5 um.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub noise_cutoff: Option<Length>,
+    /// Treatment of the ends of a trace in filtering; default `cut`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ends: Option<Ends>,
+    /// Robust standard deviations from the running median beyond which spikes are replaced; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outliers: Option<f64>,
+    /// Flanks of a pair at a negative torque, if they differ.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coast: Option<CoastInput>,
+}
+
+/// The JSON schema of a case file of several meshes.
+pub fn schema() -> serde_json::Value {
+    schemars::schema_for!(TrainCaseInput).to_value()
+}
+
+impl CaseFile for TrainCaseInput {
+    const VALID: &'static str = r#"
+train = { input = "input" }
+mesh.only = { shafts = ["input", "output"], gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" } }
+operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
+lubricant = { oil = "m100" }
+surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
+"#;
+
+    fn schema() -> &'static serde_json::Value {
+        static SCHEMA: LazyLock<serde_json::Value> = LazyLock::new(schema);
+        &SCHEMA
+    }
+}
+
+impl TrainFile for TrainCaseInput {
+    const TABLE: &'static str = "mesh";
+
+    fn parts(&self, source: &Source) -> Result<TrainParts, CaseError> {
+        let mut stages = BTreeMap::new();
+        for (name, mesh) in &self.mesh {
+            stages.insert(name.as_str(), self.stage(name, mesh, source)?);
+        }
+        let (shafts, stages) = self.on_shafts(stages, source)?;
+        let passes_losses = self.train.losses == Some(PassedLosses::PassedOn);
+        TrainParts::new(self.title.clone(), shafts, passes_losses, stages)
+            .map_err(refused(source, Self::TABLE))
+    }
+}
+
+impl TrainCaseInput {
+    /// The stages in the order of the power, on their shafts.
+    fn on_shafts(
+        &self,
+        mut stages: BTreeMap<&str, StageParts>,
+        source: &Source,
+    ) -> Result<(GearTrain, Vec<StageParts>), CaseError> {
+        let mut train = GearTrain::default();
+        let mut ordered = Vec::new();
+        let mut shafts = vec![self.train.input.as_str()];
+        while let Some(name) = {
+            let is_next = |name: &&&str| {
+                let on = &self.mesh[**name].shafts;
+                on.iter().any(|shaft| shafts.contains(&shaft.as_str()))
+            };
+            stages.keys().find(is_next).copied()
+        } {
+            let Some(stage) = stages.remove(name) else {
+                break;
+            };
+            let on = &self.mesh[name].shafts;
+            for shaft in on {
+                if !shafts.contains(&shaft.as_str()) {
+                    shafts.push(shaft);
+                }
+            }
+            ordered.push((name, stage));
+        }
+        if let Some(name) = stages.keys().next() {
+            let rule = "has no shaft in common with the train from the input shaft on";
+            return Err(conflict(source, format!("mesh.{name}.shafts"), rule));
+        }
+        let names = [
+            ("train.input", Some(&self.train.input)),
+            ("train.output", self.train.output.as_ref()),
+        ];
+        let held = self
+            .train
+            .held
+            .iter()
+            .map(|name| ("train.held", Some(name)));
+        for (key, name) in names.into_iter().chain(held) {
+            let is_used = |name: &String| self.mesh.values().any(|mesh| mesh.shafts.contains(name));
+            if name.is_some_and(|name| !is_used(name)) {
+                let rule = "is not a shaft of any mesh";
+                return Err(conflict(source, key.to_owned(), rule));
+            }
+        }
+        let operation = &self.operation;
+        let ends = |shaft: &str| {
+            let all = self.mesh.values().flat_map(|mesh| &mesh.shafts);
+            all.filter(|name| *name == shaft).count() == 1
+        };
+        let is_held = |shaft: &str| self.train.held.iter().any(|held| held == shaft);
+        let input = self.train.input.as_str();
+        let mut outputs = shafts
+            .iter()
+            .filter(|shaft| ends(shaft) && !is_held(shaft) && **shaft != input);
+        let output = match (&self.train.output, outputs.next(), outputs.next()) {
+            (Some(output), _, _) => output,
+            (None, Some(output), None) => *output,
+            _ => {
+                let rule = "is needed: the shaft at which the power leaves is not the only other end of the train";
+                return Err(conflict(source, "train.output".to_owned(), rule));
+            }
+        };
+        for shaft in &shafts {
+            let is_input = *shaft == input;
+            let zero = Torque::from_si(0.0);
+            train.shafts.push(TrainShaft {
+                name: (*shaft).to_owned(),
+                speed: match is_held(shaft) {
+                    true => Some(AngularSpeed::from_si(0.0)),
+                    false => is_input.then_some(operation.speed),
+                },
+                torque: match *shaft == output || is_held(shaft) {
+                    true => None,
+                    false => Some(if is_input { operation.torque } else { zero }),
+                },
+            });
+        }
+        let place = |name: &String| shafts.iter().position(|shaft| shaft == name).unwrap_or(0);
+        for (name, stage) in &ordered {
+            let on: Vec<usize> = self.mesh[*name].shafts.iter().map(place).collect();
+            let (gears, carrier) = match on[..] {
+                [sun, carrier, ring] => ([sun, ring], Some(carrier)),
+                [sun, carrier] if matches!(stage.kind, StageKind::Planetary { .. }) => {
+                    let set = self.mesh[*name].planetary.as_ref();
+                    let ring_speed = set.and_then(|set| set.ring_speed);
+                    train.shafts.push(TrainShaft {
+                        name: format!("{name} ring"),
+                        speed: Some(ring_speed.unwrap_or(AngularSpeed::from_si(0.0))),
+                        torque: None,
+                    });
+                    ([sun, train.shafts.len() - 1], Some(carrier))
+                }
+                [pinion, wheel] => ([pinion, wheel], None),
+                _ => continue,
+            };
+            train.stages.push(TrainStage {
+                gears,
+                carrier,
+                teeth: stage.teeth,
+            });
+        }
+        Ok((train, ordered.into_iter().map(|(_, stage)| stage).collect()))
+    }
+
+    fn stage(
+        &self,
+        name: &str,
+        mesh: &MeshInput,
+        source: &Source,
+    ) -> Result<StageParts, CaseError> {
+        let is_plain = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
+        if name.is_empty() || !name.chars().all(is_plain) {
+            let rule = "must be a name of letters, digits, - and _";
+            return Err(conflict(source, format!("mesh.{name}"), rule));
+        }
+        let named = mesh.shafts.len();
+        let are_shafts = named == 2 || (named == 3 && mesh.planetary.is_some());
+        match (&mesh.gears, &mesh.planetary) {
+            _ if !are_shafts => {
+                let rule = "must name the shafts of pinion and wheel, or of sun, carrier and, if it turns, ring";
+                Err(conflict(source, format!("mesh.{name}.shafts"), rule))
+            }
+            (Some(gears), None) => self.pair(name, mesh, gears, source),
+            (None, Some(set)) => self.set(name, mesh, set, source),
+            _ => {
+                let rule = "must have one of the tables gears and planetary";
+                Err(conflict(source, format!("mesh.{name}"), rule))
+            }
+        }
+    }
+
+    fn pair(
+        &self,
+        name: &str,
+        mesh: &MeshInput,
+        gears: &GearsInput,
+        source: &Source,
+    ) -> Result<StageParts, CaseError> {
+        let (own, shared) = (&mesh.surface, &self.surface);
+        let has_own = own.pinion.is_some();
+        let Some(pinion) = own.pinion.clone().or_else(|| shared.pinion.clone()) else {
+            let rule = "needs the flank of the pinion, here or, for all meshes, as surface.pinion";
+            return Err(conflict(
+                source,
+                format!("mesh.{name}.surface.pinion"),
+                rule,
+            ));
+        };
+        let of_all = |flank: &Option<FlankInput>| flank.clone().filter(|_| !has_own);
+        let (steel, steels) = (&mesh.material, &self.material);
+        let keys = MeshKeys {
+            name: format!("mesh \"{name}\""),
+            tables: [("gears".to_owned(), format!("mesh.{name}.gears"))]
+                .into_iter()
+                .chain(own_tables(name, mesh))
+                .collect(),
+        };
+        Ok(StageParts {
+            name: Some(name.to_owned()),
+            kind: StageKind::Pair,
+            teeth: gears.teeth.map(f64::from),
+            meshes: vec![MeshParts {
+                name: name.to_owned(),
+                keys: keys.into(),
+                case: CaseInput {
+                    gears: gears.clone(),
+                    material: MaterialInput {
+                        pinion: (steel.pinion.clone())
+                            .or_else(|| steels.pinion.clone())
+                            .unwrap_or_default(),
+                        wheel: (steel.wheel.clone())
+                            .or_else(|| steels.wheel.clone().filter(|_| steel.pinion.is_none())),
+                    },
+                    surface: SurfaceInput {
+                        pinion,
+                        wheel: own.wheel.clone().or_else(|| of_all(&shared.wheel)),
+                        finish: own.finish.or(shared.finish),
+                        form: own.form.or(shared.form),
+                        cutoff: own.cutoff.or(shared.cutoff),
+                        noise_cutoff: own.noise_cutoff.or(shared.noise_cutoff),
+                        ends: own.ends.or(shared.ends),
+                        outliers: own.outliers.or(shared.outliers),
+                        coast: own
+                            .coast
+                            .clone()
+                            .or_else(|| shared.coast.clone().filter(|_| !has_own)),
+                    },
+                    formulation: self.formulation,
+                    operation: self.operation,
+                    lubricant: self.lubricant.clone(),
+                    model: self.model.clone(),
+                    calibration: self.calibration.clone(),
+                    ..CaseInput::default()
+                },
+            }],
+            defaults: Vec::new(),
+        })
+    }
+
+    fn set(
+        &self,
+        name: &str,
+        mesh: &MeshInput,
+        set: &PlanetaryInput,
+        source: &Source,
+    ) -> Result<StageParts, CaseError> {
+        if mesh.shafts.len() == 3 && set.ring_speed.is_some() {
+            let rule = "follows from the shaft of the ring; leave one of the two out";
+            return Err(conflict(
+                source,
+                format!("mesh.{name}.planetary.ring_speed"),
+                rule,
+            ));
+        }
+        let (own, shared) = (&mesh.surface, &self.surface);
+        let of_all = shared.sun.clone().or_else(|| shared.pinion.clone());
+        let Some(sun) = own.sun.clone().or(of_all) else {
+            let rule = "needs the flank of the sun, here or, for all meshes, as surface.pinion";
+            return Err(conflict(source, format!("mesh.{name}.surface.sun"), rule));
+        };
+        let shared_unless_own = |flank: Option<FlankInput>| flank.filter(|_| own.sun.is_none());
+        let (steel, steels) = (&mesh.material, &self.material);
+        let input = PlanetaryCaseInput {
+            title: None,
+            planetary: set.clone(),
+            material: PlanetaryMaterialInput {
+                sun: (steel.sun.clone())
+                    .or_else(|| steels.sun.clone())
+                    .or_else(|| steels.pinion.clone())
+                    .unwrap_or_default(),
+                planet: steel.planet.clone().or_else(|| steels.planet.clone()),
+                ring: steel.ring.clone().or_else(|| steels.ring.clone()),
+            },
+            operation: self.operation,
+            lubricant: self.lubricant.clone(),
+            surface: PlanetarySurfaceInput {
+                sun,
+                planet: (own.planet.clone()).or_else(|| {
+                    shared_unless_own(shared.planet.clone().or_else(|| shared.wheel.clone()))
+                }),
+                ring: (own.ring.clone()).or_else(|| shared_unless_own(shared.ring.clone())),
+                finish: own.finish.or(shared.finish),
+                form: own.form.or(shared.form),
+                cutoff: own.cutoff.or(shared.cutoff),
+                noise_cutoff: own.noise_cutoff.or(shared.noise_cutoff),
+                ends: own.ends.or(shared.ends),
+                outliers: own.outliers.or(shared.outliers),
+            },
+            model: self.model.clone(),
+            calibration: self.calibration.clone(),
+        };
+        let own_tables = own_tables(name, mesh);
+        let in_train = |key: &str| {
+            let own = own_tables
+                .iter()
+                .find(|(table, _)| key.starts_with(table.as_str()));
+            match own {
+                Some(_) => format!("mesh.{name}.{key}"),
+                None if key.starts_with(PlanetaryCaseInput::TABLE) => format!("mesh.{name}.{key}"),
+                None => key.to_owned(),
+            }
+        };
+        let mut stage = planetary::stage(&input, source, Some(name), &in_train)?;
+        if mesh.shafts.len() == 3 {
+            let is_of_ring = |default: &DefaultUsed| default.key.ends_with(".ring_speed");
+            stage.defaults.retain(|default| !is_of_ring(default));
+        }
+        for mesh in &mut stage.meshes {
+            mesh.case.formulation = self.formulation;
+        }
+        Ok(stage)
+    }
+}
+
+/// Keys of steel and flanks that mesh `name` states itself, with their keys in the train.
+fn own_tables(name: &str, mesh: &MeshInput) -> Vec<(String, String)> {
+    let keys = |table: &str, stated: Result<toml::Table, toml::ser::Error>| -> Vec<_> {
+        let stated = stated.unwrap_or_default().into_iter();
+        let key = |(key, _)| {
+            (
+                format!("{table}.{key}"),
+                format!("mesh.{name}.{table}.{key}"),
+            )
+        };
+        stated.map(key).collect()
+    };
+    let mut tables = keys("material", toml::Table::try_from(&mesh.material));
+    tables.extend(keys("surface", toml::Table::try_from(&mesh.surface)));
+    tables
+}

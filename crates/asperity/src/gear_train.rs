@@ -1,0 +1,495 @@
+//! The run of a gear train: every mesh, and their loss together.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use asperity_core::quantity::Power;
+use asperity_gear::gear_train::TrainShaft;
+use asperity_gear::planetary::{PlanetaryOperation, PlanetarySpeeds};
+use serde::{Deserialize, Serialize};
+
+use crate::balance;
+use crate::case::gear_train::{LoadedMesh, LoadedStage, LoadedTrain};
+use crate::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
+use crate::error::{Error, PositionError};
+use crate::pipeline::{self, KeptFields, Progress};
+use crate::result::gearbox::Scope;
+use crate::result::{Outcome, RunResult, Summary};
+use crate::result::{rounded, with_interval};
+use crate::uncertainty::{Quantiles, run_and_draw};
+
+/// The result of a gear train, in addition to the results of its meshes.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct TrainResult {
+    /// The program and its version.
+    pub program: String,
+    /// Title of the case.
+    pub title: String,
+    /// Scope of the result: the meshes only.
+    #[serde(default)]
+    pub scope: Scope,
+    /// The planetary set of a case `[planetary]`.
+    #[serde(flatten)]
+    pub set: Option<PlanetaryReport>,
+    /// Efficiency of the train from its mesh losses only.
+    pub efficiency: f64,
+    /// Loss of all meshes \[W\].
+    pub loss_w: f64,
+    /// Its median, quantiles and spread as drawn; `None` of a formulation without uncertainty.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_distribution: Option<Quantiles>,
+    /// Power that enters through all shafts \[W\].
+    pub power_in_w: f64,
+    /// Power that leaves through all shafts \[W\], by their torques and speeds.
+    #[serde(default)]
+    pub power_out_w: f64,
+    /// Loss of all meshes by its kinds.
+    #[serde(default)]
+    pub kinds: LossKinds,
+    /// Shafts with their torques and speeds.
+    #[serde(default)]
+    pub shafts: Vec<ShaftRow>,
+    /// The meshes, in a planetary set one of each kind.
+    pub meshes: Vec<MeshRow>,
+    /// Planetary sets by the names of their stages.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub sets: BTreeMap<String, PlanetaryReport>,
+}
+
+/// Speeds and power of a planetary set.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct PlanetaryReport {
+    /// Number of planets.
+    pub planets: u32,
+    /// Power that passes the meshes: torque of the sun times its speed relative to the carrier \[W\].
+    pub rolling_power_w: f64,
+    /// Speed of the sun \[rad/s\].
+    pub sun_rad_per_s: f64,
+    /// Speed of the ring \[rad/s\].
+    pub ring_rad_per_s: f64,
+    /// Speed of the carrier \[rad/s\].
+    pub carrier_rad_per_s: f64,
+    /// Speed of the planets relative to the carrier \[rad/s\].
+    pub planet_relative_rad_per_s: f64,
+    /// Whether equally spaced planets can be assembled.
+    pub can_be_equally_spaced: bool,
+    /// Load of the most loaded planet over the mean, K_γ.
+    pub load_share_factor: f64,
+}
+
+/// Losses of all meshes by their kinds.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct LossKinds {
+    /// Sliding in the film \[W\].
+    pub film_w: f64,
+    /// Sliding of touching asperities that are lubricated \[W\].
+    pub lubricated_asperity_w: f64,
+    /// Sliding in the boundary layer of touching asperities \[W\].
+    pub boundary_w: f64,
+    /// Rolling, hysteresis of the steel included \[W\].
+    pub rolling_w: f64,
+    /// Plastic displacement, where the formulation counts it \[W\].
+    pub deformation_w: f64,
+}
+
+impl LossKinds {
+    fn of(summary: &Summary) -> Self {
+        Self {
+            film_w: summary.film_w,
+            lubricated_asperity_w: summary.lubricated_asperity_w,
+            boundary_w: summary.boundary_w,
+            rolling_w: summary.rolling_w,
+            deformation_w: summary.deformation_w.iter().sum(),
+        }
+    }
+
+    fn add(&mut self, other: &Self, count: f64) {
+        self.film_w += count * other.film_w;
+        self.lubricated_asperity_w += count * other.lubricated_asperity_w;
+        self.boundary_w += count * other.boundary_w;
+        self.rolling_w += count * other.rolling_w;
+        self.deformation_w += count * other.deformation_w;
+    }
+
+    /// Name and loss of each kind \[W\].
+    #[must_use]
+    pub fn rows(&self) -> [(&'static str, f64); 5] {
+        [
+            ("film", self.film_w),
+            ("lubricated asperities", self.lubricated_asperity_w),
+            ("boundary layer", self.boundary_w),
+            ("rolling", self.rolling_w),
+            ("plastic displacement", self.deformation_w),
+        ]
+    }
+}
+
+/// A shaft of a gear train.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct ShaftRow {
+    /// Name.
+    pub shaft: String,
+    /// Speed \[rad/s\], negative against the direction of the input shaft.
+    pub speed_rad_per_s: f64,
+    /// Torque that passes through the shaft \[N m\].
+    pub carried_nm: f64,
+    /// Torque into the train at the shaft \[N m\], with all losses; zero of a shaft between two meshes.
+    pub torque_nm: f64,
+    /// Power into the train at the shaft \[W\].
+    pub power_w: f64,
+}
+
+/// A mesh of a gear train, or one of the equal ones of a planetary set.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct MeshRow {
+    /// Gears of the mesh.
+    pub mesh: String,
+    /// Number of equal meshes.
+    #[serde(default = "one")]
+    pub count: u32,
+    /// Torque at its pinion \[N m\], negative when the wheel drives.
+    pub torque_nm: f64,
+    /// Speed of its pinion relative to the carrier \[rad/s\].
+    pub speed_rad_per_s: f64,
+    /// Loss of one such mesh \[W\].
+    pub loss_w: f64,
+    /// Its median as drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_median_w: Option<f64>,
+    /// Its 5 % quantile.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_q05_w: Option<f64>,
+    /// Its 95 % quantile.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_q95_w: Option<f64>,
+    /// Its part by sliding \[W\].
+    #[serde(default)]
+    pub sliding_w: f64,
+    /// Its part by rolling \[W\].
+    #[serde(default)]
+    pub rolling_w: f64,
+    /// Efficiency of the mesh.
+    pub efficiency: f64,
+    /// Loss factor of its load.
+    pub loss_factor: f64,
+    /// Friction coefficient that explains its loss.
+    pub mu_equivalent: f64,
+    /// Highest Hertz pressure of its cells at the mean load \[MPa\].
+    pub hertz_pressure_mpa: f64,
+    /// The same at the most loaded planet, √K_γ times as high \[MPa\].
+    pub hertz_pressure_most_loaded_mpa: f64,
+}
+
+fn one() -> u32 {
+    1
+}
+
+/// A run of a gear train.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct TrainOutcome {
+    /// Loss of the train, its shafts, and a row of each kind of mesh.
+    pub result: TrainResult,
+    /// Every mesh, in the order of its row.
+    pub meshes: Vec<Outcome>,
+}
+
+/// Runs every mesh of a gear train, with the uncertainty of the loss if `band` is set; fields are held for the positions
+/// `kept` of each mesh.
+///
+/// # Errors
+/// When a mesh has no solution, or losses that are passed on do not settle.
+pub fn run_train(
+    loaded: &LoadedTrain,
+    kept: &KeptFields,
+    band: bool,
+    progress: Progress<'_>,
+) -> Result<TrainOutcome, Error> {
+    let loaded = &*loaded_by_losses(loaded)?;
+    let mut contacts = Vec::new();
+    let mut meshes = Vec::new();
+    let mut drawn = Vec::new();
+    for mesh in loaded.meshes() {
+        let (outcome, predictive) =
+            run_and_draw(&mesh.case, (Some(kept), band), &mut contacts, progress)?;
+        meshes.push(outcome);
+        drawn.push(predictive);
+    }
+    let whole = |error: PositionError| Error::Whole(Box::new(error));
+    let runs: Vec<&RunResult> = meshes.iter().map(|mesh| &mesh.result).collect();
+    let mut result = result(loaded, &runs).map_err(whole)?;
+    // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
+    let mut total: Vec<f64> = Vec::new();
+    let draws = drawn.iter().zip(first_with_flanks(loaded));
+    for ((predictive, flanks), row) in draws.zip(&result.meshes) {
+        let Some(predictive) = predictive else {
+            return Ok(TrainOutcome { result, meshes });
+        };
+        let of_mesh = predictive.draws_of_sum_w(flanks, 1.0);
+        total.resize(of_mesh.len(), 0.0);
+        for (total, loss) in total.iter_mut().zip(of_mesh) {
+            *total += f64::from(row.count) * loss;
+        }
+    }
+    result.loss_distribution = Some(Quantiles::of(&total));
+    Ok(TrainOutcome { result, meshes })
+}
+
+/// Number of the first mesh with the flanks of each mesh.
+fn first_with_flanks(loaded: &LoadedTrain) -> Vec<usize> {
+    let flanks: Vec<_> = loaded.meshes().map(|mesh| &mesh.case.surfaces).collect();
+    let first = |(k, own): (usize, &&crate::flanks::Surfaces)| {
+        let same = flanks.iter().position(|other| other.has_flanks_of(own));
+        same.unwrap_or(k)
+    };
+    flanks.iter().enumerate().map(first).collect()
+}
+
+/// The train with the torques that the losses leave, where the case passes them on.
+fn loaded_by_losses(loaded: &LoadedTrain) -> Result<Cow<'_, LoadedTrain>, Error> {
+    /// Change of a torque, relative to it, at which the torques have settled.
+    const SETTLED: f64 = 1e-9;
+    const MOST: usize = 30;
+    if !loaded.train.passes_losses {
+        return Ok(Cow::Borrowed(loaded));
+    }
+    let whole = |error| Error::Whole(Box::new(PositionError::Gear(error)));
+    let mut settled = loaded.clone();
+    let mut known: Vec<Vec<(MeshLoad, Power)>> = vec![Vec::new(); settled.stages.len()];
+    let mut change = f64::INFINITY;
+    for _ in 0..MOST {
+        for (stage, known) in settled.stages.iter().zip(&mut known) {
+            // A mesh whose load did not change has the loss of the pass before.
+            let loss = |(k, mesh): (usize, &LoadedMesh)| {
+                let load = MeshLoad::of(&mesh.case.case);
+                match known.get(k) {
+                    Some((before, loss)) if *before == load => Ok((load, *loss)),
+                    _ => {
+                        let losses = pipeline::losses(&mesh.case)?;
+                        Ok((load, Power::from_si(losses.summary.loss_w)))
+                    }
+                }
+            };
+            let meshes = stage.meshes.iter().enumerate();
+            *known = meshes.map(loss).collect::<Result<_, Error>>()?;
+        }
+        let of_stage =
+            |known: &Vec<(MeshLoad, Power)>| known.iter().map(|(_, loss)| *loss).collect();
+        let losses: Vec<Vec<Power>> = known.iter().map(of_stage).collect();
+        let flow = settled.train.flow(&losses).map_err(whole)?;
+        change = 0.0;
+        for (stage, loads) in settled.stages.iter_mut().zip(&flow.loads) {
+            for (mesh, load) in stage.meshes.iter_mut().zip(loads) {
+                let before = mesh.case.case.torque.si();
+                change = f64::max(change, (load.torque.si() / before - 1.0).abs());
+                mesh.case = at_load(&mesh.case, *load)?;
+            }
+        }
+        if change < SETTLED {
+            return Ok(Cow::Owned(settled));
+        }
+    }
+    Err(Error::Whole(Box::new(PositionError::TorquesNotSettled {
+        change,
+    })))
+}
+
+/// The case of a mesh at another load.
+fn at_load(case: &LoadedCase, load: MeshLoad) -> Result<LoadedCase, Error> {
+    match MeshLoad::of(&case.case) == load {
+        true => Ok(case.clone()),
+        false => case.with(|input| {
+            input.operation.torque = load.torque;
+            input.operation.speed = load.speed;
+        }),
+    }
+}
+
+fn result(loaded: &LoadedTrain, runs: &[&RunResult]) -> Result<TrainResult, PositionError> {
+    let train = &loaded.train;
+    let mut rest = runs.iter();
+    let of_stage = |stage: &LoadedStage| {
+        let runs = rest.by_ref().take(stage.meshes.len());
+        runs.map(|run| Power::from_si(run.summary.loss_w)).collect()
+    };
+    let losses: Vec<Vec<Power>> = loaded.stages.iter().map(of_stage).collect();
+    let flow = train.flow(&losses)?;
+    let mut kinds = LossKinds::default();
+    let mut meshes = Vec::new();
+    let mut sets = BTreeMap::new();
+    let mut loss_w = 0.0;
+    let mut runs = runs.iter();
+    for (k, (stage, kind)) in loaded.stages.iter().zip(&train.kinds).enumerate() {
+        loss_w += kind.loss(&losses[k]).si();
+        for (mesh, run) in stage.meshes.iter().zip(runs.by_ref()) {
+            kinds.add(&LossKinds::of(&run.summary), f64::from(kind.count()));
+            meshes.push(row(mesh, kind, run));
+        }
+        if let Some(report) = planetary(loaded, k, &flow)? {
+            sets.insert(stage.name.clone().unwrap_or_default(), report);
+        }
+    }
+    let shafts = shafts(loaded, &flow);
+    let powers = || shafts.iter().map(|shaft| shaft.power_w);
+    balance::sum(
+        "loss of the gear train",
+        "W",
+        loss_w,
+        &powers().collect::<Vec<_>>(),
+    )?;
+    let power_in_w: f64 = powers().map(|power| power.max(0.0)).sum();
+    let efficiency = 1.0 - loss_w / power_in_w;
+    balance::efficiency(
+        "efficiency of the gear train",
+        efficiency,
+        loss_w,
+        power_in_w,
+    )?;
+    Ok(TrainResult {
+        program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
+        title: loaded.title.clone(),
+        scope: Scope::Mesh,
+        set: loaded.only_set().and_then(|_| sets.remove("")),
+        efficiency,
+        loss_w,
+        loss_distribution: None,
+        power_in_w,
+        power_out_w: powers().map(|power| (-power).max(0.0)).sum(),
+        kinds,
+        shafts,
+        meshes,
+        sets,
+    })
+}
+
+fn shafts(loaded: &LoadedTrain, flow: &TrainFlow) -> Vec<ShaftRow> {
+    let train = &loaded.train.shafts;
+    let row = |(number, shaft): (usize, &TrainShaft)| {
+        let (speed, torque) = (flow.speeds[number].si(), flow.torques.shafts[number].si());
+        let inner = train.places_of(number);
+        let inner = inner.map(|(stage, place)| flow.torques.stages[stage][place].si().abs());
+        ShaftRow {
+            shaft: shaft.name.clone(),
+            speed_rad_per_s: speed,
+            carried_nm: 0.5 * (inner.sum::<f64>() + torque.abs()),
+            torque_nm: torque,
+            power_w: torque * speed,
+        }
+    };
+    train.shafts.iter().enumerate().map(row).collect()
+}
+
+/// The planetary set of stage `k`; `None` if it is a pair.
+fn planetary(
+    loaded: &LoadedTrain,
+    k: usize,
+    flow: &TrainFlow,
+) -> Result<Option<PlanetaryReport>, PositionError> {
+    let train = &loaded.train;
+    let StageKind::Planetary {
+        set,
+        load_share_factor,
+    } = &train.kinds[k]
+    else {
+        return Ok(None);
+    };
+    let [sun, ring] = train.shafts.stages[k].gears.map(|shaft| flow.speeds[shaft]);
+    let [sun_torque, _, _] = flow.torques.stages[k];
+    let rolling_power = set.rolling_power(&PlanetaryOperation {
+        sun_torque,
+        sun_speed: sun,
+        ring_speed: ring,
+        load_share_factor: *load_share_factor,
+    })?;
+    let PlanetarySpeeds {
+        carrier,
+        planet_relative,
+        ..
+    } = set.speeds(sun, ring)?;
+    Ok(Some(PlanetaryReport {
+        planets: set.planets,
+        rolling_power_w: rolling_power.si(),
+        sun_rad_per_s: sun.si(),
+        ring_rad_per_s: ring.si(),
+        carrier_rad_per_s: carrier.si(),
+        planet_relative_rad_per_s: planet_relative.si(),
+        can_be_equally_spaced: set.can_be_equally_spaced(),
+        load_share_factor: *load_share_factor,
+    }))
+}
+
+fn row(mesh: &LoadedMesh, kind: &StageKind, run: &RunResult) -> MeshRow {
+    let pressures = run.path.iter().map(|row| row.hertz_pressure_mpa);
+    let highest = pressures.fold(0.0, f64::max);
+    let drawn = run.uncertainty.as_ref().map(|found| &found.loss);
+    let summary = &run.summary;
+    MeshRow {
+        mesh: mesh.name.clone(),
+        count: kind.count(),
+        torque_nm: mesh.case.case.torque.si(),
+        speed_rad_per_s: mesh.case.case.speed.si(),
+        loss_w: summary.loss_w,
+        loss_median_w: drawn.map(|loss| loss.median_w),
+        loss_q05_w: drawn.map(|loss| loss.quantiles_w[0]),
+        loss_q95_w: drawn.map(|loss| loss.quantiles_w[1]),
+        sliding_w: summary.sliding_w,
+        rolling_w: summary.rolling_w,
+        efficiency: summary.efficiency,
+        loss_factor: summary.loss_factor_local,
+        mu_equivalent: summary.mu_equivalent,
+        hertz_pressure_mpa: highest,
+        hertz_pressure_most_loaded_mpa: highest * kind.load_share_factor().sqrt(),
+    }
+}
+
+impl TrainResult {
+    /// Loss \[W\] and efficiency \[%\] with their bands, each with the digits that its band leaves.
+    #[must_use]
+    pub fn with_bands(&self) -> [String; 2] {
+        let Some(drawn) = &self.loss_distribution else {
+            return [self.loss_w, 100.0 * self.efficiency].map(|value| format!("{value:.4}"));
+        };
+        with_interval(drawn.median_w, drawn.quantiles_w, self.power_in_w, ["", ""])
+    }
+
+    /// Every planetary set, with the name of its stage if the train has several.
+    pub fn planetary_sets(&self) -> impl Iterator<Item = (&str, &PlanetaryReport)> {
+        let sets = self.sets.iter().map(|(name, set)| (name.as_str(), set));
+        self.set.iter().map(|set| ("", set)).chain(sets)
+    }
+}
+
+impl MeshRow {
+    /// Loss \[W\], efficiency \[%\] and μ_eq with the digits that the band of the loss leaves.
+    #[must_use]
+    pub fn with_digits(&self) -> [String; 3] {
+        let half = self.half_band_w();
+        // The losses of a mesh are its power times the rest of its efficiency.
+        let power = self.loss_w / (1.0 - self.efficiency);
+        [
+            rounded(self.loss_w, half),
+            rounded(100.0 * self.efficiency, 100.0 * half / power),
+            rounded(self.mu_equivalent, self.mu_equivalent * half / self.loss_w),
+        ]
+    }
+
+    /// Sliding and rolling loss \[W\] with the digits that the band of the loss leaves.
+    #[must_use]
+    pub fn parts_with_digits(&self) -> [String; 2] {
+        let share = self.half_band_w() / self.loss_w;
+        [self.sliding_w, self.rolling_w].map(|loss| rounded(loss, share * loss))
+    }
+
+    /// Half of the interval of the loss \[W\]; zero without one.
+    fn half_band_w(&self) -> f64 {
+        match (self.loss_q05_w, self.loss_q95_w) {
+            (Some(low), Some(high)) => 0.5 * (high - low),
+            _ => 0.0,
+        }
+    }
+}

@@ -1,0 +1,323 @@
+//! Gear trains: their losses against runs of single meshes, the balance of their powers, and the digits of a result.
+
+use asperity::case::gear_train::{LoadedTrain, load_set};
+use asperity::case::{Source, from_text};
+use asperity::gear_train::{MeshRow, TrainResult, run_train};
+use asperity::pipeline::KeptFields;
+use asperity::{Run, RunResult};
+use asperity_tests::planetary_set;
+
+/// Pinion and wheel of the shipped ground flanks.
+const FLANKS: &str = r#"
+pinion = { file = "ground_pinion.csv" }
+wheel = { file = "ground_wheel.csv", mirrored = true }
+cutoff = "0.25 mm"
+"#;
+
+const COMMON: &str = r#"
+[operation]
+torque = "145 N m"
+speed = "9000 1/min"
+bulk_temperature = "90 °C"
+[lubricant]
+oil = "m100"
+[model]
+positions = 6
+offsets = 2
+depths = 0
+"#;
+
+const GEARS: [&str; 3] = [
+    r#"{ teeth = [23, 68], module = "1.8 mm", face_width = "32 mm", helix = "23.4 deg" }"#,
+    r#"{ teeth = [25, 61], module = "2.5 mm", face_width = "40 mm", helix = "15 deg" }"#,
+    r#"{ teeth = [21, 67], module = "4 mm", face_width = "70 mm" }"#,
+];
+
+fn profiles() -> std::path::PathBuf {
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/profiles")
+}
+
+fn train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> LoadedTrain {
+    let meshes: String = (gears.iter().enumerate())
+        .map(|(k, gears)| {
+            let next = k + 1;
+            format!("mesh.m{next} = {{ shafts = [\"s{k}\", \"s{next}\"], gears = {gears} }}\n")
+        })
+        .collect();
+    let text = format!(
+        "title = \"three stages\"\ntrain.input = \"s0\"\n{meshes}{COMMON}[surface]{FLANKS}"
+    );
+    let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
+    let keys: Vec<(String, String)> = (keys.iter())
+        .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()))
+        .collect();
+    load_set(source, &profiles(), &keys, None).unwrap()
+}
+
+fn run(train: &LoadedTrain, band: bool) -> TrainResult {
+    run_train(train, &KeptFields::Highest, band, &|_, _| {})
+        .unwrap()
+        .result
+}
+
+/// A single mesh as a case of its own, in the text of a case file.
+fn single(gears: &str, row: &MeshRow) -> RunResult {
+    let operation = COMMON
+        .replace("145 N m", &format!("{:?} N m", row.torque_nm))
+        .replace("9000 1/min", &format!("{:?} rad/s", row.speed_rad_per_s));
+    let text = format!("gears = {gears}\n{operation}[surface]{FLANKS}");
+    let case = from_text("case.toml", &text, &|name| {
+        std::fs::read(profiles().join(name))
+    })
+    .unwrap();
+    Run::new(&case)
+        .fields(&KeptFields::Highest)
+        .execute()
+        .unwrap()
+        .result
+}
+
+#[test]
+fn the_loss_of_three_stages_is_the_sum_of_three_single_runs_to_the_last_digit() {
+    let result = run(&train_of(GEARS, &[]), false);
+    let rows = result.meshes.iter().zip(GEARS);
+    let sum: f64 = rows
+        .map(|(row, gears)| single(gears, row).summary.loss_w)
+        .sum();
+    assert_eq!(result.loss_w, sum);
+    // By the tooth numbers, without losses.
+    let torques: Vec<f64> = result.meshes.iter().map(|row| row.torque_nm).collect();
+    let second = 145.0 * 68.0 / 23.0;
+    assert_eq!(torques, [145.0, second, second * 61.0 / 25.0]);
+}
+
+/// The sum of all powers into the train is its loss, and the power out is by torque and speed of its shaft.
+fn assert_balanced(result: &TrainResult) {
+    let powers = result
+        .shafts
+        .iter()
+        .map(|shaft| shaft.torque_nm * shaft.speed_rad_per_s);
+    let powers: Vec<f64> = powers.collect();
+    let sum: f64 = powers.iter().sum();
+    assert!(
+        (sum - result.loss_w).abs() < 1e-12 * result.power_in_w,
+        "{result:#?}"
+    );
+    let out: f64 = powers.iter().filter(|power| **power < 0.0).sum();
+    assert_eq!(result.power_out_w, -out);
+    let efficiency = result.power_out_w / result.power_in_w;
+    assert!((result.efficiency - efficiency).abs() < 1e-12);
+    let of_kinds: f64 = result.kinds.rows().iter().map(|(_, loss)| loss).sum();
+    assert!((of_kinds / result.loss_w - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn powers_and_losses_are_in_balance() {
+    for keys in [
+        &[][..],
+        &[("operation.torque", "-145 N m")],
+        &[("train.losses", "passed-on")],
+        &[
+            ("train.losses", "passed-on"),
+            ("operation.torque", "-145 N m"),
+        ],
+        &[
+            ("train.input", "s3"),
+            ("operation.torque", "3000 N m"),
+            ("operation.speed", "400 1/min"),
+        ],
+    ] {
+        assert_balanced(&run(&train_of(GEARS, keys), false));
+    }
+    assert_balanced(&run(&planetary_set(), false));
+}
+
+#[test]
+fn passed_on_losses_lower_each_following_torque() {
+    let train = train_of(GEARS, &[("train.losses", "passed-on")]);
+    let result = run(&train, false);
+    let rows = &result.meshes;
+    assert_eq!(rows[0].torque_nm, 145.0);
+    for (k, ratio) in [68.0 / 23.0, 61.0 / 25.0].into_iter().enumerate() {
+        let power = rows[k].torque_nm * rows[k].speed_rad_per_s - rows[k].loss_w;
+        let torque = power / rows[k + 1].speed_rad_per_s;
+        assert!(
+            (rows[k + 1].torque_nm / torque - 1.0).abs() < 1e-9,
+            "{rows:#?}"
+        );
+        assert!(rows[k + 1].torque_nm < rows[k].torque_nm * ratio * 0.998);
+    }
+    // The output carries what the last mesh leaves.
+    let last = rows[2].torque_nm * rows[2].speed_rad_per_s - rows[2].loss_w;
+    assert!((result.power_out_w / last - 1.0).abs() < 1e-9);
+    // Backwards each mesh supplies the losses of those behind it.
+    let back = train_of(
+        GEARS,
+        &[
+            ("train.losses", "passed-on"),
+            ("operation.torque", "-145 N m"),
+        ],
+    );
+    let rows = &run(&back, false).meshes;
+    assert!(
+        rows[1].torque_nm < -145.0 * 68.0 / 23.0 * 1.002,
+        "{rows:#?}"
+    );
+}
+
+#[test]
+fn equal_meshes_have_equal_draws_and_other_flanks_their_own() {
+    let equal = [r#"{ teeth = [40, 40], module = "2 mm", face_width = "30 mm" }"#; 3];
+    let result = run(&train_of(equal, &[]), true);
+    let of_all = result.loss_distribution.unwrap();
+    let one = &result.meshes[0];
+    for row in &result.meshes {
+        assert_eq!((row.loss_w, row.loss_q05_w), (one.loss_w, one.loss_q05_w));
+    }
+    let same = |sum: f64, of_one: Option<f64>| (sum / (3.0 * of_one.unwrap()) - 1.0).abs() < 1e-12;
+    assert!(
+        same(of_all.quantiles_w[0], one.loss_q05_w) && same(of_all.quantiles_w[1], one.loss_q95_w)
+    );
+    // Sampling and error of the model of other flanks are drawn apart, so that they partly cancel.
+    let keys = [
+        ("mesh.m2.surface.pinion", r#"{ file = "ground_wheel.csv" }"#),
+        (
+            "mesh.m3.surface.pinion",
+            r#"{ file = "superfinished.csv" }"#,
+        ),
+    ];
+    let other = run(&train_of(equal, &keys), true);
+    let quantiles = other.loss_distribution.unwrap().quantiles_w;
+    let apart: f64 = other
+        .meshes
+        .iter()
+        .map(|row| row.loss_q95_w.unwrap() - row.loss_q05_w.unwrap())
+        .sum();
+    assert!(
+        quantiles[1] - quantiles[0] < 0.99 * apart,
+        "{quantiles:?} {apart}"
+    );
+}
+
+#[test]
+fn a_planetary_set_is_the_sum_of_its_meshes_at_relative_speeds() {
+    let set = planetary_set();
+    let result = run(&set, false);
+    let mut sum = 0.0;
+    for (mesh, row) in set.meshes().zip(&result.meshes) {
+        let losses = Run::new(&mesh.case).losses().unwrap();
+        assert_eq!(losses.summary.loss_w, row.loss_w);
+        sum += 3.0 * row.loss_w;
+    }
+    assert!((result.loss_w / sum - 1.0).abs() < 1e-14);
+    // Willis by hand: the ring is held, carrier 3000·27/102.
+    let report = result.set.unwrap();
+    let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
+    assert!((rpm(report.carrier_rad_per_s) - 3000.0 * 27.0 / 102.0).abs() < 1e-9);
+    let [sun, planet] = [0, 1].map(|k: usize| rpm(result.meshes[k].speed_rad_per_s));
+    assert!((sun - 3000.0 * 75.0 / 102.0).abs() < 1e-9);
+    assert!((planet - 3000.0 * 75.0 / 102.0 * 27.0 / 24.0).abs() < 1e-9);
+    // The same set as a stage of a train.
+    let text = format!(
+        "train.input = \"sun\"\nmesh.p = {{ shafts = [\"sun\", \"out\"], planetary = {{ teeth = [27, 24, -75], planets = 3, module = \"1.5 mm\", \
+         face_width = [\"20 mm\", \"20 mm\", \"20 mm\"] }} }}\n{COMMON}[surface]{FLANKS}"
+    );
+    let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
+    let keys = [
+        ("operation.torque", "120 N m"),
+        ("operation.speed", "3000 1/min"),
+    ];
+    let keys = keys.map(|(key, value)| (key.to_owned(), value.to_owned()));
+    let train = run(&load_set(source, &profiles(), &keys, None).unwrap(), false);
+    assert_eq!(train.loss_w, result.loss_w);
+    assert_eq!(train.sets["p"], report);
+}
+
+/// The numbers of "95.4 (80..110)".
+fn numbers(text: &str) -> [f64; 3] {
+    let cleared = text.replace(['(', ')'], "").replace("..", " ");
+    let found: Vec<f64> = cleared
+        .split(' ')
+        .map(|word| word.parse().unwrap())
+        .collect();
+    found.try_into().unwrap()
+}
+
+#[test]
+fn losses_are_said_with_the_digits_of_their_band() {
+    let mut result = run_train(&planetary_set(), &KeptFields::All, true, &|_, _| {})
+        .unwrap()
+        .result;
+    let drawn = result.loss_distribution.unwrap();
+    let [low, high] = drawn.quantiles_w;
+    let [loss, efficiency] = result.with_bands();
+    // The last place is a fortieth to a quarter of the interval, rounding half of it.
+    let near = |what: &str, found: [f64; 3], expected: [f64; 3], width: f64| {
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!(
+                (found - expected).abs() < 0.126 * width,
+                "{what}: {found} {expected}"
+            );
+        }
+    };
+    near(
+        "loss",
+        numbers(&loss),
+        [drawn.median_w, low, high],
+        high - low,
+    );
+    let percent = |loss: f64| 100.0 * (1.0 - loss / result.power_in_w);
+    let expected = [drawn.median_w, high, low].map(percent);
+    near(
+        "efficiency",
+        numbers(&efficiency),
+        expected,
+        expected[2] - expected[1],
+    );
+    // No digit is finer than a fiftieth of the interval, a hundredth where the loss becomes per cent.
+    let step = |text: &str| {
+        let first = text.split(' ').next().unwrap();
+        let zeros = first.len() - first.trim_end_matches('0').len();
+        let places = first.split_once('.').map(|(_, after)| after.len());
+        match places {
+            Some(places) => 0.1_f64.powi(places.try_into().unwrap()),
+            None => 10_f64.powi(zeros.try_into().unwrap()),
+        }
+    };
+    assert!(step(&loss) > 0.02 * (high - low), "{loss}");
+    let band = expected[2] - expected[1];
+    assert!(step(&efficiency) > 0.01 * band, "{efficiency}");
+
+    for mesh in &result.meshes {
+        let said = mesh.with_digits().map(|text| text.parse::<f64>().unwrap());
+        let band = mesh.loss_q95_w.unwrap() - mesh.loss_q05_w.unwrap();
+        let share = band / mesh.loss_w;
+        let expected = [
+            (mesh.loss_w, band),
+            (
+                100.0 * mesh.efficiency,
+                100.0 * (1.0 - mesh.efficiency) * share,
+            ),
+            (mesh.mu_equivalent, mesh.mu_equivalent * share),
+        ];
+        for (said, (value, band)) in said.into_iter().zip(expected) {
+            assert!(
+                (said - value).abs() < 0.126 * band,
+                "{mesh:?}: {said} {value}"
+            );
+        }
+        assert!(
+            mesh.with_digits().iter().all(|text| text.len() < 9),
+            "{mesh:?}"
+        );
+    }
+
+    let digits = |row: &MeshRow| row.with_digits()[0].len();
+    let with = digits(&result.meshes[0]);
+    let mut exact = result.meshes[0].clone();
+    (exact.loss_q05_w, exact.loss_q95_w) = (None, None);
+    assert!(digits(&exact) > with);
+    result.loss_distribution = None;
+    let expected = [result.loss_w, 100.0 * result.efficiency].map(|value| format!("{value:.4}"));
+    assert_eq!(result.with_bands(), expected);
+}
