@@ -436,7 +436,7 @@ fn a_gear_train_that_is_not_determined_is_refused_at_its_key() {
     bench.write("case.toml", bad);
     let said = bench.run(&["check", "case.toml"]);
     for says in [
-        "E212 case.toml:9 (mesh \"slow\"): gears.module",
+        "E212 case.toml:10 (mesh \"slow\"): gears.module",
         "E208",
         "E103",
         "3 errors",
