@@ -22,10 +22,9 @@ fn every_gear_pair_of_the_library_runs_as_its_demo_writes_it() {
         assert!(table.contains(name.as_str()));
         bench.run(&["demo", "--gears", name]).well();
         let case = format!("{name}/case.toml");
-        let run = bench
-            .run(&["run", &case, "--no-output", "--no-band", "--json"])
-            .well()
-            .json();
+        let run = ["run", &case, "--no-output", "--no-band", "--json"];
+        let few = ["--set", "model.offsets=2"];
+        let run = bench.run(&[&run[..], &few].concat()).well().json();
         let summary = &run["summary"];
         let efficiency = summary["efficiency"].as_f64().unwrap();
         assert!((0.95..1.0).contains(&efficiency), "{name}: {efficiency}");
