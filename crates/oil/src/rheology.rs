@@ -56,6 +56,8 @@ pub struct FilmRheology {
     /// α at T_ref \[1/Pa\].
     alpha_reference: f64,
     roelands_exponent: f64,
+    /// Factor on α in the film thickness only.
+    film_factor: f64,
     /// ln τ₀
     log_eyring_stress: f64,
     constants: TractionConstants,
@@ -186,6 +188,7 @@ impl FilmRheology {
             log_reference,
             alpha_reference,
             roelands_exponent: alpha_reference / (ROELANDS_PER_PASCAL * log),
+            film_factor: 1.0,
             log_eyring_stress: constants.eyring_stress.si().ln(),
             constants,
             shear: ShearLawName::default(),
@@ -226,6 +229,22 @@ impl FilmRheology {
         }
     }
 
+    /// The same oil with `factor` times the pressure-viscosity coefficient in the film thickness only, as film friction is
+    /// known by its own.
+    #[must_use]
+    pub fn with_film_alpha_factor(self, factor: f64) -> Self {
+        Self {
+            film_factor: self.film_factor * factor,
+            ..self
+        }
+    }
+
+    /// Factor on the pressure-viscosity coefficient in the film thickness only.
+    #[must_use]
+    pub fn film_alpha_factor(&self) -> f64 {
+        self.film_factor
+    }
+
     /// The pressure-viscosity coefficient over that of `other`, each at its own reference temperature.
     #[must_use]
     pub fn alpha_over(&self, other: &Self) -> f64 {
@@ -250,7 +269,7 @@ impl FilmRheology {
         self.viscosity.ends().map(Temperature::from_si)
     }
 
-    /// Viscosity, α, β_T and conductivity at ambient pressure.
+    /// Viscosity, α of the film thickness, β_T and conductivity at ambient pressure.
     ///
     /// ```text
     /// α(T) = α_ref (η₀(T)/η₀(T_ref))^t                                     [Alpha-T]
@@ -267,7 +286,7 @@ impl FilmRheology {
         let [log, slope] = self.viscosity.at(t);
         Ok(FilmOilState {
             viscosity: DynamicViscosity::from_si(log.exp()),
-            pressure_viscosity: PressureViscosity::from_si(self.alpha(log)),
+            pressure_viscosity: PressureViscosity::from_si(self.film_factor * self.alpha(log)),
             temperature_coefficient: PerKelvin::from_si(-slope),
             conductivity: self.constants.conductivity,
         })
