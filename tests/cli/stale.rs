@@ -6,7 +6,7 @@ use std::fs;
 use asperity::case::FILE_KEYS;
 use asperity_studies::sweep::{Shard, Study, SweepError, run};
 
-use crate::bench::{Bench, E_DRIVE, root};
+use crate::bench::{Bench, E_DRIVE, OIL_FILE, root};
 
 /// A study of the case as it is, and with `choice` in addition.
 fn bench(choice: &str) -> Bench {
@@ -41,6 +41,10 @@ fn coefficients(b1: f64) -> String {
     )
 }
 
+fn oil_file(stress: &str) -> String {
+    OIL_FILE.replace("value = \"4.8 MPa\"", &format!("value = \"{stress} MPa\""))
+}
+
 /// What makes a case read `own` by `key`.
 fn choice(key: &str) -> String {
     let wheel = "wheel = { file = \"wheel.csv\", mirrored = true }";
@@ -50,6 +54,9 @@ fn choice(key: &str) -> String {
     match key {
         "surface.pinion.file" | "surface.wheel.file" | "gearbox.loss_table" => {
             format!("\"{key}\" = \"own\"")
+        }
+        "lubricant.oil_file" => {
+            format!("\"model.load_share\" = \"solved\", \"{key}\" = \"own\"")
         }
         "model.xu_coefficients" => {
             format!("\"model.film_friction\" = \"xu\", \"{key}\" = \"own\"")
@@ -76,6 +83,7 @@ fn choice(key: &str) -> String {
 fn contents(key: &str) -> [String; 2] {
     match key {
         "gearbox.loss_table" => [table(0.4), table(0.9)],
+        "lubricant.oil_file" => [oil_file("4.8"), oil_file("5.0")],
         "model.xu_coefficients" => [coefficients(-8.9), coefficients(-8.0)],
         _ => [trace("ground_pinion"), trace("ground_fine_pinion")],
     }

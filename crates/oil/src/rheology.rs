@@ -485,8 +485,8 @@ impl FilmRheology {
             return Ok((isothermal, slope));
         }
         cite!("Film-heat");
-        // Where the limit rises with the temperature, the stress rises above the unheated one.
-        let highest = match slope > 0.0 {
+        // Where the limit rises with the temperature, the stress may rise above the unheated one, even if it falls at first.
+        let highest = match self.constants.limiting_shear_fall.si() < 0.0 {
             true => 2.0 * cold[0],
             false => cold[0],
         };
@@ -522,6 +522,36 @@ fn arsinh(x: f64, root: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_limit_that_rises_with_temperature_has_a_heated_stress() {
+        let oil = crate::LubricantInput {
+            oil: Some("e-fluid-70w75w".to_owned()),
+            ..crate::LubricantInput::default()
+        };
+        let oil = oil.resolve(GOLD_TEMPERATURE).unwrap();
+        let rheology = FilmRheology::new(&oil, BaseOil::Pao).unwrap();
+        for fall in [-0.016, -0.003, -6e-4, -1e-5] {
+            let constants = TractionConstants {
+                limiting_shear_fall: PerKelvin::from_si(fall),
+                ..*rheology.constants()
+            };
+            let rising = rheology.clone().with_constants(constants).unwrap();
+            for k in 1..40_000 {
+                let part = |digit: f64| (f64::from(k) * digit).fract();
+                let (film, sliding) = (
+                    2e-9 * 100f64.powf(part(0.618_034)),
+                    0.1 + 12.0 * part(0.569_84),
+                );
+                let warm = 330.0 + 170.0 * part(0.754_878);
+                let point = rising.film_point(5e9 * part(0.819_173), sliding, film);
+                let (found, _) = rising.heated_stress(&point, warm, None).unwrap();
+                let at = warm + point.heating() * found.value;
+                let [law, _] = rising.stress(&point, at);
+                assert!((found.value / law - 1.0).abs() < 1e-9, "{fall} {k}");
+            }
+        }
+    }
 
     #[test]
     fn the_inverse_hyperbolic_sine_agrees_with_the_standard_library_to_the_last_digits() {

@@ -658,7 +658,7 @@ mod tests {
                 "asperity-oil-1",
                 "asperity-oil-2",
                 "E204",
-                "oil.toml:2:10: schema: unknown choice `asperity-oil-2`",
+                "oil.toml:2: schema: unknown choice `asperity-oil-2`",
             ),
             (
                 "pressure_law = \"barus\"\n",
@@ -670,13 +670,13 @@ mod tests {
                 "eyring_stress",
                 "eyring_strain",
                 "E203",
-                "oil.toml:7:1: unknown key \"film_friction.eyring_strain\"",
+                "oil.toml:7: unknown key \"film_friction.eyring_strain\"",
             ),
             (
                 "low = \"4.2 MPa\"",
                 "low = \"5.2 MPa\"",
                 "E205",
-                "oil.toml:7:17: film_friction.eyring_stress: needs 0 < low < high",
+                "oil.toml:7: film_friction.eyring_stress: needs 0 < low < high",
             ),
             (
                 "low = 0.030",
@@ -732,7 +732,7 @@ mod tests {
                 "oil = \"m100\"",
                 "oil_file = \"b.toml\"",
                 "E205",
-                "oil.toml:3:15: lubricant.oil_file: is a key of a case",
+                "oil.toml:3: lubricant.oil_file: is a key of a case",
             ),
         ] {
             assert!(OilFile::VALID.contains(from), "{from}");
