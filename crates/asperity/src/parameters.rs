@@ -176,6 +176,17 @@ impl UncertainParameter {
         Ok(ranged.map(|ranged| (ranged.value, [ranged.low, ranged.high])))
     }
 
+    /// Standard deviation of its logarithm by the traction curves of an oil file; `None` if they do not state it.
+    ///
+    /// # Errors
+    /// As [`range`](Self::range).
+    pub fn deviation_of_curves(self, loaded: &LoadedCase) -> Result<Option<f64>, PositionError> {
+        let of_curves =
+            |ranged: &Ranged| ranged.measured == Some(Measured::OilFile) && ranged.low > 0.0;
+        let ranged = self.ranged(loaded)?.filter(of_curves);
+        Ok(ranged.map(|ranged| (ranged.high / ranged.low).ln() / (2.0 * Z_975)))
+    }
+
     /// Its name in words.
     #[must_use]
     pub const fn name(self) -> &'static str {

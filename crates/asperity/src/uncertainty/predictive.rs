@@ -162,6 +162,8 @@ impl State {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Component {
     Constant(usize),
+    /// All constants together, with the error of the law that traction curves leave.
+    Constants,
     Sampling,
     Relief,
     Model,
@@ -229,6 +231,13 @@ impl Predictive {
         (self.sampling.form > 0.0).then(|| measured.quantiles())
     }
 
+    /// Standard deviation of ln loss with only the constants of film and boundary layer drawn, all together.
+    #[must_use]
+    pub fn sd_of_constants(&self) -> f64 {
+        self.alone(Component::Constants)
+            .map_or(0.0, |found| found.sd_ln)
+    }
+
     /// Median, quantiles and spread with only `component` drawn; `None` if it changes nothing.
     pub(super) fn alone(&self, component: Component) -> Option<Quantiles> {
         let table = StudentOfNormal::new(self.sampling.freedom);
@@ -239,6 +248,9 @@ impl Predictive {
                 Component::Constant(k) => {
                     let axis = self.axis(k);
                     alone.constants[axis] = draw.constants[axis];
+                }
+                Component::Constants => {
+                    (alone.constants, alone.film_law) = (draw.constants, draw.film_law);
                 }
                 Component::Sampling => {
                     alone.of_flanks.sampling = of_flanks.sampling;
