@@ -76,7 +76,9 @@ impl Failure {
         let place = error.place();
         let remedy = error.remedy();
         let snippet = || {
-            let (text, span) = (error.text()?, place?.span.clone()?);
+            let (text, place) = (error.text()?, place?);
+            // The place may be in a file that the case names.
+            let span = place.span.clone().filter(|_| place.file == text.name())?;
             Some(Box::new(Snippet {
                 file: text.name().to_owned(),
                 text: text.text().to_owned(),

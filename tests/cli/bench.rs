@@ -203,6 +203,27 @@ impl Bench {
 /// The lines of [`E_DRIVE`] that state its tip relief; a key alone names a flank under `[surface]`.
 pub const NO_RELIEF: &str = " pinion.tip_relief = \"none\"\n wheel.tip_relief = \"none\"\n";
 
+/// An oil file of the oil of [`E_DRIVE`].
+pub const OIL_FILE: &str = r#"schema = "asperity-oil-1"
+
+[lubricant]
+viscosity = { law = "astm-d341", at_40 = "30.8 mm2/s", at_100 = "5.9 mm2/s" }
+density = "845 kg/m3"
+base_oil = "pao"
+
+[film_friction]
+pressure_law = "barus"
+eyring_stress = { value = "4.8 MPa", low = "4.4 MPa", high = "5.2 MPa" }
+limiting_shear = { value = 0.035, low = 0.031, high = 0.040 }
+limiting_shear_temperature = { value = 0.0001, low = -0.002, high = 0.0022 }
+pressure_viscosity_factor = { value = 0.95, low = 0.92, high = 0.98 }
+correlations = [{ between = ["eyring_stress", "pressure_viscosity_factor"], value = -0.66 }]
+temperatures = ["40 °C", "120 °C"]
+pressure_max = "1.19 GPa"
+fit = { points = 100, chi2_per_point = 0.76, other_law = 309.0, this_law = 78.0 }
+source = "curves.csv"
+"#;
+
 /// A small case of an electric drive: few positions and offsets, so that a run takes no time.
 pub const E_DRIVE: &str = r#"title = "small case"
 

@@ -30,6 +30,7 @@ mod new_case;
 #[cfg(unix)]
 mod odd_files;
 mod oil;
+mod oil_file;
 mod outside;
 mod presets;
 mod profile_reports;

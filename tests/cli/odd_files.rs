@@ -354,6 +354,7 @@ const NAMED_IN_FILES: &[(&str, &str)] = &[
     ("case.toml", "sweep run study.toml"),
     ("table.csv", "run gearbox.toml --no-output"),
     ("xu.json", "run xu.toml --no-output"),
+    ("oil.toml", "run oiled.toml --no-output"),
     ("list.csv", "sweep run list.toml"),
     ("out/result.json", "report out"),
     ("out/result.json", "diff out out"),
@@ -372,6 +373,8 @@ fn every_file_that_is_named_in_another_is_refused_where_it_is_none() {
         case("[gearbox]\nloss_table = \"table.csv\"\n\n[model]\n"),
     );
     bench.write("xu.toml", case("[model]\nxu_coefficients = \"xu.json\"\n"));
+    let oiled = E_DRIVE.replacen("[lubricant]\n", "[lubricant]\noil_file = \"oil.toml\"\n", 1);
+    bench.write("oiled.toml", oiled);
     bench.write(
         "list.toml",
         "case = \"case.toml\"\n[sample]\nmethod = \"list\"\nfile = \"list.csv\"\n",

@@ -173,23 +173,10 @@ fn curves_of_an_oil_give_its_constants_back() {
         let [value, prior] = ["value", "prior"].map(|key| constant[key].as_f64().unwrap());
         assert!((value - prior).abs() < 1e-3 * prior.max(0.01), "{constant}");
     }
-    // The keys for a case run.
+    // The oil file in a case.
     bench.write_flanks();
-    let block = fs::read_to_string(bench.path("found/case.toml")).unwrap();
-    let [model, others] = block
-        .split_once("\n[lubricant]\n")
-        .map(|(a, b)| [a, b])
-        .unwrap();
-    let [lubricant, calibration] = others
-        .split_once("\n[calibration]\n")
-        .map(|(a, b)| [a, b])
-        .unwrap();
-    let model = model.trim_start_matches("[model]\n");
-    let case = E_DRIVE
-        .replacen("[lubricant]\n", &format!("[lubricant]\n{lubricant}"), 1)
-        .replacen("[model]\n", &format!("[model]\n{model}\n"), 1)
-        + &format!("\n[calibration]\n{calibration}");
-    bench.write("case.toml", case);
+    let named = "[lubricant]\noil_file = \"found/oil.toml\"\n";
+    bench.write("case.toml", E_DRIVE.replacen("[lubricant]\n", named, 1));
     bench.run(&["check", "case.toml"]).well();
 }
 

@@ -6,7 +6,7 @@ use std::fs;
 use asperity::case::FILE_KEYS;
 use asperity_studies::sweep::{Shard, Study, SweepError, run};
 
-use crate::bench::{Bench, E_DRIVE, root};
+use crate::bench::{Bench, E_DRIVE, OIL_FILE, root};
 
 /// A study of the case as it is, and with `choice` in addition.
 fn bench(choice: &str) -> Bench {
@@ -41,6 +41,10 @@ fn coefficients(b1: f64) -> String {
     )
 }
 
+fn oil_file(stress: &str) -> String {
+    OIL_FILE.replace("value = \"4.8 MPa\"", &format!("value = \"{stress} MPa\""))
+}
+
 /// What makes a case read `own` by `key`.
 fn choice(key: &str) -> String {
     let wheel = "wheel = { file = \"wheel.csv\", mirrored = true }";
@@ -48,7 +52,10 @@ fn choice(key: &str) -> String {
         format!("\"operation.torque\" = \"-145 N m\", \"surface.coast\" = {{ {flanks} }}")
     };
     match key {
-        "surface.pinion.file" | "surface.wheel.file" | "gearbox.loss_table" => {
+        "surface.pinion.file"
+        | "surface.wheel.file"
+        | "gearbox.loss_table"
+        | "lubricant.oil_file" => {
             format!("\"{key}\" = \"own\"")
         }
         "model.xu_coefficients" => {
@@ -76,6 +83,7 @@ fn choice(key: &str) -> String {
 fn contents(key: &str) -> [String; 2] {
     match key {
         "gearbox.loss_table" => [table(0.4), table(0.9)],
+        "lubricant.oil_file" => [oil_file("4.8"), oil_file("5.0")],
         "model.xu_coefficients" => [coefficients(-8.9), coefficients(-8.0)],
         _ => [trace("ground_pinion"), trace("ground_fine_pinion")],
     }
@@ -205,9 +213,10 @@ fn a_file_that_changes_while_the_study_runs_stops_it() {
 /// Every field of the keys of a case that holds a path is the end of a key in the list that studies go by.
 #[test]
 fn no_key_that_names_a_file_is_missing_in_the_list() {
-    let folder = root().join("crates/asperity/src/case");
+    let folders = ["crates/asperity/src/case", "crates/oil/src"];
+    let entries = folders.map(|folder| fs::read_dir(root().join(folder)).unwrap());
     let mut fields = BTreeSet::new();
-    for entry in fs::read_dir(folder).unwrap() {
+    for entry in entries.into_iter().flatten() {
         let text = fs::read_to_string(entry.unwrap().path()).unwrap();
         if !text.contains("JsonSchema") {
             continue;

@@ -19,6 +19,7 @@ mod gear_tool;
 mod load_share;
 mod measured;
 mod measured_cases;
+mod oil_file;
 mod paper_formulation;
 mod paper_statements;
 mod petry_johnson;

@@ -29,8 +29,8 @@ pub enum OilCommand {
         asperity oil fit mtm.txt --oil case.toml --temperature-column pot -o results/my-oil\n\n\
         A table has the columns load_n, mean_speed_m_s, slide_roll_percent (200 is pure sliding),\n\
         temperature_c and traction, and where known sigma, group, set_temperature_c, film_nm and the\n\
-        specimens; a text export of a PCS machine is read as it is. case.toml in the result holds the\n\
-        keys for a case.")]
+        specimens; a text export of a PCS machine is read as it is. oil.toml in the result is the oil\n\
+        file that a case names by lubricant.oil_file.")]
     Fit(OilFitArgs),
     /// Traction measurements that would determine the constants of an oil, with the errors they would leave
     #[command(after_help = "Examples:\n  asperity oil plan --oil m100\n  \
@@ -105,7 +105,7 @@ pub struct OilFitArgs {
     /// Tables or text exports of traction curves
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Oil of the library with the viscosity and family, or a case file whose oil is taken
+    /// Oil of the library with the viscosity and family, or an oil file or case file whose oil is taken
     #[arg(long)]
     pub oil: String,
     /// Keys of the case set on the command line.
@@ -131,7 +131,7 @@ pub struct OilFitArgs {
 /// `asperity oil traction`
 #[derive(Debug, Args)]
 pub struct OilTractionArgs {
-    /// Oil of the library, or a case file whose oil is taken
+    /// Oil of the library, or an oil file or case file whose oil is taken
     pub oil: String,
     /// Keys of the case set on the command line.
     #[command(flatten)]
@@ -167,7 +167,7 @@ pub struct OilTractionArgs {
 /// `asperity oil plan`
 #[derive(Debug, Args)]
 pub struct OilPlanArgs {
-    /// Oil of the library, or a case file whose oil is taken
+    /// Oil of the library, or an oil file or case file whose oil is taken
     #[arg(long)]
     pub oil: String,
     /// Case whose loss is to be narrowed [default: the case of --oil]
@@ -193,7 +193,7 @@ pub struct OilStribeckArgs {
     /// Tables or text exports of Stribeck curves
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Oil of the library, or a case file whose oil is taken
+    /// Oil of the library, or an oil file or case file whose oil is taken
     #[arg(long)]
     pub oil: String,
     /// Keys of the case set on the command line.

@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::LoadedCase;
+use asperity::case::{OilFile, open_source};
 use asperity::fingerprint::sha256;
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
-    FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe, Reading,
-    Stribeck, TractionCurves, TractionRange, is_pcs, read_pcs, read_table,
+    ConstantsOf, FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe,
+    Reading, Stribeck, TractionCurves, TractionRange, is_pcs, read_pcs, read_table,
 };
 use asperity_calibration::table_text;
 use asperity_core::DomainError;
@@ -60,15 +61,26 @@ struct NamedOil {
     case: Option<LoadedCase>,
 }
 
-/// The oil of a case file or of the library.
-fn base(oil: &str, set: &SetArgs) -> Result<NamedOil, Failure> {
+/// The oil of a case file, of an oil file or of the library.
+fn base(oil: &str, set: &SetArgs, constants: ConstantsOf) -> Result<NamedOil, Failure> {
     let path = Path::new(oil);
     let is_file = path.extension().is_some() || path.exists();
     if is_file {
+        let name = result_name(path);
+        let source = open_source(path).map_err(|error| Failure::of(&error))?;
+        if OilFile::is_one(&source) {
+            let file = OilFile::of_source(&source);
+            let file = file.map_err(|error| Failure::of(&error.into()))?;
+            return Ok(NamedOil {
+                oil: OilBase::of_file(&name.to_string_lossy(), &file, constants)?,
+                name,
+                case: None,
+            });
+        }
         let loaded = load_case(path, set, None)?;
         return Ok(NamedOil {
-            oil: OilBase::of_case(&loaded.case)?,
-            name: result_name(path),
+            oil: OilBase::of_case(&loaded.case, constants)?,
+            name,
             case: Some(loaded),
         });
     }
@@ -112,7 +124,7 @@ fn errors(args: &ErrorArgs) -> Result<(Zero, PointErrors), Failure> {
 
 fn plan(args: &OilPlanArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let NamedOil { oil, name, case } = base(&args.oil, &args.set)?;
+    let NamedOil { oil, name, case } = base(&args.oil, &args.set, ConstantsOf::Family)?;
     let title = format!("Traction plan of {}", oil.name);
     let output = args.output.as_deref();
     let folder = study::folder::<OilPlan>(output, &name, "plan", &title)?;
@@ -134,7 +146,7 @@ fn plan(args: &OilPlanArgs, common: &Common) -> Result<(), Failure> {
 
 fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let NamedOil { oil, case, .. } = base(&args.oil, &args.set)?;
+    let NamedOil { oil, case, .. } = base(&args.oil, &args.set, ConstantsOf::Family)?;
     let title = format!("Boundary friction of {}", oil.name);
     let name = args.files.first().map(|first| result_name(first));
     let name = name.unwrap_or_default();
@@ -166,7 +178,7 @@ fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
 
 fn traction(args: &OilTractionArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let NamedOil { oil, name, .. } = base(&args.oil, &args.set)?;
+    let NamedOil { oil, name, .. } = base(&args.oil, &args.set, ConstantsOf::File)?;
     let title = format!("Traction of {}", oil.name);
     let output = args.output.as_deref();
     let folder = study::folder::<TractionCurves>(output, &name, "traction", &title)?;
@@ -235,7 +247,7 @@ fn all_readings(
 
 fn fit(args: &OilFitArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let NamedOil { oil, .. } = base(&args.oil, &args.set)?;
+    let NamedOil { oil, .. } = base(&args.oil, &args.set, ConstantsOf::Family)?;
     let Some(first) = args.files.first() else {
         return Err(Failure::new("E205", "name a file of traction curves"));
     };

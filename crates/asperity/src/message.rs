@@ -215,6 +215,8 @@ explanations! {
     "W439" "tip relief not stated": "The drawing of a gear is not known: its tip relief lies between none and the approach of the teeth under the largest load. A run takes the middle, the draws of the loss all of it." => "State gears.pinion.tip_relief and gears.wheel.tip_relief, \"none\" where there is none.";
     "W440" "draws of limited precision": "The draws of the loss interpolate evaluations of the case over its constants, and evaluations that they were not fitted to lie further than 2 % off. The error is drawn as part of that of the model." => "State the largest of the drawn constants, which narrows their range, or read the band as wider by the error named.";
     "W441" "traction fit of limited value": "The constants follow from the traction curves under a condition that is named: few temperatures, many dropped points, a machine out of calibration, an oil unlike its family, stated errors that are too large or too small, or a law of pressure that the points do not decide." => "Measure the points that lack, or read the bands with the condition named.";
+    "W442" "stated in the oil file as well": "The case, or its table calibration, states a constant or a property of the oil that the oil file states too. The value of the case is used." => "Leave one of the two out.";
+    "W443" "outside of the traction tests": "The constants of an oil file are used at temperatures or pressures beyond its curves, or the fit left something open that is named. The error of the film friction is larger there." => "Measure the curves that lack, or read the interval with the condition named.";
 }
 
 #[cfg(test)]

@@ -8,16 +8,20 @@
 //! | limiting shear stress over pressure Λ | -13 % | of the family | +15 % | lognormal |
 //! | Eyring stress τ₀ | low of the family | √(low high) | its high | lognormal |
 //! | pressure-viscosity α, where it is estimated | -15 % | the estimate | +18 % | lognormal |
+//! | fall of Λ with temperature b_L | of the oil file | | | normal |
+//! | pressure-viscosity factor of the friction f | of the oil file | | | lognormal |
 //!
 //! The medians are the defaults of a run. Constants that the case calibrates
 //! ([`CalibrationInput`](crate::case::CalibrationInput)) have the bands of the calibration instead: 95 % of a normal
-//! distribution of the logarithms, with its correlations.
+//! distribution of the logarithms, with its correlations. Constants of an [oil file](crate::case::OilFile) likewise, except
+//! those that the case states or calibrates; if f is drawn from it, α is drawn in the film thickness only, as the curves
+//! state f times its estimate.
 //!
 //! The distributions are estimates of this project; measured losses bracket τ₀ of polyalphaolefin. Constants that the
 //! case states are not drawn: their user has measured them.
 
 use asperity_core::numerics::{Z_95, Z_975, standard_normal_below};
-use asperity_core::quantity::{Length, Pressure, PressureViscosity};
+use asperity_core::quantity::{Length, PerKelvin, Pressure, PressureViscosity};
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_oil::{
     LIMITING_SHEAR_BAND, PRESSURE_VISCOSITY_BAND, ShearLawName, TractionConstants,
@@ -25,19 +29,22 @@ use asperity_oil::{
 };
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_BAND};
 
-use crate::case::{CalibratedName, LoadedCase};
+use crate::case::{Calibrated, CalibratedName, Case, FittedName, LoadedCase};
 use crate::error::PositionError;
 use asperity_mixed_film::InletSupply;
 use serde::{Deserialize, Serialize};
 
-/// Constants that can be drawn, each along its own axis of the hypercube whatever the others are.
-pub(crate) const AXES: [UncertainParameter; 6] = [
+/// Constants that can be drawn, each along its own axis of the hypercube whatever the others are. A further constant is
+/// appended, so that the draws of the others remain.
+pub(crate) const AXES: [UncertainParameter; 8] = [
     UncertainParameter::BoundaryFriction,
     UncertainParameter::BoundaryLayer,
     UncertainParameter::Lay,
     UncertainParameter::LimitingShear,
     UncertainParameter::EyringStress,
     UncertainParameter::PressureViscosity,
+    UncertainParameter::LimitingShearTemperature,
+    UncertainParameter::PressureViscosityFactor,
 ];
 
 /// Upper end of the lay of ground and superfinished flanks, whose ridges run nearly across the face.
@@ -58,6 +65,22 @@ pub enum UncertainParameter {
     EyringStress,
     /// Pressure-viscosity coefficient α at the bulk temperature \[1/Pa\].
     PressureViscosity,
+    /// Fall of ln Λ with temperature b_L \[1/K\].
+    LimitingShearTemperature,
+    /// Pressure-viscosity coefficient of the friction over that of the film thickness f.
+    PressureViscosityFactor,
+}
+
+/// Measurements that state the distribution of a constant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Measured {
+    /// Losses on a rig, in the table `calibration` of the case; older results name the constant here.
+    #[serde(alias = "boundary_friction", alias = "boundary_layer")]
+    #[serde(alias = "limiting_shear", alias = "eyring_stress")]
+    Calibration,
+    /// Traction curves, in an oil file.
+    OilFile,
 }
 
 /// A constant with its distribution in a case.
@@ -66,11 +89,12 @@ pub(crate) struct Ranged {
     pub kind: UncertainParameter,
     /// The median.
     pub value: f64,
-    /// 5 % and 95 % quantiles, 2.5 % and 97.5 % of a calibrated one.
+    /// 5 % and 95 % quantiles, 2.5 % and 97.5 % of a measured one.
     pub low: f64,
     pub high: f64,
-    /// Its name in the table of the case, where that gives value and range.
-    pub calibrated: Option<CalibratedName>,
+    /// Measurements that state value and range.
+    #[serde(rename = "calibrated")]
+    pub measured: Option<Measured>,
 }
 
 impl From<CalibratedName> for UncertainParameter {
@@ -92,8 +116,52 @@ impl UncertainParameter {
             Self::BoundaryLayer => Some(CalibratedName::BoundaryLayer),
             Self::LimitingShear => Some(CalibratedName::LimitingShear),
             Self::EyringStress => Some(CalibratedName::EyringStress),
-            Self::Lay | Self::PressureViscosity => None,
+            _ => None,
         }
+    }
+
+    /// Its name in an oil file.
+    const fn fitted_name(self) -> Option<FittedName> {
+        match self {
+            Self::LimitingShear => Some(FittedName::LimitingShear),
+            Self::EyringStress => Some(FittedName::EyringStress),
+            Self::LimitingShearTemperature => Some(FittedName::LimitingShearTemperature),
+            Self::PressureViscosityFactor => Some(FittedName::PressureViscosityFactor),
+            _ => None,
+        }
+    }
+
+    /// Value and 95 % band by measurements that the case names.
+    fn measured(self, case: &Case) -> Option<(Calibrated<f64>, Measured)> {
+        let calibration = case.input.calibration.as_ref();
+        let calibrated = calibration.and_then(|given| given.of(self.calibrated_name()?));
+        let fitted = || {
+            let (file, name) = (case.oil_file.as_ref()?, self.fitted_name()?);
+            let is_own = name.replaced_by(&case.input).is_none();
+            is_own.then(|| (file.film_friction.of(name), Measured::OilFile))
+        };
+        calibrated
+            .map(|band| (band, Measured::Calibration))
+            .or_else(fitted)
+    }
+
+    /// Correlation with `other`, which the same measurements state; 0 if they state none.
+    pub(crate) fn correlation(self, other: Self, measured: Measured, case: &Case) -> f64 {
+        let of_calibration = || {
+            let names = (self.calibrated_name()?, other.calibrated_name()?);
+            let given = case.input.calibration.as_ref()?;
+            Some(given.correlation(names.0, names.1))
+        };
+        let of_file = || {
+            let names = (self.fitted_name()?, other.fitted_name()?);
+            let file = case.oil_file.as_ref()?;
+            Some(file.film_friction.correlation(names.0, names.1))
+        };
+        let found = match measured {
+            Measured::Calibration => of_calibration(),
+            Measured::OilFile => of_file(),
+        };
+        found.unwrap_or(0.0)
     }
 
     /// The value in a case, and the range that the band draws it from; `None` if the loss does not depend on it.
@@ -108,6 +176,17 @@ impl UncertainParameter {
         Ok(ranged.map(|ranged| (ranged.value, [ranged.low, ranged.high])))
     }
 
+    /// Standard deviation of its logarithm by the traction curves of an oil file; `None` if they do not state it.
+    ///
+    /// # Errors
+    /// As [`range`](Self::range).
+    pub fn deviation_of_curves(self, loaded: &LoadedCase) -> Result<Option<f64>, PositionError> {
+        let of_curves =
+            |ranged: &Ranged| ranged.measured == Some(Measured::OilFile) && ranged.low > 0.0;
+        let ranged = self.ranged(loaded)?.filter(of_curves);
+        Ok(ranged.map(|ranged| (ranged.high / ranged.low).ln() / (2.0 * Z_975)))
+    }
+
     /// Its name in words.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -118,6 +197,8 @@ impl UncertainParameter {
             Self::LimitingShear => "limiting shear",
             Self::EyringStress => "Eyring stress",
             Self::PressureViscosity => "pressure-viscosity",
+            Self::LimitingShearTemperature => "fall of the limiting shear",
+            Self::PressureViscosityFactor => "pressure-viscosity factor of the friction",
         }
     }
 
@@ -128,12 +209,9 @@ impl UncertainParameter {
             Self::BoundaryLayer => "m",
             Self::EyringStress => "Pa",
             Self::PressureViscosity => "1/Pa",
+            Self::LimitingShearTemperature => "1/K",
             _ => "-",
         }
-    }
-
-    pub(crate) const fn is_logarithmic(self) -> bool {
-        !matches!(self, Self::Lay)
     }
 
     /// Whether the case states it.
@@ -144,6 +222,10 @@ impl UncertainParameter {
             Self::BoundaryLayer => model.boundary_layer.is_some(),
             Self::Lay => model.lay.is_some(),
             Self::LimitingShear | Self::EyringStress => false,
+            Self::LimitingShearTemperature | Self::PressureViscosityFactor => {
+                let name = self.fitted_name();
+                name.is_some_and(|name| name.replaced_by(&loaded.case.input).is_some())
+            }
             Self::PressureViscosity => loaded.case.lubricant.given_pressure_viscosity().is_some(),
         }
     }
@@ -159,7 +241,9 @@ impl UncertainParameter {
             // Where no contact is solved, or its spots rub dry, there is no layer to look at.
             Self::BoundaryLayer => supply == Some(InletSupply::Rough),
             Self::Lay => supply == Some(InletSupply::Rough),
-            Self::LimitingShear => shear.is_some(),
+            Self::LimitingShear
+            | Self::LimitingShearTemperature
+            | Self::PressureViscosityFactor => shear.is_some(),
             Self::EyringStress => shear == Some(ShearLawName::Eyring),
         }
     }
@@ -167,16 +251,13 @@ impl UncertainParameter {
     fn ranged(self, loaded: &LoadedCase) -> Result<Option<Ranged>, PositionError> {
         let case = &loaded.case;
         let constants = case.rheology.as_ref().map(|rheology| *rheology.constants());
-        let calibration = case.input.calibration.as_ref();
-        if let (Some(given), Some(name)) = (calibration, self.calibrated_name())
-            && let Some(found) = given.of(name)
-        {
+        if let Some((Calibrated { value, low, high }, measured)) = self.measured(case) {
             return Ok(Some(Ranged {
                 kind: self,
-                value: found.value,
-                low: found.low,
-                high: found.high,
-                calibrated: Some(name),
+                value,
+                low,
+                high,
+                measured: Some(measured),
             }));
         }
         let range = |value: f64, [low, high]: [f64; 2]| {
@@ -185,7 +266,7 @@ impl UncertainParameter {
                 value,
                 low,
                 high,
-                calibrated: None,
+                measured: None,
             })
         };
         Ok(match (self, constants) {
@@ -212,7 +293,8 @@ impl UncertainParameter {
                 let value = constants.eyring_stress.si();
                 range(value, eyring_stress_band(case.lubricant.base_oil(), value)?)
             }
-            (Self::LimitingShear | Self::EyringStress, None) => None,
+            (Self::LimitingShear | Self::EyringStress, None)
+            | (Self::LimitingShearTemperature | Self::PressureViscosityFactor, _) => None,
         })
     }
 }
@@ -234,21 +316,24 @@ impl Ranged {
     /// The value at `z` of the standard normal distribution of the constant.
     ///
     /// ```text
-    /// v = v₀ exp(s± z),  s± = ln(v±/v₀)/z₉₅;  lay: v = Φ(z)/6                  [Constant-draw]
+    /// v = v₀ exp(s± z),  s± = ln(v±/v₀)/z₉₅;  lay: v = Φ(z)/6;  b_L: v = v₀ + |v± − v₀| z/z₉₅   [Constant-draw]
     /// ```
     ///
-    /// v± are the 5 % and 95 % quantiles, on either side of v₀ its own; z₉₅ = 1.645, and 1.960 of a calibrated constant.
+    /// v± are the 5 % and 95 % quantiles, on either side of v₀ its own; z₉₅ = 1.645, and 1.960 of a measured constant.
     pub(crate) fn at(&self, z: f64) -> f64 {
         asperity_core::cite!("Constant-draw");
-        if !self.kind.is_logarithmic() {
-            return MOST_LAY * standard_normal_below(z);
-        }
         let end = if z < 0.0 { self.low } else { self.high };
-        let z_end = match self.calibrated {
+        let z_end = match self.measured {
             Some(_) => Z_975,
             None => Z_95,
         };
-        self.value * ((end / self.value).ln().abs() * z / z_end).exp()
+        match self.kind {
+            UncertainParameter::Lay => MOST_LAY * standard_normal_below(z),
+            UncertainParameter::LimitingShearTemperature => {
+                self.value + (end - self.value).abs() * z / z_end
+            }
+            _ => self.value * ((end / self.value).ln().abs() * z / z_end).exp(),
+        }
     }
 }
 
@@ -272,10 +357,21 @@ impl UncertainParameter {
             Self::PressureViscosity => {
                 let factor = value / case.oil.pressure_viscosity.si();
                 case.oil.pressure_viscosity = PressureViscosity::from_si(value);
-                // The same factor in film thickness and film friction.
+                let is_of_film = Self::PressureViscosityFactor.measured(case).is_some();
                 let rheology = case.rheology.take();
-                case.rheology = rheology.map(|oil| oil.with_alpha_factor(factor));
+                case.rheology = rheology.map(|oil| match is_of_film {
+                    // The curves state the friction with α as estimated.
+                    true => oil.with_film_alpha_factor(factor),
+                    // The same factor in film thickness and film friction.
+                    false => oil.with_alpha_factor(factor),
+                });
             }
+            Self::LimitingShearTemperature => set_traction(loaded, |constants| {
+                constants.limiting_shear_fall = PerKelvin::from_si(value);
+            })?,
+            Self::PressureViscosityFactor => set_traction(loaded, |constants| {
+                constants.pressure_viscosity_factor = value;
+            })?,
         }
         Ok(())
     }
@@ -297,11 +393,17 @@ pub(crate) fn keep_parameters(from: &LoadedCase, to: &mut LoadedCase) -> Result<
     set_traction(to, |constants| {
         constants.limiting_shear = rheology.constants().limiting_shear;
         constants.eyring_stress = rheology.constants().eyring_stress;
+        constants.limiting_shear_fall = rheology.constants().limiting_shear_fall;
+        constants.pressure_viscosity_factor = rheology.constants().pressure_viscosity_factor;
     })?;
     if let Some(own) = to.case.rheology.take() {
         let factor = rheology.alpha_over(&own);
-        to.case.oil.pressure_viscosity = to.case.oil.pressure_viscosity * factor;
-        to.case.rheology = Some(own.with_alpha_factor(factor));
+        let of_film = rheology.film_alpha_factor();
+        to.case.oil.pressure_viscosity = to.case.oil.pressure_viscosity * factor * of_film;
+        to.case.rheology = Some(
+            own.with_alpha_factor(factor)
+                .with_film_alpha_factor(of_film),
+        );
     }
     Ok(())
 }
@@ -329,12 +431,12 @@ mod tests {
     #[test]
     fn constants_have_the_quantiles_of_their_distributions() {
         let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
-        let of = |kind, calibrated| Ranged {
+        let of = |kind, measured| Ranged {
             kind,
             value: 0.09,
             low: 0.066,
             high: 0.123,
-            calibrated,
+            measured,
         };
         let prior = of(UncertainParameter::BoundaryFriction, None);
         assert!(
@@ -344,9 +446,14 @@ mod tests {
         );
         let calibrated = of(
             UncertainParameter::BoundaryFriction,
-            Some(CalibratedName::BoundaryFriction),
+            Some(Measured::Calibration),
         );
         assert!(near(calibrated.at(Z_975), 0.123) && calibrated.at(Z_95) < 0.123);
+        let fall = of(
+            UncertainParameter::LimitingShearTemperature,
+            Some(Measured::OilFile),
+        );
+        assert!(near(fall.at(Z_975), 0.123) && near(fall.at(-0.5 * Z_975), 0.078));
         let lay = of(UncertainParameter::Lay, None);
         assert!(near(lay.at(0.0), 1.0 / 12.0) && near(lay.at(Z_95), 0.95 / 6.0));
     }

@@ -286,7 +286,7 @@ impl Rig {
                     identifiability.parameters[k]
                         .deviation
                         .map(|by_points| widening * by_points),
-                    parameter.prior(),
+                    parameter.prior,
                 ),
             })
         };

@@ -149,7 +149,7 @@ pub fn plan(
     let model = model.with_parameters(&parameters);
     let region = slope_region(&parameters);
     let planes = tangents(&model, &region, progress)?;
-    let priors: Vec<f64> = parameters.iter().map(Parameter::prior).collect();
+    let priors: Vec<f64> = parameters.iter().map(|parameter| parameter.prior).collect();
     let observation = |point: usize, assembly: usize| Observation {
         point,
         assembly,
@@ -333,17 +333,17 @@ fn expected(
     let whole = information(&part.slopes(&DVector::zeros(part.variables())));
     let spread = covariance(&whole);
     let one = |(k, parameter): (usize, &Parameter)| {
-        let deviation = deviation_without_prior(&whole, k, parameter.prior());
+        let deviation = deviation_without_prior(&whole, k, parameter.prior);
         let width = spread
             .as_ref()
-            .map_or(parameter.prior(), |covariance| covariance[(k, k)].sqrt());
+            .map_or(parameter.prior, |covariance| covariance[(k, k)].sqrt());
         ExpectedParameter {
             identified: IdentifiedParameter {
                 key: parameter.name.key().to_owned(),
                 name: parameter.words().to_owned(),
                 deviation,
-                prior: parameter.prior(),
-                verdict: crate::identifiability::verdict(deviation, parameter.prior()),
+                prior: parameter.prior,
+                verdict: crate::identifiability::verdict(deviation, parameter.prior),
             },
             value: parameter.centre,
             band: [-Z_975, Z_975].map(|z| parameter.centre * (z * width).exp()),

@@ -131,13 +131,13 @@ impl Rig {
         let start = DVector::zeros(problem.variables());
         let whole = information(&problem.slopes(&start));
         let verdict = |k: usize, parameter: &Parameter| {
-            let deviation = deviation_without_prior(&whole, k, parameter.prior());
+            let deviation = deviation_without_prior(&whole, k, parameter.prior);
             IdentifiedParameter {
                 key: parameter.name.key().to_owned(),
                 name: parameter.words().to_owned(),
                 deviation,
-                prior: parameter.prior(),
-                verdict: verdict(deviation, parameter.prior()),
+                prior: parameter.prior,
+                verdict: verdict(deviation, parameter.prior),
             }
         };
         let named = self.parameters.iter().enumerate();

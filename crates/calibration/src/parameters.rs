@@ -16,7 +16,7 @@
 //! | loss torque of the bearings relative to the torque, for rows that include it | 0.002 ± 0.001 |
 //!
 //! The priors of the parameters are about twice as wide as the ranges of a case without calibration: they determine only
-//! what the points do not identify. The priors of scale, rolling and temperature are typical of back-to-back rigs; the last
+//! what the points do not identify. The prior of a constant of an oil file is its band. The priors of scale, rolling and temperature are typical of back-to-back rigs; the last
 //! two are estimates.
 
 use asperity::LoadedCase;
@@ -34,6 +34,8 @@ pub struct Parameter {
     pub centre: f64,
     /// Range in the band of a case without calibration.
     pub range: [f64; 2],
+    /// Standard deviation of the prior of its logarithm.
+    pub prior: f64,
 }
 
 /// Standard deviation of the prior of a logarithm.
@@ -55,20 +57,16 @@ impl Parameter {
         let mut parameters = Vec::new();
         for name in CalibratedName::ALL {
             if let Some((centre, range)) = UncertainParameter::from(name).range(case)? {
+                let fitted = UncertainParameter::from(name).deviation_of_curves(case)?;
                 parameters.push(Self {
                     name,
                     centre,
                     range,
+                    prior: fitted.unwrap_or(prior(name)),
                 });
             }
         }
         Ok(parameters)
-    }
-
-    /// Standard deviation of the prior of its logarithm.
-    #[must_use]
-    pub const fn prior(&self) -> f64 {
-        prior(self.name)
     }
 
     /// Name in words.

@@ -129,7 +129,10 @@ impl Rig {
     /// Standard deviations of the priors of the parameters.
     #[must_use]
     pub fn priors(&self) -> Vec<f64> {
-        self.parameters.iter().map(Parameter::prior).collect()
+        self.parameters
+            .iter()
+            .map(|parameter| parameter.prior)
+            .collect()
     }
 
     /// Rejects rows whose loss is several times the loss of the model, or a small part of it.

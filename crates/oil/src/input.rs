@@ -1,5 +1,7 @@
 //! The lubricant as a case file states it.
 
+use std::path::PathBuf;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -53,6 +55,10 @@ pub struct LubricantInput {
     /// Name of an oil in the library; the other keys override its values.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub oil: Option<String>,
+    /// Oil file, relative to the case file: constants of the film friction fitted to traction curves (`asperity oil fit`
+    /// writes it), and the properties of the oil; the other keys override them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub oil_file: Option<PathBuf>,
     /// Viscosity law and its values; the law may be left out where the two values of a data sheet, or grade and index, are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub viscosity: Option<ViscosityLaw>,

@@ -147,6 +147,28 @@ impl LubricantInput {
         })
     }
 
+    /// This input, completed by the library's oil that it names and then by `base`.
+    ///
+    /// # Errors
+    /// When an oil is not in the library.
+    ///
+    /// ```
+    /// use asperity_oil::LubricantInput;
+    /// let base = LubricantInput { oil: Some("m100".into()), ..LubricantInput::default() };
+    /// let own = LubricantInput { density: Some("870 kg/m3".parse()?), ..LubricantInput::default() };
+    /// let oil = own.completed_by(&base)?;
+    /// assert_eq!(oil.density, own.density);
+    /// assert!(oil.viscosity.is_some());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn completed_by(&self, base: &Self) -> Result<Self, LubricantError> {
+        match self.oil {
+            // An oil has all of its properties.
+            Some(_) => Ok(self.clone()),
+            None => Ok(self.over(&base.complete()?)),
+        }
+    }
+
     /// This input, where a viscosity given at one temperature, and its density, hold at `bulk` unless they state a
     /// temperature: for a case whose temperature is changed afterwards, so that the oil becomes thinner as it is heated.
     ///
@@ -195,6 +217,7 @@ impl LubricantInput {
     fn over(&self, base: &Self) -> Self {
         Self {
             oil: self.oil.clone(),
+            oil_file: self.oil_file.clone(),
             viscosity: self.viscosity.or(base.viscosity),
             // The slope belongs to the viscosity that it is the slope of.
             temperature_coefficient: match self.viscosity {

@@ -56,6 +56,8 @@ pub struct FilmRheology {
     /// α at T_ref \[1/Pa\].
     alpha_reference: f64,
     roelands_exponent: f64,
+    /// Factor on α in the film thickness only.
+    film_factor: f64,
     /// ln τ₀
     log_eyring_stress: f64,
     constants: TractionConstants,
@@ -186,6 +188,7 @@ impl FilmRheology {
             log_reference,
             alpha_reference,
             roelands_exponent: alpha_reference / (ROELANDS_PER_PASCAL * log),
+            film_factor: 1.0,
             log_eyring_stress: constants.eyring_stress.si().ln(),
             constants,
             shear: ShearLawName::default(),
@@ -226,6 +229,22 @@ impl FilmRheology {
         }
     }
 
+    /// The same oil with `factor` times the pressure-viscosity coefficient in the film thickness only, as film friction is
+    /// known by its own.
+    #[must_use]
+    pub fn with_film_alpha_factor(self, factor: f64) -> Self {
+        Self {
+            film_factor: self.film_factor * factor,
+            ..self
+        }
+    }
+
+    /// Factor on the pressure-viscosity coefficient in the film thickness only.
+    #[must_use]
+    pub fn film_alpha_factor(&self) -> f64 {
+        self.film_factor
+    }
+
     /// The pressure-viscosity coefficient over that of `other`, each at its own reference temperature.
     #[must_use]
     pub fn alpha_over(&self, other: &Self) -> f64 {
@@ -250,7 +269,7 @@ impl FilmRheology {
         self.viscosity.ends().map(Temperature::from_si)
     }
 
-    /// Viscosity, α, β_T and conductivity at ambient pressure.
+    /// Viscosity, α of the film thickness, β_T and conductivity at ambient pressure.
     ///
     /// ```text
     /// α(T) = α_ref (η₀(T)/η₀(T_ref))^t                                     [Alpha-T]
@@ -267,7 +286,7 @@ impl FilmRheology {
         let [log, slope] = self.viscosity.at(t);
         Ok(FilmOilState {
             viscosity: DynamicViscosity::from_si(log.exp()),
-            pressure_viscosity: PressureViscosity::from_si(self.alpha(log)),
+            pressure_viscosity: PressureViscosity::from_si(self.film_factor * self.alpha(log)),
             temperature_coefficient: PerKelvin::from_si(-slope),
             conductivity: self.constants.conductivity,
         })
@@ -466,8 +485,8 @@ impl FilmRheology {
             return Ok((isothermal, slope));
         }
         cite!("Film-heat");
-        // Where the limit rises with the temperature, the stress rises above the unheated one.
-        let highest = match slope > 0.0 {
+        // Where the limit rises with the temperature, the stress may rise above the unheated one, even if it falls at first.
+        let highest = match self.constants.limiting_shear_fall.si() < 0.0 {
             true => 2.0 * cold[0],
             false => cold[0],
         };
@@ -503,6 +522,36 @@ fn arsinh(x: f64, root: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_limit_that_rises_with_temperature_has_a_heated_stress() {
+        let oil = crate::LubricantInput {
+            oil: Some("e-fluid-70w75w".to_owned()),
+            ..crate::LubricantInput::default()
+        };
+        let oil = oil.resolve(GOLD_TEMPERATURE).unwrap();
+        let rheology = FilmRheology::new(&oil, BaseOil::Pao).unwrap();
+        for fall in [-0.016, -0.003, -6e-4, -1e-5] {
+            let constants = TractionConstants {
+                limiting_shear_fall: PerKelvin::from_si(fall),
+                ..*rheology.constants()
+            };
+            let rising = rheology.clone().with_constants(constants).unwrap();
+            for k in 1..40_000 {
+                let part = |digit: f64| (f64::from(k) * digit).fract();
+                let (film, sliding) = (
+                    2e-9 * 100f64.powf(part(0.618_034)),
+                    0.1 + 12.0 * part(0.569_84),
+                );
+                let warm = 330.0 + 170.0 * part(0.754_878);
+                let point = rising.film_point(5e9 * part(0.819_173), sliding, film);
+                let (found, _) = rising.heated_stress(&point, warm, None).unwrap();
+                let at = warm + point.heating() * found.value;
+                let [law, _] = rising.stress(&point, at);
+                assert!((found.value / law - 1.0).abs() < 1e-9, "{fall} {k}");
+            }
+        }
+    }
 
     #[test]
     fn the_inverse_hyperbolic_sine_agrees_with_the_standard_library_to_the_last_digits() {

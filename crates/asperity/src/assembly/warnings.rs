@@ -23,6 +23,9 @@ use crate::result::LoadReport;
 use crate::result::{FullFilmRow, GearboxReport, MicropittingReport, RecordRow, Regime, Summary};
 use crate::sampling::{length_for, windows_of_traces};
 
+/// Least part of the loss at untested pressures that is worth a warning.
+const LEAST_SHARE: f64 = 0.005;
+
 /// Warnings about the positions and the summary.
 pub(crate) fn warnings(
     loaded: &LoadedCase,
@@ -57,7 +60,70 @@ pub(crate) fn warnings(
     contacts(positions, &mut found);
     roughness(loaded, positions, &mut found);
     full_film(positions, &mut found);
+    above_tested_pressure(&loaded.case, positions, summary, &mut found);
     Ok(found)
+}
+
+/// W443: the loss by film friction at pressures above those of the traction curves.
+fn above_tested_pressure(
+    case: &Case,
+    positions: &[LubricatedPosition],
+    summary: &Summary,
+    found: &mut Vec<Warning>,
+) {
+    let Some(file) = &case.oil_file else {
+        return;
+    };
+    let most = file.film_friction.pressure_max;
+    // Friction power of film and lubricated asperities, whole and above the tested pressure, up to a common factor.
+    let mut powers = [[0.0; 2]; 2];
+    for position in positions {
+        let at = &position.at;
+        let speed = at.weight * at.motion.sliding.si().abs();
+        let of_film = load_above(most.si() / at.hertz.max_pressure.si());
+        for window in &position.offsets {
+            let [film, lubricated, _] = window.rubbing.parts(window.friction.mu);
+            // Share of the load on share of the area.
+            let touching = window.solved.filter(|solved| solved.area > 0.0);
+            let mean = touching.map_or(0.0, |solved| {
+                let hertz = std::f64::consts::FRAC_PI_4 * at.hertz.max_pressure.si();
+                solved.asperity_share / solved.area * hertz
+            });
+            let of_spots = f64::from(u8::from(mean > most.si()));
+            let each = speed / position.offsets.len() as f64;
+            for (power, (force, above)) in powers
+                .iter_mut()
+                .zip([(film, of_film), (lubricated, of_spots)])
+            {
+                power[0] += each * force;
+                power[1] += each * force * above;
+            }
+        }
+    }
+    let watts = powers
+        .iter()
+        .zip([summary.film_w, summary.lubricated_asperity_w])
+        .map(|([whole, above], watts)| match *whole > 0.0 {
+            true => watts * above / whole,
+            false => 0.0,
+        });
+    let [film, spots] = [0, 1].map(|k| watts.clone().nth(k).unwrap_or(0.0));
+    if film + spots >= LEAST_SHARE * summary.loss_w {
+        let text = format!(
+            "{:.0} W of the loss come from pressures above the tested {:.2} GPa ({film:.0} W in the film, {spots:.0} W in touching asperities): the limiting shear stress is extrapolated",
+            film + spots,
+            1e-9 * most.si()
+        );
+        found.push(Warning::new("W443", text));
+    }
+}
+
+/// Share of the load of a Hertz line contact at pressures above `t` times the largest.
+///
+/// (2/π) (arcsin x + x √(1 − x²)), x = √(1 − t²)
+fn load_above(t: f64) -> f64 {
+    let x = (1.0 - t * t).max(0.0).sqrt();
+    std::f64::consts::FRAC_2_PI * (x.asin() + x * (1.0 - x * x).max(0.0).sqrt())
 }
 
 /// W426: a hotter equilibrium exists in addition to the bulk temperature.

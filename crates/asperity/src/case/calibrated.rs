@@ -69,7 +69,7 @@ pub(super) fn check(
     let rule = "must be below 1";
     DomainError::require(limiting < 1.0, "limiting shear", limiting, "-", rule)
         .map_err(section.domain("limiting_shear"))?;
-    if cholesky(calibration, &CalibratedName::ALL).is_none() {
+    if cholesky(CalibratedName::ALL.len(), calibration.correlations_of_all()).is_none() {
         let rule = "contradict each other: no measurements have these correlations";
         return Err(section.conflict("correlations", rule));
     }

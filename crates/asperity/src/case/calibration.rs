@@ -53,12 +53,12 @@ pub enum CalibratedName {
     EyringStress,
 }
 
-/// Correlation of the logarithms of two calibrated parameters.
+/// Correlation of two parameters, of their logarithms where these are normal.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct CorrelationInput {
+pub struct CorrelationInput<N = CalibratedName> {
     /// The two parameters.
-    pub between: [CalibratedName; 2],
+    pub between: [N; 2],
     /// Their correlation, between -1 and 1.
     pub value: f64,
 }
@@ -103,32 +103,46 @@ impl CalibrationInput {
         }
     }
 
+    /// Correlations of all parameters by their numbers in [`CalibratedName::ALL`].
+    pub(super) fn correlations_of_all(&self) -> impl Fn(usize, usize) -> f64 + '_ {
+        |i, j| self.correlation(CalibratedName::ALL[i], CalibratedName::ALL[j])
+    }
+
     /// Correlation of two parameters; 0 if it is not stated.
     #[must_use]
     pub fn correlation(&self, first: CalibratedName, other: CalibratedName) -> f64 {
-        if first == other {
-            return 1.0;
-        }
-        let pairs = self.correlations.iter().flatten();
-        let mut of_both =
-            pairs.filter(|pair| pair.between == [first, other] || pair.between == [other, first]);
-        of_both.next().map_or(0.0, |pair| pair.value)
+        correlation(self.correlations.as_deref().unwrap_or(&[]), first, other)
     }
 }
 
-/// Lower triangle L with L Lᵀ = the correlations of `names`; `None` if no distribution has them.
+/// Correlation of two parameters among `pairs`; 0 if it is not stated.
+pub(super) fn correlation<N: Copy + PartialEq>(
+    pairs: &[CorrelationInput<N>],
+    first: N,
+    other: N,
+) -> f64 {
+    if first == other {
+        return 1.0;
+    }
+    let mut of_both = pairs
+        .iter()
+        .filter(|pair| pair.between == [first, other] || pair.between == [other, first]);
+    of_both.next().map_or(0.0, |pair| pair.value)
+}
+
+/// Lower triangle L with L Lᵀ = the correlations of `n` parameters, given by their numbers; `None` if no distribution has
+/// them.
 pub(crate) fn cholesky(
-    calibration: &CalibrationInput,
-    names: &[CalibratedName],
+    n: usize,
+    correlation: impl Fn(usize, usize) -> f64,
 ) -> Option<Vec<Vec<f64>>> {
     /// Smallest square of a pivot: a correlation of 1 - 5e-7.
     const LEAST: f64 = 1e-6;
-    let n = names.len();
     let mut lower = vec![vec![0.0; n]; n];
     for i in 0..n {
         for j in 0..=i {
             let known: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
-            let left = calibration.correlation(names[i], names[j]) - known;
+            let left = correlation(i, j) - known;
             if !left.is_finite() || (i == j && left < LEAST) {
                 return None;
             }
@@ -157,11 +171,15 @@ mod tests {
         }
     }
 
+    fn triangle(given: &CalibrationInput) -> Option<Vec<Vec<f64>>> {
+        cholesky(4, given.correlations_of_all())
+    }
+
     #[test]
     fn the_triangle_gives_the_correlations_back() {
         let [a, b, c, _] = CalibratedName::ALL;
         let given = with(&[(a, b, -0.9), (c, b, 0.3)]);
-        let lower = cholesky(&given, &CalibratedName::ALL).unwrap();
+        let lower = triangle(&given).unwrap();
         for i in 0..4 {
             for j in 0..4 {
                 let product: f64 = (0..4).map(|k| lower[i][k] * lower[j][k]).sum();
@@ -175,7 +193,7 @@ mod tests {
     fn correlations_of_no_distribution_have_no_triangle() {
         let [a, b, c, _] = CalibratedName::ALL;
         let pairs = [(a, b, 0.9), (b, c, 0.9), (a, c, -0.9)];
-        assert!(cholesky(&with(&pairs), &CalibratedName::ALL).is_none());
-        assert!(cholesky(&with(&[(a, b, 1.0)]), &CalibratedName::ALL).is_none());
+        assert!(triangle(&with(&pairs)).is_none());
+        assert!(triangle(&with(&[(a, b, 1.0)])).is_none());
     }
 }

@@ -19,10 +19,11 @@ use super::trace_list::{TraceEntry, TraceList, is_pattern, matches};
 use crate::fingerprint::sha256;
 
 pub(super) const LOSS_TABLE: &str = "gearbox.loss_table";
+pub(super) const OIL_FILE: &str = "lubricant.oil_file";
 pub(super) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
 
 /// Every key of a case that names a file, or several.
-pub const FILE_KEYS: [&str; 10] = [
+pub const FILE_KEYS: [&str; 11] = [
     "surface.pinion.file",
     "surface.wheel.file",
     "surface.coast.pinion.file",
@@ -31,6 +32,7 @@ pub const FILE_KEYS: [&str; 10] = [
     "surface.wheel.traces",
     "surface.coast.pinion.traces",
     "surface.coast.wheel.traces",
+    OIL_FILE,
     LOSS_TABLE,
     XU_COEFFICIENTS,
 ];
@@ -114,6 +116,8 @@ fn named(input: &CaseInput) -> Vec<Named> {
             },
         }));
     }
+    let oil = input.lubricant.oil_file.iter();
+    named.extend(oil.map(|name| Named::file(OIL_FILE, name)));
     let xu = input.model.xu_coefficients.iter();
     named.extend(xu.map(|name| Named::file(XU_COEFFICIENTS, name)));
     let gearbox = input.gearbox.iter();
@@ -177,6 +181,11 @@ impl Files {
     /// Folder that names are relative to; `None` if all files are in memory.
     pub(super) fn folder(&self) -> Option<&Path> {
         self.folder.as_deref()
+    }
+
+    /// Path of the file `name`.
+    pub(super) fn path_of(&self, name: &Path) -> PathBuf {
+        self.folder().unwrap_or(Path::new("")).join(name)
     }
 
     /// Files below the folder and traces in memory whose names match `pattern`, sorted by name. Empty if the folder of
@@ -269,10 +278,9 @@ impl<'a> Reader<'a> {
         key: impl Into<Cow<'static, str>>,
     ) -> Result<(Content, String), CaseError> {
         self.content(name).map_err(|reason| {
-            let folder = self.files.folder.as_deref().unwrap_or(Path::new(""));
             let key = key.into();
             CaseError::OpenNamed {
-                file: folder.join(name).display().to_string(),
+                file: self.files.path_of(name).display().to_string(),
                 place: source.place_of(&key),
                 key,
                 reason,

@@ -20,6 +20,7 @@ use super::gears::check_load;
 use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
 use super::model::Formulation;
+use super::oil_file::oil_file;
 use super::plausibility::{SYMBOLS, at_pitch_point, of_files, step_up, unusual};
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
@@ -54,8 +55,8 @@ pub struct LoadedCase {
     /// Name of the case, for messages about what is changed.
     name: Arc<str>,
     files: Arc<Files>,
-    /// Sums of the files that flanks, gearbox and model were read from.
-    sums: [Arc<FileSums>; 3],
+    /// Sums of the files that flanks, gearbox, model and oil were read from.
+    sums: [Arc<FileSums>; 4],
 }
 
 /// Resolver of the files that a case text names: from the name in the text to the bytes.
@@ -382,7 +383,13 @@ pub(super) fn complete(
     let provenance = Provenance::new();
     // The load over the teeth was checked if only speed and temperature differ.
     let is_checked = before.is_some_and(|before| loads_alike(&before.case.input, &input));
-    let mut case = provenance.collect(|| resolve_checked(input, source, is_checked))?;
+    let (oil, oil_sums) = match before {
+        Some(before) if before.case.input.lubricant.oil_file == input.lubricant.oil_file => {
+            (before.case.oil_file.clone(), Arc::clone(&before.sums[3]))
+        }
+        _ => oil_file(&input, source, &files)?,
+    };
+    let mut case = provenance.collect(|| resolve_checked(input, oil, source, is_checked))?;
     let model_sums = match (before, &case.input.model.xu_coefficients) {
         (_, None) => Arc::default(),
         (Some(before), file) if before.case.input.model.xu_coefficients == *file => {
@@ -464,6 +471,8 @@ pub(super) fn complete(
         unusual.into_iter().chain(step_up(&case.gears, source)),
     );
     warnings.extend(read_as_keys(source));
+    let oil = case.oil_file.iter();
+    warnings.extend(oil.flat_map(|oil| oil.warnings(&case.input, case.temperature)));
     provenance.include(&of_flanks);
     Ok(LoadedCase {
         case,
@@ -476,7 +485,7 @@ pub(super) fn complete(
         assumed,
         name: source.name().into(),
         files,
-        sums: [flank_sums, gearbox_sums, model_sums],
+        sums: [flank_sums, gearbox_sums, model_sums, oil_sums],
     })
 }
 

@@ -43,6 +43,7 @@ mod law_names;
 mod loaded;
 mod micropitting_input;
 mod model;
+mod oil_file;
 mod one_or_two;
 mod own_laws;
 mod page;
@@ -95,6 +96,10 @@ pub use loaded::{
 };
 pub use micropitting_input::MicropittingInput;
 pub use model::{EhlChoices, EhlInput, Formulation, Model, ModelInput};
+pub use oil_file::{
+    DECISIVE, FitQuality, FittedFriction, FittedName, OilConstant, OilFile, OilSchema,
+    POORLY_EXPLAINED, law_error,
+};
 pub use one_or_two::OneOrTwo;
 pub use page::markdown;
 pub use path_point::{NamedPoint, PathPoint};

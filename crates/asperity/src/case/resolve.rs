@@ -1,5 +1,7 @@
 //! Completion of a case: defaults filled in, numbers checked.
 
+use std::sync::Arc;
+
 use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
 use asperity_core::{DomainError, OutOfRange};
@@ -12,7 +14,6 @@ use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
 use super::assumed_relief::AssumedRelief;
 use super::bulk::{BulkModel, FoundBulk, bulk_model};
 use super::calibrated;
-use super::calibration::CalibrationInput;
 use super::case_file::CaseFile;
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
@@ -22,6 +23,7 @@ use super::input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
 use super::key_names::key_of;
 use super::micropitting_input::MicropittingInput;
 use super::model::{Formulation, Model, model};
+use super::oil_file::OilFile;
 use super::plain_words::plain;
 use super::plausibility::{at_pitch_point, refuse_impossible, refuse_stiff_oil};
 use super::section::{Section, domain};
@@ -62,6 +64,8 @@ pub struct Case {
     pub found_bulk: Option<FoundBulk>,
     /// The oil.
     pub lubricant: Lubricant,
+    /// The oil file that the case names.
+    pub oil_file: Option<Arc<OilFile>>,
     /// The oil at the bulk temperature.
     pub oil: LubricantState,
     /// The oil in the film, if film friction or load share use it.
@@ -86,17 +90,18 @@ pub struct Case {
     pub defaults: Vec<DefaultUsed>,
 }
 
-/// Completes `input` with defaults and checks it; `source` gives the places of the keys.
+/// Completes `input`, which names no oil file, with defaults and checks it; `source` gives the places of the keys.
 ///
 /// # Errors
 /// When a number is outside its domain, the gears cannot mesh, or the oil cannot be.
 pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
-    resolve_checked(input, source, false)
+    resolve_checked(input, None, source, false)
 }
 
-/// Completes and checks a case; the load over the teeth is not solved again if it was checked before.
+/// Completes and checks a case with the oil file that it names; the load over the teeth is not solved again if it was checked before.
 pub(super) fn resolve_checked(
     input: CaseInput,
+    oil_file: Option<Arc<OilFile>>,
     source: &Source,
     load_is_checked: bool,
 ) -> Result<Case, CaseError> {
@@ -135,20 +140,26 @@ pub(super) fn resolve_checked(
         load.refuse_impossible(source)?;
     }
     let lubricant_at = |error| lubricant_at(source, &input.operation, error);
-    let lubricant = input.lubricant.resolve(temperature).map_err(lubricant_at)?;
+    let lubricant = match &oil_file {
+        Some(file) => file.completing(&input.lubricant),
+        None => Ok(input.lubricant.clone()),
+    };
+    let lubricant = lubricant.and_then(|oil| oil.resolve(temperature));
+    let lubricant = lubricant.map_err(lubricant_at)?;
     for assumption in lubricant.assumptions() {
         defaults.assume(assumption);
     }
     let oil = lubricant.at(temperature).map_err(lubricant_at)?;
     refuse_stiff_oil(&oil.value, &input.operation, source)?;
     let preparation = preparation(&input, source, &mut defaults)?;
-    let choices = match &input.calibration {
-        None => input.model.clone(),
-        Some(calibration) => {
-            calibrated::check(calibration, &input.model, formulation, source)?;
-            calibrated::put_into(calibration, &input.model)
-        }
-    };
+    let mut choices = input.model.clone();
+    if let Some(calibration) = &input.calibration {
+        calibrated::check(calibration, &input.model, formulation, source)?;
+        choices = calibrated::put_into(calibration, &choices);
+    }
+    if let Some(file) = &oil_file {
+        choices = file.put_into(&choices, formulation, source)?;
+    }
     let model = model(&choices, formulation, &gears, source, &mut defaults)?;
     let bulk = bulk_model(bulk.as_ref(), formulation, &model, source)?;
     let load_settings = load_settings(&input, &model, source, &mut defaults);
@@ -175,9 +186,13 @@ pub(super) fn resolve_checked(
             None
         }
         true => {
-            let calibration = input.calibration.as_ref();
-            let rheology =
-                rheology(&lubricant, &model, temperature, calibration).map_err(lubricant_at)?;
+            let rheology = rheology(
+                &lubricant,
+                &model,
+                temperature,
+                (&input, oil_file.as_deref()),
+            )
+            .map_err(lubricant_at)?;
             // The whole run uses the film thickness that follows from the oil of the film friction.
             let state = rheology.state(temperature).map_err(lubricant_at)?;
             oil_state.pressure_viscosity = state.pressure_viscosity;
@@ -202,6 +217,7 @@ pub(super) fn resolve_checked(
         bulk,
         found_bulk: None,
         lubricant,
+        oil_file,
         oil: oil_state,
         rheology,
         steel_notes,
@@ -226,6 +242,7 @@ pub(super) fn title_by_gears(teeth: &[u32], module: Length) -> String {
 fn without_film_friction(input: &CaseInput, source: &Source) -> Result<(), CaseError> {
     let oil = &input.lubricant;
     let stated = [
+        ("oil_file", oil.oil_file.is_some()),
         (
             "pressure_viscosity_factor",
             oil.pressure_viscosity_factor.is_some(),
@@ -244,15 +261,19 @@ fn without_film_friction(input: &CaseInput, source: &Source) -> Result<(), CaseE
     }
 }
 
-/// The oil in the film: constants of its family, α as stated at the temperature of the case or by Gold.
+/// The oil in the film: constants of its family, of the oil file or of a calibration, α as stated at the temperature of the case or by Gold.
 fn rheology(
     lubricant: &Lubricant,
     model: &Model,
     bulk: Temperature,
-    calibration: Option<&CalibrationInput>,
+    (input, oil_file): (&CaseInput, Option<&OilFile>),
 ) -> Result<FilmRheology, LubricantError> {
     let family = lubricant.base_oil().ok_or(LubricantError::NoBaseOil)?;
     let mut constants = lubricant.traction_constants(family)?;
+    if let Some(file) = oil_file {
+        file.set_constants(input, &mut constants);
+    }
+    let calibration = input.calibration.as_ref();
     if let Some(fitted) = calibration.and_then(|fit| fit.limiting_shear) {
         constants.limiting_shear = fitted.value;
     }

@@ -1,5 +1,6 @@
 //! Constants of film and boundary layer that no data sheet states, for the result.
 
+use asperity_core::numerics::{Z_95, Z_975};
 use asperity_core::quantity::Length;
 use asperity_efficiency::swept::{HYSTERESIS, HYSTERESIS_BAND};
 use asperity_oil::{LubricantError, Mark, base_oil_source};
@@ -8,7 +9,7 @@ use asperity_tribo_friction::boundary::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::case::{CalibratedName, Case};
+use crate::case::{Calibrated, CalibratedName, Case, FittedName};
 
 /// A constant of the oil's family, with what is known of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -38,9 +39,10 @@ pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, Lubricant
     // What the case gives is among its inputs.
     let calibration = case.input.calibration.as_ref();
     let is_calibrated = |name| calibration.is_some_and(|found| found.of(name).is_some());
+    let is_fitted = case.oil_file.is_some();
     let used = |name: &str| match name {
-        "limiting_shear" => !is_calibrated(CalibratedName::LimitingShear),
-        "eyring_stress_pa" => !is_calibrated(CalibratedName::EyringStress),
+        "limiting_shear" => !is_fitted && !is_calibrated(CalibratedName::LimitingShear),
+        "eyring_stress_pa" => !is_fitted && !is_calibrated(CalibratedName::EyringStress),
         "conductivity_w_per_m_k" => !given_conductivity,
         "gold_factor_per_gpa" => !given_alpha,
         _ => true,
@@ -59,6 +61,7 @@ pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, Lubricant
     });
     Ok(of_oil
         .chain(calibrated(case))
+        .chain(fitted(case))
         .chain(of_boundary(case))
         .collect())
 }
@@ -83,6 +86,36 @@ fn calibrated(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
                 mark: Mark::Calibrated,
                 source: source.unwrap_or_else(|| "calibration of the case".to_owned()),
             })
+        })
+    })
+}
+
+/// A constant of the oil file that the case does not replace, with its 5 % and 95 % quantiles.
+fn fitted(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
+    let names = FittedName::ALL.into_iter();
+    let own = names.filter(|name| name.replaced_by(&case.input).is_none());
+    let files = case.oil_file.iter();
+    files.zip(std::iter::repeat(own)).flat_map(|(file, names)| {
+        names.map(|name| {
+            let found = &file.film_friction;
+            let Calibrated { value, low, high } = found.of(name);
+            let quantile = |end: f64| match name {
+                FittedName::LimitingShearTemperature => value + (end - value) * Z_95 / Z_975,
+                _ => value * (end / value).powf(Z_95 / Z_975),
+            };
+            let unit = match name {
+                FittedName::EyringStress => "_pa",
+                FittedName::LimitingShearTemperature => "_per_k",
+                _ => "",
+            };
+            FilmConstant {
+                name: format!("{}{unit}", name.key()),
+                value,
+                low: Some(quantile(low)),
+                high: Some(quantile(high)),
+                mark: Mark::Calibrated,
+                source: format!("traction curves: {}", found.source),
+            }
         })
     })
 }

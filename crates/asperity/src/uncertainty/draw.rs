@@ -17,6 +17,9 @@ const CUT: f64 = 0.005;
 const SEED: u64 = 3;
 /// Axes besides the constants.
 const FACTORS: usize = 6;
+/// Constants whose axes precede the factors. The axes of later ones, and of the law, follow the factors: an axis that is
+/// appended leaves the others as they are.
+const FIRST: usize = 6;
 
 /// One draw of everything that is uncertain: standard normal where not said otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +38,8 @@ pub(super) struct Draw {
     pub length: f64,
     /// Power of the ratio of loss factors.
     pub power: f64,
+    /// Error of the law of film friction whose constants traction curves state.
+    pub film_law: f64,
     pub of_flanks: FlankDraw,
 }
 
@@ -62,6 +67,7 @@ impl Draw {
             relief: 0.5,
             length: 0.5,
             power: 0.0,
+            film_law: 0.0,
             of_flanks: FlankDraw {
                 model: 0.0,
                 sampling: 0.0,
@@ -80,22 +86,24 @@ pub(super) fn shared_draws() -> impl Iterator<Item = Draw> {
 
 /// The strata of all draws on every axis.
 pub(super) fn orders(seed: u64) -> Vec<Vec<usize>> {
-    permutations(DRAWS, AXES.len() + FACTORS, seed)
+    permutations(DRAWS, AXES.len() + FACTORS + 1, seed)
 }
 
 /// The draws with their strata in these orders.
 pub(super) fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
     let (cut, normal) = (cut_normal(), normal());
     (0..DRAWS).map(move |j| {
-        let factor = |k: usize| orders[AXES.len() + k][j];
+        let factor = |k: usize| orders[FIRST + k][j];
+        let constant = |k: usize| orders[if k < FIRST { k } else { k + FACTORS }][j];
         Draw {
-            constants: std::array::from_fn(|k| cut[orders[k][j]]),
+            constants: std::array::from_fn(|k| cut[constant(k)]),
             state: place(factor(0)),
             weight: place(factor(1)),
             rolling: normal[factor(2)],
             relief: place(factor(3)),
             length: place(factor(4)),
             power: normal[factor(5)],
+            film_law: normal[orders[AXES.len() + FACTORS][j]],
             ..Draw::medians()
         }
     })

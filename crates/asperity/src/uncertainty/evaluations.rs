@@ -7,7 +7,7 @@ use asperity_core::quantity::Length;
 use rayon::prelude::*;
 
 use super::hypercube::latin_hypercube;
-use super::predictive::{Predictive, Structure};
+use super::predictive::{FilmLaw, Predictive, Structure};
 use super::relief::ReliefFactors;
 use super::surface::QuadraticSurface;
 use crate::assembly::deviation;
@@ -139,6 +139,7 @@ pub(super) fn evaluate(
         share: None,
         surface_rms: 0.0,
         asperity_share: path.asperity_share,
+        film_law: film_law(loaded, nominal.summary),
         structure: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
         gap_law: loaded.case.model.gap_law,
@@ -289,17 +290,31 @@ fn plane(constants: &[Ranged], points: &[Vec<f64>], values: &[f64]) -> [f64; 3] 
     found.map_or([0.0; 3], |found| [found[0], found[1], found[2]])
 }
 
-/// Rows of the lower triangle of the correlations of the calibrated constants.
+/// Rows of the lower triangle of the correlations of the measured constants.
 fn correlations(loaded: &LoadedCase, constants: &[Ranged]) -> Vec<Vec<f64>> {
-    let names: Vec<_> = constants
+    let measured: Vec<_> = constants
         .iter()
-        .filter_map(|constant| constant.calibrated)
+        .filter_map(|constant| Some((constant.kind, constant.measured?)))
         .collect();
-    let Some(given) = &loaded.case.input.calibration else {
-        return Vec::new();
+    let of_both = |i: usize, j: usize| match (measured[i], measured[j]) {
+        _ if i == j => 1.0,
+        ((first, by), (other, by_other)) if by == by_other => {
+            first.correlation(other, by, &loaded.case)
+        }
+        _ => 0.0,
     };
     // A case whose correlations contradict each other is refused.
-    cholesky(given, &names).unwrap_or_default()
+    cholesky(measured.len(), of_both).unwrap_or_default()
+}
+
+/// The error of the law of film friction whose constants an oil file states.
+fn film_law(loaded: &LoadedCase, summary: &Summary) -> Option<FilmLaw> {
+    let case = &loaded.case;
+    let file = case.oil_file.as_ref()?;
+    (summary.sliding_w > 0.0).then(|| FilmLaw {
+        share: 1.0 - summary.boundary_w / summary.sliding_w,
+        deviation: file.film_friction.law_error(case.temperature),
+    })
 }
 
 /// Means over a path, weighted with the sliding loss.

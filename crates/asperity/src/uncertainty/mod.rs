@@ -32,7 +32,7 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::cancel::checkpoint;
-use asperity_core::numerics::student_t_quantile;
+use asperity_core::numerics::{Z_95, student_t_quantile};
 use asperity_core::provenance::Provenance;
 
 use crate::assembly::{deviation, equations_used, mean};
@@ -41,7 +41,7 @@ use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use crate::contacts::Contacts;
 use crate::error::{Error, PositionError};
 use crate::message::Warning;
-use crate::parameters::{Ranged, UncertainParameter as Constant};
+use crate::parameters::{Measured, Ranged, UncertainParameter as Constant};
 use crate::pipeline::{self, KeptFields, Progress, outcome, settled};
 use crate::result::{
     AlternativeRow, DrawnConstant, LossDistribution, Losses, Outcome, PairSampling, PositionRow,
@@ -272,16 +272,22 @@ fn uncertainty(
 }
 
 fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
+    let [low, high] = match ranged.measured {
+        Some(Measured::OilFile) => [-Z_95, Z_95].map(|z| ranged.at(z)),
+        _ => [ranged.low, ranged.high],
+    };
     DrawnConstant {
         name: ranged.kind.name().to_owned(),
         value: ranged.value,
-        low: ranged.low,
-        high: ranged.high,
+        low,
+        high,
         unit: ranged.kind.unit().to_owned(),
-        is_calibrated: ranged.calibrated.is_some(),
+        is_calibrated: ranged.measured == Some(Measured::Calibration),
     }
 }
 
+/// Measurement that narrows the constants of the film friction.
+const TRACTION: &str = "a traction curve of the oil";
 /// What narrows the constants of the boundary layer.
 const RIG: &str = "losses measured on a rig (asperity calibrate)";
 
@@ -301,7 +307,13 @@ fn parts(
         let remedy = match ranged.kind {
             Constant::BoundaryFriction | Constant::BoundaryLayer => RIG,
             Constant::Lay => "an areal scan of the flank: model.lay",
-            Constant::LimitingShear | Constant::EyringStress => "a traction curve of the oil",
+            Constant::LimitingShear | Constant::EyringStress if ranged.measured.is_none() => {
+                TRACTION
+            }
+            Constant::LimitingShear
+            | Constant::EyringStress
+            | Constant::LimitingShearTemperature
+            | Constant::PressureViscosityFactor => "further traction curves of the oil",
             Constant::PressureViscosity => "lubricant.pressure_viscosity of the oil",
         };
         (
@@ -339,6 +351,16 @@ fn parts(
             Component::Structure,
             "boundary rule and feed of the spots",
             RIG.to_owned(),
+        ),
+        (
+            Component::FilmLaw,
+            "error of the film law",
+            match loaded.case.oil_file.as_ref() {
+                Some(file) if file.film_friction.is_far(loaded.case.temperature) => {
+                    "traction curves at the temperature of the flanks".to_owned()
+                }
+                _ => RIG.to_owned(),
+            },
         ),
         (
             Component::Rolling,

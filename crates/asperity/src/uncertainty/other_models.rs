@@ -56,7 +56,8 @@ pub(super) fn other_models(loaded: &LoadedCase) -> Vec<OtherModel> {
         }
     }
     let shear = case.model.film_friction.shear_law();
-    let is_barus = case.model.film_pressure_law == PressureLaw::Barus;
+    // The constants of an oil file belong to the law of their fit.
+    let is_barus = case.model.film_pressure_law == PressureLaw::Barus && case.oil_file.is_none();
     if let (Some(rheology), Some(shear), true, true) =
         (&case.rheology, shear, is_barus, own.friction.is_none())
     {

@@ -56,7 +56,7 @@ pub struct Predictive {
     pub(crate) parts_w: [f64; 3],
     /// Constants that are drawn.
     pub(crate) constants: Vec<Ranged>,
-    /// Rows of the lower triangle of the correlations of the calibrated constants, in their order.
+    /// Rows of the lower triangle of the correlations of the measured constants, in their order.
     pub(crate) correlations: Vec<Vec<f64>>,
     /// ln of the sliding loss relative to the medians; `None` if nothing is drawn.
     pub(crate) sliding: Option<QuadraticSurface>,
@@ -66,6 +66,9 @@ pub struct Predictive {
     pub(crate) surface_rms: f64,
     /// φ at the medians.
     pub(crate) asperity_share: f64,
+    /// Film friction whose constants traction curves state; `None` without them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) film_law: Option<FilmLaw>,
     /// Open choices of a solved contact; `None` if the share of the asperities follows from a formula.
     pub(crate) structure: Option<Structure>,
     /// Loss factors over tip reliefs; `None` if the case states its relief.
@@ -93,6 +96,29 @@ pub(crate) struct Structure {
     pub loss_factor_w: f64,
     /// Boundary friction at the medians.
     pub boundary_friction: f64,
+}
+
+/// Error of the law of film friction whose constants traction curves state.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FilmLaw {
+    /// Share of the film friction in the sliding loss.
+    pub share: f64,
+    /// Standard deviation of ln of the film friction.
+    pub deviation: f64,
+}
+
+impl FilmLaw {
+    /// Factor on the sliding loss where the film friction is in error by `z` standard deviations.
+    ///
+    /// ```text
+    /// 1 + κ (exp(s z) − 1)                                                        [Film-law-draw]
+    /// ```
+    ///
+    /// κ is the share of the film friction in the sliding loss, s its standard deviation.
+    fn factor(&self, z: f64) -> f64 {
+        cite!("Film-law-draw");
+        1.0 + self.share * ((self.deviation * z).exp() - 1.0)
+    }
 }
 
 /// The state of the structure in a draw.
@@ -136,11 +162,14 @@ impl State {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Component {
     Constant(usize),
+    /// All constants together, with the error of the law that traction curves leave.
+    Constants,
     Sampling,
     Relief,
     Model,
     Structure,
     Rolling,
+    FilmLaw,
 }
 
 impl Predictive {
@@ -202,6 +231,13 @@ impl Predictive {
         (self.sampling.form > 0.0).then(|| measured.quantiles())
     }
 
+    /// Standard deviation of ln loss with only the constants of film and boundary layer drawn, all together.
+    #[must_use]
+    pub fn sd_of_constants(&self) -> f64 {
+        self.alone(Component::Constants)
+            .map_or(0.0, |found| found.sd_ln)
+    }
+
     /// Median, quantiles and spread with only `component` drawn; `None` if it changes nothing.
     pub(super) fn alone(&self, component: Component) -> Option<Quantiles> {
         let table = StudentOfNormal::new(self.sampling.freedom);
@@ -212,6 +248,9 @@ impl Predictive {
                 Component::Constant(k) => {
                     let axis = self.axis(k);
                     alone.constants[axis] = draw.constants[axis];
+                }
+                Component::Constants => {
+                    (alone.constants, alone.film_law) = (draw.constants, draw.film_law);
                 }
                 Component::Sampling => {
                     alone.of_flanks.sampling = of_flanks.sampling;
@@ -228,6 +267,7 @@ impl Predictive {
                 }
                 Component::Structure => alone.state = draw.state,
                 Component::Rolling => alone.rolling = draw.rolling,
+                Component::FilmLaw => alone.film_law = draw.film_law,
             }
             self.loss(alone, &table)
         });
@@ -269,7 +309,7 @@ impl Predictive {
             .unwrap_or(0)
     }
 
-    /// Standardised constants of a draw, calibrated ones correlated.
+    /// Standardised constants of a draw, measured ones correlated.
     fn standardised(&self, draw: &Draw) -> Vec<f64> {
         let mut z: Vec<f64> = (0..self.constants.len())
             .map(|k| draw.constants[self.axis(k)])
@@ -277,11 +317,11 @@ impl Predictive {
         if self.correlations.is_empty() {
             return z;
         }
-        let calibrated: Vec<usize> = (0..z.len())
-            .filter(|k| self.constants[*k].calibrated.is_some())
+        let measured: Vec<usize> = (0..z.len())
+            .filter(|k| self.constants[*k].measured.is_some())
             .collect();
-        let own: Vec<f64> = calibrated.iter().map(|k| z[*k]).collect();
-        for (k, row) in calibrated.iter().zip(&self.correlations) {
+        let own: Vec<f64> = measured.iter().map(|k| z[*k]).collect();
+        for (k, row) in measured.iter().zip(&self.correlations) {
             z[*k] = row.iter().zip(&own).map(|(l, z)| l * z).sum();
         }
         z
@@ -305,6 +345,9 @@ impl Predictive {
                 sheared += self.step_rule(structure, &z, at(&self.share))
             }
             _ => {}
+        }
+        if let Some(law) = &self.film_law {
+            sheared *= law.factor(draw.film_law);
         }
         let of_relief = self.relief.as_ref().map_or(1.0, |relief| {
             let power = RELIEF_POWER[0] + RELIEF_POWER[1] * draw.power;
@@ -435,8 +478,7 @@ fn former_gap_law() -> GapLaw {
 mod tests {
     use super::super::draw::{draws_in, orders};
     use super::*;
-    use crate::case::CalibratedName;
-    use crate::parameters::AXES;
+    use crate::parameters::{AXES, Measured};
 
     /// A case of which nothing is uncertain but the error of the model and the rolling loss.
     fn plain() -> Predictive {
@@ -450,6 +492,7 @@ mod tests {
             share: None,
             surface_rms: 0.0,
             asperity_share: 0.2,
+            film_law: None,
             structure: None,
             relief: None,
             gap_law: GapLaw::Inlet,
@@ -465,7 +508,7 @@ mod tests {
             value,
             low,
             high,
-            calibrated: None,
+            measured: None,
         }
     }
 
@@ -571,24 +614,16 @@ mod tests {
     }
 
     #[test]
-    fn calibrated_constants_are_drawn_with_their_correlation() {
-        let calibrated = |kind, ends, name| Ranged {
-            calibrated: Some(name),
+    fn measured_constants_are_drawn_with_their_correlation() {
+        let measured = |kind, ends| Ranged {
+            measured: Some(Measured::Calibration),
             ..constant(kind, ends)
         };
         let found = Predictive {
             constants: vec![
-                calibrated(
-                    UncertainParameter::BoundaryFriction,
-                    [0.08, 0.09, 0.12],
-                    CalibratedName::BoundaryFriction,
-                ),
+                measured(UncertainParameter::BoundaryFriction, [0.08, 0.09, 0.12]),
                 constant(UncertainParameter::Lay, [0.008, 1.0 / 12.0, 0.158]),
-                calibrated(
-                    UncertainParameter::LimitingShear,
-                    [0.033, 0.035, 0.037],
-                    CalibratedName::LimitingShear,
-                ),
+                measured(UncertainParameter::LimitingShear, [0.033, 0.035, 0.037]),
             ],
             correlations: vec![vec![1.0], vec![-0.9, 0.19_f64.sqrt()]],
             ..plain()
@@ -608,6 +643,24 @@ mod tests {
             .count() as f64
             / n;
         assert!((0.018..0.027).contains(&beyond), "{beyond}");
+    }
+
+    #[test]
+    fn the_error_of_the_film_law_acts_on_the_film_friction() {
+        let found = Predictive {
+            film_law: Some(FilmLaw {
+                share: 0.6,
+                deviation: 0.12,
+            }),
+            ..plain()
+        };
+        // 0.6 of 90 W of 100 W.
+        let alone = found.alone(Component::FilmLaw).unwrap();
+        assert!(
+            (alone.sd_ln / (0.54 * 0.12) - 1.0).abs() < 0.02,
+            "{alone:?}"
+        );
+        assert_eq!(plain().alone(Component::FilmLaw), None);
     }
 
     #[test]

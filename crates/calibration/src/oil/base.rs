@@ -1,11 +1,11 @@
 //! Oil whose traction is predicted or fitted, with the distribution of its constants in the family.
 
-use asperity::case::Case;
+use asperity::case::{Case, FittedName, OilFile};
 use asperity::oil::{
     FilmRheology, GOLD_TEMPERATURE, LIMITING_SHEAR_BAND, LubricantInput, PRESSURE_VISCOSITY_BAND,
     TractionConstants, eyring_stress_band,
 };
-use asperity_core::numerics::Z_95;
+use asperity_core::numerics::{Z_95, Z_975};
 use asperity_core::quantity::Pressure;
 
 use super::error::OilError;
@@ -15,11 +15,22 @@ use super::error::OilError;
 pub struct OilBase {
     /// Its name, or the title of its case.
     pub name: String,
+    /// Viscosity, density and family, as an oil file states them.
+    pub lubricant: LubricantInput,
     /// The oil in the film, with the medians of the constants of its family or those that a case states.
     pub rheology: FilmRheology,
     /// Standard deviations of the logarithms of Eyring stress, limiting shear stress over pressure and pressure-viscosity
     /// coefficient.
     pub deviations: [f64; 3],
+}
+
+/// Constants of an oil whose file states fitted ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ConstantsOf {
+    /// Those of its family, from which a fit starts.
+    Family,
+    /// The fitted ones.
+    File,
 }
 
 impl OilBase {
@@ -28,13 +39,42 @@ impl OilBase {
     /// # Errors
     /// When the library has no such oil, or the viscosity is known at one temperature only.
     pub fn of_library(name: &str) -> Result<Self, OilError> {
-        let oil = |source| OilError::Oil {
-            name: name.to_owned(),
-            source,
-        };
         let input = LubricantInput {
             oil: Some(name.to_owned()),
             ..LubricantInput::default()
+        };
+        Self::of_lubricant(name, input)
+    }
+
+    /// The oil of an oil file.
+    ///
+    /// # Errors
+    /// As [`of_library`](Self::of_library), or when a constant is outside its domain.
+    pub fn of_file(name: &str, file: &OilFile, constants: ConstantsOf) -> Result<Self, OilError> {
+        let mut oil = Self::of_lubricant(name, file.lubricant.clone())?;
+        if constants == ConstantsOf::File {
+            let mut own = *oil.rheology.constants();
+            for name in FittedName::ALL {
+                file.film_friction.put_into(name, &mut own);
+            }
+            let shear = oil.rheology.laws().0;
+            let rheology = oil
+                .rheology
+                .with_laws(shear, file.film_friction.pressure_law);
+            let rheology = rheology.with_constants(own);
+            oil.rheology = rheology.map_err(|source| OilError::Oil {
+                name: name.to_owned(),
+                source,
+            })?;
+            oil.deviations = fitted_deviations(file);
+        }
+        Ok(oil)
+    }
+
+    fn of_lubricant(name: &str, input: LubricantInput) -> Result<Self, OilError> {
+        let oil = |source| OilError::Oil {
+            name: name.to_owned(),
+            source,
         };
         let lubricant = input.resolve(GOLD_TEMPERATURE).map_err(oil)?;
         if !lubricant.has_viscosity_law() {
@@ -48,31 +88,42 @@ impl OilBase {
         let rheology = FilmRheology::of(&lubricant, family, constants, GOLD_TEMPERATURE);
         Ok(Self {
             name: name.to_owned(),
+            lubricant: input,
             rheology: rheology.map_err(oil)?,
             deviations: deviations(&constants, Some(family)).map_err(oil)?,
         })
     }
 
-    /// The oil of a case.
+    /// The oil of a case, which may name an oil file.
     ///
     /// # Errors
     /// When the viscosity is known at one temperature only, or the film friction has no shear stress.
-    pub fn of_case(case: &Case) -> Result<Self, OilError> {
+    pub fn of_case(case: &Case, constants: ConstantsOf) -> Result<Self, OilError> {
         let name = case.title.clone();
         if !case.lubricant.has_viscosity_law() {
             return Err(OilError::OneViscosity { name });
         }
-        let Some(rheology) = case.rheology.clone() else {
+        let Some(mut rheology) = case.rheology.clone() else {
             return Err(OilError::NoShearLaw { name });
         };
         let family = case.lubricant.base_oil();
-        let deviations = deviations(rheology.constants(), family);
+        let refused = |source| OilError::Oil {
+            name: name.clone(),
+            source,
+        };
+        let deviations = match (&case.oil_file, constants, family) {
+            (Some(file), ConstantsOf::File, _) => fitted_deviations(file),
+            (Some(_), ConstantsOf::Family, Some(family)) => {
+                let of_family = case.lubricant.traction_constants(family).map_err(refused)?;
+                rheology = rheology.with_constants(of_family).map_err(refused)?;
+                deviations(rheology.constants(), Some(family)).map_err(refused)?
+            }
+            _ => deviations(rheology.constants(), family).map_err(refused)?,
+        };
         Ok(Self {
-            deviations: deviations.map_err(|source| OilError::Oil {
-                name: name.clone(),
-                source,
-            })?,
+            deviations,
             name,
+            lubricant: properties(case)?,
             rheology,
         })
     }
@@ -97,6 +148,38 @@ impl OilBase {
             source,
         })
     }
+}
+
+/// The oil of a case without the constants of its film friction.
+fn properties(case: &Case) -> Result<LubricantInput, OilError> {
+    let own = &case.input.lubricant;
+    let whole = match &case.oil_file {
+        Some(file) => own.completed_by(&file.lubricant),
+        None => Ok(own.clone()),
+    };
+    let whole = whole.map_err(|source| OilError::Oil {
+        name: case.title.clone(),
+        source,
+    })?;
+    Ok(LubricantInput {
+        oil_file: None,
+        pressure_viscosity_factor: None,
+        limiting_shear_temperature: None,
+        ..whole
+    })
+}
+
+/// Standard deviations of the logarithms from the bands of an oil file.
+fn fitted_deviations(file: &OilFile) -> [f64; 3] {
+    [
+        FittedName::EyringStress,
+        FittedName::LimitingShear,
+        FittedName::PressureViscosityFactor,
+    ]
+    .map(|name| {
+        let band = file.film_friction.of(name);
+        (band.high / band.low).ln() / (2.0 * Z_975)
+    })
 }
 
 /// Standard deviations of the logarithms from the 5 % and 95 % quantiles of the family.

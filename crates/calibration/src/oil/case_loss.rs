@@ -5,7 +5,7 @@ use asperity::pipeline::{contacts, losses_with};
 use nalgebra::DVector;
 use rayon::prelude::*;
 
-use super::base::OilBase;
+use super::base::{ConstantsOf, OilBase};
 use super::error::OilError;
 use super::problem::{CONSTANTS, Priors, TractionProblem, Zero};
 use crate::error::CalibrationError;
@@ -18,7 +18,7 @@ const STEP: f64 = 0.1;
 /// # Errors
 /// When the film friction of the case has no shear stress, or a contact has no solution.
 pub(super) fn loss_slopes(case: &LoadedCase, priors: Priors) -> Result<[f64; CONSTANTS], OilError> {
-    let oil = OilBase::of_case(&case.case)?;
+    let oil = OilBase::of_case(&case.case, ConstantsOf::File)?;
     let named = |source: asperity::Error| {
         OilError::Fit(CalibrationError::Model {
             place: oil.name.clone(),

@@ -11,8 +11,6 @@ use crate::error::CalibrationError;
 use crate::information::{covariance, information};
 use crate::least_squares::{Residuals, minimum};
 
-/// Difference of the sums of squares that decides the law of pressure: odds of 20 to 1.
-pub const DECISIVE: f64 = 6.0;
 /// Start of the factor f of Roelands' law, which bends below Barus' with the same coefficient.
 const ROELANDS_START: f64 = 1.4;
 /// Passes with the errors of the points from the fitted friction.

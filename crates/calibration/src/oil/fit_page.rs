@@ -10,9 +10,11 @@ use maud::{Markup, html};
 
 use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
 use super::selection::Dropped;
-use crate::block::{digits, quoted, rounded};
+use crate::block::digits;
 use crate::page::{files, warnings};
 
+/// The oil file.
+const FILE: &str = "oil.toml";
 /// Table of the points.
 const POINTS: &str = "points.csv";
 /// Curves of a chart.
@@ -62,8 +64,11 @@ impl StudyResult for OilFit {
             text.push_str(&wrapped(&warning.to_string(), "     "));
             text.push('\n');
         }
-        text.push_str("for the case:\n");
-        text.push_str(&self.block());
+        let _ = writeln!(
+            text,
+            "{FILE}, which a case names by lubricant.oil_file:\n{}",
+            self.written()
+        );
         text
     }
 
@@ -74,7 +79,10 @@ impl StudyResult for OilFit {
             ("Residuals", residuals(self)),
             ("Dropped points", dropped(self)),
             ("Nuisance terms", nuisance(self)),
-            ("For the case", html! { pre { code { (self.block()) } } }),
+            (
+                "Oil file",
+                html! { p { "A case names it by " code { "lubricant.oil_file" } "." } pre { code { (self.written()) } } },
+            ),
             ("Provenance", files(&self.sources)),
         ];
         page(
@@ -85,7 +93,7 @@ impl StudyResult for OilFit {
     }
 
     fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
-        asperity_report::write_text(&folder.join("case.toml"), &self.block())?;
+        asperity_report::write_text(&folder.join(FILE), &self.written())?;
         tables::write(&folder.join(POINTS), self.points.iter())
     }
 }
@@ -114,7 +122,7 @@ impl OilFit {
             ),
             format!(
                 "law of pressure {}: {decided}, sum of squares {best:.1} against {other:.1} of the other law",
-                self.pressure_law
+                self.pressure_law.name()
             ),
             format!(
                 "squares of the residuals per point {:.3}; the error of the law adds {:.0} %",
@@ -124,44 +132,11 @@ impl OilFit {
         ]
     }
 
-    /// The constants as keys of a case.
-    #[must_use]
-    pub fn block(&self) -> String {
-        let [stress, limit, fall, factor] = &self.constants[..] else {
-            return String::new();
-        };
-        let with_unit = |value: f64, unit: &str| format!("\"{} {unit}\"", digits(value));
-        let files: Vec<&str> = self.sources.iter().map(|[file, _]| &**file).collect();
-        let mut text = format!(
-            "[model]\nfilm_pressure_law = \"{}\"\n\n[lubricant]\npressure_viscosity_factor = {}\nlimiting_shear_temperature = {}\n\n[calibration]\nsource = {}\n",
-            self.pressure_law,
-            digits(factor.value),
-            with_unit(fall.value, "1/K"),
-            quoted(&files.join(", ")),
-        );
-        let [low, high] = stress.band;
-        // Writing into a string cannot fail.
-        let _ = writeln!(
-            text,
-            "eyring_stress = {{ value = {}, low = {}, high = {} }}",
-            with_unit(stress.value, "MPa"),
-            with_unit(low, "MPa"),
-            with_unit(high, "MPa")
-        );
-        let [low, high] = limit.band;
-        let _ = writeln!(
-            text,
-            "limiting_shear = {{ value = {}, low = {}, high = {} }}",
-            digits(limit.value),
-            digits(low),
-            digits(high)
-        );
-        let _ = writeln!(
-            text,
-            "correlations = [{{ between = [\"eyring_stress\", \"limiting_shear\"], value = {:.3} }}]",
-            rounded(&[0, 1], &self.correlations)[(0, 1)]
-        );
-        text
+    /// The text of the oil file.
+    fn written(&self) -> String {
+        self.oil_file()
+            .map(|file| file.to_string())
+            .unwrap_or_default()
     }
 }
 

@@ -9,6 +9,7 @@
 //! | selection, fit, verdicts, further settings | [`selection`], [`problem`], [`fit`], `oil_fit`, `helpful` |
 //! | plan of measurements, for a case by its loss | `plan`, `grid`, `case_loss` |
 //! | boundary friction from Stribeck curves | `stribeck` |
+//! | the oil file | `written` |
 
 mod base;
 mod case_loss;
@@ -30,8 +31,9 @@ mod stribeck;
 mod stribeck_page;
 mod table;
 mod traction;
+mod written;
 
-pub use base::OilBase;
+pub use base::{ConstantsOf, OilBase};
 pub use error::OilError;
 pub use machine::{Machine, Setting};
 pub use oil_fit::{FitSettings, FittedConstant, NuisanceTerm, OilFit, TractionPointRow};

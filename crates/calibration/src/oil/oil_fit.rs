@@ -2,15 +2,16 @@
 
 use std::fmt::Write as _;
 
+use asperity::case::{DECISIVE, POORLY_EXPLAINED, law_error};
 use asperity::message::Warning;
-use asperity::oil::{PressureLaw, TractionConstants};
+use asperity::oil::{LubricantInput, PressureLaw, TractionConstants};
 use asperity_core::numerics::{Z_95, Z_975};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
 use super::error::OilError;
-use super::fit::{DECISIVE, LawFit, PointErrors, expected, fit_law};
+use super::fit::{LawFit, PointErrors, expected, fit_law};
 use super::helpful::{Helpful, helpful};
 use super::problem::{CONSTANTS, FACTOR, Nuisance, Priors, STATED, STATED_CONSTANTS, Zero};
 use super::reading::{Reading, SetPoint, set_points};
@@ -27,12 +28,8 @@ const COMBINED: f64 = 0.95;
 const FEWEST: usize = 6;
 /// Least Hertz pressure of a fit \[Pa\].
 const LEAST_PRESSURE: f64 = 0.4e9;
-/// Squares per point above which no law explains the curves, and above which the error of the law is larger.
+/// Squares per point above which no law explains the curves.
 const UNEXPLAINED: f64 = 3.0;
-const POORLY_EXPLAINED: f64 = 1.5;
-/// Standard deviation of the error of the law that explains the curves, and that explains them poorly (judgement).
-const LAW_ERROR: f64 = 0.02;
-const POOR_LAW_ERROR: f64 = 0.12;
 /// Squares per point below which the stated errors are too large.
 const OVERSTATED: f64 = 0.3;
 /// Standard deviations of a nuisance term that are worth a warning, and that no calibrated machine has.
@@ -139,10 +136,12 @@ pub struct OilFit {
     pub program: String,
     /// Title.
     pub title: String,
+    /// Viscosity, density and family of the oil.
+    pub lubricant: LubricantInput,
     /// Files with their SHA-256.
     pub sources: Vec<[String; 2]>,
     /// Law of pressure of the fit.
-    pub pressure_law: String,
+    pub pressure_law: PressureLaw,
     /// Whether the points decide it.
     pub is_law_decided: bool,
     /// Whether they decide it without the prior of the factor.
@@ -208,17 +207,15 @@ impl OilFit {
         let found = Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
             title: format!("Oil constants of {}", oil.name),
+            lubricant: oil.lubricant.clone(),
             sources,
-            pressure_law: best.problem.law.name().to_owned(),
+            pressure_law: best.problem.law,
             is_law_decided: other.total_squared - best.total_squared >= DECISIVE,
             is_law_decided_by_points: other.without_factor_prior() - best.without_factor_prior()
                 >= DECISIVE,
             total_squared: [best.total_squared, other.total_squared],
             squares_per_point: best.squares_per_point(),
-            law_error: match best.squares_per_point() > POORLY_EXPLAINED {
-                true => POOR_LAW_ERROR,
-                false => LAW_ERROR,
-            },
+            law_error: law_error(best.squares_per_point()),
             counts: [readings.len(), points.len(), kept.len()],
             temperatures_c: super::problem::distinct(
                 kept.iter().map(|point| point.reading.set_temperature_c),

@@ -230,7 +230,11 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
         change(&format!("temperature {from}"), to, case)
     });
     let present = loaded.case.lubricant.base_oil();
-    let others = BASE_OILS.into_iter().filter(|oil| Some(*oil) != present);
+    // The constants of an oil file are those of its oil, whatever the family.
+    let is_known = loaded.case.oil_file.is_some();
+    let others = BASE_OILS
+        .into_iter()
+        .filter(|oil| !is_known && Some(*oil) != present);
     let base = others.map(|oil| {
         let case = loaded.with(|input| {
             input.lubricant.base_oil = Some(oil);

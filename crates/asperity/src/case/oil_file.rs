@@ -1,0 +1,756 @@
+//! The oil file: constants of the film friction of one oil, fitted to traction curves, with their 95 % bands.
+
+use std::fmt;
+use std::path::Path;
+use std::sync::{Arc, LazyLock};
+
+use asperity_core::quantity::{PerKelvin, Pressure, Temperature};
+use asperity_oil::{LubricantError, LubricantInput, PressureLaw, TractionConstants};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value as Json;
+
+use super::calibration::{Calibrated, CalibratedName, CorrelationInput, cholesky, correlation};
+use super::case_file::CaseFile;
+use super::error::CaseError;
+use super::files::{Content, FileSums, Files, OIL_FILE, Reader};
+use super::input::CaseInput;
+use super::model::{Formulation, ModelInput};
+use super::section::Section;
+use super::source::Source;
+use crate::message::Warning;
+
+/// Squares of the residuals per point above which the law explains the curves poorly.
+pub const POORLY_EXPLAINED: f64 = 1.5;
+/// Difference of the sums of squares that decides the law of pressure: odds of 20 to 1.
+pub const DECISIVE: f64 = 6.0;
+/// Standard deviation of the error of a law that explains the curves, and of one that explains them poorly (judgement).
+const LAW_ERROR: [f64; 2] = [0.02, 0.12];
+/// Distance beyond the tested temperatures \[K\] from which the error of the law grows, and its standard deviation per
+/// kelvin (judgement).
+const FAR: f64 = 20.0;
+const ERROR_PER_KELVIN: f64 = 0.10 / 40.0;
+/// Steepest fall of ln Λ of a band \[1/K\]: a wider one has draws for which a film has several temperatures.
+const STEEPEST_FALL: f64 = 0.016;
+
+/// An oil file: `asperity oil fit` writes it, and a case names it by `lubricant.oil_file`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OilFile {
+    /// Name of the format.
+    pub schema: OilSchema,
+    /// The oil, as in a case.
+    #[serde(default)]
+    pub lubricant: LubricantInput,
+    /// Constants of the film friction.
+    pub film_friction: FittedFriction,
+}
+
+/// Name of the format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum OilSchema {
+    /// Version 1.
+    #[serde(rename = "asperity-oil-1")]
+    Version1,
+}
+
+/// Constants of the film friction with the points that they were fitted to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FittedFriction {
+    /// Law of pressure of the fit, in place of the default of `model.film_pressure_law`.
+    pub pressure_law: PressureLaw,
+    /// Eyring stress.
+    pub eyring_stress: OilConstant<Pressure>,
+    /// Limiting shear stress over pressure at 90 °C.
+    pub limiting_shear: OilConstant<f64>,
+    /// Fall of the logarithm of the limiting shear stress with temperature \[1/K\]; its distribution is normal, the others are
+    /// lognormal.
+    pub limiting_shear_temperature: OilConstant<f64>,
+    /// Pressure-viscosity coefficient of the friction over the one of the film thickness.
+    pub pressure_viscosity_factor: OilConstant<f64>,
+    /// Correlations of the logarithms (of `limiting_shear_temperature` itself); a pair that is left out has none.
+    #[serde(default)]
+    pub correlations: Vec<CorrelationInput<FittedName>>,
+    /// Temperatures of the curves.
+    pub temperatures: Vec<Temperature>,
+    /// Largest Hertz pressure of the curves.
+    pub pressure_max: Pressure,
+    /// Quality of the fit.
+    pub fit: FitQuality,
+    /// Files of the curves with their SHA-256.
+    pub source: String,
+}
+
+/// A fitted constant with its 95 % band.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OilConstant<T> {
+    /// The value.
+    pub value: T,
+    /// Lower end of the 95 % band.
+    pub low: T,
+    /// Upper end of the 95 % band.
+    pub high: T,
+    /// Whether the curves determine it; default true. If not, value and band are mostly those of the family.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub identified: Option<bool>,
+}
+
+/// Quality of a fit.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FitQuality {
+    /// Points.
+    pub points: usize,
+    /// Squares of the residuals of the points over their number.
+    pub chi2_per_point: f64,
+    /// Sum of squares by the other law of pressure.
+    pub other_law: f64,
+    /// Sum of squares by `pressure_law`.
+    pub this_law: f64,
+}
+
+/// A constant of an oil file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FittedName {
+    /// τ₀.
+    EyringStress,
+    /// Λ.
+    LimitingShear,
+    /// b_L.
+    LimitingShearTemperature,
+    /// f.
+    PressureViscosityFactor,
+}
+
+impl FittedName {
+    /// All, in the order of the file.
+    pub const ALL: [Self; 4] = [
+        Self::EyringStress,
+        Self::LimitingShear,
+        Self::LimitingShearTemperature,
+        Self::PressureViscosityFactor,
+    ];
+
+    /// The key in the file.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::EyringStress => "eyring_stress",
+            Self::LimitingShear => "limiting_shear",
+            Self::LimitingShearTemperature => "limiting_shear_temperature",
+            Self::PressureViscosityFactor => "pressure_viscosity_factor",
+        }
+    }
+
+    /// The key of a case that replaces the constant, if `input` states it.
+    #[must_use]
+    pub fn replaced_by(self, input: &CaseInput) -> Option<&'static str> {
+        let calibrated = |name| {
+            let calibration = input.calibration.as_ref()?;
+            calibration.of(name)
+        };
+        let lubricant = &input.lubricant;
+        match self {
+            Self::EyringStress => {
+                calibrated(CalibratedName::EyringStress).map(|_| "calibration.eyring_stress")
+            }
+            Self::LimitingShear => {
+                calibrated(CalibratedName::LimitingShear).map(|_| "calibration.limiting_shear")
+            }
+            Self::LimitingShearTemperature => lubricant
+                .limiting_shear_temperature
+                .map(|_| "lubricant.limiting_shear_temperature"),
+            Self::PressureViscosityFactor => lubricant
+                .pressure_viscosity_factor
+                .map(|_| "lubricant.pressure_viscosity_factor"),
+        }
+    }
+}
+
+impl<T> OilConstant<T> {
+    /// The constant in SI units.
+    fn band(&self, si: impl Fn(&T) -> f64) -> Calibrated<f64> {
+        Calibrated {
+            value: si(&self.value),
+            low: si(&self.low),
+            high: si(&self.high),
+        }
+    }
+}
+
+impl FittedFriction {
+    /// Value and 95 % band of a constant in SI units.
+    #[must_use]
+    pub fn of(&self, name: FittedName) -> Calibrated<f64> {
+        match name {
+            FittedName::EyringStress => self.eyring_stress.band(|stress| stress.si()),
+            FittedName::LimitingShear => self.limiting_shear.band(|share| *share),
+            FittedName::LimitingShearTemperature => {
+                self.limiting_shear_temperature.band(|fall| *fall)
+            }
+            FittedName::PressureViscosityFactor => {
+                self.pressure_viscosity_factor.band(|factor| *factor)
+            }
+        }
+    }
+
+    /// Sets a constant of an oil.
+    pub fn put_into(&self, name: FittedName, constants: &mut TractionConstants) {
+        let value = self.of(name).value;
+        match name {
+            FittedName::EyringStress => constants.eyring_stress = Pressure::from_si(value),
+            FittedName::LimitingShear => constants.limiting_shear = value,
+            FittedName::LimitingShearTemperature => {
+                constants.limiting_shear_fall = PerKelvin::from_si(value);
+            }
+            FittedName::PressureViscosityFactor => constants.pressure_viscosity_factor = value,
+        }
+    }
+
+    /// Correlation of two constants.
+    #[must_use]
+    pub fn correlation(&self, first: FittedName, other: FittedName) -> f64 {
+        correlation(&self.correlations, first, other)
+    }
+
+    /// Distance of a temperature from the temperatures of the curves \[K\]; 0 within them.
+    #[must_use]
+    pub fn beyond_temperatures(&self, temperature: Temperature) -> f64 {
+        let [low, high] = self.temperature_range().map(Temperature::si);
+        let t = temperature.si();
+        (low - t).max(t - high).max(0.0)
+    }
+
+    /// Lowest and highest temperature of the curves.
+    #[must_use]
+    pub fn temperature_range(&self) -> [Temperature; 2] {
+        let kelvin = self.temperatures.iter().map(|one| one.si());
+        let ends = kelvin.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], t| {
+            [low.min(t), high.max(t)]
+        });
+        ends.map(Temperature::from_si)
+    }
+
+    /// Whether a temperature is so far from the curves that the error of the law grows.
+    #[must_use]
+    pub fn is_far(&self, temperature: Temperature) -> bool {
+        self.beyond_temperatures(temperature) > FAR
+    }
+
+    /// Standard deviation of the logarithm of the film friction by the law, at a temperature.
+    ///
+    /// ```text
+    /// s² = s_law² + (0.1 ΔT/40 K)² for ΔT > 20 K                                [Film-law-error]
+    /// ```
+    ///
+    /// s_law is 0.02, and 0.12 if the squares of the residuals exceed 1.5 per point; ΔT is the distance from the temperatures
+    /// of the curves.
+    #[must_use]
+    pub fn law_error(&self, temperature: Temperature) -> f64 {
+        asperity_core::cite!("Film-law-error");
+        let own = law_error(self.fit.chi2_per_point);
+        match self.is_far(temperature) {
+            true => own.hypot(ERROR_PER_KELVIN * self.beyond_temperatures(temperature)),
+            false => own,
+        }
+    }
+}
+
+/// Standard deviation of the error of a law that leaves these squares of the residuals per point.
+#[must_use]
+pub fn law_error(chi2_per_point: f64) -> f64 {
+    LAW_ERROR[usize::from(chi2_per_point > POORLY_EXPLAINED)]
+}
+
+impl CaseFile for OilFile {
+    const VALID: &'static str = r#"
+schema = "asperity-oil-1"
+lubricant = { oil = "m100" }
+
+[film_friction]
+pressure_law = "barus"
+eyring_stress = { value = "4.8 MPa", low = "4.2 MPa", high = "5.4 MPa" }
+limiting_shear = { value = 0.036, low = 0.030, high = 0.042, identified = false }
+limiting_shear_temperature = { value = 0.0004, low = -0.0028, high = 0.0035 }
+pressure_viscosity_factor = { value = 0.95, low = 0.91, high = 0.99 }
+correlations = [{ between = ["eyring_stress", "pressure_viscosity_factor"], value = -0.66 }]
+temperatures = ["40 °C", "120 °C"]
+pressure_max = "1.19 GPa"
+fit = { points = 100, chi2_per_point = 0.76, other_law = 309.0, this_law = 78.0 }
+source = "curves.csv"
+"#;
+
+    fn schema() -> &'static Json {
+        static SCHEMA: LazyLock<Json> = LazyLock::new(|| schemars::schema_for!(OilFile).to_value());
+        &SCHEMA
+    }
+}
+
+/// Files that a case names in its oil file.
+pub(super) type Opened = (Option<Arc<OilFile>>, Arc<FileSums>);
+
+/// The oil file that `input` names, and its sum.
+pub(super) fn oil_file(
+    input: &CaseInput,
+    source: &Source,
+    files: &Files,
+) -> Result<Opened, CaseError> {
+    let Some(name) = &input.lubricant.oil_file else {
+        return Ok((None, Arc::default()));
+    };
+    let reader = Reader::of(files);
+    let Content::Bytes(bytes) = reader.open(name, source, OIL_FILE)?.0 else {
+        let message = "names a trace, not an oil file";
+        return Err(Section::of(source, OIL_FILE).value("", message));
+    };
+    let file = Source::from_bytes(&files.path_of(name).display().to_string(), &bytes)?;
+    let file = OilFile::of_source(&file)?;
+    Ok((Some(file.into()), reader.into_sums().into()))
+}
+
+impl OilFile {
+    /// Whether a text is an oil file, and not a case.
+    #[must_use]
+    pub fn is_one(source: &Source) -> bool {
+        let mut keys = source.key_paths();
+        keys.any(|key| key == "film_friction")
+    }
+
+    /// Reads and checks an oil file.
+    ///
+    /// # Errors
+    /// When a key is not known or missing, or a value impossible, with its place.
+    pub fn of_source(source: &Source) -> Result<Self, CaseError> {
+        let file = Self::read(source)?;
+        file.check(source)?;
+        Ok(file)
+    }
+
+    /// Refuses bands that do not contain their value, and correlations that contradict each other.
+    fn check(&self, source: &Source) -> Result<(), CaseError> {
+        let lubricant = Section::of(source, "lubricant");
+        let section = Section::of(source, "film_friction");
+        let LubricantInput {
+            oil_file,
+            pressure_viscosity_factor,
+            limiting_shear_temperature,
+            ..
+        } = &self.lubricant;
+        let elsewhere = [
+            ("oil_file", oil_file.is_some()),
+            (
+                "pressure_viscosity_factor",
+                pressure_viscosity_factor.is_some(),
+            ),
+            (
+                "limiting_shear_temperature",
+                limiting_shear_temperature.is_some(),
+            ),
+        ];
+        if let Some((key, _)) = elsewhere.into_iter().find(|(_, is_stated)| *is_stated) {
+            let rule = "is a key of a case; an oil file has film_friction";
+            return Err(lubricant.conflict_of_key(key, rule));
+        }
+        let found = &self.film_friction;
+        for name in FittedName::ALL {
+            let Calibrated { value, low, high } = found.of(name);
+            let is_within = low < high && (low..=high).contains(&value) && high.is_finite();
+            let is_fall = name == FittedName::LimitingShearTemperature;
+            let rule = match is_fall {
+                _ if !is_within || (!is_fall && low <= 0.0) => match is_fall {
+                    true => "needs low < high with the value between them",
+                    false => "needs 0 < low < high with the value between them",
+                },
+                true if low < -STEEPEST_FALL || high > STEEPEST_FALL => {
+                    "needs -0.016 <= low and high <= 0.016 1/K: the film would have no single temperature"
+                }
+                _ if name == FittedName::LimitingShear && high >= 1.0 => "must be below 1",
+                _ => continue,
+            };
+            return Err(section.conflict(name.key(), rule));
+        }
+        let FitQuality {
+            points,
+            chi2_per_point,
+            other_law,
+            this_law,
+        } = found.fit;
+        let is_sum = |value: f64| value.is_finite() && value >= 0.0;
+        let is_known = |kelvin: &Temperature| kelvin.si().is_finite() && kelvin.si() > 0.0;
+        let faults = [
+            (
+                "temperatures",
+                !found.temperatures.is_empty() && found.temperatures.iter().all(is_known),
+                "needs the temperatures of the curves",
+            ),
+            (
+                "pressure_max",
+                found.pressure_max.si() > 0.0 && found.pressure_max.si().is_finite(),
+                "must be positive",
+            ),
+            (
+                "fit",
+                points > 0
+                    && [chi2_per_point, other_law, this_law]
+                        .into_iter()
+                        .all(is_sum),
+                "needs points, and squares of 0 or more",
+            ),
+            (
+                "correlations",
+                self.has_distribution(),
+                "contradict each other: no measurements have these correlations",
+            ),
+        ];
+        match faults.into_iter().find(|(_, holds, _)| !holds) {
+            None => Ok(()),
+            Some((key, _, rule)) => Err(section.conflict(key, rule)),
+        }
+    }
+
+    fn has_distribution(&self) -> bool {
+        let [all, found] = [FittedName::ALL, FittedName::ALL];
+        let names = |i: usize, j: usize| self.film_friction.correlation(all[i], found[j]);
+        cholesky(FittedName::ALL.len(), names).is_some()
+    }
+
+    /// The oil of a case that names this file.
+    ///
+    /// # Errors
+    /// When the oil is not in the library.
+    pub(super) fn completing(
+        &self,
+        own: &LubricantInput,
+    ) -> Result<LubricantInput, LubricantError> {
+        own.completed_by(&self.lubricant)
+    }
+
+    /// Refuses a case that does not use the constants, and returns the choices of the model with the law of pressure.
+    pub(super) fn put_into(
+        &self,
+        model: &ModelInput,
+        formulation: Formulation,
+        source: &Source,
+    ) -> Result<ModelInput, CaseError> {
+        let section = Section::of(source, "lubricant");
+        if formulation == Formulation::Paper {
+            let rule = "belongs to the corrected formulation; leave one of the two out";
+            return Err(section.conflict("oil_file", rule));
+        }
+        let law = self.film_friction.pressure_law;
+        if model.film_pressure_law.is_some_and(|own| own != law) {
+            let rule = "is not the law of pressure that the constants of lubricant.oil_file were fitted by; leave it out, or fit the curves again";
+            return Err(Section::of(source, "model").conflict("film_pressure_law", rule));
+        }
+        Ok(ModelInput {
+            film_pressure_law: Some(law),
+            ..model.clone()
+        })
+    }
+
+    /// Replaces the constants of the family in `constants`, except those that the case states.
+    pub(super) fn set_constants(&self, input: &CaseInput, constants: &mut TractionConstants) {
+        for name in FittedName::ALL {
+            if name.replaced_by(input).is_none() {
+                self.film_friction.put_into(name, constants);
+            }
+        }
+    }
+
+    /// W442: what the case states as well; W443: limits of the fit.
+    pub(super) fn warnings(&self, input: &CaseInput, temperature: Temperature) -> Vec<Warning> {
+        let file = input.lubricant.oil_file.as_deref().unwrap_or(Path::new(""));
+        let file = file.display();
+        let of_constants = FittedName::ALL
+            .into_iter()
+            .filter_map(|name| name.replaced_by(input));
+        let mut replaced: Vec<String> = of_constants.map(str::to_owned).collect();
+        replaced.extend(self.other_properties(&input.lubricant));
+        let mut found = Vec::new();
+        if !replaced.is_empty() {
+            let text = format!(
+                "{} of the case replaces the value of {file}",
+                replaced.join(", ")
+            );
+            found.push(Warning::new("W442", text));
+        }
+        let fitted = &self.film_friction;
+        let mut limit = |text: String| found.push(Warning::new("W443", format!("{file}: {text}")));
+        if fitted.is_far(temperature) {
+            let [low, high] = fitted.temperature_range().map(Temperature::celsius);
+            limit(format!(
+                "the curves were measured at {low:.0} to {high:.0} °C, the flanks are at {:.0} °C: the film friction is drawn with an error of {:.0} %",
+                temperature.celsius(),
+                100.0 * fitted.law_error(temperature)
+            ));
+        }
+        if fitted.fit.chi2_per_point > POORLY_EXPLAINED {
+            limit(format!(
+                "the law explains the curves poorly, the residuals are {:.1} times the stated errors: the film friction is drawn with an error of {:.0} %",
+                fitted.fit.chi2_per_point.sqrt(),
+                100.0 * fitted.law_error(temperature)
+            ));
+        }
+        if fitted.fit.other_law - fitted.fit.this_law < DECISIVE {
+            limit("the curves do not decide the law of pressure".to_owned());
+        }
+        found
+    }
+
+    /// Keys of the oil that the case states with another value.
+    fn other_properties(&self, own: &LubricantInput) -> Vec<String> {
+        let table = |input: &LubricantInput| toml::Table::try_from(input).unwrap_or_default();
+        let file = table(&self.lubricant);
+        let differs = |(key, value): (String, toml::Value)| {
+            let other = file.get(&key).is_some_and(|other| *other != value);
+            (other || (key == "oil" && !file.is_empty() && file.get("oil") != Some(&value)))
+                .then(|| format!("lubricant.{key}"))
+        };
+        table(own).into_iter().filter_map(differs).collect()
+    }
+}
+
+/// The file as TOML.
+impl fmt::Display for OilFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        #[derive(Serialize)]
+        struct Oil<'a> {
+            lubricant: &'a LubricantInput,
+        }
+        let Self {
+            schema,
+            lubricant,
+            film_friction,
+        } = self;
+        let FittedFriction {
+            pressure_law,
+            eyring_stress,
+            limiting_shear,
+            limiting_shear_temperature,
+            pressure_viscosity_factor,
+            correlations,
+            temperatures,
+            pressure_max,
+            fit,
+            source,
+        } = film_friction;
+        let oil = toml::to_string(&Oil { lubricant }).map_err(|_| fmt::Error)?;
+        writeln!(f, "schema = {}\n\n{oil}", inline(schema)?)?;
+        writeln!(f, "[film_friction]")?;
+        writeln!(f, "pressure_law = {}", inline(pressure_law)?)?;
+        constant(f, FittedName::EyringStress, eyring_stress)?;
+        constant(f, FittedName::LimitingShear, limiting_shear)?;
+        constant(
+            f,
+            FittedName::LimitingShearTemperature,
+            limiting_shear_temperature,
+        )?;
+        constant(
+            f,
+            FittedName::PressureViscosityFactor,
+            pressure_viscosity_factor,
+        )?;
+        writeln!(f, "correlations = [")?;
+        for CorrelationInput { between, value } in correlations {
+            writeln!(
+                f,
+                "  {{ between = {}, value = {} }},",
+                inline(between)?,
+                inline(value)?
+            )?;
+        }
+        writeln!(f, "]\ntemperatures = {}", inline(temperatures)?)?;
+        writeln!(f, "pressure_max = {}", inline(pressure_max)?)?;
+        let FitQuality {
+            points,
+            chi2_per_point,
+            other_law,
+            this_law,
+        } = fit;
+        writeln!(
+            f,
+            "fit = {{ points = {points}, chi2_per_point = {}, other_law = {}, this_law = {} }}",
+            inline(chi2_per_point)?,
+            inline(other_law)?,
+            inline(this_law)?
+        )?;
+        writeln!(f, "source = {}", inline(source)?)
+    }
+}
+
+/// A line of a constant.
+fn constant<T: Serialize>(
+    f: &mut fmt::Formatter<'_>,
+    name: FittedName,
+    fitted: &OilConstant<T>,
+) -> fmt::Result {
+    let OilConstant {
+        value,
+        low,
+        high,
+        identified,
+    } = fitted;
+    let unit = match name {
+        FittedName::LimitingShearTemperature => "  # 1/K",
+        _ => "",
+    };
+    let identified = match identified {
+        Some(is_identified) => format!(", identified = {is_identified}"),
+        None => String::new(),
+    };
+    writeln!(
+        f,
+        "{} = {{ value = {}, low = {}, high = {}{identified} }}{unit}",
+        name.key(),
+        inline(value)?,
+        inline(low)?,
+        inline(high)?
+    )
+}
+
+/// A value on one line.
+fn inline<T: Serialize>(value: &T) -> Result<String, fmt::Error> {
+    let value = toml::Value::try_from(value).map_err(|_| fmt::Error)?;
+    Ok(value.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<OilFile, CaseError> {
+        OilFile::of_source(&Source::new("oil.toml", text)?)
+    }
+
+    #[test]
+    fn a_written_file_reads_back() {
+        let file = read(OilFile::VALID).unwrap();
+        let text = file.to_string();
+        assert_eq!(read(&text).unwrap(), file, "{text}");
+        assert!(
+            text.contains(
+                "eyring_stress = { value = \"4.8 MPa\", low = \"4.2 MPa\", high = \"5.4 MPa\" }\n"
+            ),
+            "{text}"
+        );
+        let own = LubricantInput {
+            oil: None,
+            viscosity: Some(asperity_oil::ViscosityLaw::IsoVg {
+                grade: 100.0,
+                viscosity_index: 95.0,
+            }),
+            ..LubricantInput::default()
+        };
+        let file = OilFile {
+            lubricant: own,
+            ..file
+        };
+        assert_eq!(read(&file.to_string()).unwrap(), file, "{file}");
+    }
+
+    #[test]
+    fn impossible_files_are_refused_with_key_and_line() {
+        for (from, to, code, says) in [
+            (
+                "asperity-oil-1",
+                "asperity-oil-2",
+                "E204",
+                "oil.toml:2: schema: unknown choice `asperity-oil-2`",
+            ),
+            (
+                "pressure_law = \"barus\"\n",
+                "",
+                "E204",
+                "missing key \"pressure_law\"",
+            ),
+            (
+                "eyring_stress",
+                "eyring_strain",
+                "E203",
+                "oil.toml:7: unknown key \"film_friction.eyring_strain\"",
+            ),
+            (
+                "low = \"4.2 MPa\"",
+                "low = \"5.2 MPa\"",
+                "E205",
+                "oil.toml:7: film_friction.eyring_stress: needs 0 < low < high",
+            ),
+            (
+                "low = 0.030",
+                "low = 0",
+                "E205",
+                "film_friction.limiting_shear: needs 0 < low",
+            ),
+            (
+                "high = 0.042",
+                "high = 1.2",
+                "E205",
+                "film_friction.limiting_shear: must be below 1",
+            ),
+            (
+                "low = -0.0028",
+                "low = 0.0028",
+                "E205",
+                "film_friction.limiting_shear_temperature: needs low < high",
+            ),
+            (
+                "high = 0.0035",
+                "high = 0.02",
+                "E205",
+                "no single temperature",
+            ),
+            (
+                "value = \"4.8 MPa\"",
+                "value = 4.8",
+                "E204",
+                "film_friction.eyring_stress",
+            ),
+            (
+                "value = -0.66",
+                "value = -1.66",
+                "E205",
+                "film_friction.correlations: contradict",
+            ),
+            (
+                "\"eyring_stress\", \"pr",
+                "\"eyring\", \"pr",
+                "E204",
+                "film_friction.correlations",
+            ),
+            (
+                "[\"40 °C\", \"120 °C\"]",
+                "[]",
+                "E205",
+                "film_friction.temperatures",
+            ),
+            ("1.19 GPa", "-1 GPa", "E205", "film_friction.pressure_max"),
+            ("points = 100", "points = 0", "E205", "film_friction.fit"),
+            (
+                "oil = \"m100\"",
+                "oil_file = \"b.toml\"",
+                "E205",
+                "oil.toml:3: lubricant.oil_file: is a key of a case",
+            ),
+        ] {
+            assert!(OilFile::VALID.contains(from), "{from}");
+            let error = read(&OilFile::VALID.replacen(from, to, 1)).unwrap_err();
+            assert_eq!(error.code(), code, "{error}");
+            assert!(error.to_string().contains(says), "{error}");
+        }
+        assert_eq!(read("x y").unwrap_err().code(), "E202");
+    }
+
+    #[test]
+    fn the_error_of_the_law_grows_beyond_the_tested_temperatures() {
+        let mut found = read(OilFile::VALID).unwrap().film_friction;
+        let at = |celsius: f64| Temperature::from_celsius(celsius);
+        for (celsius, error) in [(90.0, 0.02), (139.0, 0.02), (15.0, 0.02f64.hypot(0.0625))] {
+            assert!((found.law_error(at(celsius)) - error).abs() < 1e-12);
+        }
+        found.fit.chi2_per_point = 2.0;
+        assert_eq!(found.law_error(at(90.0)), 0.12);
+    }
+}
