@@ -72,6 +72,8 @@ fn keys_of_the_case_and_its_calibration_replace_constants_of_the_oil_file() {
     assert_eq!(constant(&plain, "eyring_stress_pa"), 4.8e6);
     assert_eq!(warned(&plain, "W442"), "");
     assert_eq!(warned(&plain, "W443"), "");
+    let page = fs::read_to_string(bench.path("out/report.html")).unwrap();
+    assert!(page.contains(">pressure-viscosity factor of the friction</th>"));
 
     let of_case = result(
         &bench,

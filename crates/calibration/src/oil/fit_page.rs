@@ -168,7 +168,7 @@ fn constants(fit: &OilFit) -> Markup {
                     @if let Some(further) = &one.would_help { "; ten readings would help most at " (further) } }
             } } }
         } }
-        p { "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The keys for a case state the 2.5 % and 97.5 % quantiles. Error left: standard deviation after the points over the one of the family." }
+        p { "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The oil file states the 2.5 % and 97.5 % quantiles. Error left: standard deviation after the points over the one of the family." }
         (warnings(&fit.warnings))
         h3 { "Correlations" }
         div.scroll { table {

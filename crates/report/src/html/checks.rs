@@ -238,6 +238,10 @@ fn name(constant: &FilmConstant) -> &str {
     match constant.name.as_str() {
         "limiting_shear" => "limiting shear stress over pressure",
         "eyring_stress_pa" => "Eyring stress",
+        "limiting_shear_temperature_per_k" => {
+            "fall of the limiting shear stress with temperature [1/K]"
+        }
+        "pressure_viscosity_factor" => "pressure-viscosity factor of the friction",
         "conductivity_w_per_m_k" => "thermal conductivity",
         "conductivity_rise_per_gpa" => "its rise with pressure",
         "conductivity_bend_per_gpa" => "the bend of that rise",
