@@ -221,6 +221,64 @@ fn curves_that_give_no_constants_are_refused() {
 }
 
 #[test]
+fn a_fit_under_a_condition_is_warned_about() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let fit = |text: &str, oil: &str, more: &[&str]| {
+        bench.write("curves.csv", text);
+        let arguments = [&["oil", "fit", "curves.csv", "--oil", oil], more].concat();
+        let out = bench.run(&[&arguments[..], &["-o", "found"]].concat());
+        out.well().unwrapped()
+    };
+    let warned = |out: &str, part: &str| assert!(out.contains(part), "{part:?} is not in {out}");
+    let table = curves(&bench, |traction| traction);
+    let only = |out: &[&str]| {
+        let is_in = |line: &&str| !out.iter().any(|part| line.contains(part));
+        let lines: Vec<&str> = table.lines().filter(is_in).collect();
+        lines.join("\n")
+    };
+    let sensor = table.replace(",80,", ",82.4,");
+    warned(
+        &fit(&sensor, "m100", &[]),
+        "W441 your temperature sensor would have to read 2.",
+    );
+    let thin = fit(&table, "m100", &["--rq", "60 nm"]);
+    warned(&thin, "points are dropped");
+    warned(
+        &thin,
+        "W441 one temperature: the constants hold within 15 K of 40 °C",
+    );
+    let low = curves(&bench, |traction| 0.5 * traction);
+    let low = fit(&low, "m100", &["--wide", "--force"]);
+    warned(&low, "standard deviations from the family of the base oil");
+    let scattered = curves(&bench, |traction| match (1e7 * traction) as i64 % 2 {
+        0 => 1.025 * traction,
+        _ => 0.975 * traction,
+    });
+    warned(
+        &fit(&scattered, "m100", &[]),
+        "the error of the law is 12 %",
+    );
+    let cold = only(&[",80,", ",120,"]);
+    let cold_wide = fit(&cold, "m100", &["--wide"]);
+    warned(&cold_wide, "W441 limiting shear stress over pressure at 4");
+    warned(
+        &cold_wide,
+        "the points do not separate the constants (correlation +0.9",
+    );
+    let of_case = fit(&cold, "case.toml", &["--wide", "--force"]);
+    warned(
+        &of_case,
+        "W441 the case has 90 °C, 50 K outside of the tested 40 to 40 °C",
+    );
+    let few: Vec<&str> = cold.lines().step_by(6).collect();
+    let few = format!("{}\n{}", table.lines().next().unwrap(), few[1..].join("\n"));
+    println!("{}", fit(&few, "m100", &[]));
+    println!("{}", fit(&few, "m100", &["--wide"]));
+}
+
+#[test]
 fn a_plan_lists_its_curves_and_the_errors_that_they_leave() {
     let bench = Bench::new();
     bench.write_flanks();

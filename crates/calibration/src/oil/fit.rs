@@ -71,6 +71,12 @@ impl LawFit<'_> {
         self.widening() * self.covariance[(k, k)].sqrt()
     }
 
+    /// Standard deviation of constant `k`, widened by the residuals: of the logarithm, but of b_L itself.
+    #[must_use]
+    pub fn constant_deviation(&self, k: usize) -> f64 {
+        self.problem.priors.constants[k] * self.deviation(k)
+    }
+
     /// Sum of squares without the prior of the factor f.
     #[must_use]
     pub fn without_factor_prior(&self) -> f64 {

@@ -110,6 +110,11 @@ impl OilFit {
                 .count();
             (count > 0).then(|| format!(", {count} dropped: {rule}"))
         });
+        let films = self.points.iter().filter(|row| row.has_measured_film);
+        let films = match films.count() {
+            0 => String::new(),
+            count => format!(", {count} with a measured film"),
+        };
         let [best, other] = self.total_squared;
         let decided = match self.is_law_decided {
             true => "decided",
@@ -117,7 +122,7 @@ impl OilFit {
         };
         vec![
             format!(
-                "{readings} readings at {points} set points, {kept} fitted{}",
+                "{readings} readings at {points} set points{films}, {kept} fitted{}",
                 counted.collect::<String>()
             ),
             format!(

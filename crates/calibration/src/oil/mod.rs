@@ -5,14 +5,15 @@
 //! | the oil with the distribution of its constants in the family | `base` |
 //! | the machine | `machine` |
 //! | traction over slide-to-roll ratio and speed | `traction` |
-//! | readings of a machine, as table or export | `table`, `pcs_text`, `reading` |
-//! | selection, fit, verdicts, further settings | [`selection`], [`problem`], [`fit`], `oil_fit`, `helpful` |
+//! | readings of a machine, as table or export | `table`, `pcs_text`, `text`, `reading` |
+//! | selection, fit, verdicts, further settings | [`selection`], [`problem`], [`fit`], `oil_fit`, `combination`, `helpful` |
 //! | plan of measurements, for a case by its loss | `plan`, `grid`, `case_loss` |
 //! | boundary friction from Stribeck curves | `stribeck` |
 //! | the oil file | `written` |
 
 mod base;
 mod case_loss;
+mod combination;
 mod error;
 pub mod fit;
 mod fit_page;
@@ -30,10 +31,12 @@ pub mod selection;
 mod stribeck;
 mod stribeck_page;
 mod table;
+mod text;
 mod traction;
 mod written;
 
 pub use base::{ConstantsOf, OilBase};
+pub use combination::Combination;
 pub use error::OilError;
 pub use machine::{Machine, Setting};
 pub use oil_fit::{FitSettings, FittedConstant, NuisanceTerm, OilFit, TractionPointRow};
@@ -42,4 +45,5 @@ pub use plan::{ExpectedError, OilPlan, PlanSettings, PlannedCurve, PlannedPoint,
 pub use reading::{Reading, SetPoint, set_points};
 pub use stribeck::{BoundaryState, Stribeck, StribeckPoint};
 pub use table::read_table;
+pub use text::read_text;
 pub use traction::{PredictedPoint, TractionCurves, TractionRange};

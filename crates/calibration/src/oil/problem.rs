@@ -44,6 +44,10 @@ pub(super) const STATED_CONSTANTS: [(&str, &str, &str); STATED] = [
     ),
     ("pressure_viscosity_factor", "pressure-viscosity factor", ""),
 ];
+/// Index of the limiting shear stress over pressure.
+pub const LIMIT: usize = 1;
+/// Index of the temperature coefficient b_L, which is not a logarithm.
+pub const FALL: usize = 2;
 /// Index of the factor f among the constants.
 pub const FACTOR: usize = 3;
 /// Step of a derivative, in standard deviations of the prior.
