@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use asperity::oil::PressureLaw;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use asperity_report::{ReportError, StudyResult, tables, wrapped};
@@ -33,19 +34,13 @@ impl StudyResult for OilFit {
             "{:<38} {:>10}   {:<20} {:<20}",
             "constant", "value", "5 to 95 %", "family, 5 to 95 %"
         );
-        for constant in &self.constants {
-            let verdict = match constant.is_identified {
-                true => "",
-                false => "  not identified",
-            };
-            let _ = writeln!(
-                text,
-                "{:<38} {:>10}   {:<20} {:<20}{verdict}",
-                named(constant),
-                digits(constant.value),
-                range(constant.range),
-                range(constant.prior_range)
-            );
+        text.extend(self.constants.iter().map(row));
+        if !self.is_law_decided {
+            let laws = [PressureLaw::Barus, PressureLaw::Roelands].map(PressureLaw::name);
+            let other = laws.into_iter().find(|law| *law != self.pressure_law);
+            let other = other.unwrap_or_default();
+            let _ = writeln!(text, "by the other law of pressure ({other})");
+            text.extend(self.other_law.iter().map(row));
         }
         let mut lines = self.sentences();
         for constant in &self.constants {
@@ -143,6 +138,22 @@ impl OilFit {
             .map(|file| file.to_string())
             .unwrap_or_default()
     }
+}
+
+/// Line of a constant.
+fn row(constant: &FittedConstant) -> String {
+    let verdict = match constant.is_identified {
+        true => "",
+        false => "not identified",
+    };
+    let text = format!(
+        "{:<38} {:>10}   {:<20} {:<20}  {verdict}",
+        named(constant),
+        digits(constant.value),
+        range(constant.range),
+        range(constant.prior_range)
+    );
+    text.trim_end().to_owned() + "\n"
 }
 
 fn named(constant: &FittedConstant) -> String {
