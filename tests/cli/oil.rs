@@ -306,7 +306,7 @@ fn a_fit_under_a_condition_is_warned_about() {
     let of_case = fit(&own, "case.toml", &[]);
     warned(
         &of_case,
-        "W441 the case has 90 °C, 50 K outside of the tested 40 to 40 °C",
+        "W441 the case has 90 °C, 50 K outside of the tested 40 °C",
     );
 }
 
@@ -436,7 +436,7 @@ fn stribeck_curves_give_the_boundary_friction_of_rubbed_specimens() {
     ];
     let out = bench.run(&of_case).well().unwrapped();
     assert!(
-        out.contains("W441 the case has 90 °C, 30 K outside of the tested"),
+        out.contains("W441 the case has 90 °C, 30 K outside of the tested 120 °C"),
         "{out}"
     );
     // Files with the time of rubbing on the command line.

@@ -6,13 +6,12 @@ use std::time::Instant;
 
 use asperity::LoadedCase;
 use asperity::case::{OilFile, open_source};
-use asperity::fingerprint::sha256;
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
     ConstantsOf, FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe,
-    Reading, Stribeck, TractionCurves, TractionRange, read_text,
+    Reading, Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
 use asperity_core::DomainError;
@@ -138,6 +137,7 @@ fn plan(args: &OilPlanArgs, common: &Common) -> Result<(), Failure> {
         is_wide: args.errors.wide,
         zero,
         errors,
+        simulate: args.simulate,
     };
     let plan = OilPlan::of(&oil, case.as_ref(), &settings)?;
     study::write(&plan, (), &folder)?;
@@ -225,7 +225,7 @@ fn all_readings(
         let name = path.display().to_string();
         let text = table_text(path).map_err(OilError::Table)?;
         all.extend(read_text(&name, &text, machine, probe)?);
-        sources.push([name, sha256(text.as_bytes())]);
+        sources.push(source(&name, &text));
     }
     Ok((all, sources))
 }

@@ -14,20 +14,18 @@ use asperity::oil::{
     BaseOil, FilmRheology, LubricantInput, PressureLaw, TractionConstants, ViscosityLaw,
 };
 use asperity_calibration::oil::fit::{PointErrors, fit_law};
-use asperity_calibration::oil::problem::{CONSTANTS, Nuisance, Priors, TractionProblem, Zero};
+use asperity_calibration::oil::problem::{Nuisance, Priors, TractionProblem, Zero};
 use asperity_calibration::oil::selection::judge;
 use asperity_calibration::oil::{
     FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe, Reading,
-    SetPoint, Setting, is_pcs, read_pcs, read_table, set_points,
+    SetPoint, Setting, is_pcs, read_pcs, read_table, set_points, simulated,
 };
-use asperity_core::numerics::{Z_975, standard_normal_quantile};
+use asperity_core::numerics::Z_975;
 use asperity_core::quantity::{
     Density, Force, KinematicViscosity, Length, PerKelvin, Pressure, Speed, Temperature,
     ThermalConductivity,
 };
 use nalgebra::DVector;
-use rand_chacha::ChaCha8Rng;
-use rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
 
 const E_FLUID: &str = include_str!("golden/traction_e_fluid.csv");
@@ -362,27 +360,15 @@ fn plan() -> Vec<Reading> {
 }
 
 /// A machine with errors drawn from the priors measures an oil drawn from its family: readings, and the variables.
-fn simulated(oil: &OilBase, points: &[SetPoint], seed: u64) -> (Vec<SetPoint>, [f64; CONSTANTS]) {
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let mut normal = || {
-        standard_normal_quantile(((random.next_u64() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64)
-    };
+fn measured(oil: &OilBase, points: &[SetPoint], seed: u64) -> (Vec<SetPoint>, DVector<f64>) {
     let priors = Priors::family(oil.deviations);
     let problem = TractionProblem::new(oil, PressureLaw::Barus, priors, Zero::Common, points);
-    let mut x = DVector::from_fn(problem.variables(), |_, _| normal());
-    for (k, term) in problem.terms.iter().enumerate() {
-        if term.kind == Nuisance::Rise {
-            // At least 0: the median is one standard deviation above it.
-            x[CONSTANTS + k] = x[CONSTANTS + k].max(-1.0);
-        }
+    let (x, friction) = simulated(&problem, true, REFERENCE.errors, seed).unwrap();
+    let mut points = points.to_vec();
+    for (point, friction) in points.iter_mut().zip(friction) {
+        point.reading.traction = friction;
     }
-    let friction = problem.predicted(&x).unwrap();
-    let measured = points.iter().zip(friction).map(|(point, mu)| {
-        let mut point = point.clone();
-        point.reading.traction = mu + (0.025 * mu).hypot(1e-3) * normal();
-        point
-    });
-    (measured.collect(), std::array::from_fn(|k| x[k]))
+    (points, x)
 }
 
 /// Share of the bands with the factor 1.15 that hold the truth, for each stated constant.
@@ -395,7 +381,7 @@ fn coverage(is_mineral: bool, oils: u64) -> [f64; 4] {
     let held: Vec<[bool; 4]> = (0..oils)
         .into_par_iter()
         .map(|seed| {
-            let (measured, truth) = simulated(&oil, &points, 1000 + seed);
+            let (measured, truth) = measured(&oil, &points, 1000 + seed);
             let priors = Priors::family(oil.deviations);
             let errors = REFERENCE.errors;
             let fit = fit_law(
@@ -452,6 +438,7 @@ fn a_plan_leaves_the_errors_of_an_independent_program() {
             is_wide: false,
             zero: Zero::Common,
             errors: REFERENCE.errors,
+            simulate: None,
         };
         let plan = OilPlan::of(&oil(is_mineral), None, &settings).unwrap();
         let stages = &plan.stages[1..5];

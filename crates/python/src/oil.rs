@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::LoadedCase;
-use asperity::fingerprint::sha256;
 use asperity::oil::library;
 use asperity::quantity::{Force, Length, Speed, Temperature};
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
@@ -11,7 +10,7 @@ use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
     FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe, Reading,
-    Stribeck, TractionCurves, TractionRange, read_text,
+    Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
 use asperity_report::{ReportError, StudyResult};
@@ -141,7 +140,7 @@ fn readings(
             None => table_text(Path::new(&name)).map_err(OilError::Table)?,
         };
         all.extend(read_text(&name, &text, machine, probe)?);
-        sources.push([name, sha256(text.as_bytes())]);
+        sources.push(source(&name, &text));
     }
     Ok((all, sources))
 }
@@ -163,12 +162,13 @@ pub fn oils() -> PyResult<String> {
 pub fn oil_traction(
     py: Python<'_>,
     oil: Oil<'_>,
-    (load, speed, slide_to_roll): (f64, f64, f64),
+    conditions: (f64, f64, f64),
     temperatures: Vec<f64>,
     specimens: Specimens,
     threads: Option<usize>,
 ) -> PyResult<OilStudy> {
     let (oil, _) = oil.base()?;
+    let (load, speed, slide_to_roll) = conditions;
     if temperatures.is_empty() {
         return Err(Failure::new("E209", "temperature: at least one is required").into());
     }
@@ -235,6 +235,7 @@ pub fn oil_plan(
         is_wide: wide,
         zero,
         errors,
+        simulate: None,
     };
     in_parallel(py, threads, None, |_| {
         study(OilPlan::of(&oil, case.as_ref(), &settings)?)

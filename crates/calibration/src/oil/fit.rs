@@ -25,6 +25,14 @@ pub struct PointErrors {
     pub floor: f64,
 }
 
+impl PointErrors {
+    /// Standard deviation at a friction.
+    #[must_use]
+    pub fn of(&self, friction: f64) -> f64 {
+        (self.relative * friction.max(0.0)).hypot(self.floor)
+    }
+}
+
 impl Default for PointErrors {
     /// Misfit of the law, and the scatter of readings.
     fn default() -> Self {
@@ -92,8 +100,7 @@ pub(super) fn set_errors(
     friction: &[f64],
 ) {
     for ((point, stated), friction) in problem.points.iter_mut().zip(stated).zip(friction) {
-        let relative = errors.relative * friction.max(0.0);
-        point.sigma = stated.unwrap_or_else(|| relative.hypot(errors.floor));
+        point.sigma = stated.unwrap_or_else(|| errors.of(*friction));
     }
 }
 

@@ -13,6 +13,7 @@ use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
 use super::selection::Dropped;
 use crate::block::digits;
 use crate::page::{files, warnings};
+use crate::rig_table::SIMULATED;
 
 /// The oil file.
 const FILE: &str = "oil.toml";
@@ -54,6 +55,13 @@ impl StudyResult for OilFit {
         for line in lines {
             text.push_str(&wrapped(&line, "  "));
             text.push('\n');
+        }
+        if self
+            .sources
+            .iter()
+            .any(|[file, _]| file.contains(SIMULATED))
+        {
+            let _ = writeln!(text, "{SIMULATED} curves: a rehearsal, not a measurement");
         }
         for warning in &self.warnings {
             text.push_str(&wrapped(&warning.to_string(), "     "));
