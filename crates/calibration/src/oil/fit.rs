@@ -9,12 +9,12 @@ use super::problem::{CONSTANTS, FACTOR, Priors, TractionProblem, Zero};
 use super::reading::SetPoint;
 use crate::error::CalibrationError;
 use crate::information::{covariance, information};
-use crate::least_squares::{Residuals, minimum};
+use crate::least_squares::{Residuals, TOLERANCE, minimum_within};
 
 /// Start of the factor f of Roelands' law, which bends below Barus' with the same coefficient.
 const ROELANDS_START: f64 = 1.4;
-/// Passes with the errors of the points from the fitted friction.
-const PASSES: usize = 3;
+/// Tolerances of the passes, each with the errors of the points from the friction fitted before.
+const PASSES: [f64; 3] = [1e-5, 1e-5, TOLERANCE];
 
 /// Errors of the points that state none.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,9 +125,9 @@ pub fn fit_law<'a>(
         x[FACTOR] = ROELANDS_START.ln() / priors.constants[FACTOR];
     }
     let mut total_squared = 0.0;
-    for _ in 0..PASSES {
+    for tolerance in PASSES {
         set_errors(&mut problem, &stated, errors, &friction);
-        let found = minimum(&problem, &x, &free).map_err(OilError::Fit)?;
+        let found = minimum_within(tolerance, &problem, &x, &free).map_err(OilError::Fit)?;
         x = found.x;
         total_squared = found.squares;
         friction = problem.predicted(&x)?;

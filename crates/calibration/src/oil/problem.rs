@@ -23,6 +23,7 @@ use asperity::oil::{FilmRheology, PressureLaw, TractionConstants};
 use asperity_core::cite;
 use asperity_core::quantity::{PerKelvin, Temperature};
 use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
 
 use super::base::OilBase;
 use super::machine::{Machine, Setting};
@@ -285,7 +286,7 @@ impl<'a> TractionProblem<'a> {
             let found = machine.predict_with(&rheology, &setting, point.film, film)?;
             Ok(found.friction.coefficient)
         };
-        self.points.iter().map(of).collect()
+        self.points.par_iter().map(of).collect()
     }
 
     /// Measured friction expected at each point.
