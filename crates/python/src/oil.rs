@@ -9,8 +9,8 @@ use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
-    FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe, Reading,
-    Stribeck, TractionCurves, TractionRange, read_text, source,
+    ConstantsOf, FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe,
+    Reading, Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
 use asperity_report::{ReportError, StudyResult};
@@ -70,12 +70,12 @@ pub enum Oil<'py> {
 }
 
 impl Oil<'_> {
-    fn base(&self) -> Result<(OilBase, Option<LoadedCase>), Failure> {
+    fn base(&self, constants: ConstantsOf) -> Result<(OilBase, Option<LoadedCase>), Failure> {
         match self {
             Self::Name(name) => Ok((OilBase::of_library(name)?, None)),
             Self::Case(case) => {
                 let case = case.pair()?.as_ref().clone();
-                Ok((OilBase::of_case(&case.case)?, Some(case)))
+                Ok((OilBase::of_case(&case.case, constants)?, Some(case)))
             }
         }
     }
@@ -167,7 +167,7 @@ pub fn oil_traction(
     specimens: Specimens,
     threads: Option<usize>,
 ) -> PyResult<OilStudy> {
-    let (oil, _) = oil.base()?;
+    let (oil, _) = oil.base(ConstantsOf::File)?;
     let (load, speed, slide_to_roll) = conditions;
     if temperatures.is_empty() {
         return Err(Failure::new("E209", "temperature: at least one is required").into());
@@ -199,7 +199,7 @@ pub fn oil_fit(
     force: bool,
     threads: Option<usize>,
 ) -> PyResult<OilStudy> {
-    let (oil, _) = oil.base()?;
+    let (oil, _) = oil.base(ConstantsOf::Family)?;
     let (zero, errors) = errors(errors_of)?;
     let (all, sources) = readings(tables, &machine(specimens)?, temperature_column)?;
     let settings = FitSettings {
@@ -224,7 +224,7 @@ pub fn oil_plan(
     errors_of: Errors,
     threads: Option<usize>,
 ) -> PyResult<OilStudy> {
-    let (oil, own) = oil.base()?;
+    let (oil, own) = oil.base(ConstantsOf::Family)?;
     let case = match case {
         Some(case) => Some(case.pair()?.as_ref().clone()),
         None => own,
@@ -252,7 +252,7 @@ pub fn stribeck(
     specimens: Specimens,
     temperature_column: &str,
 ) -> PyResult<OilStudy> {
-    let (oil, _) = oil.base()?;
+    let (oil, _) = oil.base(ConstantsOf::Family)?;
     if !rubbing.is_empty() && rubbing.len() != tables.len() {
         let message = "rubbing: takes one time for each table";
         return Err(Failure::new("E205", message).into());

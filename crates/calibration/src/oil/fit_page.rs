@@ -37,9 +37,11 @@ impl StudyResult for OilFit {
         );
         text.extend(self.constants.iter().map(row));
         if !self.is_law_decided {
-            let laws = [PressureLaw::Barus, PressureLaw::Roelands].map(PressureLaw::name);
-            let other = laws.into_iter().find(|law| *law != self.pressure_law);
-            let other = other.unwrap_or_default();
+            let other = match self.pressure_law {
+                PressureLaw::Barus => PressureLaw::Roelands,
+                _ => PressureLaw::Barus,
+            };
+            let other = other.name();
             let _ = writeln!(text, "by the other law of pressure ({other})");
             text.extend(self.other_law.iter().map(row));
         }
@@ -192,7 +194,7 @@ fn constants(fit: &OilFit) -> Markup {
                     @if let Some(further) = &one.would_help { "; ten readings would help most at " (further) } }
             } } }
         } }
-        p { "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The keys for a case state the 2.5 % and 97.5 % quantiles. Error left: standard deviation after the points over the one of the family." }
+        p { "5 to 95 %: the constant lies between these quantiles with a probability of 90 %. The oil file states the 2.5 % and 97.5 % quantiles. Error left: standard deviation after the points over the one of the family." }
         (warnings(&fit.warnings))
         h3 { "Correlations" }
         div.scroll { table {
