@@ -209,6 +209,22 @@ fn curves_that_give_no_constants_are_refused() {
     let low = curves(&bench, |traction| 0.2 * traction);
     fit(&low, &["--wide"]).refused(2, "E319", &["is the one of no known oil"]);
     fit(&low, &["--wide", "--force"]).well();
+    let one = bench.run(&["oil", "fit", "curves.csv", "--oil", "paper-table-2"]);
+    one.refused(2, "E208", &["known at one temperature only"]);
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let law = [&["oil", "fit", "curves.csv", "--oil", "case.toml"], &XU[..]].concat();
+    bench
+        .run(&law)
+        .refused(2, "E205", &["not computed from a shear stress"]);
+    let no_family = ["--set", "lubricant.base_oil=\"unknown\""];
+    let no_family = [
+        &["oil", "fit", "curves.csv", "--oil", "case.toml"],
+        &no_family[..],
+    ]
+    .concat();
+    assert_ne!(bench.run(&no_family).status, 0);
+    fit(&table.replace("load_n", "load_n_m"), &[]).refused(2, "E317", &["line; its losses"]);
     let out = bench.run(&["oil", "fit", "nothere.csv", "--oil", "m100"]);
     out.refused(2, "E103", &["nothere.csv"]);
     fit(&table, &["--point-sd", "0 %"]).refused(2, "E209", &["--point-sd"]);
@@ -218,6 +234,80 @@ fn curves_that_give_no_constants_are_refused() {
         .collect();
     let out = fit(&cold.join("\n"), &[]).well().unwrapped();
     assert!(out.contains("W441 one temperature"), "{out}");
+}
+
+#[test]
+fn a_fit_under_a_condition_is_warned_about() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let fit = |text: &str, oil: &str, more: &[&str]| {
+        bench.write("curves.csv", text);
+        let arguments = [&["oil", "fit", "curves.csv", "--oil", oil], more].concat();
+        let out = bench.run(&[&arguments[..], &["-o", "found"]].concat());
+        out.well().unwrapped()
+    };
+    let warned = |out: &str, part: &str| assert!(out.contains(part), "{part:?} is not in {out}");
+    let table = curves(&bench, |traction| traction);
+    let only = |out: &[&str]| {
+        let is_in = |line: &&str| !out.iter().any(|part| line.contains(part));
+        let lines: Vec<&str> = table.lines().filter(is_in).collect();
+        lines.join("\n")
+    };
+    let thin = fit(&table, "m100", &["--rq", "60 nm"]);
+    warned(&thin, "points are dropped");
+    warned(
+        &thin,
+        "W441 one temperature: the constants hold within 15 K of 40 °C",
+    );
+    let low = curves(&bench, |traction| 0.5 * traction);
+    let low = fit(&low, "m100", &["--wide", "--force"]);
+    warned(
+        &low,
+        "W441 the zero of curve 3 would have to be +0.0010 of the friction: 2.1",
+    );
+    warned(&low, "standard deviations from the family of the base oil");
+    let scattered = curves(&bench, |traction| match (1e7 * traction) as i64 % 2 {
+        0 => 1.025 * traction,
+        _ => 0.975 * traction,
+    });
+    warned(
+        &fit(&scattered, "m100", &[]),
+        "the error of the law is 12 %",
+    );
+    let cold = only(&[",80,", ",120,"]);
+    let decided = fit(&cold, "m100", &[]);
+    warned(
+        &decided,
+        "decided by the pressure-viscosity coefficient, which must be known to 10 %",
+    );
+    let wide = fit(&cold, "m100", &["--wide"]);
+    warned(&wide, "W441 the points do not decide the law of pressure");
+    warned(&wide, "by the other law of pressure (roelands)");
+    warned(
+        &wide,
+        "W441 Eyring stress [MPa] times pressure-viscosity factor to the power of",
+    );
+    warned(
+        &wide,
+        "the points do not separate the constants (correlation -0.9",
+    );
+    let own = [
+        "oil",
+        "traction",
+        "case.toml",
+        "--temperature",
+        "40",
+        "-o",
+        "own",
+    ];
+    bench.run(&own).well();
+    let own = fs::read_to_string(bench.path("own/traction_over_slide_to_roll.csv")).unwrap();
+    let of_case = fit(&own, "case.toml", &[]);
+    warned(
+        &of_case,
+        "W441 the case has 90 °C, 50 K outside of the tested 40 °C",
+    );
 }
 
 #[test]
@@ -346,7 +436,7 @@ fn stribeck_curves_give_the_boundary_friction_of_rubbed_specimens() {
     ];
     let out = bench.run(&of_case).well().unwrapped();
     assert!(
-        out.contains("W441 the case has 90 °C, 30 K outside of the tested"),
+        out.contains("W441 the case has 90 °C, 30 K outside of the tested 120 °C"),
         "{out}"
     );
     // Files with the time of rubbing on the command line.

@@ -197,7 +197,7 @@ fn holds(name: &str, bench: &Bench, least: usize) {
 /// A folder with the shipped cases, and a flank under the name that documents give the reader's own.
 fn bench() -> Bench {
     let bench = Bench::new();
-    for folder in ["fixtures/cases", "fixtures/profiles"] {
+    for folder in ["fixtures/cases", "fixtures/profiles", "fixtures/curves"] {
         fs::create_dir_all(bench.path(folder)).unwrap();
         for entry in fs::read_dir(root().join(folder)).unwrap() {
             let path = entry.unwrap().path();

@@ -182,6 +182,9 @@ pub struct OilPlanArgs {
     /// Priors and errors.
     #[command(flatten)]
     pub errors: ErrorArgs,
+    /// Write simulated.csv with simulated friction of the minimal plan, with this seed
+    #[arg(long, value_name = "SEED")]
+    pub simulate: Option<u64>,
     /// Folder of the plan [default: results/<name of the oil or case>-plan]
     #[arg(long, short)]
     pub output: Option<PathBuf>,

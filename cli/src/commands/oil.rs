@@ -6,13 +6,12 @@ use std::time::Instant;
 
 use asperity::LoadedCase;
 use asperity::case::{OilFile, open_source};
-use asperity::fingerprint::sha256;
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
 use asperity_calibration::oil::{
     ConstantsOf, FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe,
-    Reading, Stribeck, TractionCurves, TractionRange, is_pcs, read_pcs, read_table,
+    Reading, Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
 use asperity_core::DomainError;
@@ -138,6 +137,7 @@ fn plan(args: &OilPlanArgs, common: &Common) -> Result<(), Failure> {
         is_wide: args.errors.wide,
         zero,
         errors,
+        simulate: args.simulate,
     };
     let plan = OilPlan::of(&oil, case.as_ref(), &settings)?;
     study::write(&plan, (), &folder)?;
@@ -146,7 +146,7 @@ fn plan(args: &OilPlanArgs, common: &Common) -> Result<(), Failure> {
 
 fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let NamedOil { oil, case, .. } = base(&args.oil, &args.set, ConstantsOf::Family)?;
+    let NamedOil { oil, .. } = base(&args.oil, &args.set, ConstantsOf::Family)?;
     let title = format!("Boundary friction of {}", oil.name);
     let name = args.files.first().map(|first| result_name(first));
     let name = name.unwrap_or_default();
@@ -170,8 +170,7 @@ fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
         let time = file.and_then(|k| args.rubbing.get(k));
         reading.rubbing_s = reading.rubbing_s.or(time.map(|time| time.si()));
     }
-    let celsius = case.map(|case| case.case.temperature.celsius());
-    let found = Stribeck::of(&oil, &all, sources, celsius)?;
+    let found = Stribeck::of(&oil, &all, sources)?;
     study::write(&found, (), &folder)?;
     study::print(&found, (), Some(&folder), Some(begin), common)
 }
@@ -211,21 +210,6 @@ fn traction(args: &OilTractionArgs, common: &Common) -> Result<(), Failure> {
     study::print(&curves, (), Some(&folder), Some(begin), common)
 }
 
-/// Readings of a file, and its SHA-256.
-fn readings(
-    path: &Path,
-    machine: &Machine,
-    probe: Probe,
-) -> Result<(Vec<Reading>, [String; 2]), Failure> {
-    let name = path.display().to_string();
-    let text = table_text(path).map_err(OilError::Table)?;
-    let readings = match is_pcs(&text) {
-        true => read_pcs(&name, &text, machine, probe)?,
-        false => read_table(&name, &text, machine).map_err(OilError::Table)?,
-    };
-    Ok((readings, [name, sha256(text.as_bytes())]))
-}
-
 /// Readings of files, and their SHA-256.
 fn all_readings(
     files: &[PathBuf],
@@ -238,9 +222,10 @@ fn all_readings(
     };
     let (mut all, mut sources) = (Vec::new(), Vec::new());
     for path in files {
-        let (readings, source) = readings(path, machine, probe)?;
-        all.extend(readings);
-        sources.push(source);
+        let name = path.display().to_string();
+        let text = table_text(path).map_err(OilError::Table)?;
+        all.extend(read_text(&name, &text, machine, probe)?);
+        sources.push(source(&name, &text));
     }
     Ok((all, sources))
 }

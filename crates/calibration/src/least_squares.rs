@@ -63,6 +63,9 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Free<'_> {
     }
 }
 
+/// Relative change of sum and variables at which a fit ends, far below the digits of a band.
+pub const TOLERANCE: f64 = 1e-10;
+
 /// Minimises the sum of squares over the variables `free`, from `start`; the other variables are constant.
 ///
 /// # Errors
@@ -72,8 +75,19 @@ pub fn minimum(
     start: &DVector<f64>,
     free: &[usize],
 ) -> Result<Minimum, CalibrationError> {
-    /// Relative change of sum and variables at which a fit ends, far below the digits of a band.
-    const TOLERANCE: f64 = 1e-10;
+    minimum_within(TOLERANCE, residuals, start, free)
+}
+
+/// Minimises as [`minimum`], until sum and variables change by less than `tolerance` of them.
+///
+/// # Errors
+/// When the method does not converge to a minimum.
+pub fn minimum_within(
+    tolerance: f64,
+    residuals: &dyn Residuals,
+    start: &DVector<f64>,
+    free: &[usize],
+) -> Result<Minimum, CalibrationError> {
     let mut problem = Free {
         residuals,
         whole: start.clone(),
@@ -90,9 +104,9 @@ pub fn minimum(
         });
     }
     let method = LevenbergMarquardt::new()
-        .with_ftol(TOLERANCE)
-        .with_xtol(TOLERANCE)
-        .with_gtol(TOLERANCE);
+        .with_ftol(tolerance)
+        .with_xtol(tolerance)
+        .with_gtol(tolerance);
     let (problem, report) = method.minimize(problem);
     // Within round-off no step improves the sum: also a minimum.
     let is_at_round_off = matches!(

@@ -159,6 +159,12 @@ const STEMS: [(&str, &str); 6] = [
 /// Word in a comment that declares the losses as simulated.
 pub const SIMULATED: &str = "SIMULATED";
 
+/// Whether a comment of a table declares its values as simulated.
+pub(crate) fn is_simulated(text: &str) -> bool {
+    let mut lines = text.lines();
+    lines.any(|line| line.starts_with('#') && line.contains(SIMULATED))
+}
+
 impl RigTable {
     /// Reads the table in `text`, separated by commas, semicolons (with decimal commas) or tabs.
     ///
@@ -177,9 +183,6 @@ impl RigTable {
         let table = NumberTable::read(name, text)?;
         check_columns(name, &table)?;
         let rows = table.all(name, row)?;
-        let is_simulated = text
-            .lines()
-            .any(|line| line.starts_with('#') && line.contains(SIMULATED));
         let unused = table
             .names
             .iter()
@@ -187,7 +190,7 @@ impl RigTable {
         Ok(Self {
             name: name.to_owned(),
             rows,
-            is_simulated,
+            is_simulated: is_simulated(text),
             unused: unused.cloned().collect(),
             reach: Reach::default(),
         })

@@ -19,6 +19,15 @@ pub struct Simulated {
     pub omega: f64,
 }
 
+/// Standard normal numbers of a seed.
+pub(crate) fn normals(seed: u64) -> impl FnMut() -> f64 {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    move || {
+        const STEPS: f64 = (1_u64 << 53) as f64;
+        standard_normal_quantile(((random.next_u64() >> 11) as f64 + 0.5) / STEPS)
+    }
+}
+
 /// Simulates the losses \[W\] of `measurements` by the model with the true parameters `truth`, as logarithms relative to
 /// their centres. Each loss has an independent normal error of `sigma`; the errors of assembly scales, rolling loss, oil
 /// temperature and loss without load are drawn from their priors.
@@ -32,11 +41,7 @@ pub fn losses(
     sigma: f64,
     seed: u64,
 ) -> Result<Vec<f64>, CalibrationError> {
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let mut normal = || {
-        const STEPS: f64 = (1_u64 << 53) as f64;
-        standard_normal_quantile(((random.next_u64() >> 11) as f64 + 0.5) / STEPS)
-    };
+    let mut normal = normals(seed);
     let assemblies = measurements
         .iter()
         .map(|one| one.assembly + 1)

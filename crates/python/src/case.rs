@@ -9,9 +9,9 @@ use asperity::case::planetary;
 use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_source};
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
+use asperity::gear_train::run_train;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
-use asperity::gear_train::run_train;
 use asperity::result::gear_report;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -96,8 +96,7 @@ impl Case {
     ) -> Result<Self, Failure> {
         if gear_train::is_train(&source) {
             if !traces.is_empty() {
-                let message =
-                    "a case of several meshes takes its traces from files; write them with Profile.write";
+                let message = "a case of several meshes takes its traces from files; write them with Profile.write";
                 return Err(Failure::new("E205", message));
             }
             let loaded = gear_train::load_set(source.clone(), folder, &keys, formulation)?;
@@ -197,12 +196,20 @@ impl Case {
                     let value = value.ok_or_else(|| {
                         Failure::new(
                             "E205",
-                            format!("{key}: a key of a case with several meshes cannot be taken away"),
+                            format!(
+                                "{key}: a key of a case with several meshes cannot be taken away"
+                            ),
                         )
                     })?;
                     all.push((key, value));
                 }
-                Self::of(train.source.clone(), &train.folder, &held, all, train.formulation)
+                Self::of(
+                    train.source.clone(),
+                    &train.folder,
+                    &held,
+                    all,
+                    train.formulation,
+                )
             }
         })
     }
@@ -281,9 +288,9 @@ impl Case {
         in_parallel(py, threads, progress.as_ref(), |told| {
             let shown = |done, total| told.tell(done, total);
             let found = match (&self.kind, detail) {
-                (Kind::Train(train), "fields") => Found::Train(
-                    run_train(&train.loaded, &KeptFields::All, band, &shown)?.into(),
-                ),
+                (Kind::Train(train), "fields") => {
+                    Found::Train(run_train(&train.loaded, &KeptFields::All, band, &shown)?.into())
+                }
                 (Kind::Train(_), _) => {
                     let message = "a case of several meshes is run only with detail = \"fields\"";
                     return Err(Failure::new("E205", message));
@@ -329,7 +336,11 @@ impl Case {
                 Kind::Pair(loaded) => vec![rows(loaded)?],
                 Kind::Train(train) => {
                     let of_mesh = |mesh: &LoadedMesh| rows(&mesh.case);
-                    train.loaded.meshes().map(of_mesh).collect::<Result<_, _>>()?
+                    train
+                        .loaded
+                        .meshes()
+                        .map(of_mesh)
+                        .collect::<Result<_, _>>()?
                 }
             };
             failure::json(&meshes)

@@ -14,6 +14,7 @@ use asperity::remedy::{Remedy, Setting, Value};
 use asperity::roughness::RoughnessError;
 use asperity::tribo_friction::FrictionError;
 use asperity_calibration::CalibrationError;
+use asperity_calibration::oil::OilError;
 use asperity_report::ReportError;
 use asperity_studies::export::ExportError;
 use asperity_studies::map::{AxisError, MapError};
@@ -75,7 +76,7 @@ fn raised(py: Python<'_>, failure: &Failure) -> PyResult<PyErr> {
     let class = CLASS.import(py, "asperity._errors", "AsperityError")?;
     let place = failure.place.as_ref();
     let place = place.map(|place| {
-        let mesh = place.mesh.map(str::to_owned);
+        let mesh = place.mesh.clone();
         (
             place.file.clone(),
             place.key.clone(),
@@ -198,6 +199,12 @@ impl From<ReportError> for Failure {
 
 impl From<CalibrationError> for Failure {
     fn from(error: CalibrationError) -> Self {
+        Self::new(error.code(), error.to_string())
+    }
+}
+
+impl From<OilError> for Failure {
+    fn from(error: OilError) -> Self {
         Self::new(error.code(), error.to_string())
     }
 }

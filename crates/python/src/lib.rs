@@ -8,6 +8,7 @@ mod contact;
 mod ehl;
 mod failure;
 mod laws;
+mod oil;
 mod outcome;
 mod quantity;
 mod stored;
@@ -33,6 +34,8 @@ mod _asperity {
     use super::failure::explain;
     #[pymodule_export]
     use super::laws::{film_thickness, friction_coefficient, hertz, thermal_reduction};
+    #[pymodule_export]
+    use super::oil::{OilStudy, oil_fit, oil_plan, oil_traction, oils, stribeck};
     #[pymodule_export]
     use super::outcome::Outcome;
     #[pymodule_export]

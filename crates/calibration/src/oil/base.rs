@@ -6,7 +6,7 @@ use asperity::oil::{
     TractionConstants, eyring_stress_band,
 };
 use asperity_core::numerics::{Z_95, Z_975};
-use asperity_core::quantity::Pressure;
+use asperity_core::quantity::{Pressure, Temperature};
 
 use super::error::OilError;
 
@@ -22,6 +22,8 @@ pub struct OilBase {
     /// Standard deviations of the logarithms of Eyring stress, limiting shear stress over pressure and pressure-viscosity
     /// coefficient.
     pub deviations: [f64; 3],
+    /// Temperature of the flanks of its case; `None` for an oil of the library.
+    pub case_temperature: Option<Temperature>,
 }
 
 /// Constants of an oil whose file states fitted ones.
@@ -91,6 +93,7 @@ impl OilBase {
             lubricant: input,
             rheology: rheology.map_err(oil)?,
             deviations: deviations(&constants, Some(family)).map_err(oil)?,
+            case_temperature: None,
         })
     }
 
@@ -125,6 +128,21 @@ impl OilBase {
             name,
             lubricant: properties(case)?,
             rheology,
+            case_temperature: Some(case.temperature),
+        })
+    }
+
+    /// Warning if its case is more than `far` kelvin outside the tested temperatures \[°C\], in ascending order.
+    pub(super) fn outside(&self, tested: &[f64], far: f64) -> Option<String> {
+        let at = self.case_temperature?.celsius();
+        let (low, high) = (tested.first()?, tested.last()?);
+        let outside = (low - at).max(at - high);
+        let tested = match low == high {
+            true => format!("{low:.0}"),
+            false => format!("{low:.0} to {high:.0}"),
+        };
+        (outside > far).then(|| {
+            format!("the case has {at:.0} °C, {outside:.0} K outside of the tested {tested} °C")
         })
     }
 

@@ -9,12 +9,12 @@ use super::problem::{CONSTANTS, FACTOR, Priors, TractionProblem, Zero};
 use super::reading::SetPoint;
 use crate::error::CalibrationError;
 use crate::information::{covariance, information};
-use crate::least_squares::{Residuals, minimum};
+use crate::least_squares::{Residuals, TOLERANCE, minimum_within};
 
 /// Start of the factor f of Roelands' law, which bends below Barus' with the same coefficient.
 const ROELANDS_START: f64 = 1.4;
-/// Passes with the errors of the points from the fitted friction.
-const PASSES: usize = 3;
+/// Tolerances of the passes, each with the errors of the points from the friction fitted before.
+const PASSES: [f64; 3] = [1e-5, 1e-5, TOLERANCE];
 
 /// Errors of the points that state none.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +23,14 @@ pub struct PointErrors {
     pub relative: f64,
     /// Least standard deviation of the friction coefficient.
     pub floor: f64,
+}
+
+impl PointErrors {
+    /// Standard deviation at a friction.
+    #[must_use]
+    pub fn of(&self, friction: f64) -> f64 {
+        (self.relative * friction.max(0.0)).hypot(self.floor)
+    }
 }
 
 impl Default for PointErrors {
@@ -71,6 +79,12 @@ impl LawFit<'_> {
         self.widening() * self.covariance[(k, k)].sqrt()
     }
 
+    /// Standard deviation of constant `k`, widened by the residuals: of the logarithm, but of b_L itself.
+    #[must_use]
+    pub fn constant_deviation(&self, k: usize) -> f64 {
+        self.problem.priors.constants[k] * self.deviation(k)
+    }
+
     /// Sum of squares without the prior of the factor f.
     #[must_use]
     pub fn without_factor_prior(&self) -> f64 {
@@ -86,8 +100,7 @@ pub(super) fn set_errors(
     friction: &[f64],
 ) {
     for ((point, stated), friction) in problem.points.iter_mut().zip(stated).zip(friction) {
-        let relative = errors.relative * friction.max(0.0);
-        point.sigma = stated.unwrap_or_else(|| relative.hypot(errors.floor));
+        point.sigma = stated.unwrap_or_else(|| errors.of(*friction));
     }
 }
 
@@ -112,9 +125,9 @@ pub fn fit_law<'a>(
         x[FACTOR] = ROELANDS_START.ln() / priors.constants[FACTOR];
     }
     let mut total_squared = 0.0;
-    for _ in 0..PASSES {
+    for tolerance in PASSES {
         set_errors(&mut problem, &stated, errors, &friction);
-        let found = minimum(&problem, &x, &free).map_err(OilError::Fit)?;
+        let found = minimum_within(tolerance, &problem, &x, &free).map_err(OilError::Fit)?;
         x = found.x;
         total_squared = found.squares;
         friction = problem.predicted(&x)?;

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use asperity::oil::PressureLaw;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use asperity_report::{ReportError, StudyResult, tables, wrapped};
@@ -12,6 +13,7 @@ use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
 use super::selection::Dropped;
 use crate::block::digits;
 use crate::page::{files, warnings};
+use crate::rig_table::SIMULATED;
 
 /// The oil file.
 const FILE: &str = "oil.toml";
@@ -33,19 +35,15 @@ impl StudyResult for OilFit {
             "{:<38} {:>10}   {:<20} {:<20}",
             "constant", "value", "5 to 95 %", "family, 5 to 95 %"
         );
-        for constant in &self.constants {
-            let verdict = match constant.is_identified {
-                true => "",
-                false => "  not identified",
+        text.extend(self.constants.iter().map(row));
+        if !self.is_law_decided {
+            let other = match self.pressure_law {
+                PressureLaw::Barus => PressureLaw::Roelands,
+                _ => PressureLaw::Barus,
             };
-            let _ = writeln!(
-                text,
-                "{:<38} {:>10}   {:<20} {:<20}{verdict}",
-                named(constant),
-                digits(constant.value),
-                range(constant.range),
-                range(constant.prior_range)
-            );
+            let other = other.name();
+            let _ = writeln!(text, "by the other law of pressure ({other})");
+            text.extend(self.other_law.iter().map(row));
         }
         let mut lines = self.sentences();
         for constant in &self.constants {
@@ -59,6 +57,13 @@ impl StudyResult for OilFit {
         for line in lines {
             text.push_str(&wrapped(&line, "  "));
             text.push('\n');
+        }
+        if self
+            .sources
+            .iter()
+            .any(|[file, _]| file.contains(SIMULATED))
+        {
+            let _ = writeln!(text, "{SIMULATED} curves: a rehearsal, not a measurement");
         }
         for warning in &self.warnings {
             text.push_str(&wrapped(&warning.to_string(), "     "));
@@ -110,6 +115,11 @@ impl OilFit {
                 .count();
             (count > 0).then(|| format!(", {count} dropped: {rule}"))
         });
+        let films = self.points.iter().filter(|row| row.has_measured_film);
+        let films = match films.count() {
+            0 => String::new(),
+            count => format!(", {count} with a measured film"),
+        };
         let [best, other] = self.total_squared;
         let decided = match self.is_law_decided {
             true => "decided",
@@ -117,7 +127,7 @@ impl OilFit {
         };
         vec![
             format!(
-                "{readings} readings at {points} set points, {kept} fitted{}",
+                "{readings} readings at {points} set points{films}, {kept} fitted{}",
                 counted.collect::<String>()
             ),
             format!(
@@ -138,6 +148,22 @@ impl OilFit {
             .map(|file| file.to_string())
             .unwrap_or_default()
     }
+}
+
+/// Line of a constant.
+fn row(constant: &FittedConstant) -> String {
+    let verdict = match constant.is_identified {
+        true => "",
+        false => "not identified",
+    };
+    let text = format!(
+        "{:<38} {:>10}   {:<20} {:<20}  {verdict}",
+        named(constant),
+        digits(constant.value),
+        range(constant.range),
+        range(constant.prior_range)
+    );
+    text.trim_end().to_owned() + "\n"
 }
 
 fn named(constant: &FittedConstant) -> String {

@@ -5,14 +5,15 @@
 //! | the oil with the distribution of its constants in the family | `base` |
 //! | the machine | `machine` |
 //! | traction over slide-to-roll ratio and speed | `traction` |
-//! | readings of a machine, as table or export | `table`, `pcs_text`, `reading` |
-//! | selection, fit, verdicts, further settings | [`selection`], [`problem`], [`fit`], `oil_fit`, `helpful` |
-//! | plan of measurements, for a case by its loss | `plan`, `grid`, `case_loss` |
+//! | readings of a machine, as table or export | `table`, `pcs_text`, `text`, `reading` |
+//! | selection, fit, verdicts, further settings | [`selection`], [`problem`], [`fit`], `oil_fit`, `combination`, `helpful` |
+//! | plan of measurements, for a case by its loss, and their simulation | `plan`, `grid`, `case_loss`, `simulate` |
 //! | boundary friction from Stribeck curves | `stribeck` |
 //! | the oil file | `written` |
 
 mod base;
 mod case_loss;
+mod combination;
 mod error;
 pub mod fit;
 mod fit_page;
@@ -27,19 +28,24 @@ mod plan_page;
 pub mod problem;
 mod reading;
 pub mod selection;
+mod simulate;
 mod stribeck;
 mod stribeck_page;
 mod table;
+mod text;
 mod traction;
 mod written;
 
 pub use base::{ConstantsOf, OilBase};
+pub use combination::Combination;
 pub use error::OilError;
 pub use machine::{Machine, Setting};
 pub use oil_fit::{FitSettings, FittedConstant, NuisanceTerm, OilFit, TractionPointRow};
 pub use pcs_text::{Probe, is_pcs, read_pcs};
 pub use plan::{ExpectedError, OilPlan, PlanSettings, PlannedCurve, PlannedPoint, Stage};
 pub use reading::{Reading, SetPoint, set_points};
+pub use simulate::simulated;
 pub use stribeck::{BoundaryState, Stribeck, StribeckPoint};
 pub use table::read_table;
+pub use text::{read_text, source};
 pub use traction::{PredictedPoint, TractionCurves, TractionRange};

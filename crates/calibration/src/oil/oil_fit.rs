@@ -10,20 +10,22 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::base::OilBase;
+use super::combination::{Combination, combinations};
 use super::error::OilError;
 use super::fit::{LawFit, PointErrors, expected, fit_law};
 use super::helpful::{Helpful, helpful};
-use super::problem::{CONSTANTS, FACTOR, Nuisance, Priors, STATED, STATED_CONSTANTS, Zero};
+use super::problem::{CONSTANTS, FACTOR, FALL, Nuisance, Priors, STATED, STATED_CONSTANTS, Zero};
 use super::reading::{Reading, SetPoint, set_points};
 use super::selection::{Dropped, Judged, judge};
 use crate::information::correlations;
 
 /// Factor on the linearised standard deviations: bands without it hold nine tenths of what they should (simulated fits).
 const LINEARISED: f64 = 1.15;
+/// Kelvins outside of the tested temperatures in which the constants hold: of one, and of several.
+const AROUND_ONE: f64 = 15.0;
+const AROUND: f64 = 20.0;
 /// Posterior over prior standard deviation above which a constant is not identified.
 const NOT_IDENTIFIED: f64 = 0.8;
-/// Correlation above which two constants are reported as their combination.
-const COMBINED: f64 = 0.95;
 /// Fewest points of a fit.
 const FEWEST: usize = 6;
 /// Least Hertz pressure of a fit \[Pa\].
@@ -120,6 +122,8 @@ pub struct TractionPointRow {
     pub film_ratio: f64,
     /// Measured friction.
     pub traction: f64,
+    /// Whether its film is measured.
+    pub has_measured_film: bool,
     /// Fitted friction with gain and zero; `None` if the point is dropped.
     pub fitted: Option<f64>,
     /// Residual in standard deviations.
@@ -162,6 +166,8 @@ pub struct OilFit {
     pub constants: Vec<FittedConstant>,
     /// Correlations of the constants.
     pub correlations: Vec<Vec<f64>>,
+    /// Constants that the points determine only in combination.
+    pub combinations: Vec<Combination>,
     /// The same constants by the other law.
     pub other_law: Vec<FittedConstant>,
     /// Nuisance terms, largest first.
@@ -204,6 +210,8 @@ impl OilFit {
         fits.sort_by(|a, b| a.total_squared.total_cmp(&b.total_squared));
         let [best, other] = [&fits[0], &fits[1]];
         let further = helpful(oil, priors, zero, errors, &kept)?;
+        let fitted = constants(best, &before, &further);
+        let values: Vec<f64> = fitted.iter().map(|one| one.value).collect();
         let found = Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
             title: format!("Oil constants of {}", oil.name),
@@ -225,8 +233,9 @@ impl OilFit {
                 .fold(0.0, |most: f64, (_, judged)| {
                     most.max(1e-9 * judged.max_pressure)
                 }),
-            constants: constants(best, &before, &further),
+            constants: fitted,
             correlations: stated_correlations(best),
+            combinations: combinations(best, &values, LINEARISED),
             other_law: constants(other, &before, &further),
             nuisance: nuisance(best),
             points: rows(&points, &judged, best),
@@ -291,17 +300,24 @@ impl OilFit {
                 term.text, term.deviations
             ));
         }
-        if let [only] = self.temperatures_c[..] {
-            texts.push(format!(
-                "one temperature: the constants hold within 15 K of {only:.0} °C"
-            ));
-        }
+        let far = match self.temperatures_c[..] {
+            [only] => {
+                texts.push(format!(
+                    "one temperature: the constants hold within {AROUND_ONE} K of {only:.0} °C"
+                ));
+                AROUND_ONE
+            }
+            _ => AROUND,
+        };
+        texts.extend(best.problem.oil.outside(&self.temperatures_c, far));
         let [_, points, kept] = self.counts;
         if 2 * kept < points {
             texts.push(format!("{} of {points} points are dropped", points - kept));
         }
+        let family = Priors::of(best.problem.oil, false);
         for k in [0, FACTOR] {
-            let deviations = best.x[k];
+            let shift = best.x[k] * best.problem.priors.constants[k];
+            let deviations = shift / family.constants[k];
             if deviations.abs() > UNLIKE_FAMILY {
                 texts.push(format!(
                     "{} lies {deviations:+.1} standard deviations from the family of the base oil",
@@ -328,17 +344,7 @@ impl OilFit {
             let text = "the law of pressure is decided by the pressure-viscosity coefficient, which must be known to 10 %";
             texts.push(text.to_owned());
         }
-        for (i, first) in self.constants.iter().enumerate() {
-            for (j, other) in self.constants.iter().enumerate().skip(i + 1) {
-                let correlation = self.correlations[i][j];
-                if correlation.abs() > COMBINED {
-                    texts.push(format!(
-                        "{} and {} are known only as their combination: correlation {correlation:+.2}",
-                        first.name, other.name
-                    ));
-                }
-            }
-        }
+        texts.extend(self.combinations.iter().map(Combination::sentence));
         texts
             .into_iter()
             .map(|text| Warning::new("W441", text))
@@ -391,7 +397,7 @@ fn constants(
         .map(|(k, (key, name, unit))| {
             let sd = fit.problem.priors.constants[k];
             let (shift, posterior) = (sd * fit.x[k], fit.deviation(k));
-            let is_logarithm = k != 2;
+            let is_logarithm = k != FALL;
             let is_identified = posterior <= NOT_IDENTIFIED;
             let at = |shift: f64| match is_logarithm {
                 true => priors[k] * shift.exp(),
@@ -520,6 +526,7 @@ fn rows(points: &[SetPoint], judged: &[Judged], fit: &LawFit<'_>) -> Vec<Tractio
             pressure_gpa: 1e-9 * judged.max_pressure,
             film_ratio: judged.film_ratio,
             traction: reading.traction,
+            has_measured_film: reading.film.is_some(),
             fitted,
             residual_sigma: residual,
             dropped: judged.dropped,

@@ -2,19 +2,26 @@
 //!
 //! Every step whose table has load, rolling speed, slide-to-roll ratio and traction coefficient is read, whatever the type
 //! of the step is called. The first columns of a table are repeated further right; the last one of each name is taken.
+//!
+//! A step with the column of an average film measures film thickness, usually on glass, and no traction. Its films replace the
+//! computed ones at the same load and set temperature, between its speeds, along straight lines over the logarithms.
 
-use asperity_core::quantity::{Force, Speed, Temperature};
+use asperity_core::quantity::{Force, Length, Speed, Temperature};
 
 use super::error::OilError;
 use super::machine::{Machine, Setting};
-use super::reading::Reading;
+use super::reading::{Reading, is_same};
 
 const TRACTION: &str = "Traction Coeff (-)";
 const SLIDE: &str = "SRR (%)";
 const SPEED: &str = "Rolling Speed (mm/s)";
 const LOAD: &str = "Ball Load (N)";
 const SLIDING: &str = "Sliding Speed (mm/s)";
+const TEMPERATURE: &str = "temperature";
 const FORCE: &str = "Traction Force (N)";
+const FILM: &str = "Average Film (nm)";
+/// Possible films \[nm\]; others are fringes that the machine did not find.
+const POSSIBLE_FILMS: std::ops::RangeInclusive<f64> = 0.1..=1e5;
 /// Beginnings of the names of the temperatures of the oil at the contact, and of the pot.
 const LUBE: [&str; 2] = ["Lube RTD Temp", "Lube Temp"];
 const POT: [&str; 2] = ["Pot RTD Temp", "Pot Temp"];
@@ -51,7 +58,7 @@ pub fn read_pcs(
     machine: &Machine,
     probe: Probe,
 ) -> Result<Vec<Reading>, OilError> {
-    let mut readings = Vec::new();
+    let (mut readings, mut films) = (Vec::new(), Vec::new());
     let (mut step, mut columns) = (0, None);
     for (number, line) in text.lines().enumerate() {
         let cells: Vec<&str> = line
@@ -70,17 +77,65 @@ pub fn read_pcs(
                 file: name,
                 line: number + 1,
             };
-            let mut reading = columns.reading(&cells, machine, place)?;
-            reading.step = step;
-            readings.push(reading);
+            match columns.film {
+                Some(_) => films.extend(columns.film(&cells, place)?),
+                None => readings.push(Reading {
+                    step,
+                    ..columns.reading(&cells, machine, place)?
+                }),
+            }
         }
     }
     match readings.is_empty() {
         true => Err(OilError::NoTable {
             file: name.to_owned(),
         }),
-        false => Ok(readings),
+        false => {
+            for reading in &mut readings {
+                reading.film = film_at(&films, reading);
+            }
+            Ok(readings)
+        }
     }
+}
+
+/// Measured film.
+struct MeasuredFilm {
+    load: f64,
+    set_temperature_c: f64,
+    speed: f64,
+    nanometres: f64,
+}
+
+/// Measured film at the load, set temperature and speed of a reading; `None` outside of the measured speeds.
+fn film_at(films: &[MeasuredFilm], reading: &Reading) -> Option<Length> {
+    let is_of = |film: &&MeasuredFilm| {
+        film.set_temperature_c == reading.set_temperature_c
+            && is_same(film.load, reading.setting.load.si())
+    };
+    let mut curve: Vec<[f64; 2]> = films
+        .iter()
+        .filter(is_of)
+        .map(|film| [film.speed, film.nanometres].map(f64::ln))
+        .collect();
+    curve.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let speed = reading.setting.mean_speed.si();
+    // Repeated at one speed: the mean of the logarithms.
+    let at: Vec<f64> = curve
+        .iter()
+        .filter(|[other, _]| is_same(other.exp(), speed))
+        .map(|[_, film]| *film)
+        .collect();
+    let between = || {
+        let next = curve.iter().position(|[other, _]| *other > speed.ln())?;
+        let [[x0, y0], [x1, y1]] = [*curve.get(next.checked_sub(1)?)?, curve[next]];
+        Some(y0 + (y1 - y0) * (speed.ln() - x0) / (x1 - x0))
+    };
+    let logarithm = match at.is_empty() {
+        true => between()?,
+        false => at.iter().sum::<f64>() / at.len() as f64,
+    };
+    Some(Length::from_si(1e-9 * logarithm.exp()))
 }
 
 /// Place of a row.
@@ -100,8 +155,18 @@ impl Place<'_> {
     }
 }
 
+/// Number of a cell.
+fn number(cells: &[&str], index: usize, name: &str, place: Place<'_>) -> Result<f64, OilError> {
+    let cell = cells.get(index).copied().unwrap_or_default();
+    let value = cell.replace(',', ".").parse::<f64>().ok();
+    let fault = || place.fault(format!("{name}: {cell:?} is not a finite number"));
+    value.filter(|value| value.is_finite()).ok_or_else(fault)
+}
+
 /// Indices of the columns of a table.
 struct Columns {
+    /// Film of a step that measures no traction.
+    film: Option<usize>,
     traction: usize,
     slide: usize,
     speed: usize,
@@ -124,9 +189,13 @@ impl Columns {
             Probe::Lube => beginning(LUBE).or(pot),
             Probe::Pot => pot,
         };
+        let film = named(FILM);
+        // A step of films may lack traction.
+        let of_traction = |name: &str| named(name).or(film);
         Some(Self {
-            traction: named(TRACTION)?,
-            slide: named(SLIDE)?,
+            film,
+            traction: of_traction(TRACTION)?,
+            slide: of_traction(SLIDE)?,
             speed: named(SPEED)?,
             load: named(LOAD)?,
             temperature: temperature?,
@@ -136,25 +205,34 @@ impl Columns {
         })
     }
 
+    /// The film of a row; `None` if the machine found none.
+    fn film(&self, cells: &[&str], place: Place<'_>) -> Result<Option<MeasuredFilm>, OilError> {
+        let number = |index: usize, name: &str| number(cells, index, name, place);
+        let nanometres = number(self.film.unwrap_or(self.traction), FILM)?;
+        let celsius = number(self.temperature, TEMPERATURE)?;
+        let film = MeasuredFilm {
+            load: number(self.load, LOAD)?,
+            set_temperature_c: Reading::rounded_temperature(celsius),
+            speed: 1e-3 * number(self.speed, SPEED)?,
+            nanometres,
+        };
+        Ok(Some(film).filter(|film| POSSIBLE_FILMS.contains(&nanometres) && film.speed > 0.0))
+    }
+
     fn reading(
         &self,
         cells: &[&str],
         machine: &Machine,
         place: Place<'_>,
     ) -> Result<Reading, OilError> {
-        let number = |index: usize, name: &str| {
-            let cell = cells.get(index).copied().unwrap_or_default();
-            let value = cell.replace(',', ".").parse::<f64>().ok();
-            let fault = || place.fault(format!("{name}: {cell:?} is not a finite number"));
-            value.filter(|value| value.is_finite()).ok_or_else(fault)
-        };
+        let number = |index: usize, name: &str| number(cells, index, name, place);
         let optional = |index: Option<usize>, name: &str| {
             let filled = index.filter(|k| cells.get(*k).is_some_and(|cell| !cell.is_empty()));
             filled.map(|k| number(k, name)).transpose()
         };
         let (load, speed) = (number(self.load, LOAD)?, number(self.speed, SPEED)?);
         let (slide, traction) = (number(self.slide, SLIDE)?, number(self.traction, TRACTION)?);
-        let celsius = number(self.temperature, "temperature")?;
+        let celsius = number(self.temperature, TEMPERATURE)?;
         if let Some(pot) = optional(self.pot, POT[0])?.filter(|pot| (pot - celsius).abs() > AIR) {
             return Err(OilError::Air {
                 file: place.file.to_owned(),
@@ -163,11 +241,11 @@ impl Columns {
                 pot,
             });
         }
-        let is_same = |a: f64, b: f64, unit: f64| {
+        let agree = |a: f64, b: f64, unit: f64| {
             (a - b).abs() <= SAME[0] * a.abs().max(b.abs()) + SAME[1] * unit
         };
         if let Some(sliding) = optional(self.sliding, SLIDING)?
-            && !is_same(sliding.abs(), (0.01 * slide * speed).abs(), speed.abs())
+            && !agree(sliding.abs(), (0.01 * slide * speed).abs(), speed.abs())
         {
             let rule = format!(
                 "sliding speed {sliding} mm/s is not the slide-to-roll ratio of {slide} % times the rolling speed of {speed} mm/s"
@@ -175,7 +253,7 @@ impl Columns {
             return Err(place.fault(rule));
         }
         if let Some(force) = optional(self.force, FORCE)?
-            && !is_same(force.abs(), (traction * load).abs(), load.abs())
+            && !agree(force.abs(), (traction * load).abs(), load.abs())
         {
             let rule = format!(
                 "traction force {force} N is not the traction coefficient {traction} times the load of {load} N"

@@ -19,6 +19,7 @@ use super::machine::Machine;
 use super::problem::{Priors, STATED, STATED_CONSTANTS, Zero, distinct};
 use super::reading::SetPoint;
 use super::selection::{Dropped, Judged, judge};
+use super::simulate::simulated;
 use crate::information::information;
 use crate::least_squares::Residuals;
 use crate::optimal_design::d_optimal;
@@ -68,6 +69,8 @@ pub struct PlanSettings {
     pub zero: Zero,
     /// Errors of the points.
     pub errors: PointErrors,
+    /// Seed of simulated readings of the minimal plan.
+    pub simulate: Option<u64>,
 }
 
 /// Error of a constant that points would leave.
@@ -134,6 +137,9 @@ pub struct PlannedPoint {
     pub expected_traction: f64,
     /// Film over roughness.
     pub film_ratio: f64,
+    /// Simulated friction, with the errors of a machine.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub simulated_traction: Option<f64>,
 }
 
 /// Plan of traction measurements.
@@ -182,7 +188,7 @@ impl OilPlan {
     /// use asperity_calibration::oil::problem::Zero;
     /// use asperity_calibration::oil::{Machine, OilBase, OilPlan, PlanSettings};
     /// let machine = Machine::ball_on_disc("9.525 mm".parse()?, None, "15 nm".parse()?)?;
-    /// let settings = PlanSettings { machine, is_wide: false, zero: Zero::Curve, errors: PointErrors::default() };
+    /// let settings = PlanSettings { machine, is_wide: false, zero: Zero::Curve, errors: PointErrors::default(), simulate: None };
     /// let plan = OilPlan::of(&OilBase::of_library("m100")?, None, &settings)?;
     /// assert_eq!((plan.curves.len(), plan.points.len()), (12, 120));
     /// // A full plan leaves less of each error than one curve.
@@ -235,8 +241,8 @@ impl OilPlan {
             radius_mm: 1e3 * settings.machine.radii[0].si(),
             stages: stages.collect::<Result<Vec<Stage>, OilError>>()?,
             curves: planner.curves()?,
-            points: planner.points(&minimal)?,
-            chosen: planner.points(&chosen)?,
+            points: planner.points(&minimal, settings.simulate)?,
+            chosen: planner.points(&chosen, None)?,
         })
     }
 }
@@ -321,9 +327,17 @@ impl Planner<'_> {
         Ok(curves)
     }
 
-    /// Rows of points, by temperature.
-    fn points(&self, points: &[SetPoint]) -> Result<Vec<PlannedPoint>, OilError> {
-        let row = |point: &SetPoint| {
+    /// Rows of points, by temperature, with simulated friction if there is a seed.
+    fn points(
+        &self,
+        points: &[SetPoint],
+        seed: Option<u64>,
+    ) -> Result<Vec<PlannedPoint>, OilError> {
+        let PlanSettings { zero, errors, .. } = *self.settings;
+        let problem = planned(self.oil, self.priors, zero, errors, points)?;
+        let measured = seed.map(|seed| simulated(&problem, false, errors, seed));
+        let measured = measured.transpose()?.map(|(_, friction)| friction);
+        let row = |(k, point): (usize, &SetPoint)| {
             let reading = &point.reading;
             let at = &reading.setting;
             let found = reading.machine.predict(&self.oil.rheology, at)?;
@@ -334,9 +348,10 @@ impl Planner<'_> {
                 temperature_c: at.temperature.celsius(),
                 expected_traction: found.friction.coefficient,
                 film_ratio: found.film / reading.machine.roughness,
+                simulated_traction: measured.as_ref().map(|friction| friction[k]),
             })
         };
-        let rows = points.par_iter().map(row);
+        let rows = points.par_iter().enumerate().map(row);
         let mut rows = rows.collect::<Result<Vec<PlannedPoint>, OilError>>()?;
         rows.sort_by(|a, b| a.temperature_c.total_cmp(&b.temperature_c));
         Ok(rows)

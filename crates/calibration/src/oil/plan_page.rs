@@ -5,14 +5,16 @@ use std::path::Path;
 
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{ReportError, StudyResult, tables, wrapped};
+use asperity_report::{ReportError, StudyResult, tables, wrapped, write_bytes};
 use maud::{Markup, html};
 use serde::Serialize;
 
 use super::plan::{ExpectedError, OilPlan, PlannedCurve, PlannedPoint, Stage};
 use super::problem::STATED_CONSTANTS;
+use crate::rig_table::SIMULATED;
 
 const TO_FILL_IN: &str = "plan.csv";
+const SIMULATED_TABLE: &str = "simulated.csv";
 const ERRORS: &str = "expected_errors.csv";
 
 /// Row of the table to fill in.
@@ -97,6 +99,12 @@ impl StudyResult for OilPlan {
                 point.temperature_c, point.load_n, point.mean_speed_m_s, point.slide_roll_percent
             );
         }
+        if self.is_simulated() {
+            let _ = writeln!(
+                text,
+                "{SIMULATED_TABLE} holds {SIMULATED} readings of the minimal plan"
+            );
+        }
         text
     }
 
@@ -111,22 +119,45 @@ impl StudyResult for OilPlan {
     }
 
     fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
-        let signs = |point: &PlannedPoint| {
+        tables::write(&folder.join(TO_FILL_IN), self.rows(|_| None))?;
+        if self.is_simulated() {
+            let file = folder.join(SIMULATED_TABLE);
+            let mut bytes =
+                format!("# {SIMULATED} by {}: not measured\n", self.program).into_bytes();
+            bytes.extend(tables::text(
+                &file,
+                self.rows(|point| point.simulated_traction),
+            )?);
+            write_bytes(&file, &bytes)?;
+        }
+        let rows = self.stages.iter().flat_map(error_rows);
+        tables::write(&folder.join(ERRORS), rows)
+    }
+}
+
+impl OilPlan {
+    /// Whether it holds simulated readings.
+    fn is_simulated(&self) -> bool {
+        let mut points = self.points.iter();
+        points.any(|point| point.simulated_traction.is_some())
+    }
+
+    /// Rows of the minimal plan, both signs of each point, with friction.
+    fn rows(&self, traction: fn(&PlannedPoint) -> Option<f64>) -> impl Iterator<Item = Row> {
+        let signs = move |point: &PlannedPoint| {
             let point = *point;
             [1.0, -1.0].map(|sign| Row {
                 load_n: point.load_n,
                 mean_speed_m_s: point.mean_speed_m_s,
                 slide_roll_percent: sign * point.slide_roll_percent,
                 temperature_c: point.temperature_c,
-                traction: None,
+                traction: traction(&point).map(|friction| sign * friction),
                 set_temperature_c: point.temperature_c,
                 expected_traction: sign * point.expected_traction,
                 film_ratio: point.film_ratio,
             })
         };
-        tables::write(&folder.join(TO_FILL_IN), self.points.iter().flat_map(signs))?;
-        let rows = self.stages.iter().flat_map(error_rows);
-        tables::write(&folder.join(ERRORS), rows)
+        self.points.iter().flat_map(signs)
     }
 }
 

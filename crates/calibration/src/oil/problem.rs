@@ -23,6 +23,7 @@ use asperity::oil::{FilmRheology, PressureLaw, TractionConstants};
 use asperity_core::cite;
 use asperity_core::quantity::{PerKelvin, Temperature};
 use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
 
 use super::base::OilBase;
 use super::machine::{Machine, Setting};
@@ -44,6 +45,10 @@ pub(super) const STATED_CONSTANTS: [(&str, &str, &str); STATED] = [
     ),
     ("pressure_viscosity_factor", "pressure-viscosity factor", ""),
 ];
+/// Index of the limiting shear stress over pressure.
+pub const LIMIT: usize = 1;
+/// Index of the temperature coefficient b_L, which is not a logarithm.
+pub const FALL: usize = 2;
 /// Index of the factor f among the constants.
 pub const FACTOR: usize = 3;
 /// Step of a derivative, in standard deviations of the prior.
@@ -281,7 +286,7 @@ impl<'a> TractionProblem<'a> {
             let found = machine.predict_with(&rheology, &setting, point.film, film)?;
             Ok(found.friction.coefficient)
         };
-        self.points.iter().map(of).collect()
+        self.points.par_iter().map(of).collect()
     }
 
     /// Measured friction expected at each point.

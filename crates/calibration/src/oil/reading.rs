@@ -58,7 +58,8 @@ pub struct SetPoint {
 /// Relative difference below which two settings are the same.
 const SAME: f64 = 0.01;
 
-fn is_same(a: f64, b: f64) -> bool {
+/// Whether two settings are the same.
+pub(super) fn is_same(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME * a.abs().max(b.abs())
 }
 

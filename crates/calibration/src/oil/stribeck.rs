@@ -99,8 +99,7 @@ pub struct Stribeck {
 }
 
 impl Stribeck {
-    /// The boundary friction of `oil` from readings, which state the time of rubbing; `case_c` is the temperature of the case
-    /// that will use it.
+    /// The boundary friction of `oil` from readings, which state the time of rubbing.
     ///
     /// # Errors
     /// When a reading does not state the time of rubbing, all specimens are new, too few points are in boundary lubrication,
@@ -109,7 +108,6 @@ impl Stribeck {
         oil: &OilBase,
         readings: &[Reading],
         sources: Vec<[String; 2]>,
-        case_c: Option<f64>,
     ) -> Result<Self, OilError> {
         if let Some(reading) = readings.iter().find(|one| one.rubbing_s.is_none()) {
             return Err(OilError::NoRubbing {
@@ -160,7 +158,8 @@ impl Stribeck {
             deviation,
             range: quantiles(Z_95),
             band: quantiles(Z_975),
-            warnings: far_from(&temperatures_c, case_c, FAR)
+            warnings: oil
+                .outside(&temperatures_c, FAR)
                 .map(|text| Warning::new("W441", text))
                 .into_iter()
                 .collect(),
@@ -169,16 +168,6 @@ impl Stribeck {
             points,
         })
     }
-}
-
-/// Warning if a case is more than `far` kelvin outside the tested temperatures.
-pub(super) fn far_from(tested: &[f64], case_c: Option<f64>, far: f64) -> Option<String> {
-    let case_c = case_c?;
-    let (low, high) = (tested.first()?, tested.last()?);
-    let outside = (low - case_c).max(case_c - high);
-    (outside > far).then(|| {
-        format!("the case has {case_c:.0} °C, {outside:.0} K outside of the tested {low:.0} to {high:.0} °C")
-    })
 }
 
 fn state(rubbing_s: f64, points: &[StribeckPoint]) -> BoundaryState {

@@ -13,6 +13,7 @@ use super::stribeck::{BoundaryState, Stribeck};
 use super::traction::BOUNDARY_RATIO;
 use crate::block::{constant, digits, quoted};
 use crate::page::{files, warnings};
+use crate::rig_table::SIMULATED;
 
 const POINTS: &str = "points.csv";
 
@@ -23,13 +24,20 @@ impl StudyResult for Stribeck {
 
     fn summary(&self, (): ()) -> String {
         let mut text = String::new();
+        // Writing into a string cannot fail.
         for state in &self.states {
-            // Writing into a string cannot fail.
             let _ = writeln!(text, "{:<28} {}", named(state), values(state));
         }
         for line in sentences(self) {
             text.push_str(&wrapped(&line, "  "));
             text.push('\n');
+        }
+        if self
+            .sources
+            .iter()
+            .any(|[file, _]| file.contains(SIMULATED))
+        {
+            let _ = writeln!(text, "{SIMULATED} curves: a rehearsal, not a measurement");
         }
         for warning in &self.warnings {
             text.push_str(&wrapped(&warning.to_string(), "     "));

@@ -50,6 +50,18 @@ const STEMS: [(&str, &str); 5] = [
     ("slide", "slide_roll_percent"),
     ("temperature", "temperature_c"),
 ];
+/// Prefixes of columns of a contact along a line.
+const LINE_CONTACT: [&str; 6] = [
+    "line_load",
+    "load_n_m",
+    "length",
+    "contact_length",
+    "width",
+    "face_width",
+];
+const LINE_RULE: &str = "of a contact along a line; its losses are fitted by asperity calibrate";
+/// Largest ellipticity that the formula of the film covers.
+const LARGEST_ELLIPTICITY: f64 = 8.0;
 /// Columns with their possible numbers, far wider than any machine needs.
 const POSSIBLE: [(&str, [f64; 2], &str); 14] = [
     ("load_n", [0.01, 1e5], "N"),
@@ -83,6 +95,9 @@ pub fn read_table(
         rule,
     };
     for column in &table.names {
+        if LINE_CONTACT.iter().any(|stem| column.starts_with(stem)) {
+            return Err(refuse(format!("column {column}: {LINE_RULE}")));
+        }
         let is_known = KNOWN.contains(&column.as_str()) || column == FILM;
         let stem = STEMS.iter().find(|(stem, _)| column.starts_with(stem));
         if let (Some((_, known)), false) = (stem, is_known) {
@@ -158,6 +173,10 @@ fn machine_of(row: NumberRow<'_>, default: &Machine) -> Result<Machine, RowFault
             let rule = "needs radius_across_mm as well, both positive";
             return Err(row.fault("radius_rolling_mm", rule));
         }
+    }
+    let [along, across] = machine.radii;
+    if (across / along).powf(std::f64::consts::FRAC_2_PI) > LARGEST_ELLIPTICITY {
+        return Err(row.fault("radius_across_mm", LINE_RULE));
     }
     if let Some(value) = row.optional("youngs_modulus_gpa")? {
         machine.material.young = Pressure::from_si(1e9 * value);

@@ -24,6 +24,7 @@ from ._errors import AsperityError, Place
 from ._html import Chart
 from ._laws import film_thickness, friction_coefficient, hertz, thermal_reduction
 from ._map import Map, map, read_map
+from ._oil import OilFit, OilPlan, Stribeck, Traction, oil_fit, oil_plan, oil_traction, oils, stribeck
 from ._profile import Parameters, Parts, Profile, generate, read_profile
 from ._record import Record, Table
 from ._result import Fields, Regime, RunResult
@@ -42,6 +43,8 @@ __all__ = [
     "Explanation",
     "Fields",
     "Map",
+    "OilFit",
+    "OilPlan",
     "Parameters",
     "Parts",
     "Place",
@@ -51,8 +54,10 @@ __all__ = [
     "RunResult",
     "Sensitivity",
     "Stress",
+    "Stribeck",
     "Sweep",
     "Table",
+    "Traction",
     "__version__",
     "calibrate",
     "compare",
@@ -63,12 +68,17 @@ __all__ = [
     "generate",
     "hertz",
     "map",
+    "oil_fit",
+    "oil_plan",
+    "oil_traction",
+    "oils",
     "press_flanks",
     "read_map",
     "read_profile",
     "read_result",
     "sensitivity",
     "solve_contact",
+    "stribeck",
     "subsurface_stress",
     "sweep",
     "thermal_reduction",

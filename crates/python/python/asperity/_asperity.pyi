@@ -12,6 +12,10 @@ _Marks = NDArray[np.bool_]
 _Path = Union[str, PathLike[str]]
 _Traces = list[tuple[str, Trace]]
 _Nodes = Union[None, str, list[float]]
+_Oil = Union[str, Case]
+_Specimens = tuple[float, Optional[float], float]
+_Errors = tuple[str, float, float]
+_Tables = list[tuple[str, Optional[str]]]
 _Told = Optional[Callable[[int, int], object]]
 
 __all__ = [
@@ -20,6 +24,7 @@ __all__ = [
     "Cases",
     "Comparison",
     "Map",
+    "OilStudy",
     "Outcome",
     "Sensitivity",
     "Trace",
@@ -33,6 +38,10 @@ __all__ = [
     "generate",
     "hertz",
     "map",
+    "oil_fit",
+    "oil_plan",
+    "oil_traction",
+    "oils",
     "press_flanks",
     "read_map",
     "read_profile",
@@ -41,6 +50,7 @@ __all__ = [
     "sensitivity",
     "si_units",
     "solve_contact",
+    "stribeck",
     "subsurface_stress",
     "summary",
     "thermal_reduction",
@@ -74,6 +84,35 @@ def compare(
     named: list[tuple[str, Case]], threads: Optional[int], progress: _Told
 ) -> Comparison: ...
 def sensitivity(case: Case, threads: Optional[int], progress: _Told) -> Sensitivity: ...
+def oils() -> str: ...
+def oil_traction(
+    oil: _Oil,
+    conditions: tuple[float, float, float],
+    temperatures: list[float],
+    specimens: _Specimens,
+    threads: Optional[int],
+) -> OilStudy: ...
+def oil_fit(
+    tables: _Tables,
+    oil: _Oil,
+    specimens: _Specimens,
+    temperature_column: str,
+    wide: bool,
+    errors_of: _Errors,
+    force: bool,
+    threads: Optional[int],
+) -> OilStudy: ...
+def oil_plan(
+    oil: _Oil,
+    case: Optional[Case],
+    specimens: _Specimens,
+    wide: bool,
+    errors_of: _Errors,
+    threads: Optional[int],
+) -> OilStudy: ...
+def stribeck(
+    tables: _Tables, oil: _Oil, rubbing: list[float], specimens: _Specimens, temperature_column: str
+) -> OilStudy: ...
 def calibrate(
     name: str,
     text: Optional[str],
@@ -169,6 +208,12 @@ class Sensitivity:
 class Calibration:
     def json(self) -> str: ...
     def keys(self) -> str: ...
+    def summary(self) -> str: ...
+    def write(self, folder: _Path) -> None: ...
+
+@final
+class OilStudy:
+    def json(self) -> str: ...
     def summary(self) -> str: ...
     def write(self, folder: _Path) -> None: ...
 

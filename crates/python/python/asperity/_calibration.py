@@ -6,20 +6,17 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Optional, Union
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._errors import AsperityError
+from ._columns import Columns, table_text
 from ._html import page
 from ._progress import Progress, Told
 from ._record import Record, Table
 
 if TYPE_CHECKING:
     import pandas
-
-Rig = Union[str, "PathLike[str]", "pandas.DataFrame", Mapping[str, Sequence[Any]]]
-"""A file, a frame or columns by their names."""
 
 
 class Calibration(Record):
@@ -72,7 +69,7 @@ class Calibration(Record):
 
 
 def calibrate(
-    rig: Rig,
+    rig: Columns,
     case: Optional[CaseLike] = None,
     *,
     cases: Optional[Mapping[str, CaseLike]] = None,
@@ -97,33 +94,8 @@ def calibrate(
         name = fspath(rig)
         folder = os.path.dirname(name)
     else:
-        name, text = "rig", _table(rig)
+        name, text = "rig", table_text(rig, "rig", "E134")
     beside = None if case is None else as_case(case)._raw
     named = [(key, as_case(one)._raw) for key, one in (cases or {}).items()]
     with Told(progress, "evaluations") as told:
         return Calibration(_asperity.calibrate(name, text, folder, beside, named, list(hold), threads, told))
-
-
-def _table(rig: Any) -> str:
-    """The table as text."""
-    # At their first need: they take time to import.
-    import csv
-    import io
-
-    columns = {str(name): list(rig[name]) for name in rig}
-    if len({len(column) for column in columns.values()}) > 1:
-        raise AsperityError("rig: its columns differ in length", "E134", "Give every column one value per measurement.")
-    simulated = columns.pop("simulated", [])
-    text = io.StringIO()
-    if any(simulated):
-        text.write("# SIMULATED\n")
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(columns)
-    writer.writerows([_cell(value) for value in row] for row in zip(*columns.values()))
-    return text.getvalue()
-
-
-def _cell(value: Any) -> str:
-    """A cell; empty where there is nothing."""
-    missing = value is None or value != value
-    return "" if missing else str(value)

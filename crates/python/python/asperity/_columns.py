@@ -1,0 +1,41 @@
+"""Frames and columns as text of a table."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from os import PathLike
+from typing import TYPE_CHECKING, Any, Union
+
+from ._errors import AsperityError
+
+if TYPE_CHECKING:
+    import pandas
+
+Columns = Union[str, "PathLike[str]", "pandas.DataFrame", Mapping[str, Sequence[Any]]]
+"""A file, a frame or columns by their names."""
+
+
+def table_text(columns_by_name: Any, what: str, code: str) -> str:
+    """The table as text, or the error ``code`` about ``what``."""
+    # At their first need: they take time to import.
+    import csv
+    import io
+
+    columns = {str(name): list(columns_by_name[name]) for name in columns_by_name}
+    if len({len(column) for column in columns.values()}) > 1:
+        text = f"{what}: its columns differ in length"
+        raise AsperityError(text, code, "Give every column one value per measurement.")
+    simulated = columns.pop("simulated", [])
+    text_of = io.StringIO()
+    if any(simulated):
+        text_of.write("# SIMULATED\n")
+    writer = csv.writer(text_of, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows([_cell(value) for value in row] for row in zip(*columns.values()))
+    return text_of.getvalue()
+
+
+def _cell(value: Any) -> str:
+    """A cell; empty where there is nothing."""
+    missing = value is None or value != value
+    return "" if missing else str(value)

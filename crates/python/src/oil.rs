@@ -1,0 +1,271 @@
+//! Oils: the library, traction of ball and disc, constants from traction curves, plans, boundary friction.
+
+use std::path::{Path, PathBuf};
+
+use asperity::case::LoadedCase;
+use asperity::oil::library;
+use asperity::quantity::{Force, Length, Speed, Temperature};
+use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
+use asperity_calibration::oil::fit::PointErrors;
+use asperity_calibration::oil::problem::Zero;
+use asperity_calibration::oil::{
+    ConstantsOf, FitSettings, Machine, OilBase, OilError, OilFit, OilPlan, PlanSettings, Probe,
+    Reading, Stribeck, TractionCurves, TractionRange, read_text, source,
+};
+use asperity_calibration::table_text;
+use asperity_report::{ReportError, StudyResult};
+use pyo3::prelude::*;
+
+use crate::case::Case;
+use crate::failure::{self, Failure};
+use crate::work::{alone, in_parallel};
+
+/// Writes a study as a folder.
+type Write = Box<dyn Fn(&Path) -> Result<(), ReportError> + Send + Sync>;
+
+/// Study of an oil.
+#[pyclass(frozen, module = "asperity._asperity")]
+pub struct OilStudy {
+    json: String,
+    summary: String,
+    write: Write,
+}
+
+#[pymethods]
+impl OilStudy {
+    /// The study as the command prints it with --json.
+    fn json(&self) -> &str {
+        &self.json
+    }
+
+    /// The summary as text.
+    fn summary(&self) -> &str {
+        &self.summary
+    }
+
+    /// Writes the folder of the study.
+    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+        alone(py, || Ok((self.write)(&folder)?))
+    }
+}
+
+fn study<S>(found: S) -> Result<OilStudy, Failure>
+where
+    S: for<'a> StudyResult<Context<'a> = ()> + Send + Sync + 'static,
+{
+    Ok(OilStudy {
+        json: failure::json(&found)?,
+        summary: found.summary(()),
+        write: Box::new(move |folder| found.write((), folder)),
+    })
+}
+
+/// Oil of the library, or of a case.
+#[derive(FromPyObject)]
+pub enum Oil<'py> {
+    /// A name.
+    Name(String),
+    /// A case.
+    Case(PyRef<'py, Case>),
+}
+
+impl Oil<'_> {
+    fn base(&self, constants: ConstantsOf) -> Result<(OilBase, Option<LoadedCase>), Failure> {
+        match self {
+            Self::Name(name) => Ok((OilBase::of_library(name)?, None)),
+            Self::Case(case) => {
+                let case = case.pair()?.as_ref().clone();
+                Ok((OilBase::of_case(&case.case, constants)?, Some(case)))
+            }
+        }
+    }
+}
+
+/// Radii of ball and second body \[m\], roughness of both together \[m\].
+type Specimens = (f64, Option<f64>, f64);
+
+fn machine((ball, second, roughness): Specimens) -> Result<Machine, Failure> {
+    let length = Length::from_si;
+    let second = second.map(length);
+    Ok(Machine::ball_on_disc(
+        length(ball),
+        second,
+        length(roughness),
+    )?)
+}
+
+/// Zeros, relative error of a point and its least error.
+type Errors = (String, f64, f64);
+
+fn errors((zero, relative, floor): Errors) -> Result<(Zero, PointErrors), Failure> {
+    let zero = match zero.as_str() {
+        "curve" => Zero::Curve,
+        "common" => Zero::Common,
+        "none" => Zero::None,
+        other => {
+            let message = format!("zero: {other}: must be curve, common or none");
+            return Err(Failure::new("E204", message));
+        }
+    };
+    let is_valid = |value: f64| value > 0.0 && value < 1.0;
+    match is_valid(relative) && is_valid(floor) {
+        true => Ok((zero, PointErrors { relative, floor })),
+        false => {
+            let message = "point_sd, point_floor: must be positive and below 1";
+            Err(Failure::new("E209", message))
+        }
+    }
+}
+
+/// Tables by name, each with its text, or a file of that name where there is none.
+type Tables = Vec<(String, Option<String>)>;
+
+fn readings(
+    tables: Tables,
+    machine: &Machine,
+    column: &str,
+) -> Result<(Vec<Reading>, Vec<[String; 2]>), Failure> {
+    let probe = match column {
+        "lube" => Probe::Lube,
+        "pot" => Probe::Pot,
+        other => {
+            let message = format!("temperature_column: {other}: must be lube or pot");
+            return Err(Failure::new("E204", message));
+        }
+    };
+    let (mut all, mut sources) = (Vec::new(), Vec::new());
+    for (name, text) in tables {
+        let text = match text {
+            Some(text) => text,
+            None => table_text(Path::new(&name)).map_err(OilError::Table)?,
+        };
+        all.extend(read_text(&name, &text, machine, probe)?);
+        sources.push(source(&name, &text));
+    }
+    Ok((all, sources))
+}
+
+/// The oils of the library as JSON.
+#[pyfunction]
+pub fn oils() -> PyResult<String> {
+    let oils = library().map_err(|error| Failure::new("E501", error.to_string()))?;
+    let row = |oil: &asperity::oil::LibraryOil| {
+        serde_json::json!({
+            "name": oil.name, "note": oil.note, "source": oil.source, "certainty": oil.certainty,
+        })
+    };
+    Ok(failure::json(&oils.iter().map(row).collect::<Vec<_>>())?)
+}
+
+/// Predicts traction curves; load, speed and temperatures in SI units.
+#[pyfunction]
+pub fn oil_traction(
+    py: Python<'_>,
+    oil: Oil<'_>,
+    conditions: (f64, f64, f64),
+    temperatures: Vec<f64>,
+    specimens: Specimens,
+    threads: Option<usize>,
+) -> PyResult<OilStudy> {
+    let (oil, _) = oil.base(ConstantsOf::File)?;
+    let (load, speed, slide_to_roll) = conditions;
+    if temperatures.is_empty() {
+        return Err(Failure::new("E209", "temperature: at least one is required").into());
+    }
+    let range = TractionRange {
+        machine: machine(specimens)?,
+        load: Force::from_si(load),
+        mean_speed: Speed::from_si(speed),
+        slide_to_roll,
+        temperatures: temperatures.into_iter().map(Temperature::from_si).collect(),
+        boundary_friction: BOUNDARY_FRICTION,
+    };
+    in_parallel(py, threads, None, |_| {
+        study(TractionCurves::of(&oil, &range)?)
+    })
+}
+
+/// Fits the constants of an oil to traction curves.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "those of the function in Python")]
+pub fn oil_fit(
+    py: Python<'_>,
+    tables: Tables,
+    oil: Oil<'_>,
+    specimens: Specimens,
+    temperature_column: &str,
+    wide: bool,
+    errors_of: Errors,
+    force: bool,
+    threads: Option<usize>,
+) -> PyResult<OilStudy> {
+    let (oil, _) = oil.base(ConstantsOf::Family)?;
+    let (zero, errors) = errors(errors_of)?;
+    let (all, sources) = readings(tables, &machine(specimens)?, temperature_column)?;
+    let settings = FitSettings {
+        is_wide: wide,
+        zero,
+        errors,
+        is_forced: force,
+    };
+    in_parallel(py, threads, None, |_| {
+        study(OilFit::of(&oil, &all, sources, settings)?)
+    })
+}
+
+/// Plans traction measurements, for the loss of a case if there is one.
+#[pyfunction]
+pub fn oil_plan(
+    py: Python<'_>,
+    oil: Oil<'_>,
+    case: Option<PyRef<'_, Case>>,
+    specimens: Specimens,
+    wide: bool,
+    errors_of: Errors,
+    threads: Option<usize>,
+) -> PyResult<OilStudy> {
+    let (oil, own) = oil.base(ConstantsOf::Family)?;
+    let case = match case {
+        Some(case) => Some(case.pair()?.as_ref().clone()),
+        None => own,
+    };
+    let (zero, errors) = errors(errors_of)?;
+    let settings = PlanSettings {
+        machine: machine(specimens)?,
+        is_wide: wide,
+        zero,
+        errors,
+        simulate: None,
+    };
+    in_parallel(py, threads, None, |_| {
+        study(OilPlan::of(&oil, case.as_ref(), &settings)?)
+    })
+}
+
+/// Finds the boundary friction in Stribeck curves; `rubbing` holds one time in seconds for each table, or none.
+#[pyfunction]
+pub fn stribeck(
+    py: Python<'_>,
+    tables: Tables,
+    oil: Oil<'_>,
+    rubbing: Vec<f64>,
+    specimens: Specimens,
+    temperature_column: &str,
+) -> PyResult<OilStudy> {
+    let (oil, _) = oil.base(ConstantsOf::Family)?;
+    if !rubbing.is_empty() && rubbing.len() != tables.len() {
+        let message = "rubbing: takes one time for each table";
+        return Err(Failure::new("E205", message).into());
+    }
+    let machine = machine(specimens)?;
+    let (mut all, mut sources) = (Vec::new(), Vec::new());
+    for (k, table) in tables.into_iter().enumerate() {
+        let (mut of_table, source) = readings(vec![table], &machine, temperature_column)?;
+        for reading in &mut of_table {
+            reading.rubbing_s = reading.rubbing_s.or(rubbing.get(k).copied());
+        }
+        all.extend(of_table);
+        sources.extend(source);
+    }
+    alone(py, || study(Stribeck::of(&oil, &all, sources)?))
+}
