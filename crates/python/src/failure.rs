@@ -75,7 +75,7 @@ fn raised(py: Python<'_>, failure: &Failure) -> PyResult<PyErr> {
     let class = CLASS.import(py, "asperity._errors", "AsperityError")?;
     let place = failure.place.as_ref();
     let place = place.map(|place| {
-        let mesh = place.mesh.map(str::to_owned);
+        let mesh = place.mesh.clone();
         (
             place.file.clone(),
             place.key.clone(),
