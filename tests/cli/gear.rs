@@ -244,11 +244,58 @@ fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it()
     for command in [
         &["film", "case.toml"][..],
         &["contact", "case.toml"],
+        &["map", "case.toml"],
+        &["sensitivity", "case.toml"],
         &[&["compare", "case.toml"], &finishes[..]].concat(),
     ] {
         let refused = bench.run(command);
-        refused.refused(2, "E205", &["has several meshes"]);
+        let says = ["has several meshes: \"sun and planet\", \"planet and ring\""];
+        refused.refused(2, "E205", &says);
     }
+    // One of the meshes is a case of its own.
+    let mesh = ["--mesh", "planet and ring"];
+    let alone = [
+        &["run", "case.toml", "--no-output", "--no-band", "--json"],
+        &mesh[..],
+    ]
+    .concat();
+    let alone = bench.run(&alone).well().json();
+    let set = bench
+        .run(&["run", "case.toml", "--no-output", "--no-band", "--json"])
+        .well()
+        .json();
+    assert_eq!(alone["summary"]["loss_w"], set["meshes"][1]["loss_w"]);
+    let map = [
+        &[
+            "map",
+            "case.toml",
+            "--torque",
+            "10,20",
+            "--speed",
+            "1000,2000",
+            "--set",
+            "model.offsets=1",
+        ],
+        &mesh[..],
+    ];
+    bench.run(&map.concat()).well();
+    let none = ["film", "case.toml", "--mesh", "none"];
+    bench
+        .run(&none)
+        .refused(2, "E205", &["has no mesh \"none\""]);
+    let study = "case = \"case.toml\"\nmesh = \"sun and planet\"\n[[axis]]\nkey = \"operation.torque\"\nvalues = [\"20 N m\", \"30 N m\"]\n";
+    bench.write("study.toml", study);
+    assert!(
+        bench
+            .run(&["sweep", "run", "study.toml", "--plan"])
+            .well()
+            .out
+            .contains("2 cases")
+    );
+    bench.write("study.toml", study.replace("sun and planet", "none"));
+    bench
+        .run(&["sweep", "run", "study.toml", "--plan"])
+        .refused(2, "E202", &["must name one of the meshes"]);
 }
 
 #[test]

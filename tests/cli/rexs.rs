@@ -218,3 +218,84 @@ fn an_operating_viscosity_stands_alone() {
     let line = "dynamic_viscosity = \"27.95 mPa s\", temperature = \"70 °C\"";
     assert!(case.contains(line), "{case}");
 }
+
+/// A gearbox without its bevel stage: the relation of that stage is of another type.
+fn without_bevels() -> String {
+    let file = root().join("crates/rexs/tests/gearboxes/chain.rexs");
+    let text = fs::read_to_string(file).unwrap();
+    text.replace(
+        "<relation id=\"3\" type=\"stage\">",
+        "<relation id=\"3\" type=\"other\">",
+    )
+}
+
+#[test]
+fn all_stages_become_one_case() {
+    let bench = bench();
+    bench.write("box.rexs", without_bevels());
+    let all = ["case", "from-rexs", "box.rexs", "--all", "-o", "box.toml"];
+    let said = bench.run(&all);
+    assert!(said.out.contains("wrote box.toml: all stages"), "{said:?}");
+    assert!(said.err.contains("state surface.finish"), "{said:?}");
+    let written = fs::read_to_string(bench.path("box.toml")).unwrap();
+    assert_eq!(written.matches("# finish = ").count(), 1, "{written}");
+    // The first pinion has an Ra, the other flanks are asked for once.
+    let flanks = [
+        "--set",
+        "surface.finish=ground",
+        "--set",
+        "surface.pinion.ra=0.4 um",
+    ];
+    let run = [
+        "run",
+        "box.toml",
+        "--json",
+        "--no-output",
+        "--no-band",
+        "--set",
+        "model.positions=6",
+    ];
+    let train = bench.run(&[&run[..], &flanks].concat()).well().json();
+    assert_eq!(train["meshes"].as_array().unwrap().len(), 2);
+    // The torque of the second stage is that of a case of its own.
+    let of_stage = [
+        "case",
+        "from-rexs",
+        "box.rexs",
+        "--stage",
+        "2",
+        "-o",
+        "two.toml",
+    ];
+    assert_eq!(bench.run(&of_stage).status, 0);
+    let run = [
+        "run",
+        "two.toml",
+        "--json",
+        "--no-output",
+        "--no-band",
+        "--set",
+        "model.positions=6",
+    ];
+    let two = fs::read_to_string(bench.path("two.toml")).unwrap();
+    let surface = "[surface]\nfinish = \"ground\"\npinion.ra = \"0.4 um\"";
+    bench.write("two.toml", two.replace("[surface]", surface));
+    let stage = bench.run(&run).well().json();
+    let w = |value: &serde_json::Value| value.as_f64().unwrap();
+    let [of_train, alone] = [&train["meshes"][1]["loss_w"], &stage["summary"]["loss_w"]].map(w);
+    assert!((of_train / alone - 1.0).abs() < 1e-6, "{of_train} {alone}");
+    // Bevel gears are refused, and a planetary set is a train of one stage.
+    let all = ["case", "from-rexs", "chain.rexs", "--all"];
+    bench.run(&all).refused(2, "E133", &["stage 3"]);
+    let set = [
+        "case",
+        "from-rexs",
+        "planetary.rexs",
+        "--all",
+        "-o",
+        "set.toml",
+    ];
+    let arguments = [&set[..], &FLANKS].concat();
+    assert_eq!(bench.run(&arguments).status, 0);
+    bench.run(&["check", "set.toml"]).well();
+}

@@ -165,6 +165,67 @@ fn passed_on_losses_lower_each_following_torque() {
     );
 }
 
+const BULK: (&str, &str) = ("operation.bulk", r#"{ law = "iso", lubrication = "jet" }"#);
+
+#[test]
+fn the_heat_into_the_nodes_is_the_loss() {
+    let heat = r#"{ ambient = "25 °C", oil_to_housing = "80 W/K", housing_to_ambient = "40 W/K", other_losses = "120 W" }"#;
+    let keys = [("operation.oil_temperature", "80 °C"), BULK, ("heat", heat)];
+    let train = train_of(GEARS, &keys);
+    let result = run(&train, false);
+    let report = result.heat.clone().unwrap();
+    let into = result.loss_w + 120.0;
+    assert!((report.heat_w / into - 1.0).abs() < 1e-12);
+    let to_ambient = 40.0 * (report.housing_c - 25.0);
+    let to_housing = 80.0 * (report.oil_c - report.housing_c);
+    for flow in [to_ambient, to_housing] {
+        assert!((flow / into - 1.0).abs() < 1e-9, "{report:?}");
+    }
+    // The losses are those of this oil: a run of each mesh in it, as a case without a balance.
+    assert!(report.residual_k < 0.05, "{report:?}");
+    let oil = format!("{:?} °C", report.oil_c);
+    let stated = train_of(GEARS, &[("operation.oil_temperature", &oil), BULK]);
+    assert!((run(&stated, false).loss_w / result.loss_w - 1.0).abs() < 2e-3);
+    assert_balanced(&result);
+}
+
+#[test]
+fn a_balance_without_equilibrium_is_refused_and_one_without_a_start() {
+    let source = |heat: &str, keys: &[(&str, &str)]| {
+        let keys: Vec<(&str, &str)> = keys.iter().copied().chain([("heat", heat)]).collect();
+        let keys: Vec<(String, String)> = keys
+            .iter()
+            .map(|(k, v)| ((*k).to_owned(), (*v).to_owned()))
+            .collect();
+        let text = format!(
+            "train.input = \"s0\"\nmesh.m = {{ shafts = [\"s0\", \"s1\"], gears = {} }}\n{COMMON}[surface]{FLANKS}",
+            GEARS[0]
+        );
+        load_set(
+            Source::from_bytes("train.toml", text.as_bytes()).unwrap(),
+            &profiles(),
+            &keys,
+            None,
+        )
+    };
+    let insulated =
+        r#"{ ambient = "25 °C", oil_to_housing = "2 W/K", housing_to_ambient = "1 W/K" }"#;
+    let train = source(insulated, &[("operation.oil_temperature", "80 °C"), BULK]).unwrap();
+    let error = run_train(&train, &KeptFields::Highest, false, &|_, _| {}).unwrap_err();
+    assert_eq!(error.code(), "E311", "{error}");
+    let error = source(insulated, &[]).unwrap_err();
+    assert!(
+        error.to_string().contains("operation.oil_temperature"),
+        "{error}"
+    );
+    let negative = insulated.replace("\"1 W/K\"", "\"-1 W/K\"");
+    let error = source(&negative, &[("operation.oil_temperature", "80 °C"), BULK]).unwrap_err();
+    assert!(
+        error.to_string().contains("heat.housing_to_ambient"),
+        "{error}"
+    );
+}
+
 #[test]
 fn equal_meshes_have_equal_draws_and_other_flanks_their_own() {
     let equal = [r#"{ teeth = [40, 40], module = "2 mm", face_width = "30 mm" }"#; 3];

@@ -8,6 +8,9 @@ pub struct SetArgs {
     /// Set a key of the case, e.g. operation.torque="200 N m"; may be repeated
     #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     pub keys: Vec<SetArg>,
+    /// Take only this mesh of a gear train or planetary set, at its torque and speed
+    #[arg(long, value_name = "NAME")]
+    pub mesh: Option<String>,
 }
 
 /// A key of a case and its value.

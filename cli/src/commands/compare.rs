@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use asperity::case::{self, CaseInput, LoadedCase, Source};
+use asperity::case::{CaseInput, LoadedCase, Source};
 use asperity::pipeline::KeptFields;
 use asperity_studies::compare::{self, Comparison, Finish};
 
 use super::finish::{Traces, check_names};
 use super::work::check_work;
-use super::{keys, pair_only, result_name, source, study};
+use super::{load_pair, result_name, source, study};
 use crate::args::{Common, CompareArgs, FinishArg};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
@@ -27,7 +27,6 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     let progress = Progress::of(common.quiet, READING);
     // Read once for all finishes, since standard input can be read only once.
     let (text, folder) = source(&args.case)?;
-    pair_only(&text)?;
     let finishes = args
         .finishes
         .iter()
@@ -71,6 +70,6 @@ fn load(
             input.model.offsets = args.offsets;
         }
     };
-    case::load_set(text.clone(), folder, &keys(&args.set), &change)
-        .map_err(|error| Failure::of(&error).adding(&format!(" (--finish {name})")))
+    load_pair(text.clone(), folder, &args.set, &change)
+        .map_err(|error| error.adding(&format!(" (--finish {name})")))
 }

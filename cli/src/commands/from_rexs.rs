@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use asperity_rexs::{
     CaseText, Flanks, Model, OperatingPoint, RexsError, Stage, StageKind, case_text,
-    operating_points, stages, teeth,
+    operating_points, stages, teeth, train_text,
 };
 use asperity_storage::{one_line, whole_file};
 use serde_json::{Value, json};
@@ -26,7 +26,7 @@ pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
     let bytes = whole_file(path, LARGEST).map_err(|error| refused(&error, "E101"))?;
     let wrong = |error: RexsError| refused(&error, code_of(&error));
     let model = Model::read(&bytes).map_err(wrong)?;
-    if args.stage.is_none() && args.output.is_none() {
+    if args.stage.is_none() && args.output.is_none() && !args.all {
         return list(&model, common).map_err(|failure| match failure {
             Listing::Rexs(error) => wrong(error),
             Listing::Output(failure) => failure,
@@ -39,8 +39,12 @@ pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
         wheel: flank(&args.wheel),
     };
     let file = path.file_name().unwrap_or_default().to_string_lossy();
-    let number = args.stage.unwrap_or(1);
-    let case = case_text(&model, &file, number, args.load_case, &flanks).map_err(wrong)?;
+    let number = (!args.all).then(|| args.stage.unwrap_or(1));
+    let case = match number {
+        None => train_text(&model, &file, args.load_case, &flanks),
+        Some(number) => case_text(&model, &file, number, args.load_case, &flanks),
+    };
+    let case = case.map_err(wrong)?;
     if common.json && args.output.is_none() {
         return print_json(&json!({
             "case": case.toml, "notes": case.notes, "not_read": case.not_read,
@@ -49,7 +53,12 @@ pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
     written(&case, output, number, common)
 }
 
-fn written(case: &CaseText, output: &Path, number: usize, common: &Common) -> Result<(), Failure> {
+fn written(
+    case: &CaseText,
+    output: &Path,
+    number: Option<usize>,
+    common: &Common,
+) -> Result<(), Failure> {
     let quiet = besides_file(output, common)?;
     save(output, case.toml.as_bytes())?;
     if !common.quiet {
@@ -61,9 +70,10 @@ fn written(case: &CaseText, output: &Path, number: usize, common: &Common) -> Re
     if common.json {
         return print_json(&json!({ "file": output, "stage": number, "notes": case.notes }));
     }
+    let what = number.map_or("all stages".to_owned(), |number| format!("stage {number}"));
     print_text(
         &quiet,
-        &format!("wrote {name}: stage {number}\nnext: asperity check {name}\n"),
+        &format!("wrote {name}: {what}\nnext: asperity check {name}\n"),
     )
 }
 
@@ -150,20 +160,10 @@ fn list(model: &Model, common: &Common) -> Result<(), Listing> {
     print_text(common, &text).map_err(Listing::Output)
 }
 
-fn gears_of(stage: &Stage) -> Vec<&str> {
-    match &stage.kind {
-        StageKind::Pair { pinion, wheel, .. } => vec![pinion, wheel],
-        StageKind::Planetary {
-            sun, planet, ring, ..
-        } => vec![sun, planet, ring],
-        _ => Vec::new(),
-    }
-}
-
 fn teeth_of(model: &Model, stage: &Stage) -> Result<Vec<u32>, RexsError> {
-    gears_of(stage)
-        .iter()
-        .filter_map(|id| model.components.get(*id))
+    let gears = stage.gears().into_iter();
+    gears
+        .filter_map(|id| model.components.get(id))
         .map(teeth)
         .collect()
 }

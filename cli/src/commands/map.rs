@@ -13,7 +13,7 @@ use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 use super::cycle::{LARGEST_TABLE, read_cycle};
 use super::finish::{Traces, check_names};
 use super::work::check_work;
-use super::{keys, pair_only, result_name, source, stem, study};
+use super::{load_pair, result_name, source, stem, study};
 use crate::args::{Common, ExportArg, MapArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
@@ -104,12 +104,9 @@ fn name_of_value(format: ExportArg) -> String {
 /// The case with the traces of each finish, or with its own traces.
 fn finishes(args: &MapArgs) -> Result<Vec<Finish>, Failure> {
     let (text, folder) = source(&args.case)?;
-    pair_only(&text)?;
-    let keys = keys(&args.set);
-    let load =
-        |change: &dyn Fn(&mut CaseInput)| case::load_set(text.clone(), folder, &keys, change);
+    let load = |change: &dyn Fn(&mut CaseInput)| load_pair(text.clone(), folder, &args.set, change);
     if args.finishes.is_empty() {
-        let case = load(&|_| {}).map_err(|error| Failure::of(&error))?;
+        let case = load(&|_| {})?;
         let name = stem(&args.case).to_string_lossy().into_owned();
         return Ok(vec![Finish { name, case }]);
     }
@@ -117,7 +114,7 @@ fn finishes(args: &MapArgs) -> Result<Vec<Finish>, Failure> {
     for finish in &args.finishes {
         let (name, traces) = (&finish.name, Traces::of(finish)?);
         let case = load(&|input| traces.put_into(input))
-            .map_err(|error| Failure::of(&error).adding(&format!(" (--finish {name})")))?;
+            .map_err(|error| error.adding(&format!(" (--finish {name})")))?;
         finishes.push(Finish {
             name: name.clone(),
             case,

@@ -79,20 +79,40 @@ fn load_changed(
     change: &dyn Fn(&mut CaseInput),
 ) -> Result<LoadedCase, Failure> {
     let (source, folder) = source(path)?;
-    pair_only(&source)?;
-    case::load_set(source, folder, &keys(set), change).map_err(|error| Failure::of(&error))
+    load_pair(source, folder, set, change)
 }
 
-/// Rejects a gear train for a command that needs a pair of gears.
-fn pair_only(source: &Source) -> Result<(), Failure> {
-    if !gear_train::is_train(source) {
-        return Ok(());
+/// Reads the case of a single mesh, or the mesh `--mesh` of a gear train, with keys set and a change.
+fn load_pair(
+    source: Source,
+    folder: &Path,
+    set: &SetArgs,
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<LoadedCase, Failure> {
+    let failed = |error: asperity::Error| Failure::of(&error);
+    let name = source.name().to_owned();
+    let refused = |rest: String| Failure::new("E205", format!("{name}: {rest}"));
+    if !gear_train::is_train(&source) {
+        return match &set.mesh {
+            None => case::load_set(source, folder, &keys(set), change).map_err(failed),
+            Some(_) => Err(refused("has a single mesh; leave --mesh out".to_owned())),
+        };
     }
-    let name = source.name();
-    let message = format!("{name}: has several meshes; this command takes a pair of gears");
-    Err(Failure::new("E205", message).advising(
-        "run, check, gear and regime take gear trains and planetary sets; their result holds a result of each mesh.",
-    ))
+    let train = gear_train::load_set(source, folder, &keys(set), None).map_err(failed)?;
+    let Some(mesh) = &set.mesh else {
+        let meshes = train.names();
+        return Err(refused(format!(
+            "has several meshes: {meshes}; this command takes one of them"
+        ))
+        .advising("Name it with --mesh; run, check, gear and regime take all meshes."));
+    };
+    match train.mesh(mesh) {
+        Some(mesh) => mesh.case.with(|input| change(input)).map_err(failed),
+        None => Err(refused(format!(
+            "has no mesh \"{mesh}\", only {}",
+            train.names()
+        ))),
+    }
 }
 
 /// Refuses the folder that the user did not name if it holds the result of a case with another title, `older`.
@@ -163,15 +183,20 @@ fn load_any(
 ) -> Result<AnyCase, Failure> {
     let formulation = formulation.map(self::formulation);
     let (source, folder) = source(path)?;
+    let change = |input: &mut CaseInput| {
+        if formulation.is_some() {
+            input.formulation = formulation;
+        }
+    };
+    if set.mesh.is_some() {
+        let mesh = load_pair(source, folder, set, &change)?;
+        return Ok(AnyCase::Pair(Box::new(mesh)));
+    }
     let loaded = match gear_train::is_train(&source) {
         true => gear_train::load_set(source, folder, &keys(set), formulation)
             .map(|train| AnyCase::Train(Box::new(train))),
-        false => case::load_set(source, folder, &keys(set), &|input| {
-            if formulation.is_some() {
-                input.formulation = formulation;
-            }
-        })
-        .map(|pair| AnyCase::Pair(Box::new(pair))),
+        false => case::load_set(source, folder, &keys(set), &change)
+            .map(|pair| AnyCase::Pair(Box::new(pair))),
     };
     loaded.map_err(|error| Failure::of(&error))
 }

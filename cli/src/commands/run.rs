@@ -115,6 +115,9 @@ fn text_of_train(result: &TrainResult) -> String {
             .unwrap_or(0)
             .max(16)
     };
+    if let Some(heat) = &result.heat {
+        text.push_str(&format!("{}\n", heat.line()));
+    }
     let wide = width(&mut result.meshes.iter().map(|row| &row.mesh));
     text.push_str(&format!(
         "{:<wide$} {:>2} {:>10} {:>8} {:>9} {:>8} {:>8} {:>12} {:>7} {:>8} {:>7}\n",

@@ -16,6 +16,7 @@ use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::Scope;
 use crate::result::{Outcome, RunResult, Summary};
 use crate::result::{rounded, with_interval};
+use crate::train_heat::{self, HeatReport};
 use crate::uncertainty::{Quantiles, run_and_draw};
 
 /// The result of a gear train, in addition to the results of its meshes.
@@ -47,6 +48,9 @@ pub struct TrainResult {
     /// Loss of all meshes by its kinds.
     #[serde(default)]
     pub kinds: LossKinds,
+    /// Heat balance, if the case states one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heat: Option<HeatReport>,
     /// Shafts with their torques and speeds.
     #[serde(default)]
     pub shafts: Vec<ShaftRow>,
@@ -210,7 +214,8 @@ pub fn run_train(
     band: bool,
     progress: Progress<'_>,
 ) -> Result<TrainOutcome, Error> {
-    let loaded = &*loaded_by_losses(loaded)?;
+    let (warmed, heat) = train_heat::warmed(loaded)?;
+    let loaded = &*loaded_by_losses(&warmed)?;
     let mut contacts = Vec::new();
     let mut meshes = Vec::new();
     let mut drawn = Vec::new();
@@ -223,6 +228,9 @@ pub fn run_train(
     let whole = |error: PositionError| Error::Whole(Box::new(error));
     let runs: Vec<&RunResult> = meshes.iter().map(|mesh| &mesh.result).collect();
     let mut result = result(loaded, &runs).map_err(whole)?;
+    let losses = Power::from_si(result.loss_w);
+    let report = heat.zip(loaded.heat.as_ref());
+    result.heat = report.map(|(report, heat)| report.of_losses(heat, losses));
     // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
     let mut total: Vec<f64> = Vec::new();
     let draws = drawn.iter().zip(first_with_flanks(loaded));
@@ -361,6 +369,7 @@ fn result(loaded: &LoadedTrain, runs: &[&RunResult]) -> Result<TrainResult, Posi
         power_in_w,
         power_out_w: powers().map(|power| (-power).max(0.0)).sum(),
         kinds,
+        heat: None,
         shafts,
         meshes,
         sets,
@@ -455,6 +464,16 @@ impl TrainResult {
             return [self.loss_w, 100.0 * self.efficiency].map(|value| format!("{value:.4}"));
         };
         with_interval(drawn.median_w, drawn.quantiles_w, self.power_in_w, ["", ""])
+    }
+
+    /// A part of the loss \[W\] with the digits that the band of the loss leaves.
+    #[must_use]
+    pub fn part_with_digits(&self, part: f64) -> String {
+        let half = self.loss_distribution.map_or(0.0, |drawn| {
+            let [low, high] = drawn.quantiles_w;
+            0.5 * (high - low)
+        });
+        rounded(part, half * part / self.loss_w)
     }
 
     /// Every planetary set, with the name of its stage if the train has several.

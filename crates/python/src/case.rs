@@ -238,6 +238,31 @@ impl Case {
         })
     }
 
+    /// The case of a mesh of a gear train or planetary set, at its torque and speed.
+    fn mesh(&self, name: &str) -> PyResult<Self> {
+        let found = match &self.kind {
+            Kind::Pair(_) => None,
+            Kind::Train(train) => train.loaded.mesh(name),
+        };
+        let mesh = found.ok_or_else(|| {
+            Failure::new("E205", format!("the case has no mesh {name:?}; meshes names them"))
+        })?;
+        Ok(Self {
+            kind: Kind::Pair(mesh.case.clone().into()),
+        })
+    }
+
+    /// Names of the meshes of a gear train or planetary set; empty for a pair of gears.
+    #[getter]
+    fn meshes(&self) -> Vec<String> {
+        match &self.kind {
+            Kind::Pair(_) => Vec::new(),
+            Kind::Train(train) => {
+                train.loaded.meshes().map(|mesh| mesh.name.clone()).collect()
+            }
+        }
+    }
+
     /// Table of the gears: `gears`, `planetary`, or `mesh` of a gear train.
     #[getter]
     fn gears_table(&self) -> &'static str {

@@ -164,5 +164,7 @@ def test_a_gear_train_has_the_results_of_its_meshes():
     result = case.run()
     assert not case.is_planetary and len(result.meshes) == 2
     assert result.loss_w == result.meshes[0].loss_w + result.meshes[1].loss_w
+    assert case.meshes == ["a", "z"]
+    assert case.mesh("z").run("losses").loss_w == result.meshes[1].loss_w
     wider = case.replace({"mesh.a.gears.face_width": 0.03}).run()
     assert wider.loss_w != result.loss_w

@@ -73,12 +73,13 @@ fn summary_page(result: &TrainResult) -> String {
             div { dt { "loss of all meshes" } dd { (loss) " W" } }
             div { dt { "power in" } dd { (format!("{:.3} kW", 1e-3 * result.power_in_w)) } }
             @for (name, set) in result.planetary_sets() {
-                div { dt { (name) " planets" } dd { (set.planets) } }
-                div { dt { "power through the meshes" } dd { (format!("{:.3} kW", 1e-3 * set.rolling_power_w)) } }
+                div { dt { "planets " (name) } dd { (set.planets) } }
+                div { dt { "power through the meshes " (name) } dd { (format!("{:.3} kW", 1e-3 * set.rolling_power_w)) } }
             }
         }
+        @if let Some(heat) = &result.heat { p { (heat.line()) "." } }
         @for (name, _) in result.planetary_sets().filter(|(_, set)| !set.can_be_equally_spaced) {
-            p { (name) " Equally spaced planets cannot be assembled with these tooth numbers." }
+            p { "Equally spaced planets " (name) " cannot be assembled with these tooth numbers." }
         }
     };
     page(
@@ -97,26 +98,26 @@ fn meshes(result: &TrainResult) -> Markup {
     html! {
         div.scroll { table {
             thead { tr {
-                th { "mesh" } th { "number" } th { "torque [N m]" } th { "speed [1/min]" } th { "loss of one [W]" }
-                th { "sliding [W]" } th { "rolling [W]" } th { "efficiency [%]" }
-                th { "H_V" } th { "μ_eq" } th { "p₀ [MPa]" } th { "p₀ at K_γ [MPa]" }
+                th { "mesh" } th.number { "number" } th.number { "torque [N m]" } th.number { "speed [1/min]" } th.number { "loss of one [W]" }
+                th.number { "sliding [W]" } th.number { "rolling [W]" } th.number { "efficiency [%]" }
+                th.number { "H_V" } th.number { "μ_eq" } th.number { "p₀ [MPa]" } th.number { "p₀ at K_γ [MPa]" }
             } }
             tbody { @for row in &result.meshes {
                 @let [loss, efficiency, mu] = row.with_digits();
                 @let [sliding, rolling] = row.parts_with_digits();
                 tr {
                     td { a href={ (folder_of(&row.mesh)) "/report.html" } { (row.mesh) } }
-                    td { (row.count) }
-                    td { (format!("{:.3}", row.torque_nm)) }
-                    td { (rpm(row.speed_rad_per_s)) }
-                    td { (loss) }
-                    td { (sliding) }
-                    td { (rolling) }
-                    td { (efficiency) }
-                    td { (format!("{:.4}", row.loss_factor)) }
-                    td { (mu) }
-                    td { (format!("{:.0}", row.hertz_pressure_mpa)) }
-                    td { (format!("{:.0}", row.hertz_pressure_most_loaded_mpa)) }
+                    td.number { (row.count) }
+                    td.number { (format!("{:.3}", row.torque_nm)) }
+                    td.number { (rpm(row.speed_rad_per_s)) }
+                    td.number { (loss) }
+                    td.number { (sliding) }
+                    td.number { (rolling) }
+                    td.number { (efficiency) }
+                    td.number { (format!("{:.4}", row.loss_factor)) }
+                    td.number { (mu) }
+                    td.number { (format!("{:.0}", row.hertz_pressure_mpa)) }
+                    td.number { (format!("{:.0}", row.hertz_pressure_most_loaded_mpa)) }
                 }
             } }
         } }
@@ -132,11 +133,11 @@ fn meshes(result: &TrainResult) -> Markup {
 fn kinds(result: &TrainResult) -> Markup {
     html! {
         div.scroll { table {
-            thead { tr { th { "loss of all meshes" } th { "[W]" } th { "share [%]" } } }
+            thead { tr { th { "loss of all meshes" } th.number { "[W]" } th.number { "share [%]" } } }
             tbody { @for (name, loss) in result.kinds.rows() { tr {
                 td { (name) }
-                td { (format!("{loss:.1}")) }
-                td { (format!("{:.1}", 100.0 * loss / result.loss_w)) }
+                td.number { (result.part_with_digits(loss)) }
+                td.number { (format!("{:.1}", 100.0 * loss / result.loss_w)) }
             } } }
         } }
     }
@@ -145,14 +146,14 @@ fn kinds(result: &TrainResult) -> Markup {
 fn shafts(result: &TrainResult) -> Markup {
     html! {
         div.scroll { table {
-            thead { tr { th { "shaft" } th { "speed [1/min]" } th { "torque carried [N m]" } th { "torque into the train [N m]" }
-                th { "power [kW]" } } }
+            thead { tr { th { "shaft" } th.number { "speed [1/min]" } th.number { "torque carried [N m]" } th.number { "torque into the train [N m]" }
+                th.number { "power [kW]" } } }
             tbody { @for row in &result.shafts { tr {
                 td { (row.shaft) }
-                td { (rpm(row.speed_rad_per_s)) }
-                td { (format!("{:.3}", row.carried_nm)) }
-                td { (format!("{:.3}", row.torque_nm)) }
-                td { (format!("{:.4}", 1e-3 * row.power_w + 0.0)) }
+                td.number { (rpm(row.speed_rad_per_s)) }
+                td.number { (format!("{:.3}", row.carried_nm)) }
+                td.number { (format!("{:.3}", row.torque_nm)) }
+                td.number { (format!("{:.4}", 1e-3 * row.power_w + 0.0)) }
             } } }
         } }
         p { "Torque and power into the train, with all losses; negative where the power leaves. The power in is " (format!("{:.4}", 1e-3 * result.power_in_w))

@@ -2,8 +2,9 @@
 
 use crate::error::RexsError;
 use crate::model::{Component, Model};
+use crate::operating_points::operating_points_of;
 use crate::set_text;
-use crate::stages::{StageKind, stages, teeth};
+use crate::stages::{Stage, StageKind, stages, teeth};
 use crate::writer::{CaseText, Text, source};
 
 /// Names of the trace files of the flanks for the case.
@@ -36,24 +37,79 @@ pub fn case_text(
             count: stages.len(),
         });
     };
-    let mut case = Text::new(model, file, stage);
+    let mut case = Text::new(model, file, Some(stage));
+    let (gear, mesh) = mesh_gears(stage)?;
+    gears(&mut case, stage)?;
+    let points = operating_points_of(model, gear, mesh)?;
+    let names = names(stage);
+    let temperature = case.operation(&points, load_case, names[0])?;
+    case.lubricant(&model.components[mesh], temperature)?;
+    if flanks_and_steel(&mut case, stage, flanks)? {
+        case.ask_for_traces([names[0], names[1]]);
+    }
+    Ok(case.done())
+}
+
+/// The gear that the operating point of a stage is of, pinion or sun, and the `cylindrical_stage` of its mesh.
+pub fn mesh_gears(stage: &Stage) -> Result<(&str, &str), RexsError> {
+    match &stage.kind {
+        StageKind::Pair { pinion, stage, .. } => Ok((pinion, stage)),
+        StageKind::Planetary { sun, stage, .. } => Ok((sun, stage)),
+        StageKind::Other { kind } => Err(RexsError::NotCylindrical {
+            stage: stage.number,
+            kind: kind.clone(),
+        }),
+    }
+}
+
+/// Names of the gears of a stage in a case.
+fn names(stage: &Stage) -> &'static [&'static str] {
+    match stage.kind {
+        StageKind::Planetary { .. } => &["sun", "planet", "ring"],
+        _ => &["pinion", "wheel"],
+    }
+}
+
+/// Writes gears, steel and flanks of a stage, and returns whether a flank has neither trace nor roughness.
+pub fn mesh_tables(case: &mut Text<'_>, stage: &Stage, flanks: &Flanks) -> Result<bool, RexsError> {
+    gears(case, stage)?;
+    flanks_and_steel(case, stage, flanks)
+}
+
+fn flanks_and_steel(
+    case: &mut Text<'_>,
+    stage: &Stage,
+    flanks: &Flanks,
+) -> Result<bool, RexsError> {
+    let model = case.model();
+    let names = names(stage).iter().copied();
+    let named: Vec<(&str, &Component)> = (names.zip(stage.gears()))
+        .map(|(name, id)| (name, &model.components[id]))
+        .collect();
+    case.material(&named)?;
+    let files = [flanks.pinion.as_deref(), flanks.wheel.as_deref(), None];
+    let with_files = named.iter().zip(files);
+    let with_files: Vec<_> = with_files
+        .map(|((name, gear), file)| (*name, *gear, file))
+        .collect();
+    case.surface(&with_files)
+}
+
+fn gears(case: &mut Text<'_>, stage: &Stage) -> Result<(), RexsError> {
+    let model = case.model();
+    let component = |id: &String| &model.components[id];
     match &stage.kind {
         StageKind::Pair {
             stage: mesh,
             pinion,
             wheel,
             is_ring,
-        } => {
-            let gears = [pinion, wheel].map(|id| &model.components[id]);
-            pair(&mut case, &model.components[mesh], gears, *is_ring)?;
-            let temperature = case.operation(stage, load_case, "pinion")?;
-            case.lubricant(&model.components[mesh], temperature)?;
-            case.material(&[("pinion", gears[0]), ("wheel", gears[1])])?;
-            case.surface(&[
-                ("pinion", gears[0], flanks.pinion.as_deref()),
-                ("wheel", gears[1], flanks.wheel.as_deref()),
-            ])?;
-        }
+        } => pair(
+            case,
+            component(mesh),
+            [pinion, wheel].map(component),
+            *is_ring,
+        ),
         StageKind::Planetary {
             stage: mesh,
             sun,
@@ -62,25 +118,11 @@ pub fn case_text(
             planets,
             ..
         } => {
-            let gears = [sun, planet, ring].map(|id| &model.components[id]);
-            set_text::gears(&mut case, &model.components[mesh], gears, *planets)?;
-            let temperature = case.operation(stage, load_case, "sun")?;
-            case.lubricant(&model.components[mesh], temperature)?;
-            case.material(&[("sun", gears[0]), ("planet", gears[1]), ("ring", gears[2])])?;
-            case.surface(&[
-                ("sun", gears[0], flanks.pinion.as_deref()),
-                ("planet", gears[1], flanks.wheel.as_deref()),
-                ("ring", gears[2], None),
-            ])?;
+            let gears = [sun, planet, ring].map(component);
+            set_text::gears(case, component(mesh), gears, *planets)
         }
-        StageKind::Other { kind } => {
-            return Err(RexsError::NotCylindrical {
-                stage: number,
-                kind: kind.clone(),
-            });
-        }
+        StageKind::Other { .. } => mesh_gears(stage).map(|_| ()),
     }
-    Ok(case.done())
 }
 
 fn pair(
@@ -90,7 +132,7 @@ fn pair(
     is_ring: bool,
 ) -> Result<(), RexsError> {
     let z = [teeth(gears[0])?, teeth(gears[1])?];
-    case.line("\n[gears]");
+    case.heading("gears");
     let sign = if is_ring { "-" } else { "" };
     case.sourced_line(
         &format!("teeth = [{}, {sign}{}]", z[0], z[1]),

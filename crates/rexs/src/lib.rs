@@ -2,7 +2,7 @@
 //!
 //! REXS (Reusable Engineering EXchange Standard, FVA) describes gearboxes as components with attributes and
 //! relations between them. This crate reads versions 1.0 to 2.0 as XML, JSON or zip, lists the stages, and writes
-//! a case for one of them.
+//! a case of one of them or of all.
 //!
 //! Names of components, attributes and units: the public REXS model, schema 2.0.0, and files of three
 //! programs. A flank is called `flank_geometry` in 1.0 and 1.1, `cylindrical_gear_flank` from 1.2 on.
@@ -16,8 +16,10 @@ mod oil;
 mod operating_points;
 mod read;
 mod set_text;
+mod shafts;
 mod stages;
 mod tool;
+mod train_text;
 mod units;
 mod unread;
 mod writer;
@@ -28,4 +30,5 @@ pub use error::RexsError;
 pub use model::{Attribute, Component, LoadCase, Model, Relation};
 pub use operating_points::{OperatingPoint, operating_points};
 pub use stages::{Stage, StageKind, stages, teeth};
+pub use train_text::train_text;
 pub use writer::CaseText;

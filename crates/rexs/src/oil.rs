@@ -67,7 +67,7 @@ impl Text<'_> {
         mesh: &Component,
         temperature: Option<f64>,
     ) -> Result<(), RexsError> {
-        self.line("\n[lubricant]");
+        self.heading("lubricant");
         let model = self.model();
         let mut oils = model.of_kind("lubricant");
         let Some(oil) = oils.next() else {

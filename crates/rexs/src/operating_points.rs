@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, VecDeque};
 
 use crate::error::RexsError;
 use crate::model::{Component, LoadCase, Model};
+use crate::shafts::shaft_of;
 use crate::stages::{Stage, StageKind, stages, teeth};
 use crate::units::Unit;
 
@@ -36,6 +37,15 @@ pub fn operating_points(model: &Model, stage: &Stage) -> Result<Vec<OperatingPoi
         StageKind::Planetary { sun, stage, .. } => (sun, stage),
         StageKind::Other { .. } => return Ok(Vec::new()),
     };
+    operating_points_of(model, gear, mesh)
+}
+
+/// The operating points of `gear` in `mesh`, a `cylindrical_stage`.
+pub fn operating_points_of(
+    model: &Model,
+    gear: &str,
+    mesh: &str,
+) -> Result<Vec<OperatingPoint>, RexsError> {
     let without_loads = LoadCase::default();
     let cases = match model.load_cases.as_slice() {
         [] => std::slice::from_ref(&without_loads),
@@ -163,16 +173,6 @@ fn through(from: String, ratio: f64) -> String {
     } else {
         format!("{from}, through the ratios of the stages")
     }
-}
-
-/// The shaft that a gear or a load sits on.
-fn shaft_of<'a>(model: &'a Model, part: &str) -> Option<&'a str> {
-    model
-        .related("assembly")
-        .filter(|relation| relation.role("part") == Some(part))
-        .filter_map(|relation| model.components.get(relation.role("assembly")?))
-        .find(|component| component.kind == "shaft")
-        .map(|shaft| shaft.id.as_str())
 }
 
 /// Revolutions of every connected shaft per revolution of `first`.

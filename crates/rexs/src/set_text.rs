@@ -13,7 +13,7 @@ pub fn gears(
     planets: usize,
 ) -> Result<(), RexsError> {
     let z = [teeth(gears[0])?, teeth(gears[1])?, teeth(gears[2])?];
-    case.line("\n[planetary]");
+    case.heading("planetary");
     case.sourced_line(
         &format!("teeth = [{}, {}, -{}]", z[0], z[1], z[2]),
         &format!("sun, planet, ring {}", source(&gears, "number_of_teeth")),
@@ -25,6 +25,10 @@ pub fn gears(
     case.geometry(mesh, &gears, &z.map(f64::from))?;
     for (name, gear) in ["sun", "planet", "ring"].into_iter().zip(gears) {
         case.teeth_form(name, gear)?;
+    }
+    if !case.within.is_empty() {
+        // The shafts of the train tell which of them turns.
+        return Ok(());
     }
     case.note(
         "the ring is assumed to be fixed and the sun to be driven: write planetary.ring_speed if the ring turns"

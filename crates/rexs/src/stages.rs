@@ -53,6 +53,20 @@ pub enum StageKind {
     },
 }
 
+impl Stage {
+    /// Numbers of its gears: pinion and wheel, or sun, planet and ring; empty if it is not of cylindrical gears.
+    #[must_use]
+    pub fn gears(&self) -> Vec<&str> {
+        match &self.kind {
+            StageKind::Pair { pinion, wheel, .. } => vec![pinion, wheel],
+            StageKind::Planetary {
+                sun, planet, ring, ..
+            } => vec![sun, planet, ring],
+            StageKind::Other { .. } => Vec::new(),
+        }
+    }
+}
+
 /// The stages of a gearbox in the order of the file; a planetary set is one stage.
 ///
 /// # Errors

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::error::RexsError;
 use crate::model::{Component, Model};
-use crate::operating_points::{OperatingPoint, operating_points};
+use crate::operating_points::OperatingPoint;
 use crate::stages::Stage;
 use crate::units::Unit;
 use crate::unread::unread;
@@ -52,25 +52,39 @@ pub struct Text<'a> {
     model: &'a Model,
     toml: String,
     notes: Vec<String>,
+    /// Table of the mesh under construction in a gear train, with a point at its end.
+    pub within: String,
 }
 
 impl<'a> Text<'a> {
-    /// An empty case of a stage.
-    pub fn new(model: &'a Model, file: &str, stage: &Stage) -> Self {
+    /// An empty case of a stage, or of all stages.
+    pub fn new(model: &'a Model, file: &str, stage: Option<&Stage>) -> Self {
         let (file, program) = (one_line(file), one_line(&model.program));
-        let name = one_line(stage.name.trim());
+        let (what, title) = match stage {
+            None => ("All stages".to_owned(), file.clone()),
+            Some(Stage { number, name, .. }) => {
+                let title = format!("{file}, stage {number}: {}", one_line(name.trim()));
+                let title = title.trim_end_matches([':', ' ']).to_owned();
+                (format!("Stage {number}"), title)
+            }
+        };
         let mut toml = format!(
-            "# Stage {} of {file}: REXS {} by {program}.\n# The comment on each number names its attribute.\n",
-            stage.number, model.version
+            "# {what} of {file}: REXS {} by {program}.\n# The comment on each number names its attribute.\n",
+            model.version
         );
-        let title = format!("{file}, stage {}: {name}", stage.number);
-        let title = title.trim_end_matches([':', ' ']);
-        let _ = writeln!(toml, "title = {}", quoted(title));
+        let _ = writeln!(toml, "title = {}", quoted(&title));
         Self {
             model,
             toml,
             notes: Vec::new(),
+            within: String::new(),
         }
+    }
+
+    /// Begins the table `name` of the case, or of the mesh under construction.
+    pub fn heading(&mut self, name: &str) {
+        let heading = format!("\n[{}{name}]", self.within);
+        self.line(&heading);
     }
 
     /// The finished case, which ends with a list of what it does not use.
@@ -116,7 +130,9 @@ impl<'a> Text<'a> {
 
     /// Adds a note for the reader of the case.
     pub fn note(&mut self, text: String) {
-        self.notes.push(text);
+        if !self.notes.contains(&text) {
+            self.notes.push(text);
+        }
     }
 
     /// A required attribute of all `components`.
@@ -429,11 +445,10 @@ impl<'a> Text<'a> {
     /// oil \[°C\].
     pub fn operation(
         &mut self,
-        stage: &Stage,
+        points: &[OperatingPoint],
         wanted: usize,
         first: &str,
     ) -> Result<Option<f64>, RexsError> {
-        let points = operating_points(self.model, stage)?;
         let point = wanted.checked_sub(1).and_then(|index| points.get(index));
         let Some(point) = point else {
             return Err(RexsError::NoLoadCase {
@@ -441,7 +456,7 @@ impl<'a> Text<'a> {
                 count: points.len(),
             });
         };
-        self.line("\n[operation]");
+        self.heading("operation");
         for other in points.iter().filter(|other| *other != point) {
             self.line(&format!("# {}", summary(other)));
         }
@@ -516,7 +531,7 @@ impl<'a> Text<'a> {
             }
         }
         if !lines.is_empty() {
-            self.line("\n[material]");
+            self.heading("material");
         }
         for (text, from) in lines {
             self.sourced_line(&text, &from);
@@ -524,33 +539,43 @@ impl<'a> Text<'a> {
         Ok(())
     }
 
-    /// Writes the flanks of the gears, which have these names in the case: trace files or roughness values.
-    pub fn surface(&mut self, gears: &[(&str, &Component, Option<&str>)]) -> Result<(), RexsError> {
-        self.line("\n[surface]");
-        let [(first, ..), (second, ..), ..] = gears else {
-            return Ok(());
-        };
+    /// Writes the flanks of the gears, which have these names in the case: trace files or roughness values. Returns
+    /// whether a flank has neither.
+    pub fn surface(
+        &mut self,
+        gears: &[(&str, &Component, Option<&str>)],
+    ) -> Result<bool, RexsError> {
         let mut is_missing = false;
+        let mut lines = Vec::new();
         for (name, gear, file) in gears {
             if let Some(file) = file {
-                self.line(&format!("{name}.file = {}", quoted(file)));
+                lines.push(format!("{name}.file = {}", quoted(file)));
                 continue;
             }
             let values = roughness(gear)?;
             for (key, value, from) in &values {
-                self.sourced_line(&format!("{name}.{key} = \"{value} um\""), from);
+                lines.push(format!("{name}.{key} = \"{value} um\"  # {from}"));
             }
             is_missing |= values.is_empty() && name != &"ring";
         }
-        if is_missing {
-            self.line("# The measured flanks, which are not in the file:");
-            self.line(&format!("# {first}.file = \"{first}.csv\""));
-            self.line(&format!("# {second}.file = \"{second}.csv\""));
-            self.note(format!(
-                "the file has no measured flank: write surface.{first}.file and surface.{second}.file"
-            ));
+        // The flanks of a gear train that are not in the file are stated once for all meshes.
+        if !lines.is_empty() || self.within.is_empty() {
+            self.heading("surface");
         }
-        Ok(())
+        for line in lines {
+            self.line(&line);
+        }
+        Ok(is_missing)
+    }
+
+    /// Asks for the traces of the flanks of two gears with these names.
+    pub fn ask_for_traces(&mut self, [first, second]: [&str; 2]) {
+        self.line("# The measured flanks, which are not in the file:");
+        self.line(&format!("# {first}.file = \"{first}.csv\""));
+        self.line(&format!("# {second}.file = \"{second}.csv\""));
+        self.note(format!(
+            "the file has no measured flank: write surface.{first}.file and surface.{second}.file"
+        ));
     }
 }
 
@@ -657,7 +682,7 @@ pub fn rounded(value: f64) -> String {
 }
 
 /// A basic string of TOML.
-fn quoted(text: &str) -> String {
+pub fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {

@@ -18,6 +18,7 @@ use super::source::Source;
 use super::train_parts::TrainFile;
 use crate::error::Error;
 
+pub use super::train_heat_input::HeatInput;
 pub use super::train_input::{
     MeshInput, PassedLosses, TrainCaseInput, TrainInput, TrainMaterialInput, TrainSurfaceInput,
     schema,

@@ -64,6 +64,7 @@ mod trace;
 mod trace_filters;
 mod trace_list;
 mod train_flow;
+mod train_heat_input;
 mod train_input;
 mod train_parts;
 

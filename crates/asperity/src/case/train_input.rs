@@ -24,8 +24,10 @@ use super::model::{Formulation, ModelInput};
 use super::planetary::{
     self, PlanetaryCaseInput, PlanetaryInput, PlanetaryMaterialInput, PlanetarySurfaceInput,
 };
+use super::section::domain;
 use super::source::{MeshKeys, Source};
 use super::train_flow::StageKind;
+use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainFile, TrainParts, conflict, refused};
 
 /// A case of several meshes as the user writes it. Torque and speed of the operation are those of the input shaft.
@@ -50,6 +52,9 @@ pub struct TrainCaseInput {
     /// Flanks of all meshes that have no own, and the preparation of their traces.
     #[serde(default)]
     pub surface: TrainSurfaceInput,
+    /// Heat balance, from which the temperature of the oil follows; `operation.oil_temperature` is then its start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heat: Option<HeatInput>,
     /// Choices of the model, for all meshes.
     #[serde(default)]
     pub model: ModelInput,
@@ -204,12 +209,27 @@ impl TrainFile for TrainCaseInput {
         }
         let (shafts, stages) = self.on_shafts(stages, source)?;
         let passes_losses = self.train.losses == Some(PassedLosses::PassedOn);
-        TrainParts::new(self.title.clone(), shafts, passes_losses, stages)
-            .map_err(refused(source, Self::TABLE))
+        let mut parts = TrainParts::new(self.title.clone(), shafts, passes_losses, stages)
+            .map_err(refused(source, Self::TABLE))?;
+        parts.heat = self.checked_heat(source)?;
+        Ok(parts)
     }
 }
 
 impl TrainCaseInput {
+    fn checked_heat(&self, source: &Source) -> Result<Option<HeatInput>, CaseError> {
+        let Some(heat) = &self.heat else {
+            return Ok(None);
+        };
+        if self.operation.oil_temperature.is_none() {
+            let rule = "needs operation.oil_temperature, where the search begins, with operation.bulk, by which the loss heats the flanks above the oil";
+            return Err(conflict(source, "heat".to_owned(), rule));
+        }
+        heat.check()
+            .map_err(|(key, error)| domain(source, format!("heat.{key}"))(error))?;
+        Ok(Some(heat.clone()))
+    }
+
     /// The stages in the order of the power, on their shafts.
     fn on_shafts(
         &self,

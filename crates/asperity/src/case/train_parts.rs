@@ -15,6 +15,7 @@ use super::loaded::LoadedCase;
 use super::resolve::title_by_gears;
 use super::source::{MeshKeys, Source};
 use super::train_flow::{StageKind, Train};
+use super::train_heat_input::HeatInput;
 
 /// A gear train, ready to run.
 #[derive(Debug, Clone)]
@@ -26,6 +27,8 @@ pub struct LoadedTrain {
     pub train: Train,
     /// Meshes of each stage, in the order of the power.
     pub stages: Vec<LoadedStage>,
+    /// Heat balance, if the case states one.
+    pub heat: Option<HeatInput>,
     /// The case as read.
     pub input: serde_json::Value,
     /// Every default in use, by the keys of the train.
@@ -58,6 +61,19 @@ impl LoadedTrain {
         self.stages.iter().flat_map(|stage| &stage.meshes)
     }
 
+    /// The mesh called `name`.
+    #[must_use]
+    pub fn mesh(&self, name: &str) -> Option<&LoadedMesh> {
+        self.meshes().find(|mesh| mesh.name == name)
+    }
+
+    /// Names of all meshes, separated by commas.
+    #[must_use]
+    pub fn names(&self) -> String {
+        let names = self.meshes().map(|mesh| format!("\"{}\"", mesh.name));
+        names.collect::<Vec<_>>().join(", ")
+    }
+
     /// The planetary set of a case `[planetary]`, which is the whole train.
     #[must_use]
     pub fn only_set(&self) -> Option<&StageKind> {
@@ -79,6 +95,7 @@ pub(super) trait TrainFile: CaseFile {
 
 /// A gear train with the inputs of its meshes, before their traces are read.
 pub(super) struct TrainParts {
+    pub heat: Option<HeatInput>,
     title: String,
     train: Train,
     stages: Vec<StageParts>,
@@ -140,6 +157,7 @@ impl TrainParts {
             }
         }
         Ok(Self {
+            heat: None,
             title,
             train,
             stages,
@@ -170,6 +188,7 @@ impl TrainParts {
                 .collect(),
         });
         LoadedTrain {
+            heat: self.heat,
             title: self.title,
             train: self.train,
             stages: stages.collect(),

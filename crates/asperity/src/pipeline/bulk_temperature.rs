@@ -5,7 +5,7 @@
 //! laws only. All properties of the oil, its density included, are taken at the bulk temperature.
 
 use asperity_core::provenance::Provenance;
-use asperity_core::quantity::{Power, Speed, Temperature};
+use asperity_core::quantity::{Length, Power, Speed, Temperature};
 use asperity_efficiency::bulk_temperature::{
     self, BulkTemperature, HOTTER_START, HotterStart, iso_rise,
 };
@@ -83,7 +83,9 @@ impl<'a> Law<'a> {
         Ok(match self.model {
             BulkModel::Iso(lubrication) => {
                 let gears = &self.loaded.case.gears;
-                let (distance, width) = (gears.centre_distance, gears.face_width);
+                // The centre distance of a ring is negative.
+                let distance = Length::from_si(gears.centre_distance.si().abs());
+                let width = gears.face_width;
                 [iso_rise(loss, distance, width, lubrication.factor())?; 2]
             }
             BulkModel::Network(network) => network.rises(loss, self.pinion)?,

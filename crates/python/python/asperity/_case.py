@@ -151,6 +151,15 @@ class Case:
         return Table(self._about["warnings"], ["code", "text"])
 
     @property
+    def meshes(self) -> list[str]:
+        """Names of the meshes of a gear train or planetary set; empty for a pair of gears."""
+        return self._raw.meshes
+
+    def mesh(self, name: str) -> Case:
+        """The mesh of a gear train or planetary set as a case of its own, at its torque and speed."""
+        return Case._of((*self._steps, ("mesh", (name,))), self._raw)
+
+    @property
     def is_planetary(self) -> bool:
         """Whether the case is a planetary set."""
         return self._raw.gears_table == "planetary"

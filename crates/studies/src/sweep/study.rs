@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::{self, FileSums, LoadedCase};
+use asperity::case::{self, FileSums, LoadedCase, gear_train};
 use asperity::fingerprint::Fingerprint;
 use asperity_storage::{whole_file, whole_text};
 
@@ -57,7 +57,7 @@ impl Study {
             path: file.to_owned(),
             message: "missing field `case`".to_owned(),
         })?;
-        let case = case::load(&folder.join(case_file), None)?;
+        let case = case_of(&folder.join(case_file), input.mesh.as_deref())?;
         let stem = file.file_stem().unwrap_or_default();
         let name = stem.to_string_lossy().into_owned();
         Self::of(input, &text.replace('\r', ""), case, (name, folder))
@@ -115,6 +115,23 @@ impl Study {
             sums,
         })
     }
+}
+
+/// The case in `file`, or the mesh called `mesh` of the gear train in it.
+fn case_of(file: &Path, mesh: Option<&str>) -> Result<LoadedCase, SweepError> {
+    let Some(train) = gear_train::load(file)? else {
+        return Ok(case::load(file, None)?);
+    };
+    let found = mesh.and_then(|mesh| train.mesh(mesh));
+    found
+        .map(|mesh| mesh.case.clone())
+        .ok_or_else(|| SweepError::Study {
+            path: file.to_owned(),
+            message: format!(
+                "`mesh` of the study must name one of the meshes {}",
+                train.names()
+            ),
+        })
 }
 
 /// The first sixteen digits of a fingerprint.

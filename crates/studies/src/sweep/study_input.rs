@@ -13,6 +13,8 @@ pub(super) struct StudyInput {
     /// Case file, relative to the study; not used for a case in memory.
     #[serde(default)]
     pub case: Option<PathBuf>,
+    /// Mesh of the case, if it is a gear train.
+    pub mesh: Option<String>,
     pub detail: Option<Detail>,
     pub columns: Option<Vec<String>>,
     #[serde(default)]

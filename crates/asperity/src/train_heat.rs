@@ -1,0 +1,161 @@
+//! Heat balance of a gear train: the losses heat the oil, the oil the housing, and the housing the ambient air.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | P | losses of all meshes at the oil temperature, and the stated other losses | W |
+//! | G_o, G_h | conductances from oil to housing and from housing to the ambient | W/K |
+//! | ϑ_a, ϑ_h, ϑ_o | temperatures of ambient, housing and oil | °C |
+//!
+//! The bulk temperatures of the gears follow from the oil by the law of each mesh (`operation.bulk`). Conductances and other
+//! losses are the user's; no value of them is assumed.
+
+use asperity_core::cite;
+use asperity_core::quantity::{Power, Temperature};
+use asperity_efficiency::bulk_temperature::{HOTTER_START, HotterStart, fixed_point};
+use serde::{Deserialize, Serialize};
+
+use crate::case::LoadedCase;
+use crate::case::gear_train::{HeatInput, LoadedTrain};
+use crate::contacts::Contacts;
+use crate::error::Error;
+use crate::pipeline;
+
+/// Temperatures at which the losses of a gear train leave through its housing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct HeatReport {
+    /// Temperature of the oil \[°C\].
+    pub oil_c: f64,
+    /// Temperature of the housing \[°C\].
+    pub housing_c: f64,
+    /// Temperature of the ambient air \[°C\].
+    pub ambient_c: f64,
+    /// Heat from meshes and other losses into the oil \[W\].
+    pub heat_w: f64,
+    /// Stated losses of other parts \[W\], which are in the heat and not in the loss of the meshes.
+    pub other_losses_w: f64,
+    /// Difference between this temperature of the oil and the one of the losses \[K\].
+    pub residual_k: f64,
+    /// Number of steps.
+    pub steps: usize,
+    /// A second, hotter equilibrium temperature of the oil \[°C\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hotter_c: Option<f64>,
+    /// Temperature of the oil from which no equilibrium is reached \[°C\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub runs_away_from_c: Option<f64>,
+}
+
+/// Temperatures of housing and oil at a heat P:
+///
+/// ϑ_h = ϑ_a + P/G_h,  ϑ_o = ϑ_h + P/G_o                                          [Heat-nodes]
+fn nodes(heat: &HeatInput, losses: Power) -> [Temperature; 2] {
+    cite!("Heat-nodes");
+    let into_oil = into_oil(heat, losses).si();
+    let housing = heat.ambient.si() + into_oil / heat.housing_to_ambient.si();
+    let oil = housing + into_oil / heat.oil_to_housing.si();
+    [housing, oil].map(Temperature::from_si)
+}
+
+fn into_oil(heat: &HeatInput, losses: Power) -> Power {
+    losses + heat.other_losses.unwrap_or(Power::from_si(0.0))
+}
+
+/// The train at the temperature of the oil that its losses cause, and how it was found; the train itself if it states no
+/// heat balance.
+pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<HeatReport>), Error> {
+    let Some(heat) = &loaded.heat else {
+        return Ok((loaded.clone(), None));
+    };
+    let meshes = loaded.meshes();
+    let contacts = meshes.map(|mesh| pipeline::contacts(&mesh.case));
+    let contacts = contacts.collect::<Result<Vec<Contacts>, Error>>()?;
+    let losses = |train: &LoadedTrain| -> Result<Power, Error> {
+        let of_mesh = |(case, contacts): (&LoadedCase, &Contacts)| {
+            let losses = pipeline::losses_with(contacts, case)?;
+            Ok::<_, Error>(Power::from_si(losses.summary.loss_w))
+        };
+        let mut of_all = train
+            .meshes()
+            .map(|mesh| &mesh.case)
+            .zip(&contacts)
+            .map(of_mesh);
+        let mut total = Power::from_si(0.0);
+        for (stage, kind) in train.stages.iter().zip(&train.train.kinds) {
+            let of_stage = of_all.by_ref().take(stage.meshes.len());
+            let of_stage = of_stage.collect::<Result<Vec<Power>, Error>>()?;
+            total = total + kind.loss(&of_stage);
+        }
+        Ok(total)
+    };
+    let start = loaded
+        .meshes()
+        .map(|mesh| mesh.case.case.temperature)
+        .next();
+    let start = start.unwrap_or(heat.ambient);
+    let found = fixed_point(start, |oil| {
+        let [_, oil] = nodes(heat, losses(&at(loaded, oil)?)?);
+        Ok::<_, Error>(oil)
+    })?;
+    let celsius = Temperature::celsius;
+    let report = HeatReport {
+        oil_c: celsius(found.temperature),
+        housing_c: f64::NAN,
+        ambient_c: celsius(heat.ambient),
+        heat_w: f64::NAN,
+        other_losses_w: heat.other_losses.map_or(0.0, Power::si),
+        residual_k: found.residual,
+        steps: found.steps,
+        hotter_c: match found.hotter {
+            HotterStart::Elsewhere(hotter) => Some(celsius(hotter)),
+            _ => None,
+        },
+        runs_away_from_c: match found.hotter {
+            HotterStart::Nowhere => Some(celsius(start) + HOTTER_START),
+            _ => None,
+        },
+    };
+    Ok((at(loaded, found.temperature)?, Some(report)))
+}
+
+impl HeatReport {
+    /// The temperatures in one line, with an equilibrium that is hotter or missing.
+    #[must_use]
+    pub fn line(&self) -> String {
+        let [oil, housing, ambient] = [self.oil_c, self.housing_c, self.ambient_c];
+        let mut line = format!(
+            "oil {oil:.1} °C, housing {housing:.1} °C at {ambient:.1} °C ambient, by {:.0} W of heat",
+            self.heat_w
+        );
+        if let Some(hotter) = self.hotter_c {
+            line.push_str(&format!("; a second equilibrium exists at {hotter:.1} °C"));
+        }
+        if let Some(from) = self.runs_away_from_c {
+            line.push_str(&format!("; oil at {from:.1} °C finds no equilibrium"));
+        }
+        line
+    }
+
+    /// The report with the temperatures that follow from the losses of the run.
+    pub(crate) fn of_losses(self, heat: &HeatInput, losses: Power) -> Self {
+        let [housing, oil] = nodes(heat, losses).map(Temperature::celsius);
+        Self {
+            residual_k: (oil - self.oil_c).abs(),
+            oil_c: oil,
+            housing_c: housing,
+            heat_w: into_oil(heat, losses).si(),
+            ..self
+        }
+    }
+}
+
+/// The train with another temperature of the oil.
+fn at(loaded: &LoadedTrain, oil: Temperature) -> Result<LoadedTrain, Error> {
+    let mut other = loaded.clone();
+    for mesh in other.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
+        mesh.case = mesh
+            .case
+            .with(|input| input.operation.oil_temperature = Some(oil))?;
+    }
+    Ok(other)
+}
