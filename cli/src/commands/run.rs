@@ -153,7 +153,7 @@ fn text_of_train(result: &TrainResult) -> String {
             row.carried_nm,
             rpm(row.speed_rad_per_s),
             row.torque_nm,
-            1e-3 * row.power_w + 0.0,
+            1e-3 * row.power_w,
         ));
     }
     if result

@@ -214,7 +214,7 @@ pub fn run_train(
     band: bool,
     progress: Progress<'_>,
 ) -> Result<TrainOutcome, Error> {
-    let (warmed, heat) = train_heat::warmed(loaded)?;
+    let (warmed, oil) = train_heat::warmed(loaded)?;
     let loaded = &*loaded_by_losses(&warmed)?;
     let mut contacts = Vec::new();
     let mut meshes = Vec::new();
@@ -229,8 +229,8 @@ pub fn run_train(
     let runs: Vec<&RunResult> = meshes.iter().map(|mesh| &mesh.result).collect();
     let mut result = result(loaded, &runs).map_err(whole)?;
     let losses = Power::from_si(result.loss_w);
-    let report = heat.zip(loaded.heat.as_ref());
-    result.heat = report.map(|(report, heat)| report.of_losses(heat, losses));
+    let found = oil.zip(loaded.heat.as_ref());
+    result.heat = found.map(|(oil, heat)| HeatReport::of(&oil, heat, losses));
     // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
     let mut total: Vec<f64> = Vec::new();
     let draws = drawn.iter().zip(first_with_flanks(loaded));
@@ -387,7 +387,8 @@ fn shafts(loaded: &LoadedTrain, flow: &TrainFlow) -> Vec<ShaftRow> {
             speed_rad_per_s: speed,
             carried_nm: 0.5 * (inner.sum::<f64>() + torque.abs()),
             torque_nm: torque,
-            power_w: torque * speed,
+            // A shaft between two meshes has 0, not -0.
+            power_w: torque * speed + 0.0,
         }
     };
     train.shafts.iter().enumerate().map(row).collect()

@@ -11,7 +11,7 @@
 
 use asperity_core::cite;
 use asperity_core::quantity::{Power, Temperature};
-use asperity_efficiency::bulk_temperature::{HOTTER_START, HotterStart, fixed_point};
+use asperity_efficiency::bulk_temperature::{BulkTemperature, fixed_point};
 use serde::{Deserialize, Serialize};
 
 use crate::case::LoadedCase;
@@ -61,9 +61,16 @@ fn into_oil(heat: &HeatInput, losses: Power) -> Power {
     losses + heat.other_losses.unwrap_or(Power::from_si(0.0))
 }
 
+/// The temperature of the oil that the losses of a train cause.
+pub(crate) struct FoundOil {
+    found: BulkTemperature,
+    /// Temperature at which the search began.
+    start: Temperature,
+}
+
 /// The train at the temperature of the oil that its losses cause, and how it was found; the train itself if it states no
 /// heat balance.
-pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<HeatReport>), Error> {
+pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundOil>), Error> {
     let Some(heat) = &loaded.heat else {
         return Ok((loaded.clone(), None));
     };
@@ -97,25 +104,8 @@ pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<HeatRe
         let [_, oil] = nodes(heat, losses(&at(loaded, oil)?)?);
         Ok::<_, Error>(oil)
     })?;
-    let celsius = Temperature::celsius;
-    let report = HeatReport {
-        oil_c: celsius(found.temperature),
-        housing_c: f64::NAN,
-        ambient_c: celsius(heat.ambient),
-        heat_w: f64::NAN,
-        other_losses_w: heat.other_losses.map_or(0.0, Power::si),
-        residual_k: found.residual,
-        steps: found.steps,
-        hotter_c: match found.hotter {
-            HotterStart::Elsewhere(hotter) => Some(celsius(hotter)),
-            _ => None,
-        },
-        runs_away_from_c: match found.hotter {
-            HotterStart::Nowhere => Some(celsius(start) + HOTTER_START),
-            _ => None,
-        },
-    };
-    Ok((at(loaded, found.temperature)?, Some(report)))
+    let warmed = at(loaded, found.temperature)?;
+    Ok((warmed, Some(FoundOil { found, start })))
 }
 
 impl HeatReport {
@@ -137,14 +127,21 @@ impl HeatReport {
     }
 
     /// The report with the temperatures that follow from the losses of the run.
-    pub(crate) fn of_losses(self, heat: &HeatInput, losses: Power) -> Self {
-        let [housing, oil] = nodes(heat, losses).map(Temperature::celsius);
+    pub(crate) fn of(oil: &FoundOil, heat: &HeatInput, losses: Power) -> Self {
+        let FoundOil { found, start } = oil;
+        let celsius = Temperature::celsius;
+        let [housing_c, oil_c] = nodes(heat, losses).map(celsius);
+        let [hotter, from] = found.hotter_ends(*start);
         Self {
-            residual_k: (oil - self.oil_c).abs(),
-            oil_c: oil,
-            housing_c: housing,
+            oil_c,
+            housing_c,
+            ambient_c: celsius(heat.ambient),
             heat_w: into_oil(heat, losses).si(),
-            ..self
+            other_losses_w: heat.other_losses.map_or(0.0, Power::si),
+            residual_k: (oil_c - celsius(found.temperature)).abs(),
+            steps: found.steps,
+            hotter_c: hotter.map(celsius),
+            runs_away_from_c: from.map(celsius),
         }
     }
 }

@@ -137,6 +137,18 @@ pub enum HotterStart {
     Nowhere,
 }
 
+impl BulkTemperature {
+    /// A second, hotter equilibrium, and the start from which none is reached, of an iteration that began at `start`.
+    #[must_use]
+    pub fn hotter_ends(&self, start: Temperature) -> [Option<Temperature>; 2] {
+        match self.hotter {
+            HotterStart::Same => [None, None],
+            HotterStart::Elsewhere(second) => [Some(second), None],
+            HotterStart::Nowhere => [None, Some(Temperature::from_si(start.si() + HOTTER_START))],
+        }
+    }
+}
+
 /// Computes the bulk temperature at which `made` returns its argument: the bulk temperature that results from the
 /// loss at a bulk temperature.
 ///

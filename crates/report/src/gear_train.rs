@@ -73,13 +73,14 @@ fn summary_page(result: &TrainResult) -> String {
             div { dt { "loss of all meshes" } dd { (loss) " W" } }
             div { dt { "power in" } dd { (format!("{:.3} kW", 1e-3 * result.power_in_w)) } }
             @for (name, set) in result.planetary_sets() {
-                div { dt { "planets " (name) } dd { (set.planets) } }
-                div { dt { "power through the meshes " (name) } dd { (format!("{:.3} kW", 1e-3 * set.rolling_power_w)) } }
+                @let of = if name.is_empty() { String::new() } else { format!(" of {name}") };
+                div { dt { "planets" (of) } dd { (set.planets) } }
+                div { dt { "power through the meshes" (of) } dd { (format!("{:.3} kW", 1e-3 * set.rolling_power_w)) } }
             }
         }
         @if let Some(heat) = &result.heat { p { (heat.line()) "." } }
         @for (name, _) in result.planetary_sets().filter(|(_, set)| !set.can_be_equally_spaced) {
-            p { "Equally spaced planets " (name) " cannot be assembled with these tooth numbers." }
+            p { @if !name.is_empty() { (name) ": " } "equally spaced planets cannot be assembled with these tooth numbers." }
         }
     };
     page(
@@ -153,7 +154,7 @@ fn shafts(result: &TrainResult) -> Markup {
                 td.number { (rpm(row.speed_rad_per_s)) }
                 td.number { (format!("{:.3}", row.carried_nm)) }
                 td.number { (format!("{:.3}", row.torque_nm)) }
-                td.number { (format!("{:.4}", 1e-3 * row.power_w + 0.0)) }
+                td.number { (format!("{:.4}", 1e-3 * row.power_w)) }
             } } }
         } }
         p { "Torque and power into the train, with all losses; negative where the power leaves. The power in is " (format!("{:.4}", 1e-3 * result.power_in_w))

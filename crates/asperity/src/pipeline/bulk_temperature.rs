@@ -6,9 +6,7 @@
 
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::{Length, Power, Speed, Temperature};
-use asperity_efficiency::bulk_temperature::{
-    self, BulkTemperature, HOTTER_START, HotterStart, iso_rise,
-};
+use asperity_efficiency::bulk_temperature::{self, BulkTemperature, iso_rise};
 use asperity_tribo_friction::flash::heat_share;
 
 use crate::case::{BulkModel, BulkReport, FoundBulk, LoadedCase, Lubrication};
@@ -94,6 +92,7 @@ impl<'a> Law<'a> {
 
     fn report(&self, oil: Temperature, found: &BulkTemperature) -> BulkReport {
         let celsius = Temperature::celsius;
+        let [hotter, from] = found.hotter_ends(oil);
         let is_network = matches!(self.model, BulkModel::Network(_));
         // The rises are in proportion to the loss, so that their ratio is known from any.
         let rises = self.rises(Power::from_si(1.0)).ok();
@@ -112,14 +111,8 @@ impl<'a> Law<'a> {
             pinion_heat_share: is_network.then_some(self.pinion),
             residual_k: found.residual,
             steps: found.steps,
-            hotter_c: match found.hotter {
-                HotterStart::Elsewhere(hotter) => Some(celsius(hotter)),
-                _ => None,
-            },
-            runs_away_from_c: match found.hotter {
-                HotterStart::Nowhere => Some(celsius(oil) + HOTTER_START),
-                _ => None,
-            },
+            hotter_c: hotter.map(celsius),
+            runs_away_from_c: from.map(celsius),
         }
     }
 }
