@@ -152,6 +152,9 @@ pub enum Command {
         Each row is a run of the model with one thing changed, at the same windows of the traces. To vary\n\
         keys of your own choice, with distributions, see asperity sweep.")]
     Sensitivity(SensitivityArgs),
+    /// Measurements that would narrow the interval of the loss most, with their hours
+    #[command(after_help = "Example:\n  asperity evidence demo/case.toml --hours traction-plan=3")]
+    Evidence(EvidenceArgs),
     /// Run many cases: crossed axes and samples of the inputs, in shards
     #[command(subcommand)]
     Sweep(SweepCommand),
@@ -353,6 +356,25 @@ pub struct SensitivityArgs {
     #[command(flatten)]
     pub set: SetArgs,
     /// Folder of the study [default: results/<name of the case>-sensitivity, named as for run]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+    /// Limits of time and memory.
+    #[command(flatten)]
+    pub work: WorkArgs,
+}
+
+/// Case of a table of measurements that would narrow the interval of its loss.
+#[derive(Debug, Args)]
+pub struct EvidenceArgs {
+    /// Case file; - reads standard input
+    pub case: PathBuf,
+    /// Keys of the case set on the command line.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Hours of a measurement by its name in evidence.csv, e.g. traction-plan=3; may be repeated
+    #[arg(long, value_name = "NAME=HOURS")]
+    pub hours: Vec<String>,
+    /// Folder of the table [default: results/<name of the case>-evidence]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// Limits of time and memory.

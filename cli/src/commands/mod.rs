@@ -10,6 +10,7 @@ pub mod cycle;
 pub mod demo;
 pub mod diff;
 pub mod ehl;
+pub mod evidence;
 pub mod figures;
 pub mod film;
 mod finish;

@@ -14,6 +14,7 @@
 //! | bands | [`birge`], [`profile_likelihood`], [`bootstrap`](mod@bootstrap) |
 //! | optimal design | [`optimal_design`], [`design`] |
 //! | traction curves of ball and disc | [`oil`] |
+//! | measurements that would narrow the loss of a case | [`evidence`] |
 
 pub mod birge;
 mod block;
@@ -21,6 +22,7 @@ pub mod bootstrap;
 mod calibrate;
 pub mod design;
 mod error;
+pub mod evidence;
 mod files;
 pub mod fit;
 mod held_out;

@@ -21,6 +21,7 @@
 mod difference;
 mod draw;
 mod evaluations;
+mod expected;
 mod hypercube;
 mod other_models;
 mod predictive;
@@ -52,6 +53,7 @@ use crate::sampling::{length_for, means_of_pairs, windows_of_traces};
 pub use crate::parameters::UncertainParameter;
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use difference::{PairedDifference, Verdict, difference};
+pub use expected::Measurement;
 pub use predictive::{Predictive, model_deviation};
 pub use quantiles::Quantiles;
 

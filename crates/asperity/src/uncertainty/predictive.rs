@@ -187,12 +187,18 @@ impl Predictive {
 
     /// The losses of all draws with model error and sampling of the flanks drawn as for flanks number `flanks`.
     pub(super) fn losses(&self, flanks: usize) -> Vec<f64> {
+        self.losses_by(flanks, |_| {})
+    }
+
+    /// The same with every draw changed.
+    pub(super) fn losses_by(&self, flanks: usize, change: impl Fn(&mut Draw)) -> Vec<f64> {
         cite!("Predictive-draw");
         let table = StudentOfNormal::new(self.sampling.freedom);
         let draws = shared_draws().zip(flank_draws(flanks));
         let drawn = draws.map(|(draw, of_flanks)| {
             let mut draw = draw;
             draw.of_flanks = of_flanks;
+            change(&mut draw);
             self.loss(draw, &table).min(self.power_in_w)
         });
         drawn.collect()
@@ -403,7 +409,7 @@ impl Predictive {
         self.model_deviation()[0]
     }
 
-    fn model_error(&self) -> f64 {
+    pub(super) fn model_error(&self) -> f64 {
         let [_, error] = self.model_deviation();
         error.hypot(self.surface_rms)
     }

@@ -16,7 +16,7 @@ use super::fit::{PointErrors, expected_covariance, planned};
 use super::grid::Grid;
 use super::helpful;
 use super::machine::Machine;
-use super::problem::{Priors, STATED, STATED_CONSTANTS, Zero, distinct};
+use super::problem::{CONSTANTS, Priors, STATED, STATED_CONSTANTS, Zero, distinct};
 use super::reading::SetPoint;
 use super::selection::{Dropped, Judged, judge};
 use super::simulate::simulated;
@@ -154,6 +154,9 @@ pub struct OilPlan {
     pub oil: String,
     /// Case whose loss is narrowed.
     pub case: Option<String>,
+    /// Changes of the logarithm of its loss by a standard deviation of each constant before any test.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_slopes: Option<[f64; CONSTANTS]>,
     /// Root mean square roughness of both specimens \[nm\].
     pub roughness_nm: f64,
     /// Relative radius of the contact along the motion \[mm\].
@@ -237,6 +240,7 @@ impl OilPlan {
             title: format!("Traction plan of {}", oil.name),
             oil: oil.name.clone(),
             case: case.map(|case| case.case.title.clone()),
+            loss_slopes: slopes,
             roughness_nm: 1e9 * settings.machine.roughness.si(),
             radius_mm: 1e3 * settings.machine.radii[0].si(),
             stages: stages.collect::<Result<Vec<Stage>, OilError>>()?,

@@ -1,0 +1,54 @@
+//! `asperity evidence`: measurements that would narrow the interval of a loss.
+
+use std::time::Instant;
+
+use asperity::pipeline::KeptFields;
+use asperity_calibration::evidence::{Effort, EvidenceTable};
+
+use super::work::check_work;
+use super::{load_case, result_name, study};
+use crate::args::{Common, EvidenceArgs};
+use crate::failure::Failure;
+
+/// `asperity evidence`
+pub fn evidence(args: &EvidenceArgs, common: &Common) -> Result<(), Failure> {
+    let begin = Instant::now();
+    let efforts = efforts(&args.hours)?;
+    let loaded = load_case(&args.case, &args.set, None)?;
+    // The run, and changes of the constants of the oil.
+    check_work(&args.work, &loaded, &KeptFields::Highest, 2)?;
+    let (name, title) = (result_name(&args.case), &loaded.case.title);
+    let output = args.output.as_deref();
+    let folder = study::folder::<EvidenceTable>(output, &name, "evidence", title)?;
+    let Some(table) = EvidenceTable::of(&loaded, &efforts)? else {
+        let message = "the loss of this case has no interval: formulation = \"paper\", load_share = \"ehl\" and a solved \
+                       full film are computed without one";
+        return Err(Failure::new("E205", message));
+    };
+    study::write(&table, (), &folder)?;
+    study::print(&table, (), Some(&folder), Some(begin), common)
+}
+
+/// The usual hours with those of the command line.
+fn efforts(changes: &[String]) -> Result<Vec<Effort>, Failure> {
+    let mut efforts = Effort::usual().to_vec();
+    for change in changes {
+        let (name, hours) = change.split_once('=').unwrap_or((change, ""));
+        let hours = hours.trim().parse::<f64>().ok();
+        let hours = hours.filter(|hours| (0.0..1e6).contains(hours));
+        let names = || {
+            let names = Effort::usual().map(|effort| effort.key);
+            names.join(", ")
+        };
+        let own = efforts.iter_mut().find(|effort| effort.key == name.trim());
+        let (Some(effort), Some(hours)) = (own, hours) else {
+            let message = format!(
+                "--hours {change}: give NAME=HOURS, the names are {}",
+                names()
+            );
+            return Err(Failure::new("E209", message));
+        };
+        effort.hours = hours;
+    }
+    Ok(efforts)
+}

@@ -1,0 +1,222 @@
+//! Interval of a loss as a measurement that has not been made would leave it.
+//!
+//! The draws of the case are narrowed about their medians by what the measurement leaves of its own quantity; all other
+//! parts are drawn as before.
+
+use asperity_core::cite;
+use asperity_core::numerics::standard_normal_quantile;
+
+use super::draw::Draw;
+use super::predictive::{FilmLaw, Predictive};
+use super::quantiles::{PROBABILITIES, Quantiles};
+use crate::case::law_error;
+use crate::parameters::{AXES, UncertainParameter};
+
+/// Simulated results of a measurement of losses.
+const TRUTHS: usize = 64;
+
+/// A measurement with what it leaves of the uncertainty of its quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Measurement {
+    /// Constants of the film friction.
+    FilmFriction {
+        /// Standard deviation of ln loss by their errors.
+        deviation: f64,
+        /// Change of ln loss by one standard deviation (0.10) of the pressure-viscosity coefficient in the friction only.
+        slope: f64,
+    },
+    /// Boundary friction μ_b.
+    BoundaryFriction {
+        /// Standard deviation of its logarithm.
+        deviation: f64,
+    },
+    /// Lay of both flanks.
+    Lay,
+    /// Tip relief of both gears.
+    TipRelief,
+    /// Traces of further teeth.
+    Traces {
+        /// Ratio of their number to the traces of the case.
+        times: f64,
+    },
+    /// Traces of flanks that are known by roughness values.
+    MeasuredFlanks,
+    /// Losses of other flanks with stated tip relief, on a rig.
+    Losses {
+        /// Standard deviation of the logarithm of their mean.
+        deviation: f64,
+    },
+}
+
+impl Predictive {
+    /// Median, interval and spread of the loss as `measurement` is expected to leave them; `None` if its quantity is not
+    /// drawn: it is stated, measured already, or without effect.
+    ///
+    /// Constants, relief and lay are narrowed about their medians. By the curves of an oil film and pressure-viscosity
+    /// coefficient of the friction are known apart, and a sum of squares replaces their axes:
+    ///
+    /// ```text
+    /// s² = s_c² + (a − f)² + 0.02²                                               [Expected-film-friction]
+    /// ```
+    ///
+    /// s_c, f: standard deviation by the constants and slope over α in the friction, both of ln of the sliding loss; a: slope over
+    /// α in film and friction; 0.02 the error of the law.
+    #[must_use]
+    pub fn expected_after(&self, measurement: Measurement) -> Option<Quantiles> {
+        use UncertainParameter as P;
+        let mut left = self.clone();
+        let narrowed = |scales: [f64; AXES.len()], left: &Self| {
+            Quantiles::of(&left.losses_by(0, |draw| {
+                for (z, scale) in draw.constants.iter_mut().zip(scales) {
+                    *z *= scale;
+                }
+            }))
+        };
+        let scaled = |kinds: &[P], scale: f64| {
+            std::array::from_fn(|k| if kinds.contains(&AXES[k]) { scale } else { 1.0 })
+        };
+        match measurement {
+            Measurement::FilmFriction { deviation, slope } => {
+                cite!("Expected-film-friction");
+                const CONSTANTS: [P; 3] = [P::EyringStress, P::LimitingShear, P::PressureViscosity];
+                let [sliding, rolling, _] = self.parts_w;
+                let mut own = self.constants.iter();
+                let is_measured =
+                    own.any(|one| CONSTANTS.contains(&one.kind) && one.measured.is_some());
+                let is_drawn = CONSTANTS.iter().any(|kind| self.draws(*kind));
+                if self.film_law.is_some() || is_measured || !is_drawn {
+                    return None;
+                }
+                let of_sliding = (sliding + rolling) / sliding;
+                let of_film = match self.draws(P::PressureViscosity) {
+                    true => self.slope(P::PressureViscosity) - of_sliding * slope,
+                    false => 0.0,
+                };
+                let of_constants = of_sliding * deviation;
+                left.film_law = Some(FilmLaw {
+                    share: 1.0,
+                    deviation: of_constants.hypot(of_film).hypot(law_error(0.0)),
+                });
+                Some(narrowed(scaled(&CONSTANTS, 0.0), &left))
+            }
+            Measurement::BoundaryFriction { deviation } => {
+                let own = self.spread(P::BoundaryFriction)?;
+                let scale = (deviation / own).min(1.0);
+                Some(narrowed(scaled(&[P::BoundaryFriction], scale), &left))
+            }
+            Measurement::Lay => self
+                .draws(P::Lay)
+                .then(|| narrowed(scaled(&[P::Lay], 0.0), &left)),
+            Measurement::TipRelief => {
+                self.relief.as_ref()?;
+                Some(Quantiles::of(&self.losses_by(0, hold_relief)))
+            }
+            Measurement::Traces { times } => {
+                let known = self.sampling.standard_error > 0.0 && self.sampling.form == 0.0;
+                left.sampling.standard_error /= times.sqrt();
+                left.sampling.freedom *= times;
+                known.then(|| left.quantiles())
+            }
+            Measurement::MeasuredFlanks => self.with_traces(),
+            Measurement::Losses { deviation } => Some(self.after_losses(deviation)),
+        }
+    }
+
+    /// The mean interval after losses with this error were measured on other flanks, over simulated results.
+    ///
+    /// ```text
+    /// w_j ∝ exp(−(ln P_j' − y)²/2s²),  s² = s_m² + s_e²                                   [Expected-losses]
+    /// ```
+    ///
+    /// P_j': loss of a draw with the constants, structure, weight of the bias and rolling loss that all flanks share, at the
+    /// medians of the rest; y: the simulated result; s_m, s_e: errors of the measurement and of the model.
+    fn after_losses(&self, deviation: f64) -> Quantiles {
+        cite!("Expected-losses");
+        let shared = self.losses_by(0, |draw| {
+            hold_relief(draw);
+            draw.of_flanks = Draw::medians().of_flanks;
+        });
+        let shared: Vec<f64> = shared.into_iter().map(f64::ln).collect();
+        let own: Vec<f64> = self.draws_w().into_iter().map(f64::ln).collect();
+        let order = sorted(&own);
+        let by_truth = sorted(&shared);
+        let error = deviation.hypot(self.model_error());
+        let mut sums = [0.0; 3];
+        for k in 0..TRUTHS {
+            let place = |k: usize| (k as f64 + 0.5) / TRUTHS as f64;
+            // Errors in another order than the truths.
+            let noise = error * standard_normal_quantile(place((29 * k + 7) % TRUTHS));
+            let result = shared[by_truth[(place(k) * shared.len() as f64) as usize]] + noise;
+            let weight = |j: usize| (-0.5 * ((shared[j] - result) / error).powi(2)).exp();
+            let [low, median, high] = weighted_quantiles(&own, &order, weight);
+            sums[0] += low - median;
+            sums[1] += high - median;
+            sums[2] += weighted_variance(&own, weight);
+        }
+        let [low, high, variance] = sums.map(|sum| sum / TRUTHS as f64);
+        let median_w = self.quantiles().median_w;
+        Quantiles {
+            median_w,
+            quantiles_w: [low, high].map(|end| median_w * end.exp()),
+            sd_ln: variance.sqrt(),
+        }
+    }
+
+    /// Whether a constant is drawn from its family.
+    fn draws(&self, kind: UncertainParameter) -> bool {
+        self.spread(kind).is_some()
+    }
+
+    /// Standard deviation of ln of a constant that is drawn from its family.
+    fn spread(&self, kind: UncertainParameter) -> Option<f64> {
+        let mut own = self.constants.iter();
+        let own = own.find(|constant| constant.kind == kind && constant.measured.is_none())?;
+        Some((own.at(1.0) / own.at(-1.0)).ln() / 2.0)
+    }
+
+    /// Change of ln of the sliding loss by a standard deviation of a constant.
+    fn slope(&self, kind: UncertainParameter) -> f64 {
+        let at = |z: f64| {
+            let place = |constant: &crate::parameters::Ranged| match constant.kind == kind {
+                true => z,
+                false => 0.0,
+            };
+            let z: Vec<f64> = self.constants.iter().map(place).collect();
+            self.sliding.as_ref().map_or(0.0, |surface| surface.at(&z))
+        };
+        0.5 * (at(1.0) - at(-1.0))
+    }
+}
+
+fn hold_relief(draw: &mut Draw) {
+    let medians = Draw::medians();
+    (draw.relief, draw.length, draw.power) = (medians.relief, medians.length, medians.power);
+}
+
+/// Numbers of the values from the smallest on.
+fn sorted(values: &[f64]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+    order
+}
+
+/// 5 %, 50 % and 95 % of weighted values.
+fn weighted_quantiles(values: &[f64], order: &[usize], weight: impl Fn(usize) -> f64) -> [f64; 3] {
+    let total: f64 = order.iter().map(|j| weight(*j)).sum();
+    PROBABILITIES.map(|probability| {
+        let mut below = 0.0;
+        let mut passed = order.iter().find(|j| {
+            below += weight(**j);
+            below >= probability * total
+        });
+        passed.take().map_or(f64::NAN, |j| values[*j])
+    })
+}
+
+fn weighted_variance(values: &[f64], weight: impl Fn(usize) -> f64) -> f64 {
+    let sum = |of: &dyn Fn(usize) -> f64| (0..values.len()).map(|j| weight(j) * of(j)).sum::<f64>();
+    let total = sum(&|_| 1.0);
+    let mean = sum(&|j| values[j]) / total;
+    sum(&|j| (values[j] - mean).powi(2)) / total
+}

@@ -1,0 +1,332 @@
+//! Measurements that would narrow the interval of the loss of a case, with the interval that each is expected to leave.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use asperity::result::with_interval;
+use asperity::uncertainty::{Measurement, Predictive, Quantiles, has_band};
+use asperity::{LoadedCase, Run};
+use asperity_report::html::page;
+use asperity_report::{ReportError, StudyResult, tables, wrapped};
+use maud::html;
+use serde::{Deserialize, Serialize};
+
+use crate::error::CalibrationError;
+use crate::oil::fit::PointErrors;
+use crate::oil::problem::Zero;
+use crate::oil::{ConstantsOf, Machine, OilBase, OilError, OilPlan, PlanSettings};
+
+/// Standard deviation of the logarithm of a boundary friction measured on a traction machine: its transfer to gears.
+const TRANSFER: f64 = 0.10;
+/// Further traces of each flank.
+const MORE_TRACES: usize = 4;
+/// Errors of a rig: of a point, and of all together.
+const RIG_ERRORS: [f64; 2] = [0.03, 0.03];
+/// Points of a day on a rig.
+const RIG_POINTS: [usize; 2] = [1, 7];
+const TABLE: &str = "evidence.csv";
+
+/// A kind of measurement with the hours that it takes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Effort {
+    /// Name of its row and of its hours.
+    pub key: &'static str,
+    /// Hours of work, with preparation.
+    pub hours: f64,
+}
+
+impl Effort {
+    /// All measurements with their usual hours.
+    #[must_use]
+    pub fn usual() -> [Self; 9] {
+        [
+            ("traction-curve", 0.3),
+            ("traction-plan", 1.6),
+            ("stribeck-curve", 2.0),
+            ("areal-scan", 1.0),
+            ("more-traces", 1.0),
+            ("measured-flanks", 1.0),
+            ("tip-relief", 0.1),
+            ("rig-point", 4.0),
+            ("rig-day", 8.0),
+        ]
+        .map(|(key, hours)| Self { key, hours })
+    }
+}
+
+/// Intervals of the loss of a case that measurements are expected to leave.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct EvidenceTable {
+    /// Program and version.
+    pub program: String,
+    /// Title of the case.
+    pub title: String,
+    /// Power into the mesh \[W\].
+    pub power_in_w: f64,
+    /// Loss with its interval as known.
+    pub loss: Quantiles,
+    /// Measurements, the one that leaves the narrowest interval first.
+    pub rows: Vec<EvidenceRow>,
+}
+
+/// A measurement with the interval that it is expected to leave.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct EvidenceRow {
+    /// Name.
+    pub key: String,
+    /// The measurement in words.
+    pub measurement: String,
+    /// Hours that it takes.
+    pub hours: f64,
+    /// Expected 5 % quantile of the loss about its present median \[W\].
+    pub low_w: f64,
+    /// Expected 95 % quantile \[W\].
+    pub high_w: f64,
+    /// Expected standard deviation of ln loss.
+    pub sd_ln: f64,
+    /// Expected width of the interval of ln loss over its present one.
+    pub width: f64,
+}
+
+impl EvidenceTable {
+    /// The table of a case, with the hours of `efforts`.
+    ///
+    /// Each row is the interval of the draws with the quantity of the measurement known as well as the measurement leaves
+    /// it ([`Predictive::expected_after`]). Quantities that the case states or has measured have no row.
+    ///
+    /// # Errors
+    /// When the case has no loss or no interval.
+    pub fn of(case: &LoadedCase, efforts: &[Effort]) -> Result<Option<Self>, OilError> {
+        if !has_band(case) {
+            return Ok(None);
+        }
+        let named = |source: asperity::Error| {
+            OilError::Fit(CalibrationError::Model {
+                place: case.case.title.clone(),
+                source: Box::new(source),
+            })
+        };
+        let run = Run::new(case).without_pictures().band(true);
+        let (outcome, drawn) = run.draw().map_err(named)?;
+        let Some(drawn) = drawn else {
+            return Ok(None);
+        };
+        let loss = drawn.quantiles();
+        let mut measurements = of_case(case);
+        measurements.extend(of_film(case)?);
+        let hours = |key: &str| efforts.iter().find(|effort| effort.key == key);
+        let row = |(key, words, measurement): (&str, String, Measurement)| {
+            Some(row(
+                (key, words, hours(key)?.hours),
+                loss,
+                narrowed(&drawn, measurement)?,
+            ))
+        };
+        let mut rows: Vec<EvidenceRow> = measurements.into_iter().filter_map(row).collect();
+        rows.sort_by(|a, b| a.width.total_cmp(&b.width));
+        Ok(Some(Self {
+            program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
+            title: case.case.title.clone(),
+            power_in_w: outcome.result.summary.power_in_w,
+            loss,
+            rows,
+        }))
+    }
+}
+
+/// What a measurement is expected to leave, if it narrows anything.
+fn narrowed(drawn: &Predictive, measurement: Measurement) -> Option<Quantiles> {
+    /// Least gain that is worth a row.
+    const LEAST: f64 = 0.995;
+    let found = drawn.expected_after(measurement)?;
+    (found.sd_ln < LEAST * drawn.quantiles().sd_ln).then_some(found)
+}
+
+fn log_width(found: Quantiles) -> f64 {
+    let [low, high] = found.quantiles_w;
+    (high / low).ln()
+}
+
+/// The interval left, moved to the present median: the result of a measurement is not known before.
+fn row((key, words, hours): (&str, String, f64), now: Quantiles, left: Quantiles) -> EvidenceRow {
+    let moved = now.median_w / left.median_w;
+    let [low_w, high_w] = left.quantiles_w.map(|end| moved * end);
+    EvidenceRow {
+        key: key.to_owned(),
+        measurement: words,
+        hours,
+        low_w,
+        high_w,
+        sd_ln: left.sd_ln,
+        width: log_width(left) / log_width(now),
+    }
+}
+
+/// Measurements of flanks, gears and losses.
+fn of_case(case: &LoadedCase) -> Vec<(&'static str, String, Measurement)> {
+    let teeth = case.surfaces.several_teeth().unwrap_or([1, 1]);
+    let traces = teeth[0].min(teeth[1]);
+    let times = (traces + MORE_TRACES) as f64 / traces as f64;
+    let mut found = vec![
+        (
+            "stribeck-curve",
+            "boundary friction from a Stribeck curve".to_owned(),
+            Measurement::BoundaryFriction {
+                deviation: TRANSFER,
+            },
+        ),
+        (
+            "areal-scan",
+            "lay of both flanks from areal scans".to_owned(),
+            Measurement::Lay,
+        ),
+        (
+            "more-traces",
+            format!("traces of {MORE_TRACES} more teeth of each gear"),
+            Measurement::Traces { times },
+        ),
+        (
+            "measured-flanks",
+            "traces of the flanks in place of roughness values".to_owned(),
+            Measurement::MeasuredFlanks,
+        ),
+        (
+            "tip-relief",
+            "tip relief from the drawing".to_owned(),
+            Measurement::TipRelief,
+        ),
+    ];
+    for (key, points) in ["rig-point", "rig-day"].into_iter().zip(RIG_POINTS) {
+        let [point, common] = RIG_ERRORS;
+        let words = match points {
+            1 => "loss of these gears with other flanks on a rig, 1 point".to_owned(),
+            many => format!("losses of these gears with other flanks on a rig, {many} points"),
+        };
+        let deviation = common.hypot(point / (points as f64).sqrt());
+        found.push((key, words, Measurement::Losses { deviation }));
+    }
+    found
+}
+
+/// Measurements of the film friction; none of a film without shear stress.
+fn of_film(case: &LoadedCase) -> Result<Vec<(&'static str, String, Measurement)>, OilError> {
+    let Ok(oil) = OilBase::of_case(&case.case, ConstantsOf::Family) else {
+        return Ok(Vec::new());
+    };
+    let settings = PlanSettings {
+        machine: Machine::USUAL,
+        is_wide: false,
+        zero: Zero::Curve,
+        errors: PointErrors::default(),
+        simulate: None,
+    };
+    let plan = OilPlan::of(&oil, Some(case), &settings)?;
+    let Some(slopes) = plan.loss_slopes else {
+        return Ok(Vec::new());
+    };
+    let left = |name: &str| {
+        let mut stages = plan.stages.iter();
+        let deviation = stages.find(|stage| stage.name == name)?.loss_deviation?;
+        let slope = slopes[3];
+        Some(Measurement::FilmFriction { deviation, slope })
+    };
+    let rows = [
+        (
+            "traction-curve",
+            "one curve",
+            "one traction curve of the oil",
+        ),
+        (
+            "traction-plan",
+            "minimal plan",
+            "traction curves of the oil, the minimal plan",
+        ),
+    ];
+    let rows = rows.map(|(key, stage, words)| Some((key, words.to_owned(), left(stage)?)));
+    Ok(rows.into_iter().flatten().collect())
+}
+
+impl EvidenceTable {
+    fn loss_text(&self, [low, high]: [f64; 2]) -> String {
+        let units = [" W", " %"];
+        let [loss, _] = with_interval(self.loss.median_w, [low, high], self.power_in_w, units);
+        loss
+    }
+}
+
+impl EvidenceRow {
+    fn interval(&self) -> [f64; 2] {
+        [self.low_w, self.high_w]
+    }
+
+    fn width_percent(&self) -> String {
+        format!("{:.0} %", 100.0 * self.width)
+    }
+}
+
+/// What the numbers are.
+const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median, and its width over the present width in logarithms. The result of a measurement also moves the median.";
+/// What is not among the measurements.
+const NOT_DRAWN: &str = "The temperature of the oil is taken as stated and has no line.";
+
+impl StudyResult for EvidenceTable {
+    const KIND: &'static str = "evidence";
+    const NAME: &'static str = "evidence";
+    type Context<'a> = ();
+
+    fn summary(&self, (): ()) -> String {
+        let mut text = format!(
+            "{}\nloss {}\n{:<62} {:>6} {:>6}  loss\n",
+            self.title,
+            self.loss_text(self.loss.quantiles_w),
+            "measurement",
+            "hours",
+            "width"
+        );
+        for row in &self.rows {
+            // Writing into a string cannot fail.
+            let _ = writeln!(
+                text,
+                "{:<62} {:>6} {:>6}  {}",
+                row.measurement,
+                row.hours,
+                row.width_percent(),
+                self.loss_text(row.interval()),
+            );
+        }
+        for line in [MEANING, NOT_DRAWN] {
+            text.push_str(&wrapped(line, "  "));
+            text.push('\n');
+        }
+        text
+    }
+
+    fn page(&self, (): ()) -> String {
+        let table = html! {
+            p { "Loss as known: " strong { (self.loss_text(self.loss.quantiles_w)) } }
+            div.scroll { table {
+                thead { tr { th { "measurement" } th.number { "hours" } th.number { "width over the present one" } th.number { "loss" } } }
+                tbody { @for row in &self.rows { tr {
+                    th scope="row" { (row.measurement) }
+                    td.number { (row.hours) }
+                    td.number { (row.width_percent()) }
+                    td.number { (self.loss_text(row.interval())) }
+                } } }
+            } }
+            p { (MEANING) } p { (NOT_DRAWN) }
+            p { "data: " a href=(TABLE) { (TABLE) } }
+        };
+        let subtitle = format!("{} · evidence", self.program);
+        page(
+            &self.title,
+            &subtitle,
+            &[("Measurements that narrow the interval", table)],
+        )
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        tables::write(&folder.join(TABLE), self.rows.iter())
+    }
+}
