@@ -6,12 +6,16 @@ use std::sync::OnceLock;
 use asperity::Run;
 use asperity::case::{CaseInput, LoadedCase};
 use asperity::core::quantity::Length;
+use asperity_calibration::evidence::{Effort, EvidenceTable};
 use asperity_calibration::oil::fit::PointErrors;
 use asperity_calibration::oil::problem::Zero;
-use asperity_calibration::oil::{ConstantsOf, FitSettings, Machine, OilBase, OilFit, read_table};
+use asperity_calibration::oil::{
+    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, read_table,
+};
+use asperity_core::numerics::standard_normal_quantile;
 
 use crate::band::Banded;
-use crate::load_share::shipped;
+use crate::load_share::{shipped, with};
 
 /// 120 points at 40, 80 and 120 °C, 20 and 60 N, 1 and 3 m/s, simulated with 2.5 % and 0.001 of scatter.
 const CURVES: &str = include_str!("../../crates/calibration/tests/golden/traction_e_fluid.csv");
@@ -43,15 +47,19 @@ fn oil_file(case: &LoadedCase, is_scattered: bool) -> String {
     fit.oil_file().unwrap().to_string()
 }
 
+/// The case with an oil file.
+fn naming(case: &LoadedCase, oil_file: &str) -> LoadedCase {
+    let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    std::fs::write(file.path(), oil_file).unwrap();
+    let named = |input: &mut CaseInput| input.lubricant.oil_file = Some(file.path().to_owned());
+    case.with(named).unwrap()
+}
+
 /// A shipped case with the constants of the family of its oil, and with those of the curves, scattered and not.
 fn runs(name: &str) -> [Banded; 3] {
     let by_family = shipped(name);
-    let fitted = [true, false].map(|is_scattered| {
-        let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
-        std::fs::write(file.path(), oil_file(&by_family, is_scattered)).unwrap();
-        let named = |input: &mut CaseInput| input.lubricant.oil_file = Some(file.path().to_owned());
-        by_family.with(named).unwrap()
-    });
+    let fitted =
+        [true, false].map(|is_scattered| naming(&by_family, &oil_file(&by_family, is_scattered)));
     let [scattered, precise] = fitted;
     [by_family, scattered, precise].map(|case| {
         let (outcome, drawn) = Run::new(&case).draw().unwrap();
@@ -131,6 +139,96 @@ fn traction_curves_narrow_the_part_of_the_constants() {
                 high / low
             };
             assert!(width(fitted) < width(family), "{name}");
+        }
+    }
+}
+
+/// Simulated measurements behind a mean.
+const MEASURED: usize = 20;
+
+/// Oil files of simulated machines that measure the minimal plan on the oil of a case.
+fn simulated_oil_files(case: &LoadedCase) -> Vec<String> {
+    let oil = OilBase::of_case(&case.case, ConstantsOf::Family).unwrap();
+    let machine = Machine::USUAL;
+    let (zero, errors, is_wide) = (Zero::Curve, PointErrors::default(), false);
+    let of_seed = |seed: usize| {
+        let simulate = Some(seed as u64);
+        let settings = PlanSettings {
+            machine,
+            is_wide,
+            zero,
+            errors,
+            simulate,
+        };
+        let plan = OilPlan::of(&oil, None, &settings).unwrap();
+        let mut table =
+            String::from("load_n,mean_speed_m_s,slide_roll_percent,temperature_c,traction\n");
+        for point in &plan.points {
+            for sign in [1.0, -1.0] {
+                let _ = writeln!(
+                    table,
+                    "{},{},{},{},{}",
+                    point.load_n,
+                    point.mean_speed_m_s,
+                    sign * point.slide_roll_percent,
+                    point.temperature_c,
+                    sign * point.simulated_traction.unwrap()
+                );
+            }
+        }
+        let readings = read_table("simulated.csv", &table, &machine).unwrap();
+        let settings = FitSettings {
+            is_wide,
+            zero,
+            errors,
+            is_forced: true,
+        };
+        let fit = OilFit::of(&oil, &readings, Vec::new(), settings).unwrap();
+        fit.oil_file().unwrap().to_string()
+    };
+    (1..=MEASURED).map(of_seed).collect()
+}
+
+/// Width of the interval of ln loss.
+fn width(case: &LoadedCase) -> f64 {
+    let (outcome, _) = Run::new(case).without_pictures().draw().unwrap();
+    let [low, high] = outcome.result.uncertainty.unwrap().loss.quantiles_w;
+    (high / low).ln()
+}
+
+fn mean_width(cases: impl Iterator<Item = LoadedCase>) -> f64 {
+    cases.map(|case| width(&case)).sum::<f64>() / MEASURED as f64
+}
+
+#[test]
+fn expected_intervals_are_those_of_simulated_measurements() {
+    let few = [("model.positions", "6"), ("model.offsets", "4")];
+    let files = simulated_oil_files(&shipped("e-drive"));
+    for name in ["e-drive", "e-drive-superfinished"] {
+        let case = with(name, &few);
+        let table = EvidenceTable::of(&case, &Effort::usual()).unwrap().unwrap();
+        let now = width(&case);
+        let hold = |key: &str, measured: f64| {
+            let row = table.rows.iter().find(|row| row.key == key).unwrap();
+            let ratio = row.width * now / measured;
+            println!("{name} {key}: expected over measured {ratio:.3}");
+            assert!((ratio - 1.0).abs() < 0.15, "{name} {key}: {ratio}");
+        };
+        hold(
+            "traction-plan",
+            mean_width(files.iter().map(|file| naming(&case, file))),
+        );
+        if name == "e-drive" {
+            // Boundary friction of 0.09, measured with an error of 10 %.
+            let by_curve = (0..MEASURED).map(|k| {
+                let z = standard_normal_quantile((k as f64 + 0.5) / MEASURED as f64);
+                let found = 0.09 * (0.1 * z).exp();
+                let [low, high] = [-1.96, 1.96].map(|z: f64| found * (0.1 * z).exp());
+                let band = format!("{{ value = {found}, low = {low}, high = {high} }}");
+                case.with_key("calibration.boundary_friction", &band)
+                    .unwrap()
+            });
+            hold("stribeck-curve", mean_width(by_curve));
         }
     }
 }
