@@ -17,6 +17,7 @@ mod codes;
 mod contact;
 mod doubtful_traces;
 mod ehl;
+mod evidence;
 mod file_messages;
 mod fuzz;
 mod gear;

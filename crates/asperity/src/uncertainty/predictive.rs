@@ -670,6 +670,43 @@ mod tests {
     }
 
     #[test]
+    fn losses_narrow_what_all_flanks_share() {
+        use super::super::expected::Measurement;
+        // μ_b alone is shared, 0.3 of ln loss; error of the model 0.05, of the measurement 0.04.
+        let friction = constant(UncertainParameter::BoundaryFriction, [0.066, 0.09, 0.123]);
+        let points: Vec<Vec<f64>> = (-4..=4).map(|k| vec![0.5 * f64::from(k)]).collect();
+        let values: Vec<f64> = points.iter().map(|z| 0.3 * z[0]).collect();
+        let found = Predictive {
+            parts_w: [100.0, 0.0, 0.0],
+            constants: vec![friction],
+            sliding: QuadraticSurface::fit(&points, &values),
+            ..plain()
+        };
+        let left = found
+            .expected_after(Measurement::Losses { deviation: 0.04 })
+            .unwrap();
+        // Normal distributions: 1/(1/0.3² + 1/(0.04² + 0.05²)), and the error of the model of the own flanks.
+        let error = 0.04_f64.hypot(0.05);
+        let expected = (1.0 / (1.0 / 0.09 + 1.0 / error.powi(2)) + 0.05 * 0.05).sqrt();
+        assert!(
+            (left.sd_ln / expected - 1.0).abs() < 0.05,
+            "{left:?} {expected}"
+        );
+        let [low, high] = left.quantiles_w;
+        let width = (high / low).ln();
+        assert!((width / (2.0 * 1.645 * expected) - 1.0).abs() < 0.08);
+        // A friction that is known to a third of its error.
+        let sd = (0.123_f64 / 0.066).ln() / 2.0 / 1.645;
+        let third = Measurement::BoundaryFriction {
+            deviation: sd / 3.0,
+        };
+        let left = found.expected_after(third).unwrap();
+        assert!((left.sd_ln / 0.1_f64.hypot(0.05) - 1.0).abs() < 0.03);
+        assert_eq!(found.expected_after(Measurement::TipRelief), None);
+        assert_eq!(found.expected_after(Measurement::Lay), None);
+    }
+
+    #[test]
     fn a_rule_with_a_step_adds_its_share() {
         let structure = Structure {
             half_sliding: [0.1, 0.0, 0.0],
