@@ -53,8 +53,9 @@ impl Predictive {
     /// Median, interval and spread of the loss as `measurement` is expected to leave them; `None` if its quantity is not
     /// drawn: it is stated, measured already, or without effect.
     ///
-    /// Constants, relief and lay are narrowed about their medians. By the curves of an oil film and pressure-viscosity
-    /// coefficient of the friction are known apart, and a sum of squares replaces their axes:
+    /// Constants, relief and lay are narrowed about their medians. Traction curves determine the pressure-viscosity coefficient
+    /// of the friction and not the one of the film thickness: a normal error of ln of the sliding loss replaces the draws of
+    /// Eyring stress, limiting shear stress and α:
     ///
     /// ```text
     /// s² = s_c² + (a − f)² + 0.02²                                               [Expected-film-friction]
