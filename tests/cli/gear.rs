@@ -186,6 +186,23 @@ fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
 }
 
 #[test]
+fn the_bulk_temperature_of_both_meshes_of_a_set_rises_by_iso() {
+    let heated = r#"oil_temperature = "60 °C"
+bulk = { law = "iso", lubrication = "dip" }"#;
+    let line = SET
+        .lines()
+        .find(|line| line.starts_with("bulk_temperature"));
+    let bench = bench(&SET.replace(line.unwrap(), heated));
+    bench.run(&["run", "case.toml", "-o", "set"]).well();
+    for mesh in ["sun_planet", "planet_ring"] {
+        let text = fs::read_to_string(bench.path("set").join(mesh).join("result.json")).unwrap();
+        let result: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let rise = result["bulk"]["bulk_c"].as_f64().unwrap() - 60.0;
+        assert!((0.1..40.0).contains(&rise), "{mesh}: {rise}");
+    }
+}
+
+#[test]
 fn a_planetary_set_takes_keys_and_standard_input_and_is_checked() {
     let bench = bench(SET);
     let other = SET.replace("120 N m", "100 N m");

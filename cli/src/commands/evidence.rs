@@ -29,7 +29,7 @@ pub fn evidence(args: &EvidenceArgs, common: &Common) -> Result<(), Failure> {
     study::print(&table, (), Some(&folder), Some(begin), common)
 }
 
-/// The usual hours with those of the command line.
+/// The usual hours, changed by the command line.
 fn efforts(changes: &[String]) -> Result<Vec<Effort>, Failure> {
     let mut efforts = Effort::usual().to_vec();
     for change in changes {

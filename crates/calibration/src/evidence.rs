@@ -136,7 +136,7 @@ impl EvidenceTable {
     }
 }
 
-/// What a measurement is expected to leave, if it narrows anything.
+/// The interval that a measurement is expected to leave, if it is narrower.
 fn narrowed(drawn: &Predictive, measurement: Measurement) -> Option<Quantiles> {
     /// Least gain that is worth a row.
     const LEAST: f64 = 0.995;
@@ -266,9 +266,9 @@ impl EvidenceRow {
     }
 }
 
-/// What the numbers are.
+/// Meaning of the numbers.
 const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median, and its width over the present width in logarithms. The result of a measurement also moves the median.";
-/// What is not among the measurements.
+/// A quantity without a line.
 const NOT_DRAWN: &str = "The temperature of the oil is taken as stated and has no line.";
 
 impl StudyResult for EvidenceTable {
