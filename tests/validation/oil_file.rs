@@ -212,7 +212,7 @@ fn expected_intervals_are_those_of_simulated_measurements() {
             let row = table.rows.iter().find(|row| row.key == key).unwrap();
             let ratio = row.width * now / measured;
             println!("{name} {key}: expected over measured {ratio:.3}");
-            assert!((ratio - 1.0).abs() < 0.15, "{name} {key}: {ratio}");
+            assert!((ratio - 1.0).abs() < 0.05, "{name} {key}: {ratio}");
         };
         hold(
             "traction-plan",

@@ -13,14 +13,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::CalibrationError;
 use crate::oil::fit::PointErrors;
-use crate::oil::problem::Zero;
-use crate::oil::{ConstantsOf, Machine, OilBase, OilError, OilPlan, PlanSettings};
+use crate::oil::problem::{FACTOR, Zero};
+use crate::oil::{ConstantsOf, Machine, ONE, OilBase, OilError, OilPlan, PlanSettings, WHOLE};
 
 /// Standard deviation of the logarithm of a boundary friction measured on a traction machine: its transfer to gears.
 const TRANSFER: f64 = 0.10;
 /// Further traces of each flank.
 const MORE_TRACES: usize = 4;
-/// Errors of a rig: of a point, and of all together.
+/// Errors of a rig: of a point, and of all together (judgement).
 const RIG_ERRORS: [f64; 2] = [0.03, 0.03];
 /// Points of a day on a rig.
 const RIG_POINTS: [usize; 2] = [1, 7];
@@ -36,7 +36,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// All measurements with their usual hours.
+    /// All measurements with their usual hours (judgement).
     #[must_use]
     pub fn usual() -> [Self; 9] {
         [
@@ -66,6 +66,9 @@ pub struct EvidenceTable {
     pub power_in_w: f64,
     /// Loss with its interval as known.
     pub loss: Quantiles,
+    /// Why no row is of traction curves, if none can be planned.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub no_curves: Option<String>,
     /// Measurements, the one that leaves the narrowest interval first.
     pub rows: Vec<EvidenceRow>,
 }
@@ -115,13 +118,17 @@ impl EvidenceTable {
         };
         let loss = drawn.quantiles();
         let mut measurements = of_case(case);
-        measurements.extend(of_film(case)?);
+        let base = OilBase::of_case(&case.case, ConstantsOf::Family);
+        let no_curves = base.as_ref().err().map(ToString::to_string);
+        if let Ok(oil) = base {
+            measurements.extend(of_film(case, &oil)?);
+        }
         let hours = |key: &str| efforts.iter().find(|effort| effort.key == key);
         let row = |(key, words, measurement): (&str, String, Measurement)| {
             Some(row(
                 (key, words, hours(key)?.hours),
                 loss,
-                narrowed(&drawn, measurement)?,
+                narrowed(&drawn, loss, measurement)?,
             ))
         };
         let mut rows: Vec<EvidenceRow> = measurements.into_iter().filter_map(row).collect();
@@ -131,17 +138,18 @@ impl EvidenceTable {
             title: case.case.title.clone(),
             power_in_w: outcome.result.summary.power_in_w,
             loss,
+            no_curves,
             rows,
         }))
     }
 }
 
 /// The interval that a measurement is expected to leave, if it is narrower.
-fn narrowed(drawn: &Predictive, measurement: Measurement) -> Option<Quantiles> {
+fn narrowed(drawn: &Predictive, now: Quantiles, measurement: Measurement) -> Option<Quantiles> {
     /// Least gain that is worth a row.
     const LEAST: f64 = 0.995;
     let found = drawn.expected_after(measurement)?;
-    (found.sd_ln < LEAST * drawn.quantiles().sd_ln).then_some(found)
+    (found.sd_ln < LEAST * now.sd_ln).then_some(found)
 }
 
 fn log_width(found: Quantiles) -> f64 {
@@ -210,11 +218,11 @@ fn of_case(case: &LoadedCase) -> Vec<(&'static str, String, Measurement)> {
     found
 }
 
-/// Measurements of the film friction; none of a film without shear stress.
-fn of_film(case: &LoadedCase) -> Result<Vec<(&'static str, String, Measurement)>, OilError> {
-    let Ok(oil) = OilBase::of_case(&case.case, ConstantsOf::Family) else {
-        return Ok(Vec::new());
-    };
+/// Measurements of the film friction of `oil`.
+fn of_film(
+    case: &LoadedCase,
+    oil: &OilBase,
+) -> Result<Vec<(&'static str, String, Measurement)>, OilError> {
     let settings = PlanSettings {
         machine: Machine::USUAL,
         is_wide: false,
@@ -222,25 +230,21 @@ fn of_film(case: &LoadedCase) -> Result<Vec<(&'static str, String, Measurement)>
         errors: PointErrors::default(),
         simulate: None,
     };
-    let plan = OilPlan::of(&oil, Some(case), &settings)?;
+    let plan = OilPlan::of(oil, Some(case), &settings)?;
     let Some(slopes) = plan.loss_slopes else {
         return Ok(Vec::new());
     };
     let left = |name: &str| {
         let mut stages = plan.stages.iter();
         let deviation = stages.find(|stage| stage.name == name)?.loss_deviation?;
-        let slope = slopes[3];
+        let slope = slopes[FACTOR];
         Some(Measurement::FilmFriction { deviation, slope })
     };
     let rows = [
-        (
-            "traction-curve",
-            "one curve",
-            "one traction curve of the oil",
-        ),
+        ("traction-curve", ONE, "one traction curve of the oil"),
         (
             "traction-plan",
-            "minimal plan",
+            WHOLE,
             "traction curves of the oil, the minimal plan",
         ),
     ];
@@ -249,6 +253,14 @@ fn of_film(case: &LoadedCase) -> Result<Vec<(&'static str, String, Measurement)>
 }
 
 impl EvidenceTable {
+    /// Meaning of the numbers, and quantities without a line.
+    fn notes(&self) -> Vec<String> {
+        let mut notes = vec![MEANING.to_owned(), NOT_DRAWN.to_owned()];
+        let curves = self.no_curves.as_ref();
+        notes.extend(curves.map(|why| format!("Traction curves have no line: {why}.")));
+        notes
+    }
+
     fn loss_text(&self, [low, high]: [f64; 2]) -> String {
         let units = [" W", " %"];
         let [loss, _] = with_interval(self.loss.median_w, [low, high], self.power_in_w, units);
@@ -296,8 +308,8 @@ impl StudyResult for EvidenceTable {
                 self.loss_text(row.interval()),
             );
         }
-        for line in [MEANING, NOT_DRAWN] {
-            text.push_str(&wrapped(line, "  "));
+        for line in self.notes() {
+            text.push_str(&wrapped(&line, "  "));
             text.push('\n');
         }
         text
@@ -315,7 +327,7 @@ impl StudyResult for EvidenceTable {
                     td.number { (self.loss_text(row.interval())) }
                 } } }
             } }
-            p { (MEANING) } p { (NOT_DRAWN) }
+            @for line in self.notes() { p { (line) } }
             p { "data: " a href=(TABLE) { (TABLE) } }
         };
         let subtitle = format!("{} · evidence", self.program);

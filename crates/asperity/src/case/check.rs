@@ -30,7 +30,7 @@ const MAX_ERRORS: usize = 200;
 pub struct Findings {
     /// Every error, in the order of the checks; empty if the case can be run.
     pub errors: Vec<Error>,
-    /// The case with its traces, if there is no error.
+    /// The case with its traces; `None` after an error.
     pub case: Option<LoadedCase>,
 }
 

@@ -101,7 +101,7 @@ fn read<T: TrainFile>(
 pub struct TrainFindings {
     /// Every error, in the order of the checks; empty if the case can be run.
     pub errors: Vec<Error>,
-    /// The case with its traces, if there is no error.
+    /// The case with its traces; `None` after an error.
     pub case: Option<LoadedTrain>,
 }
 

@@ -51,6 +51,10 @@ const SMALL_BALL: Grid<'static> = Grid {
     slides: SLIDES,
     temperatures: TEMPERATURES,
 };
+/// Stage of one curve.
+pub const ONE: &str = "one curve";
+/// Stage of the minimal plan.
+pub const WHOLE: &str = "minimal plan";
 /// Radius of the small ball.
 const SMALL_RADIUS: Length = Length::from_si(4.75e-3);
 /// Minutes of a curve with both signs, and of heating to a temperature.
@@ -226,9 +230,9 @@ impl OilPlan {
         let chosen_points = format!("{CHOSEN} chosen points");
         let stages = [
             ("before any test", Vec::new()),
-            ("one curve", described(&ONE_CURVE)?),
+            (ONE, described(&ONE_CURVE)?),
             ("three curves", described(&THREE_CURVES)?),
-            ("minimal plan", minimal.clone()),
+            (WHOLE, minimal.clone()),
             ("with a small ball", [&minimal[..], &further].concat()),
             (&chosen_points, chosen.clone()),
         ];

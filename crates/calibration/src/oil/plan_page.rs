@@ -3,13 +3,14 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use asperity::case::law_error;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use asperity_report::{ReportError, StudyResult, tables, wrapped, write_bytes};
 use maud::{Markup, html};
 use serde::Serialize;
 
-use super::plan::{ExpectedError, OilPlan, PlannedCurve, PlannedPoint, Stage};
+use super::plan::{ExpectedError, OilPlan, PlannedCurve, PlannedPoint, Stage, WHOLE};
 use super::problem::STATED_CONSTANTS;
 use crate::rig_table::SIMULATED;
 
@@ -51,7 +52,7 @@ impl StudyResult for OilPlan {
         let _ = writeln!(
             text,
             "{:<16} {:>14} {:>6} {:>12}  slide-to-roll ratio, both signs",
-            "minimal plan", "speed", "h/Rq", "pressure"
+            WHOLE, "speed", "h/Rq", "pressure"
         );
         for curve in &self.curves {
             let line = format!(
@@ -223,7 +224,8 @@ fn notes(plan: &OilPlan) -> Vec<String> {
     )];
     if let Some(case) = &plan.case {
         notes.push(format!(
-            "Loss: standard deviation of the loss of {case} by these constants only; the error of the law adds 2 %."
+            "Loss: standard deviation of the loss of {case} by these constants only; the error of the law adds {:.0} %.",
+            100.0 * law_error(0.0)
         ));
     }
     notes

@@ -238,7 +238,7 @@ def stribeck(
 
 
 def _oil(oil: OilLike) -> Union[str, _asperity.Case]:
-    """The oil as the compiled part takes it: a text that is no file is a name."""
+    """The oil as the compiled part takes it: a text that does not name a file is the name of an oil."""
     if isinstance(oil, str) and not os.path.splitext(oil)[1] and not os.path.exists(oil):
         return oil.lower()
     return as_case(oil)._raw
@@ -249,7 +249,7 @@ def _specimens(ball: Scalar, second: Optional[Scalar], rq: Scalar) -> tuple[floa
 
 
 def _tables(curves: Any, what: str) -> list[tuple[str, Optional[str]]]:
-    """Names of tables, with the text of those that are no files."""
+    """Names of tables, with the text of each that is not a file."""
     many = curves if isinstance(curves, (list, tuple)) else [curves]
     tables: list[tuple[str, Optional[str]]] = []
     for number, table in enumerate(many, 1):
