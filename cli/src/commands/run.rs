@@ -6,6 +6,7 @@ use asperity::case::gear_train::LoadedTrain;
 use asperity::gear_train::{TrainResult, run_train};
 use asperity::result::RunResult;
 use asperity::{Error, Run};
+use asperity_calibration::evidence::execute;
 use asperity_report::{self as report, Fields, ReportError};
 
 use super::bibtex::bibtex;
@@ -33,11 +34,9 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
     let at = |done, total| progress.at(done, total);
-    let outcome = Run::new(&loaded)
-        .fields(&fields.kept())
-        .band(!args.no_band)
-        .progress(&at)
-        .execute();
+    let kept = fields.kept();
+    let run = Run::new(&loaded).fields(&kept);
+    let outcome = execute(&loaded, run.band(!args.no_band).progress(&at));
     let outcome = outcome.map_err(|error| failed(&error, args, folder))?;
     if let Some(folder) = folder {
         progress.begin(WRITING);

@@ -10,6 +10,7 @@
 //! | pressure-viscosity α, where it is estimated | -15 % | the estimate | +18 % | lognormal |
 //! | fall of Λ with temperature b_L | of the oil file | | | normal |
 //! | pressure-viscosity factor of the friction f | of the oil file | | | lognormal |
+//! | error of the stated temperature, where the case states its deviation s | -1.645 s | 0 | 1.645 s | normal |
 //!
 //! The medians are the defaults of a run. Constants that the case calibrates
 //! ([`CalibrationInput`](crate::case::CalibrationInput)) have the bands of the calibration instead: 95 % of a normal
@@ -17,11 +18,14 @@
 //! those that the case states or calibrates; if f is drawn from it, α is drawn in the film thickness only, as the curves
 //! state f times its estimate.
 //!
+//! The flanks are warmer or colder by the error of the stated temperature, of the oil or of the flanks: the change of the heating by
+//! the loss is left out, as with the other constants.
+//!
 //! The distributions are estimates of this project; measured losses bracket τ₀ of polyalphaolefin. Constants that the
 //! case states are not drawn: their user has measured them.
 
 use asperity_core::numerics::{Z_95, Z_975, standard_normal_below};
-use asperity_core::quantity::{Length, PerKelvin, Pressure, PressureViscosity};
+use asperity_core::quantity::{Length, PerKelvin, Pressure, PressureViscosity, Temperature};
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_oil::{
     LIMITING_SHEAR_BAND, PRESSURE_VISCOSITY_BAND, ShearLawName, TractionConstants,
@@ -30,13 +34,13 @@ use asperity_oil::{
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_BAND};
 
 use crate::case::{Calibrated, CalibratedName, Case, FittedName, LoadedCase};
-use crate::error::PositionError;
+use crate::error::{Error, PositionError};
 use asperity_mixed_film::InletSupply;
 use serde::{Deserialize, Serialize};
 
 /// Constants that can be drawn, each along its own axis of the hypercube whatever the others are. A further constant is
 /// appended, so that the draws of the others remain.
-pub(crate) const AXES: [UncertainParameter; 8] = [
+pub(crate) const AXES: [UncertainParameter; 9] = [
     UncertainParameter::BoundaryFriction,
     UncertainParameter::BoundaryLayer,
     UncertainParameter::Lay,
@@ -45,6 +49,7 @@ pub(crate) const AXES: [UncertainParameter; 8] = [
     UncertainParameter::PressureViscosity,
     UncertainParameter::LimitingShearTemperature,
     UncertainParameter::PressureViscosityFactor,
+    UncertainParameter::TemperatureError,
 ];
 
 /// Upper end of the lay of ground and superfinished flanks, whose ridges run nearly across the face.
@@ -69,6 +74,8 @@ pub enum UncertainParameter {
     LimitingShearTemperature,
     /// Pressure-viscosity coefficient of the friction over that of the film thickness f.
     PressureViscosityFactor,
+    /// Error of the stated temperature \[K\].
+    TemperatureError,
 }
 
 /// Measurements that state the distribution of a constant.
@@ -199,6 +206,7 @@ impl UncertainParameter {
             Self::PressureViscosity => "pressure-viscosity",
             Self::LimitingShearTemperature => "fall of the limiting shear",
             Self::PressureViscosityFactor => "pressure-viscosity factor of the friction",
+            Self::TemperatureError => "error of the temperature",
         }
     }
 
@@ -210,6 +218,7 @@ impl UncertainParameter {
             Self::EyringStress => "Pa",
             Self::PressureViscosity => "1/Pa",
             Self::LimitingShearTemperature => "1/K",
+            Self::TemperatureError => "K",
             _ => "-",
         }
     }
@@ -221,7 +230,7 @@ impl UncertainParameter {
             Self::BoundaryFriction => model.boundary_friction.is_some(),
             Self::BoundaryLayer => model.boundary_layer.is_some(),
             Self::Lay => model.lay.is_some(),
-            Self::LimitingShear | Self::EyringStress => false,
+            Self::LimitingShear | Self::EyringStress | Self::TemperatureError => false,
             Self::LimitingShearTemperature | Self::PressureViscosityFactor => {
                 let name = self.fitted_name();
                 name.is_some_and(|name| name.replaced_by(&loaded.case.input).is_some())
@@ -245,6 +254,7 @@ impl UncertainParameter {
             | Self::LimitingShearTemperature
             | Self::PressureViscosityFactor => shear.is_some(),
             Self::EyringStress => shear == Some(ShearLawName::Eyring),
+            Self::TemperatureError => case.input.operation.temperature_deviation.is_some(),
         }
     }
 
@@ -293,6 +303,10 @@ impl UncertainParameter {
                 let value = constants.eyring_stress.si();
                 range(value, eyring_stress_band(case.lubricant.base_oil(), value)?)
             }
+            (Self::TemperatureError, _) => {
+                let deviation = case.input.operation.temperature_deviation;
+                deviation.and_then(|one| range(0.0, [-Z_95, Z_95].map(|z| z * one.si())))
+            }
             (Self::LimitingShear | Self::EyringStress, None)
             | (Self::LimitingShearTemperature | Self::PressureViscosityFactor, _) => None,
         })
@@ -316,7 +330,7 @@ impl Ranged {
     /// The value at `z` of the standard normal distribution of the constant.
     ///
     /// ```text
-    /// v = v₀ exp(s± z),  s± = ln(v±/v₀)/z₉₅;  lay: v = Φ(z)/6;  b_L: v = v₀ + |v± − v₀| z/z₉₅   [Constant-draw]
+    /// v = v₀ exp(s± z),  s± = ln(v±/v₀)/z₉₅;  lay: v = Φ(z)/6;  b_L, ΔT: v = v₀ + |v± − v₀| z/z₉₅   [Constant-draw]
     /// ```
     ///
     /// v± are the 5 % and 95 % quantiles, on either side of v₀ its own; z₉₅ = 1.645, and 1.960 of a measured constant.
@@ -329,7 +343,7 @@ impl Ranged {
         };
         match self.kind {
             UncertainParameter::Lay => MOST_LAY * standard_normal_below(z),
-            UncertainParameter::LimitingShearTemperature => {
+            UncertainParameter::LimitingShearTemperature | UncertainParameter::TemperatureError => {
                 self.value + (end - self.value).abs() * z / z_end
             }
             _ => self.value * ((end / self.value).ln().abs() * z / z_end).exp(),
@@ -338,11 +352,21 @@ impl Ranged {
 }
 
 impl UncertainParameter {
-    /// Sets it in a case, past its input: a change of the case by its keys undoes it.
+    /// Sets it in a case, past its input: a change of the case by its keys undoes it. The error of the temperature is added to
+    /// the temperature of the flanks.
     ///
     /// # Errors
     /// When the value is outside its domain.
-    pub fn set(self, loaded: &mut LoadedCase, value: f64) -> Result<(), PositionError> {
+    pub fn set(self, loaded: &mut LoadedCase, value: f64) -> Result<(), Error> {
+        if self == Self::TemperatureError {
+            let flanks = Temperature::from_si(loaded.case.temperature.si() + value);
+            *loaded = at_temperature(loaded, flanks)?;
+            return Ok(());
+        }
+        Ok(self.set_constant(loaded, value).map_err(Box::new)?)
+    }
+
+    fn set_constant(self, loaded: &mut LoadedCase, value: f64) -> Result<(), PositionError> {
         let case = &mut loaded.case;
         match self {
             Self::BoundaryFriction => case.model.boundary_friction = value,
@@ -372,16 +396,31 @@ impl UncertainParameter {
             Self::PressureViscosityFactor => set_traction(loaded, |constants| {
                 constants.pressure_viscosity_factor = value;
             })?,
+            Self::TemperatureError => {}
         }
         Ok(())
     }
+}
+
+/// The case with its flanks at a temperature, its uncertain parameters where they are.
+pub(crate) fn at_temperature(loaded: &LoadedCase, bulk: Temperature) -> Result<LoadedCase, Error> {
+    let mut warmed = loaded.with(|input| {
+        input.operation.set_bulk_temperature(bulk);
+    })?;
+    keep_parameters(loaded, &mut warmed).map_err(Box::new)?;
+    // Bearings and jet stay in the oil, whatever the flanks are at.
+    let oil = loaded.case.temperature;
+    if let Some(gearbox) = &mut warmed.case.gearbox {
+        gearbox.temperature.get_or_insert(oil);
+    }
+    Ok(warmed)
 }
 
 /// Copies the parameters of `from` to `to`, whose oil is the same.
 ///
 /// # Errors
 /// When a constant is outside its domain at the temperature of `to`.
-pub(crate) fn keep_parameters(from: &LoadedCase, to: &mut LoadedCase) -> Result<(), PositionError> {
+fn keep_parameters(from: &LoadedCase, to: &mut LoadedCase) -> Result<(), PositionError> {
     let (kept, model) = (&from.case.model, &mut to.case.model);
     model.boundary_friction = kept.boundary_friction;
     model.boundary_layer = kept.boundary_layer;

@@ -176,6 +176,10 @@ table! {
     /// Former name of `bulk_temperature`, or of `oil_temperature` if `operation.bulk` is stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     temperature: Option<Temperature> = "°C" usual [-30.0, 180.0] possible [-100.0, 400.0];
+    /// Standard deviation of the stated temperature, of oil or flanks, by its measurement; 3 K for an oil sump without a probe
+    /// in the jet. Without it the temperature is taken as exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    temperature_deviation: Option<Temperature> = "K" usual [0.2, 15.0] possible [0.01, 30.0];
     /// Law of the bulk temperature that follows from the loss, with `oil_temperature`.
     #[serde(skip_serializing_if = "Option::is_none")]
     bulk: Option<BulkInput>;

@@ -44,6 +44,7 @@ mod loaded;
 mod micropitting_input;
 mod model;
 mod oil_file;
+mod oil_file_text;
 mod one_or_two;
 mod own_laws;
 mod page;
