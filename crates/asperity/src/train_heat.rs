@@ -74,26 +74,18 @@ pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundO
     let Some(heat) = &loaded.heat else {
         return Ok((loaded.clone(), None));
     };
-    let meshes = loaded.meshes();
-    let contacts = meshes.map(|mesh| pipeline::contacts(&mesh.case));
-    let contacts = contacts.collect::<Result<Vec<Contacts>, Error>>()?;
+    let mut contacts: Vec<Contacts> = Vec::new();
+    for mesh in loaded.meshes() {
+        contacts.push(pipeline::contacts_beside(&mesh.case, &contacts)?);
+    }
     let losses = |train: &LoadedTrain| -> Result<Power, Error> {
         let of_mesh = |(case, contacts): (&LoadedCase, &Contacts)| {
             let losses = pipeline::losses_with(contacts, case)?;
             Ok::<_, Error>(Power::from_si(losses.summary.loss_w))
         };
-        let mut of_all = train
-            .meshes()
-            .map(|mesh| &mesh.case)
-            .zip(&contacts)
-            .map(of_mesh);
-        let mut total = Power::from_si(0.0);
-        for (stage, kind) in train.stages.iter().zip(&train.train.kinds) {
-            let of_stage = of_all.by_ref().take(stage.meshes.len());
-            let of_stage = of_stage.collect::<Result<Vec<Power>, Error>>()?;
-            total = total + kind.loss(&of_stage);
-        }
-        Ok(total)
+        let cases = train.meshes().map(|mesh| &mesh.case);
+        let of_meshes = cases.zip(&contacts).map(of_mesh);
+        Ok(train.loss(&of_meshes.collect::<Result<Vec<Power>, Error>>()?))
     };
     let start = loaded
         .meshes()
@@ -148,11 +140,5 @@ impl HeatReport {
 
 /// The train with another temperature of the oil.
 fn at(loaded: &LoadedTrain, oil: Temperature) -> Result<LoadedTrain, Error> {
-    let mut other = loaded.clone();
-    for mesh in other.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
-        mesh.case = mesh
-            .case
-            .with(|input| input.operation.oil_temperature = Some(oil))?;
-    }
-    Ok(other)
+    loaded.with(&|input| input.operation.oil_temperature = Some(oil))
 }

@@ -145,20 +145,24 @@ fn kinds(result: &TrainResult) -> Markup {
 }
 
 fn shafts(result: &TrainResult) -> Markup {
+    let [power_in, power_out] = result.powers_with_digits();
     html! {
         div.scroll { table {
             thead { tr { th { "shaft" } th.number { "speed [1/min]" } th.number { "torque carried [N m]" } th.number { "torque into the train [N m]" }
                 th.number { "power [kW]" } } }
-            tbody { @for row in &result.shafts { tr {
-                td { (row.shaft) }
-                td.number { (rpm(row.speed_rad_per_s)) }
-                td.number { (format!("{:.3}", row.carried_nm)) }
-                td.number { (format!("{:.3}", row.torque_nm)) }
-                td.number { (format!("{:.4}", 1e-3 * row.power_w)) }
-            } } }
+            tbody { @for row in &result.shafts {
+                @let [carried, torque, power] = result.shaft_with_digits(row);
+                tr {
+                    td { (row.shaft) }
+                    td.number { (rpm(row.speed_rad_per_s)) }
+                    td.number { (carried) }
+                    td.number { (torque) }
+                    td.number { (power) }
+                }
+            } }
         } }
-        p { "Torque and power into the train, with all losses; negative where the power leaves. The power in is " (format!("{:.4}", 1e-3 * result.power_in_w))
-            " kW and the power out " (format!("{:.4}", 1e-3 * result.power_out_w)) " kW." }
+        p { "Torque and power into the train, with all losses; negative where the power leaves. The power in is " (power_in)
+            " kW and the power out " (power_out) " kW." }
         p { "data: " a href="shafts.csv" { "shafts.csv" } }
     }
 }

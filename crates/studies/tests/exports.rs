@@ -76,7 +76,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
         scope: "mesh".to_owned(),
         gearbox: None,
         axes,
-        ratio: 68.0 / 23.0,
+        ratio: Some(RATIO),
         finishes: vec![FinishMap {
             name: "ground".to_owned(),
             fingerprint: String::new(),
@@ -85,13 +85,17 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
             has_flanks_of_first: true,
             resolved_from_nm: [1.0, 1.0],
             draws: Vec::new(),
+            meshes: Vec::new(),
             points,
         }],
         warnings: Vec::new(),
-        input: CaseInput::new(gears, operation, Default::default(), FlankInput::default()),
+        input: CaseInput::new(gears, operation, Default::default(), FlankInput::default()).into(),
         defaults: Vec::new(),
     }
 }
+
+/// Turns of the pinion for one turn of the wheel.
+const RATIO: f64 = 68.0 / 23.0;
 
 fn map() -> Map {
     let torque: Vec<f64> = (0..33).map(|k| -160.0 + 10.0 * f64::from(k)).collect();
@@ -272,15 +276,13 @@ fn advisor_efficiencies_are_those_of_the_output_shaft() {
     for (row, speed) in speeds.iter().enumerate() {
         for (column, output) in torques.iter().enumerate() {
             let efficiency = map_of[row * torques.len() + column];
-            let output = output / map.ratio;
+            let output = output / RATIO;
             let input = if output > 0.0 {
                 output / efficiency
             } else {
                 output * efficiency
             };
-            let loss = surface
-                .loss_torque(input, speed * map.ratio * 30.0 / PI)
-                .value;
+            let loss = surface.loss_torque(input, speed * RATIO * 30.0 / PI).value;
             assert!((input - output - loss).abs() < 1e-9 * (1.0 + output.abs()));
         }
     }

@@ -13,6 +13,7 @@
 //!
 //! [`gear_train`] reads cases of several meshes.
 
+mod any_input;
 mod assumed_relief;
 mod builder;
 mod bulk;
@@ -41,6 +42,7 @@ mod key_names;
 mod known_keys;
 mod law_names;
 mod loaded;
+mod loaded_train;
 mod micropitting_input;
 mod model;
 mod oil_file;
@@ -69,6 +71,7 @@ mod train_heat_input;
 mod train_input;
 mod train_parts;
 
+pub use any_input::AnyInput;
 pub use assumed_relief::AssumedRelief;
 pub use builder::CaseBuilder;
 pub use bulk::{BulkModel, BulkReport, FoundBulk};

@@ -17,8 +17,8 @@ use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::finish::FinishName;
 use super::input::{
-    BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MaterialInput, OperationInput,
-    SurfaceInput,
+    BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
+    OperationInput, SurfaceInput, VehicleInput,
 };
 use super::model::{Formulation, ModelInput};
 use super::planetary::{
@@ -61,6 +61,12 @@ pub struct TrainCaseInput {
     /// Parameters calibrated on a rig, for all meshes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub calibration: Option<CalibrationInput>,
+    /// Ranges of the default axes of `asperity map`; a run ignores them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map: Option<MapInput>,
+    /// The vehicle of a cycle stated by its speed, for `asperity cycle`; a run ignores it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vehicle: Option<VehicleInput>,
 }
 
 /// Shafts at which the power enters and leaves a gear train.
@@ -483,6 +489,8 @@ impl TrainCaseInput {
             },
             model: self.model.clone(),
             calibration: self.calibration.clone(),
+            map: None,
+            vehicle: None,
         };
         let own_tables = own_tables(name, mesh);
         let in_train = |key: &str| {

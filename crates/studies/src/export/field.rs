@@ -15,8 +15,8 @@ pub struct Field {
     pub scope: String,
     /// Temperature \[°C\].
     pub temperature_c: f64,
-    /// Revolutions of the input shaft per revolution of the output shaft.
-    pub ratio: f64,
+    /// Revolutions of the input shaft per revolution of the output shaft; `None` of several outputs.
+    pub ratio: Option<f64>,
     /// Torques \[N m\], ascending.
     pub torque_nm: Vec<f64>,
     /// Speeds \[1/min\], ascending from 0.
