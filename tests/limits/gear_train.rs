@@ -4,7 +4,7 @@ use asperity::case::gear_train::{LoadedTrain, load_set};
 use asperity::case::{Source, from_text};
 use asperity::gear_train::{MeshRow, TrainResult, run_train};
 use asperity::pipeline::KeptFields;
-use asperity::{Run, RunResult};
+use asperity::{Error, Run, RunResult};
 use asperity_tests::planetary_set;
 
 /// Pinion and wheel of the shipped ground flanks.
@@ -38,6 +38,10 @@ fn profiles() -> std::path::PathBuf {
 }
 
 fn train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> LoadedTrain {
+    try_train_of(gears, keys).unwrap()
+}
+
+fn try_train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> Result<LoadedTrain, Error> {
     let meshes: String = (gears.iter().enumerate())
         .map(|(k, gears)| {
             let next = k + 1;
@@ -51,7 +55,7 @@ fn train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> LoadedTrain {
     let keys: Vec<(String, String)> = (keys.iter())
         .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()))
         .collect();
-    load_set(source, &profiles(), &keys, None).unwrap()
+    load_set(source, &profiles(), &keys, None)
 }
 
 fn run(train: &LoadedTrain, band: bool) -> TrainResult {
@@ -187,6 +191,52 @@ fn the_heat_into_the_nodes_is_the_loss() {
     let stated = train_of(GEARS, &[("operation.oil_temperature", &oil), BULK]);
     assert!((run(&stated, false).loss_w / result.loss_w - 1.0).abs() < 2e-3);
     assert_balanced(&result);
+}
+
+#[test]
+fn gears_with_conductances_of_their_own_pass_the_loss_of_their_mesh_to_the_oil() {
+    let heat = r#"{ ambient = "25 °C", oil_to_housing = "80 W/K", housing_to_ambient = "40 W/K" }"#;
+    let of_mesh = |own: [f64; 2]| {
+        let [pinion, wheel] = own;
+        format!(
+            r#"{{ law = "network", pinion_to_oil = "{pinion} W/K", wheel_to_oil = "{wheel} W/K" }}"#
+        )
+    };
+    let conductances = [[30.0, 60.0], [40.0, 90.0], [60.0, 150.0]];
+    let networks = conductances.map(of_mesh);
+    let keys = [
+        ("operation.oil_temperature", "80 °C"),
+        ("mesh.m1.bulk", networks[0].as_str()),
+        ("mesh.m2.bulk", networks[1].as_str()),
+        ("mesh.m3.bulk", networks[2].as_str()),
+        ("heat", heat),
+    ];
+    let result = run(&train_of(GEARS, &keys), false);
+    let report = result.heat.clone().unwrap();
+    let gears = report.gears.iter().zip(&result.meshes).zip(conductances);
+    assert_eq!(report.gears.len(), 3);
+    for ((node, mesh), [pinion, wheel]) in gears {
+        let [first, second] = node.pinion_and_wheel_c.unwrap();
+        let to_oil = pinion * (first - report.oil_c) + wheel * (second - report.oil_c);
+        // Both temperatures are found to some hundredths of a kelvin: a few watts of some hundred.
+        assert!(
+            (to_oil / mesh.loss_w - 1.0).abs() < 0.02,
+            "{to_oil} {mesh:?} {report:?}"
+        );
+        assert!(first > second && node.bulk_c > report.oil_c);
+    }
+    assert_balanced(&result);
+    // The law of a mesh replaces the common one, and its errors name the mesh.
+    let keys = [
+        ("operation.oil_temperature", "80 °C"),
+        BULK,
+        (
+            "mesh.m2.bulk",
+            r#"{ law = "network", pinion_to_oil = "30 W/K" }"#,
+        ),
+    ];
+    let error = try_train_of(GEARS, &keys).unwrap_err().to_string();
+    assert!(error.contains("mesh \"m2\"") && error.contains("bulk.wheel_to_oil"), "{error}");
 }
 
 #[test]

@@ -233,7 +233,11 @@ pub fn run_train(
     let mut result = result(loaded, &runs).map_err(whole)?;
     let losses = Power::from_si(result.loss_w);
     let found = oil.zip(loaded.heat.as_ref());
-    result.heat = found.map(|(oil, heat)| HeatReport::of(&oil, heat, losses));
+    result.heat = found.map(|(oil, heat)| {
+        let runs = loaded.meshes().zip(&meshes);
+        let runs = runs.map(|(mesh, outcome)| (mesh.name.as_str(), &outcome.result));
+        HeatReport::of(&oil, heat, losses, runs)
+    });
     // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
     let mut total: Vec<f64> = Vec::new();
     let draws = drawn.iter().zip(loaded.first_with_flanks());

@@ -1,7 +1,7 @@
 //! Keys of a gear train, and the case of each mesh that they state.
 
 use std::collections::BTreeMap;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use asperity_core::quantity::{AngularSpeed, Length, Torque};
 use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
@@ -11,6 +11,7 @@ use asperity_roughness::gaussian_filter::Ends;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::bulk_input::BulkInput;
 use super::calibration::CalibrationInput;
 use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
@@ -110,6 +111,10 @@ pub struct MeshInput {
     /// A planetary set.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub planetary: Option<PlanetaryInput>,
+    /// Law of the bulk temperature of this mesh, such as the conductances of its gears to the oil; default
+    /// `operation.bulk`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bulk: Option<BulkInput>,
     /// Steel of this mesh.
     #[serde(default, skip_serializing_if = "is_default")]
     pub material: TrainMaterialInput,
@@ -228,7 +233,7 @@ impl TrainCaseInput {
             return Ok(None);
         };
         if self.operation.oil_temperature.is_none() {
-            let rule = "needs operation.oil_temperature, where the search begins, with operation.bulk, by which the loss heats the flanks above the oil";
+            let rule = "needs operation.oil_temperature, where the search begins, with operation.bulk or mesh.NAME.bulk, by which the loss heats the flanks above the oil";
             return Err(conflict(source, "heat".to_owned(), rule));
         }
         heat.check()
@@ -393,6 +398,7 @@ impl TrainCaseInput {
             name: format!("mesh \"{name}\""),
             tables: [("gears".to_owned(), format!("mesh.{name}.gears"))]
                 .into_iter()
+                .chain(own_bulk(name, mesh))
                 .chain(own_tables(name, mesh))
                 .collect(),
         };
@@ -427,7 +433,7 @@ impl TrainCaseInput {
                             .or_else(|| shared.coast.clone().filter(|_| !has_own)),
                     },
                     formulation: self.formulation,
-                    operation: self.operation,
+                    operation: self.operation_of(mesh),
                     lubricant: self.lubricant.clone(),
                     model: self.model.clone(),
                     calibration: self.calibration.clone(),
@@ -472,7 +478,7 @@ impl TrainCaseInput {
                 planet: steel.planet.clone().or_else(|| steels.planet.clone()),
                 ring: steel.ring.clone().or_else(|| steels.ring.clone()),
             },
-            operation: self.operation,
+            operation: self.operation_of(mesh),
             lubricant: self.lubricant.clone(),
             surface: PlanetarySurfaceInput {
                 sun,
@@ -508,11 +514,27 @@ impl TrainCaseInput {
             let is_of_ring = |default: &DefaultUsed| default.key.ends_with(".ring_speed");
             stage.defaults.retain(|default| !is_of_ring(default));
         }
-        for mesh in &mut stage.meshes {
-            mesh.case.formulation = self.formulation;
+        for of_set in &mut stage.meshes {
+            of_set.case.formulation = self.formulation;
+            let keys = Arc::make_mut(&mut of_set.keys);
+            keys.tables.extend(own_bulk(name, mesh));
         }
         Ok(stage)
     }
+
+    /// The operation with the law of the bulk temperature of `mesh`.
+    fn operation_of(&self, mesh: &MeshInput) -> OperationInput {
+        OperationInput {
+            bulk: mesh.bulk.or(self.operation.bulk),
+            ..self.operation
+        }
+    }
+}
+
+/// Key of the bulk temperature that mesh `name` states itself, with its key in the train.
+fn own_bulk(name: &str, mesh: &MeshInput) -> Option<(String, String)> {
+    let keys = || ("operation.bulk".to_owned(), format!("mesh.{name}.bulk"));
+    mesh.bulk.map(|_| keys())
 }
 
 /// Keys of steel and flanks that mesh `name` states itself, with their keys in the train.
