@@ -236,7 +236,10 @@ fn gears_with_conductances_of_their_own_pass_the_loss_of_their_mesh_to_the_oil()
         ),
     ];
     let error = try_train_of(GEARS, &keys).unwrap_err().to_string();
-    assert!(error.contains("mesh \"m2\"") && error.contains("bulk.wheel_to_oil"), "{error}");
+    assert!(
+        error.contains("mesh \"m2\"") && error.contains("bulk.wheel_to_oil"),
+        "{error}"
+    );
 }
 
 #[test]

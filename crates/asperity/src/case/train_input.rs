@@ -385,12 +385,7 @@ impl TrainCaseInput {
         let (own, shared) = (&mesh.surface, &self.surface);
         let has_own = own.pinion.is_some();
         let Some(pinion) = own.pinion.clone().or_else(|| shared.pinion.clone()) else {
-            let rule = "needs the flank of the pinion, here or, for all meshes, as surface.pinion";
-            return Err(conflict(
-                source,
-                format!("mesh.{name}.surface.pinion"),
-                rule,
-            ));
+            return Err(self.no_flank(name, mesh, "pinion", source));
         };
         let of_all = |flank: &Option<FlankInput>| flank.clone().filter(|_| !has_own);
         let (steel, steels) = (&mesh.material, &self.material);
@@ -462,8 +457,7 @@ impl TrainCaseInput {
         let (own, shared) = (&mesh.surface, &self.surface);
         let of_all = shared.sun.clone().or_else(|| shared.pinion.clone());
         let Some(sun) = own.sun.clone().or(of_all) else {
-            let rule = "needs the flank of the sun, here or, for all meshes, as surface.pinion";
-            return Err(conflict(source, format!("mesh.{name}.surface.sun"), rule));
+            return Err(self.no_flank(name, mesh, "sun", source));
         };
         let shared_unless_own = |flank: Option<FlankInput>| flank.filter(|_| own.sun.is_none());
         let (steel, steels) = (&mesh.material, &self.material);
@@ -520,6 +514,18 @@ impl TrainCaseInput {
             keys.tables.extend(own_bulk(name, mesh));
         }
         Ok(stage)
+    }
+
+    /// No flank of `gear` in a mesh and none for all meshes.
+    fn no_flank(&self, name: &str, mesh: &MeshInput, gear: &str, source: &Source) -> CaseError {
+        const NO_HEIGHT: &str = "does not determine the height of the roughness: state Ra as well, for all meshes as surface.pinion.ra, such as \"0.4 um\"";
+        const NO_FLANK: &str = "needs a flank, here or, for all meshes, as surface.pinion: a trace, or surface.finish with surface.pinion.ra";
+        let (key, rule) = match (mesh.surface.finish, self.surface.finish) {
+            (Some(_), _) => (format!("mesh.{name}.surface.finish"), NO_HEIGHT),
+            (None, Some(_)) => ("surface.finish".to_owned(), NO_HEIGHT),
+            (None, None) => (format!("mesh.{name}.surface.{gear}"), NO_FLANK),
+        };
+        conflict(source, key, rule)
     }
 
     /// The operation with the law of the bulk temperature of `mesh`.
