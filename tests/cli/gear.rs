@@ -268,7 +268,16 @@ fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it()
         refused.refused(2, "E205", &says);
     }
     // A map and a study of changes take all meshes.
-    let axes = ["map", "case.toml", "--torque", "120", "--speed", "3000"];
+    let axes = [
+        "map",
+        "case.toml",
+        "-o",
+        "maps",
+        "--torque",
+        "120",
+        "--speed",
+        "3000",
+    ];
     let map = [&axes[..], &["--set", "model.offsets=1"], &finishes[..]].concat();
     let said = bench.run(&map).well().out;
     assert!(said.contains("loss of the meshes only"), "{said}");

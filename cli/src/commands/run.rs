@@ -94,6 +94,23 @@ fn text_of_train(result: &TrainResult) -> String {
         asperity_storage::one_line(&result.title),
         1e-3 * result.power_in_w,
     );
+    if let (Some([loss, efficiency]), Some(gearbox)) =
+        (result.gearbox_with_bands(), &result.gearbox)
+    {
+        text.push_str(&format!(
+            "efficiency (gearbox)      {efficiency} %   loss {loss} W\n"
+        ));
+        text.push_str(&format!(
+            "{}\n",
+            report::wrapped(&report::besides_the_mesh(gearbox), "  ")
+        ));
+        for part in &gearbox.parts {
+            for outside in &part.outside {
+                let text_of_part = format!("W401 {}: {outside}", part.name);
+                text.push_str(&format!("{}\n", report::wrapped(&text_of_part, "     ")));
+            }
+        }
+    }
     for (name, set) in result.planetary_sets() {
         let name = if name.is_empty() {
             String::new()

@@ -13,9 +13,10 @@ use crate::case::gear_train::{LoadedMesh, LoadedTrain};
 use crate::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
 use crate::error::{Error, PositionError};
 use crate::pipeline::{self, KeptFields, Progress};
-use crate::result::gearbox::Scope;
+use crate::result::gearbox::{GearboxReport, Scope};
 use crate::result::{Outcome, RunResult, Summary};
 use crate::result::{rounded, with_interval};
+use crate::train_gearbox;
 use crate::train_heat::{self, HeatReport};
 use crate::uncertainty::{Quantiles, run_and_draw};
 
@@ -51,6 +52,9 @@ pub struct TrainResult {
     /// Heat balance, if the case states one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heat: Option<HeatReport>,
+    /// Meshes, seals and bearings together, if the case states some.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gearbox: Option<GearboxReport>,
     /// Shafts with their torques and speeds.
     #[serde(default)]
     pub shafts: Vec<ShaftRow>,
@@ -231,7 +235,8 @@ pub fn run_train(
     let whole = |error: PositionError| Error::Whole(Box::new(error));
     let runs: Vec<&RunResult> = meshes.iter().map(|mesh| &mesh.result).collect();
     let mut result = result(loaded, &runs).map_err(whole)?;
-    let losses = Power::from_si(result.loss_w);
+    let whole_w = result.gearbox.as_ref().map(|gearbox| gearbox.loss_w);
+    let losses = Power::from_si(whole_w.unwrap_or(result.loss_w));
     let found = oil.zip(loaded.heat.as_ref());
     result.heat = found.map(|(oil, heat)| {
         let runs = loaded.meshes().zip(&meshes);
@@ -335,26 +340,32 @@ fn result(loaded: &LoadedTrain, runs: &[&RunResult]) -> Result<TrainResult, Posi
             sets.insert(stage.name.clone().unwrap_or_default(), report);
         }
     }
+    let of_meshes_w = flow.power_in().si();
+    let efficiency = 1.0 - loss_w / of_meshes_w;
+    let of = "efficiency of the gear train";
+    balance::efficiency(of, efficiency, loss_w, of_meshes_w)?;
+    let (gearbox, flow) = match train_gearbox::report(loaded, &flow, &losses, loss_w)? {
+        Some((report, flow)) => (Some(report), flow),
+        None => (None, flow),
+    };
     let shafts = shafts(loaded, &flow)?;
     let powers = || shafts.iter().map(|shaft| shaft.power_w);
-    balance::sum(
-        "loss of the gear train",
-        "W",
-        loss_w,
-        &powers().collect::<Vec<_>>(),
-    )?;
+    let whole_w = gearbox.as_ref().map_or(loss_w, |gearbox| gearbox.loss_w);
+    let of = "loss of the gear train";
+    balance::sum(of, "W", whole_w, &powers().collect::<Vec<_>>())?;
+    if let Some(gearbox) = &gearbox {
+        let of = "efficiency of the gearbox";
+        balance::efficiency(of, gearbox.efficiency, gearbox.loss_w, gearbox.power_in_w)?;
+    }
     let power_in_w: f64 = powers().map(|power| power.max(0.0)).sum();
-    let efficiency = 1.0 - loss_w / power_in_w;
-    balance::efficiency(
-        "efficiency of the gear train",
-        efficiency,
-        loss_w,
-        power_in_w,
-    )?;
     Ok(TrainResult {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: loaded.title.clone(),
-        scope: Scope::Mesh,
+        scope: match gearbox {
+            Some(_) => Scope::Gearbox,
+            None => Scope::Mesh,
+        },
+        gearbox,
         set: loaded.only_set().and_then(|_| sets.remove("")),
         efficiency,
         loss_w,
@@ -464,6 +475,26 @@ impl TrainResult {
             return [self.loss_w, 100.0 * self.efficiency].map(|value| format!("{value:.4}"));
         };
         with_interval(drawn.median_w, drawn.quantiles_w, self.power_in_w, ["", ""])
+    }
+
+    /// Loss \[W\] and efficiency \[%\] of meshes, seals and bearings together with the bands of the meshes; `None` without
+    /// seals and bearings.
+    #[must_use]
+    pub fn gearbox_with_bands(&self) -> Option<[String; 2]> {
+        let gearbox = self.gearbox.as_ref()?;
+        let Some(drawn) = &self.loss_distribution else {
+            let values = [gearbox.loss_w, 100.0 * gearbox.efficiency];
+            return Some(values.map(|value| format!("{value:.4}")));
+        };
+        let with_parts = |loss: f64| loss + gearbox.parts_w;
+        let quantiles = drawn.quantiles_w.map(with_parts);
+        let median = with_parts(drawn.median_w);
+        Some(with_interval(
+            median,
+            quantiles,
+            gearbox.power_in_w,
+            ["", ""],
+        ))
     }
 
     /// Half of the interval of the loss over the loss; zero without one.

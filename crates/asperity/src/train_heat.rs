@@ -20,6 +20,7 @@ use crate::contacts::Contacts;
 use crate::error::Error;
 use crate::pipeline;
 use crate::result::RunResult;
+use crate::train_gearbox;
 
 /// Temperatures at which the losses of a gear train leave through its housing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -113,7 +114,12 @@ pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundO
         };
         let cases = train.meshes().map(|mesh| &mesh.case);
         let of_meshes = cases.zip(&contacts).map(of_mesh);
-        Ok(train.loss(&of_meshes.collect::<Result<Vec<Power>, Error>>()?))
+        let meshes = train.loss(&of_meshes.collect::<Result<Vec<Power>, Error>>()?);
+        let oil = train.meshes().map(|mesh| mesh.case.case.temperature).next();
+        let oil = oil.unwrap_or(heat.ambient);
+        let parts = train_gearbox::parts(train, train.train.operation(), oil).map_err(Box::new)?;
+        let parts = parts.iter().map(|part| Power::from_si(part.loss_w));
+        Ok(parts.fold(meshes, |sum, part| sum + part))
     };
     let start = loaded
         .meshes()

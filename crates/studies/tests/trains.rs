@@ -11,6 +11,7 @@ use asperity::pipeline::KeptFields;
 use asperity_report::StudyResult as _;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::{cycle, evaluate};
+use asperity_studies::export::Field;
 use asperity_studies::map::{Axes, Map, MapBand, MapExtras, Point, map, read};
 
 const TWO_STAGES: &str = r#"
@@ -196,4 +197,44 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
             .lost_wh
             > 0.0
     );
+}
+
+#[test]
+fn seals_and_bearings_are_the_added_part_of_a_map() {
+    let bearing = |at: &str| {
+        format!(
+            r#"{{ shaft = "counter", at = "{at}", kind = "cylindrical-roller", bore = "40 mm", outside_diameter = "80 mm", r1 = 1.09e-6, s1 = 0.16, s2 = 0.0015, k_z = 5.1, k_rs = 3e-8, mu_bl = 0.12, mu_ehl = 0.02, locating = {} }}"#,
+            at.starts_with('0')
+        )
+    };
+    let stated = format!(
+        r#"{{ seals = [{{ shaft = "output", diameter = "50 mm" }}], bearings = [{}, {}] }}"#,
+        bearing("0 mm"),
+        bearing("150 mm")
+    );
+    let keys = [
+        ("gearbox", stated.as_str()),
+        ("mesh.first.at", "40 mm"),
+        ("mesh.first.angle", "0 deg"),
+        ("mesh.first.hand", "right"),
+        ("mesh.second.at", "110 mm"),
+        ("mesh.second.angle", "200 deg"),
+    ];
+    let case = train(TWO_STAGES, &keys);
+    let found = map_of(case.clone(), &[0.0, 60.0], MapBand::None);
+    let run = run(&case, false);
+    let gearbox = found.gearbox.as_ref().unwrap();
+    assert_eq!(gearbox.parts, ["seal 1", "bearing 1", "bearing 2"]);
+    let points = &found.finishes[0].points;
+    let there = points.iter().position(|point| std::ptr::eq(point, at(&found, 60.0)));
+    let omega = 4000.0 * std::f64::consts::PI / 30.0;
+    let parts = gearbox.loss_torque_nm[there.unwrap()] * omega;
+    assert!((parts / run.gearbox.unwrap().parts_w - 1.0).abs() < 1e-12);
+    // Exports hold them as the added part, and the meshes stay as they are.
+    let fields = Field::all(&found, 0, None).unwrap();
+    let across = fields[1].speed_rpm.len();
+    let index = fields[1].torque_nm.iter().position(|torque| *torque == 60.0).unwrap() * across + across - 1;
+    assert_eq!(fields[1].added_nm.as_ref().unwrap()[index], parts / omega);
+    assert_eq!(fields[1].mesh_nm[index], run.loss_w / omega);
+    assert!(found.summary(MapExtras::default()).contains("W431"));
 }

@@ -9,6 +9,7 @@ use super::known_keys::first_unknown;
 use super::loaded::LoadedCase;
 use super::source::MeshKeys;
 use super::train_flow::{StageKind, Train};
+use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
 use super::train_parts::{TrainFile, TrainParts};
 use crate::error::Error;
@@ -26,6 +27,8 @@ pub struct LoadedTrain {
     pub stages: Vec<LoadedStage>,
     /// Heat balance, if the case states one.
     pub heat: Option<HeatInput>,
+    /// Seals and bearings, if the case states some.
+    pub gearbox: Option<TrainGearbox>,
     /// The case as read.
     pub input: AnyInput,
     /// Every default in use, by the keys of the train.
@@ -59,6 +62,7 @@ impl From<LoadedCase> for LoadedTrain {
             title: case.case.title.clone(),
             train: Train::of_pair(&case.case),
             heat: None,
+            gearbox: None,
             input: case.case.input.clone().into(),
             defaults: case.case.defaults.clone(),
             stages: vec![LoadedStage {
@@ -98,6 +102,7 @@ impl LoadedTrain {
         });
         Self {
             heat: parts.heat,
+            gearbox: parts.gearbox,
             title: parts.title,
             train: parts.train,
             stages: stages.collect(),

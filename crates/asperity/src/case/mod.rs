@@ -67,6 +67,7 @@ mod trace;
 mod trace_filters;
 mod trace_list;
 mod train_flow;
+mod train_gearbox;
 mod train_heat_input;
 mod train_input;
 mod train_parts;
@@ -116,3 +117,6 @@ pub(crate) use steel::STEEL_FLOW_PRESSURE;
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};
 pub use train_flow::{MeshLoad, StageKind, Train, TrainFlow};
+pub use train_gearbox::{
+    Hand, MeshPlace, TrainGearbox, TrainGearboxInput, TrainPart, TrainPartKind,
+};

@@ -5,7 +5,7 @@
 
 use std::sync::{Arc, LazyLock};
 
-use asperity_core::quantity::{Angle, AngularSpeed, Length};
+use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
 use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
 use asperity_gear::planetary::{PlanetarySet, PlanetarySetInput};
 use asperity_oil::LubricantInput;
@@ -165,6 +165,7 @@ impl TrainFile for PlanetaryCaseInput {
             name: name.to_owned(),
             speed,
             torque,
+            drag: Torque::from_si(0.0),
         };
         let OperationInput { torque, speed, .. } = self.operation;
         let shafts = GearTrain {

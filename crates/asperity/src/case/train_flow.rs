@@ -96,6 +96,16 @@ pub struct TrainFlow {
     pub loads: Vec<Vec<MeshLoad>>,
 }
 
+impl TrainFlow {
+    /// Power into the train through all shafts.
+    #[must_use]
+    pub fn power_in(&self) -> Power {
+        let powers = self.torques.shafts.iter().zip(&self.speeds);
+        let power_in = powers.map(|(torque, speed)| (torque.si() * speed.si()).max(0.0));
+        Power::from_si(power_in.sum())
+    }
+}
+
 impl Train {
     /// The input shaft, by its place in [`GearTrain::shafts`].
     pub const INPUT: usize = 0;
@@ -106,6 +116,7 @@ impl Train {
             name: name.to_owned(),
             speed: stated.map(|load| load.speed),
             torque: stated.map(|load| load.torque),
+            drag: Torque::from_si(0.0),
         };
         Self {
             shafts: GearTrain {
@@ -143,15 +154,22 @@ impl Train {
         }
     }
 
+    /// The train with the torques that parts take from its shafts, against their rotation.
+    #[must_use]
+    pub fn with_drags(&self, drags: &[Torque]) -> Self {
+        let mut train = self.clone();
+        for (shaft, drag) in train.shafts.shafts.iter_mut().zip(drags) {
+            shaft.drag = *drag;
+        }
+        train
+    }
+
     /// Power into the train through all shafts, with the loss of one mesh of each kind in each stage.
     ///
     /// # Errors
     /// As [`flow`](Self::flow).
     pub fn power_in(&self, losses: &[Vec<Power>]) -> Result<Power, GearError> {
-        let flow = self.flow(losses)?;
-        let powers = flow.torques.shafts.iter().zip(&flow.speeds);
-        let power_in = powers.map(|(torque, speed)| (torque.si() * speed.si()).max(0.0));
-        Ok(Power::from_si(power_in.sum()))
+        Ok(self.flow(losses)?.power_in())
     }
 
     /// The flow with the loss of one mesh of each kind in each stage; without losses if `losses` is empty. The loads are

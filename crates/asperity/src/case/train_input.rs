@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
-use asperity_core::quantity::{AngularSpeed, Length, Torque};
+use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
 use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
 use asperity_oil::LubricantInput;
 use asperity_roughness::form::Form;
@@ -28,6 +28,7 @@ use super::planetary::{
 use super::section::domain;
 use super::source::{MeshKeys, Source};
 use super::train_flow::StageKind;
+use super::train_gearbox::{Hand, MeshPlace, TrainGearboxInput, train_gearbox};
 use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainFile, TrainParts, conflict, refused};
 
@@ -56,6 +57,9 @@ pub struct TrainCaseInput {
     /// Heat balance, from which the temperature of the oil follows; `operation.oil_temperature` is then its start.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heat: Option<HeatInput>,
+    /// Seals and bearings on the shafts; only the losses stated here are added.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gearbox: Option<TrainGearboxInput>,
     /// Choices of the model, for all meshes.
     #[serde(default)]
     pub model: ModelInput,
@@ -111,6 +115,16 @@ pub struct MeshInput {
     /// A planetary set.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub planetary: Option<PlanetaryInput>,
+    /// Middle of the teeth along the shafts, for the loads of the bearings.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<Length>,
+    /// Angle of the centre line from the pinion to the wheel about the axes, for the loads of the bearings of a shaft with
+    /// several meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle: Option<Angle>,
+    /// Direction of the helix of the pinion or sun, for the loads of the bearings: `left` or `right`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hand: Option<Hand>,
     /// Law of the bulk temperature of this mesh, such as the conductances of its gears to the oil; default
     /// `operation.bulk`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -220,9 +234,14 @@ impl TrainFile for TrainCaseInput {
         }
         let (shafts, stages) = self.on_shafts(stages, source)?;
         let passes_losses = self.train.losses == Some(PassedLosses::PassedOn);
+        let places: Vec<MeshPlace> = stages.iter().map(|stage| self.place_of(stage)).collect();
+        let gearbox = self.gearbox.as_ref();
+        let gearbox = gearbox.map(|stated| train_gearbox(stated, places, &shafts, source));
+        let gearbox = gearbox.transpose()?;
         let mut parts = TrainParts::new(self.title.clone(), shafts, passes_losses, stages)
             .map_err(refused(source, Self::TABLE))?;
         parts.heat = self.checked_heat(source)?;
+        parts.gearbox = gearbox;
         Ok(parts)
     }
 }
@@ -319,6 +338,7 @@ impl TrainCaseInput {
                     true => None,
                     false => Some(if is_input { operation.torque } else { zero }),
                 },
+                drag: zero,
             });
         }
         let place = |name: &String| shafts.iter().position(|shaft| shaft == name).unwrap_or(0);
@@ -333,6 +353,7 @@ impl TrainCaseInput {
                         name: format!("{name} ring"),
                         speed: Some(ring_speed.unwrap_or(AngularSpeed::from_si(0.0))),
                         torque: None,
+                        drag: Torque::from_si(0.0),
                     });
                     ([sun, train.shafts.len() - 1], Some(carrier))
                 }
@@ -514,6 +535,19 @@ impl TrainCaseInput {
             keys.tables.extend(own_bulk(name, mesh));
         }
         Ok(stage)
+    }
+
+    /// Place of a stage in the gearbox.
+    fn place_of(&self, stage: &StageParts) -> MeshPlace {
+        let stated = stage.name.as_ref().and_then(|name| self.mesh.get(name));
+        let helix = stage.meshes.first().and_then(|mesh| mesh.case.gears.helix);
+        MeshPlace {
+            at: stated.and_then(|mesh| mesh.at),
+            angle: stated.and_then(|mesh| mesh.angle),
+            hand: stated.and_then(|mesh| mesh.hand),
+            is_helical: helix.is_some_and(|helix| helix.si() != 0.0),
+            is_set: stage.kind != StageKind::Pair,
+        }
     }
 
     /// No flank of `gear` in a mesh and none for all meshes.

@@ -13,6 +13,7 @@ use super::input::CaseInput;
 use super::resolve::title_by_gears;
 use super::source::{MeshKeys, Source};
 use super::train_flow::{StageKind, Train};
+use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
 
 /// A case file of a gear train.
@@ -27,6 +28,7 @@ pub(super) trait TrainFile: CaseFile {
 /// A gear train with the inputs of its meshes, before their traces are read.
 pub(super) struct TrainParts {
     pub heat: Option<HeatInput>,
+    pub gearbox: Option<TrainGearbox>,
     pub title: String,
     pub train: Train,
     pub stages: Vec<StageParts>,
@@ -89,6 +91,7 @@ impl TrainParts {
         }
         Ok(Self {
             heat: None,
+            gearbox: None,
             title,
             train,
             stages,

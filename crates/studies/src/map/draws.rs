@@ -132,7 +132,7 @@ pub struct Drawn<'a> {
 pub(crate) type Place = [u32; 4];
 
 impl<'a> Drawn<'a> {
-    /// The draws at the nodes of each side with so many `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn).
+    /// The draws at the nodes of each side with this number of `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn).
     pub(super) fn of(
         sides: &'a [DrawnNodes],
         meshes: usize,

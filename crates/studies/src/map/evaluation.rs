@@ -12,6 +12,7 @@ use asperity::mesh::Resolution;
 use asperity::pipeline::{contacts_beside, losses, losses_with};
 use asperity::result::Losses;
 use asperity::result::gearbox::{self, OperatingPoint};
+use asperity::train_gearbox;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{Contacts, Error, PositionError};
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
@@ -200,28 +201,40 @@ pub(super) fn torque_of(torque_nm: f64) -> Torque {
     Torque::from_si(torque_nm)
 }
 
-/// Losses of the gearbox besides the mesh at every node; `None` if the case states none.
-pub(super) fn gearbox_of(case: &LoadedCase, axes: &Axes) -> Result<Option<MapGearbox>, Error> {
-    let case = &case.case;
-    let Some(gearbox) = &case.gearbox else {
-        return Ok(None);
+/// Losses of the gearbox besides the meshes at every node; `None` if the case states none.
+pub(super) fn gearbox_of(train: &LoadedTrain, axes: &Axes) -> Result<Option<MapGearbox>, Error> {
+    let of_pair = train.pair().map(|pair| &pair.case);
+    let names: Vec<String> = match (
+        of_pair.and_then(|case| case.gearbox.as_ref()),
+        &train.gearbox,
+    ) {
+        (Some(gearbox), _) => gearbox.parts.iter().map(|part| part.name.clone()).collect(),
+        (_, Some(gearbox)) => gearbox.parts.iter().map(|part| part.name.clone()).collect(),
+        (None, None) => return Ok(None),
     };
     let mut loss_torque_nm = Vec::with_capacity(axes.points());
     for &temperature in &axes.temperature_c {
         for &torque in &axes.torque_nm {
             for &speed in &axes.speed_rpm {
+                let (torque, temperature) = (torque_of(torque), temperature_of(temperature));
+                let speed = speed_of(computed_speed(speed));
                 let at = OperatingPoint {
-                    torque: torque_of(torque),
-                    speed: speed_of(computed_speed(speed)),
-                    temperature: temperature_of(temperature),
+                    torque,
+                    speed,
+                    temperature,
                 };
-                let loss_torque = gearbox::loss_torque_nm(case, &at);
-                loss_torque_nm.push(loss_torque.map_err(|error| Error::Whole(Box::new(error)))?);
+                let parts = match of_pair {
+                    Some(case) => gearbox::parts(case, &at),
+                    None => train_gearbox::parts(train, MeshLoad { torque, speed }, temperature),
+                };
+                let parts = parts.map_err(|error| Error::Whole(Box::new(error)))?;
+                let loss: f64 = parts.iter().map(|part| part.loss_w).sum();
+                loss_torque_nm.push(loss / speed.si());
             }
         }
     }
     Ok(Some(MapGearbox {
-        parts: gearbox.parts.iter().map(|part| part.name.clone()).collect(),
+        parts: names,
         loss_torque_nm,
     }))
 }

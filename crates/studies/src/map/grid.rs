@@ -50,10 +50,7 @@ pub fn map<C: Clone + Into<LoadedTrain>>(
         return Err(Error::Whole(Box::new(PositionError::PassesLosses)));
     }
     // A table that does not cover the map is an error before the computation.
-    let gearbox = match case.pair() {
-        Some(pair) => gearbox_of(pair, axes)?,
-        None => None,
-    };
+    let gearbox = gearbox_of(case, axes)?;
     let mut maps: Vec<FinishMap> = Vec::with_capacity(finishes.len());
     let mut flanks_of_first: Vec<Surfaces> = Vec::new();
     let sides = finishes
@@ -236,7 +233,7 @@ fn files_of(cases: &[LoadedCase]) -> Vec<[String; 2]> {
     distinct
 }
 
-/// Loss torques of each mesh, from those of all meshes at each point.
+/// Loss torques of each mesh at all points.
 fn of_meshes(train: &LoadedTrain, parts: &[Option<Vec<f64>>]) -> Vec<MeshPart> {
     let meshes = train.meshes().zip(train.counts()).enumerate();
     let part = |(k, (mesh, count)): (usize, (&LoadedMesh, u32))| MeshPart {
@@ -400,8 +397,7 @@ fn pinion_w(n: &Numbers, omega: f64, torque_nm: f64) -> f64 {
     }
 }
 
-/// Numbers of a train from those of one mesh of each kind, and the power into the train \[W\]. The deviations of the loss
-/// torques are those of independent flanks.
+/// Sums over all meshes of a train, and the power into the train \[W\]. Deviations add up as for independent flanks.
 fn together(
     train: &LoadedTrain,
     of_meshes: &[Numbers],

@@ -2,7 +2,7 @@
 //!
 //! Every point is identical to a run of the case at its torque, speed and temperature. The rough contact of a torque is
 //! solved once for all speeds and temperatures, and once for meshes with equal windows under equal load; torques are
-//! independent. Torque and speed are those of the pinion, or of the input shaft of a gear train. The losses of a torque apply to the negative
+//! independent. Torque and speed are at the pinion, or at the input shaft of a gear train. The losses of a torque apply to the negative
 //! torque as well, unless the case states coast flanks.
 //!
 //! | point | rule |

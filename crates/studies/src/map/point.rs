@@ -75,7 +75,7 @@ pub struct FinishMap {
     /// Names and SHA-256 of the files of the coast flanks, if there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub coast_files: Vec<[String; 2]>,
-    /// Whether its flanks are those of the first finish, so that both have the same errors of model and sampling.
+    /// Whether the first finish has the same flanks, so that both have the same errors of model and sampling.
     #[serde(default)]
     pub has_flanks_of_first: bool,
     /// Smallest torques that the traces resolve, drive and coast \[N m\]; points below are extended.

@@ -189,7 +189,7 @@ pub fn sensitivity_of_train(
     })
 }
 
-/// The row `named` with the sum of the effects of rows, each of so many equal meshes.
+/// The row `named` with the sum of the effects of rows, each with its number of equal meshes.
 fn together<'a>(
     named: &SensitivityRow,
     rows: impl Iterator<Item = (&'a SensitivityRow, f64)>,
