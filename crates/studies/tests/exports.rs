@@ -615,6 +615,7 @@ fn the_fmu_of_several_temperatures_has_the_temperature_as_input_and_the_parts_of
         r#"name="mesh_1_loss_torque" valueReference="8" causality="output""#,
         "part of 3 sun &lt;and&gt; planet at the input shaft",
         r#"<Unknown index="10" dependencies="1 2 3"/>"#,
+        "finish ground, 60, 100 °C; 0 of 102 nodes",
         "negative torque: the same flanks",
     ] {
         assert!(xml.contains(stated), "{stated}: {xml}");

@@ -184,6 +184,9 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
     let [low, high] = numbers.loss_quantiles_w.unwrap();
     let [low_wh, high_wh] = finish.lost_quantiles_wh.unwrap();
     assert!(low_wh > 0.99 * low && high_wh < 1.01 * high && high_wh - low_wh > 0.8 * (high - low));
+    // Without torque there is no power of which the loss is a share.
+    let idle = map_of(train(TWO_STAGES, &[]), &[0.0], MapBand::None);
+    assert!(!idle.summary(MapExtras::default()).contains("inf"));
     // A vehicle is a table of the train, too.
     let driven = cycle(
         "time_s,speed_km_h\n0,0\n10,20\n20,20\n",
@@ -226,14 +229,23 @@ fn seals_and_bearings_are_the_added_part_of_a_map() {
     let gearbox = found.gearbox.as_ref().unwrap();
     assert_eq!(gearbox.parts, ["seal 1", "bearing 1", "bearing 2"]);
     let points = &found.finishes[0].points;
-    let there = points.iter().position(|point| std::ptr::eq(point, at(&found, 60.0)));
+    let there = points
+        .iter()
+        .position(|point| std::ptr::eq(point, at(&found, 60.0)));
     let omega = 4000.0 * std::f64::consts::PI / 30.0;
     let parts = gearbox.loss_torque_nm[there.unwrap()] * omega;
     assert!((parts / run.gearbox.unwrap().parts_w - 1.0).abs() < 1e-12);
     // Exports hold them as the added part, and the meshes stay as they are.
     let fields = Field::all(&found, 0, None).unwrap();
     let across = fields[1].speed_rpm.len();
-    let index = fields[1].torque_nm.iter().position(|torque| *torque == 60.0).unwrap() * across + across - 1;
+    let index = fields[1]
+        .torque_nm
+        .iter()
+        .position(|torque| *torque == 60.0)
+        .unwrap()
+        * across
+        + across
+        - 1;
     assert_eq!(fields[1].added_nm.as_ref().unwrap()[index], parts / omega);
     assert_eq!(fields[1].mesh_nm[index], run.loss_w / omega);
     assert!(found.summary(MapExtras::default()).contains("W431"));

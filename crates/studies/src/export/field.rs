@@ -148,15 +148,24 @@ impl Field {
 
     /// Head of a file, in one line.
     pub(super) fn head(&self) -> String {
+        Self::head_of(std::slice::from_ref(self))
+    }
+
+    /// Head of a file of the fields of a finish, in one line.
+    pub(super) fn head_of(fields: &[Self]) -> String {
+        let Some(first) = fields.first() else {
+            return String::new();
+        };
         let plain = |text: &str| text.replace(['\n', '\r'], " ");
+        let temperatures = fields.iter().map(|field| field.temperature_c.to_string());
+        let outside: usize = fields.iter().map(|field| field.outside).sum();
+        let nodes: usize = fields.iter().map(|field| field.mesh_nm.len()).sum();
         format!(
-            "Asperity, {}, finish {}, {} °C; {} of {} nodes outside a fitted range or extended{}",
-            plain(&self.title),
-            plain(&self.finish),
-            self.temperature_c,
-            self.outside,
-            self.mesh_nm.len(),
-            self.flanks
+            "Asperity, {}, finish {}, {} °C; {outside} of {nodes} nodes outside a fitted range or extended{}",
+            plain(&first.title),
+            plain(&first.finish),
+            temperatures.collect::<Vec<_>>().join(", "),
+            first.flanks
         )
     }
 

@@ -28,7 +28,7 @@ pub fn c_source(fields: &[Field]) -> Result<String, ExportError> {
         // C has no empty tables.
         parts.push(0.0);
     }
-    let head = first.head().replace("*/", "* /");
+    let head = Field::head_of(fields).replace("*/", "* /");
     let scope = first.scope.replace("*/", "* /");
     let mut text = format!(
         "/* {head}; scope: {scope} */\n#define GUID \"{}\"\n#define NC {}\n#define NT {}\n#define NW {}\n#define NP {}\n",
@@ -261,7 +261,7 @@ fn description(fields: &[Field], has_library: bool) -> Result<String, ExportErro
          \x20 <ModelStructure><Outputs>{unknowns}</Outputs><InitialUnknowns>{unknowns}</InitialUnknowns></ModelStructure>\n\
          </fmiModelDescription>\n",
         guid(fields),
-        escaped(&field.head()),
+        escaped(&Field::head_of(fields)),
         escaped(&field.scope),
         env!("CARGO_PKG_VERSION")
     ))

@@ -100,6 +100,9 @@ impl<'a> Extremes<'a> {
     /// The largest loss over the power there \[%\].
     fn share(&self) -> String {
         let power = power_w(self.at);
+        if power == 0.0 {
+            return "-".to_owned();
+        }
         let loss = self.most.loss_median_w.unwrap_or(self.most.loss_w);
         percent_digits(&self.most, power).rounded(100.0 * loss / power)
     }
