@@ -18,9 +18,14 @@ use crate::case::Case;
 use crate::failure::{self, Failure};
 use crate::work::{alone, in_parallel};
 
-fn finishes(named: Vec<(String, PyRef<'_, Case>)>) -> Result<Vec<Finish>, Failure> {
+type Named<'py> = Vec<(String, PyRef<'py, Case>)>;
+
+fn finishes<C>(
+    named: Named<'_>,
+    of: impl Fn(&Case) -> Result<C, Failure>,
+) -> Result<Vec<Finish<C>>, Failure> {
     let finish = |(name, case): (String, PyRef<'_, Case>)| {
-        let case = case.pair()?.as_ref().clone();
+        let case = of(&case)?;
         Ok(Finish { name, case })
     };
     named.into_iter().map(finish).collect()
@@ -34,11 +39,11 @@ pub struct Comparison(comparing::Comparison);
 #[pyfunction]
 pub fn compare(
     py: Python<'_>,
-    named: Vec<(String, PyRef<'_, Case>)>,
+    named: Named<'_>,
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Comparison> {
-    let finishes = finishes(named)?;
+    let finishes = finishes(named, |case| Ok(case.pair()?.as_ref().clone()))?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let found = comparing::compare(&finishes, &|done, total| told.tell(done, total))?;
         Ok(Comparison(found))
@@ -86,9 +91,10 @@ pub fn sensitivity(
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Sensitivity> {
-    let case = case.pair()?;
+    let train = case.train();
     in_parallel(py, threads, progress.as_ref(), |told| {
-        let found = changing::sensitivity(case, &|done, total| told.tell(done, total))?;
+        let shown = |done, total| told.tell(done, total);
+        let found = changing::sensitivity_of_train(&train, &shown)?;
         Ok(Sensitivity(found))
     })
 }
@@ -137,7 +143,7 @@ fn nodes(given: Option<Nodes>, default: impl FnOnce() -> Vec<f64>) -> Result<Vec
 #[expect(clippy::too_many_arguments, reason = "those of the function in Python")]
 pub fn map(
     py: Python<'_>,
-    named: Vec<(String, PyRef<'_, Case>)>,
+    named: Named<'_>,
     torque: Option<Nodes>,
     speed: Option<Nodes>,
     temperature: Option<Nodes>,
@@ -145,11 +151,11 @@ pub fn map(
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Map> {
-    let finishes = finishes(named)?;
+    let finishes = finishes(named, |case| Ok(case.train()))?;
     let Some(first) = finishes.first() else {
         return Err(Failure::new("E205", "a map needs a case").into());
     };
-    let case = &first.case.case;
+    let case = &first.case;
     let axes = Axes::new(
         &nodes(torque, || Axes::default_torque(case))?,
         &nodes(speed, || Axes::default_speed(case))?,
@@ -301,7 +307,7 @@ impl Map {
             let cycle =
                 match &drive {
                     Some(file) => {
-                        let found = cycle::cycle(&text(file)?, self.0.input.vehicle.as_ref());
+                        let found = cycle::cycle(&text(file)?, self.0.input.vehicle());
                         let name = file.display().to_string();
                         Some(found.map_err(|error| {
                             Failure::new("E101", error.to_string()).about(&name)

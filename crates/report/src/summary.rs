@@ -232,7 +232,8 @@ pub(crate) fn two_digits(power: f64) -> String {
 }
 
 /// The losses of the gearbox besides the mesh, by part.
-fn besides_the_mesh(gearbox: &GearboxReport) -> String {
+#[must_use]
+pub fn besides_the_mesh(gearbox: &GearboxReport) -> String {
     let losses: Vec<f64> = gearbox.parts.iter().map(|part| part.loss_w).collect();
     let parts = gearbox.parts.iter().zip(stated_parts(&losses));
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));

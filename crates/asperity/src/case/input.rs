@@ -256,13 +256,13 @@ impl OperationInput {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MapInput {
-    /// Largest torque at the pinion; default that of the operation.
+    /// Largest torque at the pinion or input shaft; default that of the operation.
     pub torque_max: Option<Torque>,
-    /// Largest speed of the pinion; default that of the operation.
+    /// Largest speed of the pinion or input shaft; default that of the operation.
     pub speed_max: Option<AngularSpeed>,
 }
 
-/// A vehicle whose speed over time makes torque and speed of the pinion.
+/// A vehicle whose speed over time makes torque and speed of the pinion or input shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct VehicleInput {
@@ -270,7 +270,7 @@ pub struct VehicleInput {
     pub mass: Mass,
     /// Rolling radius of the wheels.
     pub wheel_radius: Length,
-    /// Turns of the pinion for one turn of the wheels.
+    /// Turns of the pinion or input shaft for one turn of the wheels.
     pub ratio: f64,
     /// Drag coefficient times frontal area, c_d A.
     pub drag_area: Area,
