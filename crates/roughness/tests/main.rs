@@ -4,6 +4,7 @@ mod areal;
 mod common;
 mod filters;
 mod fitted;
+mod lay;
 mod limits;
 mod properties;
 mod provenance;
