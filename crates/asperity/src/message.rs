@@ -217,6 +217,7 @@ explanations! {
     "W441" "traction fit of limited value": "The constants follow from the traction curves under a condition that is named: few temperatures, many dropped points, a machine out of calibration, an oil unlike its family, stated errors that are too large or too small, or a law of pressure that the points do not decide." => "Measure the points that lack, or read the bands with the condition named.";
     "W442" "stated in the oil file as well": "The case, or its table calibration, states a constant or a property of the oil that the oil file states too. The value of the case is used." => "Leave one of the two out.";
     "W443" "outside of the traction tests": "The constants of an oil file are used at temperatures or pressures beyond its curves, or the fit left something open that is named. The error of the film friction is larger there." => "Measure the curves that lack, or read the interval with the condition named.";
+    "W444" "lay of a surface not used": "The lay of a flank is taken from the surface of its traces: the ratio of the correlation lengths along and across the rows. Here the surface does not show it, because its rows are too few, too short or too far apart, or its ridges run along the traces, which the law of the inlet does not cover." => "Measure an area with rows at least as close as the ridges are long and the area longer than the ridges, or state model.lay.";
 }
 
 #[cfg(test)]

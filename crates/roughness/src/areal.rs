@@ -142,7 +142,11 @@ impl Grid {
     }
 
     /// Heights over the least-squares plane.
-    fn level(z: &[f64], columns: usize, spacings: [Length; 2]) -> Result<Self, RoughnessError> {
+    pub(crate) fn level(
+        z: &[f64],
+        columns: usize,
+        spacings: [Length; 2],
+    ) -> Result<Self, RoughnessError> {
         let mut grid = Self::new(z.to_vec(), columns, spacings)?;
         let (columns, rows) = (grid.columns, grid.rows);
         let plane = grid.plane()?;
@@ -151,6 +155,11 @@ impl Grid {
             *z -= plane[0] + plane[1] * x + plane[2] * y;
         }
         Ok(grid)
+    }
+
+    /// Heights row by row.
+    pub(crate) fn heights(&self) -> &[f64] {
+        &self.z
     }
 
     /// Least-squares plane c₀ + c₁ x + c₂ y over places from −1 to 1.
@@ -328,6 +337,11 @@ impl LagSums {
         }
     }
 
+    /// Whether any height differs from zero.
+    pub(crate) fn has_heights(&self) -> bool {
+        self.products[0] > 0.0
+    }
+
     /// Unbiased autocorrelation.
     pub(crate) fn lags(&self) -> Lags {
         let scale = 1.0 / (self.width * self.height) as f64;
@@ -370,6 +384,14 @@ pub(crate) struct Lags {
 }
 
 impl Lags {
+    /// The lags up to half of the surface, whose mean is over half of its points at least in each direction.
+    pub(crate) fn half(self) -> Self {
+        Self {
+            reach: self.reach.map(|reach| reach / 2),
+            ..self
+        }
+    }
+
     /// Distances over all directions.
     pub(crate) fn decays(&self, spacings: [Length; 2]) -> Decays {
         let mut decays = Decays {
@@ -442,7 +464,7 @@ impl Lags {
 }
 
 /// Transforms rows and columns in place, without a factor.
-fn transform(cells: &mut [Complex<f64>], width: usize, height: usize) {
+pub(crate) fn transform(cells: &mut [Complex<f64>], width: usize, height: usize) {
     let along = complex_inverse(width);
     for row in cells.chunks_mut(width) {
         along.process(row);

@@ -34,11 +34,11 @@ const T_975: [f64; 5] = [3.182_446, 2.776_445, 2.570_582, 2.446_912, 2.364_624];
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct RowLay {
-    /// γ; the upper end of `range` if the ridges are longer than the surface.
+    /// γ; the upper end of `range` if the ridges are longer than half of the surface.
     pub gamma: f64,
-    /// 95 % interval; everything that is possible if the ridges are longer than the surface.
+    /// 95 % interval; everything that is possible if the ridges are longer than half of the surface.
     pub range: [f64; 2],
-    /// Whether the ridges are longer than the surface, so that γ is only bounded.
+    /// Whether the ridges are longer than half of the surface, so that γ is only bounded.
     pub is_bound: bool,
 }
 
@@ -97,7 +97,7 @@ pub enum LayUnknown {
 /// use asperity_core::quantity::Length;
 /// use asperity_roughness::lay::lay_of_rows;
 /// use asperity_roughness::preparation::{Preparation, RoughnessFilter};
-/// // Straight ridges normal to the rows: longer than the surface, so that the lay is bounded only.
+/// // Straight ridges normal to the rows, so that the lay is bounded only.
 /// let [columns, rows] = [1200, 200];
 /// let z: Vec<f64> = (0..columns * rows).map(|k| 1e-7 * (0.5 * ((k % columns) as f64).powf(1.1)).sin()).collect();
 /// let spacings = [Length::from_si(1e-6); 2];
@@ -175,15 +175,17 @@ impl Rows {
             let sums = self.sums(parts)?;
             let mut whole = sums[0].clone();
             sums[1..].iter().for_each(|part| whole.add(part, 1.0));
-            let decays = whole.lags().decays(self.spacings);
-            if !decays.shortest.is_finite() {
+            let decays = whole.lags().half().decays(self.spacings);
+            if !whole.has_heights() {
                 return Ok(Err(LayUnknown::Flat));
             }
             if let Some(unresolved) = self.unresolved(&whole) {
                 return Ok(Err(unresolved));
             }
             let length = self.spacings[0].si() * self.width as f64;
-            let needed = PART_LENGTHS * decays.shortest;
+            // Correlated over more than half of a part, if no decay is within it.
+            let decay = decays.shortest.min(length / parts as f64);
+            let needed = PART_LENGTHS * decay;
             if length >= needed * parts as f64 {
                 return Ok(Ok(found(&decays, &whole, &sums, self.spacings)));
             }
@@ -213,7 +215,7 @@ impl Rows {
 
     /// The reason why neighbours are not close enough, along or across the rows.
     fn unresolved(&self, sums: &LagSums) -> Option<LayUnknown> {
-        let lags = sums.lags();
+        let lags = sums.lags().half();
         let along = [("points", [1.0, 0.0]), ("rows", [0.0, 1.0])];
         let mut lines = along.into_iter().zip(self.spacings);
         lines.find_map(|((lines, direction), spacing)| {
@@ -241,7 +243,7 @@ fn found(decays: &Decays, whole: &LagSums, sums: &[LagSums], spacings: [Length; 
     let without = |part: &LagSums| {
         let mut rest = whole.clone();
         rest.add(part, -1.0);
-        let decays = rest.lags().decays(spacings);
+        let decays = rest.lags().half().decays(spacings);
         of_texture(decays.shortest / decays.longest, decays.along).ln()
     };
     let logarithms: Vec<f64> = sums.iter().map(without).collect();

@@ -37,7 +37,7 @@ impl Normal {
 
 /// White noise of `columns` by `rows` points, smoothed with Gaussian weights of widths [a, b] in points along and across the rows:
 /// its spectrum is elliptical, and the correlation lengths are in the ratio a/b = γ.
-fn smoothed(columns: usize, rows: usize, widths: [f64; 2], seed: u64) -> Vec<f64> {
+pub fn smoothed(columns: usize, rows: usize, widths: [f64; 2], seed: u64) -> Vec<f64> {
     let reach = widths.map(|width| (4.0 * width).ceil() as usize);
     let [wide, high] = [columns + 2 * reach[0], rows + 2 * reach[1]];
     let mut noise = Normal(seed);
@@ -140,7 +140,7 @@ fn missing_points_and_rows_at_other_heights_do_not_change_the_lay() {
 
 /// Sum of waves whose wave vectors have normal components with the standard deviations 1/a across the ridges and 1/b along
 /// them, the ridges turned by `degrees` from the normal of the rows.
-fn waves(rows: usize, [a, b]: [f64; 2], degrees: f64, seed: u64) -> Vec<f64> {
+pub fn waves(rows: usize, [a, b]: [f64; 2], degrees: f64, seed: u64) -> Vec<f64> {
     let mut noise = Normal(seed);
     let (sin, cos) = degrees.to_radians().sin_cos();
     let waves: Vec<[f64; 3]> = (0..300)
@@ -225,4 +225,17 @@ fn a_lay_that_is_not_resolved_is_refused_with_its_reason() {
     // Unevenness from point to point: noise.
     let found = lay(&smoothed(COLUMNS, 100, [0.2, 0.2], 2), COLUMNS, 1e-6).unwrap_err();
     assert!(matches!(found, LayUnknown::TooFarApart { .. }), "{found}");
+}
+
+#[test]
+fn the_bound_of_short_surfaces_holds_the_lay() {
+    for rows in [16, 30, 60, 100] {
+        for seed in 1..=8 {
+            let z = smoothed(COLUMNS, rows, [3.0, 30.0], 100 + seed);
+            let found = lay(&z, COLUMNS, 1e-6).unwrap();
+            let [low, high] = found.range;
+
+            assert!(low < 0.11 && high > 0.085, "{rows} rows: {found:?}");
+        }
+    }
 }

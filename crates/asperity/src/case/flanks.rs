@@ -12,6 +12,7 @@ use super::files::{FileSums, Files, Reader};
 use super::flank_pairs::{Meeting, all_placed, on_common_spacing};
 use super::flank_sample::{self, Listed};
 use super::flank_trace::{Context, Flank, Keys, flank, keys_of, traces_of};
+use super::lay::{Lays, lays};
 use super::model::Formulation;
 use super::resolve::Case;
 use super::section::domain;
@@ -31,6 +32,8 @@ pub(super) struct Flanks {
     pub sampled: Option<Arc<SampledFlanks>>,
     /// Form of each gear, the mean of its traces, if its relief is taken from them.
     pub forms: [Option<MeasuredForm>; 2],
+    /// Lay of each flank.
+    pub lays: Arc<Lays>,
     /// Places y/b between zones of the face with separate traces.
     pub zones: Vec<f64>,
     pub warnings: Vec<Warning>,
@@ -127,6 +130,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
         let mut seen = std::collections::BTreeSet::new();
         warnings.retain(|warning| seen.insert(warning.to_string()));
     }
+    let lays = lays(context, &lists, &flanks, &keys, &mut warnings);
     let is_placed = all_placed(&flanks, &mut warnings);
     let width = case.gears.face_width;
     let zones = flank_sample::zones([&lists[0], &lists[1]], width);
@@ -176,6 +180,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
         reports: Arc::new(reports),
         sampled,
         forms,
+        lays: Arc::new(lays),
         zones,
         warnings,
         assumed,

@@ -40,6 +40,7 @@ mod input;
 mod key_names;
 mod known_keys;
 mod law_names;
+mod lay;
 mod loaded;
 mod micropitting_input;
 mod model;

@@ -515,6 +515,7 @@ mod tests {
             low,
             high,
             measured: None,
+            lays: None,
         }
     }
 
