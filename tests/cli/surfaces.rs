@@ -79,7 +79,7 @@ fn a_surface_gives_a_row_or_its_mean() {
         "--line mean",
     ]);
     assert!(
-        none.out.contains("Sq ") && none.out.contains("lay = "),
+        none.out.contains("Sq ") && none.out.contains("lay of traces along the rows"),
         "{}",
         none.out
     );
@@ -212,6 +212,100 @@ fn the_lay_of_a_surface_replaces_the_assumed_one() {
         .well();
     assert!(said.out.contains("lay  pinion 0."), "{}", said.out);
     assert!(!said.out.contains("W444"), "{}", said.out);
+}
+
+#[test]
+fn rows_of_too_many_pairs_are_fewer_and_still_spread_evenly() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("flank.sur", digital_surf(&changing(6000, 40, 0.9), 4.0));
+    let checked = |rows: [usize; 2]| {
+        let flank = |rows: usize| format!("{{ file = \"flank.sur\", rows = {rows} }}");
+        let case = with_line("pinion", &format!("pinion = {}", flank(rows[0])));
+        let wheel = format!("surface.wheel={}", flank(rows[1]));
+        bench.write("case.toml", case);
+        let said = bench.run(&["check", "case.toml", "--set", &wheel, "--json"]);
+        let said = said.well().json();
+        let mut warnings = said["warnings"].as_array().unwrap().iter();
+        let left_out = warnings.find(|warning| warning["code"] == "W427");
+        (
+            said["traced"][0]["teeth"].clone(),
+            left_out.map(|warning| warning["text"].to_string()),
+        )
+    };
+    assert_eq!(checked([8, 8]), (serde_json::json!([8, 8]), None));
+    let (teeth, text) = checked([20, 32]);
+    assert_eq!(teeth, serde_json::json!([8, 8]));
+    let says = "8 rows spread evenly of the pinion and 8 rows spread evenly of the wheel";
+    assert!(text.is_some_and(|text| text.contains(says)));
+    assert_eq!(checked([40, 2]).0, serde_json::json!([32, 2]));
+}
+
+/// Another surface of the kind of a measured one has its roughness, and is read by a case.
+#[test]
+fn a_surface_is_generated_like_a_measured_one() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("flank.sur", digital_surf(&changing(3000, 60, 0.8), 2.0));
+    let like = |seed: &str, output: &str| {
+        let run = [
+            "profile",
+            "generate",
+            "--like",
+            "flank.sur",
+            "--seed",
+            seed,
+            "-o",
+            output,
+            "--json",
+        ];
+        bench.run(&run).well().json()
+    };
+    let made = like("3", "three.x3p");
+    like("4", "four.x3p");
+    like("3", "again.x3p");
+    let bytes = |name: &str| std::fs::read(bench.path(name)).unwrap();
+    assert_eq!(bytes("three.x3p"), bytes("again.x3p"));
+    assert_ne!(bytes("three.x3p"), bytes("four.x3p"));
+    let shown = |name: &str| {
+        let said = bench.run(&["profile", "info", name, "--json"]);
+        serde_json::from_str::<serde_json::Value>(&said.out).unwrap()
+    };
+    let (measured, made_again) = (shown("flank.sur"), shown("three.x3p"));
+    for key in ["columns", "rows", "dx_um", "dy_um"] {
+        assert_eq!(measured[key], made_again[key], "{key}");
+    }
+    let sq = |value: &serde_json::Value| value["areal"]["sq"].as_f64().unwrap();
+    assert!((sq(&made_again) / sq(&measured) - 1.0).abs() < 0.15);
+    assert_eq!(made["achieved"]["sq"], made_again["areal"]["sq"]);
+    let case = with_line("pinion", "pinion = { file = \"three.x3p\", rows = 2 }");
+    bench.write("case.toml", case);
+    bench.run(&["check", "case.toml"]).well();
+    let said = bench.run(&[
+        "profile",
+        "generate",
+        "--like",
+        "flank.sur",
+        "-o",
+        "other.csv",
+    ]);
+    said.refused(2, "E401", &["name it .x3p"]);
+    bench.write("short.sur", digital_surf(&changing(2000, 60, 0.8), 2.0));
+    let both = [
+        "profile",
+        "generate",
+        "--like",
+        "flank.sur",
+        "--like",
+        "short.sur",
+        "-o",
+        "o.x3p",
+    ];
+    bench.run(&both).refused(
+        2,
+        "E120",
+        &["short.sur: its rows, points or their distances differ"],
+    );
 }
 
 #[test]

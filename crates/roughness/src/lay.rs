@@ -147,7 +147,14 @@ pub fn lay_of_rows(
 }
 
 /// The heights of a row with linear bridges over missing ones; `None` if fewer than half of them are known.
-fn bridged(row: &[f64]) -> Option<Vec<f64>> {
+///
+/// ```
+/// use asperity_roughness::lay::bridged;
+/// assert_eq!(bridged(&[f64::NAN, 1.0, f64::NAN, 3.0]), Some(vec![1.0, 1.0, 2.0, 3.0]));
+/// assert_eq!(bridged(&[f64::NAN, f64::NAN, 1.0]), None);
+/// ```
+#[must_use]
+pub fn bridged(row: &[f64]) -> Option<Vec<f64>> {
     let known: Vec<[f64; 2]> = row
         .iter()
         .enumerate()
