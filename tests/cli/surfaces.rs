@@ -1,5 +1,7 @@
 //! Surfaces of instruments in the command and in cases.
 
+use asperity::core::quantity::Length;
+
 use crate::bench::{Bench, heights, rows, trace, with_line};
 
 /// A Digital Surf file of `count` rows of `points` points, 0.5 um apart, of this kind of content.
@@ -275,7 +277,10 @@ fn a_surface_is_generated_like_a_measured_one() {
     for key in ["columns", "rows", "dx_um", "dy_um"] {
         assert_eq!(measured[key], made_again[key], "{key}");
     }
-    let sq = |value: &serde_json::Value| value["areal"]["sq"].as_f64().unwrap();
+    let sq = |value: &serde_json::Value| {
+        let sq: Length = serde_json::from_value(value["areal"]["sq"].clone()).unwrap();
+        sq.si()
+    };
     assert!((sq(&made_again) / sq(&measured) - 1.0).abs() < 0.15);
     assert_eq!(made["achieved"]["sq"], made_again["areal"]["sq"]);
     let case = with_line("pinion", "pinion = { file = \"three.x3p\", rows = 2 }");
@@ -314,7 +319,7 @@ fn a_lay_that_a_surface_does_not_show_stays_assumed_and_is_named() {
     bench.write_flanks();
     for (count, dy, kept, says) in [
         (3, 0.5, 0.9, "3 rows with heights are too few"),
-        (80, 40.0, 0.1, "the rows are 40.00 um apart"),
+        (80, 40.0, 0.1, "the rows are 40 um apart"),
         (
             6,
             0.5,
