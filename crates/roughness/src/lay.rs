@@ -99,7 +99,7 @@ pub enum LayUnknown {
 /// use asperity_roughness::preparation::{Preparation, RoughnessFilter};
 /// // Straight ridges normal to the rows, so that the lay is bounded only.
 /// let [columns, rows] = [1200, 200];
-/// let z: Vec<f64> = (0..columns * rows).map(|k| 1e-7 * (0.5 * ((k % columns) as f64).powf(1.1)).sin()).collect();
+/// let z: Vec<f64> = (0..columns * rows).map(|k| 1e-7 * (0.2 * ((k % columns) as f64).powf(1.05)).sin()).collect();
 /// let spacings = [Length::from_si(1e-6); 2];
 /// let lay = lay_of_rows(&z, columns, spacings, &Preparation::default(), RoughnessFilter::Gaussian)?.unwrap();
 /// assert!(lay.is_bound && lay.gamma < 0.05);
@@ -209,6 +209,8 @@ impl Rows {
     /// Sums over the lags of equal parts of the rows.
     fn sums(&self, parts: usize) -> Result<Vec<LagSums>, RoughnessError> {
         let width = self.width / parts;
+        // Without large prime factors, for the transforms.
+        let width = width - width % (1 << (width / 16).max(1).ilog2());
         let part = |k: usize| {
             let heights = |row: &Option<Vec<f64>>| match row {
                 Some(row) => row[k * width..(k + 1) * width].to_vec(),

@@ -142,7 +142,7 @@ fn eighteen_of_twenty_parameters_are_those_of_surfaces_left_out() {
 fn seeds_differ_and_repeat_and_ridges_keep_their_direction() {
     let z = crate::lay::waves(ROWS, [3.0, 30.0], 20.0, 9);
     let columns = z.len() / ROWS;
-    let fit = FittedSurface::to(&[z.clone()], columns, SPACINGS).unwrap();
+    let fit = FittedSurface::to(std::slice::from_ref(&z), columns, SPACINGS).unwrap();
     let made = fit.generate(3);
     assert_eq!(made, fit.generate(3));
     assert_ne!(made, fit.generate(4));

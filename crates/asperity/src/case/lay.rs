@@ -97,11 +97,8 @@ pub(super) fn lays(
         };
         let shared = measured[0] == measured[1];
         let of = if shared { "flanks" } else { name };
-        if let Some(warning) = found.as_ref().and_then(|found| found.warning(of)) {
-            if body == 0 || !shared {
-                warnings.push(warning);
-            }
-        }
+        let warning = found.as_ref().and_then(|found| found.warning(of));
+        warnings.extend(warning.filter(|_| body == 0 || !shared));
         texts.push(format!("{name} {text}"));
     }
     texts.dedup_by(|second, first| second.strip_prefix("wheel") == first.strip_prefix("pinion"));
