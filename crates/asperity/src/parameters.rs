@@ -4,7 +4,7 @@
 //! |---|---|---|---|---|
 //! | boundary friction μ_b | 0.066 | 0.09 | 0.123 | lognormal |
 //! | boundary layer h_b | 5 nm | 10 nm | 20 nm | lognormal |
-//! | lay γ | 0.008 | 1/12 | 0.158 | uniform, 0 to 1/6 |
+//! | lay γ, mean of both flanks | 0.008 | 1/12 | 0.158 | uniform, 0 to 1/6; lognormal where a surface shows it |
 //! | limiting shear stress over pressure Λ | -13 % | of the family | +15 % | lognormal |
 //! | Eyring stress τ₀ | low of the family | √(low high) | its high | lognormal |
 //! | pressure-viscosity α, where it is estimated | -15 % | the estimate | +18 % | lognormal |
@@ -24,9 +24,8 @@
 //! The distributions are estimates of this project; measured losses bracket τ₀ of polyalphaolefin. Constants that the
 //! case states are not drawn: their user has measured them.
 
-use asperity_core::numerics::{Z_95, Z_975, standard_normal_below};
+use asperity_core::numerics::{Z_95, Z_975};
 use asperity_core::quantity::{Length, PerKelvin, Pressure, PressureViscosity, Temperature};
-use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_oil::{
     LIMITING_SHEAR_BAND, PRESSURE_VISCOSITY_BAND, ShearLawName, TractionConstants,
     eyring_stress_band,
@@ -35,6 +34,7 @@ use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_B
 
 use crate::case::{Calibrated, CalibratedName, Case, FittedName, LoadedCase};
 use crate::error::{Error, PositionError};
+use crate::flanks::flank_lay::{FlankLay, mean_at, with_mean};
 use asperity_mixed_film::InletSupply;
 use serde::{Deserialize, Serialize};
 
@@ -52,8 +52,6 @@ pub(crate) const AXES: [UncertainParameter; 9] = [
     UncertainParameter::TemperatureError,
 ];
 
-/// Upper end of the lay of ground and superfinished flanks, whose ridges run nearly across the face.
-const MOST_LAY: f64 = 1.0 / 6.0;
 /// An uncertain constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -62,7 +60,7 @@ pub enum UncertainParameter {
     BoundaryFriction,
     /// Thickness of the boundary layer h_b \[m\].
     BoundaryLayer,
-    /// Lay γ of both flanks.
+    /// Lay γ, mean of both flanks.
     Lay,
     /// Limiting shear stress over pressure Λ.
     LimitingShear,
@@ -88,6 +86,8 @@ pub(crate) enum Measured {
     Calibration,
     /// Traction curves, in an oil file.
     OilFile,
+    /// The surfaces of both flanks.
+    Surfaces,
 }
 
 /// A constant with its distribution in a case.
@@ -102,6 +102,9 @@ pub(crate) struct Ranged {
     /// Measurements that state value and range.
     #[serde(rename = "calibrated")]
     pub measured: Option<Measured>,
+    /// Lays of both flanks, whose mean is the value; `None` for another constant, and if both are assumed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lays: Option<[FlankLay; 2]>,
 }
 
 impl From<CalibratedName> for UncertainParameter {
@@ -167,6 +170,7 @@ impl UncertainParameter {
         let found = match measured {
             Measured::Calibration => of_calibration(),
             Measured::OilFile => of_file(),
+            Measured::Surfaces => None,
         };
         found.unwrap_or(0.0)
     }
@@ -268,6 +272,7 @@ impl UncertainParameter {
                 low,
                 high,
                 measured: Some(measured),
+                lays: None,
             }));
         }
         let range = |value: f64, [low, high]: [f64; 2]| {
@@ -277,6 +282,7 @@ impl UncertainParameter {
                 low,
                 high,
                 measured: None,
+                lays: None,
             })
         };
         Ok(match (self, constants) {
@@ -288,8 +294,17 @@ impl UncertainParameter {
                 BOUNDARY_LAYER_BAND.map(Length::si),
             ),
             (Self::Lay, _) => {
-                let ends = [-Z_95, Z_95].map(|z| MOST_LAY * standard_normal_below(z));
-                range(case.model.lay[0].gamma(), ends)
+                let lays = loaded.flank_lays();
+                let [low, value, high] = [-Z_95, 0.0, Z_95].map(|z| mean_at(lays, z));
+                let is_measured = lays.map(|lay| lay != FlankLay::ASSUMED);
+                Some(Ranged {
+                    kind: self,
+                    value,
+                    low,
+                    high,
+                    measured: (is_measured == [true; 2]).then_some(Measured::Surfaces),
+                    lays: is_measured.contains(&true).then_some(lays),
+                })
             }
             (Self::PressureViscosity, _) => {
                 let value = case.oil.pressure_viscosity.si();
@@ -333,6 +348,7 @@ impl Ranged {
     /// v = v₀ exp(s± z),  s± = ln(v±/v₀)/z₉₅;  lay: v = Φ(z)/6;  b_L, ΔT: v = v₀ + |v± − v₀| z/z₉₅   [Constant-draw]
     /// ```
     ///
+    /// The lay is the mean of both flanks; measured on a surface it is v₀ exp(s± z), at most 1, or uniform up to its bound.
     /// v± are the 5 % and 95 % quantiles, on either side of v₀ its own; z₉₅ = 1.645, and 1.960 of a measured constant.
     pub(crate) fn at(&self, z: f64) -> f64 {
         asperity_core::cite!("Constant-draw");
@@ -342,7 +358,7 @@ impl Ranged {
             None => Z_95,
         };
         match self.kind {
-            UncertainParameter::Lay => MOST_LAY * standard_normal_below(z),
+            UncertainParameter::Lay => mean_at(self.lays.unwrap_or([FlankLay::ASSUMED; 2]), z),
             UncertainParameter::LimitingShearTemperature | UncertainParameter::TemperatureError => {
                 self.value + (end - self.value).abs() * z / z_end
             }
@@ -371,7 +387,7 @@ impl UncertainParameter {
         match self {
             Self::BoundaryFriction => case.model.boundary_friction = value,
             Self::BoundaryLayer => case.model.boundary_layer = Length::from_si(value),
-            Self::Lay => case.model.lay = [Lay::new(value)?; 2],
+            Self::Lay => loaded.case.model.lay = with_mean(loaded.flank_lays(), value)?,
             Self::LimitingShear => set_traction(loaded, |constants| {
                 constants.limiting_shear = value;
             })?,
@@ -476,6 +492,7 @@ mod tests {
             low: 0.066,
             high: 0.123,
             measured,
+            lays: None,
         };
         let prior = of(UncertainParameter::BoundaryFriction, None);
         assert!(

@@ -349,6 +349,11 @@ fn solver_notes(result: &RunResult) -> Vec<String> {
     if s.offsets > 1 && result.uncertainty.is_none() && result.pairs.is_none() {
         lines.push(format!("spread  over {} profile offsets", s.offsets));
     }
+    let mut defaults = result.defaults.iter();
+    let lay = defaults.find(|default| default.key == "model.lay");
+    if let Some(origin) = lay.and_then(|lay| lay.source.as_deref()) {
+        lines.push(format!("lay  {origin}"));
+    }
     let work = result.running_in.energy_per_engagement_j;
     if work > 0.0 {
         let counted = match result.running_in.included {

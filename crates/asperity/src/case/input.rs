@@ -384,7 +384,8 @@ table! {
     gaps: Option<Gaps>;
     /// Number of the profile in a file that holds several (a row of a surface), counted from 1.
     row: Option<usize>;
-    /// Number of rows of the surface in `file` that are taken as traces, spread evenly, each a tooth of its own.
+    /// Number of rows of the surface in `file` that are taken as traces, spread evenly, each a tooth of its own; fewer if they make
+    /// more than 64 pairs with those of the other flank.
     #[serde(skip_serializing_if = "Option::is_none")]
     rows: Option<usize>;
     /// Trace taken from a surface: `row` (default) or `column`, with their number in `row`, or `mean` of all rows

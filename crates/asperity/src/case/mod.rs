@@ -41,6 +41,7 @@ mod input;
 mod key_names;
 mod known_keys;
 mod law_names;
+mod lay;
 mod loaded;
 mod loaded_train;
 mod micropitting_input;

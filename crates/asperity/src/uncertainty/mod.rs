@@ -309,6 +309,7 @@ fn parts(
     let constants = constants.map(|(k, ranged)| {
         let remedy = match ranged.kind {
             Constant::BoundaryFriction | Constant::BoundaryLayer => RIG,
+            Constant::Lay if ranged.measured.is_some() => "longer areal scans of the flanks",
             Constant::Lay => "an areal scan of the flank: model.lay",
             Constant::LimitingShear | Constant::EyringStress if ranged.measured.is_none() => {
                 TRACTION

@@ -555,6 +555,7 @@ mod tests {
             low,
             high,
             measured: None,
+            lays: None,
         }
     }
 
