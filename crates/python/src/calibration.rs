@@ -11,6 +11,7 @@ use asperity_report::StudyResult;
 use pyo3::prelude::*;
 
 use crate::case::Case;
+use crate::choices::named;
 use crate::failure::{self, Failure};
 use crate::work::{alone, in_parallel};
 
@@ -33,8 +34,8 @@ pub fn calibrate(
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Calibration> {
-    let held = hold.iter().map(|key| parameter(key));
-    let held = held.collect::<Result<Vec<_>, Failure>>()?;
+    let held = hold.iter().map(|key| named("hold", key));
+    let held = held.collect::<Result<Vec<CalibratedName>, Failure>>()?;
     let beside = beside.map(|case| case.pair().cloned()).transpose()?;
     let given = cases
         .into_iter()
@@ -68,16 +69,6 @@ pub fn calibrate(
         };
         let files = RigFiles::of_text(&name, text, case)?;
         Ok(Calibration(files.calibrate(&held, &watch)?))
-    })
-}
-
-fn parameter(key: &str) -> Result<CalibratedName, Failure> {
-    let found = CalibratedName::ALL
-        .into_iter()
-        .find(|name| name.key() == key);
-    found.ok_or_else(|| {
-        let known = CalibratedName::ALL.map(CalibratedName::key).join(", ");
-        Failure::new("E204", format!("hold: {key}: must be one of {known}"))
     })
 }
 

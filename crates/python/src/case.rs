@@ -10,6 +10,7 @@ use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_s
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
 use asperity::gear_train::run_train;
+use asperity::message::Warning;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
 use asperity::result::gear_report;
@@ -17,6 +18,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
 
+use crate::choices::{Detail, named};
 use crate::contact::found;
 use crate::failure::{self, Failure};
 use crate::outcome::{Found, Outcome};
@@ -67,16 +69,8 @@ pub fn schema(kind: &str) -> PyResult<String> {
     Ok(failure::json(&schema)?)
 }
 
-fn reading(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
-    match name {
-        None => Ok(None),
-        Some("corrected") => Ok(Some(Formulation::Corrected)),
-        Some("paper") => Ok(Some(Formulation::Paper)),
-        Some(other) => {
-            let message = format!("formulation: {other}: must be corrected or paper");
-            Err(Failure::new("E204", message))
-        }
-    }
+fn formulation_of(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
+    name.map(|name| named("formulation", name)).transpose()
 }
 
 /// Film and regime of a mesh.
@@ -84,6 +78,12 @@ fn reading(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
 struct MeshRegime {
     title: String,
     rows: Vec<RegimeRow>,
+}
+
+/// Warnings of all meshes.
+fn of_meshes(train: &Train) -> Vec<&Warning> {
+    let each = train.loaded.meshes();
+    each.flat_map(|mesh| &mesh.case.warnings).collect()
 }
 
 impl Case {
@@ -143,7 +143,7 @@ impl Case {
         keys: Vec<(String, String)>,
         formulation: Option<&str>,
     ) -> PyResult<Self> {
-        let formulation = reading(formulation)?;
+        let formulation = formulation_of(formulation)?;
         alone(py, || {
             let source = open_source(&path)?;
             let folder = path.parent().unwrap_or(Path::new("."));
@@ -160,7 +160,7 @@ impl Case {
         traces: Traces<'_>,
         formulation: Option<&str>,
     ) -> PyResult<Self> {
-        let formulation = reading(formulation)?;
+        let formulation = formulation_of(formulation)?;
         let held = profiles(&traces);
         alone(py, || {
             let source = Source::new("case.json", text).map_err(asperity::Error::from)?;
@@ -245,7 +245,10 @@ impl Case {
             Kind::Train(train) => train.loaded.mesh(name),
         };
         let mesh = found.ok_or_else(|| {
-            Failure::new("E205", format!("the case has no mesh {name:?}; meshes names them"))
+            Failure::new(
+                "E205",
+                format!("the case has no mesh {name:?}; meshes names them"),
+            )
         })?;
         Ok(Self {
             kind: Kind::Pair(mesh.case.clone().into()),
@@ -257,9 +260,11 @@ impl Case {
     fn meshes(&self) -> Vec<String> {
         match &self.kind {
             Kind::Pair(_) => Vec::new(),
-            Kind::Train(train) => {
-                train.loaded.meshes().map(|mesh| mesh.name.clone()).collect()
-            }
+            Kind::Train(train) => train
+                .loaded
+                .meshes()
+                .map(|mesh| mesh.name.clone())
+                .collect(),
         }
     }
 
@@ -283,17 +288,23 @@ impl Case {
                 "defaults": loaded.case.defaults,
                 "warnings": loaded.warnings,
             }),
-            Kind::Train(train) => {
-                let warnings = train.loaded.meshes().flat_map(|mesh| &mesh.case.warnings);
-                json!({
-                    "title": train.loaded.title,
-                    "inputs": train.loaded.input,
-                    "defaults": train.loaded.defaults,
-                    "warnings": warnings.collect::<Vec<_>>(),
-                })
-            }
+            Kind::Train(train) => json!({
+                "title": train.loaded.title,
+                "inputs": train.loaded.input,
+                "defaults": train.loaded.defaults,
+                "warnings": of_meshes(train),
+            }),
         };
         Ok(failure::json(&about)?)
+    }
+
+    /// Warnings about the files as JSON.
+    #[getter]
+    fn warnings(&self) -> PyResult<String> {
+        Ok(match &self.kind {
+            Kind::Pair(loaded) => failure::json(&loaded.warnings)?,
+            Kind::Train(train) => failure::json(&of_meshes(train))?,
+        })
     }
 
     /// The case as the text of a case file.
@@ -310,39 +321,36 @@ impl Case {
         threads: Option<usize>,
         progress: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Outcome> {
+        let detail: Detail = named("detail", detail)?;
         in_parallel(py, threads, progress.as_ref(), |told| {
             let shown = |done, total| told.tell(done, total);
             let found = match (&self.kind, detail) {
-                (Kind::Train(train), "fields") => {
+                (Kind::Train(train), Detail::Fields) => {
                     Found::Train(run_train(&train.loaded, &KeptFields::All, band, &shown)?.into())
                 }
                 (Kind::Train(_), _) => {
                     let message = "a case of several meshes is run only with detail = \"fields\"";
                     return Err(Failure::new("E205", message));
                 }
-                (Kind::Pair(loaded), "losses") => {
+                (Kind::Pair(loaded), Detail::Losses) => {
                     let program = concat!("asperity ", env!("CARGO_PKG_VERSION"));
                     let losses = Run::new(loaded).progress(&shown).losses()?;
                     Found::Losses(program, loaded.case.title.clone(), losses.into())
                 }
-                (Kind::Pair(loaded), "contacts") => Found::Whole(
+                (Kind::Pair(loaded), Detail::Contacts) => Found::Whole(
                     Run::new(loaded)
                         .progress(&shown)
                         .without_pictures()
                         .execute()?
                         .into(),
                 ),
-                (Kind::Pair(loaded), "fields") => Found::Whole(
+                (Kind::Pair(loaded), Detail::Fields) => Found::Whole(
                     Run::new(loaded)
                         .band(band)
                         .progress(&shown)
                         .execute()?
                         .into(),
                 ),
-                (_, other) => {
-                    let message = format!("detail: {other}: must be losses, contacts or fields");
-                    return Err(Failure::new("E204", message));
-                }
             };
             Ok(Outcome(Arc::new(found)))
         })

@@ -4,6 +4,7 @@
 mod arrays;
 mod calibration;
 mod case;
+mod choices;
 mod contact;
 mod ehl;
 mod failure;
@@ -27,6 +28,8 @@ mod _asperity {
     #[pymodule_export]
     use super::case::{Case, schema};
     #[pymodule_export]
+    use super::choices::choices;
+    #[pymodule_export]
     use super::contact::{press_flanks, solve_contact, subsurface_stress};
     #[pymodule_export]
     use super::ehl::ehl;
@@ -43,7 +46,7 @@ mod _asperity {
     #[pymodule_export]
     use super::stored::{read_result, summary};
     #[pymodule_export]
-    use super::studies::{Comparison, Map, Sensitivity, compare, map, read_map, sensitivity};
+    use super::studies::{Comparison, Map, Sensitivity, axis, compare, map, read_map, sensitivity};
     #[pymodule_export]
     use super::sweep::Cases;
     #[pymodule_export]

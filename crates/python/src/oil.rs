@@ -17,6 +17,7 @@ use asperity_report::{ReportError, StudyResult};
 use pyo3::prelude::*;
 
 use crate::case::Case;
+use crate::choices::{ProbeOfOil, ZeroOfCurves, named};
 use crate::failure::{self, Failure};
 use crate::work::{alone, in_parallel};
 
@@ -98,14 +99,10 @@ fn machine((ball, second, roughness): Specimens) -> Result<Machine, Failure> {
 type Errors = (String, f64, f64);
 
 fn errors((zero, relative, floor): Errors) -> Result<(Zero, PointErrors), Failure> {
-    let zero = match zero.as_str() {
-        "curve" => Zero::Curve,
-        "common" => Zero::Common,
-        "none" => Zero::None,
-        other => {
-            let message = format!("zero: {other}: must be curve, common or none");
-            return Err(Failure::new("E204", message));
-        }
+    let zero = match named("zero", &zero)? {
+        ZeroOfCurves::Curve => Zero::Curve,
+        ZeroOfCurves::Common => Zero::Common,
+        ZeroOfCurves::None => Zero::None,
     };
     let is_valid = |value: f64| value > 0.0 && value < 1.0;
     match is_valid(relative) && is_valid(floor) {
@@ -125,13 +122,9 @@ fn readings(
     machine: &Machine,
     column: &str,
 ) -> Result<(Vec<Reading>, Vec<[String; 2]>), Failure> {
-    let probe = match column {
-        "lube" => Probe::Lube,
-        "pot" => Probe::Pot,
-        other => {
-            let message = format!("temperature_column: {other}: must be lube or pot");
-            return Err(Failure::new("E204", message));
-        }
+    let probe = match named("temperature_column", column)? {
+        ProbeOfOil::Lube => Probe::Lube,
+        ProbeOfOil::Pot => Probe::Pot,
     };
     let (mut all, mut sources) = (Vec::new(), Vec::new());
     for (name, text) in tables {
@@ -157,7 +150,7 @@ pub fn oils() -> PyResult<String> {
     Ok(failure::json(&oils.iter().map(row).collect::<Vec<_>>())?)
 }
 
-/// Predicts traction curves; load, speed and temperatures in SI units.
+/// Predicts traction curves; load and speed in SI units, temperatures in °C.
 #[pyfunction]
 pub fn oil_traction(
     py: Python<'_>,
@@ -177,7 +170,10 @@ pub fn oil_traction(
         load: Force::from_si(load),
         mean_speed: Speed::from_si(speed),
         slide_to_roll,
-        temperatures: temperatures.into_iter().map(Temperature::from_si).collect(),
+        temperatures: temperatures
+            .into_iter()
+            .map(Temperature::from_celsius)
+            .collect(),
         boundary_friction: BOUNDARY_FRICTION,
     };
     in_parallel(py, threads, None, |_| {

@@ -15,6 +15,7 @@ use pyo3::types::PyDict;
 
 use crate::arrays::owned;
 use crate::case::Case;
+use crate::choices::{Band, named};
 use crate::failure::{self, Failure};
 use crate::work::{alone, in_parallel};
 
@@ -115,21 +116,10 @@ impl Sensitivity {
 #[pyclass(frozen, module = "asperity._asperity")]
 pub struct Map(mapping::Map);
 
-/// Nodes of an axis: numbers, or a text as the command takes it.
-#[derive(FromPyObject)]
-pub enum Nodes {
-    /// Numbers.
-    Numbers(Vec<f64>),
-    /// `10..100:5`
-    Text(String),
-}
-
-fn nodes(given: Option<Nodes>, default: impl FnOnce() -> Vec<f64>) -> Result<Vec<f64>, Failure> {
-    match given {
-        None => Ok(default()),
-        Some(Nodes::Numbers(numbers)) => Ok(numbers),
-        Some(Nodes::Text(text)) => Ok(mapping::axis(&text)?),
-    }
+/// Nodes of a range such as `10..100:5`.
+#[pyfunction]
+pub fn axis(text: &str) -> PyResult<Vec<f64>> {
+    Ok(mapping::axis(text).map_err(Failure::from)?)
 }
 
 /// Maps cases by the names of their finishes over torque in N m, speed in 1/min and temperature in °C.
@@ -137,32 +127,28 @@ fn nodes(given: Option<Nodes>, default: impl FnOnce() -> Vec<f64>) -> Result<Vec
 #[expect(clippy::too_many_arguments, reason = "those of the function in Python")]
 pub fn map(
     py: Python<'_>,
-    named: Vec<(String, PyRef<'_, Case>)>,
-    torque: Option<Nodes>,
-    speed: Option<Nodes>,
-    temperature: Option<Nodes>,
+    of_finishes: Vec<(String, PyRef<'_, Case>)>,
+    torque: Option<Vec<f64>>,
+    speed: Option<Vec<f64>>,
+    temperature: Option<Vec<f64>>,
     band: &str,
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Map> {
-    let finishes = finishes(named)?;
+    let finishes = finishes(of_finishes)?;
     let Some(first) = finishes.first() else {
         return Err(Failure::new("E205", "a map needs a case").into());
     };
     let case = &first.case.case;
     let axes = Axes::new(
-        &nodes(torque, || Axes::default_torque(case))?,
-        &nodes(speed, || Axes::default_speed(case))?,
-        &nodes(temperature, || Axes::default_temperature(case))?,
+        &torque.unwrap_or_else(|| Axes::default_torque(case)),
+        &speed.unwrap_or_else(|| Axes::default_speed(case)),
+        &temperature.unwrap_or_else(|| Axes::default_temperature(case)),
     )
     .map_err(Failure::from)?;
-    let band = match band {
-        "none" => MapBand::None,
-        "nodes" => MapBand::Nodes,
-        other => {
-            let message = format!("band = {other:?}: \"none\" or \"nodes\"");
-            return Err(Failure::new("E205", message).into());
-        }
+    let band = match named("band", band)? {
+        Band::None => MapBand::None,
+        Band::Nodes => MapBand::Nodes,
     };
     in_parallel(py, threads, progress.as_ref(), |told| {
         let found = mapping::map(&finishes, &axes, band, &|done, total| {
@@ -181,7 +167,7 @@ pub fn read_map(py: Python<'_>, folder: PathBuf) -> PyResult<Map> {
 type Column = (&'static str, fn(&Numbers) -> Option<f64>);
 
 /// The numbers of a point.
-const COLUMNS: [Column; 16] = [
+pub const COLUMNS: [Column; 16] = [
     ("loss_w", |n| Some(n.loss_w)),
     ("loss_median_w", |n| n.loss_median_w),
     ("loss_p05_w", |n| Some(n.loss_quantiles_w?[0])),
@@ -273,22 +259,7 @@ impl Map {
         added: Option<PathBuf>,
         drive: Option<PathBuf>,
     ) -> PyResult<Vec<(PathBuf, Vec<u8>)>> {
-        let format = match format {
-            "csv" => Format::Csv,
-            "vecto" => Format::Vecto,
-            "modelica" => Format::Modelica,
-            "matlab" => Format::Matlab,
-            "fmu" => Format::Fmu,
-            "co2mpas" => Format::Co2mpas,
-            "fastsim" => Format::Fastsim,
-            "advisor" => Format::Advisor,
-            other => {
-                let message = format!(
-                    "format: {other}: must be csv, vecto, modelica, matlab, fmu, co2mpas, fastsim or advisor"
-                );
-                return Err(Failure::new("E204", message).into());
-            }
-        };
+        let format: Format = named("format", format)?;
         alone(py, || {
             let added = match &added {
                 Some(file) => {

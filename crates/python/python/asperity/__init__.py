@@ -1,10 +1,11 @@
 """Mesh efficiency of gears from measured roughness.
 
-Numbers are in SI units; text with a unit (``"1.8 mm"``) and quantities of pint are taken as well. Results name their
-units: ``loss_w``, ``film_minimum_um``. Errors are `AsperityError` with ``code``, ``help`` and ``place``.
+A number has the unit that its name states, in arguments (``torque_nm=145``) and results (``loss_w``, ``film_minimum_um``);
+a name without a unit takes text with a unit (``torque="145 N m"``) or a quantity of pint. Arrays of profiles, contacts and
+laws are in SI units. Errors are `AsperityError`, warnings `AsperityWarning`, with ``code`` and ``help``.
 
     import asperity
-    case = asperity.Case("case.toml")
+    case = asperity.Case("case.toml", torque_nm=145)
     result = case.run()
     result.loss_w, result.path.lambda_star, result.to_pandas()
 """
@@ -20,20 +21,21 @@ from ._case import Case
 from ._compare import Comparison, compare
 from ._contact import Contact, Stress, press_flanks, solve_contact, subsurface_stress
 from ._ehl import EhlRecord, ehl
-from ._errors import AsperityError, Place
+from ._errors import AsperityError, AsperityWarning, Place
 from ._html import Chart
 from ._laws import film_thickness, friction_coefficient, hertz, thermal_reduction
 from ._map import Map, map, read_map
 from ._oil import OilFit, OilPlan, Stribeck, Traction, oil_fit, oil_plan, oil_traction, oils, stribeck
 from ._profile import Parameters, Parts, Profile, generate, read_profile
 from ._record import Record, Table
-from ._result import Fields, Regime, RunResult
+from ._result import Fields, Path, Regime, RunResult, Summary
 from ._sensitivity import Sensitivity, sensitivity
 from ._stored import read_result
 from ._sweep import Sweep, sweep
 
 __all__ = [
     "AsperityError",
+    "AsperityWarning",
     "Calibration",
     "Case",
     "Chart",
@@ -47,6 +49,7 @@ __all__ = [
     "OilPlan",
     "Parameters",
     "Parts",
+    "Path",
     "Place",
     "Profile",
     "Record",
@@ -55,6 +58,7 @@ __all__ = [
     "Sensitivity",
     "Stress",
     "Stribeck",
+    "Summary",
     "Sweep",
     "Table",
     "Traction",

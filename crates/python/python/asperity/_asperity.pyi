@@ -11,7 +11,7 @@ _Floats = NDArray[np.float64]
 _Marks = NDArray[np.bool_]
 _Path = Union[str, PathLike[str]]
 _Traces = list[tuple[str, Trace]]
-_Nodes = Union[None, str, list[float]]
+_Nodes = Optional[list[float]]
 _Oil = Union[str, Case]
 _Specimens = tuple[float, Optional[float], float]
 _Errors = tuple[str, float, float]
@@ -29,7 +29,9 @@ __all__ = [
     "Sensitivity",
     "Trace",
     "__version__",
+    "axis",
     "calibrate",
+    "choices",
     "compare",
     "ehl",
     "explain",
@@ -59,6 +61,8 @@ __all__ = [
 
 __version__: str
 
+def axis(text: str) -> list[float]: ...
+def choices() -> list[tuple[str, list[str]]]: ...
 def explain(code: str) -> Optional[tuple[str, str, str]]: ...
 def si_units() -> list[tuple[str, str]]: ...
 def to_si(quantity: str, text: str) -> float: ...
@@ -124,7 +128,7 @@ def calibrate(
     progress: _Told,
 ) -> Calibration: ...
 def map(
-    named: list[tuple[str, Case]],
+    of_finishes: list[tuple[str, Case]],
     torque: _Nodes,
     speed: _Nodes,
     temperature: _Nodes,
@@ -177,6 +181,8 @@ class Case:
     def mesh(self, name: str) -> Case: ...
     @property
     def about(self) -> str: ...
+    @property
+    def warnings(self) -> str: ...
     def to_toml(self) -> str: ...
     def run(
         self, detail: str, band: bool, threads: Optional[int], progress: _Told

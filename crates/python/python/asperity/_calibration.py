@@ -13,10 +13,12 @@ from ._case import Case, CaseLike, as_case
 from ._columns import Columns, table_text
 from ._html import page
 from ._progress import Progress, Told
-from ._record import Record, Table
+from ._record import Record, Table, warned
 
 if TYPE_CHECKING:
     import pandas
+
+    from .keys import CalibratedParameter
 
 
 class Calibration(Record):
@@ -43,7 +45,7 @@ class Calibration(Record):
 
     def apply(self, case: CaseLike) -> Case:
         """The case with the parameters found, whose bands go into the band of its losses."""
-        return as_case(case).replace(json.loads(self._raw.keys()))
+        return as_case(case)._with(json.loads(self._raw.keys()))
 
     def write(self, folder: Union[str, PathLike[str]]) -> None:
         """Writes the folder of ``asperity calibrate``."""
@@ -73,7 +75,7 @@ def calibrate(
     case: Optional[CaseLike] = None,
     *,
     cases: Optional[Mapping[str, CaseLike]] = None,
-    hold: Sequence[str] = (),
+    hold: Sequence[CalibratedParameter] = (),
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
 ) -> Calibration:
@@ -98,4 +100,5 @@ def calibrate(
     beside = None if case is None else as_case(case)._raw
     named = [(key, as_case(one)._raw) for key, one in (cases or {}).items()]
     with Told(progress, "evaluations") as told:
-        return Calibration(_asperity.calibrate(name, text, folder, beside, named, list(hold), threads, told))
+        found = Calibration(_asperity.calibrate(name, text, folder, beside, named, list(hold), threads, told))
+    return warned(found)

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import os
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _asperity
 from ._contact import Contact
-from ._errors import AsperityError
+from ._errors import AsperityError, warn
 from ._html import page
 from ._keys import Schema, Traces, changes, kind_of, written
 from ._progress import Progress, Told
-from ._record import Record, Table
+from ._quantity import OPERATING, as_keys
+from ._record import Record, Table, warned
 from ._result import Regime, RunResult
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .keys import CaseKeys, CaseTables, Detail, Formulation
 
 Steps = tuple[tuple[str, tuple[Any, ...]], ...]
 """What a case was made by: methods of the compiled part with their arguments."""
@@ -27,13 +34,14 @@ CaseLike = Union["Case", str, PathLike[str], Mapping[str, Any]]
 class Case:
     """A gear pair, gear train or planetary set with its load, oil and flanks, checked.
 
-    The keys are those of a case file (docs/CASE_FILE.md). Values are numbers in SI units, text with a unit, or
-    quantities of pint; a flank, or its ``file``, can be a `Profile`. Files are relative to ``folder``, by default the working
-    directory or that of the case file.
+    The keys are those of a case file (docs/CASE_FILE.md). A quantity is text with a unit or a quantity of pint; the
+    operating point can be given by the numbers ``torque_nm``, ``speed_rpm`` and ``temperature_c`` (of the flanks). A
+    flank, or its ``file``, can be a `Profile`. Files are relative to ``folder``, by default the working directory or
+    the folder of the case file.
 
     >>> case = Case("case.toml")                                    # doctest: +SKIP
-    >>> case = Case(gears={"teeth": [23, 68], "module": "1.8 mm", "face_width": 0.032},
-    ...             operation={"torque": 145, "speed": "9000 1/min", "bulk_temperature": "90 °C"},
+    >>> case = Case(gears={"teeth": [23, 68], "module": "1.8 mm", "face_width": "32 mm"},
+    ...             torque_nm=145, speed_rpm=9000, temperature_c=90,
     ...             lubricant={"oil": "m100"}, surface={"pinion": {"rq": "0.4 um"}})
 
     Args:
@@ -50,14 +58,14 @@ class Case:
         case: Union[str, PathLike[str], Mapping[str, Any], None] = None,
         /,
         *,
-        formulation: Optional[str] = None,
+        formulation: Optional[Formulation] = None,
         folder: Optional[Union[str, PathLike[str]]] = None,
-        **tables: Any,
+        **tables: Unpack[CaseTables],
     ) -> None:
         if isinstance(case, (str, PathLike)):
             self._take(Case.load(case, tables, formulation=formulation)._steps)
         else:
-            given = {**(case or {}), **tables}
+            given = tables_of({**(case or {}), **tables})
             traces: Traces = []
             values = written(given, Schema(kind_of(given)), traces)
             text = json.dumps(values, ensure_ascii=False, indent=1)
@@ -70,7 +78,12 @@ class Case:
             raw = getattr(raw, method)(*arguments)
         self._raw = raw
         self._steps = steps
-        self._about: dict[str, Any] = json.loads(self._raw.about)
+        warn(json.loads(self._raw.warnings), () if before is None else json.loads(before.warnings))
+
+    @functools.cached_property
+    def _about(self) -> dict[str, Any]:
+        about: dict[str, Any] = json.loads(self._raw.about)
+        return about
 
     @classmethod
     def _of(cls, steps: Steps, before: Optional[_asperity.Case] = None) -> Case:
@@ -90,28 +103,52 @@ class Case:
         path: Union[str, PathLike[str]],
         keys: Optional[Mapping[str, Any]] = None,
         *,
-        formulation: Optional[str] = None,
+        formulation: Optional[Formulation] = None,
     ) -> Case:
         """The case in a TOML or JSON file, with ``keys`` set past its text: ``{"operation.torque": "20 N m"}``."""
         if not keys:
             return cls._of((("load", (fspath(path), [], formulation)),))
         traces: Traces = []
+        keys = as_keys(keys)
         found = changes(keys, kind_of(keys), traces)
         set_keys = [(key, value) for key, value in found if value is not None]
         if traces or len(set_keys) < len(found):
-            return cls.load(path, formulation=formulation).replace(keys)
+            return cls.load(path, formulation=formulation)._with(keys)
         return cls._of((("load", (fspath(path), set_keys, formulation)),))
 
-    def replace(self, changed: Optional[Mapping[str, Any]] = None, /, **more: Any) -> Case:
+    def replace(
+        self,
+        changed: Optional[CaseKeys] = None,
+        /,
+        *,
+        formulation: Optional[Formulation] = None,
+        **more: Unpack[CaseTables],
+    ) -> Case:
         """The same case with other values, rechecked; traces are read again only where they change.
 
-        Keys are given by their paths, ``case.replace({"operation.torque": "20 N m"})``, or by tables,
-        ``case.replace(operation={"torque": 20})``, whose other keys stay. None takes a key away, so that its default
-        holds again. A flank takes a `Profile`.
+        Keys are given by their paths, ``case.replace({"operation.torque": "20 N m"})``, by tables,
+        ``case.replace(operation={"torque": "20 N m"})``, whose other keys stay, or by the numbers of the operating point,
+        ``case.replace(torque_nm=20)``. None takes a key away, so that its default holds again. A flank takes a `Profile`.
         """
+        other = {} if formulation is None else {"formulation": formulation}
+        return self._with({**(changed or {}), **other, **more})
+
+    def _with(self, keys: Mapping[str, Any]) -> Case:
+        """The case with other keys, whose names need not be known before the program runs."""
         traces: Traces = []
-        found = changes({**(changed or {}), **more}, self._raw.gears_table, traces)
-        return Case._of((*self._steps, ("replace", (found, traces))), self._raw)
+        found = changes(as_keys(keys), self._raw.gears_table, traces)
+        return self._then("replace", found, traces)
+
+    def _then(self, method: str, *arguments: Any) -> Case:
+        """The case after one more step; changes of keys in a row are one step of the case in another process."""
+        steps = (*self._steps, (method, arguments))
+        made = Case._of(steps, self._raw)
+        if method == "replace" and self._steps[-1][0] == "replace":
+            keys, traces = self._steps[-1][1]
+            changed = {key for key, _ in arguments[0]}
+            joined = [*((key, value) for key, value in keys if key not in changed), *arguments[0]]
+            made._steps = (*self._steps[:-1], ("replace", (joined, [*traces, *arguments[1]])))
+        return made
 
     def _on_finish(self, finish: Any, offsets: Optional[int]) -> Case:
         """The case on the traces of a finish: one for both flanks, or those of pinion and wheel."""
@@ -128,7 +165,7 @@ class Case:
 
         names = [name(trace) for trace in pair]
         wheel = names[1] if len(names) == 2 else None
-        return Case._of((*self._steps, ("on_finish", (names[0], wheel, traces, offsets))), self._raw)
+        return self._then("on_finish", names[0], wheel, traces, offsets)
 
     @property
     def title(self) -> str:
@@ -157,7 +194,7 @@ class Case:
 
     def mesh(self, name: str) -> Case:
         """The mesh of a gear train or planetary set as a case of its own, at its torque and speed."""
-        return Case._of((*self._steps, ("mesh", (name,))), self._raw)
+        return self._then("mesh", name)
 
     @property
     def is_planetary(self) -> bool:
@@ -166,7 +203,7 @@ class Case:
 
     def run(
         self,
-        detail: str = "fields",
+        detail: Detail = "fields",
         *,
         band: bool = True,
         threads: Optional[int] = None,
@@ -184,7 +221,8 @@ class Case:
         Ctrl-C ends the run.
         """
         with Told(progress, self.title) as told:
-            return RunResult._of(self._raw.run(detail, band, threads, told))
+            found = RunResult._of(self._raw.run(detail, band, threads, told))
+        return warned(found, self._about["warnings"])
 
     def regime(self, *, threads: Optional[int] = None) -> Regime:
         """Film thickness, Λ* and regime along the path of contact; of several meshes, the first."""
@@ -193,7 +231,7 @@ class Case:
 
     def contact(self, position: Optional[float] = None) -> Contact:
         """The flanks pressed dry against each other at a place of the path, 0 at A and 1 at E."""
-        return Contact(*self._raw.contact(position))
+        return warned(Contact(*self._raw.contact(position)))
 
     def film(self, position: Optional[float] = None) -> Record:
         """Pressure difference across films from 1 nm to 1 mm at a place of the path; default the pitch point."""
@@ -227,6 +265,15 @@ class Case:
 
         add("", self._about["inputs"])
         return page(self.title, rows, None)
+
+
+def tables_of(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Tables of a case, the numbers of its operating point among its keys."""
+    tables = {name: value for name, value in given.items() if name not in OPERATING}
+    for path, text in as_keys({name: value for name, value in given.items() if name in OPERATING}).items():
+        name, key = path.split(".")
+        tables[name] = {**tables.get(name, {}), key: text}
+    return tables
 
 
 def as_case(case: CaseLike) -> Case:

@@ -13,7 +13,7 @@ from ._errors import AsperityError
 from ._html import page
 from ._profile import Profile
 from ._progress import Progress, Told
-from ._record import Record, Table, drawn
+from ._record import Record, Table, drawn, warned
 
 if TYPE_CHECKING:
     import pandas
@@ -148,4 +148,4 @@ def compare(
     if offsets is not None and offsets < 2:
         raise AsperityError(f"offsets {offsets}: one offset has no spread", "E209", "Give at least two offsets.")
     with Told(progress, "finishes") as told:
-        return Comparison(_asperity.compare(cases_of(case, finishes, offsets), threads, told))
+        return warned(Comparison(_asperity.compare(cases_of(case, finishes, offsets), threads, told)))

@@ -12,11 +12,13 @@ from ._errors import AsperityError
 from ._html import Chart, page
 from ._profile import Profile
 from ._quantity import Floats, Scalar, Values, flat, numbers, si, si_array, si_or_none
-from ._record import Record, Table
+from ._record import Record, Table, warned
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+    from .keys import Boundary
 
 
 class Contact(Record):
@@ -157,7 +159,7 @@ def solve_contact(
     *,
     approach: Optional[Scalar] = None,
     datum: Optional[Scalar] = None,
-    boundary: str = "free",
+    boundary: Boundary = "free",
     pressure_limit: Optional[Scalar] = None,
     prescribed_pressure: Optional[ArrayLike] = None,
     start: Optional[ArrayLike] = None,
@@ -210,9 +212,8 @@ def solve_contact(
         pressure_limit=si_or_none(pressure_limit, "Pressure"),
     )
     prescribed = optional(prescribed_pressure, "prescribed_pressure")
-    return Contact(
-        *_asperity.solve_contact(flat(numbers(gap, "gap"), "gap"), asked, prescribed, optional(start, "start"))
-    )
+    found = _asperity.solve_contact(flat(numbers(gap, "gap"), "gap"), asked, prescribed, optional(start, "start"))
+    return warned(Contact(*found))
 
 
 def press_flanks(
@@ -249,7 +250,8 @@ def press_flanks(
         pressure_limit=si_or_none(pressure_limit, "Pressure"),
     )
     plan = None if run_in is None else json.dumps({"passes": run_in, "first_share": first_share})
-    return Contact(*_asperity.press_flanks(first._raw, second._raw, si(radius, "Length"), asked, plan))
+    found = _asperity.press_flanks(first._raw, second._raw, si(radius, "Length"), asked, plan)
+    return warned(Contact(*found))
 
 
 def subsurface_stress(

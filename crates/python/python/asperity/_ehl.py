@@ -9,8 +9,8 @@ from . import _asperity
 from ._case import CaseLike, as_case
 from ._html import Chart, page
 from ._progress import Progress, Told
-from ._quantity import Floats, Scalar, si_or_none
-from ._record import Record
+from ._quantity import Floats, Quantity, stated_or_none
+from ._record import Record, warned
 
 if TYPE_CHECKING:
     import xarray
@@ -67,7 +67,7 @@ def ehl(
     half_widths: float = 20.0,
     start: float = 3.0,
     records: int = 1,
-    eyring_stress: Optional[Scalar] = None,
+    eyring_stress: Optional[Quantity] = None,
     compare: bool = False,
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
@@ -81,7 +81,7 @@ def ehl(
         half_widths: travel of a record in Hertz half-widths.
         start: travel before the record begins.
         records: records from other places of the traces, whose mean is given.
-        eyring_stress: Eyring stress in place of that of the base oil, Pa.
+        eyring_stress: Eyring stress in place of the one of the base oil, ``"5 MPa"``.
         compare: whether the laws of load sharing are set beside it (``comparison``).
         threads, progress: as in `Case.run`. Ctrl-C ends the work.
     """
@@ -91,9 +91,9 @@ def ehl(
         "half_widths": half_widths,
         "start": start,
         "records": records,
-        "eyring_stress": si_or_none(eyring_stress, "Pressure"),
+        "eyring_stress": stated_or_none(eyring_stress, "Pressure", "eyring_stress"),
         "compare": compare,
     }
     with Told(progress, "half-widths travelled") as told:
         text, arrays = _asperity.ehl(as_case(case)._raw, json.dumps(asked), threads, told)
-    return EhlRecord({**json.loads(text), **arrays})
+    return warned(EhlRecord({**json.loads(text), **arrays}))

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _asperity
-from ._errors import AsperityError
+from ._errors import AsperityError, warn
 from ._quantity import Values, pressed, si_array
 from ._record import Record
+
+if TYPE_CHECKING:
+    from .keys import FilmLaw, FrictionLaw, ThermalLaw
 
 
 def _shaped(array: Any, shape: tuple[int, ...]) -> Any:
@@ -18,12 +21,14 @@ def _shaped(array: Any, shape: tuple[int, ...]) -> Any:
     return array.reshape(shape) if shape else array[0].item()
 
 
+def _noted(notes: list[str]) -> list[str]:
+    """The notes, after a warning of each."""
+    warn({"code": "W401", "text": f"{note} is outside the range that the law was fitted to"} for note in notes)
+    return notes
+
+
 def _fitted(given: dict[str, Any], known: dict[str, str]) -> dict[str, Any]:
     """Arrays in SI units, of one shape, flat."""
-    for name in given:
-        if name not in known:
-            text = f"{name}: is not known; there are {', '.join(known)}"
-            raise AsperityError(text, "E203", "Correct the spelling.")
     return {
         name: si_array(value, known[name]) if known[name] else np.asarray(value, dtype=np.float64)
         for name, value in given.items()
@@ -65,7 +70,7 @@ _FILM = {
 
 
 def film_thickness(
-    law: str = "dowson-toyoda",
+    law: FilmLaw = "dowson-toyoda",
     *,
     entrainment: Values,
     radius: Values,
@@ -99,11 +104,11 @@ def film_thickness(
     )
     columns, shape = pressed(_fitted(given, _FILM))
     arrays, notes = _asperity.film_thickness(law, columns)
-    return Record({**{name: _shaped(array, shape) for name, array in arrays.items()}, "notes": notes})
+    return Record({**{name: _shaped(array, shape) for name, array in arrays.items()}, "notes": _noted(notes)})
 
 
 def thermal_reduction(
-    law: str = "gupta", *, max_pressure: Values, modulus: Values, loading: Values, slide_to_roll: Values
+    law: ThermalLaw = "gupta", *, max_pressure: Values, modulus: Values, loading: Values, slide_to_roll: Values
 ) -> Record:
     """Factor by which heat in the inlet thins a film: ``factor``, ``outside``, ``notes``.
 
@@ -118,7 +123,7 @@ def thermal_reduction(
     known = {"max_pressure": "Pressure", "modulus": "Pressure", "loading": "", "slide_to_roll": ""}
     columns, shape = pressed(_fitted(given, known))
     factor, outside, notes = _asperity.thermal_reduction(law, columns)
-    return Record({"factor": _shaped(factor, shape), "outside": _shaped(outside, shape), "notes": notes})
+    return Record({"factor": _shaped(factor, shape), "outside": _shaped(outside, shape), "notes": _noted(notes)})
 
 
 _FRICTION = {
@@ -146,21 +151,43 @@ _FRICTION = {
 }
 
 
-def friction_coefficient(law: str = "xu", *, settings: dict[str, Any] | None = None, **given: Any) -> Record:
+def friction_coefficient(
+    law: FrictionLaw = "xu",
+    *,
+    settings: dict[str, Any] | None = None,
+    load: Values | None = None,
+    radius: Values | None = None,
+    entrainment: Values | None = None,
+    sliding: Values | None = None,
+    max_pressure: Values | None = None,
+    viscosity: Values | None = None,
+    contact_viscosity: Values | None = None,
+    kinematic_viscosity: Values | None = None,
+    pressure_viscosity: Values | None = None,
+    central_film: Values | None = None,
+    minimum_film: Values | None = None,
+    combined_roughness: Values | None = None,
+    mean_ra: Values | None = None,
+    sum_rz: Values | None = None,
+    boundary_coefficient: Values | None = None,
+    base_line_load: Values | None = None,
+    sum_speed: Values | None = None,
+    reduced_radius: Values | None = None,
+    lubricant_factor: Values | None = None,
+    load_intensity: Values | None = None,
+    pitch_line_speed: Values | None = None,
+) -> Record:
     """Friction coefficients by a published law: ``coefficient``, ``outside``, ``notes``.
 
     Args:
         law: ``"xu"``, ``"benedict-kelley"``, ``"iso-14179-1"``, ``"iso-14179-2"``, ``"matsumoto"``, ``"doleschel"``,
             ``"eyring"`` or ``"constant"``; sources in docs/EQUATIONS.md.
         settings: ``constant``, ``fluid_coefficient``, ``limiting_stress`` and ``xu`` as in ``model.friction_settings``.
-        given: what the law reads, in SI units: load, radius, entrainment, sliding, max_pressure, viscosity,
-            contact_viscosity, kinematic_viscosity, pressure_viscosity, central_film, minimum_film,
-            combined_roughness, mean_ra, sum_rz, boundary_coefficient, and of the whole mesh base_line_load,
-            sum_speed, reduced_radius, lubricant_factor, load_intensity, pitch_line_speed. What it needs and was not
-            given is refused.
+        load, ..., pitch_line_speed: the inputs of the law, in SI units; the last six are of the whole mesh. An input
+            that the law requires and that is missing is refused.
     """
-    if not given:
-        given = {"boundary_coefficient": 0.0}
+    every = locals()
+    given = {name: every[name] for name in _FRICTION if every[name] is not None} or {"boundary_coefficient": 0.0}
     columns, shape = pressed(_fitted(given, _FRICTION))
     values, outside, notes = _asperity.friction_coefficient(law, columns, json.dumps(settings or {}))
-    return Record({"coefficient": _shaped(values, shape), "outside": _shaped(outside, shape), "notes": notes})
+    return Record({"coefficient": _shaped(values, shape), "outside": _shaped(outside, shape), "notes": _noted(notes)})

@@ -12,11 +12,13 @@ from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._columns import Columns, table_text
 from ._html import page
-from ._quantity import Scalar, si, si_or_none
-from ._record import Record, Table
+from ._quantity import Numbers, Quantities, Quantity, operating, stated, stated_or_none
+from ._record import Record, Table, warned
 
 if TYPE_CHECKING:
     import pandas
+
+    from .keys import TemperatureColumn, Zero
 
 OilLike = Union[str, CaseLike]
 """Name of an oil of the library, or a case whose oil is taken."""
@@ -110,7 +112,7 @@ class Stribeck(_Study):
         low, high = self._values["band"]
         found = {"value": self._values["boundary_friction"], "low": low, "high": high}
         source = ", ".join(name for name, _ in self._values["sources"])
-        return as_case(case).replace({"calibration.boundary_friction": found, "calibration.source": source})
+        return as_case(case)._with({"calibration.boundary_friction": found, "calibration.source": source})
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per set point."""
@@ -129,13 +131,14 @@ def oils() -> Table:
 def oil_traction(
     oil: OilLike,
     *,
-    load: Scalar = "30 N",
-    speed: Scalar = "2 m/s",
+    load: Quantity = "30 N",
+    speed: Quantity = "2 m/s",
     slide_to_roll: float = 0.05,
-    temperature: Sequence[Scalar] = ("40 °C", "80 °C", "120 °C"),
-    ball_radius: Scalar = "9.525 mm",
-    second_radius: Optional[Scalar] = None,
-    rq: Scalar = "15 nm",
+    temperature_c: Optional[Numbers] = None,
+    temperature: Optional[Quantities] = None,
+    ball_radius: Quantity = "9.525 mm",
+    second_radius: Optional[Quantity] = None,
+    rq: Quantity = "15 nm",
     threads: Optional[int] = None,
 ) -> Traction:
     """Predicts the traction of ball and disc over slide-to-roll ratio and speed, where the film separates them.
@@ -144,26 +147,27 @@ def oil_traction(
         oil: the oil.
         load, speed: of the curves over the slide-to-roll ratio.
         slide_to_roll: of the curves over the speed.
-        temperature: of the oil bath.
+        temperature_c, temperature: of the oil bath, numbers or text with a unit; default 40, 80 and 120 °C.
         ball_radius, second_radius, rq: specimens; a flat disc by default, and the roughness of both together.
         threads: as in `Case.run`.
     """
-    conditions = (si(load, "Force"), si(speed, "Speed"), slide_to_roll)
-    temperatures = [si(one, "Temperature") for one in temperature]
+    conditions = (stated(load, "Force", "load"), stated(speed, "Speed", "speed"), slide_to_roll)
+    found = operating("temperature_c", temperature_c, temperature)
+    temperatures = [40.0, 80.0, 120.0] if found is None else found.tolist()
     specimens = _specimens(ball_radius, second_radius, rq)
-    return Traction(_asperity.oil_traction(_oil(oil), conditions, temperatures, specimens, threads))
+    return warned(Traction(_asperity.oil_traction(_oil(oil), conditions, temperatures, specimens, threads)))
 
 
 def oil_fit(
     curves: Union[Columns, Sequence[Columns]],
     oil: OilLike,
     *,
-    ball_radius: Scalar = "9.525 mm",
-    second_radius: Optional[Scalar] = None,
-    rq: Scalar = "15 nm",
-    temperature_column: str = "lube",
+    ball_radius: Quantity = "9.525 mm",
+    second_radius: Optional[Quantity] = None,
+    rq: Quantity = "15 nm",
+    temperature_column: TemperatureColumn = "lube",
     wide: bool = False,
-    zero: str = "curve",
+    zero: Zero = "curve",
     point_sd: float = 0.015,
     point_floor: float = 3e-4,
     force: bool = False,
@@ -186,18 +190,18 @@ def oil_fit(
     specimens = _specimens(ball_radius, second_radius, rq)
     errors = (zero, point_sd, point_floor)
     tables = _tables(curves, "curves")
-    return OilFit(_asperity.oil_fit(tables, _oil(oil), specimens, temperature_column, wide, errors, force, threads))
+    return warned(OilFit(_asperity.oil_fit(tables, _oil(oil), specimens, temperature_column, wide, errors, force, threads)))
 
 
 def oil_plan(
     oil: OilLike,
     case: Optional[CaseLike] = None,
     *,
-    ball_radius: Scalar = "9.525 mm",
-    second_radius: Optional[Scalar] = None,
-    rq: Scalar = "15 nm",
+    ball_radius: Quantity = "9.525 mm",
+    second_radius: Optional[Quantity] = None,
+    rq: Quantity = "15 nm",
     wide: bool = False,
-    zero: str = "curve",
+    zero: Zero = "curve",
     point_sd: float = 0.015,
     point_floor: float = 3e-4,
     threads: Optional[int] = None,
@@ -211,18 +215,18 @@ def oil_plan(
     """
     raw = None if case is None else as_case(case)._raw
     specimens = _specimens(ball_radius, second_radius, rq)
-    return OilPlan(_asperity.oil_plan(_oil(oil), raw, specimens, wide, (zero, point_sd, point_floor), threads))
+    return warned(OilPlan(_asperity.oil_plan(_oil(oil), raw, specimens, wide, (zero, point_sd, point_floor), threads)))
 
 
 def stribeck(
     curves: Union[Columns, Sequence[Columns]],
     oil: OilLike,
     *,
-    rubbing: Sequence[Scalar] = (),
-    ball_radius: Scalar = "9.525 mm",
-    second_radius: Optional[Scalar] = None,
-    rq: Scalar = "15 nm",
-    temperature_column: str = "lube",
+    rubbing: Sequence[Quantity] = (),
+    ball_radius: Quantity = "9.525 mm",
+    second_radius: Optional[Quantity] = None,
+    rq: Quantity = "15 nm",
+    temperature_column: TemperatureColumn = "lube",
 ) -> Stribeck:
     """Boundary friction of rubbed specimens from Stribeck curves.
 
@@ -232,9 +236,9 @@ def stribeck(
         rubbing: time of rubbing before each of several curves, in place of the column.
         ball_radius, second_radius, rq, temperature_column: as in `oil_fit`.
     """
-    times = [si(one, "Time") for one in rubbing]
+    times = [stated(one, "Time", "rubbing") for one in rubbing]
     specimens = _specimens(ball_radius, second_radius, rq)
-    return Stribeck(_asperity.stribeck(_tables(curves, "curves"), _oil(oil), times, specimens, temperature_column))
+    return warned(Stribeck(_asperity.stribeck(_tables(curves, "curves"), _oil(oil), times, specimens, temperature_column)))
 
 
 def _oil(oil: OilLike) -> Union[str, _asperity.Case]:
@@ -244,8 +248,9 @@ def _oil(oil: OilLike) -> Union[str, _asperity.Case]:
     return as_case(oil)._raw
 
 
-def _specimens(ball: Scalar, second: Optional[Scalar], rq: Scalar) -> tuple[float, Optional[float], float]:
-    return si(ball, "Length"), si_or_none(second, "Length"), si(rq, "Length")
+def _specimens(ball: Quantity, second: Optional[Quantity], rq: Quantity) -> tuple[float, Optional[float], float]:
+    length = "Length"
+    return stated(ball, length, "ball_radius"), stated_or_none(second, length, "second_radius"), stated(rq, length, "rq")
 
 
 def _tables(curves: Any, what: str) -> list[tuple[str, Optional[str]]]:

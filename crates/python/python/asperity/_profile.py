@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _asperity
+from ._errors import warn
 from ._html import Chart, page
 from ._quantity import Floats, Scalar, flat, numbers, si, si_or_none
 from ._record import Record, Table
@@ -18,8 +19,37 @@ from ._record import Record, Table
 if TYPE_CHECKING:
     import pandas
     import xarray
+    from typing_extensions import Unpack
 
-_USUAL_END = "cut"
+    from .keys import (
+        Abscissa,
+        Amplitudes,
+        DecimalSign,
+        Encoding,
+        Ends,
+        Form,
+        Gaps,
+        LengthUnit,
+        Separator,
+        Standard,
+        SurfaceKind,
+        TraceLine,
+        Uneven,
+    )
+
+    class Plan(TypedDict, total=False):
+        """Keywords of `Profile.prepare`."""
+
+        form: Form
+        cutoff: Optional[Scalar]
+        noise_cutoff: Optional[Scalar]
+        ends: Ends
+        robust: bool
+        base_radius: Optional[Scalar]
+        roll_length: Optional[Scalar]
+        towards_root: bool
+
+_USUAL_END: Ends = "cut"
 
 
 _FIRST = ("ra_um", "rq_um", "rz_um", "rp_um", "rv_um", "rt_um", "rsk", "rku", "rk_um", "rpk_um", "rvk_um")
@@ -134,7 +164,7 @@ class Profile:
         """Warnings: code, text and help."""
         return Table(self._about["warnings"], ["code", "text", "help"])
 
-    def prepare(self, **plan: Any) -> Profile:
+    def prepare(self, **plan: Unpack[Plan]) -> Profile:
         """The roughness profile: form removed, filtered (ISO 21920-2, ISO 16610-21).
 
         Args:
@@ -150,10 +180,10 @@ class Profile:
     def filter(
         self,
         *,
-        form: str = "level",
+        form: Form = "level",
         cutoff: Optional[Scalar] = None,
         noise_cutoff: Optional[Scalar] = None,
-        ends: str = _USUAL_END,
+        ends: Ends = _USUAL_END,
         robust: bool = False,
         base_radius: Optional[Scalar] = None,
         roll_length: Optional[Scalar] = None,
@@ -174,17 +204,21 @@ class Profile:
         return Parts(
             Profile._of(primary, self.name),
             None if waviness is None else Profile._of(waviness, self.name),
-            Profile._of(roughness, self.name),
+            Profile._of(roughness, self.name)._warned(),
         )
 
-    def mean_line(self, cutoff: Scalar, *, robust: bool = False, ends: str = "reg1") -> Profile:
+    def _warned(self) -> Profile:
+        warn(self._about["warnings"])
+        return self
+
+    def mean_line(self, cutoff: Scalar, *, robust: bool = False, ends: Ends = "reg1") -> Profile:
         """Mean line of the Gaussian filter, or of the robust one; cut-off in m."""
         return Profile._of(self._raw.mean_line(si(cutoff, "Length"), robust, ends), self.name)
 
     def parameters(
         self,
         *,
-        standard: str = "iso4287",
+        standard: Standard = "iso4287",
         sections: Optional[int] = None,
         cutoff: Optional[Scalar] = None,
         prepare: Optional[bool] = None,
@@ -259,19 +293,19 @@ class Profile:
 def read_profile(
     path: Union[str, PathLike[str]],
     *,
-    x_unit: Optional[str] = None,
-    z_unit: Optional[str] = None,
+    x_unit: Optional[LengthUnit] = None,
+    z_unit: Optional[LengthUnit] = None,
     dx: Optional[Scalar] = None,
     columns: Union[None, int, tuple[int, int]] = None,
-    decimal: Optional[str] = None,
-    separator: Optional[str] = None,
-    encoding: Optional[str] = None,
-    gaps: Optional[str] = None,
+    decimal: Optional[DecimalSign] = None,
+    separator: Optional[Separator] = None,
+    encoding: Optional[Encoding] = None,
+    gaps: Optional[Gaps] = None,
     row: Optional[int] = None,
-    line: Optional[str] = None,
-    abscissa: Optional[str] = None,
+    line: Optional[TraceLine] = None,
+    abscissa: Optional[Abscissa] = None,
     base_radius: Optional[Scalar] = None,
-    uneven: Optional[str] = None,
+    uneven: Optional[Uneven] = None,
 ) -> Profile:
     """Reads a profilometer file: text, CSV, X3P, SDF, SMD, PRF, Excel and others (docs/FILE_FORMATS.md).
 
@@ -308,7 +342,7 @@ def read_profile(
     }
     keys = {key: value for key, value in options.items() if value is not None}
     raw = _asperity.read_profile(fspath(path), json.dumps(keys))
-    return Profile._of(raw, fspath(path).replace("\\", "/").rsplit("/", 1)[-1])
+    return Profile._of(raw, fspath(path).replace("\\", "/").rsplit("/", 1)[-1])._warned()
 
 
 _RECIPE_LENGTHS = ("spacing", "rq", "roll_off", "short_cut", "grit_spacing", "grit_radius", "grit_protrusion", "depth", "width", "diameter")
@@ -330,9 +364,9 @@ def _with_units(recipe: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def generate(
-    surface: str = "self-affine",
+    surface: SurfaceKind = "self-affine",
     *,
-    amplitudes: str = "fixed",
+    amplitudes: Amplitudes = "fixed",
     pits: Optional[Mapping[str, Any]] = None,
     pores: Optional[Mapping[str, Any]] = None,
     scratches: Optional[Mapping[str, Any]] = None,

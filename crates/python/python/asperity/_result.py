@@ -5,19 +5,24 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _asperity
 from ._errors import AsperityError
 from ._html import Chart, page
 from ._quantity import Floats
-from ._record import Record, Table, drawn
+from ._record import Record, Rows, Table, Values, drawn
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+    from .keys import PathArrays, PathColumn, ResultValues, SummaryValues
+else:
+    PathArrays = ResultValues = SummaryValues = object
 
 
 class Fields(Record):
@@ -66,7 +71,25 @@ class Fields(Record):
 _DEPTHS = ("sigma_xx", "sigma_zz", "tau_xz", "von_mises")
 
 
-class RunResult(Record):
+class Summary(Values, SummaryValues):
+    """Efficiency and losses of a mesh, mean over the offsets; of a gear train its sums."""
+
+
+class Path(Rows, PathArrays):
+    """One row per mesh position from A to E: columns as attributes and items, rows by their number."""
+
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(self, key: PathColumn) -> NDArray[Any]: ...
+        @overload
+        def __getitem__(self, key: int) -> Record: ...
+        @overload
+        def __getitem__(self, key: slice) -> Table: ...
+        def __getitem__(self, key: Union[PathColumn, int, slice]) -> Any: ...
+
+
+class RunResult(Values, ResultValues):
     """Result of a run, as ``result.json`` has it (docs/FILE_FORMATS.md): losses, path, warnings, equations.
 
     Units are in the names: ``summary.loss_w``, ``path.film_minimum_um``.
@@ -94,9 +117,9 @@ class RunResult(Record):
         return {**self.__dict__, "_outcome": None}
 
     @property
-    def summary(self) -> Record:
+    def summary(self) -> Summary:
         """Efficiency and losses, mean over the offsets; of several meshes, their train."""
-        return Record(self._values.get("summary", self._values))
+        return Summary(self._values.get("summary", self._values))
 
     @property
     def efficiency(self) -> float:
@@ -125,9 +148,9 @@ class RunResult(Record):
         return str(self._values["title"])
 
     @property
-    def path(self) -> Table:
+    def path(self) -> Path:
         """One row per mesh position from A to E; of several meshes, a row of each."""
-        return Table(self._values.get("path", self._values.get("meshes", [])))
+        return Path(self._values.get("path", self._values.get("meshes", [])))
 
     @property
     def warnings(self) -> Table:
@@ -181,7 +204,7 @@ class RunResult(Record):
         import xarray
 
         path = self.path
-        columns = {name: path[name] for name in path.columns}
+        columns = {name: path._at(name) for name in path.columns}
         at = columns.pop("path_fraction", np.arange(len(path)))
         numbers = {name: ("path_fraction", value) for name, value in columns.items() if value.dtype != object}
         plain = {name: value for name, value in self._summary().items() if isinstance(value, (int, float, str))}
@@ -196,7 +219,7 @@ class RunResult(Record):
             ("boundary layer", "boundary_w_per_m"),
             ("rolling", "rolling_w_per_m"),
         ]
-        series = [(name, path[key].tolist()) for name, key in parts if key in path.columns]
+        series = [(name, path._at(key).tolist()) for name, key in parts if key in path.columns]
         at = path["path_fraction"].tolist()
         return Chart("Loss along the path", at, series, ("A to E", "W/m"))
 
