@@ -22,6 +22,7 @@ use crate::choices::{Detail, named};
 use crate::contact::found;
 use crate::failure::{self, Failure};
 use crate::outcome::{Found, Outcome};
+use crate::own_laws::PythonLaw;
 use crate::trace::Trace;
 use crate::work::{alone, in_parallel};
 
@@ -151,10 +152,11 @@ impl Case {
         })
     }
 
-    /// The case in a JSON text, with traces in memory.
+    /// The case in the text of a file called `name`, with traces in memory.
     #[staticmethod]
-    fn from_json(
+    fn from_text(
         py: Python<'_>,
+        name: &str,
         text: &str,
         folder: PathBuf,
         traces: Traces<'_>,
@@ -163,7 +165,7 @@ impl Case {
         let formulation = formulation_of(formulation)?;
         let held = profiles(&traces);
         alone(py, || {
-            let source = Source::new("case.json", text).map_err(asperity::Error::from)?;
+            let source = Source::new(name, text).map_err(asperity::Error::from)?;
             Self::of(source, &folder, &held, Vec::new(), formulation)
         })
     }
@@ -235,6 +237,17 @@ impl Case {
             Ok(Self {
                 kind: Kind::Pair(changed.into()),
             })
+        })
+    }
+
+    /// The case with a law in Python, called `name`, that takes a dictionary of arrays and returns another.
+    fn with_law(&self, law: &str, name: String, exponent: f64, call: Py<PyAny>) -> PyResult<Self> {
+        let kind = named("law", law)?;
+        let mut loaded = self.pair()?.as_ref().clone();
+        let law = Arc::new(PythonLaw::new(name, exponent, call));
+        loaded.case = law.applied(loaded.case, kind);
+        Ok(Self {
+            kind: Kind::Pair(loaded.into()),
         })
     }
 

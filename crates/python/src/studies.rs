@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity_report::StudyResult;
 use asperity_storage::whole_text;
 use asperity_studies::compare::{self as comparing, Finish};
-use asperity_studies::cycle;
+use asperity_studies::cycle::{self as driving, EnergyError};
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
 use asperity_studies::sensitivity as changing;
@@ -17,6 +17,7 @@ use crate::arrays::owned;
 use crate::case::Case;
 use crate::choices::{Band, named};
 use crate::failure::{self, Failure};
+use crate::study::Study;
 use crate::work::{alone, in_parallel};
 
 fn finishes(named: Vec<(String, PyRef<'_, Case>)>) -> Result<Vec<Finish>, Failure> {
@@ -27,9 +28,8 @@ fn finishes(named: Vec<(String, PyRef<'_, Case>)>) -> Result<Vec<Finish>, Failur
     named.into_iter().map(finish).collect()
 }
 
-/// Several finishes on one case.
-#[pyclass(frozen, module = "asperity._asperity")]
-pub struct Comparison(comparing::Comparison);
+/// A comparison, the rows of the offsets of every finish as JSON, and each difference from the first finish in words.
+type Compared = (Study, String, Vec<String>);
 
 /// Compares cases by the names of their finishes; the first is the reference.
 #[pyfunction]
@@ -38,46 +38,15 @@ pub fn compare(
     named: Vec<(String, PyRef<'_, Case>)>,
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
-) -> PyResult<Comparison> {
+) -> PyResult<Compared> {
     let finishes = finishes(named)?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let found = comparing::compare(&finishes, &|done, total| told.tell(done, total))?;
-        Ok(Comparison(found))
+        let offsets: Vec<_> = found.finishes.iter().map(|of| &of.offsets).collect();
+        let (offsets, verdicts) = (failure::json(&offsets)?, found.verdicts());
+        Ok((Study::of(found)?, offsets, verdicts))
     })
 }
-
-#[pymethods]
-impl Comparison {
-    /// The comparison as the command prints it with --json, and the rows of the offsets of every finish.
-    fn json(&self) -> PyResult<(String, String)> {
-        let offsets: Vec<_> = self
-            .0
-            .finishes
-            .iter()
-            .map(|finish| &finish.offsets)
-            .collect();
-        Ok((failure::json(&self.0)?, failure::json(&offsets)?))
-    }
-
-    /// The summary as text.
-    fn summary(&self) -> String {
-        self.0.summary(())
-    }
-
-    /// The decision of each difference from the first finish, in words.
-    fn verdicts(&self) -> Vec<String> {
-        self.0.verdicts()
-    }
-
-    /// Writes the folder of the comparison.
-    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        alone(py, || Ok(self.0.write((), &folder)?))
-    }
-}
-
-/// Changes of the loss of a case when one thing changes.
-#[pyclass(frozen, module = "asperity._asperity")]
-pub struct Sensitivity(changing::Sensitivity);
 
 /// Runs a case, then every change of it.
 #[pyfunction]
@@ -86,30 +55,13 @@ pub fn sensitivity(
     case: PyRef<'_, Case>,
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
-) -> PyResult<Sensitivity> {
+) -> PyResult<Study> {
     let case = case.pair()?;
     in_parallel(py, threads, progress.as_ref(), |told| {
-        let found = changing::sensitivity(case, &|done, total| told.tell(done, total))?;
-        Ok(Sensitivity(found))
+        Study::of(changing::sensitivity(case, &|done, total| {
+            told.tell(done, total)
+        })?)
     })
-}
-
-#[pymethods]
-impl Sensitivity {
-    /// The study as the command prints it with --json.
-    fn json(&self) -> PyResult<String> {
-        Ok(failure::json(&self.0)?)
-    }
-
-    /// The summary as text.
-    fn summary(&self) -> String {
-        self.0.summary(())
-    }
-
-    /// Writes the folder of the study.
-    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        alone(py, || Ok(self.0.write((), &folder)?))
-    }
 }
 
 /// Losses over torque, speed and temperature.
@@ -155,6 +107,40 @@ pub fn map(
             told.tell(done, total)
         })?;
         Ok(Map(found))
+    })
+}
+
+/// Energy lost over a cycle, a table called `name`, on a map at one of its temperatures; `keys` change its vehicle.
+#[pyfunction]
+pub fn cycle(
+    py: Python<'_>,
+    map: PyRef<'_, Map>,
+    trace: (String, Option<String>),
+    temperature: usize,
+    keys: Vec<(String, String)>,
+    allow_outside: bool,
+) -> PyResult<Study> {
+    let (name, table) = trace;
+    let mut map = map.0.clone();
+    alone(py, || {
+        for (key, value) in &keys {
+            map.input.set(key, value)?;
+        }
+        let file = Path::new(&name);
+        let table = table.map_or_else(|| text(file), Ok)?;
+        let trace = driving::cycle(&table, map.input.vehicle.as_ref());
+        let trace = trace.map_err(|error| Failure::new("E101", error.to_string()).about(&name))?;
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        let found = driving::evaluate(&map, temperature, (&trace, &stem), allow_outside);
+        let found = found.map_err(|error| match error {
+            EnergyError::Uncovered(_) => Failure::new("E314", error.to_string()).about(&name),
+            EnergyError::Unbalanced(error) => Failure::new(error.code(), error.to_string()),
+            _ => Failure::new("E402", error.to_string()),
+        })?;
+        let (json, summary) = (failure::json(&found)?, found.summary(&map));
+        Ok(Study::new(json, summary, move |folder| {
+            found.write(&map, folder)
+        }))
     })
 }
 
@@ -272,7 +258,7 @@ impl Map {
             let cycle =
                 match &drive {
                     Some(file) => {
-                        let found = cycle::cycle(&text(file)?, self.0.input.vehicle.as_ref());
+                        let found = driving::cycle(&text(file)?, self.0.input.vehicle.as_ref());
                         let name = file.display().to_string();
                         Some(found.map_err(|error| {
                             Failure::new("E101", error.to_string()).about(&name)

@@ -16,7 +16,7 @@ from typing import NamedTuple, Optional
 
 from . import _asperity
 from ._asperity import __version__
-from ._calibration import Calibration, calibrate
+from ._calibration import Calibration, Design, Evidence, calibrate, design, evidence
 from ._case import Case
 from ._compare import Comparison, compare
 from ._contact import Contact, Stress, press_flanks, solve_contact, subsurface_stress
@@ -24,8 +24,9 @@ from ._ehl import EhlRecord, ehl
 from ._errors import AsperityError, AsperityWarning, Place
 from ._html import Chart
 from ._laws import film_thickness, friction_coefficient, hertz, thermal_reduction
-from ._map import Map, map, read_map
-from ._oil import OilFit, OilPlan, Stribeck, Traction, oil_fit, oil_plan, oil_traction, oils, stribeck
+from ._library import RexsCase, demo, from_rexs, gears, oils, steels
+from ._map import Cycle, Map, cycle, map, read_map
+from ._oil import OilFit, OilPlan, Stribeck, Traction, oil_fit, oil_plan, oil_traction, stribeck
 from ._profile import Parameters, Parts, Profile, generate, read_profile
 from ._record import Record, Table
 from ._result import Fields, Path, Regime, RunResult, Summary
@@ -41,7 +42,10 @@ __all__ = [
     "Chart",
     "Comparison",
     "Contact",
+    "Cycle",
+    "Design",
     "EhlRecord",
+    "Evidence",
     "Explanation",
     "Fields",
     "Map",
@@ -54,6 +58,7 @@ __all__ = [
     "Profile",
     "Record",
     "Regime",
+    "RexsCase",
     "RunResult",
     "Sensitivity",
     "Stress",
@@ -65,10 +70,16 @@ __all__ = [
     "__version__",
     "calibrate",
     "compare",
+    "cycle",
+    "demo",
+    "design",
     "ehl",
+    "evidence",
     "explain",
     "film_thickness",
     "friction_coefficient",
+    "from_rexs",
+    "gears",
     "generate",
     "hertz",
     "map",
@@ -82,6 +93,7 @@ __all__ = [
     "read_result",
     "sensitivity",
     "solve_contact",
+    "steels",
     "stribeck",
     "subsurface_stress",
     "sweep",

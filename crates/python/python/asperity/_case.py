@@ -14,6 +14,7 @@ from ._contact import Contact
 from ._errors import AsperityError, warn
 from ._html import page
 from ._keys import Schema, Traces, changes, kind_of, written
+from ._own_laws import Called, Law, exponent_of, name_of
 from ._progress import Progress, Told
 from ._quantity import OPERATING, as_keys
 from ._record import Record, Table, warned
@@ -69,7 +70,7 @@ class Case:
             traces: Traces = []
             values = written(given, Schema(kind_of(given)), traces)
             text = json.dumps(values, ensure_ascii=False, indent=1)
-            self._take((("from_json", (text, os.path.abspath(fspath(folder or ".")), traces, formulation)),))
+            self._take((("from_text", ("case.json", text, os.path.abspath(fspath(folder or ".")), traces, formulation)),))
 
     def _take(self, steps: Steps, before: Optional[_asperity.Case] = None) -> None:
         """Makes the case by steps, the last of them from the case before it where that is at hand."""
@@ -138,6 +139,46 @@ class Case:
         traces: Traces = []
         found = changes(as_keys(keys), self._raw.gears_table, traces)
         return self._then("replace", found, traces)
+
+    def with_laws(
+        self,
+        *,
+        film_friction: Optional[Law] = None,
+        film_thickness: Optional[Law] = None,
+        load_share: Optional[Law] = None,
+        load_distribution: Optional[Law] = None,
+    ) -> Case:
+        """The case with laws written in Python in place of its own.
+
+        A law is a function of one argument or an object with ``__call__``: a `Record` of arrays in SI units, over the
+        offsets of the traces at a mesh position. It returns an array or a number, or a dictionary of them. Results name
+        a law by its ``name``, or by the name of its function or class. It is called from several threads, one at a time.
+
+        Args:
+            film_friction: the friction coefficient of the film. Conditions: load, radius, entrainment, sliding,
+                max_pressure, viscosity, contact_viscosity, kinematic_viscosity, pressure_viscosity, central_film,
+                minimum_film, combined_roughness, mean_ra, sum_rz, boundary_coefficient, modulus, half_width,
+                bulk_temperature.
+            film_thickness: the smooth isothermal film, ``central`` and ``minimum`` (or one for both), of entrainment,
+                radius, load, modulus, viscosity, pressure_viscosity; with an attribute ``speed_exponent``.
+            load_share: ``film_share``, and if the asperities are lubricated ``boundary_part`` (default 1) and
+                ``lubricated_coefficient``. Conditions: those of film friction, lambda_star (NaN if unknown), film_ratio,
+                reduced_peak, flow_pressure.
+            load_distribution: the load per length of contact line, N/m, of ``s`` (place on the line of action, m),
+                path_fraction (0 at A, 1 at E), torque, ``uniform`` (the load if all lines of contact share equally).
+
+        An exception of a law ends the run and is raised with its traceback.
+        """
+        made = self
+        for kind, law in (
+            ("film-friction", film_friction),
+            ("film-thickness", film_thickness),
+            ("load-share", load_share),
+            ("load-distribution", load_distribution),
+        ):
+            if law is not None:
+                made = made._then("with_law", kind, name_of(law), exponent_of(kind, law), Called(kind, law))
+        return made
 
     def _then(self, method: str, *arguments: Any) -> Case:
         """The case after one more step; changes of keys in a row are one step of the case in another process."""

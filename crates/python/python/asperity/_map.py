@@ -11,12 +11,15 @@ import numpy as np
 
 from . import _asperity
 from ._case import CaseLike, as_case
+from ._columns import Columns, table_text
 from ._compare import Finish, cases_of
 from ._errors import AsperityError, warn
 from ._html import Chart, page
+from ._keys import Traces, changes
 from ._progress import Progress, Told
 from ._quantity import Floats, Numbers, Quantities, Quantity, operating
 from ._record import Table, Values, warned
+from ._study import Study, Unpickled, files_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -56,6 +59,9 @@ class Map(Values, MapArrays):
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._points]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (files_of(self._raw),)
 
     def _axis(self, name: str) -> Floats:
         return np.array(self._values["axes"][name], dtype=np.float64)
@@ -266,6 +272,58 @@ def map(
     return warned(found, base._about["warnings"])
 
 
+class Cycle(Study):
+    """Energy lost over a cycle: ``finishes`` (name, energies in Wh, quantiles ...), ``drive_wh``, ``coast_wh`` ..."""
+
+    @property
+    def finishes(self) -> Table:
+        """One row per finish."""
+        return Table(self._values["finishes"])
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row per finish."""
+        return self.finishes.to_pandas()
+
+
+def cycle(
+    map: Map,
+    trace: Columns,
+    *,
+    temperature_c: Optional[float] = None,
+    temperature: Optional[Quantity] = None,
+    vehicle: Optional[Mapping[str, Any]] = None,
+    allow_outside: bool = False,
+) -> Cycle:
+    """Energy lost over a cycle, with its interval where the map was drawn.
+
+    Args:
+        map: the map.
+        trace: file, frame or columns: time_s, and torque_nm with speed_rpm at the pinion, or speed_km_h.
+        temperature_c, temperature: a node of the map; default the first.
+        vehicle: keys of ``[vehicle]``, ``{"mass": "1600 kg"}``, in place of those of the case.
+        allow_outside: accept a cycle with more than 5 % of its energy outside of the map.
+    """
+    node = map._node(operating("temperature_c", temperature_c, temperature))
+    if isinstance(trace, (str, PathLike)):
+        table: tuple[str, Optional[str]] = (fspath(trace), None)
+    else:
+        table = ("cycle", table_text(trace, "cycle", "E101"))
+    traces: Traces = []
+    keys = [(key, value or "") for key, value in changes({"vehicle": dict(vehicle)} if vehicle else {}, "gears", traces)]
+    return Cycle(_asperity.cycle(map._raw, table, node, keys, allow_outside))
+
+
 def read_map(folder: Union[str, PathLike[str]]) -> Map:
     """The map in a folder that ``asperity map`` or `Map.write` has written."""
     return Map(_asperity.read_map(fspath(folder)))
+
+
+def _restored(files: dict[str, bytes]) -> Map:
+    """The map in the files that another process wrote."""
+    import tempfile
+    from pathlib import Path
+
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place) / "map"
+        Unpickled("", "", files).write(folder)
+        return read_map(folder)

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._columns import Columns, table_text
-from ._html import page
 from ._quantity import Numbers, Quantities, Quantity, operating, stated, stated_or_none
-from ._record import Record, Table, warned
+from ._record import Table, warned
+from ._study import Study
 
 if TYPE_CHECKING:
     import pandas
@@ -24,29 +24,7 @@ OilLike = Union[str, CaseLike]
 """Name of an oil of the library, or a case whose oil is taken."""
 
 
-class _Study(Record):
-    def __init__(self, raw: _asperity.OilStudy) -> None:
-        super().__init__(json.loads(raw.json()))
-        self._raw = raw
-
-    def write(self, folder: Union[str, PathLike[str]]) -> None:
-        """Writes the folder of the command."""
-        self._raw.write(fspath(folder))
-
-    def __str__(self) -> str:
-        return self._raw.summary()
-
-    def __repr__(self) -> str:
-        return f"<{type(self).__name__} {self._values['title']!r}>"
-
-    def _repr_html_(self) -> str:
-        return page(str(self._values["title"]), self._rows(), None)
-
-    def _rows(self) -> list[tuple[str, str]]:
-        return []
-
-
-class Traction(_Study):
+class Traction(Study):
     """Predicted traction: ``over_slide``, ``over_speed`` (load_n, mean_speed_m_s, slide_roll_percent, temperature_c,
     traction, traction_p05, traction_p95, film_nm, film_ratio)."""
 
@@ -58,7 +36,7 @@ class Traction(_Study):
         return [("largest Hertz pressure", f"{self._values['max_pressure_gpa']:.2f} GPa")]
 
 
-class OilFit(_Study):
+class OilFit(Study):
     """Constants of an oil fitted to traction curves: ``constants`` (key, value, range of 5 to 95 %, is_identified ...),
     ``combinations``, ``nuisance``, ``points``, ``pressure_law``, ``other_law``, ``warnings``."""
 
@@ -66,6 +44,21 @@ class OilFit(_Study):
     def constants(self) -> Table:
         """One row per constant."""
         return Table(self._values["constants"])
+
+    def apply(self, case: CaseLike, folder: Union[str, PathLike[str]]) -> Case:
+        """The case with the oil of this fit: its constants, whose band goes into the band of its losses.
+
+        Args:
+            case: the case.
+            folder: folder of the fit, written if it does not exist; the case reads its ``oil.toml``.
+        """
+        if not os.path.exists(folder):
+            self.write(folder)
+        case = as_case(case)
+        stated = [key for key, value in case.to_dict()["lubricant"].items() if value is not None]
+        # What the case states of its oil would come before the constants of the fit.
+        keys = {"oil_file": os.path.abspath(os.path.join(folder, "oil.toml")), **dict.fromkeys(stated)}
+        return case._with({f"lubricant.{key}": value for key, value in keys.items()})
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per set point: where, measured, fitted, residual, the rule that drops it."""
@@ -78,7 +71,7 @@ class OilFit(_Study):
         ]
 
 
-class OilPlan(_Study):
+class OilPlan(Study):
     """Traction measurements to make: ``curves``, ``points``, ``chosen``, ``stages`` with the errors they leave."""
 
     @property
@@ -103,7 +96,7 @@ class OilPlan(_Study):
         return [(str(stage["name"]), f"{stage['points']} points, {stage['minutes']:.0f} min") for stage in self._values["stages"]]
 
 
-class Stribeck(_Study):
+class Stribeck(Study):
     """Boundary friction of rubbed specimens: ``boundary_friction``, ``range`` of 5 to 95 %, ``states`` before and after
     rubbing, ``points``."""
 
@@ -121,11 +114,6 @@ class Stribeck(_Study):
     def _rows(self) -> list[tuple[str, str]]:
         low, high = self._values["range"]
         return [("boundary friction", f"{self._values['boundary_friction']:.4g} ({low:.4g}..{high:.4g})")]
-
-
-def oils() -> Table:
-    """The oils of the library, by name, with the certainty and source of their numbers."""
-    return Table(json.loads(_asperity.oils()))
 
 
 def oil_traction(

@@ -189,6 +189,10 @@ class RunResult(Values, ResultValues):
             raise AsperityError("a result that was read back is in its folder", "E402", "Run the case again.")
         self._outcome.write(fspath(folder), fields)
 
+    def diff(self, other: RunResult) -> Record:
+        """Differences from this result to another: ``inputs``, ``summary``, ``path``, ``warnings``, ``equations``."""
+        return Record(json.loads(_asperity.diff(self._json, other._json)))
+
     def to_json(self) -> str:
         """The text of ``result.json`` without its line breaks."""
         return self._json
