@@ -7,11 +7,12 @@ import json
 import os
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import IO, TYPE_CHECKING, Any, Optional, Union, cast
 
 from . import _asperity
 from ._contact import Contact
 from ._errors import AsperityError, warn
+from ._files import is_read, text_of
 from ._html import page
 from ._keys import Schema, Traces, changes, kind_of, written
 from ._own_laws import Called, Law, exponent_of, name_of
@@ -46,7 +47,7 @@ class Case:
     ...             lubricant={"oil": "m100"}, surface={"pinion": {"rq": "0.4 um"}})
 
     Args:
-        case: file or tables; tables as keywords win over them.
+        case: file, object that is read like one, or tables; tables as keywords win over them.
         formulation: ``"corrected"`` or ``"paper"``, over that of the case.
         folder: folder that files are relative to.
     """
@@ -56,7 +57,7 @@ class Case:
 
     def __init__(
         self,
-        case: Union[str, PathLike[str], Mapping[str, Any], None] = None,
+        case: Union[str, PathLike[str], IO[str], IO[bytes], Mapping[str, Any], None] = None,
         /,
         *,
         formulation: Optional[Formulation] = None,
@@ -65,8 +66,12 @@ class Case:
     ) -> None:
         if isinstance(case, (str, PathLike)):
             self._take(Case.load(case, tables, formulation=formulation)._steps)
+        elif is_read(case):
+            step: tuple[str, tuple[Any, ...]] = ("from_text", ("case.toml", text_of(case), os.path.abspath(fspath(folder or ".")), [], formulation))
+            whole = Case._of((step,))
+            self._take((whole._with(tables) if tables else whole)._steps)
         else:
-            given = tables_of({**(case or {}), **tables})
+            given = tables_of({**(cast("Mapping[str, Any]", case) or {}), **tables})
             traces: Traces = []
             values = written(given, Schema(kind_of(given)), traces)
             text = json.dumps(values, ensure_ascii=False, indent=1)
@@ -290,6 +295,17 @@ class Case:
     def to_toml(self) -> str:
         """The case as the text of a case file."""
         return self._raw.to_toml()
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Case):
+            return NotImplemented
+        return self.to_dict() == other.to_dict() and self._laws() == other._laws()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def _laws(self) -> dict[str, Any]:
+        """Laws in Python by what they replace."""
+        return {arguments[0]: arguments[3] for method, arguments in self._steps if method == "with_law"}
 
     def __repr__(self) -> str:
         return f"<Case {self.title!r}>"

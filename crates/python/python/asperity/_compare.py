@@ -12,7 +12,7 @@ from ._case import Case, CaseLike, as_case
 from ._errors import AsperityError
 from ._profile import Profile
 from ._progress import Progress, Told
-from ._record import Table, drawn, warned
+from ._record import Table, drawn, variable, warned
 from ._study import RawStudy, Study
 
 if TYPE_CHECKING:
@@ -105,7 +105,7 @@ class Comparison(Study):
         offsets = self.offsets
         names = [name for name in next(iter(offsets.values())).columns if name != "offset"]
         stacked = {
-            name: (("finish", "offset"), [offsets[finish][name] for finish in self.names]) for name in names
+            name: variable(("finish", "offset"), name, [offsets[finish][name] for finish in self.names]) for name in names
         }
         return xarray.Dataset(stacked, coords={"finish": self.names}, attrs={"title": str(self._values["title"])})
 

@@ -9,10 +9,10 @@ from numpy.typing import ArrayLike
 
 from . import _asperity
 from ._errors import AsperityError
-from ._html import Chart, page
+from ._html import Chart, page, shown
 from ._profile import Profile
 from ._quantity import Floats, Scalar, Values, flat, numbers, si, si_array, si_or_none
-from ._record import Record, Table, warned
+from ._record import Record, Table, variable, warned
 
 if TYPE_CHECKING:
     import pandas
@@ -88,10 +88,10 @@ class Contact(Record):
         spacing = float(self._values["spacing_m"])
         return subsurface_stress(self.pressure, spacing, depths, traction=traction, poisson=poisson)
 
-    def plot(self) -> Chart:
-        """Pressure in MPa over x in µm."""
+    def plot(self, ax: Any = None) -> Any:
+        """Pressure in MPa over x in µm, on axes of matplotlib or as a `Chart`."""
         x, pressure = self.x * 1e6, self.pressure * 1e-6
-        return Chart("Contact pressure", x.tolist(), [("pressure", pressure.tolist())], ("x in µm", "pressure in MPa"))
+        return shown(Chart("Contact pressure", x.tolist(), [("pressure", pressure.tolist())], ("x in µm", "pressure in MPa")), ax)
 
     def to_pandas(self) -> pandas.DataFrame:
         """The arrays as a `pandas.DataFrame`."""
@@ -103,10 +103,10 @@ class Contact(Record):
         """The arrays over x as an `xarray.Dataset`, the numbers as its attributes."""
         import xarray
 
-        arrays = {name: ("x", self._values[name], {"units": unit}) for name, unit in _POINTS.items() if name != "x"}
+        arrays = {name: variable("x", name, self._values[name], unit) for name, unit in _POINTS.items() if name != "x"}
         plain = (int, float, str)
         attributes = {name: value for name, value in self._values.items() if isinstance(value, plain)}
-        return xarray.Dataset(arrays, coords={"x": ("x", self.x, {"units": "m"})}, attrs=attributes)
+        return xarray.Dataset(arrays, coords={"x": variable("x", "x", self.x, "m")}, attrs=attributes)
 
     def __repr__(self) -> str:
         of = self._values

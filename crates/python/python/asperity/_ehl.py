@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 from . import _asperity
 from ._case import CaseLike, as_case
-from ._html import Chart, page
+from ._html import Chart, page, shown
 from ._progress import Progress, Told
 from ._quantity import Floats, Quantity, stated_or_none
-from ._record import Record, warned
+from ._record import Record, variable, warned
 
 if TYPE_CHECKING:
     import xarray
@@ -31,18 +31,19 @@ class EhlRecord(Record):
         x: Floats = self._values["x"]
         return x
 
-    def plot(self) -> Chart:
-        """Mean pressure in MPa over x in µm."""
+    def plot(self, ax: Any = None) -> Any:
+        """Mean pressure in MPa over x in µm, on axes of matplotlib or as a `Chart`."""
         pressure = (self._values["mean_pressure"] * 1e-6).tolist()
-        return Chart("Mean pressure", (self.x * 1e6).tolist(), [("pressure", pressure)], ("x in µm", "MPa"))
+        return shown(Chart("Mean pressure", (self.x * 1e6).tolist(), [("pressure", pressure)], ("x in µm", "MPa")), ax)
 
     def to_xarray(self) -> xarray.Dataset:
         """Mean pressure and film over x, the numbers as attributes."""
         import xarray
 
-        arrays = {name: ("x", self._values[name]) for name in ("mean_pressure", "mean_film")}
+        units = {"mean_pressure": "Pa", "mean_film": "m"}
+        arrays = {name: variable("x", name, self._values[name], unit) for name, unit in units.items()}
         numbers = {name: value for name, value in self._values.items() if isinstance(value, (int, float))}
-        return xarray.Dataset(arrays, coords={"x": self.x}, attrs=numbers)
+        return xarray.Dataset(arrays, coords={"x": variable("x", "x", self.x, "m")}, attrs=numbers)
 
     def __repr__(self) -> str:
         of = self._values

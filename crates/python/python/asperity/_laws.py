@@ -3,22 +3,37 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _asperity
-from ._errors import AsperityError, warn
-from ._quantity import Values, pressed, si_array
+from ._errors import warn
+from ._quantity import Floats, Values, numbers, pressed, si_array
 from ._record import Record
 
 if TYPE_CHECKING:
     from .keys import FilmLaw, FrictionLaw, ThermalLaw
 
 
-def _shaped(array: Any, shape: tuple[int, ...]) -> Any:
-    """The array in this shape; a number where all arguments were numbers."""
-    return array.reshape(shape) if shape else array[0].item()
+def _over(columns: dict[str, Floats], law: Callable[[dict[str, Floats]], dict[str, Any]]) -> dict[str, Any]:
+    """The arrays of a law in the common shape of its columns; numbers where all columns are numbers.
+
+    Where a column of an array is NaN or masked, so is the result, and the law is not asked.
+    """
+    given, shape = pressed(columns)
+    if not shape:
+        return {name: array[0].item() for name, array in law(given).items()}
+    missing = np.logical_or.reduce([np.isnan(array) for array in given.values()])
+    if not missing.any():
+        return {name: array.reshape(shape) for name, array in law(given).items()}
+    found = {}
+    for name, array in law({name: array[~missing] for name, array in given.items()}).items():
+        whole = np.full(missing.shape, False if array.dtype == np.bool_ else np.nan, dtype=array.dtype)
+        whole[~missing] = array
+        found[name] = whole.reshape(shape)
+    return found
 
 
 def _noted(notes: list[str]) -> list[str]:
@@ -30,7 +45,7 @@ def _noted(notes: list[str]) -> list[str]:
 def _fitted(given: dict[str, Any], known: dict[str, str]) -> dict[str, Any]:
     """Arrays in SI units, of one shape, flat."""
     return {
-        name: si_array(value, known[name]) if known[name] else np.asarray(value, dtype=np.float64)
+        name: si_array(value, known[name]) if known[name] else numbers(value, name)
         for name, value in given.items()
         if value is not None
     }
@@ -46,16 +61,14 @@ def hertz(load: Values, radius: Values, modulus: Values) -> Record:
         radius: relative radius R, m.
         modulus: reduced modulus E*, Pa.
 
-    The arguments are broadcast; the arrays have their common shape.
+    The arguments are broadcast; the arrays have their common shape, with NaN where an argument is NaN or masked.
     """
     columns = {
         "load": si_array(load, "LineLoad"),
         "radius": si_array(radius, "Length"),
         "modulus": si_array(modulus, "Pressure"),
     }
-    given, shape = pressed(columns)
-    found = _asperity.hertz(given["load"], given["radius"], given["modulus"])
-    return Record({name: _shaped(array, shape) for name, array in found.items()})
+    return Record(_over(columns, lambda given: _asperity.hertz(given["load"], given["radius"], given["modulus"])))
 
 
 _FILM = {
@@ -102,9 +115,13 @@ def film_thickness(
         pressure_viscosity=pressure_viscosity,
         contact_length=contact_length,
     )
-    columns, shape = pressed(_fitted(given, _FILM))
-    arrays, notes = _asperity.film_thickness(law, columns)
-    return Record({**{name: _shaped(array, shape) for name, array in arrays.items()}, "notes": _noted(notes)})
+    notes: list[str] = []
+
+    def found(columns: dict[str, Floats]) -> dict[str, Any]:
+        arrays, notes[:] = _asperity.film_thickness(law, columns)
+        return arrays
+
+    return Record({**_over(_fitted(given, _FILM), found), "notes": _noted(notes)})
 
 
 def thermal_reduction(
@@ -121,9 +138,13 @@ def thermal_reduction(
     """
     given = {"max_pressure": max_pressure, "modulus": modulus, "loading": loading, "slide_to_roll": slide_to_roll}
     known = {"max_pressure": "Pressure", "modulus": "Pressure", "loading": "", "slide_to_roll": ""}
-    columns, shape = pressed(_fitted(given, known))
-    factor, outside, notes = _asperity.thermal_reduction(law, columns)
-    return Record({"factor": _shaped(factor, shape), "outside": _shaped(outside, shape), "notes": _noted(notes)})
+    notes: list[str] = []
+
+    def found(columns: dict[str, Floats]) -> dict[str, Any]:
+        factor, outside, notes[:] = _asperity.thermal_reduction(law, columns)
+        return {"factor": factor, "outside": outside}
+
+    return Record({**_over(_fitted(given, known), found), "notes": _noted(notes)})
 
 
 _FRICTION = {
@@ -188,6 +209,10 @@ def friction_coefficient(
     """
     every = locals()
     given = {name: every[name] for name in _FRICTION if every[name] is not None} or {"boundary_coefficient": 0.0}
-    columns, shape = pressed(_fitted(given, _FRICTION))
-    values, outside, notes = _asperity.friction_coefficient(law, columns, json.dumps(settings or {}))
-    return Record({"coefficient": _shaped(values, shape), "outside": _shaped(outside, shape), "notes": _noted(notes)})
+    notes: list[str] = []
+
+    def found(columns: dict[str, Floats]) -> dict[str, Any]:
+        coefficient, outside, notes[:] = _asperity.friction_coefficient(law, columns, json.dumps(settings or {}))
+        return {"coefficient": coefficient, "outside": outside}
+
+    return Record({**_over(_fitted(given, _FRICTION), found), "notes": _noted(notes)})

@@ -14,11 +14,11 @@ from ._case import CaseLike, as_case
 from ._columns import Columns, table_text
 from ._compare import Finish, cases_of
 from ._errors import AsperityError, warn
-from ._html import Chart, page
+from ._html import Chart, page, shown
 from ._keys import Traces, changes
 from ._progress import Progress, Told
 from ._quantity import Floats, Numbers, Quantities, Quantity, operating
-from ._record import Table, Values, warned
+from ._record import Table, Values, variable, warned
 from ._study import Study, Unpickled, files_of
 
 if TYPE_CHECKING:
@@ -177,11 +177,9 @@ class Map(Values, MapArrays):
 
         coordinates = {
             "finish": self.finishes,
-            "temperature_c": self.temperature_c,
-            "torque_nm": self.torque_nm,
-            "speed_rpm": self.speed_rpm,
+            **{name: variable(name, name, self._axis(name)) for name in ("temperature_c", "torque_nm", "speed_rpm")},
         }
-        data = {name: (_DIMENSIONS, array) for name, array in self._points.items() if name != "code"}
+        data = {name: variable(_DIMENSIONS, name, array) for name, array in self._points.items() if name != "code"}
         attributes = {"title": self._values["title"], "scope": self._values["scope"], "ratio": self._values["ratio"]}
         return xarray.Dataset(data, coords=coordinates, attrs=attributes)
 
@@ -193,12 +191,12 @@ class Map(Values, MapArrays):
         index = pandas.MultiIndex.from_product(levels, names=_DIMENSIONS)
         return pandas.DataFrame({name: array.ravel() for name, array in self._points.items()}, index=index)
 
-    def plot(self) -> Chart:
-        """Loss over speed at the largest torque, of every finish at the first temperature."""
+    def plot(self, ax: Any = None) -> Any:
+        """Loss over speed at the largest torque, of every finish at the first temperature, on axes of matplotlib or as a `Chart`."""
         losses = self._points["loss_w"][:, 0, -1, :]
         series = [(name, losses[number].tolist()) for number, name in enumerate(self.finishes)]
         title = f"Loss at {self.torque_nm[-1]:g} N m"
-        return Chart(title, self.speed_rpm.tolist(), series, ("speed in 1/min", "loss in W"))
+        return shown(Chart(title, self.speed_rpm.tolist(), series, ("speed in 1/min", "loss in W")), ax)
 
     def __str__(self) -> str:
         return self._raw.summary()

@@ -5,16 +5,17 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union
+from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _asperity
 from ._errors import warn
-from ._html import Chart, page
+from ._files import on_disk
+from ._html import Chart, page, shown
 from ._quantity import Floats, Scalar, flat, numbers, si, si_or_none
-from ._record import Record, Table
+from ._record import Record, Table, described
 
 if TYPE_CHECKING:
     import pandas
@@ -145,6 +146,14 @@ class Profile:
     def __len__(self) -> int:
         return len(self._raw.heights)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Profile):
+            return NotImplemented
+        return self.spacing == other.spacing and bool(np.array_equal(self.heights, other.heights))
+
+    def __hash__(self) -> int:
+        return hash((self.spacing, self.heights.tobytes()))
+
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> Any:
         return np.asarray(self.heights, dtype=dtype)
 
@@ -254,12 +263,7 @@ class Profile:
         """A chart of the heights in µm over mm: on axes of matplotlib, else an SVG `Chart`."""
         x, heights = self.x * 1e3, self.heights * 1e6
         labels = ("x in mm", "height in µm")
-        if ax is None:
-            return Chart(self.name or "Profile", x.tolist(), [("height", heights.tolist())], labels)
-        ax.plot(x, heights, linewidth=0.8)
-        ax.set_xlabel(labels[0])
-        ax.set_ylabel(labels[1])
-        return ax
+        return shown(Chart(self.name or "Profile", x.tolist(), [("height", heights.tolist())], labels), ax)
 
     def to_dict(self) -> dict[str, Any]:
         """Name, spacing, heights and what is known of them, in Python's own types."""
@@ -276,8 +280,8 @@ class Profile:
         """Heights in m over x in m as an `xarray.DataArray`."""
         import xarray
 
-        units = {"units": "m"}
-        x = xarray.Variable("x", self.x, units)
+        units = described("height", "m")
+        x = xarray.Variable("x", self.x, described("x", "m"))
         return xarray.DataArray(self.heights, coords={"x": x}, dims="x", name=self.name or "height", attrs=units)
 
     def __repr__(self) -> str:
@@ -291,7 +295,7 @@ class Profile:
 
 
 def read_profile(
-    path: Union[str, PathLike[str]],
+    path: Union[str, PathLike[str], IO[bytes]],
     *,
     x_unit: Optional[LengthUnit] = None,
     z_unit: Optional[LengthUnit] = None,
@@ -310,7 +314,7 @@ def read_profile(
     """Reads a profilometer file: text, CSV, X3P, SDF, SMD, PRF, Excel and others (docs/FILE_FORMATS.md).
 
     Args:
-        path: the file.
+        path: the file, or an object with ``read`` that has its bytes, whose ``name`` helps to recognise the format.
         x_unit, z_unit: ``"mm"``, ``"um"``, ``"nm"`` ..., where the file does not tell.
         dx: spacing, m.
         columns: numbers of the columns from 1: ``(x, z)``, or that of the heights alone.
@@ -341,8 +345,9 @@ def read_profile(
         "uneven": uneven,
     }
     keys = {key: value for key, value in options.items() if value is not None}
-    raw = _asperity.read_profile(fspath(path), json.dumps(keys))
-    return Profile._of(raw, fspath(path).replace("\\", "/").rsplit("/", 1)[-1])._warned()
+    with on_disk(path) as file:
+        raw = _asperity.read_profile(file, json.dumps(keys))
+        return Profile._of(raw, file.replace("\\", "/").rsplit("/", 1)[-1])._warned()
 
 
 _RECIPE_LENGTHS = ("spacing", "rq", "roll_off", "short_cut", "grit_spacing", "grit_radius", "grit_protrusion", "depth", "width", "diameter")

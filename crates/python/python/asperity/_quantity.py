@@ -193,6 +193,8 @@ def si_array(value: Values, quantity: str) -> Floats:
 
 def numbers(value: object, name: str) -> Floats:
     """An array of numbers."""
+    if isinstance(value, np.ma.MaskedArray):
+        value = np.ma.filled(value.astype(np.float64), np.nan)
     try:
         return np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -205,6 +207,10 @@ def flat(value: Floats, name: str) -> Floats:
     if value.ndim != 1:
         text = f"{name}: an array of one dimension is expected, this one has {value.ndim}"
         raise AsperityError(text, "E209", "Pass one profile or gap at a time.")
+    if not np.isfinite(value).all():
+        wrong = np.flatnonzero(~np.isfinite(value))
+        text = f"{name}: {value[wrong[0]]} at index {wrong[0]}; {len(wrong)} of {len(value)} values are not finite"
+        raise AsperityError(text, "E209", "Interpolate these values, or cut the array before them.")
     return value
 
 

@@ -119,6 +119,27 @@ def _short(value: Any) -> str:
     return str(value)
 
 
+_UNITS = {
+    "_w_per_m": "W/m", "_n_per_mm": "N/mm", "_n_per_m": "N/m", "_m_per_s": "m/s", "_j_per_m": "J/m", "_rpm": "1/min",
+    "_mpa": "MPa", "_gpa": "GPa", "_pa": "Pa", "_nm": "nm", "_um": "um", "_mm": "mm", "_m": "m", "_wh": "W h", "_w": "W",
+    "_k": "K", "_c": "degC", "_s": "s", "_n": "N", "_percent": "percent", "_deg": "degree",
+}
+"""Units by the ends of names."""
+
+
+def described(name: str, unit: str | None = None) -> dict[str, str]:
+    """Attributes of a variable of xarray: its unit, by the end of its name, and its name in words."""
+    end = next((end for end in _UNITS if name.endswith(end)), "")
+    unit = unit or ("N m" if end == "_nm" and "torque" in name else _UNITS.get(end, "1"))
+    return {"units": unit, "long_name": name.removesuffix(end).replace("_", " ")}
+
+
+def variable(dimensions: Any, name: str, values: Any, unit: str | None = None) -> tuple[Any, Any, dict[str, str]]:
+    """A variable of xarray, with unit and name if it holds numbers."""
+    array = np.asarray(values)
+    return dimensions, values, described(name, unit) if array.dtype.kind in "fi" else {"long_name": name.replace("_", " ")}
+
+
 def drawn(uncertainty: Mapping[str, Any]) -> str:
     """Median of a loss with its 5 and 95 % quantiles."""
     loss = uncertainty["loss"]
@@ -205,7 +226,7 @@ class Rows:
         import xarray
 
         columns = {name: self._at(name) for name in self._names}
-        return xarray.Dataset({name: (dimension, values) for name, values in columns.items()})
+        return xarray.Dataset({name: variable(dimension, name, values) for name, values in columns.items()})
 
     def __repr__(self) -> str:
         return f"{type(self).__name__} of {len(self)} rows: {', '.join(self._names)}"

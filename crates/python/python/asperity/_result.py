@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from . import _asperity
 from ._errors import AsperityError
-from ._html import Chart, page
+from ._html import Chart, page, shown
 from ._quantity import Floats
-from ._record import Record, Rows, Table, Values, drawn
+from ._record import Record, Rows, Table, Values, drawn, variable
 
 if TYPE_CHECKING:
     import pandas
@@ -50,22 +50,28 @@ class Fields(Record):
         import xarray
 
         arrays = {
-            name: (("x",) if value.ndim == 1 else ("depth", "x"), value)
+            name: variable(("x",) if value.ndim == 1 else ("depth", "x"), name, value, _unit_of_field(name))
             for name, value in self._values.items()
             if name not in ("x", "depths")
         }
-        coordinates = {"x": self.x}
+        coordinates = {"x": variable("x", "x", self.x, "m")}
         if "depths" in self._values:
-            coordinates["depth"] = self._values["depths"]
+            coordinates["depth"] = variable("depth", "depth", self._values["depths"], "m")
         return xarray.Dataset(arrays, coords=coordinates)
 
-    def plot(self) -> Chart:
-        """Pressure of solids and film in MPa over x in µm."""
+    def plot(self, ax: Any = None) -> Any:
+        """Pressure of solids and film in MPa over x in µm, on axes of matplotlib or as a `Chart`."""
         series = [
             ("solids", (self._values["pressure_solid"] * 1e-6).tolist()),
             ("film", (self._values["pressure_fluid"] * 1e-6).tolist()),
         ]
-        return Chart("Pressure", (self.x * 1e6).tolist(), series, ("x in µm", "pressure in MPa"))
+        return shown(Chart("Pressure", (self.x * 1e6).tolist(), series, ("x in µm", "pressure in MPa")), ax)
+
+
+def _unit_of_field(name: str) -> str:
+    """Unit of a field along the contact: stresses in Pa, all else in m."""
+    is_stress = name.startswith(("pressure", "sigma", "tau", "von_mises", "shear"))
+    return "Pa" if is_stress else "m"
 
 
 _DEPTHS = ("sigma_xx", "sigma_zz", "tau_xz", "von_mises")
@@ -210,12 +216,12 @@ class RunResult(Values, ResultValues):
         path = self.path
         columns = {name: path._at(name) for name in path.columns}
         at = columns.pop("path_fraction", np.arange(len(path)))
-        numbers = {name: ("path_fraction", value) for name, value in columns.items() if value.dtype != object}
+        numbers = {name: variable("path_fraction", name, value) for name, value in columns.items() if value.dtype != object}
         plain = {name: value for name, value in self._summary().items() if isinstance(value, (int, float, str))}
-        return xarray.Dataset(numbers, coords={"path_fraction": at}, attrs={"title": self.title, **plain})
+        return xarray.Dataset(numbers, coords={"path_fraction": variable("path_fraction", "path_fraction", at)}, attrs={"title": self.title, **plain})
 
-    def plot(self) -> Chart:
-        """Loss along the path in W per metre of contact line."""
+    def plot(self, ax: Any = None) -> Any:
+        """Loss along the path in W per metre of contact line, on axes of matplotlib or as a `Chart`."""
         path = self.path
         parts = [
             ("film", "film_w_per_m"),
@@ -225,7 +231,7 @@ class RunResult(Values, ResultValues):
         ]
         series = [(name, path._at(key).tolist()) for name, key in parts if key in path.columns]
         at = path["path_fraction"].tolist()
-        return Chart("Loss along the path", at, series, ("A to E", "W/m"))
+        return shown(Chart("Loss along the path", at, series, ("A to E", "W/m")), ax)
 
     def __str__(self) -> str:
         if "summary" in self._values and "inputs" in self._values:
@@ -274,17 +280,17 @@ class Regime(Table):
         """The regime of each mesh of a gear train or planetary set."""
         return [Regime([mesh]) for mesh in self._meshes]
 
-    def plot(self) -> Chart:
-        """Λ* along the path."""
+    def plot(self, ax: Any = None) -> Any:
+        """Λ* along the path, on axes of matplotlib or as a `Chart`."""
         at = self["path_fraction"].tolist()
-        return Chart("Film parameter Λ*", at, [("Λ*", self["lambda_star"].tolist())], ("A to E", "Λ*"))
+        return shown(Chart("Film parameter Λ*", at, [("Λ*", self["lambda_star"].tolist())], ("A to E", "Λ*")), ax)
 
     def to_xarray(self, dimension: str = "path_fraction") -> xarray.Dataset:
         """The columns over ``path_fraction``."""
         import xarray
 
-        columns = {name: (dimension, self[name]) for name in self.columns if name != "path_fraction"}
-        return xarray.Dataset(columns, coords={dimension: self["path_fraction"]})
+        columns = {name: variable(dimension, name, self[name]) for name in self.columns if name != "path_fraction"}
+        return xarray.Dataset(columns, coords={dimension: variable(dimension, "path_fraction", self["path_fraction"])})
 
     def _repr_html_(self) -> str:
         mixed = self["mixed_share"]
