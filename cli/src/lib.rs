@@ -8,7 +8,7 @@ pub mod fuzzing;
 mod output;
 mod words;
 
-use asperity_fixtures::Worked;
+use asperity_fixtures::worked::Worked;
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use asperity_core::presets;
-use asperity_fixtures::{TextFile, Worked, WorkedError};
+use asperity_fixtures::TextFile;
+use asperity_fixtures::worked::{Worked, WorkedError};
 use asperity_report::library::LibraryError;
 use asperity_storage::new_folder_of;
 use serde_json::json;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity_fixtures::{Worked, WorkedError};
+use asperity_fixtures::worked::{Worked, WorkedError};
 use asperity_report::library::{
     LibraryError, gears_named, listed_gears, listed_oil, listed_steel, oils_named, steels_named,
 };
