@@ -49,6 +49,12 @@ def test_objects_are_read_like_files():
     assert changed == asperity.Case(case, torque_nm=20) and changed != asperity.Case(case)
 
 
+def test_a_text_that_is_no_text_is_refused():
+    with pytest.raises(AsperityError, match="cannot be read") as refused:
+        asperity.Case(io.BytesIO(b"\xff\xfe\x00"))
+    assert refused.value.code == "E202"
+
+
 def law(at):
     return 0.05
 

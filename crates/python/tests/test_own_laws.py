@@ -122,6 +122,14 @@ def test_a_law_that_lacks_something_is_refused(drive):
     with pytest.raises(AsperityError, match="speed_exponent") as refused:
         drive.with_laws(film_thickness=lambda at: at.load)
     assert refused.value.code == "E205"
+    for exponent, code in (("x", "E204"), (np.nan, "E209"), (3, "E209")):
+        wrong = lambda at: at.load  # noqa: E731
+        wrong.speed_exponent = exponent
+        with pytest.raises(AsperityError) as refused:
+            drive.with_laws(film_thickness=wrong)
+        assert refused.value.code == code
+    with pytest.raises(AsperityError, match="callable"):
+        drive.with_laws(film_friction=3)
     with pytest.raises(AsperityError):
         drive.with_laws(load_share=lambda at: 1.5).run("losses")
 

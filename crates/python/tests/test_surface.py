@@ -106,9 +106,10 @@ def test_measurements_and_designs_are_those_of_the_command(command, tmp_path):
     expected = json_of(command, "calibrate", "--design", file, *KEYS, *limits, "-o", tmp_path / "design")
     plan = asperity.design(case, hours=4, torque_max_nm=180, speed_max_rpm=3000, temperature_c=[40, 90])
     assert plan.to_dict() == expected and len(plan.to_pandas()) == len(plan.points)
-    with pytest.raises(AsperityError) as refused:
-        asperity.design(case, torque_max_nm=-1)
-    assert refused.value.code == "E209"
+    for wrong in ({"torque_max_nm": -1}, {"sigma": float("nan")}, {"hours": 0}, {"speed_rpm": [[1, 2]]}):
+        with pytest.raises(AsperityError) as refused:
+            asperity.design(case, **wrong)
+        assert refused.value.code == "E209"
 
 
 def test_differences_are_those_of_the_command(command, tmp_path):

@@ -58,6 +58,10 @@ def test_text_ranges_and_pint_mean_the_same(drive, a_map):
         ({"torque": "10..150:8 kN m"}, "E204"),
         ({"torque": "1000 1/min"}, "E204"),
         ({"torque": "145 N m", "torque_nm": 145}, "E205"),
+        ({"torque_nm": True}, "E204"),
+        ({"torque_nm": [[1, 2], [3, 4]]}, "E209"),
+        ({"torque_nm": np.nan}, "E209"),
+        ({"torque_nm": []}, "E209"),
     ],
 )
 def test_what_has_no_unit_or_two_is_refused(drive, given, code):
@@ -69,7 +73,9 @@ def test_what_has_no_unit_or_two_is_refused(drive, given, code):
 def test_the_loss_torque_of_a_map_takes_no_place_without_names(a_map):
     with pytest.raises(TypeError):
         a_map.loss_torque(50, a_map.speed_rpm)
-    for given, code in (({"torque_nm": 50}, "E205"), ({"torque_nm": 50, "speed": 9000}, "E204"), ({"torque_nm": 50, "speed_rpm": 9000, "temperature_c": 75}, "E209")):
+    for given, code in (({"torque_nm": 50}, "E205"), ({"torque_nm": 50, "speed": 9000}, "E204"), ({"torque_nm": 50, "speed_rpm": 9000, "temperature_c": 75}, "E209"),
+                        ({"torque_nm": [1, 2], "speed_rpm": [1, 2, 3]}, "E209"), ({"torque_nm": 50, "speed_rpm": 9000, "finish": "none"}, "E209"),
+                        ({"torque_nm": 50, "speed_rpm": 9000, "finish": -1}, "E209")):
         with pytest.raises(AsperityError) as refused:
             a_map.loss_torque(**given)
         assert refused.value.code == code

@@ -14,7 +14,7 @@ from ._case import Case, CaseLike, as_case
 from ._columns import Columns, table_text
 from ._errors import AsperityError
 from ._progress import Progress, Told
-from ._quantity import Numbers, operating
+from ._quantity import Numbers, axis_of, flat, operating
 from ._record import Table, warned
 from ._study import RawStudy, Study
 
@@ -112,20 +112,23 @@ def design(
 
     def nodes(own: str, given: Optional[Numbers]) -> Optional[list[float]]:
         found = operating(own, given, None)
-        return None if found is None else found.tolist()
+        return None if found is None else axis_of(flat(found, own), own)
 
-    for name, value in (("torque_max_nm", torque_max_nm), ("speed_max_rpm", speed_max_rpm)):
-        if value is not None and not 0.0 < value < math.inf:
-            raise AsperityError(f"{name} = {value}: must be positive", "E209", "Give the reach of the rig.")
-    limits = {
+    positive = {
         "torque_max_nm": torque_max_nm,
         "speed_max_rpm": speed_max_rpm,
-        "torque_nm": nodes("torque_nm", torque_nm),
-        "speed_rpm": nodes("speed_rpm", speed_rpm),
-        "temperature_c": nodes("temperature_c", temperature_c),
         "hours": hours,
         "minutes_per_point": minutes_per_point,
         "sigma": sigma,
+    }
+    for name, value in positive.items():
+        if value is not None and not 0.0 < value < math.inf:
+            raise AsperityError(f"{name} = {value}: must be positive", "E209", "Correct the limit of the rig.")
+    limits = {
+        **positive,
+        "torque_nm": nodes("torque_nm", torque_nm),
+        "speed_rpm": nodes("speed_rpm", speed_rpm),
+        "temperature_c": nodes("temperature_c", temperature_c),
         "assemblies": assemblies,
     }
     with Told(progress, "evaluations") as told:

@@ -7,6 +7,8 @@ from contextlib import contextmanager
 from os import PathLike, fspath
 from typing import IO, Any, Union
 
+from ._errors import AsperityError
+
 
 def is_read(file: Any) -> bool:
     """Whether an object is read like a file."""
@@ -16,7 +18,10 @@ def is_read(file: Any) -> bool:
 def text_of(file: Any) -> str:
     """The text in an object that is read like a file."""
     content = file.read()
-    return content.decode("utf-8") if isinstance(content, bytes) else str(content)
+    try:
+        return content.decode("utf-8") if isinstance(content, bytes) else str(content)
+    except UnicodeDecodeError as error:
+        raise AsperityError(f"the text cannot be read: {error}", "E202", "Encode the text in UTF-8.") from error
 
 
 @contextmanager

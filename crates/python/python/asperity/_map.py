@@ -17,7 +17,7 @@ from ._errors import AsperityError, warn
 from ._html import Chart, page, shown
 from ._keys import Traces, changes
 from ._progress import Progress, Told
-from ._quantity import Floats, Numbers, Quantities, Quantity, operating
+from ._quantity import Floats, Numbers, Quantities, Quantity, axis_of, operating, together
 from ._record import Table, Values, variable, warned
 from ._study import Study, Unpickled, files_of
 
@@ -112,10 +112,13 @@ class Map(Values, MapArrays):
         Outside the map loss over torque is constant, with a warning: the loss at the edge times the torque over the
         torque of the edge. A place that is not a number has no loss.
         """
-        number = self.finishes.index(finish) if isinstance(finish, str) else finish
+        names = self.finishes
+        if finish not in (names if isinstance(finish, str) else range(len(names))):
+            raise AsperityError(f"finish {finish!r}: the map has {', '.join(names)}", "E209", "Give one of these names.")
+        number = names.index(finish) if isinstance(finish, str) else finish
         given = [_places("torque_nm", torque_nm, torque), _places("speed_rpm", speed_rpm, speed)]
         at = operating("temperature_c", temperature_c, temperature)
-        torques, speeds = np.broadcast_arrays(*given)
+        torques, speeds = together(given)
         places = torques.ravel().tolist(), speeds.ravel().tolist()
         found, outside = self._raw.loss_torque(number, self._node(at), *places)
         if outside.any():
@@ -130,8 +133,8 @@ class Map(Values, MapArrays):
         nodes = self.temperature_c
         is_node = np.isclose(nodes, at, rtol=0.0, atol=1e-9) if at.shape == (1,) else np.zeros(1)
         if not is_node.any():
-            known = ", ".join(f"{node:g}" for node in nodes)
-            raise AsperityError(f"temperature {at}: the map has {known} °C", "E209", "Give the temperature of a node.")
+            known, given = (", ".join(f"{node:g}" for node in of) for of in (nodes, at.ravel()))
+            raise AsperityError(f"temperature {given} °C: the map has {known} °C", "E209", "Give the temperature of a node.")
         return int(np.argmax(is_node))
 
     def export(
@@ -227,7 +230,7 @@ def _places(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> F
 
 def _axis(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> Optional[list[float]]:
     found = operating(own, given, text)
-    return None if found is None else found.tolist()
+    return None if found is None else axis_of(found, own)
 
 
 def map(

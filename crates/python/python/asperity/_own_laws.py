@@ -67,10 +67,16 @@ class Called(NamedTuple):
 
 def exponent_of(kind: str, law: Any) -> float:
     """Exponent of speed in the central film by a law of film thickness."""
+    if not callable(law):
+        raise AsperityError(f"{law!r}: a law must be callable", "E205", "Give a function or an object with __call__.")
     if kind != "film-thickness":
         return 0.0
     exponent = getattr(law, "speed_exponent", None)
     if exponent is None:
         text = f"the film thickness law {name_of(law)} has no speed_exponent, which the film parameter requires"
         raise AsperityError(text, "E205", "Set law.speed_exponent, the exponent of speed in its central film.")
-    return float(exponent)
+    found = float(numbers(exponent, "speed_exponent"))
+    if not 0.0 < found < 2.0:
+        text = f"the speed_exponent {found:g} of the law {name_of(law)} must be between 0 and 2"
+        raise AsperityError(text, "E209", "Correct the law.")
+    return found

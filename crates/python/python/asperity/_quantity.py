@@ -148,7 +148,7 @@ def operating(own: str, given: Optional[Numbers], text: Optional[Quantities]) ->
     if given is not None and text is not None:
         raise AsperityError(f"{name} and {own}: both are given", "E205", "Give one of both.")
     if given is not None:
-        if isinstance(given, str) or is_pint(given):
+        if isinstance(given, (str, bool)) or is_pint(given):
             raise AsperityError(f"{own}: {given!r}: must be a number in {of.unit}", "E204", f"Give it by {name}.")
         return np.atleast_1d(numbers(given, own))
     if isinstance(text, str) and ".." in text:
@@ -163,6 +163,15 @@ def operating(own: str, given: Optional[Numbers], text: Optional[Quantities]) ->
         return np.atleast_1d(np.asarray(_magnitude(text, of.quantity, of.pint), dtype=np.float64))
     every: Any = text if isinstance(text, (list, tuple)) else [text]
     return np.array([of.number(one, name) for one in every])
+
+
+def axis_of(found: Floats, name: str) -> list[float]:
+    """Nodes of an axis as a list."""
+    if found.ndim != 1:
+        text = f"{name}: an array of one dimension is expected, this one has {found.ndim}"
+        raise AsperityError(text, "E209", "Give the nodes of the axis.")
+    nodes: list[float] = found.tolist()
+    return nodes
 
 
 def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -214,12 +223,17 @@ def flat(value: Floats, name: str) -> Floats:
     return value
 
 
-def pressed(values: dict[str, Floats]) -> tuple[dict[str, Floats], tuple[int, ...]]:
-    """Arrays of one shape by the rules of numpy, flat, and that shape."""
+def together(values: Sequence[Floats]) -> list[Floats]:
+    """The arrays broadcast to one shape."""
     try:
-        wide = np.broadcast_arrays(*values.values())
+        return list(np.broadcast_arrays(*values))
     except ValueError as error:
         text = f"the arrays do not fit each other: {error}"
         raise AsperityError(text, "E209", "Give arrays that numpy can broadcast to one shape.") from error
+
+
+def pressed(values: dict[str, Floats]) -> tuple[dict[str, Floats], tuple[int, ...]]:
+    """Arrays of one shape by the rules of numpy, flat, and that shape."""
+    wide = together(list(values.values()))
     shape = wide[0].shape
     return {name: array.ravel() for name, array in zip(values, wide)}, shape
