@@ -27,7 +27,7 @@ def gears(name: str) -> Record: ...
 
 
 def gears(name: Optional[str] = None) -> Union[Table, Record]:
-    """The gears of the library, or those of this name, with centre distance, contact ratio, certainty and source of
+    """The gears of the library, or the gears of this name, with centre distance, contact ratio, certainty and source of
     every number, as ``asperity gears`` lists them."""
     found: Union[Table, Record] = _listed(_asperity.gears(name), name)
     return found
