@@ -8,6 +8,7 @@ pub mod fuzzing;
 mod output;
 mod words;
 
+use asperity_fixtures::worked::Worked;
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
@@ -89,11 +90,15 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Case(CaseCommand::FromRexs(args)) => commands::from_rexs::from_rexs(args, common),
         Command::Demo {
             folder,
-            gears: Some(name),
-            ..
-        } => commands::demo::preset(name, folder.as_deref(), common),
-        Command::Demo { folder, paper, .. } => {
-            commands::demo::demo(folder.as_deref(), *paper, common)
+            paper,
+            gears,
+        } => {
+            let worked = match (gears, paper) {
+                (Some(name), _) => Worked::Gears(name),
+                (None, true) => Worked::Paper,
+                (None, false) => Worked::Drive,
+            };
+            commands::demo::demo(folder.as_deref(), worked, common)
         }
     }
 }

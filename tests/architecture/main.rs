@@ -109,7 +109,9 @@ const ALLOWED: &[(&str, &[&str])] = &[
 const OF_THE_MODULE: &[&str] = &[
     "asperity",
     "asperity-calibration",
+    "asperity-fixtures",
     "asperity-report",
+    "asperity-rexs",
     "asperity-storage",
     "asperity-studies",
 ];

@@ -4,7 +4,6 @@ use std::time::Instant;
 
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
-use asperity_calibration::identifiability::rounded;
 use asperity_calibration::{
     Calibration, CalibrationError, Design, Identifiability, Limits, Reach, RigFiles, Watch,
     before_the_fit, plan,
@@ -120,38 +119,14 @@ fn reach(args: &CalibrateArgs) -> Result<Reach, Failure> {
 }
 
 fn limits(args: &CalibrateArgs, case: &LoadedCase) -> Result<Limits, Failure> {
-    /// Default number of speeds.
-    const SPEEDS: usize = 8;
-    /// Lowest default speed relative to the highest.
-    const SLOWEST: f64 = 0.02;
-    /// Ends of the default range of oil temperatures \[°C\].
-    const TEMPERATURES: [f64; 2] = [40.0, 90.0];
-    let reach = reach(args)?;
-    let case = &case.case;
-    let map = case.input.map.unwrap_or_default();
-    let torque = map.torque_max.unwrap_or(case.torque).si();
-    let torque = reach
-        .torque_max_nm
-        .map_or(torque, |most| most.copysign(case.torque.si()));
-    let speed = map.speed_max.unwrap_or(case.speed).si() * 30.0 / std::f64::consts::PI;
-    let speed = reach.speed_max_rpm.unwrap_or(speed);
-    let even = |k: usize| match k + 1 == SPEEDS {
-        true => speed,
-        false => rounded(speed * SLOWEST.powf(1.0 - k as f64 / (SPEEDS - 1) as f64)),
-    };
-    let at = case.temperature.celsius();
-    let [cold, hot] = [at.min(TEMPERATURES[0]), at.max(TEMPERATURES[1])];
+    let usual = Limits::usual(&case.case, reach(args)?);
     Ok(Limits {
-        torques_nm: nodes("--torque", args.torque.as_ref())?
-            .unwrap_or_else(|| vec![rounded(torque / 3.0), torque]),
-        speeds_rpm: nodes("--speed", args.speed.as_ref())?
-            .unwrap_or_else(|| (0..SPEEDS).map(even).collect()),
-        temperatures_c: reach
-            .temperatures_c
-            .unwrap_or_else(|| vec![cold, (0.5 * (cold + hot)).round(), hot]),
+        torques_nm: nodes("--torque", args.torque.as_ref())?.unwrap_or(usual.torques_nm),
+        speeds_rpm: nodes("--speed", args.speed.as_ref())?.unwrap_or(usual.speeds_rpm),
         hours: args.hours,
         minutes_per_point: args.minutes,
         sigma: args.sigma.value(),
         assemblies: args.assemblies,
+        ..usual
     })
 }

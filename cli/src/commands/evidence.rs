@@ -34,21 +34,12 @@ fn efforts(changes: &[String]) -> Result<Vec<Effort>, Failure> {
     let mut efforts = Effort::usual().to_vec();
     for change in changes {
         let (name, hours) = change.split_once('=').unwrap_or((change, ""));
-        let hours = hours.trim().parse::<f64>().ok();
-        let hours = hours.filter(|hours| (0.0..1e6).contains(hours));
-        let names = || {
-            let names = Effort::usual().map(|effort| effort.key);
-            names.join(", ")
-        };
-        let own = efforts.iter_mut().find(|effort| effort.key == name.trim());
-        let (Some(effort), Some(hours)) = (own, hours) else {
-            let message = format!(
-                "--hours {change}: give NAME=HOURS, the names are {}",
-                names()
-            );
+        let hours = hours.trim().parse().unwrap_or(f64::NAN);
+        if !Effort::set(&mut efforts, name.trim(), hours) {
+            let names = Effort::usual().map(|effort| effort.key).join(", ");
+            let message = format!("--hours {change}: give NAME=HOURS, the names are {names}");
             return Err(Failure::new("E209", message));
-        };
-        effort.hours = hours;
+        }
     }
     Ok(efforts)
 }

@@ -24,7 +24,7 @@ pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
         Failure::new(code, format!("{}: {error}", path.display()))
     };
     let bytes = whole_file(path, LARGEST).map_err(|error| refused(&error, "E101"))?;
-    let wrong = |error: RexsError| refused(&error, code_of(&error));
+    let wrong = |error: RexsError| refused(&error, error.code());
     let model = Model::read(&bytes).map_err(wrong)?;
     if args.stage.is_none() && args.output.is_none() && !args.all {
         return list(&model, common).map_err(|failure| match failure {
@@ -88,15 +88,6 @@ fn named_from(output: &Path, flank: &Path) -> String {
         std::path::absolute(flank).unwrap_or_else(|_| flank.to_owned())
     };
     name.to_string_lossy().into_owned()
-}
-
-fn code_of(error: &RexsError) -> &'static str {
-    match error {
-        RexsError::NoStage { .. }
-        | RexsError::NoLoadCase { .. }
-        | RexsError::NotCylindrical { .. } => "E133",
-        _ => "E132",
-    }
 }
 
 enum Listing {

@@ -1,52 +1,28 @@
 //! `asperity gears`: the gears of the library.
 
-use asperity::gear::{GearPair, GearPairInput, Plane};
-use asperity_core::presets::{self, GearPreset};
+use asperity_core::presets::GearPreset;
 use asperity_core::quantity::Length;
+use asperity_report::library::{gears_named, listed_gears, pair_of};
 use asperity_report::wrapped;
 use serde_json::{Value, json};
 
-use super::presets::{LETTERS, figures, figures_json, keys, least, refused};
+use super::presets::{LETTERS, figures, keys, least};
 use crate::args::{Common, PresetArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
 /// `asperity gears`
 pub fn gears(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
-    let shown = match &args.name {
-        Some(name) => vec![presets::gear(name).map_err(|error| refused(&error))?],
-        None => presets::gears().map_err(|error| refused(&error))?,
-    };
+    let shown = gears_named(args.name.as_deref())?;
     if common.json {
-        let listed: Result<Vec<Value>, Failure> = shown.iter().map(listed).collect();
-        return print_json(&json!({ "gears": listed? }));
+        let listed: Vec<Value> = shown.iter().map(listed_gears).collect::<Result<_, _>>()?;
+        return print_json(&json!({ "gears": listed }));
     }
     let text = match (&args.name, shown.first()) {
         (Some(_), Some(one)) => whole(one)?,
         _ => table(&shown)?,
     };
     print_text(common, &text)
-}
-
-/// Centre distance and transverse contact ratio computed from the numbers.
-fn derived(preset: &GearPreset) -> Result<(Length, f64), Failure> {
-    let gears = &preset.gears;
-    let tip = gears.tip_diameter.as_ref();
-    let pair = GearPair::new(&GearPairInput {
-        teeth: gears.teeth.value,
-        module: gears.module.value,
-        module_plane: Plane::Normal,
-        helix: gears.helix.value,
-        pressure_angle: gears.pressure_angle.value,
-        face_width: gears.face_width.value,
-        overlap: None,
-        profile_shift: Some(gears.profile_shift.value),
-        centre_distance: None,
-        tip_radius: tip.map(|tip| tip.value.map(|diameter| diameter / 2.0)),
-        addendum: 1.0,
-    });
-    let pair = pair.map_err(|error| Failure::new("E501", format!("{}: {error}", preset.name)))?;
-    Ok((pair.centre_distance, pair.path.eps_alpha))
 }
 
 fn table(gears: &[GearPreset]) -> Result<String, Failure> {
@@ -59,7 +35,7 @@ fn table(gears: &[GearPreset]) -> Result<String, Failure> {
         let numbers = &preset.gears;
         let [z1, z2] = numbers.teeth.value;
         let [b1, b2] = numbers.face_width.value.map(mm);
-        let (distance, _) = derived(preset)?;
+        let (distance, _) = pair_of(preset)?;
         let rows = preset.rows();
         let line = format!(
             "{:16} {:>7} {:>8} {:>6} {:>9} {:>8.2} {:>8}  {}",
@@ -89,7 +65,7 @@ fn table(gears: &[GearPreset]) -> Result<String, Failure> {
 }
 
 fn whole(preset: &GearPreset) -> Result<String, Failure> {
-    let (distance, ratio) = derived(preset)?;
+    let (distance, ratio) = pair_of(preset)?;
     let head = wrapped(
         &format!("{}: {}. {}", preset.name, preset.title, preset.note),
         "  ",
@@ -101,19 +77,4 @@ fn whole(preset: &GearPreset) -> Result<String, Failure> {
         distance.si() * 1e3,
         preset.name
     ))
-}
-
-fn listed(preset: &GearPreset) -> Result<Value, Failure> {
-    let (distance, ratio) = derived(preset)?;
-    let (figures, sources) = figures_json(&preset.rows())?;
-    Ok(json!({
-        "name": preset.name,
-        "title": preset.title,
-        "note": preset.note,
-        "preset": preset,
-        "figures": figures,
-        "centre_distance_mm": distance.si() * 1e3,
-        "transverse_contact_ratio": ratio,
-        "sources": sources,
-    }))
 }

@@ -16,9 +16,10 @@ use asperity_calibration::oil::{
 use asperity_calibration::table_text;
 use asperity_core::DomainError;
 use asperity_core::quantity::Temperature;
+use asperity_report::library::oil_named;
 use asperity_studies::map::axis;
 
-use super::oils::{named, oils};
+use super::oils::oils;
 use super::{load_case, result_name, study};
 use crate::args::{
     Common, ErrorArgs, OilCommand, OilFitArgs, OilPlanArgs, OilStribeckArgs, OilTractionArgs,
@@ -83,7 +84,7 @@ fn base(oil: &str, set: &SetArgs, constants: ConstantsOf) -> Result<NamedOil, Fa
             case: Some(loaded),
         });
     }
-    let name = named(oil)?.name;
+    let name = oil_named(oil)?.name;
     Ok(NamedOil {
         oil: OilBase::of_library(&name)?,
         name: OsString::from(name),

@@ -1,36 +1,18 @@
 //! Shared by `gears`, `steels` and `oils`: the numbers of a preset with certainty and source.
 
-use std::collections::BTreeSet;
-
-use asperity::case::nearest_name;
-use asperity_core::presets::{FigureRow, PresetError, PresetSource, sources};
+use asperity_core::presets::FigureRow;
+use asperity_report::library::{LibraryError, used};
 use asperity_report::wrapped;
-use serde_json::{Value, json};
 
 use crate::failure::Failure;
 
 /// Legend of the certainty letters.
 pub const LETTERS: &str = "Certainty: A read in the source, B quoted by others, C derived; assumed: not\nknown of this one.";
 
-/// Error of a preset.
-pub fn refused(error: &PresetError) -> Failure {
-    match error {
-        PresetError::Unknown { kind, name, known } => {
-            unknown(if *kind == "steels" { "steel" } else { kind }, name, known)
-        }
-        error => Failure::new("E501", error.to_string()),
+impl From<LibraryError> for Failure {
+    fn from(error: LibraryError) -> Self {
+        Self::new(error.code(), error.to_string())
     }
-}
-
-/// Error of an unknown name, with the most similar known name.
-pub fn unknown(kind: &str, name: &str, known: &[String]) -> Failure {
-    let similar = nearest_name(name, known);
-    let suggestion = similar.map_or(".".to_owned(), |name| format!(". Did you mean \"{name}\"?"));
-    let known = known.join(", ");
-    Failure::new(
-        "E220",
-        format!("the library has no {kind} named \"{name}\"{suggestion} It has: {known}"),
-    )
 }
 
 /// One line per number, then the full sources.
@@ -54,19 +36,6 @@ pub fn figures(rows: &[FigureRow<'_>]) -> Result<String, Failure> {
     text.push_str(LETTERS);
     text.push('\n');
     Ok(text)
-}
-
-/// Sources of the numbers.
-pub fn used(rows: &[FigureRow<'_>]) -> Result<Vec<PresetSource>, Failure> {
-    let keys: BTreeSet<&str> = rows.iter().map(|row| row.source).collect();
-    let all = sources().map_err(|error| refused(&error))?;
-    let is_used = |source: &PresetSource| keys.contains(source.key.as_str());
-    Ok(all.into_iter().filter(is_used).collect())
-}
-
-/// Numbers and sources as JSON.
-pub fn figures_json(rows: &[FigureRow<'_>]) -> Result<(Value, Value), Failure> {
-    Ok((json!(rows), json!(used(rows)?)))
 }
 
 /// Lowest certainty of the numbers.

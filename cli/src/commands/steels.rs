@@ -1,50 +1,27 @@
 //! `asperity steels`: the steels of the library.
 
-use asperity_core::DomainError;
-use asperity_core::presets::{self, SteelPreset};
+use asperity_core::presets::SteelPreset;
+use asperity_report::library::{LibraryError, listed_steel, steels_named, strength};
 use asperity_report::wrapped;
 use serde_json::{Value, json};
 
-use super::presets::{LETTERS, figures, figures_json, least, refused};
+use super::presets::{LETTERS, figures, least};
 use crate::args::{Common, PresetArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
 
 /// `asperity steels`
 pub fn steels(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
-    let shown = match &args.name {
-        Some(name) => vec![presets::steel(name).map_err(|error| refused(&error))?],
-        None => presets::steels().map_err(|error| refused(&error))?,
-    };
+    let shown = steels_named(args.name.as_deref())?;
     if common.json {
-        let listed: Result<Vec<Value>, Failure> = shown.iter().map(listed).collect();
-        return print_json(&json!({ "steels": listed? }));
+        let listed: Vec<Value> = shown.iter().map(listed_steel).collect::<Result<_, _>>()?;
+        return print_json(&json!({ "steels": listed }));
     }
     let text = match (&args.name, shown.first()) {
         (Some(_), Some(one)) => whole(one)?,
         _ => table(&shown)?,
     };
     print_text(common, &text)
-}
-
-fn internal(error: &DomainError) -> Failure {
-    Failure::new("E501", error.to_string())
-}
-
-/// Flow pressure \[GPa\] and elastic limit \[MPa\] at the hardness of the preset.
-fn strength(steel: &SteelPreset) -> Result<(f64, Option<f64>), Failure> {
-    let hardness = steel.hardness.value;
-    let flow = hardness.flow_pressure().map_err(|error| internal(&error))?;
-    let limit = match steel.is_powder_metal() {
-        true => None,
-        false => {
-            let limit = hardness
-                .yield_strength()
-                .map_err(|error| internal(&error))?;
-            Some(limit.value.si() / 1e6)
-        }
-    };
-    Ok((flow.si() / 1e9, limit))
 }
 
 fn table(steels: &[SteelPreset]) -> Result<String, Failure> {
@@ -60,7 +37,7 @@ fn table(steels: &[SteelPreset]) -> Result<String, Failure> {
             steel.name,
             steel.young.value.si() / 1e9,
             steel.poisson.value,
-            vickers.map_err(|error| internal(&error))?,
+            vickers.map_err(LibraryError::from)?,
             limit.map_or("density".to_owned(), |limit| format!("{limit:.0}")),
             least(&steel.rows()),
             steel.treatment,
@@ -101,19 +78,4 @@ fn whole(steel: &SteelPreset) -> Result<String, Failure> {
         wrapped(&format!("  {follows}"), "    "),
         figures(&steel.rows())?
     ))
-}
-
-fn listed(steel: &SteelPreset) -> Result<Value, Failure> {
-    let (figures, sources) = figures_json(&steel.rows())?;
-    let (flow, limit) = strength(steel)?;
-    Ok(json!({
-        "name": steel.name,
-        "number": steel.number,
-        "treatment": steel.treatment,
-        "note": steel.note,
-        "figures": figures,
-        "flow_pressure_gpa": flow,
-        "elastic_limit_mpa": limit,
-        "sources": sources,
-    }))
 }

@@ -56,6 +56,18 @@ impl Effort {
         ]
         .map(|(key, hours)| Self { key, hours })
     }
+
+    /// Sets the hours of one of `efforts`; whether there is one of this name and the hours are 0 to a million.
+    pub fn set(efforts: &mut [Self], name: &str, hours: f64) -> bool {
+        let own = efforts.iter_mut().find(|effort| effort.key == name);
+        match own.filter(|_| (0.0..1e6).contains(&hours)) {
+            Some(effort) => {
+                effort.hours = hours;
+                true
+            }
+            None => false,
+        }
+    }
 }
 
 /// Intervals of the loss of a case that measurements are expected to leave.

@@ -6,12 +6,15 @@ use std::sync::Arc;
 use asperity::LoadedCase;
 use asperity::case::{self, CalibratedName};
 use asperity_calibration as calibrating;
-use asperity_calibration::{CalibrationError, RigFiles, Watch};
+use asperity_calibration::evidence::{Effort, EvidenceTable};
+use asperity_calibration::{CalibrationError, Limits, Reach, RigFiles, Watch, plan};
 use asperity_report::StudyResult;
 use pyo3::prelude::*;
 
 use crate::case::Case;
+use crate::choices::named;
 use crate::failure::{self, Failure};
+use crate::study::Study;
 use crate::work::{alone, in_parallel};
 
 /// Parameters fitted to the losses of a rig.
@@ -33,8 +36,8 @@ pub fn calibrate(
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Calibration> {
-    let held = hold.iter().map(|key| parameter(key));
-    let held = held.collect::<Result<Vec<_>, Failure>>()?;
+    let held = hold.iter().map(|key| named("hold", key));
+    let held = held.collect::<Result<Vec<CalibratedName>, Failure>>()?;
     let beside = beside.map(|case| case.pair().cloned()).transpose()?;
     let given = cases
         .into_iter()
@@ -71,16 +74,6 @@ pub fn calibrate(
     })
 }
 
-fn parameter(key: &str) -> Result<CalibratedName, Failure> {
-    let found = CalibratedName::ALL
-        .into_iter()
-        .find(|name| name.key() == key);
-    found.ok_or_else(|| {
-        let known = CalibratedName::ALL.map(CalibratedName::key).join(", ");
-        Failure::new("E204", format!("hold: {key}: must be one of {known}"))
-    })
-}
-
 #[pymethods]
 impl Calibration {
     /// The calibration as the command prints it with --json.
@@ -104,4 +97,83 @@ impl Calibration {
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
         alone(py, || Ok(self.0.write((), &folder)?))
     }
+}
+
+/// Plans measurements on a rig that narrow the calibrated constants. Limits that are not stated are the usual ones.
+#[pyfunction]
+pub fn design(
+    py: Python<'_>,
+    case: PyRef<'_, Case>,
+    limits: &str,
+    hold: Vec<String>,
+    threads: Option<usize>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Study> {
+    let held = hold.iter().map(|key| named("hold", key));
+    let held = held.collect::<Result<Vec<CalibratedName>, Failure>>()?;
+    let case = case.pair()?;
+    let stated: StatedLimits =
+        serde_json::from_str(limits).map_err(|error| Failure::new("E204", error.to_string()))?;
+    in_parallel(py, threads, progress.as_ref(), |told| {
+        let usual = Limits::usual(
+            &case.case,
+            Reach {
+                torque_max_nm: stated.torque_max_nm,
+                speed_max_rpm: stated.speed_max_rpm,
+                temperatures_c: stated.temperature_c,
+            },
+        );
+        let limits = Limits {
+            torques_nm: stated.torque_nm.unwrap_or(usual.torques_nm),
+            speeds_rpm: stated.speed_rpm.unwrap_or(usual.speeds_rpm),
+            hours: stated.hours.unwrap_or(usual.hours),
+            minutes_per_point: stated.minutes_per_point.unwrap_or(usual.minutes_per_point),
+            sigma: stated.sigma.unwrap_or(usual.sigma),
+            assemblies: stated.assemblies.unwrap_or(usual.assemblies),
+            ..usual
+        };
+        let found = plan(case, &limits, &held, &|done| told.tell(done, done.max(1)))?;
+        let (json, summary) = (failure::json(&found)?, found.summary(None));
+        Ok(Study::new(json, summary, move |folder| {
+            found.write(None, folder)
+        }))
+    })
+}
+
+/// Limits of a rig, as JSON from Python.
+#[derive(serde::Deserialize)]
+struct StatedLimits {
+    torque_max_nm: Option<f64>,
+    speed_max_rpm: Option<f64>,
+    torque_nm: Option<Vec<f64>>,
+    speed_rpm: Option<Vec<f64>>,
+    temperature_c: Option<Vec<f64>>,
+    hours: Option<f64>,
+    minutes_per_point: Option<f64>,
+    sigma: Option<f64>,
+    assemblies: Option<usize>,
+}
+
+/// Measurements that would narrow the loss of a case, with the hours of those that are named.
+#[pyfunction]
+pub fn evidence(
+    py: Python<'_>,
+    case: PyRef<'_, Case>,
+    hours: Vec<(String, f64)>,
+    threads: Option<usize>,
+) -> PyResult<Study> {
+    let mut efforts = Effort::usual().to_vec();
+    for (name, hours) in &hours {
+        if !Effort::set(&mut efforts, name, *hours) {
+            let names = Effort::usual().map(|effort| effort.key).join(", ");
+            let message = format!("hours: {name} = {hours}: the names are {names}");
+            return Err(Failure::new("E209", message).into());
+        }
+    }
+    let case = case.pair()?;
+    in_parallel(py, threads, None, |_| {
+        let table = EvidenceTable::of(case, &efforts)?;
+        let none = || Failure::new("E205", "the loss of this case has no interval");
+        Study::of(table.ok_or_else(none)?)
+    })
 }

@@ -10,6 +10,7 @@ use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_s
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
 use asperity::gear_train::run_train;
+use asperity::message::Warning;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
 use asperity::result::gear_report;
@@ -17,9 +18,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
 
+use crate::choices::{Detail, named};
 use crate::contact::found;
 use crate::failure::{self, Failure};
 use crate::outcome::{Found, Outcome};
+use crate::own_laws::PythonLaw;
 use crate::trace::Trace;
 use crate::work::{alone, in_parallel};
 
@@ -67,16 +70,8 @@ pub fn schema(kind: &str) -> PyResult<String> {
     Ok(failure::json(&schema)?)
 }
 
-fn reading(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
-    match name {
-        None => Ok(None),
-        Some("corrected") => Ok(Some(Formulation::Corrected)),
-        Some("paper") => Ok(Some(Formulation::Paper)),
-        Some(other) => {
-            let message = format!("formulation: {other}: must be corrected or paper");
-            Err(Failure::new("E204", message))
-        }
-    }
+fn formulation_of(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
+    name.map(|name| named("formulation", name)).transpose()
 }
 
 /// Film and regime of a mesh.
@@ -84,6 +79,12 @@ fn reading(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
 struct MeshRegime {
     title: String,
     rows: Vec<RegimeRow>,
+}
+
+/// Warnings of all meshes.
+fn of_meshes(train: &Train) -> Vec<&Warning> {
+    let each = train.loaded.meshes();
+    each.flat_map(|mesh| &mesh.case.warnings).collect()
 }
 
 impl Case {
@@ -151,7 +152,7 @@ impl Case {
         keys: Vec<(String, String)>,
         formulation: Option<&str>,
     ) -> PyResult<Self> {
-        let formulation = reading(formulation)?;
+        let formulation = formulation_of(formulation)?;
         alone(py, || {
             let source = open_source(&path)?;
             let folder = path.parent().unwrap_or(Path::new("."));
@@ -159,19 +160,20 @@ impl Case {
         })
     }
 
-    /// The case in a JSON text, with traces in memory.
+    /// The case in the text of a file called `name`, with traces in memory.
     #[staticmethod]
-    fn from_json(
+    fn from_text(
         py: Python<'_>,
+        name: &str,
         text: &str,
         folder: PathBuf,
         traces: Traces<'_>,
         formulation: Option<&str>,
     ) -> PyResult<Self> {
-        let formulation = reading(formulation)?;
+        let formulation = formulation_of(formulation)?;
         let held = profiles(&traces);
         alone(py, || {
-            let source = Source::new("case.json", text).map_err(asperity::Error::from)?;
+            let source = Source::new(name, text).map_err(asperity::Error::from)?;
             Self::of(source, &folder, &held, Vec::new(), formulation)
         })
     }
@@ -246,6 +248,17 @@ impl Case {
         })
     }
 
+    /// The case with a law in Python, called `name`, that takes a dictionary of arrays and returns another.
+    fn with_law(&self, law: &str, name: String, exponent: f64, call: Py<PyAny>) -> PyResult<Self> {
+        let kind = named("law", law)?;
+        let mut loaded = self.pair()?.as_ref().clone();
+        let law = Arc::new(PythonLaw::new(name, exponent, call));
+        loaded.case = law.applied(loaded.case, kind);
+        Ok(Self {
+            kind: Kind::Pair(loaded.into()),
+        })
+    }
+
     /// The case of a mesh of a gear train or planetary set, at its torque and speed.
     fn mesh(&self, name: &str) -> PyResult<Self> {
         let found = match &self.kind {
@@ -253,7 +266,10 @@ impl Case {
             Kind::Train(train) => train.loaded.mesh(name),
         };
         let mesh = found.ok_or_else(|| {
-            Failure::new("E205", format!("the case has no mesh {name:?}; meshes names them"))
+            Failure::new(
+                "E205",
+                format!("the case has no mesh {name:?}; meshes names them"),
+            )
         })?;
         Ok(Self {
             kind: Kind::Pair(mesh.case.clone().into()),
@@ -265,9 +281,11 @@ impl Case {
     fn meshes(&self) -> Vec<String> {
         match &self.kind {
             Kind::Pair(_) => Vec::new(),
-            Kind::Train(train) => {
-                train.loaded.meshes().map(|mesh| mesh.name.clone()).collect()
-            }
+            Kind::Train(train) => train
+                .loaded
+                .meshes()
+                .map(|mesh| mesh.name.clone())
+                .collect(),
         }
     }
 
@@ -291,17 +309,23 @@ impl Case {
                 "defaults": loaded.case.defaults,
                 "warnings": loaded.warnings,
             }),
-            Kind::Train(train) => {
-                let warnings = train.loaded.meshes().flat_map(|mesh| &mesh.case.warnings);
-                json!({
-                    "title": train.loaded.title,
-                    "inputs": train.loaded.input,
-                    "defaults": train.loaded.defaults,
-                    "warnings": warnings.collect::<Vec<_>>(),
-                })
-            }
+            Kind::Train(train) => json!({
+                "title": train.loaded.title,
+                "inputs": train.loaded.input,
+                "defaults": train.loaded.defaults,
+                "warnings": of_meshes(train),
+            }),
         };
         Ok(failure::json(&about)?)
+    }
+
+    /// Warnings about the files as JSON.
+    #[getter]
+    fn warnings(&self) -> PyResult<String> {
+        Ok(match &self.kind {
+            Kind::Pair(loaded) => failure::json(&loaded.warnings)?,
+            Kind::Train(train) => failure::json(&of_meshes(train))?,
+        })
     }
 
     /// The case as the text of a case file.
@@ -318,39 +342,36 @@ impl Case {
         threads: Option<usize>,
         progress: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Outcome> {
+        let detail: Detail = named("detail", detail)?;
         in_parallel(py, threads, progress.as_ref(), |told| {
             let shown = |done, total| told.tell(done, total);
             let found = match (&self.kind, detail) {
-                (Kind::Train(train), "fields") => {
+                (Kind::Train(train), Detail::Fields) => {
                     Found::Train(run_train(&train.loaded, &KeptFields::All, band, &shown)?.into())
                 }
                 (Kind::Train(_), _) => {
                     let message = "a case of several meshes is run only with detail = \"fields\"";
                     return Err(Failure::new("E205", message));
                 }
-                (Kind::Pair(loaded), "losses") => {
+                (Kind::Pair(loaded), Detail::Losses) => {
                     let program = concat!("asperity ", env!("CARGO_PKG_VERSION"));
                     let losses = Run::new(loaded).progress(&shown).losses()?;
                     Found::Losses(program, loaded.case.title.clone(), losses.into())
                 }
-                (Kind::Pair(loaded), "contacts") => Found::Whole(
+                (Kind::Pair(loaded), Detail::Contacts) => Found::Whole(
                     Run::new(loaded)
                         .progress(&shown)
                         .without_pictures()
                         .execute()?
                         .into(),
                 ),
-                (Kind::Pair(loaded), "fields") => Found::Whole(
+                (Kind::Pair(loaded), Detail::Fields) => Found::Whole(
                     Run::new(loaded)
                         .band(band)
                         .progress(&shown)
                         .execute()?
                         .into(),
                 ),
-                (_, other) => {
-                    let message = format!("detail: {other}: must be losses, contacts or fields");
-                    return Err(Failure::new("E204", message));
-                }
             };
             Ok(Outcome(Arc::new(found)))
         })

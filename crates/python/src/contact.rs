@@ -14,6 +14,7 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 
 use crate::arrays::{Input, copied, owned};
+use crate::choices::{BoundaryOfContact, named};
 use crate::failure::{self, Failure};
 use crate::trace::Trace;
 use crate::work::alone;
@@ -38,16 +39,11 @@ impl Asked {
     }
 
     fn boundary(&self) -> Result<Boundary, Failure> {
-        match self.boundary.as_str() {
-            "free" => Ok(Boundary::FreeEnds),
-            "periodic" => Ok(Boundary::Periodic(PeriodicKernel::Strip)),
-            "periodic-spectral" => Ok(Boundary::Periodic(PeriodicKernel::Spectral)),
-            other => {
-                let message =
-                    format!("boundary: {other}: must be free, periodic or periodic-spectral");
-                Err(Failure::new("E204", message))
-            }
-        }
+        Ok(match named("boundary", &self.boundary)? {
+            BoundaryOfContact::Free => Boundary::FreeEnds,
+            BoundaryOfContact::Periodic => Boundary::Periodic(PeriodicKernel::Strip),
+            BoundaryOfContact::PeriodicSpectral => Boundary::Periodic(PeriodicKernel::Spectral),
+        })
     }
 
     fn control(&self, points: usize) -> Result<Control, Failure> {

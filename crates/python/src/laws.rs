@@ -10,21 +10,15 @@ use asperity::tribo_friction::friction_law::{FrictionLaw, FrictionSettings};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde::de::DeserializeOwned;
 use std::collections::HashMap;
 
 use crate::arrays::{Input, copied, owned, same_length};
+use crate::choices::named;
 use crate::failure::Failure;
 use crate::work::alone;
 
 /// What left the range that a law was fitted to, each once.
 type Outside = Vec<String>;
-
-/// The law of this name.
-fn named<T: DeserializeOwned>(name: &str) -> Result<T, Failure> {
-    serde_json::from_value(serde_json::Value::String(name.to_owned()))
-        .map_err(|error| Failure::new("E204", format!("law: {error}")))
-}
 
 /// Arrays by name, all of one length.
 struct Columns(HashMap<String, Vec<f64>>, usize);
@@ -103,7 +97,7 @@ pub fn film_thickness<'py>(
     law: &str,
     given: HashMap<String, Input<'py>>,
 ) -> PyResult<Films<'py>> {
-    let law: FilmLaw = named(law)?;
+    let law: FilmLaw = named("law", law)?;
     let columns = Columns::of(given)?;
     let (central, minimum, marks, outside) = alone(py, || {
         let (mut central, mut minimum, mut marks) = (Vec::new(), Vec::new(), Vec::new());
@@ -151,7 +145,7 @@ pub fn thermal_reduction<'py>(
     law: &str,
     given: HashMap<String, Input<'py>>,
 ) -> PyResult<Factors<'py>> {
-    let law: ThermalLaw = named(law)?;
+    let law: ThermalLaw = named("law", law)?;
     let columns = Columns::of(given)?;
     let found = alone(py, || {
         let (mut values, mut marks, mut outside) = (Vec::new(), Vec::new(), Outside::new());
@@ -179,7 +173,7 @@ pub fn friction_coefficient<'py>(
     given: HashMap<String, Input<'py>>,
     settings: &str,
 ) -> PyResult<Factors<'py>> {
-    let law: FrictionLaw = named(law)?;
+    let law: FrictionLaw = named("law", law)?;
     let settings: FrictionSettings =
         serde_json::from_str(settings).map_err(|error| Failure::new("E204", error.to_string()))?;
     let columns = Columns::of(given)?;

@@ -4,15 +4,19 @@
 mod arrays;
 mod calibration;
 mod case;
+mod choices;
 mod contact;
 mod ehl;
 mod failure;
 mod laws;
+mod library;
 mod oil;
 mod outcome;
+mod own_laws;
 mod quantity;
 mod stored;
 mod studies;
+mod study;
 mod sweep;
 mod trace;
 mod work;
@@ -23,9 +27,11 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _asperity {
     #[pymodule_export]
-    use super::calibration::{Calibration, calibrate};
+    use super::calibration::{Calibration, calibrate, design, evidence};
     #[pymodule_export]
     use super::case::{Case, schema};
+    #[pymodule_export]
+    use super::choices::choices;
     #[pymodule_export]
     use super::contact::{press_flanks, solve_contact, subsurface_stress};
     #[pymodule_export]
@@ -35,15 +41,19 @@ mod _asperity {
     #[pymodule_export]
     use super::laws::{film_thickness, friction_coefficient, hertz, thermal_reduction};
     #[pymodule_export]
-    use super::oil::{OilStudy, oil_fit, oil_plan, oil_traction, oils, stribeck};
+    use super::library::{demo, from_rexs, gears, oils, steels};
+    #[pymodule_export]
+    use super::oil::{oil_fit, oil_plan, oil_traction, stribeck};
     #[pymodule_export]
     use super::outcome::Outcome;
     #[pymodule_export]
     use super::quantity::{si_units, to_si};
     #[pymodule_export]
-    use super::stored::{read_result, summary};
+    use super::stored::{diff, read_result, summary};
     #[pymodule_export]
-    use super::studies::{Comparison, Map, Sensitivity, compare, map, read_map, sensitivity};
+    use super::studies::{Map, axis, compare, cycle, map, read_map, sensitivity};
+    #[pymodule_export]
+    use super::study::Study;
     #[pymodule_export]
     use super::sweep::Cases;
     #[pymodule_export]

@@ -1,9 +1,8 @@
-//! Oils: the library, traction of ball and disc, constants from traction curves, plans, boundary friction.
+//! Oils: traction of ball and disc, constants from traction curves, plans, boundary friction.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use asperity::case::LoadedCase;
-use asperity::oil::library;
 use asperity::quantity::{Force, Length, Speed, Temperature};
 use asperity::tribo_friction::boundary::BOUNDARY_FRICTION;
 use asperity_calibration::oil::fit::PointErrors;
@@ -13,52 +12,13 @@ use asperity_calibration::oil::{
     Reading, Stribeck, TractionCurves, TractionRange, read_text, source,
 };
 use asperity_calibration::table_text;
-use asperity_report::{ReportError, StudyResult};
 use pyo3::prelude::*;
 
 use crate::case::Case;
-use crate::failure::{self, Failure};
+use crate::choices::{ProbeOfOil, ZeroOfCurves, named};
+use crate::failure::Failure;
+use crate::study::Study;
 use crate::work::{alone, in_parallel};
-
-/// Writes a study as a folder.
-type Write = Box<dyn Fn(&Path) -> Result<(), ReportError> + Send + Sync>;
-
-/// Study of an oil.
-#[pyclass(frozen, module = "asperity._asperity")]
-pub struct OilStudy {
-    json: String,
-    summary: String,
-    write: Write,
-}
-
-#[pymethods]
-impl OilStudy {
-    /// The study as the command prints it with --json.
-    fn json(&self) -> &str {
-        &self.json
-    }
-
-    /// The summary as text.
-    fn summary(&self) -> &str {
-        &self.summary
-    }
-
-    /// Writes the folder of the study.
-    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        alone(py, || Ok((self.write)(&folder)?))
-    }
-}
-
-fn study<S>(found: S) -> Result<OilStudy, Failure>
-where
-    S: for<'a> StudyResult<Context<'a> = ()> + Send + Sync + 'static,
-{
-    Ok(OilStudy {
-        json: failure::json(&found)?,
-        summary: found.summary(()),
-        write: Box::new(move |folder| found.write((), folder)),
-    })
-}
 
 /// Oil of the library, or of a case.
 #[derive(FromPyObject)]
@@ -98,14 +58,10 @@ fn machine((ball, second, roughness): Specimens) -> Result<Machine, Failure> {
 type Errors = (String, f64, f64);
 
 fn errors((zero, relative, floor): Errors) -> Result<(Zero, PointErrors), Failure> {
-    let zero = match zero.as_str() {
-        "curve" => Zero::Curve,
-        "common" => Zero::Common,
-        "none" => Zero::None,
-        other => {
-            let message = format!("zero: {other}: must be curve, common or none");
-            return Err(Failure::new("E204", message));
-        }
+    let zero = match named("zero", &zero)? {
+        ZeroOfCurves::Curve => Zero::Curve,
+        ZeroOfCurves::Common => Zero::Common,
+        ZeroOfCurves::None => Zero::None,
     };
     let is_valid = |value: f64| value > 0.0 && value < 1.0;
     match is_valid(relative) && is_valid(floor) {
@@ -125,13 +81,9 @@ fn readings(
     machine: &Machine,
     column: &str,
 ) -> Result<(Vec<Reading>, Vec<[String; 2]>), Failure> {
-    let probe = match column {
-        "lube" => Probe::Lube,
-        "pot" => Probe::Pot,
-        other => {
-            let message = format!("temperature_column: {other}: must be lube or pot");
-            return Err(Failure::new("E204", message));
-        }
+    let probe = match named("temperature_column", column)? {
+        ProbeOfOil::Lube => Probe::Lube,
+        ProbeOfOil::Pot => Probe::Pot,
     };
     let (mut all, mut sources) = (Vec::new(), Vec::new());
     for (name, text) in tables {
@@ -145,19 +97,7 @@ fn readings(
     Ok((all, sources))
 }
 
-/// The oils of the library as JSON.
-#[pyfunction]
-pub fn oils() -> PyResult<String> {
-    let oils = library().map_err(|error| Failure::new("E501", error.to_string()))?;
-    let row = |oil: &asperity::oil::LibraryOil| {
-        serde_json::json!({
-            "name": oil.name, "note": oil.note, "source": oil.source, "certainty": oil.certainty,
-        })
-    };
-    Ok(failure::json(&oils.iter().map(row).collect::<Vec<_>>())?)
-}
-
-/// Predicts traction curves; load, speed and temperatures in SI units.
+/// Predicts traction curves; load and speed in SI units, temperatures in °C.
 #[pyfunction]
 pub fn oil_traction(
     py: Python<'_>,
@@ -166,7 +106,7 @@ pub fn oil_traction(
     temperatures: Vec<f64>,
     specimens: Specimens,
     threads: Option<usize>,
-) -> PyResult<OilStudy> {
+) -> PyResult<Study> {
     let (oil, _) = oil.base(ConstantsOf::File)?;
     let (load, speed, slide_to_roll) = conditions;
     if temperatures.is_empty() {
@@ -177,11 +117,14 @@ pub fn oil_traction(
         load: Force::from_si(load),
         mean_speed: Speed::from_si(speed),
         slide_to_roll,
-        temperatures: temperatures.into_iter().map(Temperature::from_si).collect(),
+        temperatures: temperatures
+            .into_iter()
+            .map(Temperature::from_celsius)
+            .collect(),
         boundary_friction: BOUNDARY_FRICTION,
     };
     in_parallel(py, threads, None, |_| {
-        study(TractionCurves::of(&oil, &range)?)
+        Study::of(TractionCurves::of(&oil, &range)?)
     })
 }
 
@@ -198,7 +141,7 @@ pub fn oil_fit(
     errors_of: Errors,
     force: bool,
     threads: Option<usize>,
-) -> PyResult<OilStudy> {
+) -> PyResult<Study> {
     let (oil, _) = oil.base(ConstantsOf::Family)?;
     let (zero, errors) = errors(errors_of)?;
     let (all, sources) = readings(tables, &machine(specimens)?, temperature_column)?;
@@ -209,7 +152,7 @@ pub fn oil_fit(
         is_forced: force,
     };
     in_parallel(py, threads, None, |_| {
-        study(OilFit::of(&oil, &all, sources, settings)?)
+        Study::of(OilFit::of(&oil, &all, sources, settings)?)
     })
 }
 
@@ -223,7 +166,7 @@ pub fn oil_plan(
     wide: bool,
     errors_of: Errors,
     threads: Option<usize>,
-) -> PyResult<OilStudy> {
+) -> PyResult<Study> {
     let (oil, own) = oil.base(ConstantsOf::Family)?;
     let case = match case {
         Some(case) => Some(case.pair()?.as_ref().clone()),
@@ -238,7 +181,7 @@ pub fn oil_plan(
         simulate: None,
     };
     in_parallel(py, threads, None, |_| {
-        study(OilPlan::of(&oil, case.as_ref(), &settings)?)
+        Study::of(OilPlan::of(&oil, case.as_ref(), &settings)?)
     })
 }
 
@@ -251,7 +194,7 @@ pub fn stribeck(
     rubbing: Vec<f64>,
     specimens: Specimens,
     temperature_column: &str,
-) -> PyResult<OilStudy> {
+) -> PyResult<Study> {
     let (oil, _) = oil.base(ConstantsOf::Family)?;
     if !rubbing.is_empty() && rubbing.len() != tables.len() {
         let message = "rubbing: takes one time for each table";
@@ -267,5 +210,5 @@ pub fn stribeck(
         all.extend(of_table);
         sources.extend(source);
     }
-    alone(py, || study(Stribeck::of(&oil, &all, sources)?))
+    alone(py, || Study::of(Stribeck::of(&oil, &all, sources)?))
 }

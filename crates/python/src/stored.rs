@@ -16,6 +16,17 @@ pub fn summary(result: &str) -> PyResult<String> {
     Ok(asperity_report::summary(&result))
 }
 
+/// Differences of two results in JSON, as JSON.
+#[pyfunction]
+pub fn diff(first: &str, second: &str) -> PyResult<String> {
+    let read = |text: &str| -> Result<RunResult, Failure> {
+        serde_json::from_str(text).map_err(|error| Failure::new("E402", error.to_string()))
+    };
+    let found = asperity_studies::diff::diff(&read(first)?, &read(second)?);
+    let found = found.map_err(|error| Failure::new("E501", error.to_string()))?;
+    Ok(failure::json(&found)?)
+}
+
 /// The result in a folder or a result.json, as JSON.
 #[pyfunction]
 pub fn read_result(py: Python<'_>, path: PathBuf) -> PyResult<String> {

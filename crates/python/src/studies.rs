@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity_report::StudyResult;
 use asperity_storage::whole_text;
 use asperity_studies::compare::{self as comparing, Finish};
-use asperity_studies::cycle;
+use asperity_studies::cycle::{self as driving, EnergyError};
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
 use asperity_studies::sensitivity as changing;
@@ -15,7 +15,9 @@ use pyo3::types::PyDict;
 
 use crate::arrays::owned;
 use crate::case::Case;
+use crate::choices::{Band, named};
 use crate::failure::{self, Failure};
+use crate::study::Study;
 use crate::work::{alone, in_parallel};
 
 type Named<'py> = Vec<(String, PyRef<'py, Case>)>;
@@ -31,9 +33,8 @@ fn finishes<C>(
     named.into_iter().map(finish).collect()
 }
 
-/// Several finishes on one case.
-#[pyclass(frozen, module = "asperity._asperity")]
-pub struct Comparison(comparing::Comparison);
+/// A comparison, the rows of the offsets of every finish as JSON, and each difference from the first finish in words.
+type Compared = (Study, String, Vec<String>);
 
 /// Compares cases by the names of their finishes; the first is the reference.
 #[pyfunction]
@@ -42,46 +43,15 @@ pub fn compare(
     named: Named<'_>,
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
-) -> PyResult<Comparison> {
+) -> PyResult<Compared> {
     let finishes = finishes(named, |case| Ok(case.pair()?.as_ref().clone()))?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let found = comparing::compare(&finishes, &|done, total| told.tell(done, total))?;
-        Ok(Comparison(found))
+        let offsets: Vec<_> = found.finishes.iter().map(|of| &of.offsets).collect();
+        let (offsets, verdicts) = (failure::json(&offsets)?, found.verdicts());
+        Ok((Study::of(found)?, offsets, verdicts))
     })
 }
-
-#[pymethods]
-impl Comparison {
-    /// The comparison as the command prints it with --json, and the rows of the offsets of every finish.
-    fn json(&self) -> PyResult<(String, String)> {
-        let offsets: Vec<_> = self
-            .0
-            .finishes
-            .iter()
-            .map(|finish| &finish.offsets)
-            .collect();
-        Ok((failure::json(&self.0)?, failure::json(&offsets)?))
-    }
-
-    /// The summary as text.
-    fn summary(&self) -> String {
-        self.0.summary(())
-    }
-
-    /// The decision of each difference from the first finish, in words.
-    fn verdicts(&self) -> Vec<String> {
-        self.0.verdicts()
-    }
-
-    /// Writes the folder of the comparison.
-    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        alone(py, || Ok(self.0.write((), &folder)?))
-    }
-}
-
-/// Changes of the loss of a case when one thing changes.
-#[pyclass(frozen, module = "asperity._asperity")]
-pub struct Sensitivity(changing::Sensitivity);
 
 /// Runs a case, then every change of it.
 #[pyfunction]
@@ -90,52 +60,22 @@ pub fn sensitivity(
     case: PyRef<'_, Case>,
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
-) -> PyResult<Sensitivity> {
+) -> PyResult<Study> {
     let train = case.train();
     in_parallel(py, threads, progress.as_ref(), |told| {
         let shown = |done, total| told.tell(done, total);
-        let found = changing::sensitivity_of_train(&train, &shown)?;
-        Ok(Sensitivity(found))
+        Study::of(changing::sensitivity_of_train(&train, &shown)?)
     })
-}
-
-#[pymethods]
-impl Sensitivity {
-    /// The study as the command prints it with --json.
-    fn json(&self) -> PyResult<String> {
-        Ok(failure::json(&self.0)?)
-    }
-
-    /// The summary as text.
-    fn summary(&self) -> String {
-        self.0.summary(())
-    }
-
-    /// Writes the folder of the study.
-    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        alone(py, || Ok(self.0.write((), &folder)?))
-    }
 }
 
 /// Losses over torque, speed and temperature.
 #[pyclass(frozen, module = "asperity._asperity")]
 pub struct Map(mapping::Map);
 
-/// Nodes of an axis: numbers, or a text as the command takes it.
-#[derive(FromPyObject)]
-pub enum Nodes {
-    /// Numbers.
-    Numbers(Vec<f64>),
-    /// `10..100:5`
-    Text(String),
-}
-
-fn nodes(given: Option<Nodes>, default: impl FnOnce() -> Vec<f64>) -> Result<Vec<f64>, Failure> {
-    match given {
-        None => Ok(default()),
-        Some(Nodes::Numbers(numbers)) => Ok(numbers),
-        Some(Nodes::Text(text)) => Ok(mapping::axis(&text)?),
-    }
+/// Nodes of a range such as `10..100:5`.
+#[pyfunction]
+pub fn axis(text: &str) -> PyResult<Vec<f64>> {
+    Ok(mapping::axis(text).map_err(Failure::from)?)
 }
 
 /// Maps cases by the names of their finishes over torque in N m, speed in 1/min and temperature in °C.
@@ -143,38 +83,68 @@ fn nodes(given: Option<Nodes>, default: impl FnOnce() -> Vec<f64>) -> Result<Vec
 #[expect(clippy::too_many_arguments, reason = "those of the function in Python")]
 pub fn map(
     py: Python<'_>,
-    named: Named<'_>,
-    torque: Option<Nodes>,
-    speed: Option<Nodes>,
-    temperature: Option<Nodes>,
+    of_finishes: Named<'_>,
+    torque: Option<Vec<f64>>,
+    speed: Option<Vec<f64>>,
+    temperature: Option<Vec<f64>>,
     band: &str,
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Map> {
-    let finishes = finishes(named, |case| Ok(case.train()))?;
+    let finishes = finishes(of_finishes, |case| Ok(case.train()))?;
     let Some(first) = finishes.first() else {
         return Err(Failure::new("E205", "a map needs a case").into());
     };
     let case = &first.case;
     let axes = Axes::new(
-        &nodes(torque, || Axes::default_torque(case))?,
-        &nodes(speed, || Axes::default_speed(case))?,
-        &nodes(temperature, || Axes::default_temperature(case))?,
+        &torque.unwrap_or_else(|| Axes::default_torque(case)),
+        &speed.unwrap_or_else(|| Axes::default_speed(case)),
+        &temperature.unwrap_or_else(|| Axes::default_temperature(case)),
     )
     .map_err(Failure::from)?;
-    let band = match band {
-        "none" => MapBand::None,
-        "nodes" => MapBand::Nodes,
-        other => {
-            let message = format!("band = {other:?}: \"none\" or \"nodes\"");
-            return Err(Failure::new("E205", message).into());
-        }
+    let band = match named("band", band)? {
+        Band::None => MapBand::None,
+        Band::Nodes => MapBand::Nodes,
     };
     in_parallel(py, threads, progress.as_ref(), |told| {
         let found = mapping::map(&finishes, &axes, band, &|done, total| {
             told.tell(done, total)
         })?;
         Ok(Map(found))
+    })
+}
+
+/// Energy lost over a cycle, a table called `name`, on a map at one of its temperatures; `keys` change its vehicle.
+#[pyfunction]
+pub fn cycle(
+    py: Python<'_>,
+    map: PyRef<'_, Map>,
+    trace: (String, Option<String>),
+    temperature: usize,
+    keys: Vec<(String, String)>,
+    allow_outside: bool,
+) -> PyResult<Study> {
+    let (name, table) = trace;
+    let mut map = map.0.clone();
+    alone(py, || {
+        for (key, value) in &keys {
+            map.input.set(key, value)?;
+        }
+        let file = Path::new(&name);
+        let table = table.map_or_else(|| text(file), Ok)?;
+        let trace = driving::cycle(&table, map.input.vehicle());
+        let trace = trace.map_err(|error| Failure::new("E101", error.to_string()).about(&name))?;
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        let found = driving::evaluate(&map, temperature, (&trace, &stem), allow_outside);
+        let found = found.map_err(|error| match error {
+            EnergyError::Uncovered(_) => Failure::new("E314", error.to_string()).about(&name),
+            EnergyError::Unbalanced(error) => Failure::new(error.code(), error.to_string()),
+            _ => Failure::new("E402", error.to_string()),
+        })?;
+        let (json, summary) = (failure::json(&found)?, found.summary(&map));
+        Ok(Study::new(json, summary, move |folder| {
+            found.write(&map, folder)
+        }))
     })
 }
 
@@ -187,7 +157,7 @@ pub fn read_map(py: Python<'_>, folder: PathBuf) -> PyResult<Map> {
 type Column = (&'static str, fn(&Numbers) -> Option<f64>);
 
 /// The numbers of a point.
-const COLUMNS: [Column; 16] = [
+pub const COLUMNS: [Column; 16] = [
     ("loss_w", |n| Some(n.loss_w)),
     ("loss_median_w", |n| n.loss_median_w),
     ("loss_p05_w", |n| Some(n.loss_quantiles_w?[0])),
@@ -279,22 +249,7 @@ impl Map {
         added: Option<PathBuf>,
         drive: Option<PathBuf>,
     ) -> PyResult<Vec<(PathBuf, Vec<u8>)>> {
-        let format = match format {
-            "csv" => Format::Csv,
-            "vecto" => Format::Vecto,
-            "modelica" => Format::Modelica,
-            "matlab" => Format::Matlab,
-            "fmu" => Format::Fmu,
-            "co2mpas" => Format::Co2mpas,
-            "fastsim" => Format::Fastsim,
-            "advisor" => Format::Advisor,
-            other => {
-                let message = format!(
-                    "format: {other}: must be csv, vecto, modelica, matlab, fmu, co2mpas, fastsim or advisor"
-                );
-                return Err(Failure::new("E204", message).into());
-            }
-        };
+        let format: Format = named("format", format)?;
         alone(py, || {
             let added = match &added {
                 Some(file) => {
@@ -307,7 +262,7 @@ impl Map {
             let cycle =
                 match &drive {
                     Some(file) => {
-                        let found = cycle::cycle(&text(file)?, self.0.input.vehicle());
+                        let found = driving::cycle(&text(file)?, self.0.input.vehicle());
                         let name = file.display().to_string();
                         Some(found.map_err(|error| {
                             Failure::new("E101", error.to_string()).about(&name)

@@ -21,6 +21,7 @@ use pyo3::prelude::*;
 use serde_json::{Value, json};
 
 use crate::arrays::{Input, copied, owned};
+use crate::choices::{FormOfProfile, named};
 use crate::failure::{self, Failure};
 use crate::work::alone;
 
@@ -139,17 +140,12 @@ impl Plan {
             Some(length) => on(length),
             None => stated.or(usual),
         };
-        let form = match self.form.as_str() {
-            "none" | "involute" => Form::None,
-            "mean" => Form::Mean,
-            "level" => Form::Level,
-            "poly2" => Form::Poly2,
-            "circle" => Form::Circle,
-            other => {
-                let message =
-                    format!("form: {other}: must be none, mean, level, poly2, circle or involute");
-                return Err(Failure::new("E204", message));
-            }
+        let form = match self.form()? {
+            FormOfProfile::None | FormOfProfile::Involute => Form::None,
+            FormOfProfile::Mean => Form::Mean,
+            FormOfProfile::Level => Form::Level,
+            FormOfProfile::Poly2 => Form::Poly2,
+            FormOfProfile::Circle => Form::Circle,
         };
         let recipe = Preparation {
             form,
@@ -166,6 +162,10 @@ impl Plan {
         Ok(recipe)
     }
 
+    fn form(&self) -> Result<FormOfProfile, Failure> {
+        named("form", &self.form)
+    }
+
     fn filter(&self) -> RoughnessFilter {
         match self.robust {
             true => RoughnessFilter::RobustGaussian,
@@ -174,13 +174,13 @@ impl Plan {
     }
 
     fn involute(&self) -> Result<Option<Involute>, Failure> {
-        match (self.form.as_str(), self.base_radius, self.roll_length) {
-            ("involute", Some(base), Some(roll)) => Ok(Some(Involute {
+        match (self.form()?, self.base_radius, self.roll_length) {
+            (FormOfProfile::Involute, Some(base), Some(roll)) => Ok(Some(Involute {
                 base_radius: Length::from_si(base),
                 roll_length: Length::from_si(roll),
                 towards_root: self.towards_root,
             })),
-            ("involute", ..) => {
+            (FormOfProfile::Involute, ..) => {
                 let message = "form = \"involute\" needs base_radius, and roll_length at the middle of the trace";
                 Err(Failure::new("E205", message))
             }
@@ -297,8 +297,7 @@ impl Trace {
 
     /// Mean line of the Gaussian filter at `cutoff` in m, or of the robust one.
     fn mean_line(&self, py: Python<'_>, cutoff: f64, robust: bool, ends: &str) -> PyResult<Self> {
-        let ends: Ends = serde_json::from_value(json!(ends))
-            .map_err(|error| Failure::new("E204", format!("ends: {error}")))?;
+        let ends: Ends = named("ends", ends)?;
         alone(py, || {
             let cutoff = Length::from_si(cutoff);
             let line = match robust {
@@ -319,14 +318,7 @@ impl Trace {
         sections: Option<usize>,
         cutoff: Option<f64>,
     ) -> PyResult<String> {
-        let mode = match standard {
-            "iso4287" => Mode::Iso4287,
-            "iso21920" => Mode::Iso21920,
-            other => {
-                let message = format!("standard: {other}: must be iso4287 or iso21920");
-                return Err(Failure::new("E204", message).into());
-            }
-        };
+        let mode: Mode = named("standard", standard)?;
         alone(py, || {
             let length = cutoff.map(Length::from_si).or(self.cutoff);
             let found = match (sections, length) {

@@ -1,7 +1,9 @@
 //! Work beside Python: without its lock, ended by Ctrl-C, with progress told on the thread that called.
 
+use std::cell::RefCell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
 
@@ -14,6 +16,38 @@ use crate::failure::Failure;
 const PULSE: Duration = Duration::from_millis(50);
 /// Bytes of the stack of a working thread, as the main thread of a command has.
 const STACK: usize = 8 << 20;
+
+/// The exception of a law in Python, which ends the work.
+type Raised = Arc<Mutex<Option<PyErr>>>;
+
+thread_local! {
+    /// Exception of the work that this thread does.
+    static RAISED: RefCell<Option<Raised>> = const { RefCell::new(None) };
+}
+
+/// The exception of the work of this thread, if it does any.
+fn raised<T>(with: impl FnOnce(&mut Option<PyErr>) -> T) -> Option<T> {
+    let slot = RAISED.with_borrow(Clone::clone)?;
+    let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
+    Some(with(&mut slot))
+}
+
+/// Whether a law has raised an exception in the work of this thread.
+pub fn has_raised() -> bool {
+    raised(|slot| slot.is_some()).unwrap_or_default()
+}
+
+/// Stores an exception for the caller of the work of this thread.
+pub fn raise(error: PyErr) {
+    let shown = Python::attach(|py| error.clone_ref(py));
+    if raised(|slot| {
+        slot.get_or_insert(error);
+    })
+    .is_none()
+    {
+        Python::attach(|py| shown.write_unraisable(py, None));
+    }
+}
 
 /// How far the work is.
 #[derive(Debug, Default)]
@@ -44,12 +78,16 @@ pub fn in_parallel<T: Send>(
     work: impl FnOnce(&Told) -> Result<T, Failure> + Send,
 ) -> PyResult<T> {
     beside(py, progress, move |token, told| {
+        let raised = RAISED.with_borrow(Clone::clone);
         let cores = thread::available_parallelism().map_or(1, Into::into);
         let adopting = token.clone();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.unwrap_or(cores).clamp(1, cores))
             .stack_size(STACK)
-            .start_handler(move |_| adopting.adopt())
+            .start_handler(move |_| {
+                adopting.adopt();
+                RAISED.set(raised.clone());
+            })
             .build();
         let pool = pool.map_err(|error| Failure::new("E501", error.to_string()));
         pool.and_then(|pool| pool.install(|| work(told)))
@@ -72,9 +110,11 @@ fn beside<T: Send>(
     work: impl FnOnce(&Token, &Told) -> Done<T> + Send,
 ) -> PyResult<T> {
     let (token, told) = (Token::new(), Told::default());
+    let of_laws = Raised::default();
     let (sender, receiver) = channel::<Done<T>>();
     thread::scope(|scope| {
         let run = |sender: Sender<Done<T>>| {
+            RAISED.set(Some(Arc::clone(&of_laws)));
             let done = token.run(|| work(&token, &told));
             // Nobody listens where the caller has failed; then nothing is missed.
             let _ = sender.send(done);
@@ -88,17 +128,21 @@ fn beside<T: Send>(
             told: &told,
             last: None,
         };
-        let mut raised = None;
+        let mut interrupted = None;
         let done = wait(py, receiver, |py| {
-            if raised.is_none()
+            if interrupted.is_none()
                 && let Err(error) = watch.look(py)
             {
-                raised = Some(error);
+                interrupted = Some(error);
                 token.cancel();
             }
         });
         let joined = py.detach(|| worker.join());
-        if let Some(error) = raised {
+        let of_law = of_laws
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take();
+        if let Some(error) = interrupted.or(of_law) {
             return Err(error);
         }
         match (done, joined) {

@@ -96,7 +96,7 @@ def test_what_a_table_lacks_is_named(rig, columns, tmp_path):
     refused("E134", "names no case", rig[0])
     refused("E134", "sigma_w", {name: values for name, values in columns.items() if name != "sigma_w"}, CASE)
     refused("E134", "differ in length", {**columns, "run": ["1"]}, CASE)
-    refused("E204", "must be one of boundary_friction", rig[0], CASE, hold=["friction"])
+    refused("E204", "hold: unknown variant `friction`, expected one of `boundary_friction`", rig[0], CASE, hold=["friction"])
     far = [str(3 * float(loss)) if line == 0 else loss for line, loss in enumerate(columns["loss_w"])]
     refused("E135", "ten sigma", {**columns, "loss_w": far}, CASE)
     two = {name: values[:2] for name, values in columns.items()}

@@ -22,21 +22,23 @@ def test_three_ways_to_the_same_case():
     assert by_keywords.to_dict() == asperity.Case(tables).to_dict()
 
 
-def test_numbers_are_in_si_units():
+def test_the_operating_point_is_given_by_numbers_in_the_unit_of_their_names():
     text = asperity.Case(small())
-    si = asperity.Case(
-        small(
-            gears={"teeth": [23, 68], "module": 1.8e-3, "helix": np.deg2rad(23.4), "face_width": [0.035, 0.032]},
-            operation={"torque": 145, "speed": "9000 rpm", "bulk_temperature": "90 C"},
-            lubricant={
-                "viscosity": {"law": "astm-d341", "at_40": 30.8e-6, "at_100": "5.9 mm2/s"},
-                "density": np.float64(845),
-                "base_oil": "pao",
-            },
-        )
-    )
-    # An angle in radians is converted with π.
-    assert si.run("losses").loss_w == pytest.approx(text.run("losses").loss_w, rel=1e-12)
+    bare = {key: value for key, value in small().items() if key != "operation"}
+    for numbers in (asperity.Case(bare, torque_nm=145, speed_rpm=np.float64(9000), temperature_c=90),
+                    asperity.Case({**bare, "torque_nm": 145, "speed_rpm": 9000, "temperature_c": 90.0}),
+                    asperity.Case(small(operation={"torque": "1 N m", "speed": "9000 1/min"}), torque_nm=145, temperature_c=90)):
+        assert numbers.to_dict() == text.to_dict()
+    assert text.replace(torque_nm=20.5).inputs.operation.torque == "20.5 N m"
+    assert asperity.Case.load(CASES / "e-drive.toml", {"speed_rpm": 1000}).inputs.operation.speed == "1000 1/min"
+
+
+@pytest.mark.parametrize("keys", [{"operation.torque": 145}, {"operation": {"speed": 942.5}}, {"gears.module": np.float64(1.8e-3)},
+                                  {"torque_nm": "145 N m"}, {"torque_nm": [1, 2]}, {"speed_rpm": "9000"}])
+def test_a_number_without_a_unit_and_a_unit_too_many_are_refused(case, keys):
+    with pytest.raises(asperity.AsperityError) as refused:
+        case.replace(keys)
+    assert refused.value.code == "E204" and ("has no unit" in str(refused.value) or "number" in str(refused.value))
 
 
 def test_pint_is_taken():
@@ -71,7 +73,7 @@ def test_a_case_takes_other_flanks(case):
     fine = asperity.read_profile(PROFILES / "superfinished.csv")
     smooth = case.replace({"surface.pinion": fine, "surface.wheel": fine.mirrored()})
     assert smooth.run("losses").loss_w < case.run("losses").loss_w
-    by_value = case.replace(surface={"pinion": {"file": None, "rq": "0.2 um"}, "wheel": {"file": None, "rq": 0.2e-6}})
+    by_value = case.replace(surface={"pinion": {"file": None, "rq": "0.2 um"}, "wheel": {"file": None, "rq": "200 nm"}})
     assert by_value.inputs.surface.wheel["rq"] == "200 nm"
 
 
@@ -81,7 +83,7 @@ def test_text_of_a_case_reads_back():
 
 
 def test_keys_are_set_past_the_text_of_a_file():
-    case = asperity.Case.load(CASES / "e-drive.toml", {"operation.torque": 20.0, "model": {"offsets": 4}})
+    case = asperity.Case.load(CASES / "e-drive.toml", {"torque_nm": 20.0, "model": {"offsets": 4}})
     assert case.inputs.operation.torque == "20 N m" and case.inputs.model.offsets == 4
     paper = asperity.Case(CASES / "e-drive.toml", formulation="paper")
     assert "paper" in json.dumps(paper.to_dict())
@@ -113,7 +115,7 @@ def test_film_and_regime(case):
 
 
 def test_cases_and_results_go_to_other_processes(case):
-    changed = case.replace({"surface.pinion": trace(5000), "operation.torque": 100})
+    changed = case.replace({"surface.pinion": trace(5000), "operation.torque": "100 N m"})
     again = pickle.loads(pickle.dumps(changed))
     assert again.to_dict() == changed.to_dict()
     with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
@@ -132,7 +134,7 @@ def losses_of(case):
 
 PLANETARY = {
     "title": "set",
-    "planetary": {"teeth": [24, 27, -78], "planets": 3, "module": 2e-3, "face_width": ["25 mm", "25 mm", 0.03]},
+    "planetary": {"teeth": [24, 27, -78], "planets": 3, "module": "2 mm", "face_width": ["25 mm", "25 mm", "30 mm"]},
     "operation": {"torque": "60 N m", "speed": "3000 1/min", "bulk_temperature": "80 °C"},
     "lubricant": {"oil": "m100"},
     "surface": {"sun": {"rq": "0.4 um"}},
@@ -153,7 +155,7 @@ def test_a_planetary_set_has_the_results_of_its_meshes():
 
 
 def test_a_gear_train_has_the_results_of_its_meshes():
-    gears = {"teeth": [23, 68], "module": 2e-3, "face_width": "25 mm"}
+    gears = {"teeth": [23, 68], "module": "2 mm", "face_width": "25 mm"}
     case = asperity.Case(
         train={"input": "in"},
         mesh={"a": {"shafts": ["in", "b"], "gears": gears}, "z": {"shafts": ["b", "out"], "gears": gears}},
@@ -166,5 +168,5 @@ def test_a_gear_train_has_the_results_of_its_meshes():
     assert result.loss_w == result.meshes[0].loss_w + result.meshes[1].loss_w
     assert case.meshes == ["a", "z"]
     assert case.mesh("z").run("losses").loss_w == result.meshes[1].loss_w
-    wider = case.replace({"mesh.a.gears.face_width": 0.03}).run()
+    wider = case.replace({"mesh.a.gears.face_width": "30 mm"}).run()
     assert wider.loss_w != result.loss_w

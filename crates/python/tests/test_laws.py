@@ -54,8 +54,7 @@ def test_what_a_law_lacks_is_refused():
     assert refused.value.code == "E209"
     with pytest.raises(asperity.AsperityError, match="unknown variant"):
         asperity.film_thickness("nobody", **FILM)
-    with pytest.raises(asperity.AsperityError) as refused:
+    with pytest.raises(TypeError, match="speed"):
         asperity.friction_coefficient(speed=1.0)
-    assert refused.value.code == "E203"
     with pytest.raises(asperity.AsperityError, match="fit each other"):
         asperity.hertz([1.0, 2.0], [1.0, 2.0, 3.0], 1e9)

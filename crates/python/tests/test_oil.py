@@ -26,7 +26,7 @@ def rubbed(speed):
 
 
 def test_traction_is_that_of_the_command(command, tmp_path):
-    ours = asperity.oil_traction("m100", temperature=["40 °C", 373.15])
+    ours = asperity.oil_traction("m100", temperature_c=[40, 100])
     theirs = json_of(command, "oil", "traction", "m100", "--temperature", "40,100", "-o", tmp_path / "out")
     assert ours.to_dict() == theirs and "m100" in repr(ours) and "h/Rq" in str(ours) and "<table" in ours._repr_html_()
     ours.write(tmp_path / "ours")
@@ -77,10 +77,10 @@ def test_what_gives_no_constants_is_named(curves):
     refused("E317", "traction is missing", asperity.oil_fit, {"load_n": [30], "mean_speed_m_s": [2], "slide_roll_percent": [1], "temperature_c": [40]}, "m100")
     refused("E317", "differ in length", asperity.oil_fit, {**curves, "load_n": [30.0]}, "m100")
     refused("E318", "at least 6", asperity.oil_fit, {name: values[:3] for name, values in curves.items()}, "m100")
-    refused("E204", "curve, common or none", asperity.oil_fit, curves, "m100", zero="some")
-    refused("E204", "lube or pot", asperity.oil_fit, curves, "m100", temperature_column="air")
+    refused("E204", "zero: unknown variant `some`, expected one of `curve`, `common`, `none`", asperity.oil_fit, curves, "m100", zero="some")
+    refused("E204", "temperature_column: unknown variant `air`, expected `lube` or `pot`", asperity.oil_fit, curves, "m100", temperature_column="air")
     refused("E209", "below 1", asperity.oil_fit, curves, "m100", point_sd=0)
-    refused("E209", "at least one", asperity.oil_traction, "m100", temperature=[])
+    refused("E209", "at least one", asperity.oil_traction, "m100", temperature_c=[])
     refused("E319", "machine would have to", asperity.oil_fit, {**curves, "traction": [3 * mu for mu in curves["traction"]]}, "m100")
-    refused("E205", "one time for each", asperity.stribeck, curves, "m100", rubbing=[1.0, 2.0])
+    refused("E205", "one time for each", asperity.stribeck, curves, "m100", rubbing=["1 s", "2 s"])
     refused("E322", "time of rubbing", asperity.stribeck, curves, "m100")

@@ -65,9 +65,9 @@ def test_a_map_is_that_of_the_command(command, tmp_path):
     changed = asperity.Case(case, model={"positions": 4, "offsets": 2})
     found = asperity.map(
         changed,
-        torque=[20, "145 N m"],
+        torque_nm=[20, 145],
         speed=["1000 1/min", "9000 rpm"],
-        temperature=["60 °C", "90 °C"],
+        temperature_c=(60, 90),
         finishes=None,
     ).to_pandas()
     for name in expected.columns:

@@ -42,14 +42,14 @@ def test_a_comparison_of_files_profiles_pairs_and_cases(drive, tmp_path):
 
 
 def test_a_point_of_a_map_is_a_run(drive, tmp_path):
-    found = asperity.map(drive, torque="50..145:2", speed=["3000 1/min", "9000 1/min"])
+    found = asperity.map(drive, torque="50..145:2 N m", speed=["3000 1/min", "9000 1/min"])
     run = drive.replace({"operation.torque": "50 N m", "operation.speed": "3000 1/min"}).run("losses")
     at = found.torque_nm.tolist().index(50), found.speed_rpm.tolist().index(3000)
     assert found.loss_w[0, 0, at[0], at[1]] == run.loss_w
-    assert found.loss_torque(50, "3000 1/min") == found.loss_torque_nm[0, 0, at[0], at[1]]
-    assert found.loss_torque([50, 145], "5000 1/min").shape == (2,)
-    with pytest.warns(UserWarning, match="1 of 2 places are outside"):
-        edge, beyond = found.loss_torque([145, 290], "9000 1/min")
+    assert found.loss_torque(torque_nm=50, speed="3000 1/min") == found.loss_torque_nm[0, 0, at[0], at[1]]
+    assert found.loss_torque(torque_nm=[50, 145], speed_rpm=5000).shape == (2,)
+    with pytest.warns(asperity.AsperityWarning, match="1 of 2 places are outside"):
+        edge, beyond = found.loss_torque(torque_nm=[145, 290], speed="9000 1/min")
     assert beyond == pytest.approx(2 * edge)
     found.write(tmp_path / "map")
     again = asperity.read_result(tmp_path / "map")
@@ -62,7 +62,7 @@ def test_a_point_of_a_map_is_a_run(drive, tmp_path):
 
 
 def test_maps_are_exported(drive, tmp_path):
-    found = asperity.map(drive, torque=[-145, 145], speed=["100 1/min", "9000 1/min"], finishes={"a": GROUND, "b": FINE})
+    found = asperity.map(drive, torque_nm=[-145, 145], speed=["100 1/min", "9000 1/min"], finishes={"a": GROUND, "b": FINE})
     assert found.finishes == ["a", "b"]
     files = found.export("matlab", tmp_path)
     assert [file.name for file in files] == ["a.mat", "b.mat"] and all(file.stat().st_size for file in files)
@@ -72,7 +72,7 @@ def test_maps_are_exported(drive, tmp_path):
 
 
 def test_a_sweep_is_an_iterator(drive):
-    rows = asperity.sweep(drive, {"operation.torque": [50.0, "145 N m"], "operation.speed": {"from": "1000 1/min", "to": "9000 1/min", "count": 3}})
+    rows = asperity.sweep(drive, {"torque_nm": [50.0, 145], "operation.speed": {"from": "1000 1/min", "to": "9000 1/min", "count": 3}})
     assert len(rows) == 6
     first = next(rows)
     assert first.case == 0 and first["operation.torque"] == "50 N m" and first.loss_w > 0

@@ -70,7 +70,7 @@ def test_cases_run_on_several_threads_at_once():
 
 LONG = {
     "run": "case.replace({'model.positions': 1000, 'model.offsets': 200}).run()",
-    "map": "asperity.map(case, torque='1..145:200', speed='10..9000:200')",
+    "map": "asperity.map(case, torque='1..145:200 N m', speed='10..9000:200 1/min')",
     "sweep": "list(asperity.sweep(case, sample={'method': 'sobol', 'count': 4096, "
     "'vary': {'operation.torque': {'uniform': ['50 N m', '150 N m']}}}))",
     "ehl": "asperity.ehl(case, 0.25, half_widths=4000)",

@@ -16,6 +16,7 @@ mod error;
 mod folder;
 mod gear_train;
 pub mod html;
+pub mod library;
 mod page_tables;
 mod printed;
 mod study;

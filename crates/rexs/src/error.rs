@@ -108,3 +108,14 @@ pub enum RexsError {
         count: usize,
     },
 }
+
+impl RexsError {
+    /// Stable code.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NoStage { .. } | Self::NoLoadCase { .. } | Self::NotCylindrical { .. } => "E133",
+            _ => "E132",
+        }
+    }
+}

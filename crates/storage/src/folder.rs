@@ -86,6 +86,22 @@ pub fn replace_folder<E: From<StorageError>>(
     Ok(())
 }
 
+/// Writes a folder that does not exist yet with these texts by name, whole or not at all.
+///
+/// # Errors
+/// When the folder exists or cannot be written.
+pub fn new_folder_of<'a>(
+    target: &Path,
+    texts: impl IntoIterator<Item = (&'a str, &'a str)>,
+) -> Result<(), StorageError> {
+    new_folder(target, |made| {
+        texts.into_iter().try_for_each(|(name, text)| {
+            let place = made.join(name);
+            fs::write(&place, text).map_err(StorageError::io(&place))
+        })
+    })
+}
+
 /// Fills a draft folder and renames it to `target`, which must not exist. It gets no manifest, so this program never
 /// replaces it.
 ///

@@ -102,6 +102,17 @@ pub trait FilmFriction: Debug + Send + Sync {
     /// # Errors
     /// When an input is outside the domain of the law.
     fn traction(&self, contact: &FilmContact<'_>) -> Result<Checked<FilmTraction>, FrictionError>;
+
+    /// Friction at several contacts of one mesh position, one for each offset of the traces.
+    ///
+    /// # Errors
+    /// As [`traction`](Self::traction).
+    fn tractions(
+        &self,
+        contacts: &[FilmContact<'_>],
+    ) -> Result<Vec<Checked<FilmTraction>>, FrictionError> {
+        contacts.iter().map(|one| self.traction(one)).collect()
+    }
 }
 
 /// Law of a case file with what it leaves to choose.

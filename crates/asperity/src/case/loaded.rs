@@ -427,6 +427,7 @@ pub(super) fn complete(
     };
     if let Some(before) = before {
         case.laws = before.case.laws.clone();
+        case.list_laws();
     }
     let Flanks {
         surfaces,

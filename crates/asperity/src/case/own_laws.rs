@@ -6,6 +6,7 @@ use asperity_ehl_regime::FilmThicknessLaw;
 use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadMap};
 use asperity_tribo_friction::{FilmFriction, NamedFriction};
 
+use super::defaults::DefaultUsed;
 use super::resolve::Case;
 use crate::lubrication::LoadShare;
 use asperity_mixed_film::FilmAlone;
@@ -15,6 +16,7 @@ impl Case {
     #[must_use]
     pub fn with_film_law(mut self, law: Arc<dyn FilmThicknessLaw>) -> Self {
         self.laws.film = Some(law);
+        self.list_laws();
         self
     }
 
@@ -22,6 +24,7 @@ impl Case {
     #[must_use]
     pub fn with_film_friction(mut self, law: Arc<dyn FilmFriction>) -> Self {
         self.laws.friction = Some(law);
+        self.list_laws();
         self
     }
 
@@ -29,6 +32,7 @@ impl Case {
     #[must_use]
     pub fn with_load_distribution(mut self, law: Arc<dyn LoadDistribution>) -> Self {
         self.laws.load_distribution = Some(law);
+        self.list_laws();
         self
     }
 
@@ -36,7 +40,37 @@ impl Case {
     #[must_use]
     pub fn with_load_share(mut self, law: Arc<dyn LoadShare>) -> Self {
         self.laws.load_share = Some(law);
+        self.list_laws();
         self
+    }
+
+    /// Names the user-defined laws among the defaults, in place of the laws that they replace.
+    pub(super) fn list_laws(&mut self) {
+        let laws = &self.laws;
+        let names = [
+            ("model.film", laws.film.as_ref().map(|law| law.name())),
+            (
+                "model.film_friction",
+                laws.friction.as_ref().map(|law| law.name()),
+            ),
+            (
+                "model.load_distribution",
+                laws.load_distribution.as_ref().map(|law| law.name()),
+            ),
+            (
+                "model.load_share",
+                laws.load_share.as_ref().map(|law| law.name()),
+            ),
+        ];
+        for (key, name) in names {
+            let Some(name) = name else { continue };
+            self.defaults.retain(|row| row.key != key);
+            self.defaults.push(DefaultUsed {
+                key: key.into(),
+                value: name.to_owned(),
+                source: Some("user-defined law".into()),
+            });
+        }
     }
 
     /// The film thickness law in use: user-defined, or the one that the case names.

@@ -4,6 +4,7 @@ use asperity_core::quantity::Length;
 use asperity_ehl_regime::{
     AsperityShape, FilmThickness, Orientation, Regime, film_ratio, lambda_star,
 };
+use asperity_tribo_friction::FilmContact;
 
 use super::chosen_laws::ChosenLaws;
 use super::formula_film::FormulaFilm;
@@ -25,50 +26,76 @@ pub(crate) struct Decision {
     pub shared: SharedLoad,
 }
 
-/// The regime at one offset from Λ*, or from the classical film ratio where Λ* is not known; the load
-/// share by the law in use.
-pub(crate) fn decide(
-    case: &Case,
-    laws: &ChosenLaws,
-    (position, film): (&MeshPosition, &FormulaFilm),
-    roughness: &Roughness,
-    window: Option<&WindowPair>,
-    solved: Option<&LoadShareSolution>,
-    recorded: Option<&RecordedShare>,
-) -> Result<Decision, PositionError> {
-    let combined = roughness.combined_rq()?;
-    let ratio = if combined.si() > 0.0 {
-        film_ratio(film.film.minimum, 1.0, combined)?
-    } else {
-        f64::INFINITY
-    };
-    let star = |film: &FilmThickness| lambda_star_of(laws, position, film, roughness);
-    let lambda_star = star(&film.shown)?;
-    // The laws of the load share take the film that film friction takes.
-    let of_share = case.model.central_film;
-    let film_of_share = FilmThickness {
-        central: of_share.thickness(film.film.central, position.hertz.max_pressure)?,
-        ..film.film
-    };
-    let contact = friction::film_contact(case, (position, film), roughness, &case.oil)?;
-    let conditions = ShareConditions {
-        position,
-        film,
-        roughness,
-        window,
-        lambda_star: star(&film_of_share)?,
-        film_ratio: ratio,
-        contact: &contact,
-        flow_pressure: case.flow_pressure,
-        solved,
-        recorded,
-    };
-    Ok(Decision {
-        lambda_star,
-        film_ratio: ratio,
-        regime: Regime::of(lambda_star.unwrap_or(ratio))?,
-        shared: laws.load_share.share(&conditions)?,
-    })
+/// Film parameters and local contact at one offset, before the load is shared.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Undecided<'a> {
+    lambda_star: Option<f64>,
+    /// Λ* with the film of the load share.
+    lambda_star_of_share: Option<f64>,
+    film_ratio: f64,
+    contact: FilmContact<'a>,
+}
+
+impl<'a> Undecided<'a> {
+    /// Film parameters with this roughness.
+    pub(crate) fn of(
+        case: &'a Case,
+        laws: &ChosenLaws,
+        (position, film): (&MeshPosition, &FormulaFilm),
+        roughness: &Roughness,
+    ) -> Result<Self, PositionError> {
+        let combined = roughness.combined_rq()?;
+        let ratio = if combined.si() > 0.0 {
+            film_ratio(film.film.minimum, 1.0, combined)?
+        } else {
+            f64::INFINITY
+        };
+        let star = |film: &FilmThickness| lambda_star_of(laws, position, film, roughness);
+        // The laws of the load share take the film that film friction takes.
+        let of_share = case.model.central_film;
+        let film_of_share = FilmThickness {
+            central: of_share.thickness(film.film.central, position.hertz.max_pressure)?,
+            ..film.film
+        };
+        Ok(Self {
+            lambda_star: star(&film.shown)?,
+            lambda_star_of_share: star(&film_of_share)?,
+            film_ratio: ratio,
+            contact: friction::film_contact(case, (position, film), roughness, &case.oil)?,
+        })
+    }
+
+    /// Inputs of the load share.
+    pub(crate) fn conditions<'b>(
+        &'b self,
+        case: &Case,
+        (position, film): (&'b MeshPosition, &'b FormulaFilm),
+        (roughness, window): (&'b Roughness, Option<&'b WindowPair>),
+        (solved, recorded): (Option<&'b LoadShareSolution>, Option<&'b RecordedShare>),
+    ) -> ShareConditions<'b> {
+        ShareConditions {
+            position,
+            film,
+            roughness,
+            window,
+            lambda_star: self.lambda_star_of_share,
+            film_ratio: self.film_ratio,
+            contact: &self.contact,
+            flow_pressure: case.flow_pressure,
+            solved,
+            recorded,
+        }
+    }
+
+    /// The regime from Λ*, or from the classical film ratio where Λ* is not known.
+    pub(crate) fn decided(&self, shared: SharedLoad) -> Result<Decision, PositionError> {
+        Ok(Decision {
+            lambda_star: self.lambda_star,
+            film_ratio: self.film_ratio,
+            regime: Regime::of(self.lambda_star.unwrap_or(self.film_ratio))?,
+            shared,
+        })
+    }
 }
 
 pub(crate) fn lambda_star_of(

@@ -31,34 +31,58 @@ const FLASH_SETTLED: f64 = 1e-6;
 /// Most passes of the flash feedback; each pass shrinks the change about tenfold.
 const FLASH_PASSES: usize = 50;
 
-/// Friction in the film by `law`. With flash feedback the oil is taken at bulk plus flash
-/// temperature, found by repeated substitution.
-pub(crate) fn in_film(
+/// Friction in the film by `law`, for each of the roughnesses at a position. With flash feedback the oil is taken at bulk
+/// plus flash temperature, found by repeated substitution.
+pub(crate) fn in_film<'a>(
     case: &Case,
     law: &dyn FilmFriction,
     position: (&MeshPosition, &FormulaFilm),
-    roughness: &Roughness,
-) -> Result<InFilm, PositionError> {
-    let mut oil = case.oil;
-    let mut before = 0.0;
+    roughness: impl IntoIterator<Item = &'a Roughness>,
+) -> Result<Vec<InFilm>, PositionError> {
+    struct Open<'a> {
+        k: usize,
+        roughness: &'a Roughness,
+        oil: LubricantState,
+        before: f64,
+    }
+    let begin = |(k, roughness)| Open {
+        k,
+        roughness,
+        oil: case.oil,
+        before: 0.0,
+    };
+    let mut open: Vec<Open<'_>> = roughness.into_iter().enumerate().map(begin).collect();
+    let mut settled = Vec::with_capacity(open.len());
     for _ in 0..FLASH_PASSES {
-        let contact = film_contact(case, position, roughness, &oil)?;
-        let found = law.traction(&contact)?;
-        let mu = case.model.friction_scale * found.value.coefficient;
-        let flash = flash(case, position.0, mu)?;
-        let settled = (flash - before).abs() <= FLASH_SETTLED;
-        if settled || !case.model.flash_feedback {
-            return Ok(InFilm {
-                mu,
-                outside: found.outside,
+        let contacts = open
+            .iter()
+            .map(|one| film_contact(case, position, one.roughness, &one.oil));
+        let contacts = contacts.collect::<Result<Vec<_>, _>>()?;
+        let mut left = Vec::new();
+        for (one, found) in open.into_iter().zip(law.tractions(&contacts)?) {
+            let mu = case.model.friction_scale * found.value.coefficient;
+            let flash = flash(case, position.0, mu)?;
+            let is_settled = (flash - one.before).abs() <= FLASH_SETTLED;
+            if is_settled || !case.model.flash_feedback {
+                let outside = found.outside;
+                settled.push((one.k, InFilm { mu, outside }));
+                continue;
+            }
+            let temperature = Temperature::from_si(case.temperature.si() + flash);
+            left.push(Open {
+                before: flash,
+                oil: case.lubricant.at(temperature)?.value,
+                ..one
             });
         }
-        before = flash;
-        let temperature = Temperature::from_si(case.temperature.si() + flash);
-        oil = case.lubricant.at(temperature)?.value;
+        open = left;
+        if open.is_empty() {
+            settled.sort_by_key(|(k, _)| *k);
+            return Ok(settled.into_iter().map(|(_, found)| found).collect());
+        }
     }
     Err(PositionError::FlashNotSettled {
-        flash_kelvin: before,
+        flash_kelvin: open.first().map_or(0.0, |one| one.before),
         passes: FLASH_PASSES,
     })
 }

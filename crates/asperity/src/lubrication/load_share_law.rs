@@ -152,6 +152,14 @@ pub trait LoadShare: Debug + Send + Sync {
     /// # Errors
     /// When an input is outside the domain of the law.
     fn share(&self, conditions: &ShareConditions<'_>) -> Result<SharedLoad, PositionError>;
+
+    /// Shares at one mesh position, one for each offset of the traces.
+    ///
+    /// # Errors
+    /// As [`share`](Self::share).
+    fn shares(&self, conditions: &[ShareConditions<'_>]) -> Result<Vec<SharedLoad>, PositionError> {
+        conditions.iter().map(|one| self.share(one)).collect()
+    }
 }
 
 impl LoadShare for LoadShareLaw {

@@ -10,7 +10,7 @@ use asperity_ehl_regime::Regime;
 use asperity_mixed_film::LoadShareSolution;
 
 use super::chosen_laws::ChosenLaws;
-use super::decision::{Decision, decide};
+use super::decision::{Decision, Undecided};
 use super::formula_film::FormulaFilm;
 use super::friction::{self, InFilm, Rubbing};
 use super::full_film::FullFilm;
@@ -70,25 +70,34 @@ impl Lubrication<'_> {
             film: film.clone(),
         };
         let mut film_alone = None;
-        for (k, decided) in self.decided((at, &film), contacts, recorded).enumerate() {
-            let contact = &contacts[k];
+        let mut by_law = Vec::new();
+        if !self.is_film_alone() {
+            let roughness = contacts.iter().map(|contact| &contact.roughness);
+            let law = self.laws.friction.as_ref();
+            by_law = friction::in_film(self.case, law, (at, &film), roughness)?;
+        }
+        let decided = self.decided((at, &film), contacts, recorded)?;
+        for (k, (contact, decided)) in contacts.iter().zip(decided).enumerate() {
             let Decided {
                 share,
                 pair,
                 decision,
-            } = decided?;
+            } = decided;
             let is_full = self.is_full_film(&decision);
             if is_full && position.full_film.is_none() {
                 position.full_film = full_film_at(self.case, (at, &film), self.records, smooth)?;
             }
             let solved = position.full_film.as_ref().filter(|_| is_full);
-            let friction = self.in_film(
-                (at, &film),
-                &contact.roughness,
-                &decision,
-                (solved, share.as_ref()),
-                &mut film_alone,
-            )?;
+            let friction = match by_law.get(k) {
+                Some(by_law) => by_law.clone(),
+                None => self.in_film(
+                    (at, &film),
+                    &contact.roughness,
+                    &decision,
+                    (solved, share.as_ref()),
+                    &mut film_alone,
+                )?,
+            };
             let shared = &decision.shared;
             let share = share.map(|share| share.value);
             let mut offset = LubricatedWindow {
@@ -132,16 +141,17 @@ impl Lubrication<'_> {
     }
 
     /// Regime and load share in every window, solved in order.
-    fn decided<'b>(
-        &'b self,
-        of_position: (&'b MeshPosition, &'b FormulaFilm),
-        contacts: &'b [Arc<WindowContact>],
+    fn decided(
+        &self,
+        of_position: (&MeshPosition, &FormulaFilm),
+        contacts: &[Arc<WindowContact>],
         recorded: Option<RecordedShare>,
-    ) -> impl Iterator<Item = Result<Decided, PositionError>> + use<'b> {
+    ) -> Result<Vec<Decided>, PositionError> {
         let at = of_position.0;
         let count = contacts.len();
         let mut rough_film = None;
-        contacts.iter().enumerate().map(move |(k, contact)| {
+        let mut open = Vec::with_capacity(count);
+        for (k, contact) in contacts.iter().enumerate() {
             checkpoint()?;
             if self.surfaces.begins_a_pair(k, count) {
                 let (of_pair, ..) = self.surfaces.met(at.zone, k, count);
@@ -162,21 +172,34 @@ impl Lubrication<'_> {
             if pair.is_none() && self.case.formulation == Formulation::Paper {
                 return Err(PositionError::NoProfile);
             }
-            let decision = decide(
+            let undecided = Undecided::of(self.case, self.laws, of_position, &contact.roughness)?;
+            open.push((share, pair, undecided));
+        }
+        let conditions = contacts.iter().zip(&open);
+        let conditions = conditions.map(|(contact, (share, pair, undecided))| {
+            let solved = share.as_ref().map(|share| &share.value);
+            undecided.conditions(
                 self.case,
-                self.laws,
                 of_position,
-                &contact.roughness,
-                pair.as_ref(),
-                share.as_ref().map(|share| &share.value),
-                recorded.as_ref(),
-            )?;
-            Ok(Decided {
-                share,
-                pair,
-                decision,
+                (&contact.roughness, pair.as_ref()),
+                (solved, recorded.as_ref()),
+            )
+        });
+        let shared = self
+            .laws
+            .load_share
+            .shares(&conditions.collect::<Vec<_>>())?;
+        let with_share = open.into_iter().zip(shared);
+        with_share
+            .map(|((share, pair, undecided), shared)| {
+                let decision = undecided.decided(shared)?;
+                Ok(Decided {
+                    share,
+                    pair,
+                    decision,
+                })
             })
-        })
+            .collect()
     }
 
     /// Film by the formulas with regime and load share in every window, without friction.
@@ -193,11 +216,9 @@ impl Lubrication<'_> {
             .records
             .filter(|_| self.laws.load_share.needs_records());
         let recorded = records.map(|records| records.at(at.s, None));
-        let decisions = self
-            .decided((at, &film), contacts, recorded)
-            .map(|decided| Ok(decided?.decision))
-            .collect::<Result<_, PositionError>>()?;
-        Ok((film, decisions))
+        let decided = self.decided((at, &film), contacts, recorded)?;
+        let decisions = decided.into_iter().map(|decided| decided.decision);
+        Ok((film, decisions.collect()))
     }
 
     /// Solves the rough contact of every window whose load share did not: its numbers, for the result and for the
@@ -321,8 +342,8 @@ impl Lubrication<'_> {
         }
     }
 
-    /// Friction in the film: from the full film or the load share if these solve for it, else by the law. The
-    /// friction of a film without asperities does not depend on the roughness: all offsets take it from the first one.
+    /// Friction of a film without asperities: from the full film or the load share if these solve for it, else by the
+    /// law. It does not depend on the roughness: all offsets take it from the first one.
     fn in_film(
         &self,
         position: (&MeshPosition, &FormulaFilm),
@@ -333,20 +354,18 @@ impl Lubrication<'_> {
     ) -> Result<InFilm, PositionError> {
         let case = self.case;
         let by_full_film = full_film.and_then(|film| film.coefficient);
-        match by_full_film.or(decision.shared.film_coefficient) {
-            Some(mu) if self.is_film_alone() => Ok(InFilm {
+        if let Some(mu) = by_full_film.or(decision.shared.film_coefficient) {
+            return Ok(InFilm {
                 mu: case.model.friction_scale * mu,
                 outside: share.map(|share| share.outside.clone()).unwrap_or_default(),
-            }),
-            _ => {
-                if let Some(known) = film_alone.as_ref().filter(|_| self.is_film_alone()) {
-                    return Ok(known.clone());
-                }
-                let law = self.laws.friction.as_ref();
-                let by_law = friction::in_film(case, law, position, roughness)?;
-                Ok(film_alone.insert(by_law).clone())
-            }
+            });
         }
+        if film_alone.is_none() {
+            let law = self.laws.friction.as_ref();
+            let by_law = friction::in_film(case, law, position, [roughness])?;
+            *film_alone = by_law.into_iter().next();
+        }
+        film_alone.clone().ok_or(PositionError::NoProfile)
     }
 
     /// Whether the film friction of the case is for a film without asperities, which a solved film can replace.

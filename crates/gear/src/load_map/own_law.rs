@@ -22,14 +22,38 @@ impl LoadMap {
         mesh: &LoadConditions<'_>,
         line_load: impl Fn(Length) -> Result<LineLoad, GearError>,
     ) -> Result<Self, GearError> {
+        Self::of_line_loads(mesh, |places| {
+            places.iter().map(|s| line_load(*s)).collect()
+        })
+    }
+
+    /// Load map of a law for the loads per length of contact line at all positions of the path of contact at once,
+    /// constant over the face width.
+    ///
+    /// # Errors
+    /// When the law fails or does not return one load for each position, a load is not finite or negative, or the torque
+    /// is zero.
+    pub fn of_line_loads(
+        mesh: &LoadConditions<'_>,
+        line_loads: impl FnOnce(&[Length]) -> Result<Vec<LineLoad>, GearError>,
+    ) -> Result<Self, GearError> {
         let torque = DomainError::finite("torque", mesh.torque)?.abs();
         DomainError::require(torque > 0.0, "torque", torque, "N m", "must not be zero")?;
         let pair = mesh.pair;
         let positions = pair.positions(POSITIONS, PositionRule::GaussLegendre)?;
         let mut table = Vec::with_capacity(positions.len());
         let mut samples = Vec::with_capacity(positions.len());
-        for position in &positions {
-            let load = line_load(position.s)?;
+        let places: Vec<Length> = positions.iter().map(|position| position.s).collect();
+        let loads = line_loads(&places)?;
+        let is_whole = loads.len() == places.len();
+        DomainError::require(
+            is_whole,
+            "line loads",
+            loads.len() as f64,
+            "-",
+            "must be one for each position",
+        )?;
+        for (position, load) in positions.iter().zip(loads) {
             DomainError::non_negative("line load", load)?;
             table.push((position.xi, load.si()));
             samples.push(LoadSample {

@@ -1,45 +1,86 @@
 """Mesh efficiency of gears from measured roughness.
 
-Numbers are in SI units; text with a unit (``"1.8 mm"``) and quantities of pint are taken as well. Results name their
-units: ``loss_w``, ``film_minimum_um``. Errors are `AsperityError` with ``code``, ``help`` and ``place``.
+A number has the unit that its name states, in arguments (``torque_nm=145``) and results (``loss_w``, ``film_minimum_um``);
+a name without a unit takes text with a unit (``torque="145 N m"``) or a quantity of pint. Arrays of profiles, contacts and
+laws are in SI units. Errors are `AsperityError`, warnings `AsperityWarning`, with ``code`` and ``help``.
 
     import asperity
-    case = asperity.Case("case.toml")
+    case = asperity.Case("case.toml", torque_nm=145)
     result = case.run()
     result.loss_w, result.path.lambda_star, result.to_pandas()
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple, Optional
+from typing import TYPE_CHECKING, NamedTuple, Optional
 
 from . import _asperity
 from ._asperity import __version__
-from ._calibration import Calibration, calibrate
-from ._case import Case
-from ._compare import Comparison, compare
-from ._contact import Contact, Stress, press_flanks, solve_contact, subsurface_stress
-from ._ehl import EhlRecord, ehl
-from ._errors import AsperityError, Place
-from ._html import Chart
-from ._laws import film_thickness, friction_coefficient, hertz, thermal_reduction
-from ._map import Map, map, read_map
-from ._oil import OilFit, OilPlan, Stribeck, Traction, oil_fit, oil_plan, oil_traction, oils, stribeck
-from ._profile import Parameters, Parts, Profile, generate, read_profile
-from ._record import Record, Table
-from ._result import Fields, Regime, RunResult
-from ._sensitivity import Sensitivity, sensitivity
-from ._stored import read_result
-from ._sweep import Sweep, sweep
+
+if TYPE_CHECKING:
+    from ._calibration import Calibration, Design, Evidence, calibrate, design, evidence
+    from ._case import Case
+    from ._compare import Comparison, compare
+    from ._contact import Contact, Stress, press_flanks, solve_contact, subsurface_stress
+    from ._ehl import EhlRecord, ehl
+    from ._errors import AsperityError, AsperityWarning, Place
+    from ._html import Chart
+    from ._laws import film_thickness, friction_coefficient, hertz, thermal_reduction
+    from ._library import RexsCase, demo, from_rexs, gears, oils, steels
+    from ._map import Cycle, Map, cycle, map, read_map
+    from ._oil import OilFit, OilPlan, Stribeck, Traction, oil_fit, oil_plan, oil_traction, stribeck
+    from ._profile import Parameters, Parts, Profile, generate, read_profile
+    from ._record import Record, Table
+    from ._result import Fields, Path, Regime, RunResult, Summary
+    from ._sensitivity import Sensitivity, sensitivity
+    from ._stored import read_result
+    from ._sweep import Sweep, sweep
+else:
+    _HOMES = {
+        "_calibration": "Calibration Design Evidence calibrate design evidence",
+        "_case": "Case",
+        "_compare": "Comparison compare",
+        "_contact": "Contact Stress press_flanks solve_contact subsurface_stress",
+        "_ehl": "EhlRecord ehl",
+        "_errors": "AsperityError AsperityWarning Place",
+        "_html": "Chart",
+        "_laws": "film_thickness friction_coefficient hertz thermal_reduction",
+        "_library": "RexsCase demo from_rexs gears oils steels",
+        "_map": "Cycle Map cycle map read_map",
+        "_oil": "OilFit OilPlan Stribeck Traction oil_fit oil_plan oil_traction stribeck",
+        "_profile": "Parameters Parts Profile generate read_profile",
+        "_record": "Record Table",
+        "_result": "Fields Path Regime RunResult Summary",
+        "_sensitivity": "Sensitivity sensitivity",
+        "_stored": "read_result",
+        "_sweep": "Sweep sweep",
+    }
+    _HOME = {name: module for module, names in _HOMES.items() for name in names.split()}
+
+    def __getattr__(name: str) -> object:
+        """A name of a module that is imported at its first use, which keeps the import of the package short."""
+        if name not in _HOME:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        found = getattr(__import__(f"{__name__}.{_HOME[name]}", fromlist=[name]), name)
+        globals()[name] = found
+        return found
+
+    def __dir__() -> list[str]:
+        return sorted({*globals(), *__all__})
+
 
 __all__ = [
     "AsperityError",
+    "AsperityWarning",
     "Calibration",
     "Case",
     "Chart",
     "Comparison",
     "Contact",
+    "Cycle",
+    "Design",
     "EhlRecord",
+    "Evidence",
     "Explanation",
     "Fields",
     "Map",
@@ -47,24 +88,33 @@ __all__ = [
     "OilPlan",
     "Parameters",
     "Parts",
+    "Path",
     "Place",
     "Profile",
     "Record",
     "Regime",
+    "RexsCase",
     "RunResult",
     "Sensitivity",
     "Stress",
     "Stribeck",
+    "Summary",
     "Sweep",
     "Table",
     "Traction",
     "__version__",
     "calibrate",
     "compare",
+    "cycle",
+    "demo",
+    "design",
     "ehl",
+    "evidence",
     "explain",
     "film_thickness",
     "friction_coefficient",
+    "from_rexs",
+    "gears",
     "generate",
     "hertz",
     "map",
@@ -78,6 +128,7 @@ __all__ = [
     "read_result",
     "sensitivity",
     "solve_contact",
+    "steels",
     "stribeck",
     "subsurface_stress",
     "sweep",

@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._columns import Columns, table_text
-from ._html import page
+from ._errors import AsperityError
 from ._progress import Progress, Told
-from ._record import Record, Table
+from ._quantity import Numbers, axis_of, flat, operating
+from ._record import Table, warned
+from ._study import RawStudy, Study
 
 if TYPE_CHECKING:
     import pandas
 
+    from .keys import CalibratedParameter
 
-class Calibration(Record):
+
+class Calibration(Study):
     """Constants of boundary layer and film that no data sheet holds, fitted to measured losses, with their bands.
 
     ``parameters`` (key, name, value, band, default, verdict ...; values in SI units), ``points`` (measured_w,
@@ -27,9 +32,12 @@ class Calibration(Record):
     paste into a case file.
     """
 
-    def __init__(self, raw: _asperity.Calibration) -> None:
-        super().__init__(json.loads(raw.json()))
-        self._raw = raw
+    def __init__(self, raw: RawStudy, keys: Optional[str] = None) -> None:
+        super().__init__(raw)
+        self._keys = raw.keys() if isinstance(raw, _asperity.Calibration) else keys
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (*super().__reduce__()[1], self._keys)
 
     @property
     def parameters(self) -> Table:
@@ -43,29 +51,114 @@ class Calibration(Record):
 
     def apply(self, case: CaseLike) -> Case:
         """The case with the parameters found, whose bands go into the band of its losses."""
-        return as_case(case).replace(json.loads(self._raw.keys()))
-
-    def write(self, folder: Union[str, PathLike[str]]) -> None:
-        """Writes the folder of ``asperity calibrate``."""
-        self._raw.write(fspath(folder))
+        return as_case(case)._with(json.loads(self._keys or "{}"))
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per measurement: where, measured, fitted, residual."""
         return self.points.to_pandas()
 
-    def __str__(self) -> str:
-        return self._raw.summary()
-
     def __repr__(self) -> str:
         parameters = ", ".join(f"{one['name']} {one['verdict']}" for one in self._values["parameters"])
         return f"<Calibration {self._values['title']!r}: {parameters}>"
 
-    def _repr_html_(self) -> str:
-        rows = [
+    def _rows(self) -> list[tuple[str, str]]:
+        return [
             (str(one["name"]), f"{one['value']:.4g} ({one['band'][0]:.4g}..{one['band'][1]:.4g}), {one['verdict']}")
             for one in self._values["parameters"]
         ]
-        return page(str(self._values["title"]), rows, None)
+
+
+class Design(Study):
+    """Measurements on a rig that would narrow the calibrated constants: ``points``, ``limits``, ``parameters`` ..."""
+
+    @property
+    def points(self) -> Table:
+        """One row per point to measure, by temperature."""
+        return Table(self._values["points"])
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row per point to measure."""
+        return self.points.to_pandas()
+
+
+def design(
+    case: CaseLike,
+    *,
+    torque_max_nm: Optional[float] = None,
+    speed_max_rpm: Optional[float] = None,
+    torque_nm: Optional[Numbers] = None,
+    speed_rpm: Optional[Numbers] = None,
+    temperature_c: Optional[Numbers] = None,
+    hours: Optional[float] = None,
+    minutes_per_point: Optional[float] = None,
+    sigma: Optional[float] = None,
+    assemblies: Optional[int] = None,
+    hold: Sequence[CalibratedParameter] = (),
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Design:
+    """Plans the points of a rig whose losses determine the calibrated constants best, as ``asperity calibrate --design``.
+
+    Args:
+        case: the gears and flanks on the rig.
+        torque_max_nm, speed_max_rpm: reach of the rig; default the largest of the case's map.
+        torque_nm, speed_rpm, temperature_c: torques, speeds and oil temperatures to choose from; default within the reach.
+        hours, minutes_per_point: measuring time without heating; default 8 hours at 15 minutes a point.
+        sigma: standard deviation of a point over its loss; default 0.03.
+        assemblies: number of assemblies; default 2.
+        hold: as in `calibrate`.
+        threads, progress: as in `Case.run`.
+    """
+
+    def nodes(own: str, given: Optional[Numbers]) -> Optional[list[float]]:
+        found = operating(own, given, None)
+        return None if found is None else axis_of(flat(found, own), own)
+
+    positive = {
+        "torque_max_nm": torque_max_nm,
+        "speed_max_rpm": speed_max_rpm,
+        "hours": hours,
+        "minutes_per_point": minutes_per_point,
+        "sigma": sigma,
+    }
+    for name, value in positive.items():
+        if value is not None and not 0.0 < value < math.inf:
+            raise AsperityError(f"{name} = {value}: must be positive", "E209", "Correct the limit of the rig.")
+    limits = {
+        **positive,
+        "torque_nm": nodes("torque_nm", torque_nm),
+        "speed_rpm": nodes("speed_rpm", speed_rpm),
+        "temperature_c": nodes("temperature_c", temperature_c),
+        "assemblies": assemblies,
+    }
+    with Told(progress, "evaluations") as told:
+        return warned(Design(_asperity.design(as_case(case)._raw, json.dumps(limits), list(hold), threads, told)))
+
+
+class Evidence(Study):
+    """Intervals of a loss that measurements would leave: ``rows`` (key, measurement, hours, width ...)."""
+
+    @property
+    def rows(self) -> Table:
+        """One row per measurement, the one that narrows the interval most first."""
+        return Table(self._values["rows"])
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row per measurement."""
+        return self.rows.to_pandas()
+
+
+def evidence(
+    case: CaseLike, *, hours: Optional[Mapping[str, float]] = None, threads: Optional[int] = None
+) -> Evidence:
+    """Measurements that would narrow the interval of the loss most.
+
+    Args:
+        case: the case.
+        hours: hours of a measurement by its name, ``{"traction-plan": 3}``, in place of the usual ones.
+        threads: as in `Case.run`.
+    """
+    return Evidence(_asperity.evidence(as_case(case)._raw, list((hours or {}).items()), threads))
 
 
 def calibrate(
@@ -73,7 +166,7 @@ def calibrate(
     case: Optional[CaseLike] = None,
     *,
     cases: Optional[Mapping[str, CaseLike]] = None,
-    hold: Sequence[str] = (),
+    hold: Sequence[CalibratedParameter] = (),
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
 ) -> Calibration:
@@ -98,4 +191,5 @@ def calibrate(
     beside = None if case is None else as_case(case)._raw
     named = [(key, as_case(one)._raw) for key, one in (cases or {}).items()]
     with Told(progress, "evaluations") as told:
-        return Calibration(_asperity.calibrate(name, text, folder, beside, named, list(hold), threads, told))
+        found = Calibration(_asperity.calibrate(name, text, folder, beside, named, list(hold), threads, told))
+    return warned(found)

@@ -4,19 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Union
+from typing import IO, TYPE_CHECKING, Any, Union
 
 from ._errors import AsperityError
+from ._files import is_read, text_of
 
 if TYPE_CHECKING:
     import pandas
 
-Columns = Union[str, "PathLike[str]", "pandas.DataFrame", Mapping[str, Sequence[Any]]]
-"""A file, a frame or columns by their names."""
+Columns = Union[str, "PathLike[str]", IO[str], IO[bytes], "pandas.DataFrame", Mapping[str, Sequence[Any]]]
+"""A file, an object that is read like one, a frame or columns by their names."""
 
 
 def table_text(columns_by_name: Any, what: str, code: str) -> str:
     """The table as text, or the error ``code`` about ``what``."""
+    if is_read(columns_by_name):
+        return text_of(columns_by_name)
     # At their first need: they take time to import.
     import csv
     import io
@@ -26,13 +29,13 @@ def table_text(columns_by_name: Any, what: str, code: str) -> str:
         text = f"{what}: its columns differ in length"
         raise AsperityError(text, code, "Give every column one value per measurement.")
     simulated = columns.pop("simulated", [])
-    text_of = io.StringIO()
+    written = io.StringIO()
     if any(simulated):
-        text_of.write("# SIMULATED\n")
-    writer = csv.writer(text_of, lineterminator="\n")
+        written.write("# SIMULATED\n")
+    writer = csv.writer(written, lineterminator="\n")
     writer.writerow(columns)
     writer.writerows([_cell(value) for value in row] for row in zip(*columns.values()))
-    return text_of.getvalue()
+    return written.getvalue()
 
 
 def _cell(value: Any) -> str:

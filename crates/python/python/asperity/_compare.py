@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._errors import AsperityError
-from ._html import page
 from ._profile import Profile
 from ._progress import Progress, Told
-from ._record import Record, Table, drawn
+from ._record import Table, drawn, variable, warned
+from ._study import RawStudy, Study
 
 if TYPE_CHECKING:
     import pandas
@@ -34,7 +34,7 @@ def cases_of(case: CaseLike, finishes: Mapping[str, Finish], offsets: Optional[i
     return found
 
 
-class Comparison(Record):
+class Comparison(Study):
     """Finishes side by side; the first is the one that the others are compared with.
 
     ``finishes`` (name, loss_w, uncertainty, difference ...), ``correlations`` (parameter, with_loss,
@@ -43,11 +43,13 @@ class Comparison(Record):
     the models that have the other sign.
     """
 
-    def __init__(self, raw: _asperity.Comparison) -> None:
-        text, offsets = raw.json()
-        super().__init__(json.loads(text))
-        self._raw = raw
+    def __init__(self, raw: RawStudy, offsets: str, verdicts: list[str]) -> None:
+        super().__init__(raw)
         self._offsets: list[list[dict[str, Any]]] = json.loads(offsets)
+        self._verdicts = verdicts
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (*super().__reduce__()[1], json.dumps(self._offsets), self._verdicts)
 
     @property
     def names(self) -> list[str]:
@@ -62,7 +64,7 @@ class Comparison(Record):
     @property
     def verdicts(self) -> list[str]:
         """What the difference of every finish but the first decides, in words."""
-        return self._raw.verdicts()
+        return list(self._verdicts)
 
     @property
     def correlations(self) -> Table:
@@ -73,10 +75,6 @@ class Comparison(Record):
     def offsets(self) -> dict[str, Table]:
         """Efficiency and losses at each offset, by the name of the finish."""
         return {name: Table(rows) for name, rows in zip(self.names, self._offsets)}
-
-    def write(self, folder: Union[str, PathLike[str]]) -> None:
-        """Writes the folder of ``asperity compare``."""
-        self._raw.write(fspath(folder))
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per finish: loss, its median and quantiles, difference to the first with its quantiles and verdict."""
@@ -107,22 +105,18 @@ class Comparison(Record):
         offsets = self.offsets
         names = [name for name in next(iter(offsets.values())).columns if name != "offset"]
         stacked = {
-            name: (("finish", "offset"), [offsets[finish][name] for finish in self.names]) for name in names
+            name: variable(("finish", "offset"), name, [offsets[finish][name] for finish in self.names]) for name in names
         }
         return xarray.Dataset(stacked, coords={"finish": self.names}, attrs={"title": str(self._values["title"])})
-
-    def __str__(self) -> str:
-        return self._raw.summary()
 
     def __repr__(self) -> str:
         losses = ", ".join(f"{finish['name']} {finish['loss_w']:.4g} W" for finish in self._values["finishes"])
         return f"<Comparison {self._values['title']!r}: {losses}>"
 
-    def _repr_html_(self) -> str:
+    def _rows(self) -> list[tuple[str, str]]:
         finishes = self._values["finishes"]
         losses = [drawn(of["uncertainty"]) if of["uncertainty"] else f"{of['loss_w']:.4g} W" for of in finishes]
-        rows = [*zip(self.names, losses), *(("", verdict) for verdict in self.verdicts)]
-        return page(str(self._values["title"]), rows, None)
+        return [*zip(self.names, losses), *(("", verdict) for verdict in self.verdicts)]
 
 
 def compare(
@@ -148,4 +142,5 @@ def compare(
     if offsets is not None and offsets < 2:
         raise AsperityError(f"offsets {offsets}: one offset has no spread", "E209", "Give at least two offsets.")
     with Told(progress, "finishes") as told:
-        return Comparison(_asperity.compare(cases_of(case, finishes, offsets), threads, told))
+        raw, found, verdicts = _asperity.compare(cases_of(case, finishes, offsets), threads, told)
+    return warned(Comparison(raw, found, verdicts))

@@ -9,14 +9,16 @@ from numpy.typing import ArrayLike
 
 from . import _asperity
 from ._errors import AsperityError
-from ._html import Chart, page
+from ._html import Chart, page, shown
 from ._profile import Profile
 from ._quantity import Floats, Scalar, Values, flat, numbers, si, si_array, si_or_none
-from ._record import Record, Table
+from ._record import Record, Table, variable, warned
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+    from .keys import Boundary
 
 
 class Contact(Record):
@@ -86,10 +88,10 @@ class Contact(Record):
         spacing = float(self._values["spacing_m"])
         return subsurface_stress(self.pressure, spacing, depths, traction=traction, poisson=poisson)
 
-    def plot(self) -> Chart:
-        """Pressure in MPa over x in µm."""
+    def plot(self, ax: Any = None) -> Any:
+        """Pressure in MPa over x in µm, on axes of matplotlib or as a `Chart`."""
         x, pressure = self.x * 1e6, self.pressure * 1e-6
-        return Chart("Contact pressure", x.tolist(), [("pressure", pressure.tolist())], ("x in µm", "pressure in MPa"))
+        return shown(Chart("Contact pressure", x.tolist(), [("pressure", pressure.tolist())], ("x in µm", "pressure in MPa")), ax)
 
     def to_pandas(self) -> pandas.DataFrame:
         """The arrays as a `pandas.DataFrame`."""
@@ -101,10 +103,10 @@ class Contact(Record):
         """The arrays over x as an `xarray.Dataset`, the numbers as its attributes."""
         import xarray
 
-        arrays = {name: ("x", self._values[name], {"units": unit}) for name, unit in _POINTS.items() if name != "x"}
+        arrays = {name: variable("x", name, self._values[name], unit) for name, unit in _POINTS.items() if name != "x"}
         plain = (int, float, str)
         attributes = {name: value for name, value in self._values.items() if isinstance(value, plain)}
-        return xarray.Dataset(arrays, coords={"x": ("x", self.x, {"units": "m"})}, attrs=attributes)
+        return xarray.Dataset(arrays, coords={"x": variable("x", "x", self.x, "m")}, attrs=attributes)
 
     def __repr__(self) -> str:
         of = self._values
@@ -157,7 +159,7 @@ def solve_contact(
     *,
     approach: Optional[Scalar] = None,
     datum: Optional[Scalar] = None,
-    boundary: str = "free",
+    boundary: Boundary = "free",
     pressure_limit: Optional[Scalar] = None,
     prescribed_pressure: Optional[ArrayLike] = None,
     start: Optional[ArrayLike] = None,
@@ -210,9 +212,8 @@ def solve_contact(
         pressure_limit=si_or_none(pressure_limit, "Pressure"),
     )
     prescribed = optional(prescribed_pressure, "prescribed_pressure")
-    return Contact(
-        *_asperity.solve_contact(flat(numbers(gap, "gap"), "gap"), asked, prescribed, optional(start, "start"))
-    )
+    found = _asperity.solve_contact(flat(numbers(gap, "gap"), "gap"), asked, prescribed, optional(start, "start"))
+    return warned(Contact(*found))
 
 
 def press_flanks(
@@ -249,7 +250,8 @@ def press_flanks(
         pressure_limit=si_or_none(pressure_limit, "Pressure"),
     )
     plan = None if run_in is None else json.dumps({"passes": run_in, "first_share": first_share})
-    return Contact(*_asperity.press_flanks(first._raw, second._raw, si(radius, "Length"), asked, plan))
+    found = _asperity.press_flanks(first._raw, second._raw, si(radius, "Length"), asked, plan)
+    return warned(Contact(*found))
 
 
 def subsurface_stress(

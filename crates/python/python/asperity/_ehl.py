@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 from . import _asperity
 from ._case import CaseLike, as_case
-from ._html import Chart, page
+from ._html import Chart, page, shown
 from ._progress import Progress, Told
-from ._quantity import Floats, Scalar, si_or_none
-from ._record import Record
+from ._quantity import Floats, Quantity, stated_or_none
+from ._record import Record, variable, warned
 
 if TYPE_CHECKING:
     import xarray
@@ -31,18 +31,19 @@ class EhlRecord(Record):
         x: Floats = self._values["x"]
         return x
 
-    def plot(self) -> Chart:
-        """Mean pressure in MPa over x in µm."""
+    def plot(self, ax: Any = None) -> Any:
+        """Mean pressure in MPa over x in µm, on axes of matplotlib or as a `Chart`."""
         pressure = (self._values["mean_pressure"] * 1e-6).tolist()
-        return Chart("Mean pressure", (self.x * 1e6).tolist(), [("pressure", pressure)], ("x in µm", "MPa"))
+        return shown(Chart("Mean pressure", (self.x * 1e6).tolist(), [("pressure", pressure)], ("x in µm", "MPa")), ax)
 
     def to_xarray(self) -> xarray.Dataset:
         """Mean pressure and film over x, the numbers as attributes."""
         import xarray
 
-        arrays = {name: ("x", self._values[name]) for name in ("mean_pressure", "mean_film")}
+        units = {"mean_pressure": "Pa", "mean_film": "m"}
+        arrays = {name: variable("x", name, self._values[name], unit) for name, unit in units.items()}
         numbers = {name: value for name, value in self._values.items() if isinstance(value, (int, float))}
-        return xarray.Dataset(arrays, coords={"x": self.x}, attrs=numbers)
+        return xarray.Dataset(arrays, coords={"x": variable("x", "x", self.x, "m")}, attrs=numbers)
 
     def __repr__(self) -> str:
         of = self._values
@@ -67,7 +68,7 @@ def ehl(
     half_widths: float = 20.0,
     start: float = 3.0,
     records: int = 1,
-    eyring_stress: Optional[Scalar] = None,
+    eyring_stress: Optional[Quantity] = None,
     compare: bool = False,
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
@@ -81,7 +82,7 @@ def ehl(
         half_widths: travel of a record in Hertz half-widths.
         start: travel before the record begins.
         records: records from other places of the traces, whose mean is given.
-        eyring_stress: Eyring stress in place of that of the base oil, Pa.
+        eyring_stress: Eyring stress in place of the one of the base oil, ``"5 MPa"``.
         compare: whether the laws of load sharing are set beside it (``comparison``).
         threads, progress: as in `Case.run`. Ctrl-C ends the work.
     """
@@ -91,9 +92,9 @@ def ehl(
         "half_widths": half_widths,
         "start": start,
         "records": records,
-        "eyring_stress": si_or_none(eyring_stress, "Pressure"),
+        "eyring_stress": stated_or_none(eyring_stress, "Pressure", "eyring_stress"),
         "compare": compare,
     }
     with Told(progress, "half-widths travelled") as told:
         text, arrays = _asperity.ehl(as_case(case)._raw, json.dumps(asked), threads, told)
-    return EhlRecord({**json.loads(text), **arrays})
+    return warned(EhlRecord({**json.loads(text), **arrays}))

@@ -1,9 +1,12 @@
-"""The error of every function of the package."""
+"""The error and the warning of every function of the package."""
 
 from __future__ import annotations
 
 import json
-from typing import Any, NamedTuple, Optional
+import sys
+import warnings
+from collections.abc import Iterable, Mapping
+from typing import Any, NamedTuple, Optional, Union
 
 
 class Place(NamedTuple):
@@ -56,3 +59,49 @@ class AsperityError(ValueError):
     def __str__(self) -> str:
         text = f"{self.code} {self.message}"
         return f"{text}\nhelp: {self.help}" if self.help else text
+
+
+class AsperityWarning(UserWarning):
+    """A doubt about an input or a result, which also holds it among its ``warnings``.
+
+    Attributes:
+        code: stable code such as ``"W401"``; `asperity.explain` says more about it.
+        text: what is doubtful.
+        help: what to do about it.
+    """
+
+    code: str
+    text: str
+    help: str
+
+    def __init__(self, code: str, text: str, help: str = "") -> None:
+        super().__init__(code, text, help)
+        self.code, self.text, self.help = code, text, help
+
+    def __str__(self) -> str:
+        return f"{self.code} {self.text}"
+
+
+Row = Union[str, Mapping[str, Any]]
+"""A warning: code, text and help; or a text that begins with its code."""
+
+
+def _parts(row: Row) -> tuple[str, str, str]:
+    """Code, text and help of a warning."""
+    if isinstance(row, str) or "code" not in row:
+        code, _, text = (row if isinstance(row, str) else str(row["text"])).partition(" ")
+        return code, text, ""
+    return row["code"], row["text"], row.get("help") or ""
+
+
+def warn(rows: Iterable[Row], known: Iterable[Row] = ()) -> None:
+    """Warns of every row that is not known yet, at the line outside of the package."""
+    told = {_parts(row)[1] for row in known}
+    new = [parts for parts in map(_parts, rows) if parts[1] not in told]
+    if not new:
+        return
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    for code, text, help in new:
+        warnings.warn(AsperityWarning(code, text, help), stacklevel=level)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from os import PathLike
+from typing import Any
 
 Series = Sequence[tuple[str, Sequence[float]]]
 
@@ -70,7 +71,19 @@ class Chart:
 
     def __init__(self, title: str, x: Sequence[float], series: Series, labels: tuple[str, str]) -> None:
         self.title = title
+        self._x, self._series, self._labels = x, series, labels
         self._svg = _drawn(title, x, series, labels)
+
+    def on(self, ax: Any) -> Any:
+        """Draws the chart on axes of matplotlib and returns them."""
+        for name, values in self._series:
+            ax.plot(self._x, values, linewidth=1.0, label=name)
+        ax.set_title(self.title)
+        ax.set_xlabel(self._labels[0])
+        ax.set_ylabel(self._labels[1])
+        if len(self._series) > 1:
+            ax.legend()
+        return ax
 
     def __str__(self) -> str:
         return self._svg
@@ -85,6 +98,11 @@ class Chart:
         """Writes the chart to an SVG file."""
         with open(path, "w", encoding="utf-8") as file:
             file.write(self._svg)
+
+
+def shown(chart: Chart, ax: Any) -> Any:
+    """The chart, or the axes of matplotlib that it is drawn on."""
+    return chart if ax is None else chart.on(ax)
 
 
 def _thinned(values: Sequence[float]) -> Iterator[int]:

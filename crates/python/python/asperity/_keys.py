@@ -1,4 +1,4 @@
-"""Keys of a case: numbers get the unit that the schema asks for, profiles a name, values the form of a case file."""
+"""Keys of a case: quantities of pint become text with the unit of the schema, profiles get a name."""
 
 from __future__ import annotations
 
@@ -110,11 +110,7 @@ def written(value: Any, schema: Schema, traces: Traces) -> Any:
         return [written(item, below, traces) for item in value]
     if isinstance(value, PathLike):
         return fspath(value)
-    if isinstance(value, (np.bool_, np.integer, np.floating)):
-        value = value.item()
-    if schema.quantity is not None and isinstance(value, (int, float)) and not isinstance(value, bool):
-        return _text(float(value), schema.quantity)
-    return value
+    return value.item() if isinstance(value, (np.bool_, np.integer, np.floating)) else value
 
 
 def _text(value: float, quantity: str) -> str:

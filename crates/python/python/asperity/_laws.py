@@ -3,29 +3,49 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _asperity
-from ._errors import AsperityError
-from ._quantity import Values, pressed, si_array
+from ._errors import warn
+from ._quantity import Floats, Values, numbers, pressed, si_array
 from ._record import Record
 
+if TYPE_CHECKING:
+    from .keys import FilmLaw, FrictionLaw, ThermalLaw
 
-def _shaped(array: Any, shape: tuple[int, ...]) -> Any:
-    """The array in this shape; a number where all arguments were numbers."""
-    return array.reshape(shape) if shape else array[0].item()
+
+def _over(columns: dict[str, Floats], law: Callable[[dict[str, Floats]], dict[str, Any]]) -> dict[str, Any]:
+    """The arrays of a law in the common shape of its columns; numbers where all columns are numbers.
+
+    Where a column of an array is NaN or masked, so is the result, and the law is not asked.
+    """
+    given, shape = pressed(columns)
+    if not shape:
+        return {name: array[0].item() for name, array in law(given).items()}
+    missing = np.logical_or.reduce([np.isnan(array) for array in given.values()])
+    if not missing.any():
+        return {name: array.reshape(shape) for name, array in law(given).items()}
+    found = {}
+    for name, array in law({name: array[~missing] for name, array in given.items()}).items():
+        whole = np.full(missing.shape, False if array.dtype == np.bool_ else np.nan, dtype=array.dtype)
+        whole[~missing] = array
+        found[name] = whole.reshape(shape)
+    return found
+
+
+def _noted(notes: list[str]) -> list[str]:
+    """The notes, after a warning of each."""
+    warn({"code": "W401", "text": f"{note} is outside the range that the law was fitted to"} for note in notes)
+    return notes
 
 
 def _fitted(given: dict[str, Any], known: dict[str, str]) -> dict[str, Any]:
     """Arrays in SI units, of one shape, flat."""
-    for name in given:
-        if name not in known:
-            text = f"{name}: is not known; there are {', '.join(known)}"
-            raise AsperityError(text, "E203", "Correct the spelling.")
     return {
-        name: si_array(value, known[name]) if known[name] else np.asarray(value, dtype=np.float64)
+        name: si_array(value, known[name]) if known[name] else numbers(value, name)
         for name, value in given.items()
         if value is not None
     }
@@ -41,16 +61,14 @@ def hertz(load: Values, radius: Values, modulus: Values) -> Record:
         radius: relative radius R, m.
         modulus: reduced modulus E*, Pa.
 
-    The arguments are broadcast; the arrays have their common shape.
+    The arguments are broadcast; the arrays have their common shape, with NaN where an argument is NaN or masked.
     """
     columns = {
         "load": si_array(load, "LineLoad"),
         "radius": si_array(radius, "Length"),
         "modulus": si_array(modulus, "Pressure"),
     }
-    given, shape = pressed(columns)
-    found = _asperity.hertz(given["load"], given["radius"], given["modulus"])
-    return Record({name: _shaped(array, shape) for name, array in found.items()})
+    return Record(_over(columns, lambda given: _asperity.hertz(given["load"], given["radius"], given["modulus"])))
 
 
 _FILM = {
@@ -65,7 +83,7 @@ _FILM = {
 
 
 def film_thickness(
-    law: str = "dowson-toyoda",
+    law: FilmLaw = "dowson-toyoda",
     *,
     entrainment: Values,
     radius: Values,
@@ -97,13 +115,17 @@ def film_thickness(
         pressure_viscosity=pressure_viscosity,
         contact_length=contact_length,
     )
-    columns, shape = pressed(_fitted(given, _FILM))
-    arrays, notes = _asperity.film_thickness(law, columns)
-    return Record({**{name: _shaped(array, shape) for name, array in arrays.items()}, "notes": notes})
+    notes: list[str] = []
+
+    def found(columns: dict[str, Floats]) -> dict[str, Any]:
+        arrays, notes[:] = _asperity.film_thickness(law, columns)
+        return arrays
+
+    return Record({**_over(_fitted(given, _FILM), found), "notes": _noted(notes)})
 
 
 def thermal_reduction(
-    law: str = "gupta", *, max_pressure: Values, modulus: Values, loading: Values, slide_to_roll: Values
+    law: ThermalLaw = "gupta", *, max_pressure: Values, modulus: Values, loading: Values, slide_to_roll: Values
 ) -> Record:
     """Factor by which heat in the inlet thins a film: ``factor``, ``outside``, ``notes``.
 
@@ -116,9 +138,13 @@ def thermal_reduction(
     """
     given = {"max_pressure": max_pressure, "modulus": modulus, "loading": loading, "slide_to_roll": slide_to_roll}
     known = {"max_pressure": "Pressure", "modulus": "Pressure", "loading": "", "slide_to_roll": ""}
-    columns, shape = pressed(_fitted(given, known))
-    factor, outside, notes = _asperity.thermal_reduction(law, columns)
-    return Record({"factor": _shaped(factor, shape), "outside": _shaped(outside, shape), "notes": notes})
+    notes: list[str] = []
+
+    def found(columns: dict[str, Floats]) -> dict[str, Any]:
+        factor, outside, notes[:] = _asperity.thermal_reduction(law, columns)
+        return {"factor": factor, "outside": outside}
+
+    return Record({**_over(_fitted(given, known), found), "notes": _noted(notes)})
 
 
 _FRICTION = {
@@ -146,21 +172,47 @@ _FRICTION = {
 }
 
 
-def friction_coefficient(law: str = "xu", *, settings: dict[str, Any] | None = None, **given: Any) -> Record:
+def friction_coefficient(
+    law: FrictionLaw = "xu",
+    *,
+    settings: dict[str, Any] | None = None,
+    load: Values | None = None,
+    radius: Values | None = None,
+    entrainment: Values | None = None,
+    sliding: Values | None = None,
+    max_pressure: Values | None = None,
+    viscosity: Values | None = None,
+    contact_viscosity: Values | None = None,
+    kinematic_viscosity: Values | None = None,
+    pressure_viscosity: Values | None = None,
+    central_film: Values | None = None,
+    minimum_film: Values | None = None,
+    combined_roughness: Values | None = None,
+    mean_ra: Values | None = None,
+    sum_rz: Values | None = None,
+    boundary_coefficient: Values | None = None,
+    base_line_load: Values | None = None,
+    sum_speed: Values | None = None,
+    reduced_radius: Values | None = None,
+    lubricant_factor: Values | None = None,
+    load_intensity: Values | None = None,
+    pitch_line_speed: Values | None = None,
+) -> Record:
     """Friction coefficients by a published law: ``coefficient``, ``outside``, ``notes``.
 
     Args:
         law: ``"xu"``, ``"benedict-kelley"``, ``"iso-14179-1"``, ``"iso-14179-2"``, ``"matsumoto"``, ``"doleschel"``,
             ``"eyring"`` or ``"constant"``; sources in docs/EQUATIONS.md.
         settings: ``constant``, ``fluid_coefficient``, ``limiting_stress`` and ``xu`` as in ``model.friction_settings``.
-        given: what the law reads, in SI units: load, radius, entrainment, sliding, max_pressure, viscosity,
-            contact_viscosity, kinematic_viscosity, pressure_viscosity, central_film, minimum_film,
-            combined_roughness, mean_ra, sum_rz, boundary_coefficient, and of the whole mesh base_line_load,
-            sum_speed, reduced_radius, lubricant_factor, load_intensity, pitch_line_speed. What it needs and was not
-            given is refused.
+        load, ..., pitch_line_speed: the inputs of the law, in SI units; the last six are of the whole mesh. An input
+            that the law requires and that is missing is refused.
     """
-    if not given:
-        given = {"boundary_coefficient": 0.0}
-    columns, shape = pressed(_fitted(given, _FRICTION))
-    values, outside, notes = _asperity.friction_coefficient(law, columns, json.dumps(settings or {}))
-    return Record({"coefficient": _shaped(values, shape), "outside": _shaped(outside, shape), "notes": notes})
+    every = locals()
+    given = {name: every[name] for name in _FRICTION if every[name] is not None} or {"boundary_coefficient": 0.0}
+    notes: list[str] = []
+
+    def found(columns: dict[str, Floats]) -> dict[str, Any]:
+        coefficient, outside, notes[:] = _asperity.friction_coefficient(law, columns, json.dumps(settings or {}))
+        return {"coefficient": coefficient, "outside": outside}
+
+    return Record({**_over(_fitted(given, _FRICTION), found), "notes": _noted(notes)})

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-import math
-import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Optional, Union
 
@@ -13,12 +11,15 @@ import numpy as np
 
 from . import _asperity
 from ._case import CaseLike, as_case
+from ._columns import Columns, table_text
 from ._compare import Finish, cases_of
-from ._errors import AsperityError
-from ._html import Chart, page
+from ._errors import AsperityError, warn
+from ._html import Chart, page, shown
+from ._keys import Traces, changes
 from ._progress import Progress, Told
-from ._quantity import Floats, Values, is_pint, si_array
-from ._record import Record, Table
+from ._quantity import Floats, Numbers, Quantities, Quantity, axis_of, operating, together
+from ._record import Table, Values, variable, warned
+from ._study import Study, Unpickled, files_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -26,11 +27,14 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
+    from .keys import Band, ExportFormat, MapArrays
+else:
+    MapArrays = object
+
 _DIMENSIONS = ("finish", "temperature_c", "torque_nm", "speed_rpm")
-_ABSOLUTE_ZERO = 273.15
 
 
-class Map(Record):
+class Map(Values, MapArrays):
     """A map of losses: arrays over finish, temperature, torque and speed.
 
     ``loss_w``, ``loss_torque_nm``, ``efficiency`` and the other numbers have the shape (finishes, temperatures,
@@ -47,12 +51,17 @@ class Map(Record):
             name: np.stack([np.asarray(of[name]).reshape(shape) for of in points]) for name in points[0]
         }
 
-    def __getattr__(self, name: str) -> Any:
-        points = self.__dict__.get("_points", {})
-        return points[name] if name in points else super().__getattr__(name)
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            points = self.__dict__.get("_points", {})
+            return points[name] if name in points else super().__getattr__(name)
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._points]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (files_of(self._raw),)
 
     def _axis(self, name: str) -> Floats:
         return np.array(self._values["axes"][name], dtype=np.float64)
@@ -83,26 +92,54 @@ class Map(Record):
         return Table(self._values["warnings"])
 
     def loss_torque(
-        self, torque: Values, speed: Values, *, temperature: int = 0, finish: Union[int, str] = 0
+        self,
+        *,
+        torque_nm: Optional[Numbers] = None,
+        speed_rpm: Optional[Numbers] = None,
+        temperature_c: Optional[float] = None,
+        torque: Optional[Quantities] = None,
+        speed: Optional[Quantities] = None,
+        temperature: Optional[Quantity] = None,
+        finish: Union[int, str] = 0,
     ) -> Floats:
-        """Loss torque in N m between the nodes, bilinear; torque in N m, speed in rad/s or text with a unit.
+        """Loss torque in N m between the nodes of torque and speed, bilinear.
 
-        Outside the map loss over torque is held, with a warning: the loss at the edge times the torque over that of the
-        edge. What is no number has no loss.
+        Args:
+            torque_nm, speed_rpm: numbers, broadcast; or ``torque``, ``speed``: text with a unit, quantities of pint.
+            temperature_c, temperature: a node of the map; default the first.
+            finish: name of the finish, or its number.
+
+        Outside the map loss over torque is constant, with a warning: the loss at the edge times the torque over the
+        torque of the edge. A place that is not a number has no loss.
         """
-        number = self.finishes.index(finish) if isinstance(finish, str) else finish
-        given = [np.asarray(_nodes(torque, "Torque")), np.asarray(_nodes(speed, "AngularSpeed"))]
-        torques, speeds = np.broadcast_arrays(*given)
+        names = self.finishes
+        if finish not in (names if isinstance(finish, str) else range(len(names))):
+            raise AsperityError(f"finish {finish!r}: the map has {', '.join(names)}", "E209", "Give one of these names.")
+        number = names.index(finish) if isinstance(finish, str) else finish
+        given = [_places("torque_nm", torque_nm, torque), _places("speed_rpm", speed_rpm, speed)]
+        at = operating("temperature_c", temperature_c, temperature)
+        torques, speeds = together(given)
         places = torques.ravel().tolist(), speeds.ravel().tolist()
-        found, outside = self._raw.loss_torque(number, temperature, *places)
+        found, outside = self._raw.loss_torque(number, self._node(at), *places)
         if outside.any():
-            text = f"{outside.sum()} of {outside.size} places are outside the map; loss over torque is held there"
-            warnings.warn(text, stacklevel=2)
+            text = f"{outside.sum()} of {outside.size} places are outside the map; loss over torque is constant there"
+            warn([{"code": "W401", "text": text}])
         return found.reshape(torques.shape)
+
+    def _node(self, at: Optional[Floats]) -> int:
+        """Number of a temperature among the nodes."""
+        if at is None:
+            return 0
+        nodes = self.temperature_c
+        is_node = np.isclose(nodes, at, rtol=0.0, atol=1e-9) if at.shape == (1,) else np.zeros(1)
+        if not is_node.any():
+            known, given = (", ".join(f"{node:g}" for node in of) for of in (nodes, at.ravel()))
+            raise AsperityError(f"temperature {given} °C: the map has {known} °C", "E209", "Give the temperature of a node.")
+        return int(np.argmax(is_node))
 
     def export(
         self,
-        format: str,
+        format: ExportFormat,
         folder: Union[str, PathLike[str]],
         *,
         added: Optional[Union[str, PathLike[str]]] = None,
@@ -143,11 +180,9 @@ class Map(Record):
 
         coordinates = {
             "finish": self.finishes,
-            "temperature_c": self.temperature_c,
-            "torque_nm": self.torque_nm,
-            "speed_rpm": self.speed_rpm,
+            **{name: variable(name, name, self._axis(name)) for name in ("temperature_c", "torque_nm", "speed_rpm")},
         }
-        data = {name: (_DIMENSIONS, array) for name, array in self._points.items() if name != "code"}
+        data = {name: variable(_DIMENSIONS, name, array) for name, array in self._points.items() if name != "code"}
         attributes = {"title": self._values["title"], "scope": self._values["scope"], "ratio": self._values["ratio"]}
         return xarray.Dataset(data, coords=coordinates, attrs=attributes)
 
@@ -159,12 +194,12 @@ class Map(Record):
         index = pandas.MultiIndex.from_product(levels, names=_DIMENSIONS)
         return pandas.DataFrame({name: array.ravel() for name, array in self._points.items()}, index=index)
 
-    def plot(self) -> Chart:
-        """Loss over speed at the largest torque, of every finish at the first temperature."""
+    def plot(self, ax: Any = None) -> Any:
+        """Loss over speed at the largest torque, of every finish at the first temperature, on axes of matplotlib or as a `Chart`."""
         losses = self._points["loss_w"][:, 0, -1, :]
         series = [(name, losses[number].tolist()) for number, name in enumerate(self.finishes)]
         title = f"Loss at {self.torque_nm[-1]:g} N m"
-        return Chart(title, self.speed_rpm.tolist(), series, ("speed in 1/min", "loss in W"))
+        return shown(Chart(title, self.speed_rpm.tolist(), series, ("speed in 1/min", "loss in W")), ax)
 
     def __str__(self) -> str:
         return self._raw.summary()
@@ -183,49 +218,32 @@ class Map(Record):
         return page(str(self._values["title"]), rows, str(self.plot()))
 
 
-_OWN = {"AngularSpeed": ("1/min", "rpm", "min-1"), "Temperature": ("°C", "C")}
-"""Units of the axes that are not those of the SI."""
+def _places(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> Floats:
+    """Torques or speeds in the unit of the map; a single one is a number."""
+    found = operating(own, given, text)
+    if found is None:
+        name = own.rsplit("_", 1)[0]
+        raise AsperityError(f"{own} or {name} is required", "E205", f"Give {own} or {name}.")
+    is_single = given is not None and np.ndim(given) == 0 or isinstance(text, str)
+    return found.reshape(np.shape(given)) if given is not None else found[0] if is_single else found
 
 
-def _node(value: Any, quantity: str) -> float:
-    """A node in the units of the axes; text in these units to the last digit."""
-    if isinstance(value, str):
-        text = value.strip()
-        unit = next((unit for unit in _OWN.get(quantity, ()) if text.endswith(unit)), None)
-        if unit is not None:
-            return float(text.removesuffix(unit))
-    number = float(si_array(value, quantity))
-    if quantity == "AngularSpeed":
-        return number * 30.0 / math.pi
-    return number - _ABSOLUTE_ZERO if quantity == "Temperature" else number
-
-
-def _nodes(values: Any, quantity: str) -> list[float]:
-    if is_pint(values):
-        values = si_array(values, quantity)
-    if isinstance(values, str) or np.ndim(values) == 0:
-        values = [values]
-    return [_node(value, quantity) for value in values]
-
-
-def _axis(values: Any, quantity: str) -> Union[None, str, list[float]]:
-    if values is None or (isinstance(values, str) and ".." in values):
-        return values
-    return _nodes(values, quantity)
-
-
-Axis = Union[None, str, Sequence[Any], Values]
-"""Nodes of an axis: numbers in SI units, texts with units, or a range as the command takes it."""
+def _axis(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> Optional[list[float]]:
+    found = operating(own, given, text)
+    return None if found is None else axis_of(found, own)
 
 
 def map(
     case: CaseLike,
     *,
-    torque: Axis = None,
-    speed: Axis = None,
-    temperature: Axis = None,
+    torque_nm: Optional[Numbers] = None,
+    speed_rpm: Optional[Numbers] = None,
+    temperature_c: Optional[Numbers] = None,
+    torque: Optional[Quantities] = None,
+    speed: Optional[Quantities] = None,
+    temperature: Optional[Quantities] = None,
     finishes: Optional[Mapping[str, Finish]] = None,
-    band: str = "nodes",
+    band: Band = "nodes",
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
 ) -> Map:
@@ -233,24 +251,80 @@ def map(
 
     Args:
         case: the case.
-        torque: nodes at the pinion, N m; default 12 to the largest, mirrored.
-        speed: nodes, rad/s; default 16 to the largest. A node at standstill is added.
-        temperature: nodes of the flanks, K; default that of the case.
+        torque_nm: nodes at the pinion; default 12 to the largest, mirrored.
+        speed_rpm: nodes of the pinion; default 16 to the largest. A node at standstill is added.
+        temperature_c: nodes of the flanks; default the temperature of the case.
+        torque, speed, temperature: the same as text with a unit, ``["1000 1/min", "9000 1/min"]``, as quantities of
+            pint, or as a range, ``"10..100:5 N m"``, ``"500..16000:8:log 1/min"``.
         finishes: finishes by name, as in `compare`; default the traces of the case.
         band: ``"nodes"``: median, 5 % and 95 % quantiles of the loss (``loss_median_w``, ``loss_p05_w``, ``loss_p95_w``), from
             draws at three torques and three speeds; ``"none"``: nan.
         threads, progress: as in `Case.run`.
-
-    Nodes are numbers in SI units, texts with units (``["1000 1/min", "9000 1/min"]``), or a range in N m, 1/min or
-    °C as the command takes it: ``"10..100:5"``, ``"10..100:5:log"``.
     """
     base = as_case(case)
     named = cases_of(base, finishes, None) if finishes else [(base.title or "case", base._raw)]
-    axes = (_axis(torque, "Torque"), _axis(speed, "AngularSpeed"), _axis(temperature, "Temperature"))
+    axes = (
+        _axis("torque_nm", torque_nm, torque),
+        _axis("speed_rpm", speed_rpm, speed),
+        _axis("temperature_c", temperature_c, temperature),
+    )
     with Told(progress, "points") as told:
-        return Map(_asperity.map(named, *axes, band, threads, told))
+        found = Map(_asperity.map(named, *axes, band, threads, told))
+    return warned(found, base._about["warnings"])
+
+
+class Cycle(Study):
+    """Energy lost over a cycle: ``finishes`` (name, energies in Wh, quantiles ...), ``drive_wh``, ``coast_wh`` ..."""
+
+    @property
+    def finishes(self) -> Table:
+        """One row per finish."""
+        return Table(self._values["finishes"])
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row per finish."""
+        return self.finishes.to_pandas()
+
+
+def cycle(
+    map: Map,
+    trace: Columns,
+    *,
+    temperature_c: Optional[float] = None,
+    temperature: Optional[Quantity] = None,
+    vehicle: Optional[Mapping[str, Any]] = None,
+    allow_outside: bool = False,
+) -> Cycle:
+    """Energy lost over a cycle, with its interval where the map was drawn.
+
+    Args:
+        map: the map.
+        trace: file, frame or columns: time_s, and torque_nm with speed_rpm at the pinion, or speed_km_h.
+        temperature_c, temperature: a node of the map; default the first.
+        vehicle: keys of ``[vehicle]``, ``{"mass": "1600 kg"}``, in place of those of the case.
+        allow_outside: accept a cycle with more than 5 % of its energy outside of the map.
+    """
+    node = map._node(operating("temperature_c", temperature_c, temperature))
+    if isinstance(trace, (str, PathLike)):
+        table: tuple[str, Optional[str]] = (fspath(trace), None)
+    else:
+        table = ("cycle", table_text(trace, "cycle", "E101"))
+    traces: Traces = []
+    keys = [(key, value or "") for key, value in changes({"vehicle": dict(vehicle)} if vehicle else {}, "gears", traces)]
+    return Cycle(_asperity.cycle(map._raw, table, node, keys, allow_outside))
 
 
 def read_map(folder: Union[str, PathLike[str]]) -> Map:
     """The map in a folder that ``asperity map`` or `Map.write` has written."""
     return Map(_asperity.read_map(fspath(folder)))
+
+
+def _restored(files: dict[str, bytes]) -> Map:
+    """The map in the files that another process wrote."""
+    import tempfile
+    from pathlib import Path
+
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place) / "map"
+        Unpickled("", "", files).write(folder)
+        return read_map(folder)

@@ -11,40 +11,20 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._columns import Columns, table_text
-from ._html import page
-from ._quantity import Scalar, si, si_or_none
-from ._record import Record, Table
+from ._quantity import Numbers, Quantities, Quantity, operating, stated, stated_or_none
+from ._record import Table, warned
+from ._study import Study
 
 if TYPE_CHECKING:
     import pandas
+
+    from .keys import TemperatureColumn, Zero
 
 OilLike = Union[str, CaseLike]
 """Name of an oil of the library, or a case whose oil is taken."""
 
 
-class _Study(Record):
-    def __init__(self, raw: _asperity.OilStudy) -> None:
-        super().__init__(json.loads(raw.json()))
-        self._raw = raw
-
-    def write(self, folder: Union[str, PathLike[str]]) -> None:
-        """Writes the folder of the command."""
-        self._raw.write(fspath(folder))
-
-    def __str__(self) -> str:
-        return self._raw.summary()
-
-    def __repr__(self) -> str:
-        return f"<{type(self).__name__} {self._values['title']!r}>"
-
-    def _repr_html_(self) -> str:
-        return page(str(self._values["title"]), self._rows(), None)
-
-    def _rows(self) -> list[tuple[str, str]]:
-        return []
-
-
-class Traction(_Study):
+class Traction(Study):
     """Predicted traction: ``over_slide``, ``over_speed`` (load_n, mean_speed_m_s, slide_roll_percent, temperature_c,
     traction, traction_p05, traction_p95, film_nm, film_ratio)."""
 
@@ -56,7 +36,7 @@ class Traction(_Study):
         return [("largest Hertz pressure", f"{self._values['max_pressure_gpa']:.2f} GPa")]
 
 
-class OilFit(_Study):
+class OilFit(Study):
     """Constants of an oil fitted to traction curves: ``constants`` (key, value, range of 5 to 95 %, is_identified ...),
     ``combinations``, ``nuisance``, ``points``, ``pressure_law``, ``other_law``, ``warnings``."""
 
@@ -64,6 +44,21 @@ class OilFit(_Study):
     def constants(self) -> Table:
         """One row per constant."""
         return Table(self._values["constants"])
+
+    def apply(self, case: CaseLike, folder: Union[str, PathLike[str]]) -> Case:
+        """The case with the oil of this fit: its constants, whose band goes into the band of its losses.
+
+        Args:
+            case: the case.
+            folder: folder of the fit, written if it does not exist; the case reads its ``oil.toml``.
+        """
+        if not os.path.exists(folder):
+            self.write(folder)
+        case = as_case(case)
+        stated = [key for key, value in case.to_dict()["lubricant"].items() if value is not None]
+        # What the case states of its oil would come before the constants of the fit.
+        keys = {"oil_file": os.path.abspath(os.path.join(folder, "oil.toml")), **dict.fromkeys(stated)}
+        return case._with({f"lubricant.{key}": value for key, value in keys.items()})
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per set point: where, measured, fitted, residual, the rule that drops it."""
@@ -76,7 +71,7 @@ class OilFit(_Study):
         ]
 
 
-class OilPlan(_Study):
+class OilPlan(Study):
     """Traction measurements to make: ``curves``, ``points``, ``chosen``, ``stages`` with the errors they leave."""
 
     @property
@@ -101,7 +96,7 @@ class OilPlan(_Study):
         return [(str(stage["name"]), f"{stage['points']} points, {stage['minutes']:.0f} min") for stage in self._values["stages"]]
 
 
-class Stribeck(_Study):
+class Stribeck(Study):
     """Boundary friction of rubbed specimens: ``boundary_friction``, ``range`` of 5 to 95 %, ``states`` before and after
     rubbing, ``points``."""
 
@@ -110,7 +105,7 @@ class Stribeck(_Study):
         low, high = self._values["band"]
         found = {"value": self._values["boundary_friction"], "low": low, "high": high}
         source = ", ".join(name for name, _ in self._values["sources"])
-        return as_case(case).replace({"calibration.boundary_friction": found, "calibration.source": source})
+        return as_case(case)._with({"calibration.boundary_friction": found, "calibration.source": source})
 
     def to_pandas(self) -> pandas.DataFrame:
         """One row per set point."""
@@ -121,21 +116,17 @@ class Stribeck(_Study):
         return [("boundary friction", f"{self._values['boundary_friction']:.4g} ({low:.4g}..{high:.4g})")]
 
 
-def oils() -> Table:
-    """The oils of the library, by name, with the certainty and source of their numbers."""
-    return Table(json.loads(_asperity.oils()))
-
-
 def oil_traction(
     oil: OilLike,
     *,
-    load: Scalar = "30 N",
-    speed: Scalar = "2 m/s",
+    load: Quantity = "30 N",
+    speed: Quantity = "2 m/s",
     slide_to_roll: float = 0.05,
-    temperature: Sequence[Scalar] = ("40 °C", "80 °C", "120 °C"),
-    ball_radius: Scalar = "9.525 mm",
-    second_radius: Optional[Scalar] = None,
-    rq: Scalar = "15 nm",
+    temperature_c: Optional[Numbers] = None,
+    temperature: Optional[Quantities] = None,
+    ball_radius: Quantity = "9.525 mm",
+    second_radius: Optional[Quantity] = None,
+    rq: Quantity = "15 nm",
     threads: Optional[int] = None,
 ) -> Traction:
     """Predicts the traction of ball and disc over slide-to-roll ratio and speed, where the film separates them.
@@ -144,26 +135,27 @@ def oil_traction(
         oil: the oil.
         load, speed: of the curves over the slide-to-roll ratio.
         slide_to_roll: of the curves over the speed.
-        temperature: of the oil bath.
+        temperature_c, temperature: of the oil bath, numbers or text with a unit; default 40, 80 and 120 °C.
         ball_radius, second_radius, rq: specimens; a flat disc by default, and the roughness of both together.
         threads: as in `Case.run`.
     """
-    conditions = (si(load, "Force"), si(speed, "Speed"), slide_to_roll)
-    temperatures = [si(one, "Temperature") for one in temperature]
+    conditions = (stated(load, "Force", "load"), stated(speed, "Speed", "speed"), slide_to_roll)
+    found = operating("temperature_c", temperature_c, temperature)
+    temperatures = [40.0, 80.0, 120.0] if found is None else found.tolist()
     specimens = _specimens(ball_radius, second_radius, rq)
-    return Traction(_asperity.oil_traction(_oil(oil), conditions, temperatures, specimens, threads))
+    return warned(Traction(_asperity.oil_traction(_oil(oil), conditions, temperatures, specimens, threads)))
 
 
 def oil_fit(
     curves: Union[Columns, Sequence[Columns]],
     oil: OilLike,
     *,
-    ball_radius: Scalar = "9.525 mm",
-    second_radius: Optional[Scalar] = None,
-    rq: Scalar = "15 nm",
-    temperature_column: str = "lube",
+    ball_radius: Quantity = "9.525 mm",
+    second_radius: Optional[Quantity] = None,
+    rq: Quantity = "15 nm",
+    temperature_column: TemperatureColumn = "lube",
     wide: bool = False,
-    zero: str = "curve",
+    zero: Zero = "curve",
     point_sd: float = 0.015,
     point_floor: float = 3e-4,
     force: bool = False,
@@ -186,18 +178,18 @@ def oil_fit(
     specimens = _specimens(ball_radius, second_radius, rq)
     errors = (zero, point_sd, point_floor)
     tables = _tables(curves, "curves")
-    return OilFit(_asperity.oil_fit(tables, _oil(oil), specimens, temperature_column, wide, errors, force, threads))
+    return warned(OilFit(_asperity.oil_fit(tables, _oil(oil), specimens, temperature_column, wide, errors, force, threads)))
 
 
 def oil_plan(
     oil: OilLike,
     case: Optional[CaseLike] = None,
     *,
-    ball_radius: Scalar = "9.525 mm",
-    second_radius: Optional[Scalar] = None,
-    rq: Scalar = "15 nm",
+    ball_radius: Quantity = "9.525 mm",
+    second_radius: Optional[Quantity] = None,
+    rq: Quantity = "15 nm",
     wide: bool = False,
-    zero: str = "curve",
+    zero: Zero = "curve",
     point_sd: float = 0.015,
     point_floor: float = 3e-4,
     threads: Optional[int] = None,
@@ -211,18 +203,18 @@ def oil_plan(
     """
     raw = None if case is None else as_case(case)._raw
     specimens = _specimens(ball_radius, second_radius, rq)
-    return OilPlan(_asperity.oil_plan(_oil(oil), raw, specimens, wide, (zero, point_sd, point_floor), threads))
+    return warned(OilPlan(_asperity.oil_plan(_oil(oil), raw, specimens, wide, (zero, point_sd, point_floor), threads)))
 
 
 def stribeck(
     curves: Union[Columns, Sequence[Columns]],
     oil: OilLike,
     *,
-    rubbing: Sequence[Scalar] = (),
-    ball_radius: Scalar = "9.525 mm",
-    second_radius: Optional[Scalar] = None,
-    rq: Scalar = "15 nm",
-    temperature_column: str = "lube",
+    rubbing: Sequence[Quantity] = (),
+    ball_radius: Quantity = "9.525 mm",
+    second_radius: Optional[Quantity] = None,
+    rq: Quantity = "15 nm",
+    temperature_column: TemperatureColumn = "lube",
 ) -> Stribeck:
     """Boundary friction of rubbed specimens from Stribeck curves.
 
@@ -232,9 +224,9 @@ def stribeck(
         rubbing: time of rubbing before each of several curves, in place of the column.
         ball_radius, second_radius, rq, temperature_column: as in `oil_fit`.
     """
-    times = [si(one, "Time") for one in rubbing]
+    times = [stated(one, "Time", "rubbing") for one in rubbing]
     specimens = _specimens(ball_radius, second_radius, rq)
-    return Stribeck(_asperity.stribeck(_tables(curves, "curves"), _oil(oil), times, specimens, temperature_column))
+    return warned(Stribeck(_asperity.stribeck(_tables(curves, "curves"), _oil(oil), times, specimens, temperature_column)))
 
 
 def _oil(oil: OilLike) -> Union[str, _asperity.Case]:
@@ -244,8 +236,9 @@ def _oil(oil: OilLike) -> Union[str, _asperity.Case]:
     return as_case(oil)._raw
 
 
-def _specimens(ball: Scalar, second: Optional[Scalar], rq: Scalar) -> tuple[float, Optional[float], float]:
-    return si(ball, "Length"), si_or_none(second, "Length"), si(rq, "Length")
+def _specimens(ball: Quantity, second: Optional[Quantity], rq: Quantity) -> tuple[float, Optional[float], float]:
+    length = "Length"
+    return stated(ball, length, "ball_radius"), stated_or_none(second, length, "second_radius"), stated(rq, length, "rq")
 
 
 def _tables(curves: Any, what: str) -> list[tuple[str, Optional[str]]]:

@@ -5,21 +5,52 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, TypedDict, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _asperity
-from ._html import Chart, page
+from ._errors import warn
+from ._files import on_disk
+from ._html import Chart, page, shown
 from ._quantity import Floats, Scalar, flat, numbers, si, si_or_none
-from ._record import Record, Table
+from ._record import Record, Table, described
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+    from typing_extensions import Unpack
 
-_USUAL_END = "cut"
+    from .keys import (
+        Abscissa,
+        Amplitudes,
+        DecimalSign,
+        Encoding,
+        Ends,
+        Form,
+        Gaps,
+        LengthUnit,
+        Separator,
+        Standard,
+        SurfaceKind,
+        TraceLine,
+        Uneven,
+    )
+
+    class Plan(TypedDict, total=False):
+        """Keywords of `Profile.prepare`."""
+
+        form: Form
+        cutoff: Optional[Scalar]
+        noise_cutoff: Optional[Scalar]
+        ends: Ends
+        robust: bool
+        base_radius: Optional[Scalar]
+        roll_length: Optional[Scalar]
+        towards_root: bool
+
+_USUAL_END: Ends = "cut"
 
 
 _FIRST = ("ra_um", "rq_um", "rz_um", "rp_um", "rv_um", "rt_um", "rsk", "rku", "rk_um", "rpk_um", "rvk_um")
@@ -115,6 +146,14 @@ class Profile:
     def __len__(self) -> int:
         return len(self._raw.heights)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Profile):
+            return NotImplemented
+        return self.spacing == other.spacing and bool(np.array_equal(self.heights, other.heights))
+
+    def __hash__(self) -> int:
+        return hash((self.spacing, self.heights.tobytes()))
+
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> Any:
         return np.asarray(self.heights, dtype=dtype)
 
@@ -134,7 +173,7 @@ class Profile:
         """Warnings: code, text and help."""
         return Table(self._about["warnings"], ["code", "text", "help"])
 
-    def prepare(self, **plan: Any) -> Profile:
+    def prepare(self, **plan: Unpack[Plan]) -> Profile:
         """The roughness profile: form removed, filtered (ISO 21920-2, ISO 16610-21).
 
         Args:
@@ -150,10 +189,10 @@ class Profile:
     def filter(
         self,
         *,
-        form: str = "level",
+        form: Form = "level",
         cutoff: Optional[Scalar] = None,
         noise_cutoff: Optional[Scalar] = None,
-        ends: str = _USUAL_END,
+        ends: Ends = _USUAL_END,
         robust: bool = False,
         base_radius: Optional[Scalar] = None,
         roll_length: Optional[Scalar] = None,
@@ -174,17 +213,21 @@ class Profile:
         return Parts(
             Profile._of(primary, self.name),
             None if waviness is None else Profile._of(waviness, self.name),
-            Profile._of(roughness, self.name),
+            Profile._of(roughness, self.name)._warned(),
         )
 
-    def mean_line(self, cutoff: Scalar, *, robust: bool = False, ends: str = "reg1") -> Profile:
+    def _warned(self) -> Profile:
+        warn(self._about["warnings"])
+        return self
+
+    def mean_line(self, cutoff: Scalar, *, robust: bool = False, ends: Ends = "reg1") -> Profile:
         """Mean line of the Gaussian filter, or of the robust one; cut-off in m."""
         return Profile._of(self._raw.mean_line(si(cutoff, "Length"), robust, ends), self.name)
 
     def parameters(
         self,
         *,
-        standard: str = "iso4287",
+        standard: Standard = "iso4287",
         sections: Optional[int] = None,
         cutoff: Optional[Scalar] = None,
         prepare: Optional[bool] = None,
@@ -220,12 +263,7 @@ class Profile:
         """A chart of the heights in µm over mm: on axes of matplotlib, else an SVG `Chart`."""
         x, heights = self.x * 1e3, self.heights * 1e6
         labels = ("x in mm", "height in µm")
-        if ax is None:
-            return Chart(self.name or "Profile", x.tolist(), [("height", heights.tolist())], labels)
-        ax.plot(x, heights, linewidth=0.8)
-        ax.set_xlabel(labels[0])
-        ax.set_ylabel(labels[1])
-        return ax
+        return shown(Chart(self.name or "Profile", x.tolist(), [("height", heights.tolist())], labels), ax)
 
     def to_dict(self) -> dict[str, Any]:
         """Name, spacing, heights and what is known of them, in Python's own types."""
@@ -242,8 +280,8 @@ class Profile:
         """Heights in m over x in m as an `xarray.DataArray`."""
         import xarray
 
-        units = {"units": "m"}
-        x = xarray.Variable("x", self.x, units)
+        units = described("height", "m")
+        x = xarray.Variable("x", self.x, described("x", "m"))
         return xarray.DataArray(self.heights, coords={"x": x}, dims="x", name=self.name or "height", attrs=units)
 
     def __repr__(self) -> str:
@@ -257,26 +295,26 @@ class Profile:
 
 
 def read_profile(
-    path: Union[str, PathLike[str]],
+    path: Union[str, PathLike[str], IO[bytes]],
     *,
-    x_unit: Optional[str] = None,
-    z_unit: Optional[str] = None,
+    x_unit: Optional[LengthUnit] = None,
+    z_unit: Optional[LengthUnit] = None,
     dx: Optional[Scalar] = None,
     columns: Union[None, int, tuple[int, int]] = None,
-    decimal: Optional[str] = None,
-    separator: Optional[str] = None,
-    encoding: Optional[str] = None,
-    gaps: Optional[str] = None,
+    decimal: Optional[DecimalSign] = None,
+    separator: Optional[Separator] = None,
+    encoding: Optional[Encoding] = None,
+    gaps: Optional[Gaps] = None,
     row: Optional[int] = None,
-    line: Optional[str] = None,
-    abscissa: Optional[str] = None,
+    line: Optional[TraceLine] = None,
+    abscissa: Optional[Abscissa] = None,
     base_radius: Optional[Scalar] = None,
-    uneven: Optional[str] = None,
+    uneven: Optional[Uneven] = None,
 ) -> Profile:
     """Reads a profilometer file: text, CSV, X3P, SDF, SMD, PRF, Excel and others (docs/FILE_FORMATS.md).
 
     Args:
-        path: the file.
+        path: the file, or an object with ``read`` that has its bytes, whose ``name`` helps to recognise the format.
         x_unit, z_unit: ``"mm"``, ``"um"``, ``"nm"`` ..., where the file does not tell.
         dx: spacing, m.
         columns: numbers of the columns from 1: ``(x, z)``, or that of the heights alone.
@@ -307,8 +345,9 @@ def read_profile(
         "uneven": uneven,
     }
     keys = {key: value for key, value in options.items() if value is not None}
-    raw = _asperity.read_profile(fspath(path), json.dumps(keys))
-    return Profile._of(raw, fspath(path).replace("\\", "/").rsplit("/", 1)[-1])
+    with on_disk(path) as file:
+        raw = _asperity.read_profile(file, json.dumps(keys))
+        return Profile._of(raw, file.replace("\\", "/").rsplit("/", 1)[-1])._warned()
 
 
 _RECIPE_LENGTHS = ("spacing", "rq", "roll_off", "short_cut", "grit_spacing", "grit_radius", "grit_protrusion", "depth", "width", "diameter")
@@ -330,9 +369,9 @@ def _with_units(recipe: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def generate(
-    surface: str = "self-affine",
+    surface: SurfaceKind = "self-affine",
     *,
-    amplitudes: str = "fixed",
+    amplitudes: Amplitudes = "fixed",
     pits: Optional[Mapping[str, Any]] = None,
     pores: Optional[Mapping[str, Any]] = None,
     scratches: Optional[Mapping[str, Any]] = None,

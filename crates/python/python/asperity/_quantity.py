@@ -1,9 +1,9 @@
-"""Numbers in SI units, text with a unit, quantities of pint: all become numbers in SI units."""
+"""Text with a unit and quantities of pint as numbers; numbers in the unit that their name states, or in SI units."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, Protocol, Union
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple, Optional, Protocol, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,6 +26,15 @@ Scalar = Union[float, str, PintLike]
 
 Values = Union[Scalar, ArrayLike, Sequence[str]]
 """The same, or arrays and lists of them."""
+
+Quantity = Union[str, PintLike]
+"""Text with a unit (``"1.8 mm"``) or a quantity of pint."""
+
+Quantities = Union[Quantity, Sequence[Quantity]]
+"""The same, or lists of them."""
+
+Numbers = Union[float, Sequence[float], NDArray[Any]]
+"""A number, or an array or list of numbers."""
 
 Floats = NDArray[np.float64]
 """Array of 64-bit floating-point numbers."""
@@ -50,12 +59,12 @@ def is_pint(value: object) -> bool:
     return hasattr(value, "magnitude") and hasattr(value, "to")
 
 
-def _magnitude(value: Any, quantity: str) -> Any:
-    unit = SI_UNITS[quantity]
+def _magnitude(value: Any, quantity: str, unit: Optional[str] = None) -> Any:
+    unit = unit or SI_UNITS[quantity]
     try:
         return value.to(_PINT.get(unit, unit)).magnitude
     except Exception as error:
-        text = f"{value}: is no {quantity}, whose unit is {unit}: {error}"
+        text = f"{value}: is not a {quantity}, whose unit is {unit}: {error}"
         raise AsperityError(text, "E204", f"Give a quantity that has the dimension of {unit}.") from error
 
 
@@ -68,13 +77,116 @@ def si(value: Scalar, quantity: str) -> float:
     try:
         return float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError) as error:
-        text = f"{value!r}: is no {quantity}; a number in {SI_UNITS[quantity]} or text with a unit is expected"
+        text = f"{value!r}: is not a {quantity}; a number in {SI_UNITS[quantity]} or text with a unit is expected"
         raise AsperityError(text, "E204", 'Write text with a unit, e.g. "1.8 mm", or a number.') from error
 
 
 def si_or_none(value: Scalar | None, quantity: str) -> float | None:
     """The same, where there is a value."""
     return None if value is None else si(value, quantity)
+
+
+class Operating(NamedTuple):
+    """A quantity of the operating point: its unit in names of keywords, columns and results."""
+
+    quantity: str
+    unit: str
+    key: str
+    pint: str
+    spellings: tuple[str, ...]
+    scale: float = 1.0
+    offset: float = 0.0
+
+    def number(self, value: object, name: str) -> float:
+        """The quantity in its unit; text in this unit to the last digit."""
+        if isinstance(value, str):
+            text = value.strip()
+            unit = next((unit for unit in self.spellings if text.endswith(unit)), None)
+            if unit is not None:
+                try:
+                    return float(text.removesuffix(unit))
+                except ValueError:
+                    pass  # Read, or refused, below.
+            return _asperity.to_si(self.quantity, value) * self.scale + self.offset
+        if is_pint(value):
+            return float(_magnitude(value, self.quantity, self.pint))
+        raise _without_unit(name, value, self.quantity)
+
+
+OPERATING: dict[str, Operating] = {
+    "torque_nm": Operating("Torque", "N m", "operation.torque", "N*m", ("N m", "Nm")),
+    "speed_rpm": Operating("AngularSpeed", "1/min", "operation.speed", "rpm", ("1/min", "rpm", "min-1"), 30.0 / np.pi),
+    "temperature_c": Operating(
+        "Temperature", "°C", "operation.bulk_temperature", "degC", ("°C", "C"), 1.0, -273.15
+    ),
+}
+"""Quantities of the operating point by the names under which they are numbers."""
+
+
+def _without_unit(name: str, value: object, quantity: str) -> AsperityError:
+    own = next((own for own, of in OPERATING.items() if of.quantity == quantity and own.startswith(name)), None)
+    number = f", or a number by {own}" if own else ""
+    text = f"{name}: {value!r} has no unit; text with a unit or a quantity of pint is expected"
+    return AsperityError(text, "E204", f'Write text with a unit, e.g. "1 {SI_UNITS[quantity]}"{number}.')
+
+
+def stated(value: Quantity, quantity: str, name: str) -> float:
+    """The value in SI units of text with a unit or of a quantity of pint, never of a bare number."""
+    if isinstance(value, str) or is_pint(value):
+        return si(value, quantity)
+    raise _without_unit(name, value, quantity)
+
+
+def stated_or_none(value: Optional[Quantity], quantity: str, name: str) -> Optional[float]:
+    """The same of a value that can be missing."""
+    return None if value is None else stated(value, quantity, name)
+
+
+def operating(own: str, given: Optional[Numbers], text: Optional[Quantities]) -> Optional[Floats]:
+    """Numbers of an operating quantity in its unit: given as such, or by text, a range or pint."""
+    of, name = OPERATING[own], own.rsplit("_", 1)[0]
+    if given is not None and text is not None:
+        raise AsperityError(f"{name} and {own}: both are given", "E205", "Give one of both.")
+    if given is not None:
+        if isinstance(given, (str, bool)) or is_pint(given):
+            raise AsperityError(f"{own}: {given!r}: must be a number in {of.unit}", "E204", f"Give it by {name}.")
+        return np.atleast_1d(numbers(given, own))
+    if isinstance(text, str) and ".." in text:
+        unit = next((unit for unit in of.spellings if text.strip().endswith(f" {unit}")), None)
+        if unit is None:
+            message = f"{name}: {text!r}: a range must end with its unit {of.unit}"
+            raise AsperityError(message, "E204", f'Write e.g. "10..100:5 {of.unit}".')
+        return np.array(_asperity.axis(text.strip().removesuffix(unit).strip()))
+    if text is None:
+        return None
+    if is_pint(text):
+        return np.atleast_1d(np.asarray(_magnitude(text, of.quantity, of.pint), dtype=np.float64))
+    every: Any = text if isinstance(text, (list, tuple)) else [text]
+    return np.array([of.number(one, name) for one in every])
+
+
+def axis_of(found: Floats, name: str) -> list[float]:
+    """Nodes of an axis as a list."""
+    if found.ndim != 1:
+        text = f"{name}: an array of one dimension is expected, this one has {found.ndim}"
+        raise AsperityError(text, "E209", "Give the nodes of the axis.")
+    nodes: list[float] = found.tolist()
+    return nodes
+
+
+def as_keys(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Keys of a case, the numbers of its operating point as text with their units."""
+    keys: dict[str, Any] = {}
+    for name, value in given.items():
+        of = OPERATING.get(name)
+        if of is None:
+            keys[name] = value
+            continue
+        found = operating(name, value, None)
+        if found is None or found.shape != (1,):
+            raise AsperityError(f"{name}: {value!r}: one number is expected", "E204", f"Give a number in {of.unit}.")
+        keys[of.key] = f"{float(found[0])!r} {of.unit}".replace(".0 ", " ")
+    return keys
 
 
 def si_array(value: Values, quantity: str) -> Floats:
@@ -90,6 +202,8 @@ def si_array(value: Values, quantity: str) -> Floats:
 
 def numbers(value: object, name: str) -> Floats:
     """An array of numbers."""
+    if isinstance(value, np.ma.MaskedArray):
+        value = np.ma.filled(value.astype(np.float64), np.nan)
     try:
         return np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -102,15 +216,24 @@ def flat(value: Floats, name: str) -> Floats:
     if value.ndim != 1:
         text = f"{name}: an array of one dimension is expected, this one has {value.ndim}"
         raise AsperityError(text, "E209", "Pass one profile or gap at a time.")
+    if not np.isfinite(value).all():
+        wrong = np.flatnonzero(~np.isfinite(value))
+        text = f"{name}: {value[wrong[0]]} at index {wrong[0]}; {len(wrong)} of {len(value)} values are not finite"
+        raise AsperityError(text, "E209", "Interpolate these values, or cut the array before them.")
     return value
+
+
+def together(values: Sequence[Floats]) -> list[Floats]:
+    """The arrays broadcast to one shape."""
+    try:
+        return list(np.broadcast_arrays(*values))
+    except ValueError as error:
+        text = f"the arrays do not fit each other: {error}"
+        raise AsperityError(text, "E209", "Give arrays that numpy can broadcast to one shape.") from error
 
 
 def pressed(values: dict[str, Floats]) -> tuple[dict[str, Floats], tuple[int, ...]]:
     """Arrays of one shape by the rules of numpy, flat, and that shape."""
-    try:
-        wide = np.broadcast_arrays(*values.values())
-    except ValueError as error:
-        text = f"the arrays do not fit each other: {error}"
-        raise AsperityError(text, "E209", "Give arrays that numpy can broadcast to one shape.") from error
+    wide = together(list(values.values()))
     shape = wide[0].shape
     return {name: array.ravel() for name, array in zip(values, wide)}, shape

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any, Union, overload
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, TypeVar, Union, overload
 
 import numpy as np
 
+from ._errors import warn
 from ._html import page
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
 def plain(value: Any) -> Any:
     """The value in Python's own types."""
-    if isinstance(value, (Record, Table)):
+    if isinstance(value, (Values, Rows)):
         return value.to_dict()
     if isinstance(value, np.ndarray):
         return value.tolist()
@@ -41,18 +42,20 @@ def wrapped(value: Any) -> Any:
     return value
 
 
-class Record(Mapping[str, Any]):
+class Values(Mapping[str, Any]):
     """Values by name, as attributes and as items."""
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         self._values = dict(values)
 
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return self.__dict__["_values"][name] if name == "_values" else self[name]
-        except KeyError:
-            known = ", ".join(self.__dict__.get("_values", ()))
-            raise AttributeError(f"{type(self).__name__} has no {name!r}; it has {known}") from None
+    if not TYPE_CHECKING:  # Attributes that a subclass declares are the only ones that it has.
+
+        def __getattr__(self, name: str) -> Any:
+            try:
+                return self.__dict__["_values"][name] if name == "_values" else self[name]
+            except KeyError:
+                known = ", ".join(self.__dict__.get("_values", ()))
+                raise AttributeError(f"{type(self).__name__} has no {name!r}; it has {known}") from None
 
     def __getitem__(self, name: str) -> Any:
         return wrapped(self._values[name])
@@ -67,7 +70,7 @@ class Record(Mapping[str, Any]):
         return [*super().__dir__(), *self._values]
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Record):
+        if not isinstance(other, Values):
             return NotImplemented
         same: bool = self.to_dict() == other.to_dict()
         return same
@@ -87,6 +90,23 @@ class Record(Mapping[str, Any]):
         return page(type(self).__name__, rows, None)
 
 
+class Record(Values):
+    """Values by name, as attributes and as items; the names depend on the result."""
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any: ...
+
+
+V = TypeVar("V", bound=Values)
+
+
+def warned(result: V, known: Iterable[Mapping[str, Any]] = ()) -> V:
+    """The result, after a warning of each of its ``warnings`` that is not known yet."""
+    warn(result._values.get("warnings", ()), known)
+    return result
+
+
 def _short(value: Any) -> str:
     if isinstance(value, np.ndarray):
         return f"array of {' x '.join(map(str, value.shape))}"
@@ -97,6 +117,27 @@ def _short(value: Any) -> str:
     if isinstance(value, dict) and len(value) > 4:
         return f"{len(value)} entries"
     return str(value)
+
+
+_UNITS = {
+    "_w_per_m": "W/m", "_n_per_mm": "N/mm", "_n_per_m": "N/m", "_m_per_s": "m/s", "_j_per_m": "J/m", "_rpm": "1/min",
+    "_mpa": "MPa", "_gpa": "GPa", "_pa": "Pa", "_nm": "nm", "_um": "um", "_mm": "mm", "_m": "m", "_wh": "W h", "_w": "W",
+    "_k": "K", "_c": "degC", "_s": "s", "_n": "N", "_percent": "percent", "_deg": "degree",
+}
+"""Units by the ends of names."""
+
+
+def described(name: str, unit: str | None = None) -> dict[str, str]:
+    """Attributes of a variable of xarray: its unit, by the end of its name, and its name in words."""
+    end = next((end for end in _UNITS if name.endswith(end)), "")
+    unit = unit or ("N m" if end == "_nm" and "torque" in name else _UNITS.get(end, "1"))
+    return {"units": unit, "long_name": name.removesuffix(end).replace("_", " ")}
+
+
+def variable(dimensions: Any, name: str, values: Any, unit: str | None = None) -> tuple[Any, Any, dict[str, str]]:
+    """A variable of xarray, with unit and name if it holds numbers."""
+    array = np.asarray(values)
+    return dimensions, values, described(name, unit) if array.dtype.kind in "fi" else {"long_name": name.replace("_", " ")}
 
 
 def drawn(uncertainty: Mapping[str, Any]) -> str:
@@ -120,7 +161,7 @@ def column(values: list[Any]) -> Any:
     return array
 
 
-class Table:
+class Rows:
     """Rows with the same names: columns as attributes, rows by their number.
 
     A column is an array; where a row has no such number, it holds NaN.
@@ -135,21 +176,23 @@ class Table:
         """Names of the columns."""
         return list(self._names)
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name not in self._names:
-            raise AttributeError(f"Table has no column {name!r}; it has {', '.join(self.__dict__.get('_names', ()))}")
-        return self[name]
+    if not TYPE_CHECKING:
 
-    @overload
-    def __getitem__(self, key: str) -> Any: ...
-    @overload
-    def __getitem__(self, key: int) -> Record: ...
+        def __getattr__(self, name: str) -> Any:
+            if name.startswith("_") or name not in self._names:
+                raise AttributeError(f"Table has no column {name!r}; it has {', '.join(self.__dict__.get('_names', ()))}")
+            return self[name]
 
-    def __getitem__(self, key: Union[int, str]) -> Any:
+        def __getitem__(self, key: Union[int, str, slice]) -> Any:
+            return self._at(key)
+
+    def _at(self, key: Union[int, str, slice]) -> Any:
         if isinstance(key, str):
             if key not in self._names:
                 raise KeyError(key)
             return column([row.get(key) for row in self._rows])
+        if isinstance(key, slice):
+            return Table(self._rows[key], self._names)
         return Record(self._rows[key])
 
     def __len__(self) -> int:
@@ -162,7 +205,9 @@ class Table:
         return [*super().__dir__(), *self._names]
 
     def __eq__(self, other: object) -> bool:
-        return self._rows == other._rows if isinstance(other, Table) else NotImplemented
+        if not isinstance(other, Rows):
+            return NotImplemented
+        return self._names == other._names and self._rows == other._rows
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -174,19 +219,37 @@ class Table:
         """The table as a `pandas.DataFrame`."""
         import pandas
 
-        return pandas.DataFrame({name: self[name] for name in self._names})
+        return pandas.DataFrame({name: self._at(name) for name in self._names})
 
     def to_xarray(self, dimension: str = "row") -> xarray.Dataset:
         """The columns of numbers as an `xarray.Dataset` along one dimension."""
         import xarray
 
-        columns = {name: self[name] for name in self._names}
-        return xarray.Dataset({name: (dimension, values) for name, values in columns.items()})
+        columns = {name: self._at(name) for name in self._names}
+        return xarray.Dataset({name: variable(dimension, name, values) for name, values in columns.items()})
 
     def __repr__(self) -> str:
-        return f"Table of {len(self)} rows: {', '.join(self._names)}"
+        return f"{type(self).__name__} of {len(self)} rows: {', '.join(self._names)}"
 
     def _repr_html_(self) -> str:
         from ._html import table
 
         return table(self._names, [[_short(row.get(name, "")) for name in self._names] for row in self._rows])
+
+
+class Table(Rows):
+    """Rows with the same names: columns as attributes, rows by their number, tables by slices.
+
+    A column is an array; where a row has no such number, it holds NaN.
+    """
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any: ...
+        @overload
+        def __getitem__(self, key: str) -> Any: ...
+        @overload
+        def __getitem__(self, key: int) -> Record: ...
+        @overload
+        def __getitem__(self, key: slice) -> Table: ...
+        def __getitem__(self, key: Union[int, str, slice]) -> Any: ...

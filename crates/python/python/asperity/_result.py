@@ -5,19 +5,24 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _asperity
 from ._errors import AsperityError
-from ._html import Chart, page
+from ._html import Chart, page, shown
 from ._quantity import Floats
-from ._record import Record, Table, drawn
+from ._record import Record, Rows, Table, Values, drawn, variable
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+    from .keys import PathArrays, PathColumn, ResultValues, SummaryValues
+else:
+    PathArrays = ResultValues = SummaryValues = object
 
 
 class Fields(Record):
@@ -45,28 +50,52 @@ class Fields(Record):
         import xarray
 
         arrays = {
-            name: (("x",) if value.ndim == 1 else ("depth", "x"), value)
+            name: variable(("x",) if value.ndim == 1 else ("depth", "x"), name, value, _unit_of_field(name))
             for name, value in self._values.items()
             if name not in ("x", "depths")
         }
-        coordinates = {"x": self.x}
+        coordinates = {"x": variable("x", "x", self.x, "m")}
         if "depths" in self._values:
-            coordinates["depth"] = self._values["depths"]
+            coordinates["depth"] = variable("depth", "depth", self._values["depths"], "m")
         return xarray.Dataset(arrays, coords=coordinates)
 
-    def plot(self) -> Chart:
-        """Pressure of solids and film in MPa over x in µm."""
+    def plot(self, ax: Any = None) -> Any:
+        """Pressure of solids and film in MPa over x in µm, on axes of matplotlib or as a `Chart`."""
         series = [
             ("solids", (self._values["pressure_solid"] * 1e-6).tolist()),
             ("film", (self._values["pressure_fluid"] * 1e-6).tolist()),
         ]
-        return Chart("Pressure", (self.x * 1e6).tolist(), series, ("x in µm", "pressure in MPa"))
+        return shown(Chart("Pressure", (self.x * 1e6).tolist(), series, ("x in µm", "pressure in MPa")), ax)
+
+
+def _unit_of_field(name: str) -> str:
+    """Unit of a field along the contact: stresses in Pa, all else in m."""
+    is_stress = name.startswith(("pressure", "sigma", "tau", "von_mises", "shear"))
+    return "Pa" if is_stress else "m"
 
 
 _DEPTHS = ("sigma_xx", "sigma_zz", "tau_xz", "von_mises")
 
 
-class RunResult(Record):
+class Summary(Values, SummaryValues):
+    """Efficiency and losses of a mesh, mean over the offsets; of a gear train its sums."""
+
+
+class Path(Rows, PathArrays):
+    """One row per mesh position from A to E: columns as attributes and items, rows by their number."""
+
+    if TYPE_CHECKING:
+
+        @overload
+        def __getitem__(self, key: PathColumn) -> NDArray[Any]: ...
+        @overload
+        def __getitem__(self, key: int) -> Record: ...
+        @overload
+        def __getitem__(self, key: slice) -> Table: ...
+        def __getitem__(self, key: Union[PathColumn, int, slice]) -> Any: ...
+
+
+class RunResult(Values, ResultValues):
     """Result of a run, as ``result.json`` has it (docs/FILE_FORMATS.md): losses, path, warnings, equations.
 
     Units are in the names: ``summary.loss_w``, ``path.film_minimum_um``.
@@ -94,9 +123,9 @@ class RunResult(Record):
         return {**self.__dict__, "_outcome": None}
 
     @property
-    def summary(self) -> Record:
+    def summary(self) -> Summary:
         """Efficiency and losses, mean over the offsets; of several meshes, their train."""
-        return Record(self._values.get("summary", self._values))
+        return Summary(self._values.get("summary", self._values))
 
     @property
     def efficiency(self) -> float:
@@ -125,9 +154,9 @@ class RunResult(Record):
         return str(self._values["title"])
 
     @property
-    def path(self) -> Table:
+    def path(self) -> Path:
         """One row per mesh position from A to E; of several meshes, a row of each."""
-        return Table(self._values.get("path", self._values.get("meshes", [])))
+        return Path(self._values.get("path", self._values.get("meshes", [])))
 
     @property
     def warnings(self) -> Table:
@@ -166,6 +195,10 @@ class RunResult(Record):
             raise AsperityError("a result that was read back is in its folder", "E402", "Run the case again.")
         self._outcome.write(fspath(folder), fields)
 
+    def diff(self, other: RunResult) -> Record:
+        """Differences from this result to another: ``inputs``, ``summary``, ``path``, ``warnings``, ``equations``."""
+        return Record(json.loads(_asperity.diff(self._json, other._json)))
+
     def to_json(self) -> str:
         """The text of ``result.json`` without its line breaks."""
         return self._json
@@ -181,14 +214,14 @@ class RunResult(Record):
         import xarray
 
         path = self.path
-        columns = {name: path[name] for name in path.columns}
+        columns = {name: path._at(name) for name in path.columns}
         at = columns.pop("path_fraction", np.arange(len(path)))
-        numbers = {name: ("path_fraction", value) for name, value in columns.items() if value.dtype != object}
+        numbers = {name: variable("path_fraction", name, value) for name, value in columns.items() if value.dtype != object}
         plain = {name: value for name, value in self._summary().items() if isinstance(value, (int, float, str))}
-        return xarray.Dataset(numbers, coords={"path_fraction": at}, attrs={"title": self.title, **plain})
+        return xarray.Dataset(numbers, coords={"path_fraction": variable("path_fraction", "path_fraction", at)}, attrs={"title": self.title, **plain})
 
-    def plot(self) -> Chart:
-        """Loss along the path in W per metre of contact line."""
+    def plot(self, ax: Any = None) -> Any:
+        """Loss along the path in W per metre of contact line, on axes of matplotlib or as a `Chart`."""
         path = self.path
         parts = [
             ("film", "film_w_per_m"),
@@ -196,9 +229,9 @@ class RunResult(Record):
             ("boundary layer", "boundary_w_per_m"),
             ("rolling", "rolling_w_per_m"),
         ]
-        series = [(name, path[key].tolist()) for name, key in parts if key in path.columns]
+        series = [(name, path._at(key).tolist()) for name, key in parts if key in path.columns]
         at = path["path_fraction"].tolist()
-        return Chart("Loss along the path", at, series, ("A to E", "W/m"))
+        return shown(Chart("Loss along the path", at, series, ("A to E", "W/m")), ax)
 
     def __str__(self) -> str:
         if "summary" in self._values and "inputs" in self._values:
@@ -247,17 +280,17 @@ class Regime(Table):
         """The regime of each mesh of a gear train or planetary set."""
         return [Regime([mesh]) for mesh in self._meshes]
 
-    def plot(self) -> Chart:
-        """Λ* along the path."""
+    def plot(self, ax: Any = None) -> Any:
+        """Λ* along the path, on axes of matplotlib or as a `Chart`."""
         at = self["path_fraction"].tolist()
-        return Chart("Film parameter Λ*", at, [("Λ*", self["lambda_star"].tolist())], ("A to E", "Λ*"))
+        return shown(Chart("Film parameter Λ*", at, [("Λ*", self["lambda_star"].tolist())], ("A to E", "Λ*")), ax)
 
     def to_xarray(self, dimension: str = "path_fraction") -> xarray.Dataset:
         """The columns over ``path_fraction``."""
         import xarray
 
-        columns = {name: (dimension, self[name]) for name in self.columns if name != "path_fraction"}
-        return xarray.Dataset(columns, coords={dimension: self["path_fraction"]})
+        columns = {name: variable(dimension, name, self[name]) for name in self.columns if name != "path_fraction"}
+        return xarray.Dataset(columns, coords={dimension: variable(dimension, "path_fraction", self["path_fraction"])})
 
     def _repr_html_(self) -> str:
         mixed = self["mixed_share"]

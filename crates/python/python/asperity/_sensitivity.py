@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import json
-from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional
 
 from . import _asperity
 from ._case import CaseLike, as_case
-from ._html import page
 from ._progress import Progress, Told
-from ._record import Record, Table
+from ._record import Table
+from ._study import Study
 
 if TYPE_CHECKING:
     import pandas
@@ -21,15 +19,11 @@ COLUMNS = [
 ]
 
 
-class Sensitivity(Record):
+class Sensitivity(Study):
     """Changes of a loss, one thing changed at a time: ``title``, ``loss_w``, ``efficiency``, ``rows``.
 
     They are answers of the model at the same windows of the traces, not measurements.
     """
-
-    def __init__(self, raw: _asperity.Sensitivity) -> None:
-        super().__init__(json.loads(raw.json()))
-        self._raw = raw
 
     @property
     def rows(self) -> Table:
@@ -43,24 +37,16 @@ class Sensitivity(Record):
             rows.append(flat)
         return Table(rows, COLUMNS)
 
-    def write(self, folder: Union[str, PathLike[str]]) -> None:
-        """Writes the folder of ``asperity sensitivity``."""
-        self._raw.write(fspath(folder))
-
     def to_pandas(self) -> pandas.DataFrame:
         """One row per change."""
         return self.rows.to_pandas()
 
-    def __str__(self) -> str:
-        return self._raw.summary()
-
     def __repr__(self) -> str:
         return f"<Sensitivity {self._values['title']!r}: {len(self._values['rows'])} changes of {self._values['loss_w']:.4g} W>"
 
-    def _repr_html_(self) -> str:
+    def _rows(self) -> list[tuple[str, str]]:
         effects = [(row, row["effect"]) for row in self._values["rows"] if row["effect"]]
-        rows = [(f"{row['what']} → {row['to']}", f"{100 * effect['change']:+.1f} %") for row, effect in effects]
-        return page(str(self._values["title"]), rows, None)
+        return [(f"{row['what']} → {row['to']}", f"{100 * effect['change']:+.1f} %") for row, effect in effects]
 
 
 def sensitivity(

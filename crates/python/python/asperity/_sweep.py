@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Literal, Optional, Union
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
 from ._errors import AsperityError
 from ._keys import Schema, written
 from ._progress import Progress, Told
+from ._quantity import OPERATING, as_keys
 from ._record import Record, Table
 
 if TYPE_CHECKING:
@@ -103,7 +104,7 @@ def sweep(
     *,
     sample: Optional[Mapping[str, Any]] = None,
     columns: Optional[Sequence[str]] = None,
-    detail: str = "losses",
+    detail: Literal["losses", "contacts"] = "losses",
     study: Optional[Union[str, PathLike[str]]] = None,
     folder: Union[str, PathLike[str]] = ".",
     threads: Optional[int] = None,
@@ -113,7 +114,8 @@ def sweep(
 
     Args:
         case: the case that all others are made from.
-        axes: crossed axes: by key the values, ``{"operation.torque": ["20 N m", "150 N m"]}``, or
+        axes: crossed axes: by key the values, ``{"operation.torque": ["20 N m", "150 N m"]}``, for the operating point
+            also by number, ``{"torque_nm": [20, 150]}``, or
             ``{"from": .., "to": .., "count": .., "spacing": "log"}``; by any other name choices of several keys,
             ``{"finish": {"ground": {"surface.pinion.file": "g.csv"}}}``.
         sample: ``method`` (``"sobol"``, ``"latin-hypercube"``, ``"random"``, ``"list"``), ``count``, ``seed``,
@@ -151,6 +153,12 @@ def _with_units(key: str, law: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
 
 
 def _axis(name: str, values: Any) -> dict[str, Any]:
+    if name in OPERATING:
+        every = values if not isinstance(values, Mapping) else [values["from"], values["to"]]
+        texts = [as_keys({name: value})[OPERATING[name].key] for value in every]
+        if isinstance(values, Mapping):
+            return {"key": OPERATING[name].key, **values, "from": texts[0], "to": texts[1]}
+        return {"key": OPERATING[name].key, "values": texts}
     schema = _schema(name)
     if not isinstance(values, Mapping):
         return {"key": name, "values": [written(value, schema, []) for value in values]}

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use serde::Deserialize;
+
 use super::added::AddedLoss;
 use super::error::ExportError;
 use super::field::Field;
@@ -11,7 +13,8 @@ use crate::cycle::Cycle;
 use crate::map::Map;
 
 /// Export format.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Format {
     /// Long table.
     Csv,

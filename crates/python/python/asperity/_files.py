@@ -1,0 +1,41 @@
+"""Objects that are read like files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from os import PathLike, fspath
+from typing import IO, Any, Union
+
+from ._errors import AsperityError
+
+
+def is_read(file: Any) -> bool:
+    """Whether an object is read like a file."""
+    return hasattr(file, "read")
+
+
+def text_of(file: Any) -> str:
+    """The text in an object that is read like a file."""
+    content = file.read()
+    try:
+        return content.decode("utf-8") if isinstance(content, bytes) else str(content)
+    except UnicodeDecodeError as error:
+        raise AsperityError(f"the text cannot be read: {error}", "E202", "Encode the text in UTF-8.") from error
+
+
+@contextmanager
+def on_disk(file: Union[str, PathLike[str], IO[bytes]]) -> Iterator[str]:
+    """The name of a file with the bytes of an object that is read like one."""
+    if isinstance(file, (str, PathLike)):
+        yield fspath(file)
+        return
+    import tempfile
+    from pathlib import Path
+
+    content: Any = file.read()
+    name = str(getattr(file, "name", "profile")).replace("\\", "/").rsplit("/", 1)[-1]
+    with tempfile.TemporaryDirectory() as place:
+        copy = Path(place) / (name or "profile")
+        copy.write_bytes(content.encode() if isinstance(content, str) else content)
+        yield str(copy)

@@ -1,0 +1,109 @@
+"""Gears, steels and oils of the library, worked cases, cases from gearbox files."""
+
+from __future__ import annotations
+
+import json
+import os
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union, overload
+
+from . import _asperity
+from ._case import Case
+from ._record import Record, Table
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+def _listed(rows: str, name: Optional[str]) -> Any:
+    found = json.loads(rows)
+    return Table(found) if name is None else Record(found[0])
+
+
+@overload
+def gears(name: None = None) -> Table: ...
+@overload
+def gears(name: str) -> Record: ...
+
+
+def gears(name: Optional[str] = None) -> Union[Table, Record]:
+    """The gears of the library, or the gears of this name, with centre distance, contact ratio, certainty and source of
+    every number, as ``asperity gears`` lists them."""
+    found: Union[Table, Record] = _listed(_asperity.gears(name), name)
+    return found
+
+
+@overload
+def steels(name: None = None) -> Table: ...
+@overload
+def steels(name: str) -> Record: ...
+
+
+def steels(name: Optional[str] = None) -> Union[Table, Record]:
+    """The steels of the library, or the one of this name, with flow pressure, elastic limit, certainty and source of
+    every number, as ``asperity steels`` lists them."""
+    found: Union[Table, Record] = _listed(_asperity.steels(name), name)
+    return found
+
+
+@overload
+def oils(name: None = None) -> Table: ...
+@overload
+def oils(name: str) -> Record: ...
+
+
+def oils(name: Optional[str] = None) -> Union[Table, Record]:
+    """The oils of the library, or the one of this name, with viscosities, certainty and source of the numbers, as
+    ``asperity oils`` lists them."""
+    found: Union[Table, Record] = _listed(_asperity.oils(name), name)
+    return found
+
+
+def demo(
+    folder: Optional[Union[str, PathLike[str]]] = None, *, gears: Optional[str] = None, paper: bool = False
+) -> Path:
+    """Writes a worked case with synthetic profiles into a new folder and returns the path of its ``case.toml``.
+
+    Args:
+        folder: the folder; default ``demo``, the name of the gears, or ``table2``.
+        gears: gears of the library in place of the electric drive.
+        paper: Table 2 of the 2022 paper on a damaged flank.
+    """
+    from pathlib import Path
+
+    return Path(_asperity.demo(None if folder is None else fspath(folder), gears, paper)) / "case.toml"
+
+
+class RexsCase(NamedTuple):
+    """A case made from a gearbox file."""
+
+    case: Case
+    """The case."""
+    toml: str
+    """Its text, with the attribute of every number as a comment."""
+    notes: list[str]
+    """Contradictions in the file, and values that it lacks."""
+    not_read: list[str]
+    """Attributes of the file that the case does not use, by component."""
+
+
+def from_rexs(
+    file: Union[str, PathLike[str]],
+    *,
+    stage: Optional[int] = 1,
+    load_case: int = 1,
+    pinion: Optional[Union[str, PathLike[str]]] = None,
+    wheel: Optional[Union[str, PathLike[str]]] = None,
+) -> RexsCase:
+    """The case of a stage of a REXS gearbox file (``.rexs``, ``.rexsj`` or zip).
+
+    Args:
+        file: the gearbox file.
+        stage: number of the stage, in the order of the file; None for one case of all stages.
+        load_case: number of the load case, in the order of the file.
+        pinion, wheel: files of the traces of pinion (sun) and wheel (planet).
+    """
+    flanks = [None if trace is None else os.path.abspath(fspath(trace)) for trace in (pinion, wheel)]
+    text, notes, not_read = _asperity.from_rexs(fspath(file), stage, load_case, (flanks[0], flanks[1]))
+    folder = os.path.dirname(os.path.abspath(fspath(file)))
+    return RexsCase(Case._of((("from_text", ("case.toml", text, folder, [], None)),)), text, notes, not_read)

@@ -1,0 +1,86 @@
+"""Studies: results with a summary and a folder of files."""
+
+from __future__ import annotations
+
+import json
+from os import PathLike, fspath
+from typing import Any, Protocol, Union
+
+from ._errors import AsperityError
+from ._html import page
+from ._record import Record
+
+
+class RawStudy(Protocol):
+    """A study of the compiled part."""
+
+    def json(self) -> str: ...
+    def summary(self) -> str: ...
+    def write(self, folder: Union[str, PathLike[str]]) -> None: ...
+
+
+def files_of(raw: Any) -> dict[str, bytes]:
+    """Names and contents of the files that a study writes."""
+    import tempfile
+    from pathlib import Path
+
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place) / "study"
+        raw.write(fspath(folder))
+        files = (file for file in folder.rglob("*") if file.is_file())
+        return {file.relative_to(folder).as_posix(): file.read_bytes() for file in files}
+
+
+class Unpickled:
+    """A study that another process made: its texts and files."""
+
+    def __init__(self, text: Any, summary: str, files: dict[str, bytes]) -> None:
+        self._text, self._summary, self._files = text, summary, files
+
+    def json(self) -> Any:
+        """The JSON text of the study."""
+        return self._text
+
+    def summary(self) -> str:
+        """The summary as text."""
+        return self._summary
+
+    def write(self, folder: Union[str, PathLike[str]]) -> None:
+        """Writes the files of the study into a new folder."""
+        from pathlib import Path
+
+        place = Path(folder)
+        try:
+            place.mkdir(parents=True)
+            for name, content in self._files.items():
+                (place / name).parent.mkdir(exist_ok=True)
+                (place / name).write_bytes(content)
+        except OSError as error:
+            raise AsperityError(f"{place}: {error}", "E401", "Name a folder that does not exist.") from error
+
+
+class Study(Record):
+    """A study: values as attributes, a summary as text, a folder of files."""
+
+    def __init__(self, raw: RawStudy) -> None:
+        super().__init__(json.loads(raw.json()))
+        self._raw = raw
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (Unpickled(self._raw.json(), self._raw.summary(), files_of(self._raw)),)
+
+    def write(self, folder: Union[str, PathLike[str]]) -> None:
+        """Writes the folder of the command."""
+        self._raw.write(fspath(folder))
+
+    def __str__(self) -> str:
+        return self._raw.summary()
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self._values['title']!r}>"
+
+    def _repr_html_(self) -> str:
+        return page(str(self._values["title"]), self._rows(), None)
+
+    def _rows(self) -> list[tuple[str, str]]:
+        return []

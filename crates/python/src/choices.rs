@@ -1,0 +1,139 @@
+//! Names that Python passes as text: read by serde, and listed for the types of the package.
+
+use std::cell::Cell;
+
+use asperity::case::{CalibratedName, Formulation};
+use asperity::ehl_regime::FilmLaw;
+use asperity::ehl_regime::thermal_reduction::ThermalLaw;
+use asperity::profile_io::read::{
+    Abscissa, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
+};
+use asperity::result::{PositionRow, RunResult, Summary};
+use asperity::roughness::gaussian_filter::Ends;
+use asperity::roughness::generate::{Amplitudes, Surface};
+use asperity::roughness::height_parameters::Mode;
+use asperity::tribo_friction::friction_law::FrictionLaw;
+use asperity_studies::export::Format;
+use pyo3::prelude::*;
+use serde::de::value::Error;
+use serde::de::{DeserializeOwned, Deserializer, Error as _, Visitor};
+use serde::{Deserialize, forward_to_deserialize_any};
+
+use crate::failure::Failure;
+use crate::studies::COLUMNS;
+
+/// The choice called `name`; `what` is the argument that it was given to.
+pub fn named<T: DeserializeOwned>(what: &str, name: &str) -> Result<T, Failure> {
+    serde_json::from_value(serde_json::Value::String(name.to_owned()))
+        .map_err(|error| Failure::new("E204", format!("{what}: {error}")))
+}
+
+/// Choices of arguments that no library type has.
+macro_rules! choices {
+    ($($(#[$about:meta])+ $kind:ident { $($(#[$rename:meta])* $choice:ident),+ $(,)? })+) => {$(
+        $(#[$about])+
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+        #[serde(rename_all = "kebab-case")]
+        pub enum $kind { $($(#[$rename])* $choice),+ }
+    )+};
+}
+
+choices! {
+    /// Detail of a run.
+    Detail { Losses, Contacts, Fields }
+    /// Interval of the losses of a map.
+    Band { None, Nodes }
+    /// Form that is removed from a profile.
+    FormOfProfile { None, Mean, Level, Poly2, Circle, Involute }
+    /// Ends of a contact.
+    BoundaryOfContact { Free, Periodic, PeriodicSpectral }
+    /// Zero of traction curves.
+    ZeroOfCurves { Curve, Common, None }
+    /// Probe of the oil temperature.
+    ProbeOfOil { Lube, Pot }
+    /// Law that a user-defined one replaces.
+    LawOf { FilmFriction, FilmThickness, LoadShare, LoadDistribution }
+}
+
+/// Reads the names that a derived implementation passes: fields of a structure, variants of an enumeration.
+struct Names<'a>(&'a Cell<&'static [&'static str]>);
+
+impl<'de> Deserializer<'de> for Names<'_> {
+    type Error = Error;
+
+    fn deserialize_any<V: Visitor<'de>>(self, _: V) -> Result<V::Value, Error> {
+        Err(Error::custom("no names"))
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        fields: &'static [&'static str],
+        _: V,
+    ) -> Result<V::Value, Error> {
+        self.0.set(fields);
+        Err(Error::custom("only names"))
+    }
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        variants: &'static [&'static str],
+        _: V,
+    ) -> Result<V::Value, Error> {
+        self.0.set(variants);
+        Err(Error::custom("only names"))
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct
+        newtype_struct seq tuple tuple_struct map identifier ignored_any
+    }
+}
+
+fn names<T: DeserializeOwned>() -> Vec<String> {
+    let found = Cell::new([].as_slice());
+    let _: Result<T, Error> = T::deserialize(Names(&found));
+    found.get().iter().map(|name| (*name).to_owned()).collect()
+}
+
+/// A name in Python, and the names of its choices or columns.
+type Listed = (&'static str, Vec<String>);
+
+/// Choices of arguments and columns of results by the names of their types in Python.
+#[pyfunction]
+pub fn choices() -> Vec<Listed> {
+    let columns = COLUMNS.iter().map(|(name, _)| (*name).to_owned());
+    let own = ["extended", "code", "regime"].map(str::to_owned);
+    vec![
+        ("Formulation", names::<Formulation>()),
+        ("Detail", names::<Detail>()),
+        ("Band", names::<Band>()),
+        ("ExportFormat", names::<Format>()),
+        ("Form", names::<FormOfProfile>()),
+        ("Ends", names::<Ends>()),
+        ("Standard", names::<Mode>()),
+        ("Boundary", names::<BoundaryOfContact>()),
+        ("FilmLaw", names::<FilmLaw>()),
+        ("ThermalLaw", names::<ThermalLaw>()),
+        ("FrictionLaw", names::<FrictionLaw>()),
+        ("LawOf", names::<LawOf>()),
+        ("Zero", names::<ZeroOfCurves>()),
+        ("TemperatureColumn", names::<ProbeOfOil>()),
+        ("CalibratedParameter", names::<CalibratedName>()),
+        ("SurfaceKind", names::<Surface>()),
+        ("Amplitudes", names::<Amplitudes>()),
+        ("LengthUnit", names::<LengthUnit>()),
+        ("DecimalSign", names::<DecimalSign>()),
+        ("Separator", names::<Separator>()),
+        ("Encoding", names::<Encoding>()),
+        ("Gaps", names::<Gaps>()),
+        ("TraceLine", names::<TraceLine>()),
+        ("Abscissa", names::<Abscissa>()),
+        ("Uneven", names::<Uneven>()),
+        ("ResultName", names::<RunResult>()),
+        ("SummaryName", names::<Summary>()),
+        ("PathColumn", names::<PositionRow>()),
+        ("MapName", columns.chain(own).collect()),
+    ]
+}

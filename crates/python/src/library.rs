@@ -1,0 +1,114 @@
+//! Gears, steels and oils of the library, worked cases, cases from gearbox files.
+
+use std::path::{Path, PathBuf};
+
+use asperity_fixtures::worked::{Worked, WorkedError};
+use asperity_report::library::{
+    LibraryError, gears_named, listed_gears, listed_oil, listed_steel, oils_named, steels_named,
+};
+use asperity_rexs::{Flanks, Model, RexsError, case_text, train_text};
+use asperity_storage::{new_folder_of, whole_file};
+use pyo3::prelude::*;
+use serde_json::Value;
+
+use crate::failure::{self, Failure};
+use crate::work::alone;
+
+/// Bytes of the largest gearbox file that is read.
+const LARGEST: u64 = 100_000_000;
+
+impl From<LibraryError> for Failure {
+    fn from(error: LibraryError) -> Self {
+        Self::new(error.code(), error.to_string())
+    }
+}
+
+impl From<RexsError> for Failure {
+    fn from(error: RexsError) -> Self {
+        Self::new(error.code(), error.to_string())
+    }
+}
+
+fn listed<T>(
+    found: Result<Vec<T>, LibraryError>,
+    row: fn(&T) -> Result<Value, LibraryError>,
+) -> PyResult<String> {
+    let found = found.map_err(Failure::from)?;
+    let rows = found.iter().map(row).collect::<Result<Vec<_>, _>>();
+    Ok(failure::json(&rows.map_err(Failure::from)?)?)
+}
+
+/// The gears of the library, or those called `name`, as JSON.
+#[pyfunction]
+pub fn gears(name: Option<&str>) -> PyResult<String> {
+    listed(gears_named(name), listed_gears)
+}
+
+/// The steels of the library, or the one called `name`, as JSON.
+#[pyfunction]
+pub fn steels(name: Option<&str>) -> PyResult<String> {
+    listed(steels_named(name), listed_steel)
+}
+
+/// The oils of the library, or the one called `name`, as JSON.
+#[pyfunction]
+pub fn oils(name: Option<&str>) -> PyResult<String> {
+    listed(oils_named(name), listed_oil)
+}
+
+/// Writes a worked case into a new folder and returns the folder.
+#[pyfunction]
+pub fn demo(
+    py: Python<'_>,
+    folder: Option<PathBuf>,
+    gears: Option<&str>,
+    paper: bool,
+) -> PyResult<PathBuf> {
+    let worked = match (gears, paper) {
+        (Some(name), false) => Worked::Gears(name),
+        (None, true) => Worked::Paper,
+        (None, false) => Worked::Drive,
+        (Some(_), true) => {
+            return Err(Failure::new("E205", "gears and paper: one of both at most").into());
+        }
+    };
+    let folder = folder.unwrap_or_else(|| worked.folder().into());
+    alone(py, || {
+        let files = worked.files().map_err(|error| match error {
+            WorkedError::Gears(error) => LibraryError::from(error).into(),
+            error => Failure::new("E501", error.to_string()),
+        })?;
+        let texts = files.iter().map(|file| (file.name, file.content.as_str()));
+        let written = new_folder_of(&folder, texts);
+        written.map_err(|error| Failure::new("E401", error.to_string()))?;
+        Ok(folder)
+    })
+}
+
+/// Text of the case of a stage of a gearbox file, or of all stages, notes, and attributes that were not read.
+#[pyfunction]
+pub fn from_rexs(
+    py: Python<'_>,
+    file: PathBuf,
+    stage: Option<usize>,
+    load_case: usize,
+    flanks: (Option<String>, Option<String>),
+) -> PyResult<(String, Vec<String>, Vec<String>)> {
+    let shown = file.display().to_string();
+    let (pinion, wheel) = flanks;
+    alone(py, || {
+        let bytes = whole_file(&file, LARGEST)
+            .map_err(|error| Failure::new("E101", error.to_string()).about(&shown))?;
+        let about = |error: RexsError| Failure::from(error).about(&shown);
+        let model = Model::read(&bytes).map_err(about)?;
+        let flanks = Flanks { pinion, wheel };
+        let name = Path::new(&file).file_name().unwrap_or_default();
+        let name = name.to_string_lossy();
+        let case = match stage {
+            None => train_text(&model, &name, load_case, &flanks),
+            Some(number) => case_text(&model, &name, number, load_case, &flanks),
+        };
+        let case = case.map_err(about)?;
+        Ok((case.toml, case.notes, case.not_read))
+    })
+}

@@ -1,0 +1,253 @@
+//! Gears, steels and oils of the library as JSON, with numbers that follow from theirs.
+
+use std::collections::BTreeSet;
+
+use asperity::case::nearest_name;
+use asperity::gear::{GearPair, GearPairInput, Plane};
+use asperity::oil::{LibraryOil, LubricantError, LubricantInput, library};
+use asperity_core::DomainError;
+use asperity_core::presets::{
+    FigureRow, GearPreset, PresetError, PresetSource, SteelPreset, gear, gears, sources, steel,
+    steels,
+};
+use asperity_core::quantity::{Length, Temperature};
+use serde_json::{Value, json};
+
+/// Temperatures \[°C\] at which the viscosities of an oil are listed.
+const LISTED: [f64; 2] = [40.0, 100.0];
+
+/// Errors of the library.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LibraryError {
+    /// A name that the library does not have.
+    #[error("the library has no {kind} named \"{name}\"{suggestion} It has: {known}")]
+    Unknown {
+        /// Gears, steel or oil.
+        kind: String,
+        /// The name.
+        name: String,
+        /// The most similar name, as a question.
+        suggestion: String,
+        /// All names.
+        known: String,
+    },
+    /// Numbers of the library that cannot be read or do not go together.
+    #[error("{0}")]
+    Faulty(String),
+}
+
+impl LibraryError {
+    /// Stable code.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Unknown { .. } => "E220",
+            Self::Faulty(_) => "E501",
+        }
+    }
+
+    fn unknown(kind: &str, name: &str, known: &[String]) -> Self {
+        let similar = nearest_name(name, known);
+        Self::Unknown {
+            kind: kind.to_owned(),
+            name: name.to_owned(),
+            suggestion: similar
+                .map_or(".".to_owned(), |name| format!(". Did you mean \"{name}\"?")),
+            known: known.join(", "),
+        }
+    }
+}
+
+impl From<PresetError> for LibraryError {
+    fn from(error: PresetError) -> Self {
+        match error {
+            PresetError::Unknown { kind, name, known } => {
+                Self::unknown(if kind == "steels" { "steel" } else { kind }, &name, &known)
+            }
+            error => Self::Faulty(error.to_string()),
+        }
+    }
+}
+
+impl From<DomainError> for LibraryError {
+    fn from(error: DomainError) -> Self {
+        Self::Faulty(error.to_string())
+    }
+}
+
+impl From<LubricantError> for LibraryError {
+    fn from(error: LubricantError) -> Self {
+        Self::Faulty(error.to_string())
+    }
+}
+
+/// The gears called `name`, or all.
+///
+/// # Errors
+/// When the library has no gears of this name.
+pub fn gears_named(name: Option<&str>) -> Result<Vec<GearPreset>, LibraryError> {
+    Ok(match name {
+        Some(name) => vec![gear(name)?],
+        None => gears()?,
+    })
+}
+
+/// The steel called `name`, or all.
+///
+/// # Errors
+/// When the library has no steel of this name.
+pub fn steels_named(name: Option<&str>) -> Result<Vec<SteelPreset>, LibraryError> {
+    Ok(match name {
+        Some(name) => vec![steel(name)?],
+        None => steels()?,
+    })
+}
+
+/// The oil called `name`, in upper or lower case.
+///
+/// # Errors
+/// When the library has no oil of this name.
+pub fn oil_named(name: &str) -> Result<LibraryOil, LibraryError> {
+    let mut oils = library()?;
+    let is_named = |oil: &LibraryOil| oil.name.eq_ignore_ascii_case(name.trim());
+    match oils.iter().position(is_named) {
+        Some(index) => Ok(oils.swap_remove(index)),
+        None => {
+            let known: Vec<String> = oils.into_iter().map(|oil| oil.name).collect();
+            Err(LibraryError::unknown("oil", name, &known))
+        }
+    }
+}
+
+/// The oil called `name`, or all.
+///
+/// # Errors
+/// See [`oil_named`].
+pub fn oils_named(name: Option<&str>) -> Result<Vec<LibraryOil>, LibraryError> {
+    match name {
+        Some(name) => Ok(vec![oil_named(name)?]),
+        None => Ok(library()?),
+    }
+}
+
+/// Centre distance and transverse contact ratio that follow from the numbers of a preset.
+///
+/// # Errors
+/// When the numbers make no gear pair.
+pub fn pair_of(preset: &GearPreset) -> Result<(Length, f64), LibraryError> {
+    let gears = &preset.gears;
+    let tip = gears.tip_diameter.as_ref();
+    let pair = GearPair::new(&GearPairInput {
+        teeth: gears.teeth.value,
+        module: gears.module.value,
+        module_plane: Plane::Normal,
+        helix: gears.helix.value,
+        pressure_angle: gears.pressure_angle.value,
+        face_width: gears.face_width.value,
+        overlap: None,
+        profile_shift: Some(gears.profile_shift.value),
+        centre_distance: None,
+        tip_radius: tip.map(|tip| tip.value.map(|diameter| diameter / 2.0)),
+        addendum: 1.0,
+    });
+    let pair = pair.map_err(|error| LibraryError::Faulty(format!("{}: {error}", preset.name)))?;
+    Ok((pair.centre_distance, pair.path.eps_alpha))
+}
+
+/// Flow pressure \[GPa\] and elastic limit \[MPa\] at the hardness of a steel.
+///
+/// # Errors
+/// When the hardness is outside the range of the correlations.
+pub fn strength(steel: &SteelPreset) -> Result<(f64, Option<f64>), LibraryError> {
+    let hardness = steel.hardness.value;
+    let flow = hardness.flow_pressure()?;
+    let limit = match steel.is_powder_metal() {
+        true => None,
+        false => Some(hardness.yield_strength()?.value.si() / 1e6),
+    };
+    Ok((flow.si() / 1e9, limit))
+}
+
+/// Viscosity \[mPa s\] and α \[1/GPa\] of an oil of the library at 40 and 100 °C.
+///
+/// # Errors
+/// When the oil has no state there.
+pub fn states(name: &str) -> Result<[(f64, f64); 2], LibraryError> {
+    let input = LubricantInput {
+        oil: Some(name.to_owned()),
+        ..LubricantInput::default()
+    };
+    let at = |celsius: f64| -> Result<(f64, f64), LubricantError> {
+        let temperature = Temperature::from_celsius(celsius);
+        // A viscosity without a temperature applies at the temperature of the case.
+        let state = input.resolve(temperature)?.at(temperature)?.value;
+        let alpha = state.pressure_viscosity.si() / 1e-9;
+        Ok((state.dynamic_viscosity.si() / 1e-3, alpha))
+    };
+    Ok([at(LISTED[0])?, at(LISTED[1])?])
+}
+
+/// Sources of the numbers.
+///
+/// # Errors
+/// When the list of sources cannot be read.
+pub fn used(rows: &[FigureRow<'_>]) -> Result<Vec<PresetSource>, LibraryError> {
+    let keys: BTreeSet<&str> = rows.iter().map(|row| row.source).collect();
+    let is_used = |source: &PresetSource| keys.contains(source.key.as_str());
+    Ok(sources()?.into_iter().filter(is_used).collect())
+}
+
+/// Gears with their numbers, certainties and sources, as `asperity gears --json` lists them.
+///
+/// # Errors
+/// See [`pair_of`].
+pub fn listed_gears(preset: &GearPreset) -> Result<Value, LibraryError> {
+    let (distance, ratio) = pair_of(preset)?;
+    Ok(json!({
+        "name": preset.name,
+        "title": preset.title,
+        "note": preset.note,
+        "preset": preset,
+        "figures": preset.rows(),
+        "centre_distance_mm": distance.si() * 1e3,
+        "transverse_contact_ratio": ratio,
+        "sources": used(&preset.rows())?,
+    }))
+}
+
+/// A steel with its numbers, certainties and sources, as `asperity steels --json` lists it.
+///
+/// # Errors
+/// See [`strength`].
+pub fn listed_steel(steel: &SteelPreset) -> Result<Value, LibraryError> {
+    let (flow, limit) = strength(steel)?;
+    Ok(json!({
+        "name": steel.name,
+        "number": steel.number,
+        "treatment": steel.treatment,
+        "note": steel.note,
+        "figures": steel.rows(),
+        "flow_pressure_gpa": flow,
+        "elastic_limit_mpa": limit,
+        "sources": used(&steel.rows())?,
+    }))
+}
+
+/// An oil with its numbers, certainties and source, as `asperity oils --json` lists it.
+///
+/// # Errors
+/// See [`states`].
+pub fn listed_oil(oil: &LibraryOil) -> Result<Value, LibraryError> {
+    let [(cold, _), (hot, alpha)] = states(&oil.name)?;
+    Ok(json!({
+        "name": oil.name,
+        "note": oil.note,
+        "source": oil.source,
+        "certainty": oil.certainty,
+        "lubricant": oil.lubricant,
+        "dynamic_viscosity_40_mpa_s": cold,
+        "dynamic_viscosity_100_mpa_s": hot,
+        "pressure_viscosity_100_per_gpa": alpha,
+    }))
+}
