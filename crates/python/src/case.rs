@@ -14,6 +14,7 @@ use asperity::message::Warning;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
 use asperity::result::gear_report;
+use asperity_calibration::evidence::execute;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
@@ -365,13 +366,10 @@ impl Case {
                         .execute()?
                         .into(),
                 ),
-                (Kind::Pair(loaded), Detail::Fields) => Found::Whole(
-                    Run::new(loaded)
-                        .band(band)
-                        .progress(&shown)
-                        .execute()?
-                        .into(),
-                ),
+                (Kind::Pair(loaded), Detail::Fields) => {
+                    let run = Run::new(loaded).band(band).progress(&shown);
+                    Found::Whole(execute(loaded, run)?.into())
+                }
             };
             Ok(Outcome(Arc::new(found)))
         })
