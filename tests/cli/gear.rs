@@ -261,14 +261,45 @@ fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it()
     for command in [
         &["film", "case.toml"][..],
         &["contact", "case.toml"],
-        &["map", "case.toml"],
-        &["sensitivity", "case.toml"],
         &[&["compare", "case.toml"], &finishes[..]].concat(),
     ] {
         let refused = bench.run(command);
         let says = ["has several meshes: \"sun and planet\", \"planet and ring\""];
         refused.refused(2, "E205", &says);
     }
+    // A map and a study of changes take all meshes.
+    let axes = [
+        "map",
+        "case.toml",
+        "-o",
+        "maps",
+        "--torque",
+        "120",
+        "--speed",
+        "3000",
+    ];
+    let map = [&axes[..], &["--set", "model.offsets=1"], &finishes[..]].concat();
+    let said = bench.run(&map).well().out;
+    assert!(said.contains("loss of the meshes only"), "{said}");
+    assert!(
+        said.contains("b at the largest loss: 3 sun and planet"),
+        "{said}"
+    );
+    let changes = [
+        "sensitivity",
+        "case.toml",
+        "--set",
+        "model.offsets=1",
+        "--json",
+    ];
+    let found = bench.run(&changes).well().json();
+    let at_medians = found["loss_w"].as_f64().unwrap();
+    let rows = found["rows"].as_array().unwrap();
+    let lower = rows
+        .iter()
+        .find(|row| row["what"] == "heights of both flanks");
+    let change = lower.unwrap()["effect"]["difference_w"].as_f64().unwrap();
+    assert!(change < 0.0 && change > -at_medians, "{found}");
     // One of the meshes is a case of its own.
     let mesh = ["--mesh", "planet and ring"];
     let alone = [

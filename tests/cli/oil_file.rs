@@ -157,6 +157,121 @@ fn an_oil_file_is_used_beyond_its_curves_with_a_warning_and_a_larger_error() {
 }
 
 #[test]
+fn an_undecided_law_of_pressure_is_in_the_interval() {
+    let bench = bench();
+    let interval = |result: &Value| {
+        let interval = &result["uncertainty"]["loss"]["quantiles_w"];
+        [0, 1].map(|k| interval[k].as_f64().unwrap())
+    };
+    let first = OIL_FILE.replace("309.0", "78.2");
+    let (_, table) = first.split_once("[film_friction]").unwrap();
+    let other = table.replace("barus", "roelands").replace(
+        "other_law = 78.2, this_law = 78.0",
+        "other_law = 78.0, this_law = 78.2",
+    );
+    bench.write("oil.toml", format!("{first}\n[other_law]{other}"));
+    let both = result(&bench, &case("", ""));
+    let said = warned(&both, "W443");
+    assert!(
+        said.contains(
+            "the run has barus, the interval has roelands as well, with a probability of 48 %"
+        ),
+        "{said}"
+    );
+    // The Roelands viscosity with the same constants shears more easily.
+    let alone = ["barus", "roelands"].map(|law| {
+        let stated = format!("\n[model]\nfilm_pressure_law = \"{law}\"\n");
+        let text = match E_DRIVE.contains("[model]\n") {
+            true => case("", "").replacen("[model]\n", &stated, 1),
+            false => case("", &stated),
+        };
+        let found = result(&bench, &text);
+        let said = warned(&found, "W443");
+        assert!(!said.contains("the interval has"), "{said}");
+        found
+    });
+    let loss = |result: &Value| result["summary"]["loss_w"].as_f64().unwrap();
+    assert_eq!(loss(&both), loss(&alone[0]));
+    assert!(loss(&alone[1]) < 0.95 * loss(&alone[0]));
+    let [own, other] = [&alone[0], &alone[1]].map(interval);
+    let [low, high] = interval(&both);
+    // Nearly half of the draws have either law: the ends lie near the outer ends of both.
+    assert!(
+        low < other[0].midpoint(own[0]) && low > other[0],
+        "{low} {own:?} {other:?}"
+    );
+    assert!(
+        high > own[1].midpoint(other[1]) && high < own[1],
+        "{high} {own:?} {other:?}"
+    );
+    let parts = both["uncertainty"]["loss"]["parts"].as_array().unwrap();
+    assert!(
+        parts
+            .iter()
+            .any(|part| part["name"] == "law of pressure of the film")
+    );
+}
+
+#[test]
+fn the_error_of_a_temperature_is_drawn_where_the_case_states_it() {
+    let bench = bench();
+    let stated = E_DRIVE.replacen(
+        "[operation]\n",
+        "[operation]\ntemperature_deviation = \"10 K\"\n",
+        1,
+    );
+    let [plain, wide] = [E_DRIVE, &stated].map(|case| result(&bench, case));
+    assert!(!drawn(&plain).contains(&"error of the temperature"));
+    let part = |result: &Value| {
+        let parts = result["uncertainty"]["loss"]["parts"]
+            .as_array()
+            .unwrap()
+            .clone();
+        let mut own = parts
+            .into_iter()
+            .filter(|part| part["name"] == "error of the temperature");
+        own.next().map(|part| width(&part["quantiles_w"]))
+    };
+    // The ends are runs at the ends of the temperature, 16.4 K to either side.
+    let at = |celsius: &str| {
+        let text = E_DRIVE.replacen("\"90 °C\"", celsius, 1);
+        result(&bench, &text)["summary"]["loss_w"].as_f64().unwrap()
+    };
+    let found = part(&wide).unwrap();
+    let expected = (at("\"73.55 °C\"") / at("\"106.45 °C\"")).ln().abs();
+    assert!((found / expected - 1.0).abs() < 0.1, "{found} {expected}");
+    assert_eq!(part(&plain), None);
+    // A thermocouple narrows it; the report has the three measurements that narrow the interval most.
+    let rows = |result: &Value| {
+        result["uncertainty"]["evidence"]
+            .as_array()
+            .unwrap()
+            .clone()
+    };
+    let keys: Vec<Value> = rows(&wide)
+        .into_iter()
+        .map(|row| row["key"].clone())
+        .collect();
+    assert!(keys.contains(&Value::from("thermocouple")), "{keys:?}");
+    assert!(rows(&plain).iter().all(|row| row["key"] != "thermocouple"));
+    let page = fs::read_to_string(bench.path("out/report.html")).unwrap();
+    let first = rows(&json(&bench, "out/result.json"))[0]["measurement"].clone();
+    assert!(
+        page.contains("What would narrow the interval most")
+            && page.contains(first.as_str().unwrap())
+    );
+    bench.write("run.toml", stated.replace("10 K", "10 °C"));
+    bench
+        .run(&["run", "run.toml", "--no-output"])
+        .refused(2, "E212", &["temperature_deviation"]);
+    bench.write("run.toml", stated);
+    let paper = ["run", "run.toml", "--no-output", "--formulation", "paper"];
+    bench
+        .run(&paper)
+        .refused(2, "E205", &["temperature_deviation: widens an interval"]);
+}
+
+#[test]
 fn the_loss_at_pressures_beyond_the_curves_is_printed() {
     let bench = bench();
     let watts = ["0.9 GPa", "0.01 GPa"].map(|most| {

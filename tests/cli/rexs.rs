@@ -246,6 +246,10 @@ fn all_stages_become_one_case() {
         "--set",
         "surface.pinion.ra=0.4 um",
     ];
+    // A finish without a height is refused, with the key to state.
+    let finish_alone = ["check", "box.toml", "--set", "surface.finish=ground"];
+    let says = ["surface.finish: ", "surface.pinion.ra, such as \"0.4 um\""];
+    bench.run(&finish_alone).refused(2, "E205", &says);
     let run = [
         "run",
         "box.toml",

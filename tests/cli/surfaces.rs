@@ -1,30 +1,41 @@
 //! Surfaces of instruments in the command and in cases.
 
+use asperity::core::quantity::Length;
+
 use crate::bench::{Bench, heights, rows, trace, with_line};
 
 /// A Digital Surf file of `count` rows of `points` points, 0.5 um apart, of this kind of content.
 fn sur(points: usize, count: usize, kind: i16, replica: i16) -> Vec<u8> {
     let all = heights(points + 500 * count);
+    let rows: Vec<&[f64]> = (0..count)
+        .map(|row| &all[500 * row..500 * row + points])
+        .collect();
+    let mut bytes = digital_surf(&rows, 0.5);
+    bytes[18..20].copy_from_slice(&kind.to_le_bytes());
+    bytes[288..290].copy_from_slice(&replica.to_le_bytes());
+    bytes
+}
+
+/// A Digital Surf file of a surface with these rows of heights \[um\], `dy` um apart, and points 0.5 um apart.
+fn digital_surf<R: AsRef<[f64]>>(rows: &[R], dy: f32) -> Vec<u8> {
+    let (points, count) = (rows[0].as_ref().len(), rows.len());
     let mut bytes = vec![0; 512];
     let mut set = |at: usize, part: &[u8]| bytes[at..at + part.len()].copy_from_slice(part);
     set(0, b"DIGITAL SURF");
     set(14, &1_i16.to_le_bytes());
-    set(18, &kind.to_le_bytes());
+    set(18, &2_i16.to_le_bytes());
     set(98, &32_i16.to_le_bytes());
     set(108, &(points as i32).to_le_bytes());
     set(112, &(count as i32).to_le_bytes());
     set(120, &0.5_f32.to_le_bytes());
-    set(124, &0.5_f32.to_le_bytes());
+    set(124, &dy.to_le_bytes());
     set(128, &0.1_f32.to_le_bytes());
     for unit in [180, 196] {
         set(unit, b"um");
     }
     set(212, b"nm");
-    set(288, &replica.to_le_bytes());
-    for row in 0..count {
-        for z in &all[500 * row..500 * row + points] {
-            bytes.extend(((z * 1e4).round() as i32).to_le_bytes());
-        }
+    for z in rows.iter().flat_map(|row| row.as_ref()) {
+        bytes.extend(((z * 1e4).round() as i32).to_le_bytes());
     }
     bytes
 }
@@ -70,7 +81,7 @@ fn a_surface_gives_a_row_or_its_mean() {
         "--line mean",
     ]);
     assert!(
-        none.out.contains("Sq ") && none.out.contains("lay = "),
+        none.out.contains("Sq ") && none.out.contains("lay of traces along the rows"),
         "{}",
         none.out
     );
@@ -130,6 +141,205 @@ fn a_case_takes_lines_of_a_surface() {
     assert!(said.err.contains(says), "{}", said.err);
     let said = bench.run(&["profile", "info", "pinion.csv", "--line", "mean"]);
     said.refused(2, "E119", &["pinion.csv: the file holds a single profile"]);
+}
+
+/// Rows that change into each other: each holds the share `kept` of the one before.
+fn changing(points: usize, count: usize, kept: f64) -> Vec<Vec<f64>> {
+    const SHIFTS: usize = 5000;
+    let all = heights(points + SHIFTS);
+    let mut rows = vec![all[..points].to_vec()];
+    for k in 1..count {
+        let shift = 97 * k * k % SHIFTS;
+        let fresh = &all[shift..shift + points];
+        let added = (1.0 - kept * kept).sqrt();
+        let pairs = rows[k - 1].iter().zip(fresh);
+        rows.push(pairs.map(|(z, new)| kept * z + added * new).collect());
+    }
+    rows
+}
+
+/// The lay of a case is that of the surface its traces come from, with its interval, unless the case states one.
+#[test]
+fn the_lay_of_a_surface_replaces_the_assumed_one() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("flank.sur", digital_surf(&changing(6000, 80, 0.9), 4.0));
+    let case = with_line("pinion", "pinion = { file = \"flank.sur\", rows = 2 }");
+    bench.write("case.toml", &case);
+    let lay = |arguments: &[&str]| {
+        let checked = bench.run(&[&["check", "case.toml", "--json"], arguments].concat());
+        let checked = checked.well().json();
+        let mut defaults = checked["defaults"].as_array().unwrap().iter();
+        let lay = defaults.find(|default| default["key"] == "model.lay");
+        lay.cloned()
+    };
+    let found = lay(&[]).unwrap();
+    let source = found["source"].as_str().unwrap();
+    assert!(
+        source.starts_with("pinion 0.") && source.contains("measured on flank.sur"),
+        "{source}"
+    );
+    assert!(source.ends_with("wheel assumed, 0 to 1/6"), "{source}");
+    let gammas: Vec<f64> = serde_json::from_str(found["value"].as_str().unwrap()).unwrap();
+    assert_eq!(gammas[1], 1.0 / 12.0);
+    assert!(
+        gammas[0] > 0.0 && gammas[0] < 1.0 && gammas[0] != gammas[1],
+        "{gammas:?}"
+    );
+    assert_eq!(lay(&["--set", "model.lay=0.1"]), None);
+
+    // The run at the medians is that of a case that states these medians, and only its interval differs.
+    let run = |arguments: &[&str]| {
+        let run = bench.run(&[&["run", "case.toml", "--no-output", "--json"], arguments].concat());
+        run.well().json()
+    };
+    let (measured, stated) = (run(&[]), run(&["--set", &format!("model.lay={gammas:?}")]));
+    let loss = |result: &serde_json::Value| result["summary"]["loss_w"].as_f64().unwrap();
+    assert_eq!(loss(&measured), loss(&stated));
+    let drawn = |result: &serde_json::Value| {
+        let constants = result["uncertainty"]["constants"]
+            .as_array()
+            .unwrap()
+            .clone();
+        constants
+            .into_iter()
+            .find(|constant| constant["name"] == "lay")
+    };
+    assert_eq!(drawn(&stated), None);
+    let (drawn, mean) = (drawn(&measured).unwrap(), 0.5 * (gammas[0] + gammas[1]));
+    assert_eq!(drawn["value"], mean);
+    assert!(drawn["low"].as_f64().unwrap() < mean && mean < drawn["high"].as_f64().unwrap());
+    let said = bench
+        .run(&["run", "case.toml", "--no-output", "--notes"])
+        .well();
+    assert!(said.out.contains("lay  pinion 0."), "{}", said.out);
+    assert!(!said.out.contains("W444"), "{}", said.out);
+}
+
+#[test]
+fn rows_of_too_many_pairs_are_fewer_and_still_spread_evenly() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("flank.sur", digital_surf(&changing(6000, 40, 0.9), 4.0));
+    let pinion = "pinion = { file = \"flank.sur\", rows = 20 }";
+    bench.write("case.toml", with_line("pinion", pinion));
+    let wheel = "surface.wheel={ file = \"flank.sur\", rows = 32 }";
+    let checked = bench.run(&["check", "case.toml", "--set", wheel, "--json"]);
+    let checked = checked.well().json();
+    assert_eq!(checked["traced"][0]["teeth"], serde_json::json!([8, 8]));
+    let mut warnings = checked["warnings"].as_array().unwrap().iter();
+    let left_out = warnings.find(|warning| warning["code"] == "W427").unwrap();
+    let says = "8 rows spread evenly of the pinion and 8 rows spread evenly of the wheel";
+    assert!(left_out["text"].to_string().contains(says), "{left_out}");
+}
+
+/// Another surface of the kind of a measured one has its roughness, and is read by a case.
+#[test]
+fn a_surface_is_generated_like_a_measured_one() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("flank.sur", digital_surf(&changing(3000, 60, 0.8), 2.0));
+    let like = |seed: &str, output: &str| {
+        let run = [
+            "profile",
+            "generate",
+            "--like",
+            "flank.sur",
+            "--seed",
+            seed,
+            "-o",
+            output,
+            "--json",
+        ];
+        bench.run(&run).well().json()
+    };
+    let made = like("3", "three.x3p");
+    like("4", "four.x3p");
+    like("3", "again.x3p");
+    let bytes = |name: &str| std::fs::read(bench.path(name)).unwrap();
+    assert_eq!(bytes("three.x3p"), bytes("again.x3p"));
+    assert_ne!(bytes("three.x3p"), bytes("four.x3p"));
+    let shown = |name: &str| {
+        let said = bench.run(&["profile", "info", name, "--json"]);
+        serde_json::from_str::<serde_json::Value>(&said.out).unwrap()
+    };
+    let (measured, made_again) = (shown("flank.sur"), shown("three.x3p"));
+    for key in ["columns", "rows", "dx_um", "dy_um"] {
+        assert_eq!(measured[key], made_again[key], "{key}");
+    }
+    let sq = |value: &serde_json::Value| {
+        let sq: Length = serde_json::from_value(value["areal"]["sq"].clone()).unwrap();
+        sq.si()
+    };
+    assert!((sq(&made_again) / sq(&measured) - 1.0).abs() < 0.15);
+    assert_eq!(made["achieved"]["sq"], made_again["areal"]["sq"]);
+    let case = with_line("pinion", "pinion = { file = \"three.x3p\", rows = 2 }");
+    bench.write("case.toml", case);
+    bench.run(&["check", "case.toml"]).well();
+    let said = bench.run(&[
+        "profile",
+        "generate",
+        "--like",
+        "flank.sur",
+        "-o",
+        "other.csv",
+    ]);
+    said.refused(2, "E401", &["name it .x3p"]);
+    bench.write("short.sur", digital_surf(&changing(2000, 60, 0.8), 2.0));
+    let both = [
+        "profile",
+        "generate",
+        "--like",
+        "flank.sur",
+        "--like",
+        "short.sur",
+        "-o",
+        "o.x3p",
+    ];
+    bench.run(&both).refused(
+        2,
+        "E120",
+        &["short.sur: its rows, points or their distances differ"],
+    );
+}
+
+#[test]
+fn a_lay_that_a_surface_does_not_show_stays_assumed_and_is_named() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    for (count, dy, kept, says) in [
+        (3, 0.5, 0.9, "3 rows with heights are too few"),
+        (80, 40.0, 0.1, "the rows are 40 um apart"),
+        (
+            6,
+            0.5,
+            0.99,
+            "the ridges are longer than half of the surface",
+        ),
+    ] {
+        bench.write("flank.sur", digital_surf(&changing(6000, count, kept), dy));
+        bench.write(
+            "case.toml",
+            with_line("pinion", "pinion = { file = \"flank.sur\", rows = 2 }"),
+        );
+        let said = bench
+            .run(&["run", "case.toml", "--no-output", "--json"])
+            .well()
+            .json();
+        let mut warnings = said["warnings"].as_array().unwrap().iter();
+        let warning = warnings.find(|warning| warning["code"] == "W444");
+        let text = warning.unwrap_or_else(|| panic!("{count} rows: no W444"))["text"].to_string();
+        assert!(
+            text.contains(says) && text.contains("assumed to be 0 to 1/6"),
+            "{text}"
+        );
+        let mut defaults = said["defaults"].as_array().unwrap().iter();
+        let lay = defaults
+            .find(|default| default["key"] == "model.lay")
+            .unwrap();
+        let value: Vec<f64> = serde_json::from_str(lay["value"].as_str().unwrap()).unwrap();
+        assert_eq!(value, [1.0 / 12.0; 2]);
+    }
 }
 
 #[test]

@@ -1,10 +1,12 @@
 //! Gear trains: their losses against runs of single meshes, the balance of their powers, and the digits of a result.
 
 use asperity::case::gear_train::{LoadedTrain, load_set};
-use asperity::case::{Source, from_text};
+use asperity::case::{Source, TrainPartKind, from_text};
+use asperity::core::quantity::{AngularSpeed, Force};
+use asperity::efficiency::rolling_bearing::RollingBearing;
 use asperity::gear_train::{MeshRow, TrainResult, run_train};
 use asperity::pipeline::KeptFields;
-use asperity::{Run, RunResult};
+use asperity::{Error, Run, RunResult};
 use asperity_tests::planetary_set;
 
 /// Pinion and wheel of the shipped ground flanks.
@@ -38,6 +40,10 @@ fn profiles() -> std::path::PathBuf {
 }
 
 fn train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> LoadedTrain {
+    try_train_of(gears, keys).unwrap()
+}
+
+fn try_train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> Result<LoadedTrain, Error> {
     let meshes: String = (gears.iter().enumerate())
         .map(|(k, gears)| {
             let next = k + 1;
@@ -51,7 +57,7 @@ fn train_of(gears: [&str; 3], keys: &[(&str, &str)]) -> LoadedTrain {
     let keys: Vec<(String, String)> = (keys.iter())
         .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()))
         .collect();
-    load_set(source, &profiles(), &keys, None).unwrap()
+    load_set(source, &profiles(), &keys, None)
 }
 
 fn run(train: &LoadedTrain, band: bool) -> TrainResult {
@@ -187,6 +193,55 @@ fn the_heat_into_the_nodes_is_the_loss() {
     let stated = train_of(GEARS, &[("operation.oil_temperature", &oil), BULK]);
     assert!((run(&stated, false).loss_w / result.loss_w - 1.0).abs() < 2e-3);
     assert_balanced(&result);
+}
+
+#[test]
+fn gears_with_conductances_of_their_own_pass_the_loss_of_their_mesh_to_the_oil() {
+    let heat = r#"{ ambient = "25 °C", oil_to_housing = "80 W/K", housing_to_ambient = "40 W/K" }"#;
+    let of_mesh = |own: [f64; 2]| {
+        let [pinion, wheel] = own;
+        format!(
+            r#"{{ law = "network", pinion_to_oil = "{pinion} W/K", wheel_to_oil = "{wheel} W/K" }}"#
+        )
+    };
+    let conductances = [[30.0, 60.0], [40.0, 90.0], [60.0, 150.0]];
+    let networks = conductances.map(of_mesh);
+    let keys = [
+        ("operation.oil_temperature", "80 °C"),
+        ("mesh.m1.bulk", networks[0].as_str()),
+        ("mesh.m2.bulk", networks[1].as_str()),
+        ("mesh.m3.bulk", networks[2].as_str()),
+        ("heat", heat),
+    ];
+    let result = run(&train_of(GEARS, &keys), false);
+    let report = result.heat.clone().unwrap();
+    let gears = report.gears.iter().zip(&result.meshes).zip(conductances);
+    assert_eq!(report.gears.len(), 3);
+    for ((node, mesh), [pinion, wheel]) in gears {
+        let [first, second] = node.pinion_and_wheel_c.unwrap();
+        let to_oil = pinion * (first - report.oil_c) + wheel * (second - report.oil_c);
+        // Both temperatures are found to some hundredths of a kelvin: a few watts of some hundred.
+        assert!(
+            (to_oil / mesh.loss_w - 1.0).abs() < 0.02,
+            "{to_oil} {mesh:?} {report:?}"
+        );
+        assert!(first > second && node.bulk_c > report.oil_c);
+    }
+    assert_balanced(&result);
+    // The law of a mesh replaces the common one, and its errors name the mesh.
+    let keys = [
+        ("operation.oil_temperature", "80 °C"),
+        BULK,
+        (
+            "mesh.m2.bulk",
+            r#"{ law = "network", pinion_to_oil = "30 W/K" }"#,
+        ),
+    ];
+    let error = try_train_of(GEARS, &keys).unwrap_err().to_string();
+    assert!(
+        error.contains("mesh \"m2\"") && error.contains("bulk.wheel_to_oil"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -381,4 +436,149 @@ fn losses_are_said_with_the_digits_of_their_band() {
     result.loss_distribution = None;
     let expected = [result.loss_w, 100.0 * result.efficiency].map(|value| format!("{value:.4}"));
     assert_eq!(result.with_bands(), expected);
+}
+
+/// Places of gears and bearings, with the constants of a deep groove ball bearing.
+fn gearbox(bearings: &[(&str, &str, bool)]) -> String {
+    let of = |(shaft, at, locating): &(&str, &str, bool)| {
+        format!(
+            r#"{{ shaft = "{shaft}", at = "{at}", locating = {locating}, kind = "deep-groove-ball", bore = "40 mm", outside_diameter = "68 mm", static_rating = "11 kN", r1 = 4.3e-7, r2 = 1.7, s1 = 4.63e-3, s2 = 4.25, k_z = 3.1, k_rs = 6e-8, mu_bl = 0.12, mu_ehl = 0.04 }}"#
+        )
+    };
+    let bearings: Vec<String> = bearings.iter().map(of).collect();
+    format!(
+        r#"{{ seals = [{{ shaft = "s0", diameter = "30 mm" }}, {{ shaft = "s3", diameter = "60 mm" }}], bearings = [{}] }}"#,
+        bearings.join(", ")
+    )
+}
+
+#[test]
+fn seals_and_bearings_take_their_power_from_the_shafts_and_heat_the_oil() {
+    let stated = gearbox(&[("s1", "0 mm", true), ("s1", "120 mm", false)]);
+    let keys = [
+        ("gearbox", stated.as_str()),
+        ("mesh.m1.at", "30 mm"),
+        ("mesh.m1.angle", "0 deg"),
+        ("mesh.m1.hand", "right"),
+        ("mesh.m2.at", "90 mm"),
+        ("mesh.m2.angle", "70 deg"),
+        ("mesh.m2.hand", "left"),
+    ];
+    let plain = run(&train_of(GEARS, &[]), false);
+    let train = train_of(GEARS, &keys);
+    let result = run(&train, false);
+    let found = result.gearbox.clone().unwrap();
+    // The meshes keep every digit.
+    assert_eq!(
+        (result.loss_w, result.efficiency),
+        (plain.loss_w, plain.efficiency)
+    );
+    let names: Vec<&str> = found.parts.iter().map(|part| part.name.as_str()).collect();
+    assert_eq!(names, ["seal 1", "seal 2", "bearing 1", "bearing 2"]);
+    let parts: f64 = found.parts.iter().map(|part| part.loss_w).sum();
+    assert!(found.parts.iter().all(|part| part.loss_w > 0.0));
+    let powers: f64 = result
+        .shafts
+        .iter()
+        .map(|shaft| shaft.torque_nm * shaft.speed_rad_per_s)
+        .sum();
+    assert!((powers - result.loss_w - parts).abs() < 1e-12 * result.power_in_w);
+    assert!((found.loss_w - result.loss_w - parts).abs() < 1e-9);
+    assert!((found.efficiency - result.power_out_w / result.power_in_w).abs() < 1e-12);
+    // A seal by its formula: 7.69e-6 d² n.
+    assert!((found.parts[0].loss_w - 7.69e-6 * 30.0 * 30.0 * 9000.0).abs() < 1e-9);
+    // The other direction of the power, and the heat of all parts.
+    let back = [&keys[..], &[("operation.torque", "-145 N m")]].concat();
+    let back = run(&train_of(GEARS, &back), false);
+    let powers: f64 = back
+        .shafts
+        .iter()
+        .map(|shaft| shaft.torque_nm * shaft.speed_rad_per_s)
+        .sum();
+    let whole = back.gearbox.unwrap().loss_w;
+    assert!((powers - whole).abs() < 1e-12 * back.power_in_w);
+    let heat = r#"{ ambient = "25 °C", oil_to_housing = "80 W/K", housing_to_ambient = "40 W/K" }"#;
+    let warm = [("operation.oil_temperature", "80 °C"), BULK, ("heat", heat)];
+    let warm = run(&train_of(GEARS, &[&keys[..], &warm].concat()), false);
+    let into = warm.gearbox.unwrap().loss_w;
+    assert!((warm.heat.unwrap().heat_w / into - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_spur_gear_between_its_bearings_loads_them_by_the_lever() {
+    // One pair of spur gears: F_bn at a quarter of the span, whatever the angle.
+    let stated = gearbox(&[("s3", "0 mm", false), ("s3", "200 mm", false)]);
+    let keys = [("gearbox", stated.as_str()), ("mesh.m3.at", "50 mm")];
+    let train = train_of(GEARS, &keys);
+    let result = run(&train, false);
+    let [_, _, near, far] = &result.gearbox.as_ref().unwrap().parts[..] else {
+        panic!("four parts");
+    };
+    let mesh = &train.mesh("m3").unwrap().case.case;
+    let normal = mesh.gears.forces(mesh.torque).unwrap().normal_base.si();
+    let oil = mesh.lubricant.at(mesh.temperature).unwrap().value;
+    let stage = train_gearbox_bearing(&train);
+    for (part, share) in [(near, 0.75), (far, 0.25)] {
+        let load = [share * normal, 0.0].map(Force::from_si);
+        let speed = AngularSpeed::from_si(result.shafts[3].speed_rad_per_s.abs());
+        let torque = stage.torque(load, speed, oil.kinematic_viscosity).unwrap();
+        let expected = torque.value.total().si();
+        assert!(
+            (part.torque_nm / expected - 1.0).abs() < 1e-9,
+            "{part:?} {expected}"
+        );
+    }
+}
+
+fn train_gearbox_bearing(train: &LoadedTrain) -> RollingBearing {
+    let parts = &train.gearbox.as_ref().unwrap().parts;
+    let bearing = parts.iter().find_map(|part| match part.kind {
+        TrainPartKind::Bearing { bearing, .. } => Some(bearing),
+        _ => None,
+    });
+    bearing.unwrap()
+}
+
+#[test]
+fn a_gearbox_that_statics_cannot_load_is_refused_with_what_is_missing() {
+    let two = [("s1", "0 mm", true), ("s1", "120 mm", false)];
+    let places = [("mesh.m1.at", "30 mm"), ("mesh.m2.at", "90 mm")];
+    let angles = [("mesh.m1.angle", "0 deg"), ("mesh.m2.angle", "70 deg")];
+    let hands = [("mesh.m1.hand", "right"), ("mesh.m2.hand", "left")];
+    let says = |bearings: &[(&str, &str, bool)], keys: &[(&str, &str)]| {
+        let stated = gearbox(bearings);
+        let keys = [&[("gearbox", stated.as_str())], keys].concat();
+        let error = try_train_of(GEARS, &keys).unwrap_err();
+        format!("{} {error}", error.code())
+    };
+    for (bearings, keys, expected) in [
+        (&two[..1], &[][..], "must be two on each shaft"),
+        (&two[..], &[][..], "mesh.NAME.at"),
+        (&two[..], &places[..], "mesh.NAME.angle"),
+        (&two[..], &[places, angles].concat()[..], "mesh.NAME.hand"),
+        (&[("s9", "0 mm", true)][..], &[][..], "names a shaft"),
+        (
+            &[two[0], two[0]][..],
+            &[places, angles, hands].concat()[..],
+            "locating",
+        ),
+        (
+            &[two[0], ("s1", "0 mm", false)][..],
+            &[places, angles, hands].concat()[..],
+            "must differ",
+        ),
+    ] {
+        let said = says(bearings, keys);
+        assert!(said.contains(expected), "{expected}: {said}");
+        assert!(
+            said.starts_with("E205") || said.starts_with("E222"),
+            "{said}"
+        );
+    }
+    assert!(
+        try_train_of(GEARS, &[("gearbox", "{ }")])
+            .unwrap_err()
+            .to_string()
+            .contains("nothing that loses")
+    );
 }

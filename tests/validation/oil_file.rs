@@ -229,6 +229,35 @@ fn expected_intervals_are_those_of_simulated_measurements() {
                     .unwrap()
             });
             hold("stribeck-curve", mean_width(by_curve));
+            // Lays and temperatures as drawn, each measured.
+            let places = (0..MEASURED).map(|k| (k as f64 + 0.5) / MEASURED as f64);
+            let by_scan = places.clone().map(|place| {
+                case.with_key("model.lay", &(place / 6.0).to_string())
+                    .unwrap()
+            });
+            hold("areal-scan", mean_width(by_scan));
+            let warm = with(
+                "e-drive",
+                &[&few[..], &[("operation.temperature_deviation", "10 K")]].concat(),
+            );
+            let before = width(&warm);
+            let table = EvidenceTable::of(&warm, &Effort::usual()).unwrap().unwrap();
+            let row = table
+                .rows
+                .iter()
+                .find(|row| row.key == "thermocouple")
+                .unwrap();
+            let by_probe = places.map(|place| {
+                let celsius = 90.0 + 10.0 * standard_normal_quantile(place);
+                let probed = warm
+                    .with_key("operation.bulk_temperature", &format!("{celsius} °C"))
+                    .unwrap();
+                probed
+                    .with_key("operation.temperature_deviation", "1 K")
+                    .unwrap()
+            });
+            let ratio = row.width * before / mean_width(by_probe);
+            assert!((ratio - 1.0).abs() < 0.05, "thermocouple: {ratio}");
         }
     }
 }

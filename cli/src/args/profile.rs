@@ -32,6 +32,7 @@ pub enum ProfileCommand {
     #[command(
         after_help = "Examples:\n  asperity profile generate -o rough.csv --rq \"0.4 um\" --seed 2\n  \
         asperity profile generate --like flank.csv --seed 3 -o another.csv\n  \
+        asperity profile generate --like flank.sur --seed 3 -o another.x3p\n  \
         asperity profile generate --recipe porous.json -o porous.csv\n\n\
         A recipe is a surface (self-affine, non-gaussian, plateau-honed, ground) and what is done to it (pits,\n\
         pores, scratches, mirrored). Open pores of a sintered steel, a model:\n  \
@@ -116,7 +117,7 @@ pub struct ProfileGenerateArgs {
     /// Recipe in JSON [default: a self-affine profile from the options below]
     #[arg(long, conflicts_with = "like")]
     pub recipe: Option<PathBuf>,
-    /// Trace to which the recipe is fitted (spectrum and heights); may be repeated for traces of one surface
+    /// Trace or surface to which the recipe is fitted (spectrum, heights, lay); may be repeated for several of one kind
     #[arg(long, value_name = "FILE", conflicts_with_all = ["points", "spacing", "rq", "hurst", "roll_off", "short_cut"])]
     pub like: Vec<PathBuf>,
     /// File to write; its extension (csv, x3p, smd) chooses the format

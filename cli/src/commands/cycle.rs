@@ -22,7 +22,7 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
         set.map_err(|error| Failure::of(&error))?;
     }
     let temperature = temperature(args, &map)?;
-    let trace = read_cycle(&args.trace, map.input.vehicle.as_ref())?;
+    let trace = read_cycle(&args.trace, map.input.vehicle())?;
     let name = stem(&args.trace);
     let energies = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
     let energies = energies.map_err(|error| refused(args, &error))?;

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::case::{self, CaseInput, LoadedCase};
+use asperity::case::CaseInput;
+use asperity::case::gear_train::LoadedTrain;
 use asperity::pipeline::KeptFields;
 use asperity_storage::whole_text;
 use asperity_studies::compare::Finish;
@@ -12,8 +13,8 @@ use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 
 use super::cycle::{LARGEST_TABLE, read_cycle};
 use super::finish::{Traces, check_names};
-use super::work::check_work;
-use super::{load_pair, result_name, source, stem, study};
+use super::work::check_work_of_train;
+use super::{load_changed_train, result_name, source, stem, study};
 use crate::args::{Common, ExportArg, MapArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
@@ -29,7 +30,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     };
     let axes = axes(args, &first.case)?;
     let cycle = match &args.cycle {
-        Some(file) => Some(read_cycle(file, first.case.case.input.vehicle.as_ref())?),
+        Some(file) => Some(read_cycle(file, first.case.input.vehicle())?),
         None => None,
     };
     if args.export.contains(&ExportArg::Fastsim) && cycle.is_none() {
@@ -41,11 +42,11 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         .flat_map(|cycle| &cycle.points)
         .map(|point| [point.torque_nm, point.speed_rpm.abs()])
         .collect();
-    let (name, title) = (result_name(&args.case), &first.case.case.title);
+    let (name, title) = (result_name(&args.case), &first.case.title);
     let folder = study::folder::<Map>(args.output.as_deref(), &name, "map", title)?;
     let added = args.add_loss.as_deref().map(added_loss).transpose()?;
     let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
-    check_work(&args.work, &first.case, &KeptFields::Highest, torques)?;
+    check_work_of_train(&args.work, &first.case, &KeptFields::Highest, torques)?;
     progress.begin("points");
     let watch = |done, total| progress.at(done, total);
     let map = map::map(&finishes, &axes, args.band.points(), &watch)
@@ -102,9 +103,11 @@ fn name_of_value(format: ExportArg) -> String {
 }
 
 /// The case with the traces of each finish, or with its own traces.
-fn finishes(args: &MapArgs) -> Result<Vec<Finish>, Failure> {
+fn finishes(args: &MapArgs) -> Result<Vec<Finish<LoadedTrain>>, Failure> {
     let (text, folder) = source(&args.case)?;
-    let load = |change: &dyn Fn(&mut CaseInput)| load_pair(text.clone(), folder, &args.set, change);
+    let load = |change: &dyn Fn(&mut CaseInput)| {
+        load_changed_train(text.clone(), folder, &args.set, change)
+    };
     if args.finishes.is_empty() {
         let case = load(&|_| {})?;
         let name = stem(&args.case).to_string_lossy().into_owned();
@@ -123,9 +126,8 @@ fn finishes(args: &MapArgs) -> Result<Vec<Finish>, Failure> {
     Ok(finishes)
 }
 
-fn axes(args: &MapArgs, loaded: &LoadedCase) -> Result<Axes, Failure> {
-    let case = &loaded.case;
-    let of = |option: &str, text: &Option<String>, default: fn(&case::Case) -> Vec<f64>| match text
+fn axes(args: &MapArgs, case: &LoadedTrain) -> Result<Axes, Failure> {
+    let of = |option: &str, text: &Option<String>, default: fn(&LoadedTrain) -> Vec<f64>| match text
     {
         None => Ok(default(case)),
         Some(text) => map::axis(text).map_err(|error| refused(option, &error)),

@@ -105,7 +105,7 @@ fn load_pair(
         return Err(refused(format!(
             "has several meshes: {meshes}; this command takes one of them"
         ))
-        .advising("Name it with --mesh; run, check, gear and regime take all meshes."));
+        .advising("Name it with --mesh; run, check, gear, regime, map and sensitivity take all meshes, and a map of several finishes compares them."));
     };
     match train.mesh(mesh) {
         Some(mesh) => mesh.case.with(|input| change(input)).map_err(failed),
@@ -114,6 +114,21 @@ fn load_pair(
             train.names()
         ))),
     }
+}
+
+/// Reads a case of either kind as a gear train, or its mesh `--mesh`, with keys set and a change of every mesh.
+fn load_changed_train(
+    source: Source,
+    folder: &Path,
+    set: &SetArgs,
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<LoadedTrain, Failure> {
+    if set.mesh.is_some() || !gear_train::is_train(&source) {
+        return load_pair(source, folder, set, change).map(LoadedTrain::from);
+    }
+    let train = gear_train::load_set(source, folder, &keys(set), None);
+    let changed = train.and_then(|train| train.with(change));
+    changed.map_err(|error| Failure::of(&error))
 }
 
 /// Refuses the folder that the user did not name if it holds the result of a case with another title, `older`.

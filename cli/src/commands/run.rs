@@ -6,6 +6,7 @@ use asperity::case::gear_train::LoadedTrain;
 use asperity::gear_train::{TrainResult, run_train};
 use asperity::result::RunResult;
 use asperity::{Error, Run};
+use asperity_calibration::evidence::execute;
 use asperity_report::{self as report, Fields, ReportError};
 
 use super::bibtex::bibtex;
@@ -33,11 +34,9 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
     let at = |done, total| progress.at(done, total);
-    let outcome = Run::new(&loaded)
-        .fields(&fields.kept())
-        .band(!args.no_band)
-        .progress(&at)
-        .execute();
+    let kept = fields.kept();
+    let run = Run::new(&loaded).fields(&kept);
+    let outcome = execute(&loaded, run.band(!args.no_band).progress(&at));
     let outcome = outcome.map_err(|error| failed(&error, args, folder))?;
     if let Some(folder) = folder {
         progress.begin(WRITING);
@@ -65,7 +64,7 @@ fn run_meshes(
     fields: &Fields,
     progress: Progress,
 ) -> Result<(), Failure> {
-    check_work_of_train(&args.work, train, &fields.kept())?;
+    check_work_of_train(&args.work, train, &fields.kept(), 1)?;
     let target = Target::of(args, &train.title, report::check_train_place)?;
     let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
@@ -95,6 +94,23 @@ fn text_of_train(result: &TrainResult) -> String {
         asperity_storage::one_line(&result.title),
         1e-3 * result.power_in_w,
     );
+    if let (Some([loss, efficiency]), Some(gearbox)) =
+        (result.gearbox_with_bands(), &result.gearbox)
+    {
+        text.push_str(&format!(
+            "efficiency (gearbox)      {efficiency} %   loss {loss} W\n"
+        ));
+        text.push_str(&format!(
+            "{}\n",
+            report::wrapped(&report::besides_the_mesh(gearbox), "  ")
+        ));
+        for part in &gearbox.parts {
+            for outside in &part.outside {
+                let text_of_part = format!("W401 {}: {outside}", part.name);
+                text.push_str(&format!("{}\n", report::wrapped(&text_of_part, "     ")));
+            }
+        }
+    }
     for (name, set) in result.planetary_sets() {
         let name = if name.is_empty() {
             String::new()
@@ -147,13 +163,11 @@ fn text_of_train(result: &TrainResult) -> String {
         "shaft", "T N m", "1/min", "T into N m", "kW",
     ));
     for row in &result.shafts {
+        let [carried, torque, power] = result.shaft_with_digits(row);
         text.push_str(&format!(
-            "{:<wide$} {:>13.3} {:>8.1} {:>13.3} {:>9.3}\n",
+            "{:<wide$} {carried:>13} {:>8.1} {torque:>13} {power:>9}\n",
             row.shaft,
-            row.carried_nm,
             rpm(row.speed_rad_per_s),
-            row.torque_nm,
-            1e-3 * row.power_w,
         ));
     }
     if result

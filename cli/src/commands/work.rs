@@ -22,14 +22,15 @@ pub fn check_work(
     }
 }
 
-/// Rejects the run of a gear train with an estimated time or memory above the limits.
+/// Rejects `runs` runs of a gear train with an estimated time or memory above the limits.
 pub fn check_work_of_train(
     limits: &WorkArgs,
     train: &LoadedTrain,
     fields: &KeptFields,
+    runs: usize,
 ) -> Result<(), Failure> {
     match estimate_of_train(train, fields, estimate) {
-        Ok(estimate) => check(limits, &estimate, 1),
+        Ok(estimate) => check(limits, &estimate, runs),
         Err(_) => Ok(()),
     }
 }

@@ -4,18 +4,19 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use asperity_core::quantity::Power;
-use asperity_gear::gear_train::TrainShaft;
+use asperity_gear::gear_train::{TrainShaft, TrainTorques};
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySpeeds};
 use serde::{Deserialize, Serialize};
 
 use crate::balance;
-use crate::case::gear_train::{LoadedMesh, LoadedStage, LoadedTrain};
+use crate::case::gear_train::{LoadedMesh, LoadedTrain};
 use crate::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
 use crate::error::{Error, PositionError};
 use crate::pipeline::{self, KeptFields, Progress};
-use crate::result::gearbox::Scope;
+use crate::result::gearbox::{GearboxReport, Scope};
 use crate::result::{Outcome, RunResult, Summary};
 use crate::result::{rounded, with_interval};
+use crate::train_gearbox;
 use crate::train_heat::{self, HeatReport};
 use crate::uncertainty::{Quantiles, run_and_draw};
 
@@ -51,6 +52,9 @@ pub struct TrainResult {
     /// Heat balance, if the case states one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub heat: Option<HeatReport>,
+    /// Meshes, seals and bearings together, if the case states some.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gearbox: Option<GearboxReport>,
     /// Shafts with their torques and speeds.
     #[serde(default)]
     pub shafts: Vec<ShaftRow>,
@@ -145,6 +149,9 @@ pub struct ShaftRow {
     pub torque_nm: f64,
     /// Power into the train at the shaft \[W\].
     pub power_w: f64,
+    /// Part of the carried torque that follows from the losses \[N m\].
+    #[serde(default)]
+    pub by_losses_nm: f64,
 }
 
 /// A mesh of a gear train, or one of the equal ones of a planetary set.
@@ -228,12 +235,17 @@ pub fn run_train(
     let whole = |error: PositionError| Error::Whole(Box::new(error));
     let runs: Vec<&RunResult> = meshes.iter().map(|mesh| &mesh.result).collect();
     let mut result = result(loaded, &runs).map_err(whole)?;
-    let losses = Power::from_si(result.loss_w);
+    let whole_w = result.gearbox.as_ref().map(|gearbox| gearbox.loss_w);
+    let losses = Power::from_si(whole_w.unwrap_or(result.loss_w));
     let found = oil.zip(loaded.heat.as_ref());
-    result.heat = found.map(|(oil, heat)| HeatReport::of(&oil, heat, losses));
+    result.heat = found.map(|(oil, heat)| {
+        let runs = loaded.meshes().zip(&meshes);
+        let runs = runs.map(|(mesh, outcome)| (mesh.name.as_str(), &outcome.result));
+        HeatReport::of(&oil, heat, losses, runs)
+    });
     // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
     let mut total: Vec<f64> = Vec::new();
-    let draws = drawn.iter().zip(first_with_flanks(loaded));
+    let draws = drawn.iter().zip(loaded.first_with_flanks());
     for ((predictive, flanks), row) in draws.zip(&result.meshes) {
         let Some(predictive) = predictive else {
             return Ok(TrainOutcome { result, meshes });
@@ -246,16 +258,6 @@ pub fn run_train(
     }
     result.loss_distribution = Some(Quantiles::of(&total));
     Ok(TrainOutcome { result, meshes })
-}
-
-/// Number of the first mesh with the flanks of each mesh.
-fn first_with_flanks(loaded: &LoadedTrain) -> Vec<usize> {
-    let flanks: Vec<_> = loaded.meshes().map(|mesh| &mesh.case.surfaces).collect();
-    let first = |(k, own): (usize, &&crate::flanks::Surfaces)| {
-        let same = flanks.iter().position(|other| other.has_flanks_of(own));
-        same.unwrap_or(k)
-    };
-    flanks.iter().enumerate().map(first).collect()
 }
 
 /// The train with the torques that the losses leave, where the case passes them on.
@@ -320,20 +322,16 @@ fn at_load(case: &LoadedCase, load: MeshLoad) -> Result<LoadedCase, Error> {
 
 fn result(loaded: &LoadedTrain, runs: &[&RunResult]) -> Result<TrainResult, PositionError> {
     let train = &loaded.train;
-    let mut rest = runs.iter();
-    let of_stage = |stage: &LoadedStage| {
-        let runs = rest.by_ref().take(stage.meshes.len());
-        runs.map(|run| Power::from_si(run.summary.loss_w)).collect()
-    };
-    let losses: Vec<Vec<Power>> = loaded.stages.iter().map(of_stage).collect();
+    let losses = runs.iter().map(|run| Power::from_si(run.summary.loss_w));
+    let losses = losses.collect::<Vec<Power>>();
+    let loss_w = loaded.loss(&losses).si();
+    let losses = loaded.by_stage(&losses);
     let flow = train.flow(&losses)?;
     let mut kinds = LossKinds::default();
     let mut meshes = Vec::new();
     let mut sets = BTreeMap::new();
-    let mut loss_w = 0.0;
     let mut runs = runs.iter();
     for (k, (stage, kind)) in loaded.stages.iter().zip(&train.kinds).enumerate() {
-        loss_w += kind.loss(&losses[k]).si();
         for (mesh, run) in stage.meshes.iter().zip(runs.by_ref()) {
             kinds.add(&LossKinds::of(&run.summary), f64::from(kind.count()));
             meshes.push(row(mesh, kind, run));
@@ -342,26 +340,32 @@ fn result(loaded: &LoadedTrain, runs: &[&RunResult]) -> Result<TrainResult, Posi
             sets.insert(stage.name.clone().unwrap_or_default(), report);
         }
     }
-    let shafts = shafts(loaded, &flow);
+    let of_meshes_w = flow.power_in().si();
+    let efficiency = 1.0 - loss_w / of_meshes_w;
+    let of = "efficiency of the gear train";
+    balance::efficiency(of, efficiency, loss_w, of_meshes_w)?;
+    let (gearbox, flow) = match train_gearbox::report(loaded, &flow, &losses, loss_w)? {
+        Some((report, flow)) => (Some(report), flow),
+        None => (None, flow),
+    };
+    let shafts = shafts(loaded, &flow)?;
     let powers = || shafts.iter().map(|shaft| shaft.power_w);
-    balance::sum(
-        "loss of the gear train",
-        "W",
-        loss_w,
-        &powers().collect::<Vec<_>>(),
-    )?;
+    let whole_w = gearbox.as_ref().map_or(loss_w, |gearbox| gearbox.loss_w);
+    let of = "loss of the gear train";
+    balance::sum(of, "W", whole_w, &powers().collect::<Vec<_>>())?;
+    if let Some(gearbox) = &gearbox {
+        let of = "efficiency of the gearbox";
+        balance::efficiency(of, gearbox.efficiency, gearbox.loss_w, gearbox.power_in_w)?;
+    }
     let power_in_w: f64 = powers().map(|power| power.max(0.0)).sum();
-    let efficiency = 1.0 - loss_w / power_in_w;
-    balance::efficiency(
-        "efficiency of the gear train",
-        efficiency,
-        loss_w,
-        power_in_w,
-    )?;
     Ok(TrainResult {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: loaded.title.clone(),
-        scope: Scope::Mesh,
+        scope: match gearbox {
+            Some(_) => Scope::Gearbox,
+            None => Scope::Mesh,
+        },
+        gearbox,
         set: loaded.only_set().and_then(|_| sets.remove("")),
         efficiency,
         loss_w,
@@ -376,22 +380,28 @@ fn result(loaded: &LoadedTrain, runs: &[&RunResult]) -> Result<TrainResult, Posi
     })
 }
 
-fn shafts(loaded: &LoadedTrain, flow: &TrainFlow) -> Vec<ShaftRow> {
+fn shafts(loaded: &LoadedTrain, flow: &TrainFlow) -> Result<Vec<ShaftRow>, PositionError> {
     let train = &loaded.train.shafts;
+    let carried = |torques: &TrainTorques, number: usize| {
+        let inner = train.places_of(number);
+        let inner = inner.map(|(stage, place)| torques.stages[stage][place].si().abs());
+        0.5 * (inner.sum::<f64>() + torques.shafts[number].si().abs())
+    };
+    let without_losses = train.torques(&flow.speeds, &[])?;
     let row = |(number, shaft): (usize, &TrainShaft)| {
         let (speed, torque) = (flow.speeds[number].si(), flow.torques.shafts[number].si());
-        let inner = train.places_of(number);
-        let inner = inner.map(|(stage, place)| flow.torques.stages[stage][place].si().abs());
+        let carried_nm = carried(&flow.torques, number);
         ShaftRow {
             shaft: shaft.name.clone(),
             speed_rad_per_s: speed,
-            carried_nm: 0.5 * (inner.sum::<f64>() + torque.abs()),
+            carried_nm,
             torque_nm: torque,
             // A shaft between two meshes has 0, not -0.
             power_w: torque * speed + 0.0,
+            by_losses_nm: carried_nm - carried(&without_losses, number),
         }
     };
-    train.shafts.iter().enumerate().map(row).collect()
+    Ok(train.shafts.iter().enumerate().map(row).collect())
 }
 
 /// The planetary set of stage `k`; `None` if it is a pair.
@@ -467,14 +477,63 @@ impl TrainResult {
         with_interval(drawn.median_w, drawn.quantiles_w, self.power_in_w, ["", ""])
     }
 
+    /// Loss \[W\] and efficiency \[%\] of meshes, seals and bearings together with the bands of the meshes; `None` without
+    /// seals and bearings.
+    #[must_use]
+    pub fn gearbox_with_bands(&self) -> Option<[String; 2]> {
+        let gearbox = self.gearbox.as_ref()?;
+        let Some(drawn) = &self.loss_distribution else {
+            let values = [gearbox.loss_w, 100.0 * gearbox.efficiency];
+            return Some(values.map(|value| format!("{value:.4}")));
+        };
+        let with_parts = |loss: f64| loss + gearbox.parts_w;
+        let quantiles = drawn.quantiles_w.map(with_parts);
+        let median = with_parts(drawn.median_w);
+        Some(with_interval(
+            median,
+            quantiles,
+            gearbox.power_in_w,
+            ["", ""],
+        ))
+    }
+
+    /// Half of the interval of the loss over the loss; zero without one.
+    fn half_band(&self) -> f64 {
+        self.loss_distribution.map_or(0.0, |drawn| {
+            let [low, high] = drawn.quantiles_w;
+            0.5 * (high - low) / self.loss_w
+        })
+    }
+
     /// A part of the loss \[W\] with the digits that the band of the loss leaves.
     #[must_use]
     pub fn part_with_digits(&self, part: f64) -> String {
-        let half = self.loss_distribution.map_or(0.0, |drawn| {
-            let [low, high] = drawn.quantiles_w;
-            0.5 * (high - low)
-        });
-        rounded(part, half * part / self.loss_w)
+        rounded(part, self.half_band() * part)
+    }
+
+    /// Carried torque \[N m\], torque into the train \[N m\] and power \[kW\] of a shaft, with the digits that the band of the
+    /// loss leaves.
+    #[must_use]
+    pub fn shaft_with_digits(&self, row: &ShaftRow) -> [String; 3] {
+        let half = self.half_band() * row.by_losses_nm.abs();
+        [
+            rounded(row.carried_nm, half),
+            rounded(row.torque_nm, half),
+            rounded(1e-3 * row.power_w, 1e-3 * half * row.speed_rad_per_s.abs()),
+        ]
+    }
+
+    /// Power in and power out \[kW\] with the digits that the band of the loss leaves: the one of them that does not follow
+    /// from stated torques differs from the other by the loss.
+    #[must_use]
+    pub fn powers_with_digits(&self) -> [String; 2] {
+        let half = 1e-3 * self.half_band() * self.loss_w;
+        let drives = self.shafts.first().is_none_or(|input| input.power_w >= 0.0);
+        let [of_in, of_out] = if drives { [0.0, half] } else { [half, 0.0] };
+        [
+            rounded(1e-3 * self.power_in_w, of_in),
+            rounded(1e-3 * self.power_out_w, of_out),
+        ]
     }
 
     /// Every planetary set, with the name of its stage if the train has several.

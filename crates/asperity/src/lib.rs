@@ -58,6 +58,7 @@ pub mod reference_solution;
 pub mod result;
 mod run;
 mod sampling;
+pub mod train_gearbox;
 pub mod train_heat;
 pub mod uncertainty;
 

@@ -4,12 +4,13 @@
 //! |---|---|---|---|---|
 //! | boundary friction μ_b | 0.066 | 0.09 | 0.123 | lognormal |
 //! | boundary layer h_b | 5 nm | 10 nm | 20 nm | lognormal |
-//! | lay γ | 0.008 | 1/12 | 0.158 | uniform, 0 to 1/6 |
+//! | lay γ, mean of both flanks | 0.008 | 1/12 | 0.158 | uniform, 0 to 1/6; lognormal where a surface shows it |
 //! | limiting shear stress over pressure Λ | -13 % | of the family | +15 % | lognormal |
 //! | Eyring stress τ₀ | low of the family | √(low high) | its high | lognormal |
 //! | pressure-viscosity α, where it is estimated | -15 % | the estimate | +18 % | lognormal |
 //! | fall of Λ with temperature b_L | of the oil file | | | normal |
 //! | pressure-viscosity factor of the friction f | of the oil file | | | lognormal |
+//! | error of the stated temperature, where the case states its deviation s | -1.645 s | 0 | 1.645 s | normal |
 //!
 //! The medians are the defaults of a run. Constants that the case calibrates
 //! ([`CalibrationInput`](crate::case::CalibrationInput)) have the bands of the calibration instead: 95 % of a normal
@@ -17,12 +18,14 @@
 //! those that the case states or calibrates; if f is drawn from it, α is drawn in the film thickness only, as the curves
 //! state f times its estimate.
 //!
+//! The flanks are warmer or colder by the error of the stated temperature, of the oil or of the flanks: the change of the heating by
+//! the loss is left out, as with the other constants.
+//!
 //! The distributions are estimates of this project; measured losses bracket τ₀ of polyalphaolefin. Constants that the
 //! case states are not drawn: their user has measured them.
 
-use asperity_core::numerics::{Z_95, Z_975, standard_normal_below};
-use asperity_core::quantity::{Length, PerKelvin, Pressure, PressureViscosity};
-use asperity_ehl_regime::inlet_flow::Lay;
+use asperity_core::numerics::{Z_95, Z_975};
+use asperity_core::quantity::{Length, PerKelvin, Pressure, PressureViscosity, Temperature};
 use asperity_oil::{
     LIMITING_SHEAR_BAND, PRESSURE_VISCOSITY_BAND, ShearLawName, TractionConstants,
     eyring_stress_band,
@@ -30,13 +33,14 @@ use asperity_oil::{
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_BAND};
 
 use crate::case::{Calibrated, CalibratedName, Case, FittedName, LoadedCase};
-use crate::error::PositionError;
+use crate::error::{Error, PositionError};
+use crate::flanks::flank_lay::{FlankLay, mean_at, with_mean};
 use asperity_mixed_film::InletSupply;
 use serde::{Deserialize, Serialize};
 
 /// Constants that can be drawn, each along its own axis of the hypercube whatever the others are. A further constant is
 /// appended, so that the draws of the others remain.
-pub(crate) const AXES: [UncertainParameter; 8] = [
+pub(crate) const AXES: [UncertainParameter; 9] = [
     UncertainParameter::BoundaryFriction,
     UncertainParameter::BoundaryLayer,
     UncertainParameter::Lay,
@@ -45,10 +49,9 @@ pub(crate) const AXES: [UncertainParameter; 8] = [
     UncertainParameter::PressureViscosity,
     UncertainParameter::LimitingShearTemperature,
     UncertainParameter::PressureViscosityFactor,
+    UncertainParameter::TemperatureError,
 ];
 
-/// Upper end of the lay of ground and superfinished flanks, whose ridges run nearly across the face.
-const MOST_LAY: f64 = 1.0 / 6.0;
 /// An uncertain constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -57,7 +60,7 @@ pub enum UncertainParameter {
     BoundaryFriction,
     /// Thickness of the boundary layer h_b \[m\].
     BoundaryLayer,
-    /// Lay γ of both flanks.
+    /// Lay γ, mean of both flanks.
     Lay,
     /// Limiting shear stress over pressure Λ.
     LimitingShear,
@@ -69,6 +72,8 @@ pub enum UncertainParameter {
     LimitingShearTemperature,
     /// Pressure-viscosity coefficient of the friction over that of the film thickness f.
     PressureViscosityFactor,
+    /// Error of the stated temperature \[K\].
+    TemperatureError,
 }
 
 /// Measurements that state the distribution of a constant.
@@ -81,6 +86,8 @@ pub(crate) enum Measured {
     Calibration,
     /// Traction curves, in an oil file.
     OilFile,
+    /// The surfaces of both flanks.
+    Surfaces,
 }
 
 /// A constant with its distribution in a case.
@@ -95,6 +102,9 @@ pub(crate) struct Ranged {
     /// Measurements that state value and range.
     #[serde(rename = "calibrated")]
     pub measured: Option<Measured>,
+    /// Lays of both flanks, whose mean is the value; `None` for another constant, and if both are assumed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lays: Option<[FlankLay; 2]>,
 }
 
 impl From<CalibratedName> for UncertainParameter {
@@ -160,6 +170,7 @@ impl UncertainParameter {
         let found = match measured {
             Measured::Calibration => of_calibration(),
             Measured::OilFile => of_file(),
+            Measured::Surfaces => None,
         };
         found.unwrap_or(0.0)
     }
@@ -199,6 +210,7 @@ impl UncertainParameter {
             Self::PressureViscosity => "pressure-viscosity",
             Self::LimitingShearTemperature => "fall of the limiting shear",
             Self::PressureViscosityFactor => "pressure-viscosity factor of the friction",
+            Self::TemperatureError => "error of the temperature",
         }
     }
 
@@ -210,6 +222,7 @@ impl UncertainParameter {
             Self::EyringStress => "Pa",
             Self::PressureViscosity => "1/Pa",
             Self::LimitingShearTemperature => "1/K",
+            Self::TemperatureError => "K",
             _ => "-",
         }
     }
@@ -221,7 +234,7 @@ impl UncertainParameter {
             Self::BoundaryFriction => model.boundary_friction.is_some(),
             Self::BoundaryLayer => model.boundary_layer.is_some(),
             Self::Lay => model.lay.is_some(),
-            Self::LimitingShear | Self::EyringStress => false,
+            Self::LimitingShear | Self::EyringStress | Self::TemperatureError => false,
             Self::LimitingShearTemperature | Self::PressureViscosityFactor => {
                 let name = self.fitted_name();
                 name.is_some_and(|name| name.replaced_by(&loaded.case.input).is_some())
@@ -245,6 +258,7 @@ impl UncertainParameter {
             | Self::LimitingShearTemperature
             | Self::PressureViscosityFactor => shear.is_some(),
             Self::EyringStress => shear == Some(ShearLawName::Eyring),
+            Self::TemperatureError => case.input.operation.temperature_deviation.is_some(),
         }
     }
 
@@ -258,6 +272,7 @@ impl UncertainParameter {
                 low,
                 high,
                 measured: Some(measured),
+                lays: None,
             }));
         }
         let range = |value: f64, [low, high]: [f64; 2]| {
@@ -267,6 +282,7 @@ impl UncertainParameter {
                 low,
                 high,
                 measured: None,
+                lays: None,
             })
         };
         Ok(match (self, constants) {
@@ -278,8 +294,17 @@ impl UncertainParameter {
                 BOUNDARY_LAYER_BAND.map(Length::si),
             ),
             (Self::Lay, _) => {
-                let ends = [-Z_95, Z_95].map(|z| MOST_LAY * standard_normal_below(z));
-                range(case.model.lay[0].gamma(), ends)
+                let lays = loaded.flank_lays();
+                let [low, value, high] = [-Z_95, 0.0, Z_95].map(|z| mean_at(lays, z));
+                let is_measured = lays.map(|lay| lay != FlankLay::ASSUMED);
+                Some(Ranged {
+                    kind: self,
+                    value,
+                    low,
+                    high,
+                    measured: (is_measured == [true; 2]).then_some(Measured::Surfaces),
+                    lays: is_measured.contains(&true).then_some(lays),
+                })
             }
             (Self::PressureViscosity, _) => {
                 let value = case.oil.pressure_viscosity.si();
@@ -292,6 +317,10 @@ impl UncertainParameter {
             (Self::EyringStress, Some(constants)) => {
                 let value = constants.eyring_stress.si();
                 range(value, eyring_stress_band(case.lubricant.base_oil(), value)?)
+            }
+            (Self::TemperatureError, _) => {
+                let deviation = case.input.operation.temperature_deviation;
+                deviation.and_then(|one| range(0.0, [-Z_95, Z_95].map(|z| z * one.si())))
             }
             (Self::LimitingShear | Self::EyringStress, None)
             | (Self::LimitingShearTemperature | Self::PressureViscosityFactor, _) => None,
@@ -316,9 +345,10 @@ impl Ranged {
     /// The value at `z` of the standard normal distribution of the constant.
     ///
     /// ```text
-    /// v = v₀ exp(s± z),  s± = ln(v±/v₀)/z₉₅;  lay: v = Φ(z)/6;  b_L: v = v₀ + |v± − v₀| z/z₉₅   [Constant-draw]
+    /// v = v₀ exp(s± z),  s± = ln(v±/v₀)/z₉₅;  lay: v = Φ(z)/6;  b_L, ΔT: v = v₀ + |v± − v₀| z/z₉₅   [Constant-draw]
     /// ```
     ///
+    /// The lay is the mean of both flanks; measured on a surface it is v₀ exp(s± z), at most 1, or uniform up to its bound.
     /// v± are the 5 % and 95 % quantiles, on either side of v₀ its own; z₉₅ = 1.645, and 1.960 of a measured constant.
     pub(crate) fn at(&self, z: f64) -> f64 {
         asperity_core::cite!("Constant-draw");
@@ -328,8 +358,8 @@ impl Ranged {
             None => Z_95,
         };
         match self.kind {
-            UncertainParameter::Lay => MOST_LAY * standard_normal_below(z),
-            UncertainParameter::LimitingShearTemperature => {
+            UncertainParameter::Lay => mean_at(self.lays.unwrap_or([FlankLay::ASSUMED; 2]), z),
+            UncertainParameter::LimitingShearTemperature | UncertainParameter::TemperatureError => {
                 self.value + (end - self.value).abs() * z / z_end
             }
             _ => self.value * ((end / self.value).ln().abs() * z / z_end).exp(),
@@ -338,16 +368,26 @@ impl Ranged {
 }
 
 impl UncertainParameter {
-    /// Sets it in a case, past its input: a change of the case by its keys undoes it.
+    /// Sets it in a case, past its input: a change of the case by its keys undoes it. The error of the temperature is added to
+    /// the temperature of the flanks.
     ///
     /// # Errors
     /// When the value is outside its domain.
-    pub fn set(self, loaded: &mut LoadedCase, value: f64) -> Result<(), PositionError> {
+    pub fn set(self, loaded: &mut LoadedCase, value: f64) -> Result<(), Error> {
+        if self == Self::TemperatureError {
+            let flanks = Temperature::from_si(loaded.case.temperature.si() + value);
+            *loaded = at_temperature(loaded, flanks)?;
+            return Ok(());
+        }
+        Ok(self.set_constant(loaded, value).map_err(Box::new)?)
+    }
+
+    fn set_constant(self, loaded: &mut LoadedCase, value: f64) -> Result<(), PositionError> {
         let case = &mut loaded.case;
         match self {
             Self::BoundaryFriction => case.model.boundary_friction = value,
             Self::BoundaryLayer => case.model.boundary_layer = Length::from_si(value),
-            Self::Lay => case.model.lay = [Lay::new(value)?; 2],
+            Self::Lay => loaded.case.model.lay = with_mean(loaded.flank_lays(), value)?,
             Self::LimitingShear => set_traction(loaded, |constants| {
                 constants.limiting_shear = value;
             })?,
@@ -372,16 +412,31 @@ impl UncertainParameter {
             Self::PressureViscosityFactor => set_traction(loaded, |constants| {
                 constants.pressure_viscosity_factor = value;
             })?,
+            Self::TemperatureError => {}
         }
         Ok(())
     }
+}
+
+/// The case with its flanks at a temperature, its uncertain parameters where they are.
+pub(crate) fn at_temperature(loaded: &LoadedCase, bulk: Temperature) -> Result<LoadedCase, Error> {
+    let mut warmed = loaded.with(|input| {
+        input.operation.set_bulk_temperature(bulk);
+    })?;
+    keep_parameters(loaded, &mut warmed).map_err(Box::new)?;
+    // Bearings and jet stay in the oil, whatever the flanks are at.
+    let oil = loaded.case.temperature;
+    if let Some(gearbox) = &mut warmed.case.gearbox {
+        gearbox.temperature.get_or_insert(oil);
+    }
+    Ok(warmed)
 }
 
 /// Copies the parameters of `from` to `to`, whose oil is the same.
 ///
 /// # Errors
 /// When a constant is outside its domain at the temperature of `to`.
-pub(crate) fn keep_parameters(from: &LoadedCase, to: &mut LoadedCase) -> Result<(), PositionError> {
+fn keep_parameters(from: &LoadedCase, to: &mut LoadedCase) -> Result<(), PositionError> {
     let (kept, model) = (&from.case.model, &mut to.case.model);
     model.boundary_friction = kept.boundary_friction;
     model.boundary_layer = kept.boundary_layer;
@@ -437,6 +492,7 @@ mod tests {
             low: 0.066,
             high: 0.123,
             measured,
+            lays: None,
         };
         let prior = of(UncertainParameter::BoundaryFriction, None);
         assert!(

@@ -1,6 +1,7 @@
 //! The run of a case, with what it holds and what it draws.
 
 use crate::case::LoadedCase;
+use crate::contacts::Contacts;
 use crate::error::Error;
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::{Losses, Outcome};
@@ -83,17 +84,30 @@ impl<'a> Run<'a> {
     /// # Errors
     /// As [`execute`](Self::execute).
     pub fn draw(self) -> Result<(Outcome, Option<Predictive>), Error> {
-        self.drawn(true)
+        let (outcome, drawn, _) = self.drawn(true)?;
+        Ok((outcome, drawn))
     }
 
-    fn drawn(self, band: bool) -> Result<(Outcome, Option<Predictive>), Error> {
-        let mut contacts = Vec::new();
-        uncertainty::run_and_draw(
-            self.case,
-            (self.pictures, band),
-            &mut contacts,
-            self.progress,
-        )
+    /// The same with the solved contacts, by which [`losses_with`](crate::pipeline::losses_with) computes the loss of the case with
+    /// other constants.
+    ///
+    /// # Errors
+    /// As [`execute`](Self::execute).
+    pub fn draw_with_contacts(self) -> Result<(Outcome, Option<Predictive>, Contacts), Error> {
+        self.drawn(self.band)
+    }
+
+    fn drawn(self, band: bool) -> Result<(Outcome, Option<Predictive>, Contacts), Error> {
+        let kept = (self.pictures, band);
+        let mut found = Vec::new();
+        let (outcome, drawn) =
+            uncertainty::run_and_draw(self.case, kept, &mut found, self.progress)?;
+        // A run adds its contacts to those that it knows.
+        let contacts = match found.pop() {
+            Some(contacts) => contacts,
+            None => pipeline::contacts(self.case)?,
+        };
+        Ok((outcome, drawn, contacts))
     }
 
     /// Losses only, equal to those of [`execute`](Self::execute) to the last digit.

@@ -6,8 +6,8 @@
 //! | G_o, G_h | conductances from oil to housing and from housing to the ambient | W/K |
 //! | ϑ_a, ϑ_h, ϑ_o | temperatures of ambient, housing and oil | °C |
 //!
-//! The bulk temperatures of the gears follow from the oil by the law of each mesh (`operation.bulk`). Conductances and other
-//! losses are the user's; no value of them is assumed.
+//! The gears heat the oil: their bulk temperatures follow from the oil and the loss of their mesh by the law of each mesh
+//! (`mesh.NAME.bulk`, else `operation.bulk`). Conductances and other losses are the user's; no value of them is assumed.
 
 use asperity_core::cite;
 use asperity_core::quantity::{Power, Temperature};
@@ -19,6 +19,8 @@ use crate::case::gear_train::{HeatInput, LoadedTrain};
 use crate::contacts::Contacts;
 use crate::error::Error;
 use crate::pipeline;
+use crate::result::RunResult;
+use crate::train_gearbox;
 
 /// Temperatures at which the losses of a gear train leave through its housing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -30,6 +32,9 @@ pub struct HeatReport {
     pub housing_c: f64,
     /// Temperature of the ambient air \[°C\].
     pub ambient_c: f64,
+    /// Bulk temperatures of the gears of each mesh, which heat the oil.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub gears: Vec<GearNode>,
     /// Heat from meshes and other losses into the oil \[W\].
     pub heat_w: f64,
     /// Stated losses of other parts \[W\], which are in the heat and not in the loss of the meshes.
@@ -44,6 +49,30 @@ pub struct HeatReport {
     /// Temperature of the oil from which no equilibrium is reached \[°C\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub runs_away_from_c: Option<f64>,
+}
+
+/// Bulk temperature of the gears of a mesh.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct GearNode {
+    /// Name of the mesh.
+    pub mesh: String,
+    /// Bulk temperature, by the law of the mesh from its loss \[°C\].
+    pub bulk_c: f64,
+    /// Bulk temperatures of pinion and wheel \[°C\], if the law distinguishes them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pinion_and_wheel_c: Option<[f64; 2]>,
+}
+
+impl GearNode {
+    fn of(mesh: &str, run: &RunResult) -> Option<Self> {
+        let bulk = run.bulk.as_ref()?;
+        Some(Self {
+            mesh: mesh.to_owned(),
+            bulk_c: bulk.bulk_c,
+            pinion_and_wheel_c: bulk.gears_c,
+        })
+    }
 }
 
 /// Temperatures of housing and oil at a heat P:
@@ -74,26 +103,23 @@ pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundO
     let Some(heat) = &loaded.heat else {
         return Ok((loaded.clone(), None));
     };
-    let meshes = loaded.meshes();
-    let contacts = meshes.map(|mesh| pipeline::contacts(&mesh.case));
-    let contacts = contacts.collect::<Result<Vec<Contacts>, Error>>()?;
+    let mut contacts: Vec<Contacts> = Vec::new();
+    for mesh in loaded.meshes() {
+        contacts.push(pipeline::contacts_beside(&mesh.case, &contacts)?);
+    }
     let losses = |train: &LoadedTrain| -> Result<Power, Error> {
         let of_mesh = |(case, contacts): (&LoadedCase, &Contacts)| {
             let losses = pipeline::losses_with(contacts, case)?;
             Ok::<_, Error>(Power::from_si(losses.summary.loss_w))
         };
-        let mut of_all = train
-            .meshes()
-            .map(|mesh| &mesh.case)
-            .zip(&contacts)
-            .map(of_mesh);
-        let mut total = Power::from_si(0.0);
-        for (stage, kind) in train.stages.iter().zip(&train.train.kinds) {
-            let of_stage = of_all.by_ref().take(stage.meshes.len());
-            let of_stage = of_stage.collect::<Result<Vec<Power>, Error>>()?;
-            total = total + kind.loss(&of_stage);
-        }
-        Ok(total)
+        let cases = train.meshes().map(|mesh| &mesh.case);
+        let of_meshes = cases.zip(&contacts).map(of_mesh);
+        let meshes = train.loss(&of_meshes.collect::<Result<Vec<Power>, Error>>()?);
+        let oil = train.meshes().map(|mesh| mesh.case.case.temperature).next();
+        let oil = oil.unwrap_or(heat.ambient);
+        let parts = train_gearbox::parts(train, train.train.operation(), oil).map_err(Box::new)?;
+        let parts = parts.iter().map(|part| Power::from_si(part.loss_w));
+        Ok(parts.fold(meshes, |sum, part| sum + part))
     };
     let start = loaded
         .meshes()
@@ -117,6 +143,14 @@ impl HeatReport {
             "oil {oil:.1} °C, housing {housing:.1} °C at {ambient:.1} °C ambient, by {:.0} W of heat",
             self.heat_w
         );
+        for gears in &self.gears {
+            line.push_str(&match gears.pinion_and_wheel_c {
+                Some([pinion, wheel]) => {
+                    format!("; {} {pinion:.1} and {wheel:.1} °C", gears.mesh)
+                }
+                None => format!("; {} {:.1} °C", gears.mesh, gears.bulk_c),
+            });
+        }
         if let Some(hotter) = self.hotter_c {
             line.push_str(&format!("; a second equilibrium exists at {hotter:.1} °C"));
         }
@@ -127,7 +161,12 @@ impl HeatReport {
     }
 
     /// The report with the temperatures that follow from the losses of the run.
-    pub(crate) fn of(oil: &FoundOil, heat: &HeatInput, losses: Power) -> Self {
+    pub(crate) fn of<'a>(
+        oil: &FoundOil,
+        heat: &HeatInput,
+        losses: Power,
+        runs: impl Iterator<Item = (&'a str, &'a RunResult)>,
+    ) -> Self {
         let FoundOil { found, start } = oil;
         let celsius = Temperature::celsius;
         let [housing_c, oil_c] = nodes(heat, losses).map(celsius);
@@ -136,6 +175,9 @@ impl HeatReport {
             oil_c,
             housing_c,
             ambient_c: celsius(heat.ambient),
+            gears: runs
+                .filter_map(|(mesh, run)| GearNode::of(mesh, run))
+                .collect(),
             heat_w: into_oil(heat, losses).si(),
             other_losses_w: heat.other_losses.map_or(0.0, Power::si),
             residual_k: (oil_c - celsius(found.temperature)).abs(),
@@ -148,11 +190,5 @@ impl HeatReport {
 
 /// The train with another temperature of the oil.
 fn at(loaded: &LoadedTrain, oil: Temperature) -> Result<LoadedTrain, Error> {
-    let mut other = loaded.clone();
-    for mesh in other.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
-        mesh.case = mesh
-            .case
-            .with(|input| input.operation.oil_temperature = Some(oil))?;
-    }
-    Ok(other)
+    loaded.with(&|input| input.operation.oil_temperature = Some(oil))
 }

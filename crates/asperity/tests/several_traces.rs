@@ -474,7 +474,8 @@ fn above_64_pairs_the_first_eight_teeth_are_taken_and_it_is_said() {
         .find(|warning| warning.code == "W427")
         .unwrap();
     assert!(
-        said.text.contains("make 81 pairs: the first 8 and 8"),
+        said.text
+            .contains("make 81 pairs: the first 8 of the pinion and the first 8 of the wheel"),
         "{said}"
     );
 }

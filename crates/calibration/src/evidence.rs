@@ -3,9 +3,10 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use asperity::result::with_interval;
+use asperity::result::loss_band::EvidenceRow;
+use asperity::result::{Outcome, with_interval};
 use asperity::uncertainty::{Measurement, Predictive, Quantiles, has_band};
-use asperity::{LoadedCase, Run};
+use asperity::{Contacts, LoadedCase, Run};
 use asperity_report::html::page;
 use asperity_report::{ReportError, StudyResult, tables, wrapped};
 use maud::html;
@@ -13,11 +14,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::CalibrationError;
 use crate::oil::fit::PointErrors;
-use crate::oil::problem::{FACTOR, Zero};
-use crate::oil::{ConstantsOf, Machine, ONE, OilBase, OilError, OilPlan, PlanSettings, WHOLE};
+use crate::oil::problem::Zero;
+use crate::oil::{ConstantsOf, Machine, OilBase, OilError, PlanSettings, left_of_loss};
 
 /// Standard deviation of the logarithm of a boundary friction measured on a traction machine: its transfer to gears.
 const TRANSFER: f64 = 0.10;
+/// Standard deviation of a temperature by a thermocouple \[K\] (judgement).
+const THERMOCOUPLE: f64 = 1.0;
 /// Further traces of each flank.
 const MORE_TRACES: usize = 4;
 /// Errors of a rig: of a point, and of all together (judgement).
@@ -38,12 +41,13 @@ pub struct Effort {
 impl Effort {
     /// All measurements with their usual hours (judgement).
     #[must_use]
-    pub fn usual() -> [Self; 9] {
+    pub fn usual() -> [Self; 10] {
         [
             ("traction-curve", 0.3),
             ("traction-plan", 1.6),
             ("stribeck-curve", 2.0),
             ("areal-scan", 1.0),
+            ("thermocouple", 2.0),
             ("more-traces", 1.0),
             ("measured-flanks", 1.0),
             ("tip-relief", 0.1),
@@ -81,28 +85,11 @@ pub struct EvidenceTable {
     /// Why no row is of traction curves, if none can be planned.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub no_curves: Option<String>,
+    /// Whether the temperature is drawn.
+    #[serde(default)]
+    pub is_temperature_drawn: bool,
     /// Measurements, the one that leaves the narrowest interval first.
     pub rows: Vec<EvidenceRow>,
-}
-
-/// A measurement with the interval that it is expected to leave.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[non_exhaustive]
-pub struct EvidenceRow {
-    /// Name.
-    pub key: String,
-    /// The measurement in words.
-    pub measurement: String,
-    /// Hours that it takes.
-    pub hours: f64,
-    /// Expected 5 % quantile of the loss about its present median \[W\].
-    pub low_w: f64,
-    /// Expected 95 % quantile \[W\].
-    pub high_w: f64,
-    /// Expected standard deviation of ln loss.
-    pub sd_ln: f64,
-    /// Expected width of the interval of ln loss over its present one.
-    pub width: f64,
 }
 
 impl EvidenceTable {
@@ -124,36 +111,58 @@ impl EvidenceTable {
             })
         };
         let run = Run::new(case).without_pictures().band(true);
-        let (outcome, drawn) = run.draw().map_err(named)?;
+        let (outcome, drawn, contacts) = run.draw_with_contacts().map_err(named)?;
         let Some(drawn) = drawn else {
             return Ok(None);
         };
-        let loss = drawn.quantiles();
-        let mut measurements = of_case(case);
-        let base = OilBase::of_case(&case.case, ConstantsOf::Family);
-        let no_curves = base.as_ref().err().map(ToString::to_string);
-        if let Ok(oil) = base {
-            measurements.extend(of_film(case, &oil)?);
-        }
-        let hours = |key: &str| efforts.iter().find(|effort| effort.key == key);
-        let row = |(key, words, measurement): (&str, String, Measurement)| {
-            Some(row(
-                (key, words, hours(key)?.hours),
-                loss,
-                narrowed(&drawn, loss, measurement)?,
-            ))
-        };
-        let mut rows: Vec<EvidenceRow> = measurements.into_iter().filter_map(row).collect();
-        rows.sort_by(|a, b| a.width.total_cmp(&b.width));
+        let (rows, no_curves) = rows((case, &contacts), &drawn, efforts)?;
         Ok(Some(Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
             title: case.case.title.clone(),
             power_in_w: outcome.result.summary.power_in_w,
-            loss,
+            loss: drawn.quantiles(),
             no_curves,
+            is_temperature_drawn: case.case.input.operation.temperature_deviation.is_some(),
             rows,
         }))
     }
+}
+
+/// Executes the run of `case`; if it has an interval, its result has the measurements that would narrow it, with their usual hours.
+///
+/// # Errors
+/// As [`Run::execute`].
+pub fn execute(case: &LoadedCase, run: Run<'_>) -> Result<Outcome, asperity::Error> {
+    let (mut outcome, drawn, contacts) = run.draw_with_contacts()?;
+    if let Some((drawn, found)) = drawn.zip(outcome.result.uncertainty.as_mut()) {
+        // Curves without a plan, as of an oil with one viscosity, leave the other rows.
+        let rows = rows((case, &contacts), &drawn, &Effort::usual());
+        found.evidence = rows.map(|(rows, _)| rows).unwrap_or_default();
+    }
+    Ok(outcome)
+}
+
+/// Rows of a case, the one that leaves the narrowest interval first, and why none is of traction curves.
+fn rows(
+    case: (&LoadedCase, &Contacts),
+    drawn: &Predictive,
+    efforts: &[Effort],
+) -> Result<(Vec<EvidenceRow>, Option<String>), OilError> {
+    let loss = drawn.quantiles();
+    let mut measurements = of_case(case.0);
+    let base = OilBase::of_case(&case.0.case, ConstantsOf::Family);
+    let no_curves = base.as_ref().err().map(ToString::to_string);
+    if let Ok(oil) = base {
+        measurements.extend(of_film(case, &oil)?);
+    }
+    let row = |(key, words, measurement): (&str, String, Measurement)| {
+        let effort = efforts.iter().find(|effort| effort.key == key)?;
+        let left = narrowed(drawn, loss, measurement)?;
+        Some(EvidenceRow::new((key, words, effort.hours), loss, left))
+    };
+    let mut rows: Vec<EvidenceRow> = measurements.into_iter().filter_map(row).collect();
+    rows.sort_by(|a, b| a.width.total_cmp(&b.width));
+    Ok((rows, no_curves))
 }
 
 /// The interval that a measurement is expected to leave, if it is narrower.
@@ -162,26 +171,6 @@ fn narrowed(drawn: &Predictive, now: Quantiles, measurement: Measurement) -> Opt
     const LEAST: f64 = 0.995;
     let found = drawn.expected_after(measurement)?;
     (found.sd_ln < LEAST * now.sd_ln).then_some(found)
-}
-
-fn log_width(found: Quantiles) -> f64 {
-    let [low, high] = found.quantiles_w;
-    (high / low).ln()
-}
-
-/// The interval left, moved to the present median: the result of a measurement is not known before.
-fn row((key, words, hours): (&str, String, f64), now: Quantiles, left: Quantiles) -> EvidenceRow {
-    let moved = now.median_w / left.median_w;
-    let [low_w, high_w] = left.quantiles_w.map(|end| moved * end);
-    EvidenceRow {
-        key: key.to_owned(),
-        measurement: words,
-        hours,
-        low_w,
-        high_w,
-        sd_ln: left.sd_ln,
-        width: log_width(left) / log_width(now),
-    }
 }
 
 /// Measurements of flanks, gears and losses.
@@ -195,6 +184,13 @@ fn of_case(case: &LoadedCase) -> Vec<(&'static str, String, Measurement)> {
             "boundary friction from a Stribeck curve".to_owned(),
             Measurement::BoundaryFriction {
                 deviation: TRANSFER,
+            },
+        ),
+        (
+            "thermocouple",
+            "temperature by a thermocouple".to_owned(),
+            Measurement::Temperature {
+                deviation: THERMOCOUPLE,
             },
         ),
         (
@@ -232,7 +228,7 @@ fn of_case(case: &LoadedCase) -> Vec<(&'static str, String, Measurement)> {
 
 /// Measurements of the film friction of `oil`.
 fn of_film(
-    case: &LoadedCase,
+    case: (&LoadedCase, &Contacts),
     oil: &OilBase,
 ) -> Result<Vec<(&'static str, String, Measurement)>, OilError> {
     let settings = PlanSettings {
@@ -242,32 +238,32 @@ fn of_film(
         errors: PointErrors::default(),
         simulate: None,
     };
-    let plan = OilPlan::of(oil, Some(case), &settings)?;
-    let Some(slopes) = plan.loss_slopes else {
-        return Ok(Vec::new());
-    };
-    let left = |name: &str| {
-        let mut stages = plan.stages.iter();
-        let deviation = stages.find(|stage| stage.name == name)?.loss_deviation?;
-        let slope = slopes[FACTOR];
-        Some(Measurement::FilmFriction { deviation, slope })
-    };
+    let (left, slope) = left_of_loss(oil, case, &settings)?;
     let rows = [
-        ("traction-curve", ONE, "one traction curve of the oil"),
+        ("traction-curve", "one traction curve of the oil"),
         (
             "traction-plan",
-            WHOLE,
             "traction curves of the oil, the minimal plan",
         ),
     ];
-    let rows = rows.map(|(key, stage, words)| Some((key, words.to_owned(), left(stage)?)));
-    Ok(rows.into_iter().flatten().collect())
+    let rows = rows
+        .into_iter()
+        .zip(left)
+        .filter_map(|((key, words), left)| {
+            let deviation = left?;
+            let measurement = Measurement::FilmFriction { deviation, slope };
+            Some((key, words.to_owned(), measurement))
+        });
+    Ok(rows.collect())
 }
 
 impl EvidenceTable {
     /// Meaning of the numbers, and quantities without a line.
     fn notes(&self) -> Vec<String> {
-        let mut notes = vec![MEANING.to_owned(), NOT_DRAWN.to_owned()];
+        let mut notes = vec![MEANING.to_owned()];
+        if !self.is_temperature_drawn {
+            notes.push(NOT_DRAWN.to_owned());
+        }
         let curves = self.no_curves.as_ref();
         notes.extend(curves.map(|why| format!("Traction curves have no line: {why}.")));
         notes
@@ -280,20 +276,10 @@ impl EvidenceTable {
     }
 }
 
-impl EvidenceRow {
-    fn interval(&self) -> [f64; 2] {
-        [self.low_w, self.high_w]
-    }
-
-    fn width_percent(&self) -> String {
-        format!("{:.0} %", 100.0 * self.width)
-    }
-}
-
 /// Meaning of the numbers.
 const MEANING: &str = "Each line: the interval that the measurement alone is expected to leave, about the present median, and its width over the present width in logarithms. The result of a measurement also moves the median.";
 /// A quantity without a line.
-const NOT_DRAWN: &str = "The temperature of the oil is taken as stated and has no line.";
+const NOT_DRAWN: &str = "The temperature is taken as exact and has no line: the case states no operation.temperature_deviation.";
 
 impl StudyResult for EvidenceTable {
     const KIND: &'static str = "evidence";

@@ -204,7 +204,7 @@ impl RigModel {
         for (parameter, logarithm) in self.parameters.iter().zip(logarithms) {
             let value = parameter.centre * logarithm.exp();
             let set = UncertainParameter::from(parameter.name).set(&mut case, value);
-            set.map_err(|error| named(asperity::Error::Whole(Box::new(error))))?;
+            set.map_err(named)?;
         }
         let result = losses_with(&group.tables, &case).map_err(named)?;
         let mut ratios: Vec<f64> = result

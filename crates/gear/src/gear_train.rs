@@ -40,6 +40,8 @@ pub struct TrainShaft {
     pub speed: Option<AngularSpeed>,
     /// Torque into the train at this shaft, zero if nothing is connected; `None` if it follows from the stages.
     pub torque: Option<Torque>,
+    /// Torque that seals and bearings take from the shaft, negative if it turns in the negative direction.
+    pub drag: Torque,
 }
 
 /// Shafts and the stages that connect them.
@@ -75,6 +77,7 @@ impl GearTrain {
     ///     name: name.to_owned(),
     ///     speed: speed.map(AngularSpeed::from_si),
     ///     torque: torque.map(Torque::from_si),
+    ///     drag: Torque::from_si(0.0),
     /// };
     /// // Sun drives, ring is held, carrier is the output: 1 + 75/27.
     /// let set = GearTrain {
@@ -129,7 +132,7 @@ impl GearTrain {
     ///
     /// T₁ + T₂ + T_c = 0,  T₁(ω₁ − ω_c) + T₂(ω₂ − ω_c) = P_loss                   [Train-2]
     ///
-    /// Without losses the torques of the gears are in the ratio of their tooth numbers.
+    /// The torque into a shaft is the sum of its torques on the stages and of its drag. Without losses the torques of the gears are in the ratio of their tooth numbers.
     ///
     /// # Errors
     /// When a torque does not follow from the stated ones, or contradicts them.
@@ -168,7 +171,7 @@ impl GearTrain {
         };
         let mut torques = Vec::with_capacity(self.shafts.len());
         for (number, shaft) in self.shafts.iter().enumerate() {
-            let torque = of_shaft(number);
+            let torque = of_shaft(number) + shaft.drag.si();
             let largest = self
                 .places_of(number)
                 .filter_map(|(k, place)| Some(stages[k]?[place].abs()))
@@ -200,7 +203,7 @@ impl GearTrain {
         let shafts = self.stages[k].shafts().into_iter().enumerate();
         let mut known = shafts.filter_map(|(place, shaft)| {
             let shaft = shaft?;
-            let stated = self.shafts[shaft].torque?.si();
+            let stated = self.shafts[shaft].torque?.si() - self.shafts[shaft].drag.si();
             let mut others = self.places_of(shaft).filter(|at| *at != (k, place));
             let rest =
                 others.try_fold(stated, |rest, (k, place)| Some(rest - stages[k]?[place]))?;
@@ -269,6 +272,7 @@ mod tests {
             name: name.to_owned(),
             speed: speed.map(AngularSpeed::from_si),
             torque: torque.map(Torque::from_si),
+            drag: Torque::from_si(0.0),
         }
     }
 
@@ -333,6 +337,25 @@ mod tests {
             let losses = [3.0, 5.0, 7.0];
             let found = power(&mixed(torque), &losses);
             assert!((found - 15.0).abs() < 1e-12 * 1000.0, "{torque}: {found}");
+        }
+    }
+
+    #[test]
+    fn drags_of_shafts_take_their_power_from_the_train() {
+        for torque in [10.0, -10.0] {
+            let mut train = mixed(torque);
+            let speeds = train.speeds().unwrap();
+            let mut taken = 0.0;
+            for (shaft, speed) in train.shafts.iter_mut().zip(&speeds) {
+                shaft.drag = Torque::from_si(0.2 * speed.si().signum());
+                taken += shaft.drag.si() * speed.si();
+            }
+            let found = power(&train, &[3.0, 5.0, 7.0]);
+            assert!(
+                (found - 15.0 - taken).abs() < 1e-12 * 1000.0,
+                "{torque}: {found}"
+            );
+            assert!(taken > 0.0);
         }
     }
 

@@ -61,6 +61,7 @@ mod quadrature;
 mod rack;
 pub mod relief;
 
+pub mod shaft_statics;
 mod tips;
 mod tooth_compliance;
 pub mod tooth_outline;

@@ -122,6 +122,14 @@ impl Case {
         })
     }
 
+    /// The case as a gear train, also of a single mesh.
+    pub fn train(&self) -> LoadedTrain {
+        match &self.kind {
+            Kind::Pair(loaded) => LoadedTrain::from(loaded.as_ref().clone()),
+            Kind::Train(train) => train.loaded.as_ref().clone(),
+        }
+    }
+
     /// The case, where it is one of two gears.
     pub fn pair(&self) -> Result<&Arc<LoadedCase>, Failure> {
         match &self.kind {

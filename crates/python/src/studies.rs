@@ -20,9 +20,14 @@ use crate::failure::{self, Failure};
 use crate::study::Study;
 use crate::work::{alone, in_parallel};
 
-fn finishes(named: Vec<(String, PyRef<'_, Case>)>) -> Result<Vec<Finish>, Failure> {
+type Named<'py> = Vec<(String, PyRef<'py, Case>)>;
+
+fn finishes<C>(
+    named: Named<'_>,
+    of: impl Fn(&Case) -> Result<C, Failure>,
+) -> Result<Vec<Finish<C>>, Failure> {
     let finish = |(name, case): (String, PyRef<'_, Case>)| {
-        let case = case.pair()?.as_ref().clone();
+        let case = of(&case)?;
         Ok(Finish { name, case })
     };
     named.into_iter().map(finish).collect()
@@ -35,11 +40,11 @@ type Compared = (Study, String, Vec<String>);
 #[pyfunction]
 pub fn compare(
     py: Python<'_>,
-    named: Vec<(String, PyRef<'_, Case>)>,
+    named: Named<'_>,
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Compared> {
-    let finishes = finishes(named)?;
+    let finishes = finishes(named, |case| Ok(case.pair()?.as_ref().clone()))?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let found = comparing::compare(&finishes, &|done, total| told.tell(done, total))?;
         let offsets: Vec<_> = found.finishes.iter().map(|of| &of.offsets).collect();
@@ -56,11 +61,10 @@ pub fn sensitivity(
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Study> {
-    let case = case.pair()?;
+    let train = case.train();
     in_parallel(py, threads, progress.as_ref(), |told| {
-        Study::of(changing::sensitivity(case, &|done, total| {
-            told.tell(done, total)
-        })?)
+        let shown = |done, total| told.tell(done, total);
+        Study::of(changing::sensitivity_of_train(&train, &shown)?)
     })
 }
 
@@ -79,7 +83,7 @@ pub fn axis(text: &str) -> PyResult<Vec<f64>> {
 #[expect(clippy::too_many_arguments, reason = "those of the function in Python")]
 pub fn map(
     py: Python<'_>,
-    of_finishes: Vec<(String, PyRef<'_, Case>)>,
+    of_finishes: Named<'_>,
     torque: Option<Vec<f64>>,
     speed: Option<Vec<f64>>,
     temperature: Option<Vec<f64>>,
@@ -87,11 +91,11 @@ pub fn map(
     threads: Option<usize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Map> {
-    let finishes = finishes(of_finishes)?;
+    let finishes = finishes(of_finishes, |case| Ok(case.train()))?;
     let Some(first) = finishes.first() else {
         return Err(Failure::new("E205", "a map needs a case").into());
     };
-    let case = &first.case.case;
+    let case = &first.case;
     let axes = Axes::new(
         &torque.unwrap_or_else(|| Axes::default_torque(case)),
         &speed.unwrap_or_else(|| Axes::default_speed(case)),
@@ -128,7 +132,7 @@ pub fn cycle(
         }
         let file = Path::new(&name);
         let table = table.map_or_else(|| text(file), Ok)?;
-        let trace = driving::cycle(&table, map.input.vehicle.as_ref());
+        let trace = driving::cycle(&table, map.input.vehicle());
         let trace = trace.map_err(|error| Failure::new("E101", error.to_string()).about(&name))?;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         let found = driving::evaluate(&map, temperature, (&trace, &stem), allow_outside);
@@ -258,7 +262,7 @@ impl Map {
             let cycle =
                 match &drive {
                     Some(file) => {
-                        let found = driving::cycle(&text(file)?, self.0.input.vehicle.as_ref());
+                        let found = driving::cycle(&text(file)?, self.0.input.vehicle());
                         let name = file.display().to_string();
                         Some(found.map_err(|error| {
                             Failure::new("E101", error.to_string()).about(&name)

@@ -11,6 +11,7 @@ use crate::folder::{
     Fields, PAGE, PLANETARY_MARK, TRAIN_MARK, check_fields, fill, make_subfolder, write_json,
     write_text,
 };
+use crate::html::gearbox::section;
 use crate::html::page;
 use crate::tables;
 
@@ -71,6 +72,10 @@ fn summary_page(result: &TrainResult) -> String {
         dl.tiles {
             div { dt { "efficiency (meshes only)" } dd { (efficiency) " %" } }
             div { dt { "loss of all meshes" } dd { (loss) " W" } }
+            @if let Some([loss, efficiency]) = result.gearbox_with_bands() {
+                div { dt { "efficiency (gearbox)" } dd { (efficiency) " %" } }
+                div { dt { "loss of the gearbox" } dd { (loss) " W" } }
+            }
             div { dt { "power in" } dd { (format!("{:.3} kW", 1e-3 * result.power_in_w)) } }
             @for (name, set) in result.planetary_sets() {
                 @let of = if name.is_empty() { String::new() } else { format!(" of {name}") };
@@ -79,6 +84,7 @@ fn summary_page(result: &TrainResult) -> String {
             }
         }
         @if let Some(heat) = &result.heat { p { (heat.line()) "." } }
+        @if let Some(gearbox) = &result.gearbox { (section(gearbox, result.loss_distribution.is_some())) }
         @for (name, _) in result.planetary_sets().filter(|(_, set)| !set.can_be_equally_spaced) {
             p { @if !name.is_empty() { (name) ": " } "equally spaced planets cannot be assembled with these tooth numbers." }
         }
@@ -145,20 +151,24 @@ fn kinds(result: &TrainResult) -> Markup {
 }
 
 fn shafts(result: &TrainResult) -> Markup {
+    let [power_in, power_out] = result.powers_with_digits();
     html! {
         div.scroll { table {
             thead { tr { th { "shaft" } th.number { "speed [1/min]" } th.number { "torque carried [N m]" } th.number { "torque into the train [N m]" }
                 th.number { "power [kW]" } } }
-            tbody { @for row in &result.shafts { tr {
-                td { (row.shaft) }
-                td.number { (rpm(row.speed_rad_per_s)) }
-                td.number { (format!("{:.3}", row.carried_nm)) }
-                td.number { (format!("{:.3}", row.torque_nm)) }
-                td.number { (format!("{:.4}", 1e-3 * row.power_w)) }
-            } } }
+            tbody { @for row in &result.shafts {
+                @let [carried, torque, power] = result.shaft_with_digits(row);
+                tr {
+                    td { (row.shaft) }
+                    td.number { (rpm(row.speed_rad_per_s)) }
+                    td.number { (carried) }
+                    td.number { (torque) }
+                    td.number { (power) }
+                }
+            } }
         } }
-        p { "Torque and power into the train, with all losses; negative where the power leaves. The power in is " (format!("{:.4}", 1e-3 * result.power_in_w))
-            " kW and the power out " (format!("{:.4}", 1e-3 * result.power_out_w)) " kW." }
+        p { "Torque and power into the train, with all losses; negative where the power leaves. The power in is " (power_in)
+            " kW and the power out " (power_out) " kW." }
         p { "data: " a href="shafts.csv" { "shafts.csv" } }
     }
 }

@@ -36,7 +36,9 @@ pub use gear_train::{check_train_place, write_train};
 pub use page_tables::PageTables;
 pub use printed::{stated, stated_parts};
 pub use study::StudyResult;
-pub use summary::{brief, headline, models, published_laws, summary, summary_within};
+pub use summary::{
+    besides_the_mesh, brief, headline, models, published_laws, summary, summary_within,
+};
 pub use thin::thin;
 pub use tiles::{Tile, tiles};
 pub use wrap::{COLUMNS, wrapped, wrapped_within};

@@ -232,7 +232,8 @@ pub(crate) fn two_digits(power: f64) -> String {
 }
 
 /// The losses of the gearbox besides the mesh, by part.
-fn besides_the_mesh(gearbox: &GearboxReport) -> String {
+#[must_use]
+pub fn besides_the_mesh(gearbox: &GearboxReport) -> String {
     let losses: Vec<f64> = gearbox.parts.iter().map(|part| part.loss_w).collect();
     let parts = gearbox.parts.iter().zip(stated_parts(&losses));
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
@@ -347,6 +348,11 @@ fn solver_notes(result: &RunResult) -> Vec<String> {
     }
     if s.offsets > 1 && result.uncertainty.is_none() && result.pairs.is_none() {
         lines.push(format!("spread  over {} profile offsets", s.offsets));
+    }
+    let mut defaults = result.defaults.iter();
+    let lay = defaults.find(|default| default.key == "model.lay");
+    if let Some(origin) = lay.and_then(|lay| lay.source.as_deref()) {
+        lines.push(format!("lay  {origin}"));
     }
     let work = result.running_in.energy_per_engagement_j;
     if work > 0.0 {

@@ -63,7 +63,7 @@ pub struct Texture {
 const MOST_POINTS: usize = 1 << 23;
 
 /// A grid of heights with missing points.
-struct Grid {
+pub(crate) struct Grid {
     z: Vec<f64>,
     columns: usize,
     rows: usize,
@@ -116,8 +116,12 @@ pub fn parameters(
 }
 
 impl Grid {
-    /// Heights over the least-squares plane.
-    fn level(z: &[f64], columns: usize, [dx, dy]: [Length; 2]) -> Result<Self, RoughnessError> {
+    /// The grid of heights `z`.
+    pub(crate) fn new(
+        mut z: Vec<f64>,
+        columns: usize,
+        [dx, dy]: [Length; 2],
+    ) -> Result<Self, RoughnessError> {
         const LEAST: usize = 2;
         let rows = z.len().checked_div(columns).unwrap_or(0);
         if columns < LEAST || rows < LEAST {
@@ -127,19 +131,35 @@ impl Grid {
                 purpose: "rows and columns of a surface",
             });
         }
-        let mut grid = Self {
-            z: z[..rows * columns].to_vec(),
+        z.truncate(rows * columns);
+        Ok(Self {
+            z,
             columns,
             rows,
             dx: DomainError::positive("spacing along a row", dx)?,
             dy: DomainError::positive("spacing of the rows", dy)?,
-        };
+        })
+    }
+
+    /// Heights over the least-squares plane.
+    pub(crate) fn level(
+        z: &[f64],
+        columns: usize,
+        spacings: [Length; 2],
+    ) -> Result<Self, RoughnessError> {
+        let mut grid = Self::new(z.to_vec(), columns, spacings)?;
+        let (columns, rows) = (grid.columns, grid.rows);
         let plane = grid.plane()?;
         for (k, z) in grid.z.iter_mut().enumerate() {
             let [x, y] = place(k, columns, rows);
             *z -= plane[0] + plane[1] * x + plane[2] * y;
         }
         Ok(grid)
+    }
+
+    /// Heights row by row.
+    pub(crate) fn heights(&self) -> &[f64] {
+        &self.z
     }
 
     /// Least-squares plane c₀ + c₁ x + c₂ y over places from −1 to 1.
@@ -219,54 +239,22 @@ impl Grid {
     }
 
     fn texture(&self) -> Texture {
-        let acf = self.autocorrelation();
-        let (mut shortest, mut longest, mut is_open) = (f64::INFINITY, 0.0_f64, false);
-        const DIRECTIONS: usize = 720;
-        for k in 0..DIRECTIONS {
-            let angle = std::f64::consts::PI * k as f64 / DIRECTIONS as f64;
-            match self.decay(&acf, [angle.cos(), angle.sin()]) {
-                (length, true) => {
-                    shortest = shortest.min(length);
-                    longest = longest.max(length);
-                }
-                (length, false) => {
-                    is_open = true;
-                    longest = longest.max(length);
-                }
-            }
-        }
-        let ratio = shortest.is_finite().then(|| shortest / longest);
+        let decays = self
+            .sums()
+            .lags()
+            .decays([self.dx, self.dy].map(Length::from_si));
+        let is_known = decays.shortest.is_finite();
+        let ratio = is_known.then(|| decays.shortest / decays.longest);
         Texture {
-            sal: shortest.is_finite().then(|| Length::from_si(shortest)),
-            str: ratio.filter(|_| !is_open),
+            sal: is_known.then(|| Length::from_si(decays.shortest)),
+            str: ratio.filter(|_| !decays.is_open),
             str_at_most: ratio,
             std_degrees: self.direction(),
         }
     }
 
-    /// Distance at which the autocorrelation has fallen to 0.2 in a direction, or the end of the surface and `false`.
-    fn decay(&self, acf: &Lags, [cos, sin]: [f64; 2]) -> (f64, bool) {
-        const LEVEL: f64 = 0.2;
-        // Steps of a quarter of a point along the closer axis.
-        let step = 0.25 * self.dx.min(self.dy);
-        let mut before = 1.0;
-        let mut distance = 0.0;
-        loop {
-            let next = distance + step;
-            let at = acf.at([next * cos / self.dx, next * sin / self.dy]);
-            match at {
-                None => return (distance, false),
-                Some(value) if value <= LEVEL => {
-                    return (distance + step * (before - LEVEL) / (before - value), true);
-                }
-                Some(value) => before = value,
-            }
-            distance = next;
-        }
-    }
-
-    /// Unbiased autocorrelation for lags up to half of the surface in both directions.
-    fn autocorrelation(&self) -> Lags {
+    /// Sums of products of heights over all lags.
+    pub(crate) fn sums(&self) -> LagSums {
         let [width, height] = [2 * self.columns, 2 * self.rows];
         let squares = |value: &dyn Fn(f64) -> f64| {
             let mut padded = vec![Complex::new(0.0, 0.0); width * height];
@@ -280,24 +268,13 @@ impl Grid {
                 *cell = Complex::new(cell.norm_sqr(), 0.0);
             }
             transform(&mut padded, width, height);
-            padded
+            padded.into_iter().map(|cell| cell.re).collect()
         };
-        let products = squares(&|z| if z.is_finite() { z } else { 0.0 });
-        let overlaps = squares(&|z| f64::from(u8::from(z.is_finite())));
-        let scale = 1.0 / (width * height) as f64;
-        let origin = products[0].re / overlaps[0].re;
-        let rho = products.iter().zip(&overlaps).map(|(p, o)| {
-            // Fewer than half a point is rounding.
-            match o.re * scale >= 0.5 {
-                true => p.re / o.re / origin,
-                false => 0.0,
-            }
-        });
-        Lags {
-            rho: rho.collect(),
+        LagSums {
+            products: squares(&|z| if z.is_finite() { z } else { 0.0 }),
+            overlaps: squares(&|z| f64::from(u8::from(z.is_finite()))),
             width,
             height,
-            reach: [self.columns - 1, self.rows - 1],
         }
     }
 
@@ -338,8 +315,67 @@ fn place(k: usize, columns: usize, rows: usize) -> [f64; 2] {
     [at(k % columns, columns), at(k / columns, rows)]
 }
 
+/// Sums of products of heights, and of the number of products, by lags with negative ones behind the positive ones.
+#[derive(Clone)]
+pub(crate) struct LagSums {
+    products: Vec<f64>,
+    overlaps: Vec<f64>,
+    width: usize,
+    height: usize,
+}
+
+impl LagSums {
+    /// Adds `factor` times the sums of another surface of equal size.
+    pub(crate) fn add(&mut self, other: &Self, factor: f64) {
+        for (own, others) in [
+            (&mut self.products, &other.products),
+            (&mut self.overlaps, &other.overlaps),
+        ] {
+            for (sum, value) in own.iter_mut().zip(others) {
+                *sum += factor * value;
+            }
+        }
+    }
+
+    /// Whether any height differs from zero.
+    pub(crate) fn has_heights(&self) -> bool {
+        self.products[0] > 0.0
+    }
+
+    /// Unbiased autocorrelation.
+    pub(crate) fn lags(&self) -> Lags {
+        let scale = 1.0 / (self.width * self.height) as f64;
+        let origin = self.products[0] / self.overlaps[0];
+        let rho = self.products.iter().zip(&self.overlaps).map(|(p, o)| {
+            // Fewer than half a point is rounding.
+            match o * scale >= 0.5 {
+                true => p / o / origin,
+                false => 0.0,
+            }
+        });
+        Lags {
+            rho: rho.collect(),
+            width: self.width,
+            height: self.height,
+            reach: [self.width / 2 - 1, self.height / 2 - 1],
+        }
+    }
+}
+
+/// Distances at which the autocorrelation has fallen to 0.2.
+pub(crate) struct Decays {
+    /// Least one \[m\]; infinite if none is within the surface.
+    pub shortest: f64,
+    /// Largest one \[m\], or the largest distance within the surface.
+    pub longest: f64,
+    /// Whether the autocorrelation stays above 0.2 up to the end of the surface in some direction.
+    pub is_open: bool,
+    /// Direction of the ridges \[rad\] from the rows: the longest one, or the middle of those that are open.
+    pub along: f64,
+}
+
 /// Autocorrelation by lags, with negative ones behind the positive ones.
-struct Lags {
+pub(crate) struct Lags {
     rho: Vec<f64>,
     width: usize,
     height: usize,
@@ -348,6 +384,67 @@ struct Lags {
 }
 
 impl Lags {
+    /// The lags up to half of the surface, whose mean is over half of its points at least in each direction.
+    pub(crate) fn half(self) -> Self {
+        Self {
+            reach: self.reach.map(|reach| reach / 2),
+            ..self
+        }
+    }
+
+    /// Distances over all directions.
+    pub(crate) fn decays(&self, spacings: [Length; 2]) -> Decays {
+        let mut decays = Decays {
+            shortest: f64::INFINITY,
+            longest: 0.0,
+            is_open: false,
+            along: 0.0,
+        };
+        // Sum of the open directions, as vectors of twice their angle.
+        let mut open = [0.0; 2];
+        const DIRECTIONS: usize = 720;
+        for k in 0..DIRECTIONS {
+            let angle = std::f64::consts::PI * k as f64 / DIRECTIONS as f64;
+            let (length, is_reached) = self.decay([angle.cos(), angle.sin()], spacings);
+            if is_reached {
+                decays.shortest = decays.shortest.min(length);
+            } else {
+                decays.is_open = true;
+                open[0] += (2.0 * angle).cos();
+                open[1] += (2.0 * angle).sin();
+            }
+            if length > decays.longest {
+                (decays.longest, decays.along) = (length, angle);
+            }
+        }
+        if decays.is_open {
+            decays.along = 0.5 * open[1].atan2(open[0]);
+        }
+        decays
+    }
+
+    /// Distance at which the autocorrelation has fallen to 0.2 in a direction, or the end of the surface and `false`.
+    pub(crate) fn decay(&self, [cos, sin]: [f64; 2], spacings: [Length; 2]) -> (f64, bool) {
+        const LEVEL: f64 = 0.2;
+        let [dx, dy] = spacings.map(Length::si);
+        // Steps of a quarter of a point along the closer axis.
+        let step = 0.25 * dx.min(dy);
+        let mut before = 1.0;
+        let mut distance = 0.0;
+        loop {
+            let next = distance + step;
+            let at = self.at([next * cos / dx, next * sin / dy]);
+            match at {
+                None => return (distance, false),
+                Some(value) if value <= LEVEL => {
+                    return (distance + step * (before - LEVEL) / (before - value), true);
+                }
+                Some(value) => before = value,
+            }
+            distance = next;
+        }
+    }
+
     /// Bilinear value at a lag in points; `None` beyond the surface.
     fn at(&self, [x, y]: [f64; 2]) -> Option<f64> {
         if x.abs() > self.reach[0] as f64 || y.abs() > self.reach[1] as f64 {
@@ -367,7 +464,7 @@ impl Lags {
 }
 
 /// Transforms rows and columns in place, without a factor.
-fn transform(cells: &mut [Complex<f64>], width: usize, height: usize) {
+pub(crate) fn transform(cells: &mut [Complex<f64>], width: usize, height: usize) {
     let along = complex_inverse(width);
     for row in cells.chunks_mut(width) {
         along.process(row);

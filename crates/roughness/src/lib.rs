@@ -28,6 +28,7 @@ pub mod generate;
 pub mod height_parameters;
 pub mod hurst;
 pub mod involute;
+pub mod lay;
 mod local_parabolas;
 pub mod material_levels;
 pub mod material_ratio;

@@ -73,7 +73,7 @@ fn parameters(trace: &Profile) -> [f64; NAMES.len()] {
 }
 
 /// Two-sided p of the rank-sum test of Wilcoxon, Mann and Whitney (normal approximation with continuity correction).
-fn rank_sum(a: &[f64], b: &[f64]) -> f64 {
+pub fn rank_sum(a: &[f64], b: &[f64]) -> f64 {
     let (n, m) = (a.len() as f64, b.len() as f64);
     let pairs = a.iter().flat_map(|x| b.iter().map(move |y| (x, y)));
     let u: f64 = pairs

@@ -4,6 +4,8 @@ mod areal;
 mod common;
 mod filters;
 mod fitted;
+mod fitted_surface;
+mod lay;
 mod limits;
 mod properties;
 mod provenance;

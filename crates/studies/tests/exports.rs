@@ -16,7 +16,7 @@ use asperity_studies::cycle::cycle;
 use asperity_studies::export::{
     AddedLoss, ExportError, Field, Format, With, c_source, export, gear_box_fit,
 };
-use asperity_studies::map::{Axes, FinishMap, Map, Numbers, Point};
+use asperity_studies::map::{Axes, FinishMap, Map, MeshPart, Numbers, Point};
 
 /// A made-up loss torque: 0.0075 |T|^1.02, a tenth more where the wheel drives, and 2e-4 √ω.
 fn made_up(torque: f64, rpm: f64) -> f64 {
@@ -76,7 +76,7 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
         scope: "mesh".to_owned(),
         gearbox: None,
         axes,
-        ratio: 68.0 / 23.0,
+        ratio: Some(RATIO),
         finishes: vec![FinishMap {
             name: "ground".to_owned(),
             fingerprint: String::new(),
@@ -85,13 +85,17 @@ fn map_of(torque: &[f64], temperatures: &[f64]) -> Map {
             has_flanks_of_first: true,
             resolved_from_nm: [1.0, 1.0],
             draws: Vec::new(),
+            meshes: Vec::new(),
             points,
         }],
         warnings: Vec::new(),
-        input: CaseInput::new(gears, operation, Default::default(), FlankInput::default()),
+        input: CaseInput::new(gears, operation, Default::default(), FlankInput::default()).into(),
         defaults: Vec::new(),
     }
 }
+
+/// Turns of the pinion for one turn of the wheel.
+const RATIO: f64 = 68.0 / 23.0;
 
 fn map() -> Map {
     let torque: Vec<f64> = (0..33).map(|k| -160.0 + 10.0 * f64::from(k)).collect();
@@ -272,15 +276,13 @@ fn advisor_efficiencies_are_those_of_the_output_shaft() {
     for (row, speed) in speeds.iter().enumerate() {
         for (column, output) in torques.iter().enumerate() {
             let efficiency = map_of[row * torques.len() + column];
-            let output = output / map.ratio;
+            let output = output / RATIO;
             let input = if output > 0.0 {
                 output / efficiency
             } else {
                 output * efficiency
             };
-            let loss = surface
-                .loss_torque(input, speed * map.ratio * 30.0 / PI)
-                .value;
+            let loss = surface.loss_torque(input, speed * RATIO * 30.0 / PI).value;
             assert!((input - output - loss).abs() < 1e-9 * (1.0 + output.abs()));
         }
     }
@@ -429,7 +431,7 @@ fn the_fmu_describes_its_source_and_the_source_interpolates() {
         );
     }
     let fields = Field::all(&map, 0, Some(&added)).unwrap();
-    assert_eq!(c_source(&fields[0]).unwrap(), source);
+    assert_eq!(c_source(&fields).unwrap(), source);
     let beyond = [
         [300.0, 3000.0],
         [-300.0, -3000.0],
@@ -465,7 +467,7 @@ fn beyond_the_map_loss_over_torque_is_held_and_marked() {
     assert!(found.is_outside && (found.value - edge * 300.0 / 160.0).abs() < 1e-12);
     // Of a map for one direction the other one is that of its torques.
     let one_sided = map_of(&[10.0, 20.0], &[60.0]);
-    let source = c_source(&Field::all(&one_sided, 0, None).unwrap()[0]).unwrap();
+    let source = c_source(&Field::all(&one_sided, 0, None).unwrap()).unwrap();
     let nan = f64::NAN;
     let places = [
         [-20.0, 3000.0],
@@ -523,26 +525,41 @@ fn a_cycle_that_leaves_the_map_gives_no_single_efficiency() {
 
 /// Loss torque, loss power and mark of the places by the C source, driven as a unit; none without a compiler.
 fn driven(source: &str, places: &[[f64; 2]]) -> Option<Vec<[f64; 3]>> {
-    let folder = tempfile::tempdir().unwrap();
     let number = |value: f64| match value.is_nan() {
         true => "0.0 / 0.0".to_owned(),
         false => format!("{value:?}"),
     };
-    let calls: String = places
-        .iter()
-        .map(|[torque, speed]| {
-            format!(
-                "say(c, {}, {});\n",
-                number(*torque),
-                number(speed * PI / 30.0)
-            )
-        })
-        .collect();
+    let set = |[torque, speed]: &[f64; 2]| {
+        let [torque, speed] = [number(*torque), number(speed * PI / 30.0)];
+        vec![("TAU", torque), ("OMEGA", speed)]
+    };
+    let places: Vec<_> = places.iter().map(set).collect();
+    let rows = said(source, &places, ["LOSS_TORQUE", "LOSS_POWER", "OUTSIDE"])?;
+    Some(rows.into_iter().map(|row| row.unwrap()).collect())
+}
+
+/// Three variables of the compiled source after each set of inputs, `None` where an input is refused; `None` without a
+/// compiler.
+fn said(
+    source: &str,
+    inputs: &[Vec<(&str, String)>],
+    outputs: [&str; 3],
+) -> Option<Vec<Option<[f64; 3]>>> {
+    let folder = tempfile::tempdir().unwrap();
+    let call = |inputs: &Vec<(&str, String)>| {
+        let set = inputs.iter().map(|(name, value)| {
+            format!("r = {name}; v = {value}; if (fmi2SetReal(c, &r, 1, &v)) {{ puts(\"refused\"); fmi2Reset(c); }} else\n")
+        });
+        format!("{} say(c);\n", set.collect::<String>())
+    };
+    let calls: String = inputs.iter().map(call).collect();
     let main = format!(
-        "{source}\n#include <stdio.h>\nstatic void say(Component c, double t, double w) {{\n\
-         Reference in[] = {{TAU, OMEGA}}, out[] = {{LOSS_TORQUE, LOSS_POWER, OUTSIDE}}; double v[] = {{t, w}}, r[3];\n\
-         fmi2SetReal(c, in, 2, v); fmi2GetReal(c, out, 3, r); printf(\"%.17g %.17g %.17g\\n\", r[0], r[1], r[2]); }}\n\
-         int main(void) {{ Component c = fmi2Instantiate(\"a\", 0, GUID, \"\", 0, 0, 0); if (!c) return 1;\n{calls}return 0; }}\n"
+        "{source}\n#include <stdio.h>\nstatic void say(Component c) {{\n\
+         Reference out[] = {{{}}}; double r[3];\n\
+         fmi2GetReal(c, out, 3, r); printf(\"%.17g %.17g %.17g\\n\", r[0], r[1], r[2]); }}\n\
+         int main(void) {{ Component c = fmi2Instantiate(\"a\", 0, GUID, \"\", 0, 0, 0); Reference r; double v;\n\
+         if (!c) return 1;\n{calls}return 0; }}\n",
+        outputs.join(", ")
     );
     let (code, program) = (folder.path().join("main.c"), folder.path().join("main"));
     std::fs::write(&code, main).unwrap();
@@ -560,8 +577,116 @@ fn driven(source: &str, places: &[[f64; 2]]) -> Option<Vec<[f64; 3]>> {
     assert!(said.status.success());
     let text = String::from_utf8(said.stdout).unwrap();
     let row = |line: &str| {
-        let numbers: Vec<f64> = line.split(' ').map(|word| word.parse().unwrap()).collect();
-        <[f64; 3]>::try_from(numbers).unwrap()
+        let numbers = line.split(' ').map(|word| word.parse().ok());
+        let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
+        Some(<[f64; 3]>::try_from(numbers).unwrap())
     };
     Some(text.lines().map(row).collect())
+}
+
+/// A map at 60 and 100 °C of two meshes, the second of which has a quarter of the loss.
+fn two_meshes() -> Map {
+    let mut map = map_of(&[-100.0, 0.0, 100.0], &[60.0, 100.0]);
+    let part = |name: &str, count: u32, share: f64| MeshPart {
+        name: name.to_owned(),
+        count,
+        loss_torque_nm: map.finishes[0]
+            .points
+            .iter()
+            .map(|point| Some(share * point.numbers.unwrap().loss_torque_nm))
+            .collect(),
+    };
+    map.finishes[0].meshes = vec![part("sun <and> planet", 3, 0.75), part("second", 1, 0.25)];
+    map
+}
+
+#[test]
+fn the_fmu_of_several_temperatures_has_the_temperature_as_input_and_the_parts_of_the_meshes() {
+    let map = two_meshes();
+    let files = export(&map, Format::Fmu, With::default()).unwrap();
+    assert_eq!(files.len(), 1);
+    let mut unit = zip::ZipArchive::new(std::io::Cursor::new(files[0].bytes.clone())).unwrap();
+    let mut xml = String::new();
+    let mut description = unit.by_name("modelDescription.xml").unwrap();
+    description.read_to_string(&mut xml).unwrap();
+    for stated in [
+        r#"name="temperature" valueReference="7" causality="input""#,
+        r#"<Real unit="degC" start="60"/>"#,
+        r#"name="mesh_1_loss_torque" valueReference="8" causality="output""#,
+        "part of 3 sun &lt;and&gt; planet at the input shaft",
+        r#"<Unknown index="10" dependencies="1 2 3"/>"#,
+        "finish ground, 60, 100 °C; 0 of 102 nodes",
+        "negative torque: the same flanks",
+    ] {
+        assert!(xml.contains(stated), "{stated}: {xml}");
+    }
+    let source = c_source(&Field::all(&map, 0, None).unwrap()).unwrap();
+    let at = |temperature: &str| {
+        let [torque, speed] = ["100.0", "314.1592653589793"].map(str::to_owned);
+        vec![
+            ("TAU", torque),
+            ("OMEGA", speed),
+            ("TEMPERATURE", temperature.to_owned()),
+        ]
+    };
+    let inputs = [
+        at("60.0"),
+        at("90.0"),
+        at("100.0"),
+        at("120.0"),
+        at("0.0 / 0.0"),
+    ];
+    let outputs = ["LOSS_TORQUE", "PART_TORQUE + 1", "OUTSIDE"];
+    let Some(rows) = said(&source, &inputs, outputs) else {
+        eprintln!("NOTICE: no cc here; the source of the FMU is not compiled");
+        return;
+    };
+    // The made-up loss rises by 0.1 % per kelvin, and is held at 100 °C.
+    let cold = made_up(100.0, 3000.0);
+    for (row, [factor, outside]) in
+        rows.iter()
+            .zip([[1.0, 0.0], [1.03, 0.0], [1.04, 0.0], [1.04, 1.0]])
+    {
+        let [whole, second, is_outside] = row.unwrap();
+        assert!((whole / (factor * cold) - 1.0).abs() < 1e-12, "{row:?}");
+        assert!((second / (0.25 * whole) - 1.0).abs() < 1e-12, "{row:?}");
+        assert_eq!(is_outside, outside);
+    }
+    // NaN is outside, and has no number.
+    assert!(rows[4].is_none_or(|[whole, _, outside]| whole.is_nan() && outside == 1.0));
+    // A map of one temperature has no such input.
+    let single = c_source(&Field::all(&map_of(&[0.0, 100.0], &[60.0]), 0, None).unwrap()).unwrap();
+    let refused = said(
+        &single,
+        &[at("90.0")],
+        ["LOSS_TORQUE", "ADDED_TORQUE", "OUTSIDE"],
+    );
+    assert_eq!(refused.unwrap(), [None]);
+}
+
+#[test]
+fn the_table_of_the_meshes_adds_up_to_the_loss() {
+    let map = two_meshes();
+    let files = export(&map, Format::Csv, With::default()).unwrap();
+    let names: Vec<_> = files
+        .iter()
+        .map(|file| file.name.to_string_lossy())
+        .collect();
+    assert_eq!(names, ["ground.csv", "ground_meshes.csv"]);
+    let column = |bytes: &[u8], name: &str| -> Vec<f64> {
+        let mut table = csv::Reader::from_reader(bytes);
+        let place = table
+            .headers()
+            .unwrap()
+            .iter()
+            .position(|head| head == name)
+            .unwrap();
+        table
+            .records()
+            .map(|row| row.unwrap()[place].parse().unwrap())
+            .collect()
+    };
+    let whole: f64 = column(&files[0].bytes, "loss_torque_nm").iter().sum();
+    let parts: f64 = column(&files[1].bytes, "loss_torque_nm").iter().sum();
+    assert!((parts / whole - 1.0).abs() < 1e-12);
 }

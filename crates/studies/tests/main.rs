@@ -3,3 +3,4 @@
 mod energies;
 mod estimate;
 mod exports;
+mod trains;

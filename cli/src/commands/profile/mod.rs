@@ -7,6 +7,7 @@ mod file_facts;
 mod info;
 mod json;
 mod levels;
+mod like_surface;
 mod plan;
 mod plot;
 mod surface_facts;

@@ -6,11 +6,13 @@ use asperity_core::quantity::Length;
 use asperity_profile_io::read::Surface;
 use asperity_report::wrapped;
 use asperity_roughness::areal::{ArealParameters, parameters};
+use asperity_roughness::lay::{RowLay, lay_of_rows};
 use serde_json::json;
 
 use super::case_lines::case_lines;
 use super::evaluated::{opened_surface, um};
 use super::file_facts::rounded;
+use super::plan::Plan;
 use crate::args::{Common, ProfileInfoArgs};
 use crate::failure::Failure;
 use crate::output::{print_json, print_text};
@@ -28,6 +30,7 @@ pub(super) fn print(
         return Ok(false);
     };
     let areal = evaluated(&surface);
+    let lay = measured_lay(&surface, &Plan::of(&args.preparing)?);
     if common.json {
         let mut report = json!({
             "file": surface.name,
@@ -38,6 +41,7 @@ pub(super) fn print(
             "dy_um": surface.dy.map(um),
             "missing": surface.z.len() - surface.measured(),
             "areal": areal.as_ref().ok(),
+            "lay": lay.as_ref().ok(),
         });
         report["error"] = failure.json()["error"].clone();
         return print_json(&report).map(|()| true);
@@ -62,16 +66,22 @@ pub(super) fn print(
         Ok(areal) => written(areal, &mut line),
         Err(reason) => line(&format!("no areal parameters: {reason}")),
     }
+    line(&match &lay {
+        Ok(lay) => {
+            let [low, high] = lay.range;
+            let bound = if lay.is_bound {
+                ", longer ridges than half of the surface"
+            } else {
+                ""
+            };
+            format!(
+                "lay of traces along the rows {:.3} ({low:.3} to {high:.3}{bound}), which a case takes from the file",
+                lay.gamma
+            )
+        }
+        Err(reason) => format!("lay of traces along the rows unknown: {reason}"),
+    });
     text += &case_lines(file, args, args.preparing.lambda_c);
-    if let Ok(areal) = &areal
-        && let Some(texture) = areal.texture
-        && let Some(ratio) = texture.str_at_most
-    {
-        text += &format!(
-            "    [model]\n    lay = {ratio:.2} # Str, for traces across the ridges: Std is {} deg off the rows\n",
-            texture.std_degrees.min(180.0 - texture.std_degrees)
-        );
-    }
     print_text(common, &text).map(|()| true)
 }
 
@@ -83,10 +93,28 @@ fn evaluated(surface: &Surface) -> Result<ArealParameters, String> {
     parameters(&surface.z, surface.columns, [dx, dy]).map_err(|error| error.to_string())
 }
 
-fn written(areal: &ArealParameters, line: &mut impl FnMut(&str)) {
+/// The lay of traces along the rows, prepared by the options, or why it is not known.
+fn measured_lay(surface: &Surface, plan: &Plan) -> Result<RowLay, String> {
+    let (Some(dx), Some(dy)) = (surface.dx, surface.dy) else {
+        return Err("the file does not state both spacings".to_owned());
+    };
+    match lay_of_rows(
+        &surface.z,
+        surface.columns,
+        [dx, dy],
+        &plan.recipe,
+        plan.filter,
+    ) {
+        Ok(Ok(lay)) => Ok(lay),
+        Ok(Err(unknown)) => Err(unknown.to_string()),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+/// Height parameters and slopes on one line.
+pub(super) fn areal_line(areal: &ArealParameters) -> String {
     let shape = |value: Option<f64>| value.map_or("none".to_owned(), |v| format!("{v:.3}"));
-    line("ISO 25178-2, over the least-squares plane, without filters:");
-    line(&format!(
+    format!(
         "Sa {:.4} Sq {:.4} Sp {:.4} Sv {:.4} Sz {:.4} um, Ssk {} Sku {}, Sdq {:.4}, Sdr {:.3} %",
         um(areal.sa),
         um(areal.sq),
@@ -97,7 +125,12 @@ fn written(areal: &ArealParameters, line: &mut impl FnMut(&str)) {
         shape(areal.sku),
         areal.sdq,
         100.0 * areal.sdr
-    ));
+    )
+}
+
+fn written(areal: &ArealParameters, line: &mut impl FnMut(&str)) {
+    line("ISO 25178-2, over the least-squares plane, without filters:");
+    line(&areal_line(areal));
     let Some(texture) = &areal.texture else {
         line("no Sal, Str, Std: the surface is flat or has too many points");
         return;

@@ -15,6 +15,7 @@ use serde_json::json;
 use super::evaluated::{
     Note, opened, opened_trace, refusal, refused, save, save_trace, to_digits, um, without_outliers,
 };
+use super::like_surface;
 use super::plan::Plan;
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
@@ -191,7 +192,13 @@ pub fn filter(args: &ProfileFilterArgs, common: &Common) -> Result<(), Failure> 
 pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
     let common = &besides_file(&args.output, common)?;
     let (recipe, fit_warnings) = match args.like.split_first() {
-        Some((first, others)) => fitted(first, others, args)?,
+        Some((first, others)) => match fitted(first, others, args) {
+            // A file of several traces of which none is chosen is a surface.
+            Err(failure) if failure.is_of_several() && args.reading.row.is_none() => {
+                return like_surface::generate(args, common);
+            }
+            fitted => fitted?,
+        },
         None => (stated_recipe(args)?, Vec::new()),
     };
     let made = recipe

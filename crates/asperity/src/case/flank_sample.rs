@@ -13,8 +13,8 @@ use super::trace_list::{TraceEntry, TraceInput, TraceList, is_pattern};
 
 /// Largest number of pairs of teeth that are all computed.
 const MOST_PAIRS: usize = 64;
-/// Number of teeth of each flank that are paired if there are more pairs.
-const FIRST_TEETH: usize = 8;
+/// Least number of teeth of each flank that are paired if there are more pairs.
+const LEAST_TEETH: usize = 8;
 
 /// A trace of a list: the keys to read it by, its tooth and its place.
 #[derive(Debug, Clone)]
@@ -183,11 +183,15 @@ pub(super) fn teeth(traces: &[Listed]) -> usize {
         .unwrap_or(0)
 }
 
-/// Number of teeth of each flank that are paired: all up to 64 pairs, otherwise the first eight of each.
+/// Number of teeth of each flank that are paired: all up to 64 pairs, otherwise at least eight of a flank that has them and as
+/// many as make 64 pairs.
 pub(super) fn paired(teeth: [usize; 2]) -> [usize; 2] {
     match teeth[0] * teeth[1] <= MOST_PAIRS {
         true => teeth,
-        false => teeth.map(|count| count.min(FIRST_TEETH)),
+        false => [0, 1].map(|body: usize| {
+            let of_others = MOST_PAIRS / teeth[1 - body].max(1);
+            teeth[body].min(of_others.max(LEAST_TEETH))
+        }),
     }
 }
 
@@ -265,10 +269,13 @@ mod tests {
     }
 
     #[test]
-    fn above_64_pairs_the_first_eight_of_each_are_paired() {
+    fn above_64_pairs_as_many_teeth_as_make_64_are_paired() {
         assert_eq!(paired([8, 8]), [8, 8]);
         assert_eq!(paired([64, 1]), [64, 1]);
-        assert_eq!(paired([5, 13]), [5, 8]);
-        assert_eq!(paired([65, 1]), [8, 1]);
+        assert_eq!(paired([5, 13]), [5, 12]);
+        assert_eq!(paired([65, 1]), [64, 1]);
+        assert_eq!(paired([32, 32]), [8, 8]);
+        assert_eq!(paired([9, 100]), [8, 8]);
+        assert_eq!(paired([20, 4]), [16, 4]);
     }
 }

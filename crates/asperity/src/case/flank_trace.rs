@@ -470,7 +470,7 @@ fn surface_rows(
 }
 
 /// Options of the reader from the keys of a flank.
-fn read_options(input: &FlankInput) -> ReadOptions {
+pub(super) fn read_options(input: &FlankInput) -> ReadOptions {
     // The other keys name the trace, its place, or roughness values.
     let &FlankInput {
         x_unit,

@@ -12,6 +12,8 @@ use super::files::{FileSums, Files, Reader};
 use super::flank_pairs::{Meeting, all_placed, on_common_spacing};
 use super::flank_sample::{self, Listed};
 use super::flank_trace::{Context, Flank, Keys, flank, keys_of, traces_of};
+use super::input::FlankInput;
+use super::lay::{Lays, lays};
 use super::model::Formulation;
 use super::resolve::Case;
 use super::section::domain;
@@ -31,6 +33,8 @@ pub(super) struct Flanks {
     pub sampled: Option<Arc<SampledFlanks>>,
     /// Form of each gear, the mean of its traces, if its relief is taken from them.
     pub forms: [Option<MeasuredForm>; 2],
+    /// Lay of each flank.
+    pub lays: Arc<Lays>,
     /// Places y/b between zones of the face with separate traces.
     pub zones: Vec<f64>,
     pub warnings: Vec<Warning>,
@@ -80,11 +84,26 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     ];
     let named = [0, 1].map(|body: usize| flank_sample::teeth(&lists[body]));
     let teeth = flank_sample::paired(named);
-    for (list, teeth) in lists.iter_mut().zip(teeth) {
-        list.retain(|trace| trace.tooth < teeth);
+    let inputs = [pinion_input, &wheel_input];
+    for (body, list) in lists.iter_mut().enumerate() {
+        match inputs[body].rows {
+            // Fewer rows, still spread evenly.
+            Some(rows) if rows > teeth[body] => {
+                let fewer = FlankInput {
+                    rows: Some(teeth[body]),
+                    ..inputs[body].clone()
+                };
+                *list = traces_of(&fewer, &keys[body], context)?;
+            }
+            _ => list.retain(|trace| trace.tooth < teeth[body]),
+        }
     }
     if teeth != named {
-        warnings.push(left_out(named, teeth));
+        warnings.push(left_out(
+            named,
+            teeth,
+            inputs.map(|input| input.rows.is_some()),
+        ));
     }
     let is_several = lists.iter().any(|list| list.len() > 1);
     let mut flanks: [Vec<Flank>; 2] = Default::default();
@@ -127,6 +146,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
         let mut seen = std::collections::BTreeSet::new();
         warnings.retain(|warning| seen.insert(warning.to_string()));
     }
+    let lays = lays(context, &lists, &flanks, &keys, &mut warnings);
     let is_placed = all_placed(&flanks, &mut warnings);
     let width = case.gears.face_width;
     let zones = flank_sample::zones([&lists[0], &lists[1]], width);
@@ -176,6 +196,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
         reports: Arc::new(reports),
         sampled,
         forms,
+        lays: Arc::new(lays),
         zones,
         warnings,
         assumed,
@@ -185,16 +206,20 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
 }
 
 /// W427: teeth that are in no pair.
-fn left_out(named: [usize; 2], teeth: [usize; 2]) -> Warning {
+fn left_out(named: [usize; 2], teeth: [usize; 2], of_rows: [bool; 2]) -> Warning {
+    let which = |body: usize| match of_rows[body] {
+        true => format!("{} rows spread evenly", teeth[body]),
+        false => format!("the first {}", teeth[body]),
+    };
     Warning::new(
         "W427",
         format!(
-            "{} traced teeth of the pinion and {} of the wheel make {} pairs: the first {} and {} of the lists are computed",
+            "{} traced teeth of the pinion and {} of the wheel make {} pairs: {} of the pinion and {} of the wheel are computed",
             named[0],
             named[1],
             named[0] * named[1],
-            teeth[0],
-            teeth[1]
+            which(0),
+            which(1)
         ),
     )
 }

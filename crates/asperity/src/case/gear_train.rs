@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
+use super::any_input::AnyInput;
 use super::check::{completed, readable};
 use super::error::CaseError;
 use super::files::Files;
@@ -18,12 +19,12 @@ use super::source::Source;
 use super::train_parts::TrainFile;
 use crate::error::Error;
 
+pub use super::loaded_train::{LoadedMesh, LoadedStage, LoadedTrain};
 pub use super::train_heat_input::HeatInput;
 pub use super::train_input::{
     MeshInput, PassedLosses, TrainCaseInput, TrainInput, TrainMaterialInput, TrainSurfaceInput,
     schema,
 };
-pub use super::train_parts::{LoadedMesh, LoadedStage, LoadedTrain};
 
 /// Whether the text is of a gear train: it has tables `[mesh.NAME]` or `[planetary]`.
 pub fn is_train(source: &Source) -> bool {
@@ -71,7 +72,7 @@ pub fn load_set(
     loaded.map_err(|error| Error::in_text(error, source))
 }
 
-fn read<T: TrainFile>(
+fn read<T: TrainFile + Into<AnyInput>>(
     source: &mut Source,
     folder: &Path,
     keys: &[(String, String)],
@@ -92,7 +93,7 @@ fn read<T: TrainFile>(
         let source = source.of_mesh(&mesh.keys);
         cases.push(complete(case, &source, Arc::clone(&files), None)?);
     }
-    Ok(parts.loaded(cases, &input))
+    Ok(LoadedTrain::of(parts, cases, input))
 }
 
 /// The errors of a gear train, or the train.
@@ -123,7 +124,7 @@ pub fn check(source: Source, folder: &Path, keys: &[(String, String)]) -> TrainF
     }
 }
 
-fn all<T: TrainFile>(
+fn all<T: TrainFile + Into<AnyInput>>(
     source: &mut Source,
     folder: &Path,
     keys: &[(String, String)],
@@ -157,7 +158,7 @@ fn all<T: TrainFile>(
         errors.extend(of_mesh.into_iter().filter(is_new));
     }
     let is_whole = cases.len() == parts.meshes().count();
-    is_whole.then(|| parts.loaded(cases, &input))
+    is_whole.then(|| LoadedTrain::of(parts, cases, input))
 }
 
 /// Identity of an error: its code with its line, or with its text if it has no line.

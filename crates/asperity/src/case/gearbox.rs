@@ -91,7 +91,7 @@ pub(super) fn gearbox(
     }
     for (number, bearing) in bearings.iter().enumerate() {
         let name = named(bearing.name.as_deref(), "bearing", number);
-        let kind = rolling_bearing(bearing).map_err(refused(section, "bearings", &name))?;
+        let kind = loaded_bearing(bearing).map_err(refused(section, "bearings", &name))?;
         parts.push(Part { name, kind });
     }
     if let Some(JetInput { flow, speed }) = *jet {
@@ -116,11 +116,11 @@ pub(super) fn gearbox(
     })
 }
 
-fn named(stated: Option<&str>, kind: &str, number: usize) -> String {
+pub(super) fn named(stated: Option<&str>, kind: &str, number: usize) -> String {
     stated.map_or_else(|| format!("{kind} {}", number + 1), str::to_owned)
 }
 
-fn refused<'a>(
+pub(super) fn refused<'a>(
     section: Section<'a>,
     key: &'a str,
     part: &'a str,
@@ -133,17 +133,56 @@ fn refused<'a>(
     }
 }
 
-/// A rolling bearing with the constants that its kind needs.
-fn rolling_bearing(stated: &BearingInput) -> Result<PartKind, EfficiencyError> {
+/// A bearing of a pair of gears with its stated load.
+fn loaded_bearing(stated: &BearingInput) -> Result<PartKind, EfficiencyError> {
     let &BearingInput {
-        name: _,
         shaft,
-        kind,
-        bore,
-        outside_diameter,
+        at,
+        locating,
         radial,
         axial,
         at_torque,
+        ..
+    } = stated;
+    let rule = "is of a gear train, where the load of a bearing follows from the teeth";
+    for name in [at.map(|_| "at"), locating.map(|_| "locating")]
+        .into_iter()
+        .flatten()
+    {
+        DomainError::require(false, name, f64::NAN, "-", rule)?;
+    }
+    let radial = radial.unwrap_or(Force::from_si(f64::NAN));
+    let axial = axial.unwrap_or(Force::from_si(0.0));
+    DomainError::positive("radial", radial)?;
+    DomainError::non_negative("axial", axial)?;
+    if let Some(torque) = at_torque {
+        let (value, rule) = (torque.si(), "must be finite and not zero");
+        let holds = value.is_finite() && value != 0.0;
+        DomainError::require(holds, "at_torque", value, "N m", rule)?;
+    }
+    Ok(PartKind::Bearing {
+        shaft,
+        bearing: rolling_bearing(stated)?,
+        load: [radial, axial],
+        at_torque,
+    })
+}
+
+/// A rolling bearing with the constants that its kind needs.
+pub(super) fn rolling_bearing<S>(
+    stated: &BearingInput<S>,
+) -> Result<RollingBearing, EfficiencyError> {
+    let &BearingInput {
+        name: _,
+        shaft: _,
+        kind,
+        bore,
+        outside_diameter,
+        at: _,
+        locating: _,
+        radial: _,
+        axial: _,
+        at_torque: _,
         static_rating,
         axial_factor,
         r1,
@@ -155,9 +194,6 @@ fn rolling_bearing(stated: &BearingInput) -> Result<PartKind, EfficiencyError> {
         mu_bl,
         mu_ehl,
     } = stated;
-    let axial = axial.unwrap_or(Force::from_si(0.0));
-    DomainError::positive("radial", radial)?;
-    DomainError::non_negative("axial", axial)?;
     let positive = "is needed here, and must be greater than zero";
     let needed = |name, value: Option<f64>, unit| {
         let value = value.unwrap_or(f64::NAN);
@@ -195,11 +231,6 @@ fn rolling_bearing(stated: &BearingInput) -> Result<PartKind, EfficiencyError> {
         BearingKind::CylindricalRoller => 0.0,
         _ => needed("r2", r2, "-")?,
     };
-    if let Some(torque) = at_torque {
-        let (value, rule) = (torque.si(), "must be finite and not zero");
-        let holds = value.is_finite() && value != 0.0;
-        DomainError::require(holds, "at_torque", value, "N m", rule)?;
-    }
     let bearing = RollingBearing {
         form,
         bore,
@@ -216,12 +247,7 @@ fn rolling_bearing(stated: &BearingInput) -> Result<PartKind, EfficiencyError> {
         },
     };
     bearing.check()?;
-    Ok(PartKind::Bearing {
-        shaft,
-        bearing,
-        load: [radial, axial],
-        at_torque,
-    })
+    Ok(bearing)
 }
 
 fn table(file: &Path, section: Section<'_>, files: &Reader<'_>) -> Result<Part, CaseError> {

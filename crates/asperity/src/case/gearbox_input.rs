@@ -37,12 +37,12 @@ pub struct GearboxInput {
 /// A radial shaft seal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct SealInput {
+pub struct SealInput<S = Shaft> {
     /// Name, shown with its loss; default `seal 1`, counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// Shaft that it runs on: `pinion` or `wheel`.
-    pub shaft: Shaft,
+    /// Shaft that it runs on: `pinion` or `wheel`, in a gear train its name.
+    pub shaft: S,
     /// Diameter of the shaft under the lip.
     pub diameter: Length,
 }
@@ -50,20 +50,27 @@ pub struct SealInput {
 /// A rolling bearing with its load.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct BearingInput {
+pub struct BearingInput<S = Shaft> {
     /// Name, shown with its loss; default `bearing 1`, counted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// Shaft that it carries: `pinion` or `wheel`.
-    pub shaft: Shaft,
+    /// Shaft that it carries: `pinion` or `wheel`, in a gear train its name.
+    pub shaft: S,
     /// Shape of its rolling bodies.
     pub kind: BearingKind,
     /// Bore d.
     pub bore: Length,
     /// Outside diameter D.
     pub outside_diameter: Length,
-    /// Radial load F_r.
-    pub radial: Force,
+    /// Place along the shaft, in a gear train: the loads then follow from the teeth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<Length>,
+    /// Whether it carries the axial force of its shaft, in a gear train; default false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub locating: Option<bool>,
+    /// Radial load F_r of a pair of gears.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radial: Option<Force>,
     /// Axial load F_a; default 0 N.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub axial: Option<Force>,

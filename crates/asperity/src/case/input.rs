@@ -176,6 +176,10 @@ table! {
     /// Former name of `bulk_temperature`, or of `oil_temperature` if `operation.bulk` is stated.
     #[serde(skip_serializing_if = "Option::is_none")]
     temperature: Option<Temperature> = "°C" usual [-30.0, 180.0] possible [-100.0, 400.0];
+    /// Standard deviation of the stated temperature, of oil or flanks, by its measurement; 3 K for an oil sump without a probe
+    /// in the jet. Without it the temperature is taken as exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    temperature_deviation: Option<Temperature> = "K" usual [0.2, 15.0] possible [0.01, 30.0];
     /// Law of the bulk temperature that follows from the loss, with `oil_temperature`.
     #[serde(skip_serializing_if = "Option::is_none")]
     bulk: Option<BulkInput>;
@@ -252,13 +256,13 @@ impl OperationInput {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MapInput {
-    /// Largest torque at the pinion; default that of the operation.
+    /// Largest torque at the pinion or input shaft; default that of the operation.
     pub torque_max: Option<Torque>,
-    /// Largest speed of the pinion; default that of the operation.
+    /// Largest speed of the pinion or input shaft; default that of the operation.
     pub speed_max: Option<AngularSpeed>,
 }
 
-/// A vehicle whose speed over time makes torque and speed of the pinion.
+/// A vehicle whose speed over time makes torque and speed of the pinion or input shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct VehicleInput {
@@ -266,7 +270,7 @@ pub struct VehicleInput {
     pub mass: Mass,
     /// Rolling radius of the wheels.
     pub wheel_radius: Length,
-    /// Turns of the pinion for one turn of the wheels.
+    /// Turns of the pinion or input shaft for one turn of the wheels.
     pub ratio: f64,
     /// Drag coefficient times frontal area, c_d A.
     pub drag_area: Area,
@@ -380,7 +384,8 @@ table! {
     gaps: Option<Gaps>;
     /// Number of the profile in a file that holds several (a row of a surface), counted from 1.
     row: Option<usize>;
-    /// Number of rows of the surface in `file` that are taken as traces, spread evenly, each a tooth of its own.
+    /// Number of rows of the surface in `file` that are taken as traces, spread evenly, each a tooth of its own; fewer if they make
+    /// more than 64 pairs with those of the other flank.
     #[serde(skip_serializing_if = "Option::is_none")]
     rows: Option<usize>;
     /// Trace taken from a surface: `row` (default) or `column`, with their number in `row`, or `mean` of all rows

@@ -19,6 +19,7 @@ use super::gearbox::gearbox;
 use super::gears::check_load;
 use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
+use super::lay::Lays;
 use super::model::Formulation;
 use super::oil_file::oil_file;
 use super::plausibility::{SYMBOLS, at_pitch_point, of_files, step_up, unusual};
@@ -28,6 +29,7 @@ use super::source::Source;
 use super::surrogates::solves_contact;
 use crate::error::Error;
 use crate::fingerprint::Fingerprint;
+use crate::flanks::flank_lay::FlankLay;
 use crate::flanks::surfaces::{FlankReport, Surfaces};
 use crate::flanks::trace_pairs::SampledFlanks;
 use crate::message::Warning;
@@ -50,6 +52,8 @@ pub struct LoadedCase {
     pub provenance: Provenance,
     /// Equations that the preparation of the traces used, reused if a change of the case does not affect the traces.
     of_flanks: Provenance,
+    /// Lay of each flank.
+    lays: Arc<Lays>,
     /// Values that follow from the flanks and their files.
     assumed: Vec<DefaultUsed>,
     /// Name of the case, for messages about what is changed.
@@ -193,6 +197,11 @@ impl LoadedCase {
             Some(sampled) => sampled.reports().collect(),
             None => self.flanks.iter().collect(),
         }
+    }
+
+    /// Distributions of the lay of both flanks.
+    pub(crate) fn flank_lays(&self) -> [FlankLay; 2] {
+        self.lays.of_flanks
     }
 
     /// Name of the case file without its folder.
@@ -425,6 +434,7 @@ pub(super) fn complete(
         reports,
         sampled,
         forms,
+        lays,
         zones,
         warnings,
         assumed,
@@ -436,6 +446,7 @@ pub(super) fn complete(
             reports: before.flanks.clone(),
             sampled: before.sampled.clone(),
             forms: before.case.micro_geometry.measured.clone(),
+            lays: Arc::clone(&before.lays),
             zones: before.case.face_zones.clone(),
             warnings: of_files(&before.warnings),
             assumed: before.assumed.clone(),
@@ -448,6 +459,7 @@ pub(super) fn complete(
     let is_default = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
     case.defaults.retain(is_default);
     case.defaults.extend(assumed.iter().cloned());
+    lays.enter(&mut case);
     if case.model.run_in && (!surfaces.are_measured() || surfaces.is_surrogate()) {
         let section = Section::of(source, "model");
         return Err(section.conflict("run_in", "needs the traces of both flanks"));
@@ -483,6 +495,7 @@ pub(super) fn complete(
         warnings,
         provenance,
         of_flanks,
+        lays,
         assumed,
         name: source.name().into(),
         files,

@@ -13,6 +13,7 @@
 //!
 //! [`gear_train`] reads cases of several meshes.
 
+mod any_input;
 mod assumed_relief;
 mod builder;
 mod bulk;
@@ -40,10 +41,13 @@ mod input;
 mod key_names;
 mod known_keys;
 mod law_names;
+mod lay;
 mod loaded;
+mod loaded_train;
 mod micropitting_input;
 mod model;
 mod oil_file;
+mod oil_file_text;
 mod one_or_two;
 mod own_laws;
 mod page;
@@ -64,10 +68,12 @@ mod trace;
 mod trace_filters;
 mod trace_list;
 mod train_flow;
+mod train_gearbox;
 mod train_heat_input;
 mod train_input;
 mod train_parts;
 
+pub use any_input::AnyInput;
 pub use assumed_relief::AssumedRelief;
 pub use builder::CaseBuilder;
 pub use bulk::{BulkModel, BulkReport, FoundBulk};
@@ -112,3 +118,6 @@ pub(crate) use steel::STEEL_FLOW_PRESSURE;
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};
 pub use train_flow::{MeshLoad, StageKind, Train, TrainFlow};
+pub use train_gearbox::{
+    Hand, MeshPlace, TrainGearbox, TrainGearboxInput, TrainPart, TrainPartKind,
+};

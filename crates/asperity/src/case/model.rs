@@ -100,7 +100,8 @@ choices! {
     boundary_layer: Length = corrected(BOUNDARY_LAYER),
         check("boundary layer", |h| (0.0..=1e-6).contains(&h), "must be 0 to 1 um");
     /// Lay γ of the roughness, one value for both flanks or `[pinion, wheel]`: from 0 or `across`, ridges
-    /// across the whole face width, to 1 or `isotropic`; default 1/12, the middle of measured ground flanks.
+    /// across the whole face width, to 1 or `isotropic`; default as measured on the surface of the traces, otherwise 1/12,
+    /// the middle of measured ground flanks.
     lay: OneOrTwo<Lay> => [Lay; 2] = corrected(OneOrTwo::One(Lay::GROUND));
     /// Law of the mean gap that the inlet supplies to `load_share = "solved"`: `inlet` (default), whose inlet grows longer with
     /// the gap, or `power`, whose film thickens as the asperities take load off it.

@@ -1,6 +1,5 @@
 //! The oil file: constants of the film friction of one oil, fitted to traction curves, with their 95 % bands.
 
-use std::fmt;
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
@@ -44,6 +43,9 @@ pub struct OilFile {
     pub lubricant: LubricantInput,
     /// Constants of the film friction.
     pub film_friction: FittedFriction,
+    /// The same by the other law of pressure, if the curves do not decide between the two.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub other_law: Option<FittedFriction>,
 }
 
 /// Name of the format.
@@ -182,6 +184,82 @@ impl<T> OilConstant<T> {
 }
 
 impl FittedFriction {
+    fn check(&self, section: Section<'_>) -> Result<(), CaseError> {
+        for name in FittedName::ALL {
+            let Calibrated { value, low, high } = self.of(name);
+            let is_within = low < high && (low..=high).contains(&value) && high.is_finite();
+            let is_fall = name == FittedName::LimitingShearTemperature;
+            let rule = match is_fall {
+                _ if !is_within || (!is_fall && low <= 0.0) => match is_fall {
+                    true => "needs low < high with the value between them",
+                    false => "needs 0 < low < high with the value between them",
+                },
+                true if low < -STEEPEST_FALL || high > STEEPEST_FALL => {
+                    "needs -0.016 <= low and high <= 0.016 1/K: the film would have no single temperature"
+                }
+                _ if name == FittedName::LimitingShear && high >= 1.0 => "must be below 1",
+                _ => continue,
+            };
+            return Err(section.conflict(name.key(), rule));
+        }
+        let FitQuality {
+            points,
+            chi2_per_point,
+            other_law,
+            this_law,
+        } = self.fit;
+        let is_sum = |value: f64| value.is_finite() && value >= 0.0;
+        let is_known = |kelvin: &Temperature| kelvin.si().is_finite() && kelvin.si() > 0.0;
+        let faults = [
+            (
+                "temperatures",
+                !self.temperatures.is_empty() && self.temperatures.iter().all(is_known),
+                "needs the temperatures of the curves",
+            ),
+            (
+                "pressure_max",
+                self.pressure_max.si() > 0.0 && self.pressure_max.si().is_finite(),
+                "must be positive",
+            ),
+            (
+                "fit",
+                points > 0
+                    && [chi2_per_point, other_law, this_law]
+                        .into_iter()
+                        .all(is_sum),
+                "needs points, and squares of 0 or more",
+            ),
+            (
+                "correlations",
+                self.has_distribution(),
+                "contradict each other: no measurements have these correlations",
+            ),
+        ];
+        match faults.into_iter().find(|(_, holds, _)| !holds) {
+            None => Ok(()),
+            Some((key, _, rule)) => Err(section.conflict(key, rule)),
+        }
+    }
+
+    fn has_distribution(&self) -> bool {
+        let [all, found] = [FittedName::ALL, FittedName::ALL];
+        let names = |i: usize, j: usize| self.correlation(all[i], found[j]);
+        cholesky(FittedName::ALL.len(), names).is_some()
+    }
+
+    /// Probability of the other law of pressure, by the odds of the two fits.
+    ///
+    /// ```text
+    /// p = 1/(1 + exp(Δχ²/2))                                                      [Law-odds]
+    /// ```
+    ///
+    /// Δχ²: sum of squares by the other law less the sum by this one.
+    #[must_use]
+    pub fn probability_of_other_law(&self) -> f64 {
+        asperity_core::cite!("Law-odds");
+        1.0 / (1.0 + (0.5 * (self.fit.other_law - self.fit.this_law)).exp())
+    }
+
     /// Value and 95 % band of a constant in SI units.
     #[must_use]
     pub fn of(&self, name: FittedName) -> Calibrated<f64> {
@@ -354,67 +432,37 @@ impl OilFile {
             let rule = "is a key of a case; an oil file has film_friction";
             return Err(lubricant.conflict_of_key(key, rule));
         }
-        let found = &self.film_friction;
-        for name in FittedName::ALL {
-            let Calibrated { value, low, high } = found.of(name);
-            let is_within = low < high && (low..=high).contains(&value) && high.is_finite();
-            let is_fall = name == FittedName::LimitingShearTemperature;
-            let rule = match is_fall {
-                _ if !is_within || (!is_fall && low <= 0.0) => match is_fall {
-                    true => "needs low < high with the value between them",
-                    false => "needs 0 < low < high with the value between them",
-                },
-                true if low < -STEEPEST_FALL || high > STEEPEST_FALL => {
-                    "needs -0.016 <= low and high <= 0.016 1/K: the film would have no single temperature"
-                }
-                _ if name == FittedName::LimitingShear && high >= 1.0 => "must be below 1",
-                _ => continue,
-            };
-            return Err(section.conflict(name.key(), rule));
+        self.film_friction.check(section)?;
+        let Some(other) = &self.other_law else {
+            return Ok(());
+        };
+        let section = Section::of(source, "other_law");
+        if other.pressure_law == self.film_friction.pressure_law {
+            let rule = "needs another law than film_friction";
+            return Err(section.conflict("pressure_law", rule));
         }
-        let FitQuality {
-            points,
-            chi2_per_point,
-            other_law,
-            this_law,
-        } = found.fit;
-        let is_sum = |value: f64| value.is_finite() && value >= 0.0;
-        let is_known = |kelvin: &Temperature| kelvin.si().is_finite() && kelvin.si() > 0.0;
-        let faults = [
-            (
-                "temperatures",
-                !found.temperatures.is_empty() && found.temperatures.iter().all(is_known),
-                "needs the temperatures of the curves",
-            ),
-            (
-                "pressure_max",
-                found.pressure_max.si() > 0.0 && found.pressure_max.si().is_finite(),
-                "must be positive",
-            ),
-            (
-                "fit",
-                points > 0
-                    && [chi2_per_point, other_law, this_law]
-                        .into_iter()
-                        .all(is_sum),
-                "needs points, and squares of 0 or more",
-            ),
-            (
-                "correlations",
-                self.has_distribution(),
-                "contradict each other: no measurements have these correlations",
-            ),
-        ];
-        match faults.into_iter().find(|(_, holds, _)| !holds) {
-            None => Ok(()),
-            Some((key, _, rule)) => Err(section.conflict(key, rule)),
-        }
+        other.check(section)
     }
 
-    fn has_distribution(&self) -> bool {
-        let [all, found] = [FittedName::ALL, FittedName::ALL];
-        let names = |i: usize, j: usize| self.film_friction.correlation(all[i], found[j]);
-        cholesky(FittedName::ALL.len(), names).is_some()
+    /// The file with the constants of the law of pressure that a case states; without one, of the law that explains the
+    /// curves better.
+    pub(super) fn by_law(self: Arc<Self>, stated: Option<PressureLaw>) -> Arc<Self> {
+        let Some(other) = &self.other_law else {
+            return self;
+        };
+        let is_first = match stated {
+            Some(law) => law != other.pressure_law,
+            None => self.film_friction.fit.this_law <= other.fit.this_law,
+        };
+        if is_first {
+            return self;
+        }
+        let swapped = Self {
+            film_friction: other.clone(),
+            other_law: Some(self.film_friction.clone()),
+            ..Self::clone(&self)
+        };
+        swapped.into()
     }
 
     /// The oil of a case that names this file.
@@ -494,8 +542,17 @@ impl OilFile {
                 100.0 * fitted.law_error(temperature)
             ));
         }
-        if fitted.fit.other_law - fitted.fit.this_law < DECISIVE {
-            limit("the curves do not decide the law of pressure".to_owned());
+        match (&self.other_law, input.model.film_pressure_law) {
+            (Some(other), None) => limit(format!(
+                "the curves do not decide the law of pressure: the run has {}, the interval has {} as well, with a probability of {:.0} %",
+                fitted.pressure_law.name(),
+                other.pressure_law.name(),
+                100.0 * fitted.probability_of_other_law()
+            )),
+            _ if fitted.fit.other_law - fitted.fit.this_law < DECISIVE => {
+                limit("the curves do not decide the law of pressure".to_owned());
+            }
+            _ => {}
         }
         found
     }
@@ -511,110 +568,6 @@ impl OilFile {
         };
         table(own).into_iter().filter_map(differs).collect()
     }
-}
-
-/// The file as TOML.
-impl fmt::Display for OilFile {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        #[derive(Serialize)]
-        struct Oil<'a> {
-            lubricant: &'a LubricantInput,
-        }
-        let Self {
-            schema,
-            lubricant,
-            film_friction,
-        } = self;
-        let FittedFriction {
-            pressure_law,
-            eyring_stress,
-            limiting_shear,
-            limiting_shear_temperature,
-            pressure_viscosity_factor,
-            correlations,
-            temperatures,
-            pressure_max,
-            fit,
-            source,
-        } = film_friction;
-        let oil = toml::to_string(&Oil { lubricant }).map_err(|_| fmt::Error)?;
-        writeln!(f, "schema = {}\n\n{oil}", inline(schema)?)?;
-        writeln!(f, "[film_friction]")?;
-        writeln!(f, "pressure_law = {}", inline(pressure_law)?)?;
-        constant(f, FittedName::EyringStress, eyring_stress)?;
-        constant(f, FittedName::LimitingShear, limiting_shear)?;
-        constant(
-            f,
-            FittedName::LimitingShearTemperature,
-            limiting_shear_temperature,
-        )?;
-        constant(
-            f,
-            FittedName::PressureViscosityFactor,
-            pressure_viscosity_factor,
-        )?;
-        writeln!(f, "correlations = [")?;
-        for CorrelationInput { between, value } in correlations {
-            writeln!(
-                f,
-                "  {{ between = {}, value = {} }},",
-                inline(between)?,
-                inline(value)?
-            )?;
-        }
-        writeln!(f, "]\ntemperatures = {}", inline(temperatures)?)?;
-        writeln!(f, "pressure_max = {}", inline(pressure_max)?)?;
-        let FitQuality {
-            points,
-            chi2_per_point,
-            other_law,
-            this_law,
-        } = fit;
-        writeln!(
-            f,
-            "fit = {{ points = {points}, chi2_per_point = {}, other_law = {}, this_law = {} }}",
-            inline(chi2_per_point)?,
-            inline(other_law)?,
-            inline(this_law)?
-        )?;
-        writeln!(f, "source = {}", inline(source)?)
-    }
-}
-
-/// A line of a constant.
-fn constant<T: Serialize>(
-    f: &mut fmt::Formatter<'_>,
-    name: FittedName,
-    fitted: &OilConstant<T>,
-) -> fmt::Result {
-    let OilConstant {
-        value,
-        low,
-        high,
-        identified,
-    } = fitted;
-    let unit = match name {
-        FittedName::LimitingShearTemperature => "  # 1/K",
-        _ => "",
-    };
-    let identified = match identified {
-        Some(is_identified) => format!(", identified = {is_identified}"),
-        None => String::new(),
-    };
-    writeln!(
-        f,
-        "{} = {{ value = {}, low = {}, high = {}{identified} }}{unit}",
-        name.key(),
-        inline(value)?,
-        inline(low)?,
-        inline(high)?
-    )
-}
-
-/// A value on one line.
-fn inline<T: Serialize>(value: &T) -> Result<String, fmt::Error> {
-    let value = toml::Value::try_from(value).map_err(|_| fmt::Error)?;
-    Ok(value.to_string())
 }
 
 #[cfg(test)]
@@ -649,6 +602,46 @@ mod tests {
             ..file
         };
         assert_eq!(read(&file.to_string()).unwrap(), file, "{file}");
+    }
+
+    /// The valid file with constants by Roelands as well.
+    fn undecided() -> OilFile {
+        let first = OilFile::VALID.replace("other_law = 309.0", "other_law = 80.0");
+        let (_, table) = first.split_once("[film_friction]").unwrap();
+        let other = table
+            .replace("barus", "roelands")
+            .replace("4.8 MPa", "5.0 MPa")
+            .replace(
+                "other_law = 80.0, this_law = 78.0",
+                "other_law = 78.0, this_law = 80.0",
+            );
+        read(&format!("{first}\n[other_law]{other}")).unwrap()
+    }
+
+    #[test]
+    fn an_undecided_law_of_pressure_has_the_odds_of_the_fits() {
+        let file = undecided();
+        assert_eq!(read(&file.to_string()).unwrap(), file, "{file}");
+        let odds = file.film_friction.probability_of_other_law();
+        assert!((odds - 1.0 / (1.0 + 1f64.exp())).abs() < 1e-15);
+        let file = Arc::new(file);
+        let law_of = |file: &Arc<OilFile>, stated| {
+            let found = Arc::clone(file).by_law(stated);
+            let other = found.other_law.as_ref().unwrap().pressure_law;
+            assert_ne!(other, found.film_friction.pressure_law);
+            found
+        };
+        let by_roelands = law_of(&file, Some(PressureLaw::Roelands));
+        assert_eq!(by_roelands.film_friction.eyring_stress.value.si(), 5e6);
+        // The better law returns once no law is stated.
+        assert_eq!(law_of(&by_roelands, None), file);
+        assert_eq!(law_of(&file, Some(PressureLaw::Barus)), file);
+        let text = file.to_string().replace("roelands", "barus");
+        let error = read(&text).unwrap_err().to_string();
+        assert!(
+            error.contains("other_law.pressure_law: needs another law"),
+            "{error}"
+        );
     }
 
     #[test]

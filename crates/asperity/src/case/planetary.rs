@@ -5,7 +5,7 @@
 
 use std::sync::{Arc, LazyLock};
 
-use asperity_core::quantity::{Angle, AngularSpeed, Length};
+use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
 use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
 use asperity_gear::planetary::{PlanetarySet, PlanetarySetInput};
 use asperity_oil::LubricantInput;
@@ -21,7 +21,8 @@ use super::error::CaseError;
 use super::finish::FinishName;
 use super::gear_input::GearFlankInput;
 use super::input::{
-    BodyInput, CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput, SurfaceInput,
+    BodyInput, CaseInput, FlankInput, GearsInput, MapInput, MaterialInput, OperationInput,
+    SurfaceInput, VehicleInput,
 };
 use super::model::ModelInput;
 use super::one_or_two::OneOrTwo;
@@ -52,6 +53,12 @@ pub struct PlanetaryCaseInput {
     /// Parameters calibrated on a rig, for both meshes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub calibration: Option<CalibrationInput>,
+    /// Ranges of the default axes of `asperity map`; a run ignores them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map: Option<MapInput>,
+    /// The vehicle of a cycle stated by its speed, for `asperity cycle`; a run ignores it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vehicle: Option<VehicleInput>,
 }
 
 /// Sun, planets and ring. Three values belong to sun, planet and ring.
@@ -158,6 +165,7 @@ impl TrainFile for PlanetaryCaseInput {
             name: name.to_owned(),
             speed,
             torque,
+            drag: Torque::from_si(0.0),
         };
         let OperationInput { torque, speed, .. } = self.operation;
         let shafts = GearTrain {

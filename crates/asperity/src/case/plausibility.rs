@@ -379,7 +379,7 @@ mod tests {
     #[test]
     fn every_range_is_of_a_key_of_the_case_file_and_the_usual_one_is_possible() {
         let ranges = ranges(None);
-        assert_eq!(ranges.len(), 48);
+        assert_eq!(ranges.len(), 49);
         let keys: Vec<_> = ranges.iter().map(Range::key).collect();
         assert_eq!(
             first_unknown(&schema(), keys.iter().map(|key| &**key)),

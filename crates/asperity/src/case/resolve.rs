@@ -6,7 +6,7 @@ use asperity_core::material::{Material, reduced_modulus};
 use asperity_core::quantity::{AngularSpeed, Length, Pressure, Quantity, Temperature, Torque};
 use asperity_core::{DomainError, OutOfRange};
 use asperity_gear::{GearPair, LoadConditions, LoadMapSettings, MicroGeometry};
-use asperity_oil::{FilmRheology, Lubricant, LubricantError, LubricantState};
+use asperity_oil::{FilmRheology, Lubricant, LubricantError, LubricantState, PressureLaw};
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
 use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
@@ -106,8 +106,13 @@ pub(super) fn resolve_checked(
     load_is_checked: bool,
 ) -> Result<Case, CaseError> {
     refuse_impossible(&input, source)?;
+    let oil_file = oil_file.map(|file| file.by_law(input.model.film_pressure_law));
     let mut defaults = Defaults::default();
     let formulation = defaults.take("formulation", input.formulation, Formulation::default());
+    if formulation == Formulation::Paper && input.operation.temperature_deviation.is_some() {
+        let rule = "widens an interval, which the paper's formulation does not have; leave one of the two out";
+        return Err(Section::of(source, "operation").conflict("temperature_deviation", rule));
+    }
     check_micropitting(&input, formulation, source)?;
     let gears = gears(&input, source, &mut defaults)?;
     let mut micro_geometry = micro_geometry(&input, source, &mut defaults)?;
@@ -230,6 +235,23 @@ pub(super) fn resolve_checked(
         input,
         defaults: defaults.into_list(),
     })
+}
+
+impl Case {
+    /// The law of pressure besides the one of the run that the curves of the oil file admit, with its probability; `None` if
+    /// the curves or the case decide.
+    #[must_use]
+    pub fn other_law(&self) -> Option<(PressureLaw, f64)> {
+        let file = self.oil_file.as_ref()?;
+        let other = file.other_law.as_ref()?;
+        let is_open = self.input.model.film_pressure_law.is_none();
+        is_open.then(|| {
+            (
+                other.pressure_law,
+                file.film_friction.probability_of_other_law(),
+            )
+        })
+    }
 }
 
 /// Title of a case without one: cases of other gears have another.

@@ -1,6 +1,6 @@
 //! Keys of a case set by their path; the case as text.
 
-use serde::de::Error as _;
+use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer};
 use toml::Value;
 
@@ -64,17 +64,7 @@ impl CaseInput {
     /// # Errors
     /// When a value is missing or of the wrong kind, with its key.
     pub fn stored<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        Self::of_json(serde_json::Value::deserialize(from)?).map_err(D::Error::custom)
-    }
-
-    fn of_json(value: serde_json::Value) -> Result<Self, String> {
-        let Some(Value::Table(table)) = stated(value) else {
-            return Err("a case is a JSON object".to_owned());
-        };
-        from_table(table).map_err(|(key, message)| match key {
-            Some(key) => format!("{key}: {message}"),
-            None => message,
-        })
+        of_json(serde_json::Value::deserialize(from)?).map_err(D::Error::custom)
     }
 
     /// The case as the text of a case file, which reads back to the same case.
@@ -91,6 +81,17 @@ impl CaseInput {
         let text = toml::to_string_pretty(self).map_err(|error| unwritten(error.to_string()))?;
         Ok(text)
     }
+}
+
+/// A case from its JSON in a stored result.
+pub(super) fn of_json<T: DeserializeOwned>(value: serde_json::Value) -> Result<T, String> {
+    let Some(Value::Table(table)) = stated(value) else {
+        return Err("a case is a JSON object".to_owned());
+    };
+    from_table(table).map_err(|(key, message)| match key {
+        Some(key) => format!("{key}: {message}"),
+        None => message,
+    })
 }
 
 /// Reads a case from the text of a case file in TOML; files that it names are not opened.

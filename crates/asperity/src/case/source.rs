@@ -42,7 +42,7 @@ pub struct Source {
 }
 
 /// Mesh of a gear train, whose keys have other places in the text than those of an ordinary case.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct MeshKeys {
     /// Name of the mesh, for messages.
     pub name: String,

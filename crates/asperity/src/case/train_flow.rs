@@ -2,7 +2,7 @@
 
 use asperity_core::quantity::{AngularSpeed, Power, Torque};
 use asperity_gear::GearError;
-use asperity_gear::gear_train::{GearTrain, TrainTorques};
+use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage, TrainTorques};
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySet};
 
 use super::resolve::Case;
@@ -77,7 +77,7 @@ impl MeshLoad {
 /// Shafts and stages of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Train {
-    /// Shafts, with the operating point at the input shaft.
+    /// Shafts, the input shaft first, with the operating point.
     pub shafts: GearTrain,
     /// Gears of each stage.
     pub kinds: Vec<StageKind>,
@@ -96,7 +96,82 @@ pub struct TrainFlow {
     pub loads: Vec<Vec<MeshLoad>>,
 }
 
+impl TrainFlow {
+    /// Power into the train through all shafts.
+    #[must_use]
+    pub fn power_in(&self) -> Power {
+        let powers = self.torques.shafts.iter().zip(&self.speeds);
+        let power_in = powers.map(|(torque, speed)| (torque.si() * speed.si()).max(0.0));
+        Power::from_si(power_in.sum())
+    }
+}
+
 impl Train {
+    /// The input shaft, by its place in [`GearTrain::shafts`].
+    pub const INPUT: usize = 0;
+
+    /// A pair of gears whose pinion is the input.
+    pub(super) fn of_pair(case: &Case) -> Self {
+        let shaft = |name: &str, stated: Option<MeshLoad>| TrainShaft {
+            name: name.to_owned(),
+            speed: stated.map(|load| load.speed),
+            torque: stated.map(|load| load.torque),
+            drag: Torque::from_si(0.0),
+        };
+        Self {
+            shafts: GearTrain {
+                shafts: vec![
+                    shaft("pinion", Some(MeshLoad::of(case))),
+                    shaft("wheel", None),
+                ],
+                stages: vec![TrainStage {
+                    gears: [Self::INPUT, 1],
+                    carrier: None,
+                    teeth: [1.0, case.gears.ratio],
+                }],
+            },
+            kinds: vec![StageKind::Pair],
+            passes_losses: false,
+        }
+    }
+
+    /// The train with another torque and speed of its input shaft.
+    #[must_use]
+    pub fn at(&self, load: MeshLoad) -> Self {
+        let mut train = self.clone();
+        let input = &mut train.shafts.shafts[Self::INPUT];
+        (input.torque, input.speed) = (Some(load.torque), Some(load.speed));
+        train
+    }
+
+    /// Torque and speed of the input shaft.
+    #[must_use]
+    pub fn operation(&self) -> MeshLoad {
+        let input = &self.shafts.shafts[Self::INPUT];
+        MeshLoad {
+            torque: input.torque.unwrap_or(Torque::from_si(0.0)),
+            speed: input.speed.unwrap_or(AngularSpeed::from_si(0.0)),
+        }
+    }
+
+    /// The train with the torques that parts take from its shafts, against their rotation.
+    #[must_use]
+    pub fn with_drags(&self, drags: &[Torque]) -> Self {
+        let mut train = self.clone();
+        for (shaft, drag) in train.shafts.shafts.iter_mut().zip(drags) {
+            shaft.drag = *drag;
+        }
+        train
+    }
+
+    /// Power into the train through all shafts, with the loss of one mesh of each kind in each stage.
+    ///
+    /// # Errors
+    /// As [`flow`](Self::flow).
+    pub fn power_in(&self, losses: &[Vec<Power>]) -> Result<Power, GearError> {
+        Ok(self.flow(losses)?.power_in())
+    }
+
     /// The flow with the loss of one mesh of each kind in each stage; without losses if `losses` is empty. The loads are
     /// those of torques that the losses lower.
     ///

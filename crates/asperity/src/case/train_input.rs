@@ -1,9 +1,9 @@
 //! Keys of a gear train, and the case of each mesh that they state.
 
 use std::collections::BTreeMap;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
-use asperity_core::quantity::{AngularSpeed, Length, Torque};
+use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
 use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
 use asperity_oil::LubricantInput;
 use asperity_roughness::form::Form;
@@ -11,14 +11,15 @@ use asperity_roughness::gaussian_filter::Ends;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::bulk_input::BulkInput;
 use super::calibration::CalibrationInput;
 use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::finish::FinishName;
 use super::input::{
-    BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MaterialInput, OperationInput,
-    SurfaceInput,
+    BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
+    OperationInput, SurfaceInput, VehicleInput,
 };
 use super::model::{Formulation, ModelInput};
 use super::planetary::{
@@ -27,6 +28,7 @@ use super::planetary::{
 use super::section::domain;
 use super::source::{MeshKeys, Source};
 use super::train_flow::StageKind;
+use super::train_gearbox::{Hand, MeshPlace, TrainGearboxInput, train_gearbox};
 use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainFile, TrainParts, conflict, refused};
 
@@ -55,12 +57,21 @@ pub struct TrainCaseInput {
     /// Heat balance, from which the temperature of the oil follows; `operation.oil_temperature` is then its start.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heat: Option<HeatInput>,
+    /// Seals and bearings on the shafts; only the losses stated here are added.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gearbox: Option<TrainGearboxInput>,
     /// Choices of the model, for all meshes.
     #[serde(default)]
     pub model: ModelInput,
     /// Parameters calibrated on a rig, for all meshes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub calibration: Option<CalibrationInput>,
+    /// Ranges of the default axes of `asperity map`; a run ignores them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map: Option<MapInput>,
+    /// The vehicle of a cycle stated by its speed, for `asperity cycle`; a run ignores it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vehicle: Option<VehicleInput>,
 }
 
 /// Shafts at which the power enters and leaves a gear train.
@@ -104,6 +115,20 @@ pub struct MeshInput {
     /// A planetary set.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub planetary: Option<PlanetaryInput>,
+    /// Middle of the teeth along the shafts, for the loads of the bearings.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<Length>,
+    /// Angle of the centre line from the pinion to the wheel about the axes, for the loads of the bearings of a shaft with
+    /// several meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle: Option<Angle>,
+    /// Direction of the helix of the pinion or sun, for the loads of the bearings: `left` or `right`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hand: Option<Hand>,
+    /// Law of the bulk temperature of this mesh, such as the conductances of its gears to the oil; default
+    /// `operation.bulk`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bulk: Option<BulkInput>,
     /// Steel of this mesh.
     #[serde(default, skip_serializing_if = "is_default")]
     pub material: TrainMaterialInput,
@@ -209,9 +234,14 @@ impl TrainFile for TrainCaseInput {
         }
         let (shafts, stages) = self.on_shafts(stages, source)?;
         let passes_losses = self.train.losses == Some(PassedLosses::PassedOn);
+        let places: Vec<MeshPlace> = stages.iter().map(|stage| self.place_of(stage)).collect();
+        let gearbox = self.gearbox.as_ref();
+        let gearbox = gearbox.map(|stated| train_gearbox(stated, places, &shafts, source));
+        let gearbox = gearbox.transpose()?;
         let mut parts = TrainParts::new(self.title.clone(), shafts, passes_losses, stages)
             .map_err(refused(source, Self::TABLE))?;
         parts.heat = self.checked_heat(source)?;
+        parts.gearbox = gearbox;
         Ok(parts)
     }
 }
@@ -222,7 +252,7 @@ impl TrainCaseInput {
             return Ok(None);
         };
         if self.operation.oil_temperature.is_none() {
-            let rule = "needs operation.oil_temperature, where the search begins, with operation.bulk, by which the loss heats the flanks above the oil";
+            let rule = "needs operation.oil_temperature, where the search begins, with operation.bulk or mesh.NAME.bulk, by which the loss heats the flanks above the oil";
             return Err(conflict(source, "heat".to_owned(), rule));
         }
         heat.check()
@@ -308,6 +338,7 @@ impl TrainCaseInput {
                     true => None,
                     false => Some(if is_input { operation.torque } else { zero }),
                 },
+                drag: zero,
             });
         }
         let place = |name: &String| shafts.iter().position(|shaft| shaft == name).unwrap_or(0);
@@ -322,6 +353,7 @@ impl TrainCaseInput {
                         name: format!("{name} ring"),
                         speed: Some(ring_speed.unwrap_or(AngularSpeed::from_si(0.0))),
                         torque: None,
+                        drag: Torque::from_si(0.0),
                     });
                     ([sun, train.shafts.len() - 1], Some(carrier))
                 }
@@ -374,12 +406,7 @@ impl TrainCaseInput {
         let (own, shared) = (&mesh.surface, &self.surface);
         let has_own = own.pinion.is_some();
         let Some(pinion) = own.pinion.clone().or_else(|| shared.pinion.clone()) else {
-            let rule = "needs the flank of the pinion, here or, for all meshes, as surface.pinion";
-            return Err(conflict(
-                source,
-                format!("mesh.{name}.surface.pinion"),
-                rule,
-            ));
+            return Err(self.no_flank(name, mesh, "pinion", source));
         };
         let of_all = |flank: &Option<FlankInput>| flank.clone().filter(|_| !has_own);
         let (steel, steels) = (&mesh.material, &self.material);
@@ -387,6 +414,7 @@ impl TrainCaseInput {
             name: format!("mesh \"{name}\""),
             tables: [("gears".to_owned(), format!("mesh.{name}.gears"))]
                 .into_iter()
+                .chain(own_bulk(name, mesh))
                 .chain(own_tables(name, mesh))
                 .collect(),
         };
@@ -421,7 +449,7 @@ impl TrainCaseInput {
                             .or_else(|| shared.coast.clone().filter(|_| !has_own)),
                     },
                     formulation: self.formulation,
-                    operation: self.operation,
+                    operation: self.operation_of(mesh),
                     lubricant: self.lubricant.clone(),
                     model: self.model.clone(),
                     calibration: self.calibration.clone(),
@@ -450,8 +478,7 @@ impl TrainCaseInput {
         let (own, shared) = (&mesh.surface, &self.surface);
         let of_all = shared.sun.clone().or_else(|| shared.pinion.clone());
         let Some(sun) = own.sun.clone().or(of_all) else {
-            let rule = "needs the flank of the sun, here or, for all meshes, as surface.pinion";
-            return Err(conflict(source, format!("mesh.{name}.surface.sun"), rule));
+            return Err(self.no_flank(name, mesh, "sun", source));
         };
         let shared_unless_own = |flank: Option<FlankInput>| flank.filter(|_| own.sun.is_none());
         let (steel, steels) = (&mesh.material, &self.material);
@@ -466,7 +493,7 @@ impl TrainCaseInput {
                 planet: steel.planet.clone().or_else(|| steels.planet.clone()),
                 ring: steel.ring.clone().or_else(|| steels.ring.clone()),
             },
-            operation: self.operation,
+            operation: self.operation_of(mesh),
             lubricant: self.lubricant.clone(),
             surface: PlanetarySurfaceInput {
                 sun,
@@ -483,6 +510,8 @@ impl TrainCaseInput {
             },
             model: self.model.clone(),
             calibration: self.calibration.clone(),
+            map: None,
+            vehicle: None,
         };
         let own_tables = own_tables(name, mesh);
         let in_train = |key: &str| {
@@ -500,11 +529,52 @@ impl TrainCaseInput {
             let is_of_ring = |default: &DefaultUsed| default.key.ends_with(".ring_speed");
             stage.defaults.retain(|default| !is_of_ring(default));
         }
-        for mesh in &mut stage.meshes {
-            mesh.case.formulation = self.formulation;
+        for of_set in &mut stage.meshes {
+            of_set.case.formulation = self.formulation;
+            let keys = Arc::make_mut(&mut of_set.keys);
+            keys.tables.extend(own_bulk(name, mesh));
         }
         Ok(stage)
     }
+
+    /// Place of a stage in the gearbox.
+    fn place_of(&self, stage: &StageParts) -> MeshPlace {
+        let stated = stage.name.as_ref().and_then(|name| self.mesh.get(name));
+        let helix = stage.meshes.first().and_then(|mesh| mesh.case.gears.helix);
+        MeshPlace {
+            at: stated.and_then(|mesh| mesh.at),
+            angle: stated.and_then(|mesh| mesh.angle),
+            hand: stated.and_then(|mesh| mesh.hand),
+            is_helical: helix.is_some_and(|helix| helix.si() != 0.0),
+            is_set: stage.kind != StageKind::Pair,
+        }
+    }
+
+    /// No flank of `gear` in a mesh and none for all meshes.
+    fn no_flank(&self, name: &str, mesh: &MeshInput, gear: &str, source: &Source) -> CaseError {
+        const NO_HEIGHT: &str = "does not determine the height of the roughness: state Ra as well, for all meshes as surface.pinion.ra, such as \"0.4 um\"";
+        const NO_FLANK: &str = "needs a flank, here or, for all meshes, as surface.pinion: a trace, or surface.finish with surface.pinion.ra";
+        let (key, rule) = match (mesh.surface.finish, self.surface.finish) {
+            (Some(_), _) => (format!("mesh.{name}.surface.finish"), NO_HEIGHT),
+            (None, Some(_)) => ("surface.finish".to_owned(), NO_HEIGHT),
+            (None, None) => (format!("mesh.{name}.surface.{gear}"), NO_FLANK),
+        };
+        conflict(source, key, rule)
+    }
+
+    /// The operation with the law of the bulk temperature of `mesh`.
+    fn operation_of(&self, mesh: &MeshInput) -> OperationInput {
+        OperationInput {
+            bulk: mesh.bulk.or(self.operation.bulk),
+            ..self.operation
+        }
+    }
+}
+
+/// Key of the bulk temperature that mesh `name` states itself, with its key in the train.
+fn own_bulk(name: &str, mesh: &MeshInput) -> Option<(String, String)> {
+    let keys = || ("operation.bulk".to_owned(), format!("mesh.{name}.bulk"));
+    mesh.bulk.map(|_| keys())
 }
 
 /// Keys of steel and flanks that mesh `name` states itself, with their keys in the train.

@@ -1,4 +1,4 @@
-//! A gear train from the inputs of its meshes: loads from the operating point, then the loaded cases.
+//! A gear train from the inputs of its meshes, with the loads from the operating point.
 
 use std::sync::Arc;
 
@@ -10,79 +10,11 @@ use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::input::CaseInput;
-use super::known_keys::first_unknown;
-use super::loaded::LoadedCase;
 use super::resolve::title_by_gears;
 use super::source::{MeshKeys, Source};
 use super::train_flow::{StageKind, Train};
+use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
-
-/// A gear train, ready to run.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct LoadedTrain {
-    /// Title.
-    pub title: String,
-    /// Shafts and stages with the operating point.
-    pub train: Train,
-    /// Meshes of each stage, in the order of the power.
-    pub stages: Vec<LoadedStage>,
-    /// Heat balance, if the case states one.
-    pub heat: Option<HeatInput>,
-    /// The case as read.
-    pub input: serde_json::Value,
-    /// Every default in use, by the keys of the train.
-    pub defaults: Vec<DefaultUsed>,
-}
-
-/// A pair of gears or a planetary set of a gear train.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct LoadedStage {
-    /// Name in the case; `None` for the set of a case `[planetary]`.
-    pub name: Option<String>,
-    /// Its kinds of meshes: one, or sun and planet, planet and ring.
-    pub meshes: Vec<LoadedMesh>,
-}
-
-/// A mesh of a gear train, or one of the equal ones of a planetary set.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct LoadedMesh {
-    /// Name.
-    pub name: String,
-    /// The case at its torque and speed.
-    pub case: LoadedCase,
-}
-
-impl LoadedTrain {
-    /// All meshes, in the order of the power.
-    pub fn meshes(&self) -> impl Iterator<Item = &LoadedMesh> {
-        self.stages.iter().flat_map(|stage| &stage.meshes)
-    }
-
-    /// The mesh called `name`.
-    #[must_use]
-    pub fn mesh(&self, name: &str) -> Option<&LoadedMesh> {
-        self.meshes().find(|mesh| mesh.name == name)
-    }
-
-    /// Names of all meshes, separated by commas.
-    #[must_use]
-    pub fn names(&self) -> String {
-        let names = self.meshes().map(|mesh| format!("\"{}\"", mesh.name));
-        names.collect::<Vec<_>>().join(", ")
-    }
-
-    /// The planetary set of a case `[planetary]`, which is the whole train.
-    #[must_use]
-    pub fn only_set(&self) -> Option<&StageKind> {
-        match (&self.stages[..], &self.train.kinds[..]) {
-            ([LoadedStage { name: None, .. }], [kind]) => Some(kind),
-            _ => None,
-        }
-    }
-}
 
 /// A case file of a gear train.
 pub(super) trait TrainFile: CaseFile {
@@ -96,9 +28,10 @@ pub(super) trait TrainFile: CaseFile {
 /// A gear train with the inputs of its meshes, before their traces are read.
 pub(super) struct TrainParts {
     pub heat: Option<HeatInput>,
-    title: String,
-    train: Train,
-    stages: Vec<StageParts>,
+    pub gearbox: Option<TrainGearbox>,
+    pub title: String,
+    pub train: Train,
+    pub stages: Vec<StageParts>,
 }
 
 /// Input of the meshes of a stage.
@@ -158,6 +91,7 @@ impl TrainParts {
         }
         Ok(Self {
             heat: None,
+            gearbox: None,
             title,
             train,
             stages,
@@ -166,58 +100,6 @@ impl TrainParts {
 
     pub fn meshes(&self) -> impl Iterator<Item = &MeshParts> {
         self.stages.iter().flat_map(|stage| &stage.meshes)
-    }
-
-    /// The train with the loaded case of each mesh.
-    pub fn loaded<T: TrainFile>(self, cases: Vec<LoadedCase>, input: &T) -> LoadedTrain {
-        let mut defaults: Vec<DefaultUsed> = Vec::new();
-        for stage in &self.stages {
-            defaults.extend(stage.defaults.iter().cloned());
-        }
-        for (mesh, case) in self.meshes().zip(&cases) {
-            add_defaults(&mut defaults, case, &mesh.keys, T::schema());
-        }
-        let mut cases = cases.into_iter();
-        let stages = self.stages.into_iter().map(|stage| LoadedStage {
-            name: stage.name,
-            meshes: (stage.meshes.into_iter().zip(cases.by_ref()))
-                .map(|(mesh, case)| LoadedMesh {
-                    name: mesh.name,
-                    case,
-                })
-                .collect(),
-        });
-        LoadedTrain {
-            heat: self.heat,
-            title: self.title,
-            train: self.train,
-            stages: stages.collect(),
-            // The input was read from text, so that it is text again.
-            input: serde_json::to_value(input).unwrap_or_default(),
-            defaults,
-        }
-    }
-}
-
-/// Adds the defaults of a mesh that are keys of the train.
-fn add_defaults(
-    defaults: &mut Vec<DefaultUsed>,
-    mesh: &LoadedCase,
-    keys: &MeshKeys,
-    schema: &serde_json::Value,
-) {
-    for default in &mesh.case.defaults {
-        let key = match keys.in_train(&default.key) {
-            Some(in_train) => in_train.into(),
-            None => default.key.clone(),
-        };
-        let is_known = first_unknown(schema, std::iter::once(&*key)).is_none();
-        if is_known && defaults.iter().all(|before| before.key != key) {
-            defaults.push(DefaultUsed {
-                key,
-                ..default.clone()
-            });
-        }
     }
 }
 

@@ -160,6 +160,13 @@ impl Contacts {
         self.each
     }
 
+    /// Addresses of the windows whose contact was solved; contacts that share a window have the same one.
+    pub fn solved(&self) -> impl Iterator<Item = usize> {
+        let windows = self.rows.values().flatten();
+        let solved = windows.filter(|window| window.table.get().is_some());
+        solved.map(|window| Arc::as_ptr(window) as usize)
+    }
+
     /// Whether these have windows of the flanks of `loaded`, of the same steels and size.
     pub(crate) fn have_windows_of(&self, loaded: &LoadedCase) -> bool {
         self.surfaces.has_flanks_of(&loaded.surfaces)

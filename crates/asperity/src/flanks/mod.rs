@@ -1,6 +1,7 @@
 //! Measured flanks: their traces, the places of these, and the windows in contact at a mesh position.
 
 pub mod flank_form;
+pub(crate) mod flank_lay;
 pub mod local_roughness;
 pub mod placement;
 pub mod surfaces;

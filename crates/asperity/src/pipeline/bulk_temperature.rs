@@ -12,7 +12,7 @@ use asperity_tribo_friction::flash::heat_share;
 use crate::case::{BulkModel, BulkReport, FoundBulk, LoadedCase, Lubrication};
 use crate::error::{Error, PositionError};
 use crate::mesh::Mesh;
-use crate::parameters::keep_parameters;
+use crate::parameters::at_temperature;
 use crate::result::Losses;
 
 /// The case at the bulk temperature of `model`; `losses` computes a case whose bulk temperature is stated.
@@ -25,34 +25,20 @@ pub(crate) fn settle(
     let law = used.collect(|| Law::of(loaded, model)).map_err(Box::new)?;
     let oil = loaded.case.temperature;
     let made = |bulk: Temperature| {
-        let losses = losses(&at(loaded, bulk)?)?;
+        let losses = losses(&at_temperature(loaded, bulk)?)?;
         let [pinion, wheel] = law
             .rises(Power::from_si(losses.summary.loss_w))
             .map_err(Box::new)?;
         Ok::<_, Error>(Temperature::from_si(oil.si() + 0.5 * (pinion + wheel)))
     };
     let found = used.collect(|| bulk_temperature::fixed_point(oil, made))?;
-    let mut settled = at(loaded, found.temperature)?;
+    let mut settled = at_temperature(loaded, found.temperature)?;
     settled.provenance.include(&used);
     settled.case.found_bulk = Some(FoundBulk {
         stated: Box::new(loaded.case.input.clone()),
         report: law.report(oil, &found),
     });
     Ok(settled)
-}
-
-/// The case with its flanks at a temperature, its uncertain parameters where they are.
-fn at(loaded: &LoadedCase, bulk: Temperature) -> Result<LoadedCase, Error> {
-    let mut warmed = loaded.with(|input| {
-        input.operation.set_bulk_temperature(bulk);
-    })?;
-    keep_parameters(loaded, &mut warmed).map_err(Box::new)?;
-    // Bearings and jet stay in the oil, whatever the flanks are at.
-    let oil = loaded.case.temperature;
-    if let Some(gearbox) = &mut warmed.case.gearbox {
-        gearbox.temperature.get_or_insert(oil);
-    }
-    Ok(warmed)
 }
 
 /// A law with what it needs of the case.

@@ -19,7 +19,7 @@ mod stages;
 mod survey;
 
 pub use kept_fields::KeptFields;
-pub use stages::{Progress, check, contacts, losses, losses_with, settled};
+pub use stages::{Progress, check, contacts, contacts_beside, losses, losses_with, settled};
 pub use survey::{FilmRow, FilmSurvey, RegimeRow, film, survey};
 
 pub(crate) use stages::{losses_of, outcome};

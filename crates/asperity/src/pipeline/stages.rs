@@ -91,7 +91,15 @@ fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Er
 /// # Errors
 /// When the traces are too coarse or too short for a contact.
 pub fn contacts(loaded: &LoadedCase) -> Result<Contacts, Error> {
-    Ok(sampled(loaded, None, &[])?.1.into_owned())
+    contacts_beside(loaded, &[])
+}
+
+/// The rough contacts of a case, which share the windows that `others` have under the same load.
+///
+/// # Errors
+/// As [`contacts`].
+pub fn contacts_beside(loaded: &LoadedCase, others: &[Contacts]) -> Result<Contacts, Error> {
+    Ok(sampled(loaded, None, others)?.1.into_owned())
 }
 
 /// The case with the number of offsets that it needs, and its contacts: those that are known, or new ones, which

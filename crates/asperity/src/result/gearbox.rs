@@ -118,15 +118,6 @@ pub fn parts(case: &Case, at: &OperatingPoint) -> Result<Vec<GearboxPart>, Posit
     found.collect()
 }
 
-/// Loss of all parts over the speed of the pinion \[N m\].
-///
-/// # Errors
-/// As [`parts`].
-pub fn loss_torque_nm(case: &Case, at: &OperatingPoint) -> Result<f64, PositionError> {
-    let losses = parts(case, at)?;
-    Ok(losses.iter().map(|part| part.loss_w).sum::<f64>() / at.speed.si())
-}
-
 /// The gearbox of a case whose mesh loses `mesh`.
 pub(crate) fn report(case: &Case, mesh: Power) -> Result<Option<GearboxReport>, PositionError> {
     let Some(gearbox) = &case.gearbox else {
@@ -158,16 +149,40 @@ pub(crate) fn check(case: &Case) -> Result<(), PositionError> {
 }
 
 fn operating_point(case: &Case) -> OperatingPoint {
+    OperatingPoint {
+        torque: case.torque,
+        speed: case.speed,
+        temperature: oil_temperature(case),
+    }
+}
+
+/// Temperature of the oil at the parts of a gearbox that states none.
+pub(crate) fn oil_temperature(case: &Case) -> Temperature {
     // What was found from the loss of the mesh is the temperature of its flanks.
     let stated = case
         .found_bulk
         .as_ref()
         .map(|found| &found.stated.operation);
     let of_oil = stated.and_then(OperationInput::stated_temperature);
-    OperatingPoint {
-        torque: case.torque,
-        speed: case.speed,
-        temperature: of_oil.unwrap_or(case.temperature),
+    of_oil.unwrap_or(case.temperature)
+}
+
+impl GearboxPart {
+    /// A part by its kind and law, with the torque at its shaft and the speed of the shaft.
+    pub(crate) fn new(
+        name: &str,
+        (kind, law): (&str, &str),
+        (torque, speed): (Torque, AngularSpeed),
+        outside: &[OutOfRange],
+    ) -> Self {
+        Self {
+            name: name.to_owned(),
+            kind: kind.to_owned(),
+            law: law.to_owned(),
+            loss_w: torque.si() * speed.si(),
+            torque_nm: torque.si(),
+            outside: outside.iter().map(ToString::to_string).collect(),
+        }
     }
 }
 
@@ -222,14 +237,12 @@ fn loss_of(part: &Part, case: &Case, at: &OperatingPoint) -> Result<GearboxPart,
             ("table", "the user's table", torque, at.speed, Vec::new())
         }
     };
-    Ok(GearboxPart {
-        name: part.name.clone(),
-        kind: kind.to_owned(),
-        law: law.to_owned(),
-        loss_w: torque.si() * speed.si(),
-        torque_nm: torque.si(),
-        outside: outside.iter().map(ToString::to_string).collect(),
-    })
+    Ok(GearboxPart::new(
+        &part.name,
+        (kind, law),
+        (torque, speed),
+        &outside,
+    ))
 }
 
 /// A number without the last bits that a change of its unit leaves.

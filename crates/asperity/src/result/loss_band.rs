@@ -42,6 +42,44 @@ pub struct Uncertainty {
     pub with_traces_w: Option<[f64; 2]>,
     /// 5 % and 95 % quantiles of the sliding loss per metre of contact line at each position \[W/m\].
     pub path_sliding_w_per_m: Vec<[f64; 2]>,
+    /// Measurements that would narrow the interval, the one that leaves the narrowest first; empty if they were not sought.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub evidence: Vec<EvidenceRow>,
+}
+
+/// A measurement with the interval of the loss that it is expected to leave, about its present median: the result of a
+/// measurement is not known before.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct EvidenceRow {
+    /// Name.
+    pub key: String,
+    /// The measurement in words.
+    pub measurement: String,
+    /// Hours that it takes.
+    pub hours: f64,
+    /// Expected 5 % quantile of the loss \[W\].
+    pub low_w: f64,
+    /// Expected 95 % quantile \[W\].
+    pub high_w: f64,
+    /// Expected standard deviation of ln loss.
+    pub sd_ln: f64,
+    /// Expected width of the interval of ln loss over its present one.
+    pub width: f64,
+}
+
+impl EvidenceRow {
+    /// Its interval \[W\].
+    #[must_use]
+    pub fn interval(&self) -> [f64; 2] {
+        [self.low_w, self.high_w]
+    }
+
+    /// The width over the present one as text.
+    #[must_use]
+    pub fn width_percent(&self) -> String {
+        format!("{:.0} %", 100.0 * self.width)
+    }
 }
 
 /// The loss as drawn, with the contribution of each component.

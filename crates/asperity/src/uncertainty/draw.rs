@@ -17,9 +17,21 @@ const CUT: f64 = 0.005;
 const SEED: u64 = 3;
 /// Axes besides the constants.
 const FACTORS: usize = 6;
-/// Constants whose axes precede the factors. The axes of later ones, and of the law, follow the factors: an axis that is
-/// appended leaves the others as they are.
+/// Constants whose axes precede the factors, and those whose axes follow them; the error of the film law, the later constants and
+/// the law of pressure follow these: an axis that is appended leaves the others as they are.
 const FIRST: usize = 6;
+const SECOND: usize = 8;
+const FILM_LAW: usize = SECOND + FACTORS;
+const PRESSURE_LAW: usize = AXES.len() + FACTORS + 1;
+
+/// Place of the axis of constant `k` among the orders.
+const fn order(k: usize) -> usize {
+    match k {
+        0..FIRST => k,
+        FIRST..SECOND => k + FACTORS,
+        _ => k + FACTORS + 1,
+    }
+}
 
 /// One draw of everything that is uncertain: standard normal where not said otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +52,8 @@ pub(super) struct Draw {
     pub power: f64,
     /// Error of the law of film friction whose constants traction curves state.
     pub film_law: f64,
+    /// Law of pressure where traction curves do not decide it, 0 to 1.
+    pub pressure_law: f64,
     pub of_flanks: FlankDraw,
 }
 
@@ -68,6 +82,7 @@ impl Draw {
             length: 0.5,
             power: 0.0,
             film_law: 0.0,
+            pressure_law: 1.0,
             of_flanks: FlankDraw {
                 model: 0.0,
                 sampling: 0.0,
@@ -86,7 +101,7 @@ pub(super) fn shared_draws() -> impl Iterator<Item = Draw> {
 
 /// The strata of all draws on every axis.
 pub(super) fn orders(seed: u64) -> Vec<Vec<usize>> {
-    permutations(DRAWS, AXES.len() + FACTORS + 1, seed)
+    permutations(DRAWS, PRESSURE_LAW + 1, seed)
 }
 
 /// The draws with their strata in these orders.
@@ -94,16 +109,16 @@ pub(super) fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
     let (cut, normal) = (cut_normal(), normal());
     (0..DRAWS).map(move |j| {
         let factor = |k: usize| orders[FIRST + k][j];
-        let constant = |k: usize| orders[if k < FIRST { k } else { k + FACTORS }][j];
         Draw {
-            constants: std::array::from_fn(|k| cut[constant(k)]),
+            constants: std::array::from_fn(|k| cut[orders[order(k)][j]]),
             state: place(factor(0)),
             weight: place(factor(1)),
             rolling: normal[factor(2)],
             relief: place(factor(3)),
             length: place(factor(4)),
             power: normal[factor(5)],
-            film_law: normal[orders[AXES.len() + FACTORS][j]],
+            film_law: normal[orders[FILM_LAW][j]],
+            pressure_law: place(orders[PRESSURE_LAW][j]),
             ..Draw::medians()
         }
     })

@@ -7,7 +7,7 @@ use asperity_core::quantity::Length;
 use rayon::prelude::*;
 
 use super::hypercube::latin_hypercube;
-use super::predictive::{FilmLaw, Predictive, Structure};
+use super::predictive::{FilmLaw, OtherLaw, Predictive, Structure};
 use super::relief::ReliefFactors;
 use super::surface::QuadraticSurface;
 use crate::assembly::deviation;
@@ -91,7 +91,12 @@ pub(super) fn count(loaded: &LoadedCase) -> usize {
     match dimensions {
         0 => 0,
         n => {
-            1 + QuadraticSurface::evaluations(n)
+            let laws = if loaded.case.other_law().is_some() {
+                2
+            } else {
+                1
+            };
+            laws * (1 + QuadraticSurface::evaluations(n))
                 + HELD_OUT
                 + if is_solved(loaded) { HALF_SLIDING } else { 0 }
         }
@@ -107,21 +112,13 @@ pub(super) fn evaluate(
 ) -> Result<Evaluated, Error> {
     let whole = |error| Error::Whole(Box::new(error));
     let (constants, held) = parameters(loaded).map_err(whole)?;
-    // A ratio of losses needs one pair of surrogates and few offsets, whatever the case states.
-    let mut base_case = match loaded.surfaces.is_surrogate() {
-        true => loaded.first_pair(),
-        false => loaded.clone(),
-    };
-    let each = (OFFSETS / base_case.surfaces.pairs())
-        .max(1)
-        .min(loaded.case.model.offsets);
-    base_case.case.model.offsets = each;
+    let base_case = few_offsets(loaded);
+    let each = base_case.case.model.offsets;
     let few = match loaded.surfaces.is_surrogate() {
         true => contacts.of_first_pair(&base_case).first(each),
         false => contacts.first(each),
     };
     let dimensions = constants.len();
-    let wanted = QuadraticSurface::evaluations(dimensions);
     let path = Path::of(nominal.path);
     let mut predictive = Predictive {
         at_medians_w: nominal.summary.loss_w,
@@ -136,10 +133,12 @@ pub(super) fn evaluate(
         },
         correlations: correlations(loaded, &constants),
         sliding: None,
+        rolling: None,
         share: None,
         surface_rms: 0.0,
         asperity_share: path.asperity_share,
         film_law: film_law(loaded, nominal.summary),
+        other_law: None,
         structure: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
         gap_law: loaded.case.model.gap_law,
@@ -159,7 +158,7 @@ pub(super) fn evaluate(
             done,
         };
         let places = |count, seed| places(count, dimensions, seed);
-        let fitted = places(wanted, SEED);
+        let fitted = places(QuadraticSurface::evaluations(dimensions), SEED);
         let middle = base.at(&vec![0.0; dimensions], false)?;
         let found = base.all(&fitted, false)?;
         let ratio = |losses: &Losses| (losses.summary.sliding_w / middle.summary.sliding_w).ln();
@@ -169,6 +168,11 @@ pub(super) fn evaluate(
         };
         predictive.sliding = fit(&ratio);
         predictive.share = fit(&share);
+        let temperature = UncertainParameter::TemperatureError;
+        if predictive.draws(temperature) && middle.summary.rolling_w > 0.0 {
+            predictive.rolling =
+                fit(&|losses| (losses.summary.rolling_w / middle.summary.rolling_w).ln());
+        }
         let of_position = |k: usize| {
             let of = |losses: &Losses| losses.path[k].sliding_w_per_m;
             let base = of(&middle);
@@ -181,6 +185,26 @@ pub(super) fn evaluate(
             })
         };
         of_positions = (0..middle.path.len()).filter_map(of_position).collect();
+        if let Some(other) = other_law(loaded)? {
+            let (by_other, _) = parameters(&other.case).map_err(whole)?;
+            let base = Base {
+                loaded: &other.case,
+                constants: &by_other,
+                number: AtomicUsize::new(base.number.load(Ordering::Relaxed)),
+                ..base
+            };
+            let found = base.all(&fitted, false)?;
+            let at_medians = base.at(&vec![0.0; dimensions], false)?;
+            let shift = ratio(&at_medians);
+            let changes: Vec<f64> = found.iter().map(|losses| ratio(losses) - shift).collect();
+            let sliding = QuadraticSurface::fit(&fitted, &changes);
+            predictive.other_law = sliding.map(|sliding| OtherLaw {
+                probability: other.probability,
+                correlations: correlations(&other.case, &by_other),
+                shift,
+                sliding,
+            });
+        }
         if let Some(surface) = &predictive.sliding {
             let others = places(HELD_OUT, SEED + 1);
             let found = base.all(&others, false)?;
@@ -214,6 +238,38 @@ pub(super) fn evaluate(
     })
 }
 
+/// A case with the offsets and surrogates of the evaluations: a ratio of losses needs few, whatever the case states.
+fn few_offsets(loaded: &LoadedCase) -> LoadedCase {
+    let mut few = match loaded.surfaces.is_surrogate() {
+        true => loaded.first_pair(),
+        false => loaded.clone(),
+    };
+    let each = OFFSETS / few.surfaces.pairs();
+    few.case.model.offsets = each.max(1).min(loaded.case.model.offsets);
+    few
+}
+
+/// The case by the other law of pressure, with its probability, where the curves of an oil file do not decide the law.
+struct ByOtherLaw {
+    case: LoadedCase,
+    probability: f64,
+}
+
+fn other_law(loaded: &LoadedCase) -> Result<Option<ByOtherLaw>, Error> {
+    let Some((law, probability)) = loaded.case.other_law() else {
+        return Ok(None);
+    };
+    let mut by_other = loaded.with(|input| input.model.film_pressure_law = Some(law))?;
+    let (own, model) = (&mut by_other.case.model, &loaded.case.model);
+    own.boundary_friction = model.boundary_friction;
+    own.boundary_layer = model.boundary_layer;
+    own.lay = model.lay;
+    Ok(Some(ByOtherLaw {
+        case: few_offsets(&by_other),
+        probability,
+    }))
+}
+
 fn path_share(losses: &Losses) -> f64 {
     Path::of(&losses.path).asperity_share
 }
@@ -240,8 +296,7 @@ impl Base<'_> {
         let mut drawn = self.loaded.clone();
         for (constant, z) in self.constants.iter().zip(z) {
             let value = constant.at(*z);
-            let set = constant.kind.set(&mut drawn, value);
-            set.map_err(|error| Error::Whole(Box::new(error)))?;
+            constant.kind.set(&mut drawn, value)?;
         }
         if half_sliding {
             drawn.case.model.spot_speed = SpotSpeed::HalfSliding;

@@ -11,6 +11,7 @@ use super::predictive::{FilmLaw, Predictive};
 use super::quantiles::{PROBABILITIES, Quantiles};
 use crate::case::law_error;
 use crate::parameters::{AXES, UncertainParameter};
+use crate::result::loss_band::EvidenceRow;
 
 /// Simulated results of a measurement of losses.
 const TRUTHS: usize = 64;
@@ -31,6 +32,11 @@ pub enum Measurement {
         /// Standard deviation of its logarithm.
         deviation: f64,
     },
+    /// Temperature of the oil or of the flanks.
+    Temperature {
+        /// Its standard deviation \[K\].
+        deviation: f64,
+    },
     /// Lay of both flanks.
     Lay,
     /// Tip relief of both gears.
@@ -47,6 +53,28 @@ pub enum Measurement {
         /// Standard deviation of the logarithm of their mean.
         deviation: f64,
     },
+}
+
+impl EvidenceRow {
+    /// The row of a measurement that takes `hours` and leaves `left` of the present interval `now`.
+    #[must_use]
+    pub fn new((key, words, hours): (&str, String, f64), now: Quantiles, left: Quantiles) -> Self {
+        let log_width = |found: Quantiles| {
+            let [low, high] = found.quantiles_w;
+            (high / low).ln()
+        };
+        let moved = now.median_w / left.median_w;
+        let [low_w, high_w] = left.quantiles_w.map(|end| moved * end);
+        Self {
+            key: key.to_owned(),
+            measurement: words,
+            hours,
+            low_w,
+            high_w,
+            sd_ln: left.sd_ln,
+            width: log_width(left) / log_width(now),
+        }
+    }
 }
 
 impl Predictive {
@@ -105,6 +133,14 @@ impl Predictive {
                 let own = self.spread(P::BoundaryFriction)?;
                 let scale = (deviation / own).min(1.0);
                 Some(narrowed(scaled(&[P::BoundaryFriction], scale), &left))
+            }
+            Measurement::Temperature { deviation } => {
+                let mut own = self.constants.iter();
+                let own = own
+                    .find(|constant| constant.kind == P::TemperatureError)?
+                    .at(1.0);
+                let scale = (deviation / own).min(1.0);
+                Some(narrowed(scaled(&[P::TemperatureError], scale), &left))
             }
             Measurement::Lay => self
                 .draws(P::Lay)
@@ -165,8 +201,9 @@ impl Predictive {
     }
 
     /// Whether a constant is drawn from its family.
-    fn draws(&self, kind: UncertainParameter) -> bool {
-        self.spread(kind).is_some()
+    pub(super) fn draws(&self, kind: UncertainParameter) -> bool {
+        let mut own = self.constants.iter();
+        own.any(|constant| constant.kind == kind && constant.measured.is_none())
     }
 
     /// Standard deviation of ln of a constant that is drawn from its family.

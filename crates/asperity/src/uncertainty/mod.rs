@@ -269,6 +269,7 @@ fn uncertainty(
         trust: trust(loaded),
         with_traces_w: predictive.with_traces().map(|found| found.quantiles_w),
         path_sliding_w_per_m: along_path(nominal.path, &predictive, &of_positions),
+        evidence: Vec::new(),
     };
     Ok((found, predictive))
 }
@@ -308,6 +309,7 @@ fn parts(
     let constants = constants.map(|(k, ranged)| {
         let remedy = match ranged.kind {
             Constant::BoundaryFriction | Constant::BoundaryLayer => RIG,
+            Constant::Lay if ranged.measured.is_some() => "longer areal scans of the flanks",
             Constant::Lay => "an areal scan of the flank: model.lay",
             Constant::LimitingShear | Constant::EyringStress if ranged.measured.is_none() => {
                 TRACTION
@@ -317,6 +319,7 @@ fn parts(
             | Constant::LimitingShearTemperature
             | Constant::PressureViscosityFactor => "further traction curves of the oil",
             Constant::PressureViscosity => "lubricant.pressure_viscosity of the oil",
+            Constant::TemperatureError => "a thermocouple: operation.temperature_deviation",
         };
         (
             Component::Constant(k),
@@ -363,6 +366,11 @@ fn parts(
                 }
                 _ => RIG.to_owned(),
             },
+        ),
+        (
+            Component::PressureLaw,
+            "law of pressure of the film",
+            "traction curves at further pressures".to_owned(),
         ),
         (
             Component::Rolling,

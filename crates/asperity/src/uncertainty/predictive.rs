@@ -60,6 +60,9 @@ pub struct Predictive {
     pub(crate) correlations: Vec<Vec<f64>>,
     /// ln of the sliding loss relative to the medians; `None` if nothing is drawn.
     pub(crate) sliding: Option<QuadraticSurface>,
+    /// ln of the rolling loss relative to the medians, where the temperature is drawn, on which it depends most.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) rolling: Option<QuadraticSurface>,
     /// φ less that at the medians.
     pub(crate) share: Option<QuadraticSurface>,
     /// Root mean square error of the first surface at points that it was not fitted to.
@@ -69,6 +72,9 @@ pub struct Predictive {
     /// Film friction whose constants traction curves state; `None` without them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) film_law: Option<FilmLaw>,
+    /// The other law of pressure, where traction curves do not decide between two.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) other_law: Option<OtherLaw>,
     /// Open choices of a solved contact; `None` if the share of the asperities follows from a formula.
     pub(crate) structure: Option<Structure>,
     /// Loss factors over tip reliefs; `None` if the case states its relief.
@@ -105,6 +111,19 @@ pub(crate) struct FilmLaw {
     pub share: f64,
     /// Standard deviation of ln of the film friction.
     pub deviation: f64,
+}
+
+/// The sliding loss by another law of pressure that traction curves admit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct OtherLaw {
+    /// Its probability.
+    pub probability: f64,
+    /// Rows of the lower triangle of the correlations of its constants.
+    pub correlations: Vec<Vec<f64>>,
+    /// ln of its sliding loss over the one of the run, both at their medians.
+    pub shift: f64,
+    /// ln of its sliding loss relative to its medians.
+    pub sliding: QuadraticSurface,
 }
 
 impl FilmLaw {
@@ -162,7 +181,7 @@ impl State {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Component {
     Constant(usize),
-    /// All constants together, with the error of the law that traction curves leave.
+    /// All constants together, with the law and its error that traction curves leave.
     Constants,
     Sampling,
     Relief,
@@ -170,6 +189,7 @@ pub(super) enum Component {
     Structure,
     Rolling,
     FilmLaw,
+    PressureLaw,
 }
 
 impl Predictive {
@@ -256,7 +276,8 @@ impl Predictive {
                     alone.constants[axis] = draw.constants[axis];
                 }
                 Component::Constants => {
-                    (alone.constants, alone.film_law) = (draw.constants, draw.film_law);
+                    alone.constants = draw.constants;
+                    (alone.film_law, alone.pressure_law) = (draw.film_law, draw.pressure_law);
                 }
                 Component::Sampling => {
                     alone.of_flanks.sampling = of_flanks.sampling;
@@ -274,6 +295,7 @@ impl Predictive {
                 Component::Structure => alone.state = draw.state,
                 Component::Rolling => alone.rolling = draw.rolling,
                 Component::FilmLaw => alone.film_law = draw.film_law,
+                Component::PressureLaw => alone.pressure_law = draw.pressure_law,
             }
             self.loss(alone, &table)
         });
@@ -317,17 +339,21 @@ impl Predictive {
 
     /// Standardised constants of a draw, measured ones correlated.
     fn standardised(&self, draw: &Draw) -> Vec<f64> {
+        self.correlated(draw, &self.correlations)
+    }
+
+    fn correlated(&self, draw: &Draw, correlations: &[Vec<f64>]) -> Vec<f64> {
         let mut z: Vec<f64> = (0..self.constants.len())
             .map(|k| draw.constants[self.axis(k)])
             .collect();
-        if self.correlations.is_empty() {
+        if correlations.is_empty() {
             return z;
         }
         let measured: Vec<usize> = (0..z.len())
             .filter(|k| self.constants[*k].measured.is_some())
             .collect();
         let own: Vec<f64> = measured.iter().map(|k| z[*k]).collect();
-        for (k, row) in measured.iter().zip(&self.correlations) {
+        for (k, row) in measured.iter().zip(correlations) {
             z[*k] = row.iter().zip(&own).map(|(l, z)| l * z).sum();
         }
         z
@@ -335,14 +361,21 @@ impl Predictive {
 
     /// The loss of a draw \[W\].
     fn loss(&self, draw: Draw, table: &StudentOfNormal) -> f64 {
-        let [sliding, rolling, other] = self.parts_w;
+        let [sliding, _, other] = self.parts_w;
         let z = self.standardised(&draw);
         let at = |surface: &Option<QuadraticSurface>| surface.as_ref().map_or(0.0, |s| s.at(&z));
         let state = self
             .structure
             .as_ref()
             .map(|structure| (State::of(draw.state), structure));
-        let mut sheared = sliding * at(&self.sliding).exp();
+        let law = self.other_law.as_ref();
+        let mut sheared = match law.filter(|law| draw.pressure_law < law.probability) {
+            Some(law) => {
+                let own = law.sliding.at(&self.correlated(&draw, &law.correlations));
+                sliding * (law.shift + own).exp()
+            }
+            None => sliding * at(&self.sliding).exp(),
+        };
         match state {
             Some((State::HalfSliding, structure)) => {
                 sheared *= self.half_sliding(structure, &z).exp()
@@ -361,11 +394,17 @@ impl Predictive {
         });
         let of_model =
             (-draw.weight * self.bias() + self.model_error() * draw.of_flanks.model).exp();
-        let of_rolling = (self.rolling_error() * draw.rolling).exp();
+        let rolling = self.rolling(&draw, &z);
         let of_sampling = self.sampling.standard_error * table.at(draw.of_flanks.sampling)
             + self.sampling.form * draw.of_flanks.form
             + self.sampling.shift(draw.of_flanks.place);
-        (sheared * of_relief * of_model + rolling * of_rolling + other) * of_sampling.exp()
+        (sheared * of_relief * of_model + rolling + other) * of_sampling.exp()
+    }
+
+    /// Rolling loss of a draw \[W\].
+    fn rolling(&self, draw: &Draw, z: &[f64]) -> f64 {
+        let of_constants = self.rolling.as_ref().map_or(0.0, |surface| surface.at(z));
+        self.parts_w[1] * (of_constants + self.rolling_error() * draw.rolling).exp()
     }
 
     fn half_sliding(&self, structure: &Structure, z: &[f64]) -> f64 {
@@ -423,13 +462,12 @@ impl Predictive {
     /// The factor of each draw on the sliding loss at constants, relief and model error, for the rows of a path: without
     /// the constants' own part, which differs from position to position.
     pub(super) fn factors_of_sliding(&self) -> Vec<(Vec<f64>, f64)> {
-        let [_, rolling, other] = self.parts_w;
+        let other = self.parts_w[2];
         let draws = shared_draws().zip(self.losses(0));
         let factor = |(draw, loss): (Draw, f64)| {
             let z = self.standardised(&draw);
             let sliding = self.parts_w[0] * self.sliding.as_ref().map_or(0.0, |s| s.at(&z)).exp();
-            let of_rolling = rolling * (self.rolling_error() * draw.rolling).exp();
-            let factor = ((loss - of_rolling - other) / sliding).max(0.0);
+            let factor = ((loss - self.rolling(&draw, &z) - other) / sliding).max(0.0);
             (z, factor)
         };
         draws.map(factor).collect()
@@ -495,10 +533,12 @@ mod tests {
             constants: Vec::new(),
             correlations: Vec::new(),
             sliding: None,
+            rolling: None,
             share: None,
             surface_rms: 0.0,
             asperity_share: 0.2,
             film_law: None,
+            other_law: None,
             structure: None,
             relief: None,
             gap_law: GapLaw::Inlet,
@@ -515,6 +555,7 @@ mod tests {
             low,
             high,
             measured: None,
+            lays: None,
         }
     }
 
@@ -649,6 +690,44 @@ mod tests {
             .count() as f64
             / n;
         assert!((0.018..0.027).contains(&beyond), "{beyond}");
+    }
+
+    #[test]
+    fn draws_have_the_other_law_of_pressure_with_its_probability() {
+        let constants = vec![constant(UncertainParameter::EyringStress, [1.0, 2.0, 4.0])];
+        let points: Vec<Vec<f64>> = (-6..=6).map(|k| vec![0.4 * f64::from(k)]).collect();
+        let flat = QuadraticSurface::fit(&points, &vec![0.0; points.len()]).unwrap();
+        let case = Predictive {
+            sliding: Some(flat.clone()),
+            other_law: Some(OtherLaw {
+                probability: 0.25,
+                correlations: Vec::new(),
+                shift: 2f64.ln(),
+                sliding: flat,
+            }),
+            constants,
+            ..plain()
+        };
+        let table = StudentOfNormal::new(case.sampling.freedom);
+        let losses = shared_draws().map(|draw| {
+            let only = Draw {
+                pressure_law: draw.pressure_law,
+                ..Draw::medians()
+            };
+            case.loss(only, &table)
+        });
+        let losses: Vec<f64> = losses.collect();
+        let doubled = losses
+            .iter()
+            .filter(|loss| (**loss - 190.0).abs() < 1e-9)
+            .count();
+        let own = losses
+            .iter()
+            .filter(|loss| (**loss - 100.0).abs() < 1e-9)
+            .count();
+        assert_eq!([doubled, own], [DRAWS / 4, 3 * DRAWS / 4]);
+        assert!(case.alone(Component::PressureLaw).is_some());
+        assert!(plain().alone(Component::PressureLaw).is_none());
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Sensitivity of the loss of a case to the constants of its oil.
 
-use asperity::LoadedCase;
 use asperity::pipeline::{contacts, losses_with};
+use asperity::{Contacts, LoadedCase};
 use nalgebra::DVector;
 use rayon::prelude::*;
 
@@ -13,11 +13,16 @@ use crate::error::CalibrationError;
 /// Step of a constant, in standard deviations of its prior.
 const STEP: f64 = 0.1;
 
-/// Derivatives of the logarithm of the loss of `case` by the constants of its oil, in standard deviations of `priors`.
+/// Derivatives of the logarithm of the loss of `case` by the constants of its oil, in standard deviations of `priors`, with its
+/// contacts if they are known.
 ///
 /// # Errors
 /// When the film friction of the case has no shear stress, or a contact has no solution.
-pub(super) fn loss_slopes(case: &LoadedCase, priors: Priors) -> Result<[f64; CONSTANTS], OilError> {
+pub(super) fn loss_slopes(
+    case: &LoadedCase,
+    known: Option<&Contacts>,
+    priors: Priors,
+) -> Result<[f64; CONSTANTS], OilError> {
     let oil = OilBase::of_case(&case.case, ConstantsOf::File)?;
     let named = |source: asperity::Error| {
         OilError::Fit(CalibrationError::Model {
@@ -28,7 +33,14 @@ pub(super) fn loss_slopes(case: &LoadedCase, priors: Priors) -> Result<[f64; CON
     // Losses of a mesh with new flanks.
     let case = case.with(|input| (input.model.run_in, input.gearbox) = (None, None));
     let case = case.map_err(named)?;
-    let contacts = contacts(&case).map_err(named)?;
+    let solved;
+    let contacts = match known {
+        Some(known) => known,
+        None => {
+            solved = contacts(&case).map_err(named)?;
+            &solved
+        }
+    };
     let law = oil.rheology.laws().1;
     let problem = TractionProblem::new(&oil, law, priors, Zero::None, &[]);
     let log_loss = |k: usize, step: f64| -> Result<f64, OilError> {
@@ -36,7 +48,7 @@ pub(super) fn loss_slopes(case: &LoadedCase, priors: Priors) -> Result<[f64; CON
         x[k] = step;
         let mut moved = case.clone();
         moved.case.rheology = Some(problem.rheology(&x)?);
-        let losses = losses_with(&contacts, &moved).map_err(named)?;
+        let losses = losses_with(contacts, &moved).map_err(named)?;
         let summary = losses.summary;
         Ok((summary.sliding_w + summary.rolling_w).ln())
     };

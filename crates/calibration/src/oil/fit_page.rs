@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use asperity::oil::PressureLaw;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use asperity_report::{ReportError, StudyResult, tables, wrapped};
@@ -37,13 +36,10 @@ impl StudyResult for OilFit {
         );
         text.extend(self.constants.iter().map(row));
         if !self.is_law_decided {
-            let other = match self.pressure_law {
-                PressureLaw::Barus => PressureLaw::Roelands,
-                _ => PressureLaw::Barus,
-            };
-            let other = other.name();
-            let _ = writeln!(text, "by the other law of pressure ({other})");
-            text.extend(self.other_law.iter().map(row));
+            let other = &self.other_law;
+            let law = other.pressure_law.name();
+            let _ = writeln!(text, "by the other law of pressure ({law})");
+            text.extend(other.constants.iter().map(row));
         }
         let mut lines = self.sentences();
         for constant in &self.constants {
@@ -184,7 +180,7 @@ fn constants(fit: &OilFit) -> Markup {
         div.scroll { table {
             thead { tr { th { "constant" } th.number { "value" } th.number { "5 to 95 %" } th.number { "family" } th.number { "5 to 95 % of the family" }
                 th.number { "by the other law" } th.number { "error left, expected" } th.number { "error left" } th { "by the points" } } }
-            tbody { @for (one, other) in fit.constants.iter().zip(&fit.other_law) { tr {
+            tbody { @for (one, other) in fit.constants.iter().zip(&fit.other_law.constants) { tr {
                 th scope="row" { (named(one)) }
                 td.number { (digits(one.value)) } td.number { (range(one.range)) }
                 td.number { (digits(one.prior)) } td.number { (range(one.prior_range)) }

@@ -42,9 +42,8 @@ pub use error::OilError;
 pub use machine::{Machine, Setting};
 pub use oil_fit::{FitSettings, FittedConstant, NuisanceTerm, OilFit, TractionPointRow};
 pub use pcs_text::{Probe, is_pcs, read_pcs};
-pub use plan::{
-    ExpectedError, ONE, OilPlan, PlanSettings, PlannedCurve, PlannedPoint, Stage, WHOLE,
-};
+pub(crate) use plan::left_of_loss;
+pub use plan::{ExpectedError, OilPlan, PlanSettings, PlannedCurve, PlannedPoint, Stage};
 pub use reading::{Reading, SetPoint, set_points};
 pub use simulate::simulated;
 pub use stribeck::{BoundaryState, Stribeck, StribeckPoint};

@@ -132,6 +132,20 @@ pub struct TractionPointRow {
     pub dropped: Option<Dropped>,
 }
 
+/// The fit by the other law of pressure.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct OtherLaw {
+    /// The law.
+    pub pressure_law: PressureLaw,
+    /// Squares of the points over their number.
+    pub squares_per_point: f64,
+    /// The constants.
+    pub constants: Vec<FittedConstant>,
+    /// Correlations of the constants.
+    pub correlations: Vec<Vec<f64>>,
+}
+
 /// Oil constants from traction curves.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -168,8 +182,8 @@ pub struct OilFit {
     pub correlations: Vec<Vec<f64>>,
     /// Constants that the points determine only in combination.
     pub combinations: Vec<Combination>,
-    /// The same constants by the other law.
-    pub other_law: Vec<FittedConstant>,
+    /// The other law.
+    pub other_law: OtherLaw,
     /// Nuisance terms, largest first.
     pub nuisance: Vec<NuisanceTerm>,
     /// Kept and dropped points.
@@ -211,6 +225,7 @@ impl OilFit {
         let [best, other] = [&fits[0], &fits[1]];
         let further = helpful(oil, priors, zero, errors, &kept)?;
         let fitted = constants(best, &before, &further);
+        let by_other = constants(other, &before, &further);
         let values: Vec<f64> = fitted.iter().map(|one| one.value).collect();
         let found = Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
@@ -218,7 +233,9 @@ impl OilFit {
             lubricant: oil.lubricant.clone(),
             sources,
             pressure_law: best.problem.law,
-            is_law_decided: other.total_squared - best.total_squared >= DECISIVE,
+            // A law by which the oil has constants of no known oil explains nothing.
+            is_law_decided: other.total_squared - best.total_squared >= DECISIVE
+                || (impossible(&by_other).is_some() && !settings.is_forced),
             is_law_decided_by_points: other.without_factor_prior() - best.without_factor_prior()
                 >= DECISIVE,
             total_squared: [best.total_squared, other.total_squared],
@@ -236,7 +253,12 @@ impl OilFit {
             constants: fitted,
             correlations: stated_correlations(best),
             combinations: combinations(best, &values, LINEARISED),
-            other_law: constants(other, &before, &further),
+            other_law: OtherLaw {
+                pressure_law: other.problem.law,
+                squares_per_point: other.squares_per_point(),
+                constants: by_other,
+                correlations: stated_correlations(other),
+            },
             nuisance: nuisance(best),
             points: rows(&points, &judged, best),
             warnings: Vec::new(),
@@ -273,19 +295,16 @@ impl OilFit {
                 deviations: term.deviations,
             });
         }
-        for (k, [low, high]) in POSSIBLE.into_iter().filter(|_| !is_forced) {
-            let constant = &self.constants[k];
-            if !(low..=high).contains(&constant.value) {
-                return Err(OilError::NoOil {
-                    name: constant.name.clone(),
-                    value: constant.value,
-                    unit: constant.unit.clone(),
-                    low,
-                    high,
-                });
-            }
+        match impossible(&self.constants) {
+            Some((constant, [low, high])) if !is_forced => Err(OilError::NoOil {
+                name: constant.name.clone(),
+                value: constant.value,
+                unit: constant.unit.clone(),
+                low,
+                high,
+            }),
+            _ => Ok(()),
         }
-        Ok(())
     }
 
     fn warnings_of(&self, best: &LawFit<'_>) -> Vec<Warning> {
@@ -339,7 +358,10 @@ impl OilFit {
             ));
         }
         if !self.is_law_decided {
-            texts.push("the points do not decide the law of pressure".to_owned());
+            let other = self.other_law.pressure_law.name();
+            texts.push(format!(
+                "the points do not decide the law of pressure: the oil file holds the constants by {other} as well"
+            ));
         } else if !self.is_law_decided_by_points {
             let text = "the law of pressure is decided by the pressure-viscosity coefficient, which must be known to 10 %";
             texts.push(text.to_owned());
@@ -350,6 +372,15 @@ impl OilFit {
             .map(|text| Warning::new("W441", text))
             .collect()
     }
+}
+
+/// The first constant that no known oil has, with its possible range.
+fn impossible(constants: &[FittedConstant]) -> Option<(&FittedConstant, [f64; 2])> {
+    let all = POSSIBLE
+        .into_iter()
+        .map(|(k, range)| (&constants[k], range));
+    let mut outside = all.filter(|(one, [low, high])| !(*low..=*high).contains(&one.value));
+    outside.next()
 }
 
 fn refuse_points(points: &[SetPoint], judged: &[Judged], kept: usize) -> Result<(), OilError> {

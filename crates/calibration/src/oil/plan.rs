@@ -3,7 +3,7 @@
 //!
 //! The minimal plan has three temperatures, two loads, two speeds and ten slide-to-roll ratios, both signs of each.
 
-use asperity::LoadedCase;
+use asperity::{Contacts, LoadedCase};
 use asperity_core::quantity::Length;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -16,7 +16,7 @@ use super::fit::{PointErrors, expected_covariance, planned};
 use super::grid::Grid;
 use super::helpful;
 use super::machine::Machine;
-use super::problem::{CONSTANTS, Priors, STATED, STATED_CONSTANTS, Zero, distinct};
+use super::problem::{CONSTANTS, FACTOR, Priors, STATED, STATED_CONSTANTS, Zero, distinct};
 use super::reading::SetPoint;
 use super::selection::{Dropped, Judged, judge};
 use super::simulate::simulated;
@@ -52,7 +52,7 @@ const SMALL_BALL: Grid<'static> = Grid {
     temperatures: TEMPERATURES,
 };
 /// Stage of one curve.
-pub const ONE: &str = "one curve";
+const ONE: &str = "one curve";
 /// Stage of the minimal plan.
 pub const WHOLE: &str = "minimal plan";
 /// Radius of the small ball.
@@ -184,6 +184,32 @@ struct Planner<'a> {
     slopes: Option<DVector<f64>>,
 }
 
+/// Standard deviations of ln loss of `case` by the errors of its film friction, as one curve and the minimal plan would leave
+/// them, and the derivative of ln loss by a standard deviation of the pressure-viscosity coefficient in the friction only.
+///
+/// # Errors
+/// When the film has no solution at a point, or the case has no loss.
+pub(crate) fn left_of_loss(
+    oil: &OilBase,
+    case: (&LoadedCase, &Contacts),
+    settings: &PlanSettings,
+) -> Result<([Option<f64>; 2], f64), OilError> {
+    let priors = Priors::of(oil, settings.is_wide);
+    let slopes = loss_slopes(case.0, Some(case.1), priors)?;
+    let planner = Planner {
+        oil,
+        settings,
+        priors,
+        slopes: Some(DVector::from_row_slice(&slopes)),
+    };
+    let mut left = [None; 2];
+    for (left, (name, grid)) in left.iter_mut().zip([(ONE, &ONE_CURVE), (WHOLE, &MINIMAL)]) {
+        let points = grid.described(oil, &settings.machine)?;
+        *left = planner.stage(name, &points)?.loss_deviation;
+    }
+    Ok((left, slopes[FACTOR]))
+}
+
 impl OilPlan {
     /// Plans the measurement of `oil`, for the loss of `case` if there is one.
     ///
@@ -209,7 +235,9 @@ impl OilPlan {
         settings: &PlanSettings,
     ) -> Result<Self, OilError> {
         let priors = Priors::of(oil, settings.is_wide);
-        let slopes = case.map(|case| loss_slopes(case, priors)).transpose()?;
+        let slopes = case
+            .map(|case| loss_slopes(case, None, priors))
+            .transpose()?;
         let planner = Planner {
             oil,
             settings,

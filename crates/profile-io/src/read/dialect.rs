@@ -239,8 +239,12 @@ fn first_row(
     stated: Option<Columns>,
 ) -> Option<usize> {
     let is_row = |line: &Line<'_>| dialect.row(line.text, stated) == Some(columns);
+    // The header of a LabVIEW measurement file (lvm) holds numbers; this line ends it.
+    const END_OF_HEADER: &str = "***End_of_Header***";
+    let ends = |line: &Line<'_>| line.text.starts_with(END_OF_HEADER);
+    let begin = lines.iter().rposition(ends).map_or(0, |at| at + 1);
     let mut previous = false;
-    for (at, line) in lines.iter().enumerate() {
+    for (at, line) in lines.iter().enumerate().skip(begin) {
         let row = is_row(line);
         if row && previous {
             return Some(at - 1);
@@ -285,6 +289,8 @@ mod tests {
             Some(1)
         );
         assert_eq!(sniff_text("no numbers\nat all"), None);
+        let lvm = "X0\t0.0\t0.0\nDelta_X\t1.0\t1.0\n***End_of_Header***\t\t\nX\tA\tB\n0.0\t1.0\t2.0\n0.1\t1.1\t2.1";
+        assert_eq!(sniff_text(lvm).map(|s| s.2), Some(4));
     }
 
     #[test]

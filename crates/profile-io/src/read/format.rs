@@ -112,7 +112,7 @@ formats! {
     /// Igor binary wave of version 5, as instruments of Asylum Research write it.
     IgorWave "Igor wave (ibw)" [b"\x05\x00", b"\x00\x05"] ["ibw"] SEVERAL;
     /// Bruker NanoScope image.
-    NanoScope "Bruker NanoScope image" [b"\\*File list", b"?*File list", b"\\*Force file list"] [] ONE
+    NanoScope "Bruker NanoScope image" [b"\\*File list", b"?*File list", b"\\*Force file list", b"\\*EC File list"] [] ONE
         "export the height channel as text with its units from NanoScope Analysis, or as gwy from Gwyddion";
     /// WSxM image.
     Wsxm "WSxM image" [b"WSxM file copyright"] [] ONE "export the image as gwy from Gwyddion, or as text x y z";

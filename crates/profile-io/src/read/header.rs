@@ -68,6 +68,17 @@ pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> V
         while cells.len() > columns && cells.last().is_some_and(|cell| cell.is_empty()) {
             cells.pop();
         }
+        if cells.len() != columns {
+            // Labels of several words stand further apart than their words.
+            let apart = text.split(['\t']).flat_map(|part| part.split("  "));
+            let apart: Vec<&str> = apart
+                .map(str::trim)
+                .filter(|cell| !cell.is_empty())
+                .collect();
+            if apart.len() == columns && columns > 1 {
+                cells = apart;
+            }
+        }
         if cells.len() == columns {
             for (label, cell) in labels.iter_mut().zip(&cells) {
                 label.role = label.role.or_else(|| role_of(cell));
@@ -318,6 +329,27 @@ mod tests {
             assert_eq!(role_of(label), Some(Role::Roll(expected)), "{label}");
         }
         assert_eq!(role_of("length [mm]"), Some(Role::X));
+    }
+
+    #[test]
+    fn labels_of_several_words_are_told_by_wider_gaps() {
+        let head = Head::of("# \tPosition (mm)     Distance (microns)    Light Intensity (0-255)");
+        let header: Vec<_> = head.lines().collect();
+        let dialect = Dialect {
+            separator: Separator::Blank,
+            decimal: DecimalSign::Point,
+        };
+        let found = labels(&header, dialect, 3);
+        assert_eq!(found[0].role, Some(Role::X));
+        let units: Vec<_> = found.into_iter().map(|label| label.unit).collect();
+        assert_eq!(
+            units,
+            [
+                Some(Stated::Length(LengthUnit::Millimetre)),
+                Some(Stated::Length(LengthUnit::Micrometre)),
+                None
+            ]
+        );
     }
 
     #[test]

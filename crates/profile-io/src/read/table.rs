@@ -2,7 +2,7 @@
 
 use super::dialect::{Cell, Sniffed, Stated, sniff};
 use super::error::{CellRemedy, ReadError};
-use super::header::{Label, Role};
+use super::header::{self, Label, Role};
 use super::layout::Dialect;
 use super::options::{Columns, DecimalSign, ReadOptions, Separator};
 use super::text::Line;
@@ -68,6 +68,7 @@ pub(super) fn choose(
             (1, _) => Some(0),
             (2, Some(x)) => Some(1 - x).filter(free),
             (2, None) => Some(1).filter(free),
+            (_, Some(x)) => only_other_length(labels, x).filter(free),
             _ => None,
         });
     let z = z.ok_or_else(unclear)?;
@@ -76,6 +77,14 @@ pub(super) fn choose(
         return Err(unclear());
     }
     Ok(Chosen { x, z, valid, count })
+}
+
+/// The only other column than `x` whose label states a unit of length.
+fn only_other_length(labels: &[Label], x: usize) -> Option<usize> {
+    let is_length =
+        |at: &usize| *at != x && matches!(labels[*at].unit, Some(header::Stated::Length(_)));
+    let mut lengths = (0..labels.len()).filter(is_length);
+    lengths.next().filter(|_| lengths.next().is_none())
 }
 
 /// Returns an error for a table with a damaged first row, which would be taken for a header and lost.

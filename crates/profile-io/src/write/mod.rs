@@ -16,6 +16,7 @@ mod smd;
 mod x3p;
 
 use asperity_core::Profile;
+use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};
 
 pub use error::WriteError;
@@ -161,5 +162,40 @@ pub fn write_trace(trace: &Trace, format: WrittenFormat) -> Result<Vec<u8>, Writ
                 format,
             )
         }
+    }
+}
+
+/// The bytes of an X3P with a surface, heights \[m\] row by row, NaN where there is none; `spacings` along and across the rows.
+///
+/// # Errors
+/// As [`write()`], and if the heights are not whole rows of `columns` points.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_profile_io::read::{Metadata, ReadOptions, read_surface_bytes};
+/// use asperity_profile_io::write::write_surface;
+/// let z: Vec<f64> = (0..300).map(|k| 1e-7 * f64::from(k % 17)).collect();
+/// let spacings = [0.5e-6, 2e-6].map(Length::from_si);
+/// let bytes = write_surface(&z, 100, spacings, &Metadata::default())?;
+/// let again = read_surface_bytes("a.x3p", &bytes, &ReadOptions::default())?;
+/// assert_eq!((again.columns, again.rows, again.z), (100, 3, z));
+/// assert_eq!([again.dx, again.dy], spacings.map(Some));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_surface(
+    z: &[f64],
+    columns: usize,
+    [dx, dy]: [Length; 2],
+    metadata: &Metadata,
+) -> Result<Vec<u8>, WriteError> {
+    let is_whole = columns > 0 && !z.is_empty() && z.len().is_multiple_of(columns);
+    match is_whole && dx.si() > 0.0 && dy.si() > 0.0 {
+        true => x3p::write_rows(
+            Places::Even(dx.si()),
+            z,
+            Some((z.len() / columns, dy.si())),
+            metadata,
+        ),
+        false => Err(WriteError::NoProfile),
     }
 }

@@ -20,6 +20,16 @@ pub(super) fn write(
     heights: &[f64],
     metadata: &Metadata,
 ) -> Result<Vec<u8>, WriteError> {
+    write_rows(places, heights, None, metadata)
+}
+
+/// Writes heights row by row, `across` being the number of rows and their distance \[m\]; `None` for a profile.
+pub(super) fn write_rows(
+    places: Places<'_>,
+    heights: &[f64],
+    across: Option<(usize, f64)>,
+    metadata: &Metadata,
+) -> Result<Vec<u8>, WriteError> {
     let data: Vec<u8> = match places {
         Places::Even(_) => heights.iter().flat_map(|z| z.to_le_bytes()).collect(),
         Places::Own(x) => {
@@ -27,7 +37,8 @@ pub(super) fn write(
             numbers.flat_map(|number| number.to_le_bytes()).collect()
         }
     };
-    let xml = main_xml(places, heights.len(), metadata, &checksum(&data));
+    let points = heights.len() / across.map_or(1, |(rows, _)| rows.max(1));
+    let xml = main_xml(places, points, across, metadata, &checksum(&data));
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     // The default date is constant, so that the same profile gives the same bytes.
     let options = SimpleFileOptions::default();
@@ -54,7 +65,13 @@ fn checksum(bytes: &[u8]) -> String {
     digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-fn main_xml(places: Places<'_>, points: usize, metadata: &Metadata, data_checksum: &str) -> String {
+fn main_xml(
+    places: Places<'_>,
+    points: usize,
+    across: Option<(usize, f64)>,
+    metadata: &Metadata,
+    data_checksum: &str,
+) -> String {
     let text =
         |value: &Option<String>, otherwise: &str| field(value.as_deref().unwrap_or(otherwise));
     let axis = |name: &str, kind: &str, increment: f64| {
@@ -63,24 +80,28 @@ fn main_xml(places: Places<'_>, points: usize, metadata: &Metadata, data_checksu
              <Increment>{increment:e}</Increment><Offset>0</Offset></{name}>"
         )
     };
-    // A profile has one row, so the increment of CY has no meaning.
     let (kind, dx) = match places {
         Places::Even(dx) => ("I", dx),
         Places::Own(_) => ("A", 1.0),
     };
+    // A profile has one row, so the increment of CY has no meaning.
+    let (feature, rows, dy) = match across {
+        Some((rows, dy)) => ("SUR", rows, dy),
+        None => ("PRF", 1, dx),
+    };
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\
-         <Record1><Revision>ISO5436 - 2000</Revision><FeatureType>PRF</FeatureType><Axes>{}{}{}</Axes></Record1>\
+         <Record1><Revision>ISO5436 - 2000</Revision><FeatureType>{feature}</FeatureType><Axes>{}{}{}</Axes></Record1>\
          <Record2><Date>{}</Date><Instrument><Manufacturer>{}</Manufacturer><Model/><Serial/><Version/></Instrument>\
          <CalibrationDate/><ProbingSystem><Type>Contacting</Type><Identification/></ProbingSystem>\
          <Comment>{}</Comment></Record2>\
-         <Record3><MatrixDimension><SizeX>{}</SizeX><SizeY>1</SizeY><SizeZ>1</SizeZ></MatrixDimension>\
+         <Record3><MatrixDimension><SizeX>{}</SizeX><SizeY>{rows}</SizeY><SizeZ>1</SizeZ></MatrixDimension>\
          <DataLink><PointDataLink>{DATA}</PointDataLink>\
          <MD5ChecksumPointData>{data_checksum}</MD5ChecksumPointData></DataLink></Record3>\
          <Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4></p:ISO5436_2>\n",
         axis("CX", kind, dx),
-        axis("CY", "I", dx),
+        axis("CY", "I", dy),
         axis("CZ", "A", 1.0),
         text(&metadata.date, ""),
         text(&metadata.instrument, ""),

@@ -139,3 +139,26 @@ fn a_changed_smd_fails_its_checksum() {
         [Warning::ChecksumDiffers { .. }]
     ));
 }
+
+/// Three named columns of which two are lengths: the height is not the brightness.
+#[test]
+fn the_only_other_length_beside_x_is_the_height() {
+    let row = |i: u32| {
+        format!(
+            "{:.18e} {:.18e} {}\n",
+            1e-3 * f64::from(i),
+            0.2 * f64::from(i).sin(),
+            200 + i % 7
+        )
+    };
+    let header =
+        "# Calibration file\n# \tPosition (mm)     Distance (microns)    Light Intensity (0-255)\n";
+    let text = format!("{header}{}", (0..300).map(row).collect::<String>());
+    let found = read_bytes("scan.txt", text.as_bytes(), &ReadOptions::default()).unwrap();
+    assert!((found.profile.spacing().si() - 1e-6).abs() < 1e-12);
+    assert!((found.profile.heights()[1] - 0.2e-6 * 1.0_f64.sin()).abs() < 1e-15);
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    // Without lengths in the labels the columns have to be stated.
+    let text = text.replace("(microns)", "(counts)");
+    assert!(read_bytes("scan.txt", text.as_bytes(), &ReadOptions::default()).is_err());
+}

@@ -26,6 +26,27 @@ pub(super) fn remedies(uncertainty: &Uncertainty) -> Markup {
     }
 }
 
+/// The measurements that would narrow the interval most.
+pub(super) fn evidence(uncertainty: &Uncertainty) -> Markup {
+    const SHOWN: usize = 3;
+    let digits = uncertainty.digits();
+    html! { @if !uncertainty.evidence.is_empty() {
+        h3 { "What would narrow the interval most" }
+        div.scroll { table {
+            thead { tr { th { "measurement" } th.number { "hours" } th.number { "width" } th.number { "loss" } } }
+            tbody { @for row in uncertainty.evidence.iter().take(SHOWN) {
+                @let [low, high] = row.interval();
+                tr {
+                    th scope="row" { (row.measurement) }
+                    td.number { (row.hours) } td.number { (row.width_percent()) }
+                    td.number { (digits.rounded(low)) " to " (digits.rounded(high)) " W" }
+                }
+            } }
+        } }
+        p.note { "Width: expected over present interval, in logarithms. " code { "asperity evidence" } " has all measurements." }
+    } }
+}
+
 /// How the band was drawn, the constants, and other models.
 pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
     html! {
@@ -105,6 +126,7 @@ fn values(constant: &DrawnConstant) -> [String; 3] {
         "m" => (1e9, " nm", 1),
         "Pa" => (1e-6, " MPa", 1),
         "1/Pa" => (1e9, " 1/GPa", 1),
+        "K" => (1.0, " K", 1),
         _ => (1.0, "", 3),
     };
     [constant.value, constant.low, constant.high]

@@ -25,13 +25,13 @@ pub(super) fn tiles(gearbox: &GearboxReport, of_mesh: Option<&Uncertainty>) -> V
 }
 
 /// The parts besides the mesh.
-pub(super) fn section(gearbox: &GearboxReport, has_band: bool) -> Markup {
+pub(crate) fn section(gearbox: &GearboxReport, has_band: bool) -> Markup {
     let losses: Vec<f64> = gearbox.parts.iter().map(|part| part.loss_w).collect();
     let losses = stated_parts(&losses);
     html! {
         h3 { "Besides the mesh, from the input" }
         p {
-            "These losses are not computed from the flanks: their constants, loads and tables are input, without an uncertainty. \
+            "These losses are not computed from the flanks: their constants and tables are input, without an uncertainty. \
             Oil at " (format!("{:.0} °C", gearbox.temperature_c)) ". The mesh is computed with the full torque of the case; all losses are \
             subtracted from the power in."
             @if has_band { " The other parts add no uncertainty." }

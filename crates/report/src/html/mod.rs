@@ -9,7 +9,7 @@ mod checks;
 mod contact;
 mod facing;
 mod flanks;
-mod gearbox;
+pub(crate) mod gearbox;
 mod inputs;
 mod load;
 mod losses;

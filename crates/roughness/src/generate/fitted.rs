@@ -99,8 +99,8 @@ impl Fitted {
             points: first.len(),
             spacing: first.spacing(),
             spectrum: bands(&spectra),
-            roughness: distribution(roughness),
-            waviness: distribution(waviness),
+            roughness: distribution(roughness, TAIL, INNER),
+            waviness: distribution(waviness, TAIL, INNER),
             seed,
         })
     }
@@ -177,7 +177,11 @@ impl Fitted {
 }
 
 /// The `n` heights \[m\] of a distribution in ascending order.
-fn heights(name: &'static str, list: &[[f64; 2]], n: usize) -> Result<Vec<f64>, DomainError> {
+pub(super) fn heights(
+    name: &'static str,
+    list: &[[f64; 2]],
+    n: usize,
+) -> Result<Vec<f64>, DomainError> {
     check_list(name, list)?;
     let at = |k: usize| interpolate(list, (k as f64 + 0.5) / n as f64);
     Ok((0..n).map(|k| at(k) / MICRO).collect())
@@ -235,12 +239,12 @@ fn bands(spectra: &[PowerSpectrum]) -> Vec<[f64; 2]> {
     bands
 }
 
-/// Shares and heights \[um\] of heights \[m\], fewer between the tails than at them.
-fn distribution(mut sorted: Vec<f64>) -> Vec<[f64; 2]> {
+/// Shares and heights \[um\] of heights \[m\]: all of the `tail` lowest and highest ones, and `inner` between them.
+pub(super) fn distribution(mut sorted: Vec<f64>, tail: usize, inner: usize) -> Vec<[f64; 2]> {
     sorted.sort_unstable_by(f64::total_cmp);
     let n = sorted.len();
-    let stride = (n.saturating_sub(2 * TAIL) / INNER).max(1);
-    let is_kept = |k: usize| k < TAIL || k + TAIL >= n || (k - TAIL).is_multiple_of(stride);
+    let stride = (n.saturating_sub(2 * tail) / inner).max(1);
+    let is_kept = |k: usize| k < tail || k + tail >= n || (k - tail).is_multiple_of(stride);
     let of = |k: usize| [(k as f64 + 0.5) / n as f64, sorted[k] * MICRO];
     (0..n).filter(|k| is_kept(*k)).map(of).collect()
 }

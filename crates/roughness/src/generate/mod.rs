@@ -7,6 +7,7 @@
 mod achieved;
 mod damage;
 mod fitted;
+mod fitted_surface;
 mod ground;
 mod non_gaussian;
 mod plateau;
@@ -20,6 +21,7 @@ mod surrogate;
 pub use achieved::{Achieved, Generated};
 pub use damage::{Pits, Scratches};
 pub use fitted::Fitted;
+pub use fitted_surface::FittedSurface;
 pub use ground::Ground;
 pub use non_gaussian::{HeightDistribution, NonGaussian};
 pub use plateau::{PlateauHoned, lower_envelope, truncated};

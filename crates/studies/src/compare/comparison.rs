@@ -15,13 +15,13 @@ use serde::Serialize;
 use super::statistics::rank_correlation;
 use super::windows::{self, Value, WindowRoughness};
 
-/// Finish to compare: name, and case with its traces.
+/// Finish to compare: name, and case with its traces, a pair of gears or a gear train.
 #[derive(Debug, Clone)]
-pub struct Finish {
+pub struct Finish<C = LoadedCase> {
     /// Name.
     pub name: String,
     /// Case.
-    pub case: LoadedCase,
+    pub case: C,
 }
 
 /// Results of several finishes; the first is the reference.

@@ -13,7 +13,7 @@ const BINS: f64 = 30.0;
 
 pub(super) fn render(result: &CycleResult, map: &Map) -> String {
     let sections = [
-        ("Energy", energy(result)),
+        ("Energy", energy(result, map)),
         ("Operating points", operating_points(result, map)),
         (
             "Over time",
@@ -24,14 +24,15 @@ pub(super) fn render(result: &CycleResult, map: &Map) -> String {
     page(&result.title, &subtitle, &sections)
 }
 
-fn energy(result: &CycleResult) -> Markup {
+fn energy(result: &CycleResult, map: &Map) -> Markup {
+    let [pinion, wheel] = map.shafts();
     let percent = |share: f64| format!("{:.1} %", 100.0 * share);
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
     html! {
         @for verdict in verdicts(result) { p { strong { (verdict) } } }
         @if let Some(note) = left_aside(result) { p { (note) "." } }
-        p { "Scope: " (result.scope) " only. " (format!("{:.1}", result.drive_wh)) " Wh at the pinion while it drives, "
-            (format!("{:.1}", result.coast_wh)) " Wh while the wheel drives, " (format!("{:.0}", result.duration_s)) " s, flanks at "
+        p { "Scope: " (result.scope) " only. " (format!("{:.1}", result.drive_wh)) " Wh at the " (pinion) " while it drives, "
+            (format!("{:.1}", result.coast_wh)) " Wh while the " (wheel) " drives, " (format!("{:.0}", result.duration_s)) " s, flanks at "
             (result.temperature_c) " °C."
             @if result.outside_share > 0.0 {
                 " Outside of the map, where the ratio of loss to torque is that of its edge: " (percent(result.outside_energy_share))

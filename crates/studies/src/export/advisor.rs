@@ -13,10 +13,11 @@ pub(super) fn text(field: &Field) -> Result<String, ExportError> {
     const FORMAT: &str = "ADVISOR";
     field.check_size(FORMAT)?;
     field.check_slope(FORMAT)?;
+    let ratio = field.ratio.ok_or(ExportError::NoRatio { format: FORMAT })?;
     let surface = field.surface();
     let torques: Vec<f64> = (field.torque_nm.iter())
         .filter(|torque| **torque != 0.0)
-        .map(|torque| torque * field.ratio)
+        .map(|torque| torque * ratio)
         .collect();
     let speeds: Vec<f64> = (field.speed_rpm.iter().copied())
         .filter(|speed| *speed > 0.0)
@@ -32,7 +33,7 @@ pub(super) fn text(field: &Field) -> Result<String, ExportError> {
         let texts: Vec<String> = values.map(|value| value.to_string()).collect();
         texts.join(" ")
     };
-    let omega = |rpm: &f64| rpm * std::f64::consts::PI / 30.0 / field.ratio;
+    let omega = |rpm: &f64| rpm * std::f64::consts::PI / 30.0 / ratio;
     // Writing into a string cannot fail.
     let _ = writeln!(
         text,
@@ -44,7 +45,7 @@ pub(super) fn text(field: &Field) -> Result<String, ExportError> {
     for speed in &speeds {
         let row = torques
             .iter()
-            .map(|torque| efficiency(&surface, torque / field.ratio, *speed));
+            .map(|torque| efficiency(&surface, torque / ratio, *speed));
         let _ = writeln!(text, "{}", list(&mut row.into_iter()));
     }
     text.push_str("];\n");

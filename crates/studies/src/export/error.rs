@@ -24,6 +24,14 @@ pub enum ExportError {
         /// The format.
         format: &'static str,
     },
+    /// The format needs the ratio of input and output speed.
+    #[error(
+        "{format} needs the ratio of input and output speed, and several shafts of the train are outputs"
+    )]
+    NoRatio {
+        /// The format.
+        format: &'static str,
+    },
     /// The loss torque rises faster than the torque.
     #[error(
         "{format} cannot hold this map: near {torque_nm} N m and {speed_rpm} 1/min the loss torque rises faster than the torque"

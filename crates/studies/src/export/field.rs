@@ -2,7 +2,7 @@
 
 use super::added::{AddedLoss, AddedLossError};
 use super::error::ExportError;
-use crate::map::{Map, Surface};
+use crate::map::{Map, MeshPart, Surface};
 
 /// Loss torque of the mesh and added loss torque over torque and speed of the input shaft.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,16 +15,20 @@ pub struct Field {
     pub scope: String,
     /// Temperature \[°C\].
     pub temperature_c: f64,
-    /// Revolutions of the input shaft per revolution of the output shaft.
-    pub ratio: f64,
+    /// Revolutions of the input shaft per revolution of the output shaft; `None` of several outputs.
+    pub ratio: Option<f64>,
     /// Torques \[N m\], ascending.
     pub torque_nm: Vec<f64>,
     /// Speeds \[1/min\], ascending from 0.
     pub speed_rpm: Vec<f64>,
     /// Loss torque of the mesh \[N m\], by torque.
     pub mesh_nm: Vec<f64>,
+    /// Name and loss torque of each mesh of a gear train \[N m\], which add up to the one of all meshes.
+    pub parts: Vec<(String, Vec<f64>)>,
     /// Added loss torque \[N m\].
     pub added_nm: Option<Vec<f64>>,
+    /// Flanks that carry the load at a negative torque, in words.
+    pub flanks: &'static str,
     /// Number of nodes at which a correlation is out of its range or the loss is extended.
     pub outside: usize,
 }
@@ -74,6 +78,21 @@ impl Field {
                 }
                 (None, None) => None,
             };
+            let part = |mesh: &MeshPart| {
+                let losses = mesh.loss_torque_nm.get(index * nodes..(index + 1) * nodes);
+                let losses = losses.and_then(|losses| losses.iter().copied().collect());
+                let finish = of.name.clone();
+                let name = match mesh.count {
+                    1 => mesh.name.clone(),
+                    count => format!("{count} {}", mesh.name),
+                };
+                Ok((name, losses.ok_or(ExportError::Holes { finish })?))
+            };
+            let parts = of
+                .meshes
+                .iter()
+                .map(part)
+                .collect::<Result<_, ExportError>>()?;
             let points = of.points.iter().skip(index * nodes).take(nodes);
             Ok(Self {
                 title: map.title.clone(),
@@ -84,6 +103,12 @@ impl Field {
                 torque_nm: surface.torque_nm,
                 speed_rpm: surface.speed_rpm,
                 mesh_nm: surface.loss_torque_nm,
+                parts,
+                flanks: match (axes.torque_nm.first(), of.coast_files.is_empty()) {
+                    (Some(low), true) if *low < 0.0 => "; negative torque: the same flanks",
+                    (Some(low), false) if *low < 0.0 => "; negative torque: the coast flanks",
+                    _ => "",
+                },
                 added_nm,
                 outside: points.filter(|point| !point.outside.is_empty()).count(),
             })
@@ -123,14 +148,24 @@ impl Field {
 
     /// Head of a file, in one line.
     pub(super) fn head(&self) -> String {
+        Self::head_of(std::slice::from_ref(self))
+    }
+
+    /// Head of a file of the fields of a finish, in one line.
+    pub(super) fn head_of(fields: &[Self]) -> String {
+        let Some(first) = fields.first() else {
+            return String::new();
+        };
         let plain = |text: &str| text.replace(['\n', '\r'], " ");
+        let temperatures = fields.iter().map(|field| field.temperature_c.to_string());
+        let outside: usize = fields.iter().map(|field| field.outside).sum();
+        let nodes: usize = fields.iter().map(|field| field.mesh_nm.len()).sum();
         format!(
-            "Asperity, {}, finish {}, {} °C; {} of {} nodes outside a fitted range or extended",
-            plain(&self.title),
-            plain(&self.finish),
-            self.temperature_c,
-            self.outside,
-            self.mesh_nm.len()
+            "Asperity, {}, finish {}, {} °C; {outside} of {nodes} nodes outside a fitted range or extended{}",
+            plain(&first.title),
+            plain(&first.finish),
+            temperatures.collect::<Vec<_>>().join(", "),
+            first.flanks
         )
     }
 

@@ -1,5 +1,6 @@
-/* Functional mock-up unit of a loss map: FMI 2.0, model exchange and co-simulation, no states. The tables T (torque,
-   N m), W (speed, rad/s), MESH and ADDED (loss torque, N m, torque by torque) and their sizes stand above. */
+/* Functional mock-up unit of a loss map: FMI 2.0, model exchange and co-simulation, no states. The tables C (temperature,
+   degC), T (torque, N m), W (speed, rad/s), MESH, ADDED and PARTS (loss torque, N m, temperature by temperature and torque
+   by torque, PARTS mesh by mesh) and their sizes NC, NT, NW and NP are above. */
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +9,8 @@ typedef void *Component;
 typedef unsigned int Reference;
 typedef int Status;
 enum { OK = 0, ERROR = 3 };
-enum { TAU, OMEGA, LOSS_TORQUE, LOSS_POWER, OUTSIDE, MESH_TORQUE, ADDED_TORQUE, VARIABLES };
+enum { TAU, OMEGA, LOSS_TORQUE, LOSS_POWER, OUTSIDE, MESH_TORQUE, ADDED_TORQUE, TEMPERATURE, PART_TORQUE,
+       VARIABLES = PART_TORQUE + NP };
 typedef struct { double v[VARIABLES]; } Model;
 
 #if defined _WIN32
@@ -32,26 +34,53 @@ static double share(const double *nodes, int i, double x) {
     return s < 0 ? 0 : s > 1 ? 1 : s;
 }
 
-static double between(const double *table, int i, int j, double a, double b) {
+static double plane(const double *table, int i, int j, double a, double b) {
     const double *low = table + (size_t)i * NW + j, *high = low + NW;
     return (1 - a) * ((1 - b) * low[0] + b * low[1]) + a * ((1 - b) * high[0] + b * high[1]);
 }
 
+/* A place in the tables: cells of temperature, torque and speed with the shares in them. */
+typedef struct { int k, i, j; double c, a, b; } Place;
+
+static double between(const double *table, const Place *p) {
+    const double *low = table + (size_t)p->k * NT * NW;
+    double value = plane(low, p->i, p->j, p->a, p->b);
+    if (p->c == 0) return value;
+    return (1 - p->c) * value + p->c * plane(low + (size_t)NT * NW, p->i, p->j, p->a, p->b);
+}
+
 /* Outside the table loss over torque is held: the loss of the edge times the torque over that of the edge. A direction of
-   the torque that the table does not have takes the losses of the other one. */
+   the torque that the table does not have takes the losses of the other one. Outside the temperatures the loss of the
+   nearest one is held. */
 static void evaluate(Model *m) {
+    Place p = {0, 0, 0, 0, 0, 0};
+    int part;
     double tau = m->v[TAU], y = m->v[OMEGA] < 0 ? -m->v[OMEGA] : m->v[OMEGA];
     int is_other = (tau < 0 && T[0] >= 0) || (tau > 0 && T[NT - 1] <= 0);
     double t = is_other ? -tau : tau, x = edge(t), factor = x == t || x == 0 ? 1 : t / x;
-    int i = cell(T, NT, x), j = cell(W, NW, y);
-    double a = share(T, i, x), b = share(W, j, y);
+    p.i = cell(T, NT, x);
+    p.j = cell(W, NW, y);
+    p.a = share(T, p.i, x);
+    p.b = share(W, p.j, y);
+    if (NC > 1) {
+        p.k = cell(C, NC, m->v[TEMPERATURE]);
+        p.c = share(C, p.k, m->v[TEMPERATURE]);
+    }
     if (factor < 0) factor = -factor;
-    m->v[MESH_TORQUE] = factor * between(MESH, i, j, a, b);
-    m->v[ADDED_TORQUE] = factor * between(ADDED, i, j, a, b);
+    m->v[MESH_TORQUE] = factor * between(MESH, &p);
+    m->v[ADDED_TORQUE] = factor * between(ADDED, &p);
+    for (part = 0; part < NP; part++)
+        m->v[PART_TORQUE + part] = factor * between(PARTS + (size_t)part * NC * NT * NW, &p);
     m->v[LOSS_TORQUE] = m->v[MESH_TORQUE] + m->v[ADDED_TORQUE];
     m->v[LOSS_POWER] = m->v[LOSS_TORQUE] * y;
     /* Written so that what is no number is outside. */
-    m->v[OUTSIDE] = !(tau >= T[0] && tau <= T[NT - 1] && y <= W[NW - 1]);
+    m->v[OUTSIDE] = !(tau >= T[0] && tau <= T[NT - 1] && y <= W[NW - 1]
+                      && m->v[TEMPERATURE] >= C[0] && m->v[TEMPERATURE] <= C[NC - 1]);
+}
+
+static void begin(Model *m) {
+    memset(m, 0, sizeof(Model));
+    m->v[TEMPERATURE] = C[0];
 }
 
 EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }
@@ -61,8 +90,10 @@ EXPORT Component fmi2Instantiate(const char *name, int type, const char *guid, c
     Model *m;
     (void)name; (void)type; (void)resources; (void)functions; (void)visible; (void)logging;
     if (!guid || strcmp(guid, GUID)) return NULL;
-    m = calloc(1, sizeof(Model));
-    if (m) evaluate(m);
+    m = malloc(sizeof(Model));
+    if (!m) return NULL;
+    begin(m);
+    evaluate(m);
     return m;
 }
 EXPORT void fmi2FreeInstance(Component c) { free(c); }
@@ -80,7 +111,7 @@ EXPORT Status fmi2SetReal(Component c, const Reference *r, size_t n, const doubl
     Model *m = c;
     size_t k;
     for (k = 0; k < n; k++) {
-        if (r[k] > OMEGA) return ERROR;
+        if (r[k] > OMEGA && (r[k] != TEMPERATURE || NC < 2)) return ERROR;
         m->v[r[k]] = values[k];
     }
     return OK;
@@ -104,7 +135,7 @@ EXPORT Status fmi2CompletedIntegratorStep(Component c, int no_set_state, int *ev
     *event = *terminate = 0;
     return OK;
 }
-EXPORT Status fmi2Reset(Component c) { memset(c, 0, sizeof(Model)); return OK; }
+EXPORT Status fmi2Reset(Component c) { begin(c); return OK; }
 
 #define DOES_NOTHING(name) EXPORT Status name(Component c) { (void)c; return OK; }
 DOES_NOTHING(fmi2EnterInitializationMode)

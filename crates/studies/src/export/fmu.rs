@@ -15,29 +15,43 @@ use super::field::Field;
 const MODEL: &str = "AsperityLoss";
 const CODE: &str = include_str!("fmu.c");
 
-/// Self-contained C source of the unit.
+/// Self-contained C source of the unit of a map, from its fields by temperature.
 ///
 /// # Errors
-/// When the map has only one torque or one speed.
-pub fn c_source(field: &Field) -> Result<String, ExportError> {
-    field.check_size("the FMU")?;
-    let added = field
-        .added_nm
-        .clone()
-        .unwrap_or_else(|| vec![0.0; field.mesh_nm.len()]);
-    let head = field.head().replace("*/", "* /");
-    let scope = field.scope.replace("*/", "* /");
+/// When the map has only one torque or one speed, or no temperature.
+pub fn c_source(fields: &[Field]) -> Result<String, ExportError> {
+    let first = first(fields)?;
+    let values = |of: &dyn Fn(&Field) -> Vec<f64>| fields.iter().flat_map(of).collect::<Vec<f64>>();
+    let parts = (0..first.parts.len()).flat_map(|k| values(&|field| field.parts[k].1.clone()));
+    let mut parts: Vec<f64> = parts.collect();
+    if parts.is_empty() {
+        // C has no empty tables.
+        parts.push(0.0);
+    }
+    let head = Field::head_of(fields).replace("*/", "* /");
+    let scope = first.scope.replace("*/", "* /");
     let mut text = format!(
-        "/* {head}; scope: {scope} */\n#define GUID \"{}\"\n#define NT {}\n#define NW {}\n",
-        guid(field),
-        field.torque_nm.len(),
-        field.speed_rpm.len()
+        "/* {head}; scope: {scope} */\n#define GUID \"{}\"\n#define NC {}\n#define NT {}\n#define NW {}\n#define NP {}\n",
+        guid(fields),
+        fields.len(),
+        first.torque_nm.len(),
+        first.speed_rpm.len(),
+        first.parts.len()
     );
+    let added = |field: &Field| {
+        let none = || vec![0.0; field.mesh_nm.len()];
+        field.added_nm.clone().unwrap_or_else(none)
+    };
     let tables = [
-        ("T", &field.torque_nm),
-        ("W", &field.omega()),
-        ("MESH", &field.mesh_nm),
-        ("ADDED", &added),
+        (
+            "C",
+            fields.iter().map(|field| field.temperature_c).collect(),
+        ),
+        ("T", first.torque_nm.clone()),
+        ("W", first.omega()),
+        ("MESH", values(&|field| field.mesh_nm.clone())),
+        ("ADDED", values(&added)),
+        ("PARTS", parts),
     ];
     for (name, values) in tables {
         let values: Vec<String> = values.iter().map(|value| format!("{value:?}")).collect();
@@ -52,14 +66,23 @@ pub fn c_source(field: &Field) -> Result<String, ExportError> {
     Ok(text)
 }
 
+fn first(fields: &[Field]) -> Result<&Field, ExportError> {
+    const FORMAT: &str = "the FMU";
+    let first = fields
+        .first()
+        .ok_or(ExportError::TooSmall { format: FORMAT })?;
+    first.check_size(FORMAT)?;
+    Ok(first)
+}
+
 /// The unit: description, source and, if `cc` is available, a library for this machine.
-pub(super) fn archive(field: &Field) -> Result<Vec<u8>, ExportError> {
-    let source = c_source(field)?;
+pub(super) fn archive(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
+    let source = c_source(fields)?;
     let library = library(&source);
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default();
     zip.start_file("modelDescription.xml", options)?;
-    zip.write_all(description(field, library.is_some()).as_bytes())?;
+    zip.write_all(description(fields, library.is_some())?.as_bytes())?;
     zip.start_file("sources/loss.c", options)?;
     zip.write_all(source.as_bytes())?;
     if let Some(Library {
@@ -108,15 +131,25 @@ fn library(source: &str) -> Option<Library> {
 }
 
 /// Identifier computed from the content, so that a description matches only its source.
-fn guid(field: &Field) -> String {
+fn guid(fields: &[Field]) -> String {
     let mut sum = Sha256::new();
     sum.update(CODE.as_bytes());
     let none = Vec::new();
-    let added = field.added_nm.as_ref().unwrap_or(&none);
-    for values in [&field.torque_nm, &field.speed_rpm, &field.mesh_nm, added] {
-        sum.update(values.len().to_le_bytes());
-        for value in values {
-            sum.update(value.to_le_bytes());
+    for field in fields {
+        let added = field.added_nm.as_ref().unwrap_or(&none);
+        let parts = field.parts.iter().map(|(_, values)| values);
+        let tables = [
+            &vec![field.temperature_c],
+            &field.torque_nm,
+            &field.speed_rpm,
+            &field.mesh_nm,
+            added,
+        ];
+        for values in tables.into_iter().chain(parts) {
+            sum.update(values.len().to_le_bytes());
+            for value in values {
+                sum.update(value.to_le_bytes());
+            }
         }
     }
     let hex: String = sum
@@ -127,6 +160,8 @@ fn guid(field: &Field) -> String {
     format!("{{{}}}", &hex[..32])
 }
 
+/// Value reference of the temperature, an input of maps of several; the parts of the meshes follow it.
+const TEMPERATURE: usize = 7;
 /// Name, unit and meaning of the outputs, in the order of their value references from 2.
 const OUTPUTS: [(&str, &str, &str); 5] = [
     (
@@ -138,9 +173,9 @@ const OUTPUTS: [(&str, &str, &str); 5] = [
     (
         "outside",
         "1",
-        "1 outside of the map, where the ratio of loss to torque is that of its edge, or for NaN",
+        "1 outside of the map, where the ratio of loss to torque and the temperature are those of its edge, or for NaN",
     ),
-    ("mesh_loss_torque", "N.m", "part of the mesh"),
+    ("mesh_loss_torque", "N.m", "part of all meshes"),
     (
         "added_loss_torque",
         "N.m",
@@ -148,7 +183,8 @@ const OUTPUTS: [(&str, &str, &str); 5] = [
     ),
 ];
 
-fn description(field: &Field, has_library: bool) -> String {
+fn description(fields: &[Field], has_library: bool) -> Result<String, ExportError> {
+    let field = first(fields)?;
     let escaped = |text: &str| {
         let safe = text.replace('&', "&amp;").replace('<', "&lt;");
         safe.replace('>', "&gt;").replace('"', "&quot;")
@@ -160,45 +196,73 @@ fn description(field: &Field, has_library: bool) -> String {
     };
     let sources = "<SourceFiles><File name=\"loss.c\"/></SourceFiles>";
     let mut variables = String::new();
-    let inputs = [
+    let temperatures = fields.iter().map(|field| field.temperature_c.to_string());
+    let temperatures = format!(
+        "temperature; the map has {} degC, with linear interpolation between them",
+        temperatures.collect::<Vec<_>>().join(", ")
+    );
+    let mut inputs = vec![
         (
+            0,
             "tau",
             "N.m",
             "torque of the input shaft; negative: the output drives",
+            0.0,
         ),
-        ("omega", "rad/s", "speed of the input shaft"),
+        (1, "omega", "rad/s", "speed of the input shaft", 0.0),
     ];
-    for (reference, (name, unit, meaning)) in inputs.iter().enumerate() {
+    if fields.len() > 1 {
+        inputs.push((
+            TEMPERATURE,
+            "temperature",
+            "degC",
+            &temperatures,
+            field.temperature_c,
+        ));
+    }
+    for (reference, name, unit, meaning, start) in &inputs {
         let _ = writeln!(
             variables,
-            "    <ScalarVariable name=\"{name}\" valueReference=\"{reference}\" causality=\"input\" variability=\"continuous\" description=\"{meaning}\"><Real unit=\"{unit}\" start=\"0\"/></ScalarVariable>"
+            "    <ScalarVariable name=\"{name}\" valueReference=\"{reference}\" causality=\"input\" variability=\"continuous\" description=\"{meaning}\"><Real unit=\"{unit}\" start=\"{start}\"/></ScalarVariable>"
         );
     }
+    let dependencies = (1..=inputs.len()).map(|k| k.to_string());
+    let dependencies = dependencies.collect::<Vec<_>>().join(" ");
     let mut unknowns = String::new();
-    for (index, (name, unit, meaning)) in OUTPUTS.iter().enumerate() {
+    let common = OUTPUTS
+        .iter()
+        .enumerate()
+        .map(|(k, (name, unit, meaning))| {
+            (k + 2, (*name).to_owned(), *unit, (*meaning).to_owned())
+        });
+    let parts = field.parts.iter().enumerate().map(|(k, (name, _))| {
+        let output = format!("mesh_{}_loss_torque", k + 1);
+        let meaning = format!("part of {} at the input shaft", escaped(name));
+        (TEMPERATURE + 1 + k, output, "N.m", meaning)
+    });
+    for (index, (reference, name, unit, meaning)) in common.chain(parts).enumerate() {
         let _ = writeln!(
             variables,
-            "    <ScalarVariable name=\"{name}\" valueReference=\"{}\" causality=\"output\" variability=\"continuous\" initial=\"calculated\" description=\"{meaning}\"><Real unit=\"{unit}\"/></ScalarVariable>",
-            index + 2
+            "    <ScalarVariable name=\"{name}\" valueReference=\"{reference}\" causality=\"output\" variability=\"continuous\" initial=\"calculated\" description=\"{meaning}\"><Real unit=\"{unit}\"/></ScalarVariable>",
         );
         let _ = write!(
             unknowns,
-            "<Unknown index=\"{}\" dependencies=\"1 2\"/>",
-            index + 3
+            "<Unknown index=\"{}\" dependencies=\"{dependencies}\"/>",
+            index + 1 + inputs.len()
         );
     }
-    format!(
+    Ok(format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <fmiModelDescription fmiVersion=\"2.0\" modelName=\"{MODEL}\" guid=\"{}\" description=\"{}; scope: {}{note}\" generationTool=\"asperity {}\" numberOfEventIndicators=\"0\">\n\
          \x20 <ModelExchange modelIdentifier=\"{MODEL}\" needsExecutionTool=\"false\">{sources}</ModelExchange>\n\
          \x20 <CoSimulation modelIdentifier=\"{MODEL}\" canHandleVariableCommunicationStepSize=\"true\" needsExecutionTool=\"false\">{sources}</CoSimulation>\n\
-         \x20 <UnitDefinitions><Unit name=\"N.m\"><BaseUnit kg=\"1\" m=\"2\" s=\"-2\"/></Unit><Unit name=\"rad/s\"><BaseUnit s=\"-1\" rad=\"1\"/></Unit><Unit name=\"W\"><BaseUnit kg=\"1\" m=\"2\" s=\"-3\"/></Unit><Unit name=\"1\"><BaseUnit/></Unit></UnitDefinitions>\n\
+         \x20 <UnitDefinitions><Unit name=\"N.m\"><BaseUnit kg=\"1\" m=\"2\" s=\"-2\"/></Unit><Unit name=\"rad/s\"><BaseUnit s=\"-1\" rad=\"1\"/></Unit><Unit name=\"W\"><BaseUnit kg=\"1\" m=\"2\" s=\"-3\"/></Unit><Unit name=\"1\"><BaseUnit/></Unit><Unit name=\"degC\"><BaseUnit K=\"1\" offset=\"273.15\"/></Unit></UnitDefinitions>\n\
          \x20 <ModelVariables>\n{variables}  </ModelVariables>\n\
          \x20 <ModelStructure><Outputs>{unknowns}</Outputs><InitialUnknowns>{unknowns}</InitialUnknowns></ModelStructure>\n\
          </fmiModelDescription>\n",
-        guid(field),
-        escaped(&field.head()),
+        guid(fields),
+        escaped(&Field::head_of(fields)),
         escaped(&field.scope),
         env!("CARGO_PKG_VERSION")
-    )
+    ))
 }

@@ -63,7 +63,14 @@ pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFil
         let name = file_name(&finish.name);
         match format {
             Format::Matlab => files.push(file(&name, "mat", mat4::bytes(&fields))),
-            Format::Csv => files.push(file(&name, "csv", tables::csv(&fields, finish)?)),
+            Format::Csv => {
+                files.push(file(&name, "csv", tables::csv(&fields, finish)?));
+                if !finish.meshes.is_empty() {
+                    let meshes = tables::meshes_csv(&fields)?;
+                    files.push(file(&format!("{name}_meshes"), "csv", meshes));
+                }
+            }
+            Format::Fmu => files.push(file(&name, "fmu", fmu::archive(&fields)?)),
             Format::Co2mpas => files.push(file(
                 &format!("{name}_co2mpas"),
                 "json",
@@ -83,6 +90,7 @@ pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFil
     Ok(files)
 }
 
+/// The file of a format that holds one temperature.
 fn of_field(
     field: &Field,
     format: Format,
@@ -92,14 +100,6 @@ fn of_field(
     Ok(match format {
         Format::Vecto => file(name, "vtlm", tables::vecto(field)?.into_bytes()),
         Format::Modelica => file(name, "txt", modelica::text(field)?.into_bytes()),
-        Format::Advisor => {
-            let text = advisor::text(field)?;
-            file(
-                &format!("TX_{}", name.replace(['-', '.'], "_")),
-                "m",
-                text.into_bytes(),
-            )
-        }
         Format::Fastsim => {
             let cycle = with
                 .cycle
@@ -107,7 +107,14 @@ fn of_field(
             let bytes = fitted::fastsim(field, cycle)?;
             file(&format!("{name}_fastsim"), "json", bytes)
         }
-        _ => file(name, "fmu", fmu::archive(field)?),
+        _ => {
+            let text = advisor::text(field)?;
+            file(
+                &format!("TX_{}", name.replace(['-', '.'], "_")),
+                "m",
+                text.into_bytes(),
+            )
+        }
     })
 }
 

@@ -1,5 +1,6 @@
 //! Tables with one row per node: CSV, and the transmission loss map of VECTO.
 
+use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -43,6 +44,34 @@ pub(super) fn csv(fields: &[Field], finish: &FinishMap) -> Result<Vec<u8>, Expor
                 scope: &field.scope,
                 outside: marks.unwrap_or_default(),
             });
+        }
+    }
+    text(Path::new("map.csv"), rows).map_err(|error| std::io::Error::other(error).into())
+}
+
+/// CSV with one row per node and mesh of a gear train, the loss torque of all equal meshes at the input shaft.
+pub(super) fn meshes_csv(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
+    #[derive(Serialize)]
+    struct MeshRow<'a> {
+        torque_nm: f64,
+        speed_rpm: f64,
+        temperature_c: f64,
+        mesh: Cow<'a, str>,
+        loss_torque_nm: f64,
+    }
+    let mut rows = Vec::new();
+    for field in fields {
+        let across = field.speed_rpm.len();
+        for (mesh, losses) in &field.parts {
+            for (index, loss) in losses.iter().enumerate() {
+                rows.push(MeshRow {
+                    torque_nm: field.torque_nm[index / across],
+                    speed_rpm: field.speed_rpm[index % across],
+                    temperature_c: field.temperature_c,
+                    mesh: asperity_storage::cell(mesh),
+                    loss_torque_nm: *loss,
+                });
+            }
         }
     }
     text(Path::new("map.csv"), rows).map_err(|error| std::io::Error::other(error).into())

@@ -1,14 +1,14 @@
 //! Axes of a map.
 
-use asperity::case::Case;
+use asperity::case::gear_train::LoadedTrain;
 use serde::{Deserialize, Serialize};
 
 /// Nodes of a map, ascending along each axis.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Axes {
-    /// Torque at the pinion \[N m\].
+    /// Torque at the pinion or input shaft \[N m\].
     pub torque_nm: Vec<f64>,
-    /// Speed of the pinion \[1/min\].
+    /// Speed of the pinion or input shaft \[1/min\].
     pub speed_rpm: Vec<f64>,
     /// Temperature of the flanks \[°C\].
     pub temperature_c: Vec<f64>,
@@ -93,11 +93,11 @@ impl Axes {
         })
     }
 
-    /// Default torques of `case`: 0, a geometric series from 1 % of the largest, and the same with negative sign.
+    /// Default torques of a case: 0, a geometric series from 1 % of the largest, and the same with negative sign.
     #[must_use]
-    pub fn default_torque(case: &Case) -> Vec<f64> {
-        let limit = case.input.map.and_then(|map| map.torque_max);
-        let most = limit.unwrap_or(case.torque).si().abs();
+    pub fn default_torque(case: &LoadedTrain) -> Vec<f64> {
+        let (torque, _) = case.input.map_limits();
+        let most = torque.si().abs();
         let step = SMALLEST.powf(-1.0 / (TORQUES - 1) as f64);
         let node = |k: usize| rounded(most * SMALLEST * step.powi(k as i32));
         let drive = (0..TORQUES).map(|k| if k + 1 == TORQUES { most } else { node(k) });
@@ -107,11 +107,11 @@ impl Axes {
             .collect()
     }
 
-    /// Default speeds of `case`: 0, 1 1/min, then with smaller steps at low speed.
+    /// Default speeds of a case: 0, 1 1/min, then with smaller steps at low speed.
     #[must_use]
-    pub fn default_speed(case: &Case) -> Vec<f64> {
-        let limit = case.input.map.and_then(|map| map.speed_max);
-        let most = limit.unwrap_or(case.speed).si() * 30.0 / std::f64::consts::PI;
+    pub fn default_speed(case: &LoadedTrain) -> Vec<f64> {
+        let (_, speed) = case.input.map_limits();
+        let most = speed.si() * 30.0 / std::f64::consts::PI;
         let node = |k: usize| rounded(most * (k as f64 / SPEEDS as f64).powi(2));
         [0.0, 1.0]
             .into_iter()
@@ -119,10 +119,14 @@ impl Axes {
             .collect()
     }
 
-    /// Default temperature: the one of `case`.
+    /// Default temperature: the one of a case.
     #[must_use]
-    pub fn default_temperature(case: &Case) -> Vec<f64> {
-        vec![rounded(case.temperature.celsius())]
+    pub fn default_temperature(case: &LoadedTrain) -> Vec<f64> {
+        let temperature = case.meshes().map(|mesh| mesh.case.case.temperature);
+        temperature
+            .take(1)
+            .map(|at| rounded(at.celsius()))
+            .collect()
     }
 
     /// Number of points of the map.

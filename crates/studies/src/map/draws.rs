@@ -4,7 +4,7 @@
 //! L_j = ln(P_j/P),  linear in ln T, ln ω and the temperature between the nodes, held constant outside
 //! ```
 //!
-//! P_j is the loss of draw j and P the loss with every constant at its median. Draws are the same at all nodes, so that
+//! P_j is the loss of all meshes in draw j and P the loss with every constant at its median. Draws are the same at all nodes, so that
 //! the constants, the structure and the tip relief of a draw hold for the whole map.
 
 use asperity::uncertainty::{Predictive, Quantiles};
@@ -28,7 +28,7 @@ const SMALLEST: f64 = 0.02;
 /// Parts of an interval between nodes to which a place is rounded.
 const PARTS: u32 = 64;
 
-/// Ingredients of the draws at nodes of torque, speed and temperature, for one side of the teeth.
+/// Ingredients of the draws of a mesh at nodes of torque, speed and temperature, for one side of the teeth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DrawnNodes {
     /// Absolute torques \[N m\], ascending.
@@ -39,6 +39,26 @@ pub struct DrawnNodes {
     pub temperature_c: Vec<f64>,
     /// Draws at the nodes, in the order of temperature, torque and speed.
     pub predictive: Vec<Predictive>,
+    /// Number of equal meshes.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub count: u32,
+    /// Number of the flanks within a gear train: equal flanks have the same errors of model and sampling.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub flanks: usize,
+}
+
+fn one() -> u32 {
+    1
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "called by serde")]
+fn is_one(count: &u32) -> bool {
+    *count == 1
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "called by serde")]
+fn is_zero(flanks: &usize) -> bool {
+    *flanks == 0
 }
 
 /// Torques, speeds and temperatures of the nodes, chosen from the axes of a map.
@@ -112,19 +132,41 @@ pub struct Drawn<'a> {
 pub(crate) type Place = [u32; 4];
 
 impl<'a> Drawn<'a> {
-    /// The draws at the nodes of each side, see [`FinishMap::drawn`](super::FinishMap::drawn).
-    pub(super) fn of(sides: &'a [DrawnNodes], flanks: usize, sampling: f64) -> Option<Self> {
-        let logs = |predictive: &Predictive| -> Vec<f64> {
-            let ln = |loss: f64| (loss / predictive.at_medians_w).ln();
-            let draws = predictive.draws_of_sum_w(flanks, sampling);
-            draws.into_iter().map(ln).collect()
+    /// The draws at the nodes of each side with this number of `meshes`, see [`FinishMap::drawn`](super::FinishMap::drawn).
+    pub(super) fn of(
+        sides: &'a [DrawnNodes],
+        meshes: usize,
+        flanks: usize,
+        sampling: f64,
+    ) -> Option<Self> {
+        let of_side = |of_meshes: &'a [DrawnNodes]| {
+            let nodes = of_meshes.first()?;
+            let at_node = |node: usize| {
+                let mut drawn = vec![0.0; Predictive::count()];
+                let mut at_medians = 0.0;
+                for mesh in of_meshes {
+                    let predictive = mesh.predictive.get(node)?;
+                    let count = f64::from(mesh.count);
+                    at_medians += count * predictive.at_medians_w;
+                    let of_mesh =
+                        predictive.draws_of_sum_w(flanks * meshes + mesh.flanks, sampling);
+                    for (sum, loss) in drawn.iter_mut().zip(of_mesh) {
+                        *sum += count * loss;
+                    }
+                }
+                let ln = |loss: f64| (loss / at_medians).ln();
+                Some(drawn.into_iter().map(ln).collect())
+            };
+            let at_nodes = (0..nodes.predictive.len()).into_par_iter().map(at_node);
+            Some(Side {
+                nodes,
+                logs: at_nodes.collect::<Option<_>>()?,
+            })
         };
-        let of_side = |nodes: &'a DrawnNodes| Side {
-            nodes,
-            logs: nodes.predictive.par_iter().map(logs).collect(),
-        };
-        let sides: Vec<Side<'a>> = sides.iter().map(of_side).collect();
-        (!sides.is_empty()).then_some(Self { sides })
+        let sides: Option<Vec<Side<'a>>> = sides.chunks(meshes).map(of_side).collect();
+        sides
+            .filter(|sides| !sides.is_empty())
+            .map(|sides| Self { sides })
     }
 
     /// The place of an operating point, rounded to a 64th of the interval between nodes.

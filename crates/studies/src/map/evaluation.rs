@@ -1,29 +1,39 @@
 //! Losses of one torque at every speed and temperature of a map.
 
+use std::collections::BTreeMap;
+
 use asperity::Reversed;
-use asperity::case::{Formulation, LoadedCase};
+use asperity::case::gear_train::LoadedTrain;
+use asperity::case::{Formulation, LoadedCase, MeshLoad};
 use asperity::flanks::LEAST_POINTS_PER_HALF_WIDTH;
 use asperity::flanks::Texture;
 use asperity::mesh::Mesh;
 use asperity::mesh::Resolution;
-use asperity::pipeline::{contacts, losses, losses_with};
+use asperity::pipeline::{contacts_beside, losses, losses_with};
 use asperity::result::Losses;
 use asperity::result::gearbox::{self, OperatingPoint};
+use asperity::train_gearbox;
 use asperity::uncertainty::{Predictive, predictive};
-use asperity::{Contacts, Error};
+use asperity::{Contacts, Error, PositionError};
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;
 
 use super::axes::Axes;
 use super::point::MapGearbox;
 
-/// Losses at one operating point, also for the other direction of power.
+/// Losses of all meshes at one operating point of the input shaft.
 #[derive(Debug, Clone)]
 pub(super) struct Evaluated {
+    pub meshes: Vec<EvaluatedMesh>,
+    /// Speed of the input shaft \[rad/s\].
+    pub omega: f64,
+}
+
+/// Losses of a mesh at one operating point, also for the other direction of power.
+#[derive(Debug, Clone)]
+pub(super) struct EvaluatedMesh {
     pub losses: Losses,
     pub reversed: Option<Reversed>,
-    /// Speed of the pinion \[rad/s\].
-    pub omega: f64,
     /// Draws of the loss, at a node.
     pub predictive: Option<Predictive>,
 }
@@ -66,47 +76,107 @@ pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase,
     })
 }
 
-/// Evaluates all speeds and temperatures at one torque, by temperature, with draws at the nodes.
+/// Evaluates all speeds and temperatures at one torque of the input shaft, by temperature, with draws at the nodes.
 pub(super) fn evaluate(
-    case: &LoadedCase,
+    train: &LoadedTrain,
     torque: Torque,
     (speeds, temperatures): (&[f64], &[f64]),
     is_node: &(dyn Fn(f64, f64) -> bool + Sync),
     progress: &(dyn Fn() + Sync),
 ) -> Vec<Result<Evaluated, String>> {
-    let prepared = at_torque(case, torque).and_then(|case| {
-        let tables = match case.case.formulation {
-            Formulation::Corrected => Some(contacts(&case)?),
-            Formulation::Paper => None,
-        };
-        Ok((case, tables))
-    });
-    let nodes: Vec<(f64, f64)> = temperatures
-        .iter()
-        .flat_map(|temperature| speeds.iter().map(move |speed| (*speed, *temperature)))
-        .collect();
     let code = |error: &Error| error.code().to_owned();
-    let (case, tables) = match &prepared {
+    let prepared = Prepared::of(train, torque, speeds);
+    let nodes = temperatures.iter().flat_map(|temperature| {
+        let at = |(column, speed): (usize, &f64)| (column, *speed, *temperature);
+        speeds.iter().enumerate().map(at)
+    });
+    let nodes: Vec<(usize, f64, f64)> = nodes.collect();
+    let prepared = match &prepared {
         Ok(prepared) => prepared,
         Err(error) => return nodes.iter().map(|_| Err(code(error))).collect(),
     };
     nodes
         .into_par_iter()
-        .map(|node| {
-            let losses = at(case, tables.as_ref(), node, is_node(node.0, node.1));
+        .map(|(column, speed, temperature)| {
+            let losses = prepared.at((column, speed), temperature, is_node(speed, temperature));
             progress();
             losses.map_err(|error| code(&error))
         })
         .collect()
 }
 
+/// The meshes of a train at one torque of its input shaft.
+struct Prepared {
+    /// Loads of all meshes at each speed.
+    loads: Vec<Vec<MeshLoad>>,
+    /// Each mesh with its contacts, by the bits of its torque: only a stated speed of a ring changes the direction of the
+    /// power with the speed.
+    meshes: Vec<BTreeMap<u64, (LoadedCase, Option<Contacts>)>>,
+}
+
+impl Prepared {
+    fn of(train: &LoadedTrain, torque: Torque, speeds: &[f64]) -> Result<Self, Error> {
+        let loads = speeds.iter().map(|speed| {
+            let speed = speed_of(*speed);
+            loads(train, MeshLoad { torque, speed })
+        });
+        let loads: Vec<Vec<MeshLoad>> = loads.collect::<Result<_, Error>>()?;
+        let mut known: Vec<Contacts> = Vec::new();
+        let mut meshes = Vec::new();
+        for (k, mesh) in train.meshes().enumerate() {
+            let mut at_torques = BTreeMap::new();
+            for torque in loads.iter().map(|loads| loads[k].torque) {
+                let bits = torque.si().to_bits();
+                if at_torques.contains_key(&bits) {
+                    continue;
+                }
+                let case = at_torque(&mesh.case, torque)?;
+                let tables = match case.case.formulation {
+                    Formulation::Corrected => Some(contacts_beside(&case, &known)?),
+                    Formulation::Paper => None,
+                };
+                known.extend(tables.clone());
+                at_torques.insert(bits, (case, tables));
+            }
+            meshes.push(at_torques);
+        }
+        Ok(Self { loads, meshes })
+    }
+
+    fn at(
+        &self,
+        (column, speed): (usize, f64),
+        temperature: f64,
+        is_node: bool,
+    ) -> Result<Evaluated, Error> {
+        let of_mesh = |(mesh, load): (&BTreeMap<u64, _>, &MeshLoad)| {
+            let prepared: Option<&(LoadedCase, Option<Contacts>)> =
+                mesh.get(&load.torque.si().to_bits());
+            let (case, tables) = prepared.ok_or(PositionError::NoProfile).map_err(Box::new)?;
+            at(case, tables.as_ref(), (load.speed, temperature), is_node)
+        };
+        let meshes = self.meshes.iter().zip(&self.loads[column]).map(of_mesh);
+        Ok(Evaluated {
+            meshes: meshes.collect::<Result<_, Error>>()?,
+            omega: speed_of(speed).si(),
+        })
+    }
+}
+
+/// Loads of all meshes at an operating point of the input shaft.
+fn loads(train: &LoadedTrain, at: MeshLoad) -> Result<Vec<MeshLoad>, Error> {
+    let flow = train.train.at(at).flow(&[]);
+    let flow = flow.map_err(|error| Error::Whole(Box::new(PositionError::Gear(error))))?;
+    Ok(flow.loads.into_iter().flatten().collect())
+}
+
 fn at(
     case: &LoadedCase,
     tables: Option<&Contacts>,
-    (speed, temperature): (f64, f64),
+    (speed, temperature): (AngularSpeed, f64),
     is_node: bool,
-) -> Result<Evaluated, Error> {
-    let (speed, temperature) = (speed_of(speed), temperature_of(temperature));
+) -> Result<EvaluatedMesh, Error> {
+    let temperature = temperature_of(temperature);
     let case = case.with(|input| {
         input.operation.speed = speed;
         input.operation.set_temperature(temperature);
@@ -119,11 +189,10 @@ fn at(
         true => predictive(&case, &losses, tables)?,
         false => None,
     };
-    Ok(Evaluated {
+    Ok(EvaluatedMesh {
         predictive,
         reversed: losses.reversed(&case.case).ok(),
         losses,
-        omega: speed.si(),
     })
 }
 
@@ -132,28 +201,40 @@ pub(super) fn torque_of(torque_nm: f64) -> Torque {
     Torque::from_si(torque_nm)
 }
 
-/// Losses of the gearbox besides the mesh at every node; `None` if the case states none.
-pub(super) fn gearbox_of(case: &LoadedCase, axes: &Axes) -> Result<Option<MapGearbox>, Error> {
-    let case = &case.case;
-    let Some(gearbox) = &case.gearbox else {
-        return Ok(None);
+/// Losses of the gearbox besides the meshes at every node; `None` if the case states none.
+pub(super) fn gearbox_of(train: &LoadedTrain, axes: &Axes) -> Result<Option<MapGearbox>, Error> {
+    let of_pair = train.pair().map(|pair| &pair.case);
+    let names: Vec<String> = match (
+        of_pair.and_then(|case| case.gearbox.as_ref()),
+        &train.gearbox,
+    ) {
+        (Some(gearbox), _) => gearbox.parts.iter().map(|part| part.name.clone()).collect(),
+        (_, Some(gearbox)) => gearbox.parts.iter().map(|part| part.name.clone()).collect(),
+        (None, None) => return Ok(None),
     };
     let mut loss_torque_nm = Vec::with_capacity(axes.points());
     for &temperature in &axes.temperature_c {
         for &torque in &axes.torque_nm {
             for &speed in &axes.speed_rpm {
+                let (torque, temperature) = (torque_of(torque), temperature_of(temperature));
+                let speed = speed_of(computed_speed(speed));
                 let at = OperatingPoint {
-                    torque: torque_of(torque),
-                    speed: speed_of(computed_speed(speed)),
-                    temperature: temperature_of(temperature),
+                    torque,
+                    speed,
+                    temperature,
                 };
-                let loss_torque = gearbox::loss_torque_nm(case, &at);
-                loss_torque_nm.push(loss_torque.map_err(|error| Error::Whole(Box::new(error)))?);
+                let parts = match of_pair {
+                    Some(case) => gearbox::parts(case, &at),
+                    None => train_gearbox::parts(train, MeshLoad { torque, speed }, temperature),
+                };
+                let parts = parts.map_err(|error| Error::Whole(Box::new(error)))?;
+                let loss: f64 = parts.iter().map(|part| part.loss_w).sum();
+                loss_torque_nm.push(loss / speed.si());
             }
         }
     }
     Ok(Some(MapGearbox {
-        parts: gearbox.parts.iter().map(|part| part.name.clone()).collect(),
+        parts: names,
         loss_torque_nm,
     }))
 }
@@ -219,4 +300,62 @@ fn resolves(case: &LoadedCase) -> Result<bool, asperity::PositionError> {
         at.resolution != Resolution::Required
             || at.hertz.half_width / first.spacing() >= LEAST_POINTS_PER_HALF_WIDTH
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::path::Path;
+
+    use asperity::case::Source;
+    use asperity::case::gear_train::load_set;
+
+    use super::*;
+
+    const SMALL: &str = r#"{ teeth = [25, 25], module = "2 mm", face_width = "30 mm" }"#;
+    const LARGE: &str = r#"{ teeth = [31, 31], module = "2 mm", face_width = "40 mm" }"#;
+    const OTHER: &str = r#"{ teeth = [40, 40], module = "2 mm", face_width = "35 mm" }"#;
+
+    /// Number of distinct contacts that a point of the map of stages with these gears solves.
+    fn solved(gears: &[&str]) -> usize {
+        let stages: String = (gears.iter().enumerate())
+            .map(|(k, gears)| {
+                format!(
+                    "mesh.m{k} = {{ shafts = [\"s{k}\", \"s{}\"], gears = {gears} }}\n",
+                    k + 1
+                )
+            })
+            .collect();
+        let text = format!(
+            r#"train.input = "s0"
+            {stages}
+            operation = {{ torque = "80 N m", speed = "1500 1/min", bulk_temperature = "90 °C" }}
+            lubricant.oil = "m100"
+            surface.pinion.file = "ground_pinion.csv"
+            surface.cutoff = "0.25 mm"
+            model = {{ positions = 4, offsets = 2 }}"#
+        );
+        let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
+        let folder = Path::new("../../fixtures/profiles");
+        let train = load_set(source, folder, &[], None).unwrap();
+        let prepared = Prepared::of(&train, Torque::from_si(80.0), &[1500.0]).unwrap();
+        prepared.at((0, 1500.0), 90.0, false).unwrap();
+        let meshes = prepared.meshes.iter().flat_map(BTreeMap::values);
+        let contacts = meshes.filter_map(|(_, contacts)| contacts.as_ref());
+        contacts
+            .flat_map(Contacts::solved)
+            .collect::<BTreeSet<usize>>()
+            .len()
+    }
+
+    #[test]
+    fn three_identical_stages_cost_one_and_different_ones_the_sum() {
+        let of_each = [SMALL, LARGE, OTHER].map(|gears| solved(&[gears]));
+        assert!(of_each.iter().all(|count| *count > 0), "{of_each:?}");
+        assert_eq!(solved(&[SMALL, SMALL, SMALL]), of_each[0]);
+        assert_eq!(
+            solved(&[SMALL, LARGE, OTHER]),
+            of_each.iter().sum::<usize>()
+        );
+    }
 }

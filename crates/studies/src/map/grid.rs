@@ -3,23 +3,25 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity::Error;
 use asperity::balance::{self, Unbalanced, sum};
-use asperity::case::LoadedCase;
+use asperity::case::gear_train::{LoadedMesh, LoadedTrain};
+use asperity::case::{LoadedCase, MeshLoad};
 use asperity::core::cancel::checkpoint;
 use asperity::fingerprint::Fingerprint;
 use asperity::flanks::Surfaces;
 use asperity::pipeline::Progress;
 use asperity::result::{Losses, OffsetRow};
+use asperity::{Error, PositionError};
+use asperity_core::quantity::{AngularSpeed, Power};
 use rayon::prelude::*;
 
 use super::axes::Axes;
 use super::draws::{DrawnNodes, MapBand, Nodes};
 use super::evaluation::{
-    Evaluated, at_torque, computed_speed, computed_speeds, evaluate, gearbox_of, resolved_from,
-    torque_of,
+    Evaluated, EvaluatedMesh, at_torque, computed_speed, computed_speeds, evaluate, gearbox_of,
+    resolved_from, torque_of,
 };
-use super::point::{EXTENDED, FinishMap, Map, MapWarning, Numbers, Point, ranges};
+use super::point::{EXTENDED, FinishMap, Map, MapWarning, MeshPart, Numbers, Point, ranges};
 use crate::compare::{Finish, files};
 
 /// Version of the structure of `map.json`.
@@ -30,17 +32,25 @@ const SCHEMA_VERSION: u32 = 1;
 ///
 /// # Errors
 /// When there is no finish, or none of its points has a result.
-pub fn map(
-    finishes: &[Finish],
+pub fn map<C: Clone + Into<LoadedTrain>>(
+    finishes: &[Finish<C>],
     axes: &Axes,
     band: MapBand,
     progress: Progress<'_>,
 ) -> Result<Map, Error> {
-    // A table that does not cover the map is an error before the computation.
-    let gearbox = match finishes.first() {
-        Some(first) => gearbox_of(&first.case, axes)?,
-        None => None,
+    let trains = finishes.iter().map(|finish| Finish {
+        name: finish.name.clone(),
+        case: finish.case.clone().into(),
+    });
+    let finishes: &[Finish<LoadedTrain>] = &trains.collect::<Vec<_>>();
+    let Some(Finish { case, .. }) = finishes.first() else {
+        return Err(Error::Whole(Box::new(PositionError::NoProfile)));
     };
+    if case.train.passes_losses {
+        return Err(Error::Whole(Box::new(PositionError::PassesLosses)));
+    }
+    // A table that does not cover the map is an error before the computation.
+    let gearbox = gearbox_of(case, axes)?;
     let mut maps: Vec<FinishMap> = Vec::with_capacity(finishes.len());
     let mut flanks_of_first: Vec<Surfaces> = Vec::new();
     let sides = finishes
@@ -62,18 +72,17 @@ pub fn map(
             && pairs.all(|(own, first)| own.has_flanks_of(first));
         maps.push(map);
     }
-    let first = finishes.first().map(|finish| &finish.case.case);
-    let Some(case) = first else {
-        return Err(Error::Whole(Box::new(asperity::PositionError::NoProfile)));
-    };
     Ok(Map {
         schema_version: SCHEMA_VERSION,
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: case.title.clone(),
-        scope: "mesh".to_owned(),
+        scope: match case.pair() {
+            Some(_) => "mesh".to_owned(),
+            None => "meshes".to_owned(),
+        },
         gearbox,
         axes: axes.clone(),
-        ratio: case.gears.ratio,
+        ratio: case.ratio(),
         warnings: maps.iter().flat_map(warnings).collect(),
         finishes: maps,
         input: case.input.clone(),
@@ -81,21 +90,35 @@ pub fn map(
     })
 }
 
-/// The torques at which a finish is computed \[N m\].
+/// Torque at the pinion of `mesh` over the torque of the input shaft, in the sign of the flanks.
+fn torque_ratio(train: &LoadedTrain, mesh: &LoadedMesh) -> f64 {
+    mesh.case.case.torque.si() / train.train.operation().torque.si()
+}
+
+/// The torques of the input shaft at which a finish is computed \[N m\].
 struct Sides {
-    /// Smallest resolved torques, drive and coast.
+    /// Smallest torques that the traces of all meshes resolve, drive and coast.
     from: [f64; 2],
-    /// Whether the case has separate coast flanks.
+    /// Whether a mesh has separate coast flanks.
     has_coast: bool,
     torques: [Vec<f64>; 2],
 }
 
 impl Sides {
-    fn of(case: &LoadedCase, axes: &Axes) -> Result<Self, Error> {
-        let has_coast = case.case.input.surface.coast.is_some();
-        let drive = resolved_from(case, 1.0)?;
+    fn of(train: &LoadedTrain, axes: &Axes) -> Result<Self, Error> {
+        let has_coast = |mesh: &LoadedMesh| mesh.case.case.input.surface.coast.is_some();
+        let has_coast = train.meshes().any(has_coast);
+        // The mesh whose traces resolve least is decisive.
+        let resolved = |sign: f64| {
+            train.meshes().try_fold(0.0, |most: f64, mesh| {
+                let ratio = torque_ratio(train, mesh);
+                let from = resolved_from(&mesh.case, sign * ratio.signum())?;
+                Ok::<_, Error>(most.max(from / ratio.abs()))
+            })
+        };
+        let drive = resolved(1.0)?;
         let coast = match has_coast {
-            true => resolved_from(case, -1.0)?,
+            true => resolved(-1.0)?,
             false => drive,
         };
         let from = [drive, coast];
@@ -126,12 +149,13 @@ impl Sides {
 type Computed = BTreeMap<(usize, u64), Vec<Result<Evaluated, String>>>;
 
 fn of_finish(
-    finish: &Finish,
+    finish: &Finish<LoadedTrain>,
     sides: &Sides,
     (axes, speeds): (&Axes, &[f64]),
     band: MapBand,
     progress: &(dyn Fn() + Sync),
 ) -> Result<(FinishMap, Vec<Surfaces>), Error> {
+    let train = &finish.case;
     let drawn = sides
         .torques
         .each_ref()
@@ -141,61 +165,94 @@ fn of_finish(
         let sign = if side == 1 { -1.0 } else { 1.0 };
         let nodes = (speeds, axes.temperature_c.as_slice());
         let is_node = |speed, temperature| drawn[side].has(torque, speed, temperature);
-        let torque_there = torque_of(sign * torque);
-        let evaluated = evaluate(&finish.case, torque_there, nodes, &is_node, progress);
+        let evaluated = evaluate(train, torque_of(sign * torque), nodes, &is_node, progress);
         checkpoint()?;
         computed.insert((side, torque.to_bits()), evaluated);
     }
     let mut points = Vec::with_capacity(axes.points());
+    let mut parts: Vec<Option<Vec<f64>>> = Vec::with_capacity(axes.points());
     for (row, &temperature_c) in axes.temperature_c.iter().enumerate() {
         for &torque_nm in &axes.torque_nm {
             for &speed_rpm in &axes.speed_rpm {
                 let node = [torque_nm, speed_rpm, temperature_c];
-                points.push(point(&computed, sides, speeds, row, node));
+                let (point, of_meshes) = point(train, &computed, sides, speeds, row, node);
+                parts.push(point.numbers.and(of_meshes));
+                points.push(point);
             }
         }
     }
     if points.iter().all(|point| point.numbers.is_none()) {
         // A run of the case gives the full message.
-        let case = at_torque(&finish.case, finish.case.case.torque)?;
-        asperity::losses(&case)?;
+        for mesh in train.meshes() {
+            asperity::losses(&at_torque(&mesh.case, mesh.case.case.torque)?)?;
+        }
     }
-    let coast = match sides.has_coast {
-        true => Some(at_torque(&finish.case, torque_of(-sides.from[1]))?),
-        false => None,
-    };
-    let drive = at_torque(&finish.case, torque_of(sides.from[0]))?;
-    // The case states the gearbox, each side its flanks.
-    let cases = [Some(&finish.case), Some(&drive), coast.as_ref()];
-    let fingerprint = cases
-        .into_iter()
-        .flatten()
-        .fold(Fingerprint::default(), |sum, case| {
-            sum.with(case.fingerprint())
-        });
+    let mut fingerprint = Fingerprint::default();
+    let (mut drives, mut coasts) = (Vec::new(), Vec::new());
+    for mesh in train.meshes() {
+        let at = |torque: f64| at_torque(&mesh.case, torque_of(torque * torque_ratio(train, mesh)));
+        let drive = at(sides.from[0])?;
+        // The case states the gearbox, each side its flanks.
+        fingerprint = fingerprint
+            .with(mesh.case.fingerprint())
+            .with(drive.fingerprint());
+        if sides.has_coast {
+            let coast = at(-sides.from[1])?;
+            fingerprint = fingerprint.with(coast.fingerprint());
+            coasts.push(coast);
+        }
+        drives.push(drive);
+    }
     let mut map = FinishMap {
         name: finish.name.clone(),
         fingerprint: fingerprint.hex(),
-        files: files(&drive),
-        coast_files: coast.as_ref().map(files).unwrap_or_default(),
+        files: files_of(&drives),
+        coast_files: files_of(&coasts),
         has_flanks_of_first: false,
         resolved_from_nm: sides.from,
-        draws: draws(&computed, drawn, sides.has_coast, (axes, speeds)),
+        draws: draws(train, &computed, drawn, sides.has_coast, (axes, speeds)),
+        meshes: match train.pair() {
+            Some(_) => Vec::new(),
+            None => of_meshes(train, &parts),
+        },
         points,
     };
     add_quantiles(&mut map);
-    let of_sides = std::iter::once(drive).chain(coast);
+    let of_sides = drives.into_iter().chain(coasts);
     Ok((map, of_sides.map(|case| case.surfaces).collect()))
 }
 
-/// Draws at the nodes of every side; none if a node has no result or the case no draws.
+/// Names and sums of the distinct files of `cases`.
+fn files_of(cases: &[LoadedCase]) -> Vec<[String; 2]> {
+    let mut distinct: Vec<[String; 2]> = Vec::new();
+    for file in cases.iter().flat_map(files) {
+        if !distinct.contains(&file) {
+            distinct.push(file);
+        }
+    }
+    distinct
+}
+
+/// Loss torques of each mesh at all points.
+fn of_meshes(train: &LoadedTrain, parts: &[Option<Vec<f64>>]) -> Vec<MeshPart> {
+    let meshes = train.meshes().zip(train.counts()).enumerate();
+    let part = |(k, (mesh, count)): (usize, (&LoadedMesh, u32))| MeshPart {
+        name: mesh.name.clone(),
+        count,
+        loss_torque_nm: parts.iter().map(|parts| Some(parts.as_ref()?[k])).collect(),
+    };
+    meshes.map(part).collect()
+}
+
+/// Draws at the nodes of every side, mesh by mesh; none if a node has no result or the case no draws.
 fn draws(
+    train: &LoadedTrain,
     computed: &Computed,
     nodes: [Nodes; 2],
     has_coast: bool,
     (axes, speeds): (&Axes, &[f64]),
 ) -> Vec<DrawnNodes> {
-    let side = |(side, nodes): (usize, Nodes)| {
+    let of_mesh = |side: usize, nodes: &Nodes, mesh: usize| {
         let mut predictive = Vec::new();
         for temperature in &nodes.temperature_c {
             let row = axes
@@ -206,20 +263,29 @@ fn draws(
                 for speed in &nodes.speed_rpm {
                     let column = speeds.partition_point(|node| node < speed);
                     let found = evaluated.get(row * speeds.len() + column)?;
-                    predictive.push(found.as_ref().ok()?.predictive.clone()?);
+                    let found = found.as_ref().ok()?.meshes.get(mesh)?;
+                    predictive.push(found.predictive.clone()?);
                 }
             }
         }
-        (!predictive.is_empty()).then_some(DrawnNodes {
-            torque_nm: nodes.torque_nm,
-            speed_rpm: nodes.speed_rpm,
-            temperature_c: nodes.temperature_c,
-            predictive,
-        })
+        Some(predictive).filter(|predictive| !predictive.is_empty())
     };
-    let sides = nodes.into_iter().take(1 + usize::from(has_coast));
-    let sides = sides.enumerate().map(side).collect::<Option<_>>();
-    sides.unwrap_or_default()
+    let meshes = train.counts().into_iter().zip(train.first_with_flanks());
+    let meshes: Vec<(usize, (u32, usize))> = meshes.enumerate().collect();
+    let sides = nodes.iter().take(1 + usize::from(has_coast)).enumerate();
+    let drawn = sides.flat_map(|(side, nodes)| {
+        meshes.iter().map(move |(mesh, (count, flanks))| {
+            Some(DrawnNodes {
+                torque_nm: nodes.torque_nm.clone(),
+                speed_rpm: nodes.speed_rpm.clone(),
+                temperature_c: nodes.temperature_c.clone(),
+                predictive: of_mesh(side, nodes, *mesh)?,
+                count: *count,
+                flanks: *flanks,
+            })
+        })
+    });
+    drawn.collect::<Option<_>>().unwrap_or_default()
 }
 
 /// Adds median and quantiles to every point.
@@ -239,13 +305,15 @@ fn add_quantiles(map: &mut FinishMap) {
     map.points = points;
 }
 
+/// A point with the loss torque of each mesh at the input shaft \[N m\].
 fn point(
+    train: &LoadedTrain,
     computed: &Computed,
     sides: &Sides,
     speeds: &[f64],
     row: usize,
     [torque_nm, speed_rpm, temperature_c]: [f64; 3],
-) -> Point {
+) -> (Point, Option<Vec<f64>>) {
     let side = usize::from(sides.has_coast && torque_nm < 0.0);
     let at = torque_nm.abs().max(sides.from[side]);
     let column = speeds.partition_point(|speed| *speed < computed_speed(speed_rpm));
@@ -260,44 +328,141 @@ fn point(
         outside: Vec::new(),
         code: None,
     };
-    match evaluated {
-        Some(Ok(evaluated)) => {
-            point.outside.clone_from(&evaluated.losses.outside);
-            let is_extended = torque_nm.abs() < sides.from[side];
-            if is_extended {
-                point.outside.push(EXTENDED.to_owned());
-            }
-            let computed_at = if side == 1 { -at } else { at };
-            let numbers = match is_extended {
-                true => extended(evaluated, torque_nm, at),
-                false => numbers(evaluated, (torque_nm < 0.0) != (computed_at < 0.0)),
-            };
-            match check(&numbers, evaluated.omega, torque_nm) {
-                Err(error) => point.code = Some(error.code().to_owned()),
-                Ok(()) if speed_rpm == 0.0 => point.numbers = Some(at_standstill(numbers)),
-                Ok(()) => point.numbers = Some(numbers),
-            }
+    let evaluated = match evaluated {
+        Some(Ok(evaluated)) => evaluated,
+        Some(Err(code)) => {
+            point.code = Some(code.clone());
+            return (point, None);
         }
-        Some(Err(code)) => point.code = Some(code.clone()),
-        None => point.code = Some("E501".to_owned()),
+        None => {
+            point.code = Some("E501".to_owned());
+            return (point, None);
+        }
+    };
+    let is_extended = torque_nm.abs() < sides.from[side];
+    point.outside = outside(train, evaluated);
+    if is_extended {
+        point.outside.push(EXTENDED.to_owned());
     }
-    point
+    let computed_at = if side == 1 { -at } else { at };
+    let of_mesh = |mesh: &EvaluatedMesh| match is_extended {
+        true => extended(mesh, evaluated.omega, torque_nm, at),
+        false => numbers(
+            mesh,
+            evaluated.omega,
+            (torque_nm < 0.0) != (computed_at < 0.0),
+        ),
+    };
+    let of_meshes: Vec<Numbers> = evaluated.meshes.iter().map(of_mesh).collect();
+    let found = match &of_meshes[..] {
+        [only] if train.pair().is_some() => Ok((*only, pinion_w(only, evaluated.omega, torque_nm))),
+        _ => together(train, &of_meshes, evaluated.omega, torque_nm),
+    };
+    let checked = found.and_then(|(numbers, power_in_w)| {
+        check(&numbers, evaluated.omega, power_in_w)?;
+        Ok(numbers)
+    });
+    match checked {
+        Err(error) => point.code = Some(error.code().to_owned()),
+        Ok(numbers) if speed_rpm == 0.0 => point.numbers = Some(at_standstill(numbers)),
+        Ok(numbers) => point.numbers = Some(numbers),
+    }
+    let counts = train.counts().into_iter().map(f64::from);
+    let parts = of_meshes.iter().zip(counts);
+    let parts = parts.map(|(mesh, count)| count * mesh.loss_torque_nm);
+    (point, Some(parts.collect()))
 }
 
-/// Invariants of the numbers of a point, with the pinion at `omega` \[rad/s\].
-fn check(n: &Numbers, omega: f64, torque_nm: f64) -> Result<(), Unbalanced> {
+/// Inputs out of range in the meshes, with the name of the mesh in a train.
+fn outside(train: &LoadedTrain, evaluated: &Evaluated) -> Vec<String> {
+    let meshes = train.meshes().zip(&evaluated.meshes);
+    let of_mesh = |(mesh, evaluated): (&LoadedMesh, &EvaluatedMesh)| {
+        let marks = evaluated.losses.outside.iter();
+        match train.pair() {
+            Some(_) => marks.cloned().collect::<Vec<String>>(),
+            None => marks
+                .map(|mark| format!("{mark} ({})", mesh.name))
+                .collect(),
+        }
+    };
+    meshes.flat_map(of_mesh).collect()
+}
+
+/// Power into a pair of gears \[W\].
+fn pinion_w(n: &Numbers, omega: f64, torque_nm: f64) -> f64 {
+    let pinion = torque_nm.abs() * omega;
+    match torque_nm < 0.0 {
+        true => pinion + n.loss_w,
+        false => pinion,
+    }
+}
+
+/// Sums over all meshes of a train, and the power into the train \[W\]. Deviations add up as for independent flanks.
+fn together(
+    train: &LoadedTrain,
+    of_meshes: &[Numbers],
+    omega: f64,
+    torque_nm: f64,
+) -> Result<(Numbers, f64), PositionError> {
+    let counts: Vec<f64> = train.counts().into_iter().map(f64::from).collect();
+    let sum = |of: fn(&Numbers) -> f64| -> f64 {
+        let meshes = of_meshes.iter().zip(&counts);
+        meshes.map(|(mesh, count)| count * of(mesh)).sum()
+    };
+    let losses = of_meshes.iter().map(|mesh| Power::from_si(mesh.loss_w));
+    let losses: Vec<Power> = losses.collect();
+    let loss_w = train.loss(&losses).si();
+    let power_in_w = match torque_nm == 0.0 {
+        true => 0.0,
+        false => {
+            let load = MeshLoad {
+                torque: torque_of(torque_nm),
+                speed: AngularSpeed::from_si(omega),
+            };
+            train
+                .train
+                .at(load)
+                .power_in(&train.by_stage(&losses))?
+                .si()
+        }
+    };
+    let deviations = of_meshes.iter().zip(&counts);
+    let square =
+        deviations.map(|(mesh, count)| Some((count * mesh.loss_torque_deviation_nm?).powi(2)));
+    let deviation = square.sum::<Option<f64>>().map(f64::sqrt);
+    let efficiency = 1.0 - loss_w / power_in_w;
+    let efficiency = (0.0..1.0).contains(&efficiency).then_some(efficiency);
+    let numbers = Numbers {
+        loss_w,
+        loss_torque_nm: loss_w / omega,
+        loss_torque_deviation_nm: deviation,
+        loss_median_w: None,
+        loss_quantiles_w: None,
+        efficiency,
+        efficiency_deviation: efficiency
+            .and(deviation)
+            .map(|loss| loss * omega / power_in_w),
+        sliding_w: sum(|n| n.sliding_w),
+        film_w: sum(|n| n.film_w),
+        lubricated_asperity_w: sum(|n| n.lubricated_asperity_w),
+        boundary_w: sum(|n| n.boundary_w),
+        rolling_w: sum(|n| n.rolling_w),
+        deformation_w: sum(|n| n.deformation_w),
+        mu_equivalent: None,
+        mixed_share: sum(|n| n.mixed_share) / counts.iter().sum::<f64>(),
+    };
+    Ok((numbers, power_in_w))
+}
+
+/// Invariants of the numbers of a point, with the input shaft at `omega` \[rad/s\].
+fn check(n: &Numbers, omega: f64, power_in_w: f64) -> Result<(), Unbalanced> {
     let sliding = [n.film_w, n.lubricated_asperity_w, n.boundary_w];
     sum("sliding loss", "W", n.sliding_w, &sliding)?;
     let loss = [n.sliding_w, n.rolling_w, n.deformation_w];
     sum("loss", "W", n.loss_w, &loss)?;
     sum("loss torque", "N m", n.loss_torque_nm, &[n.loss_w / omega])?;
-    let pinion = torque_nm.abs() * omega;
-    let input = match torque_nm < 0.0 {
-        true => pinion + n.loss_w,
-        false => pinion,
-    };
     n.efficiency.map_or(Ok(()), |value| {
-        balance::efficiency("efficiency", value, n.loss_w, input)
+        balance::efficiency("efficiency", value, n.loss_w, power_in_w)
     })
 }
 
@@ -308,7 +473,7 @@ fn deformation(losses: &Losses) -> f64 {
 }
 
 /// The losses as computed, or with the other gear driving.
-fn numbers(evaluated: &Evaluated, is_reversed: bool) -> Numbers {
+fn numbers(evaluated: &EvaluatedMesh, omega: f64, is_reversed: bool) -> Numbers {
     let summary = &evaluated.losses.summary;
     let (efficiency, deviation, mu) = match (is_reversed, &evaluated.reversed) {
         (false, _) => (
@@ -331,8 +496,8 @@ fn numbers(evaluated: &Evaluated, is_reversed: bool) -> Numbers {
         .collect();
     Numbers {
         loss_w: summary.loss_w,
-        loss_torque_nm: summary.loss_w / evaluated.omega,
-        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / evaluated.omega),
+        loss_torque_nm: summary.loss_w / omega,
+        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / omega),
         loss_median_w: None,
         loss_quantiles_w: None,
         efficiency,
@@ -350,14 +515,14 @@ fn numbers(evaluated: &Evaluated, is_reversed: bool) -> Numbers {
 
 /// Losses below the smallest resolved torque: the rolling loss at that torque, and its other losses in proportion to
 /// the torque.
-fn extended(evaluated: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
+fn extended(evaluated: &EvaluatedMesh, omega: f64, torque_nm: f64, at: f64) -> Numbers {
     let summary = &evaluated.losses.summary;
     let share = torque_nm.abs() / at;
     let scaled = |row: &OffsetRow| row.rolling_w + share * (row.loss_w - row.rolling_w);
     let losses: Vec<f64> = evaluated.losses.offsets.iter().map(scaled).collect();
     let count = losses.len() as f64;
     let loss_w = losses.iter().sum::<f64>() / count;
-    let pinion_w = torque_nm.abs() * evaluated.omega;
+    let pinion_w = torque_nm.abs() * omega;
     let efficiency_of = |loss: &f64| match torque_nm < 0.0 {
         true => 1.0 - loss / (pinion_w + loss),
         false => 1.0 - loss / pinion_w,
@@ -371,8 +536,8 @@ fn extended(evaluated: &Evaluated, torque_nm: f64, at: f64) -> Numbers {
     let efficiency = is_whole.then(|| efficiency_of(&loss_w));
     Numbers {
         loss_w,
-        loss_torque_nm: loss_w / evaluated.omega,
-        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / evaluated.omega),
+        loss_torque_nm: loss_w / omega,
+        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / omega),
         loss_median_w: None,
         loss_quantiles_w: None,
         efficiency,
@@ -441,16 +606,22 @@ mod tests {
     use super::*;
 
     /// Code of the point at `torque_nm` and 3000 1/min whose losses at 40 N m have a fault.
-    fn code(whole: &Evaluated, torque_nm: f64, fault: fn(&mut Evaluated)) -> Option<String> {
+    fn code(
+        train: &LoadedTrain,
+        whole: &Evaluated,
+        torque_nm: f64,
+        fault: fn(&mut EvaluatedMesh),
+    ) -> Option<String> {
         let mut faulty = whole.clone();
-        fault(&mut faulty);
+        fault(&mut faulty.meshes[0]);
         let computed = Computed::from([((0, 40f64.to_bits()), vec![Ok(faulty)])]);
         let sides = Sides {
             from: [40.0; 2],
             has_coast: false,
             torques: [vec![40.0], Vec::new()],
         };
-        let point = point(&computed, &sides, &[3000.0], 0, [torque_nm, 3000.0, 90.0]);
+        let node = [torque_nm, 3000.0, 90.0];
+        let (point, _) = point(train, &computed, &sides, &[3000.0], 0, node);
         assert_eq!(point.numbers.is_none(), point.code.is_some());
         point.code
     }
@@ -464,17 +635,19 @@ mod tests {
         });
         let places: (&[f64], &[f64]) = (&[3000.0], &[90.0]);
         let torque = torque_of(40.0);
-        let mut found = evaluate(&case.unwrap(), torque, places, &|_, _| false, &|| ());
+        let train = LoadedTrain::from(case.unwrap());
+        let mut found = evaluate(&train, torque, places, &|_, _| false, &|| ());
         let whole = found.remove(0).unwrap();
         // As computed, with the wheel driving, and below the smallest torque that the traces resolve.
         for torque_nm in [40.0, -40.0, 10.0] {
-            let code = |fault| code(&whole, torque_nm, fault);
+            let code = |fault| code(&train, &whole, torque_nm, fault);
             assert_eq!(code(|_| ()), None);
-            let deformation = |point: &mut Evaluated| point.losses.summary.deformation_w[0] += 1.0;
+            let deformation =
+                |point: &mut EvaluatedMesh| point.losses.summary.deformation_w[0] += 1.0;
             assert_eq!(code(deformation).as_deref(), Some("E501"));
-            let sliding = |point: &mut Evaluated| point.losses.summary.sliding_w *= 1.01;
+            let sliding = |point: &mut EvaluatedMesh| point.losses.summary.sliding_w *= 1.01;
             assert_eq!(code(sliding).as_deref(), Some("E501"));
-            let rolling = |point: &mut Evaluated| point.losses.summary.rolling_w = f64::NAN;
+            let rolling = |point: &mut EvaluatedMesh| point.losses.summary.rolling_w = f64::NAN;
             assert_eq!(code(rolling).as_deref(), Some("E308"));
         }
     }

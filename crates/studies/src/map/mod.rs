@@ -1,7 +1,8 @@
-//! Losses of a mesh over torque, speed and temperature.
+//! Losses of a mesh, or of all meshes of a gear train, over torque, speed and temperature.
 //!
 //! Every point is identical to a run of the case at its torque, speed and temperature. The rough contact of a torque is
-//! solved once for all speeds and temperatures; torques are independent. The losses of a torque apply to the negative
+//! solved once for all speeds and temperatures, and once for meshes with equal windows under equal load; torques are
+//! independent. Torque and speed are at the pinion, or at the input shaft of a gear train. The losses of a torque apply to the negative
 //! torque as well, unless the case states coast flanks.
 //!
 //! | point | rule |
@@ -48,7 +49,9 @@ pub use draws::{Drawn, DrawnNodes, MapBand};
 pub use grid::map;
 pub use page::loss_fields;
 pub(crate) use page::round_step;
-pub use point::{EXTENDED, FinishMap, Map, MapGearbox, MapWarning, Numbers, Point, ranges};
+pub use point::{
+    EXTENDED, FinishMap, Map, MapGearbox, MapWarning, MeshPart, Numbers, Point, ranges,
+};
 pub use read::{MapError, read};
 pub(crate) use summary::banded;
 pub use surface::{Interpolated, Surface};

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 
 use super::axes::Axes;
 use super::point::{FinishMap, Map, Numbers, Point};
-use super::summary::{Extremes, banded, left_aside, words};
+use super::summary::{Extremes, banded, left_aside, parts_at_largest, words};
 
 /// Approximate number of bands of a field.
 const BANDS: usize = 10;
@@ -91,6 +91,7 @@ fn with_common_levels(mut fields: Vec<Contour>, levels: fn(&[f64]) -> Vec<f64>) 
 
 pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
     let drawn = drawn(&map.axes);
+    let [pinion, wheel] = map.shafts();
     let charts =
         |fields: &[Drawing]| html! { div.charts { @for field in fields { (figure(field)) } } };
     let intervals = HALF_INTERVAL.fields(map, &drawn, visited);
@@ -99,7 +100,9 @@ pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
             "Loss",
             html! {
                 (largest(map))
-                p { "Loss of the " (map.scope) " over torque and speed of the pinion; negative torque: the wheel drives. "
+                (of_meshes(map))
+                p { "Loss of the " (map.scope) " over torque and speed of the " (pinion) "; negative torque: the "
+                    (wheel) " drives. "
                     "All finishes have the same colours." }
                 @for finish in &map.finishes { @if let Some(text) = extrapolated(map, finish) { p { (text) } } }
                 (charts(&LOSS.fields(map, &drawn, visited)))
@@ -128,6 +131,19 @@ pub(super) fn render(map: &Map, visited: &[[f64; 2]]) -> String {
     let names: Vec<&str> = map.finishes.iter().map(|f| f.name.as_str()).collect();
     let subtitle = format!("{} · map of {}", map.program, names.join(", "));
     page(&map.title, &subtitle, &sections)
+}
+
+/// Loss of each mesh at the largest loss of its finish.
+fn of_meshes(map: &Map) -> Markup {
+    if map.finishes.iter().all(|finish| finish.meshes.is_empty()) {
+        return html! {};
+    }
+    html! { div.scroll { table {
+        thead { tr { th { "finish" } th { "mesh" } th.number { "equal meshes" } th.number { "loss of them [W]" } } }
+        tbody { @for finish in &map.finishes { @for [mesh, count, loss] in parts_at_largest(finish) { tr {
+            th scope="row" { (finish.name) } td { (mesh) } td.number { (count) } td.number { (loss) }
+        } } } }
+    } } }
 }
 
 /// Largest loss and best efficiency of each finish.
@@ -229,7 +245,7 @@ fn field(map: &Map, finish: &FinishMap, temperature: usize, of: &dyn Fn(&Point) 
 
 /// Marks that also apply at the operating point of the case, and so to the full map.
 fn usual<'a>(map: &Map, finish: &'a FinishMap) -> Vec<&'a str> {
-    let operation = &map.input.operation;
+    let operation = map.input.operation();
     let speed = operation.speed.si() * 30.0 / std::f64::consts::PI;
     let temperature = operation.stated_temperature().unwrap_or_default();
     let nearest = [operation.torque.si(), speed, temperature.celsius()];
@@ -371,7 +387,7 @@ const MOST_BANDS: usize = 40;
 /// Losses with their quantiles at the nodes of the draws: the first points, and a reference to the others.
 fn bands(map: &Map) -> Markup {
     let is_node = |finish: &FinishMap, point: &Point| {
-        let side = usize::from(point.torque_nm < 0.0);
+        let side = usize::from(point.torque_nm < 0.0) * finish.meshes.len().max(1);
         finish.draws.get(side).is_some_and(|draws| {
             draws.torque_nm.contains(&point.torque_nm.abs())
                 && draws.speed_rpm.contains(&point.speed_rpm)

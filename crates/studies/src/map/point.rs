@@ -1,6 +1,6 @@
 //! Data of a map.
 
-use asperity::case::{CaseInput, DefaultUsed};
+use asperity::case::{AnyInput, DefaultUsed};
 use asperity::result::Regime;
 use serde::{Deserialize, Serialize};
 
@@ -27,15 +27,15 @@ pub struct Map {
     pub gearbox: Option<MapGearbox>,
     /// The nodes.
     pub axes: Axes,
-    /// Revolutions of the pinion per revolution of the wheel.
-    pub ratio: f64,
+    /// Revolutions of the pinion per revolution of the wheel, or of the input shaft per revolution of the output shaft; `None`
+    /// of several outputs.
+    pub ratio: Option<f64>,
     /// The finishes; the first is the reference of differences.
     pub finishes: Vec<FinishMap>,
     /// Warnings with their points.
     pub warnings: Vec<MapWarning>,
     /// The case as read; each finish has its own traces.
-    #[serde(deserialize_with = "CaseInput::stored")]
-    pub input: CaseInput,
+    pub input: AnyInput,
     /// All defaults used.
     pub defaults: Vec<DefaultUsed>,
 }
@@ -50,7 +50,19 @@ pub struct MapGearbox {
     pub loss_torque_nm: Vec<f64>,
 }
 
-/// Map of one pair of flanks.
+/// Losses of a mesh of a gear train at the points of a map.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MeshPart {
+    /// Name.
+    pub name: String,
+    /// Number of equal meshes.
+    pub count: u32,
+    /// Loss torque of all equal meshes at the input shaft \[N m\], in the order of [`Axes::index`]; `None` where the point has
+    /// no result.
+    pub loss_torque_nm: Vec<Option<f64>>,
+}
+
+/// Map of one pair of flanks, or of all flanks of a gear train.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FinishMap {
     /// Name of the finish.
@@ -63,14 +75,18 @@ pub struct FinishMap {
     /// Names and SHA-256 of the files of the coast flanks, if there are any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub coast_files: Vec<[String; 2]>,
-    /// Whether its flanks are those of the first finish, so that both have the same errors of model and sampling.
+    /// Whether the first finish has the same flanks, so that both have the same errors of model and sampling.
     #[serde(default)]
     pub has_flanks_of_first: bool,
     /// Smallest torques that the traces resolve, drive and coast \[N m\]; points below are extended.
     pub resolved_from_nm: [f64; 2],
-    /// Draws at a few nodes, for the drive and, where they are others, the coast flanks; empty for a map without draws.
+    /// Draws at a few nodes, mesh by mesh, for the drive and, where they are others, the coast flanks; empty for a map without
+    /// draws.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub draws: Vec<DrawnNodes>,
+    /// The meshes of a gear train; empty for a single mesh.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub meshes: Vec<MeshPart>,
     /// All points, in the order of [`Axes::index`]; written to the table, not to the JSON.
     #[serde(skip)]
     pub points: Vec<Point>,
@@ -92,9 +108,9 @@ pub struct MapWarning {
 /// Point of a map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
-    /// Torque at the pinion \[N m\].
+    /// Torque at the pinion or input shaft \[N m\].
     pub torque_nm: f64,
-    /// Speed of the pinion \[1/min\].
+    /// Speed of the pinion or input shaft \[1/min\].
     pub speed_rpm: f64,
     /// Temperature of the flanks \[°C\].
     pub temperature_c: f64,
@@ -109,9 +125,9 @@ pub struct Point {
 /// Losses at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Numbers {
-    /// Total loss \[W\].
+    /// Total loss of all meshes \[W\].
     pub loss_w: f64,
-    /// Loss torque at the pinion \[N m\]; at standstill the value at 1 1/min.
+    /// Loss torque at the pinion or input shaft \[N m\]; at standstill the value at 1 1/min.
     pub loss_torque_nm: f64,
     /// Standard deviation of the loss torque over the offsets of the traces \[N m\]; `None` with one offset.
     pub loss_torque_deviation_nm: Option<f64>,
@@ -135,9 +151,9 @@ pub struct Numbers {
     pub rolling_w: f64,
     /// Loss by deformation of the flanks \[W\], running-in included if the case includes it.
     pub deformation_w: f64,
-    /// Equivalent friction coefficient; `None` without torque.
+    /// Equivalent friction coefficient; `None` without torque, and of a gear train.
     pub mu_equivalent: Option<f64>,
-    /// Share of the path in mixed lubrication.
+    /// Share of the path in mixed lubrication, the mean over all meshes.
     pub mixed_share: f64,
 }
 
@@ -146,6 +162,16 @@ impl Numbers {
     #[must_use]
     pub fn regime(&self) -> Regime {
         Regime::of_friction(self.mixed_share, self.boundary_w, self.sliding_w)
+    }
+}
+
+impl Map {
+    /// Shafts at which power enters and leaves, in words.
+    pub(crate) fn shafts(&self) -> [&'static str; 2] {
+        match self.input {
+            AnyInput::Mesh(_) => ["pinion", "wheel"],
+            _ => ["input shaft", "output"],
+        }
     }
 }
 
@@ -171,7 +197,7 @@ impl FinishMap {
     /// error of the sampling multiplied by `sampling`. `None` for a map without draws.
     #[must_use]
     pub fn drawn(&self, flanks: usize, sampling: f64) -> Option<Drawn<'_>> {
-        Drawn::of(&self.draws, flanks, sampling)
+        Drawn::of(&self.draws, self.meshes.len().max(1), flanks, sampling)
     }
 
     /// Number of points without a result, by code.

@@ -6,7 +6,7 @@ use asperity::result::loss_band::Digits;
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
-use super::point::{EXTENDED, FinishMap, Map, Numbers, Point};
+use super::point::{EXTENDED, FinishMap, Map, MeshPart, Numbers, Point};
 
 /// Summary of a map for the terminal.
 pub(super) fn summary(map: &Map) -> String {
@@ -36,6 +36,23 @@ pub(super) fn summary(map: &Map) -> String {
             extremes.efficiency(),
             extremes.torque(),
         ));
+    }
+    for finish in &map.finishes {
+        let parts = parts_at_largest(finish);
+        if !parts.is_empty() {
+            let parts = parts
+                .into_iter()
+                .map(|[mesh, count, loss]| match count.as_str() {
+                    "1" => format!("{mesh} {loss} W"),
+                    _ => format!("{count} {mesh} {loss} W"),
+                });
+            let text_of_finish = format!(
+                "{} at the largest loss: {}",
+                finish.name,
+                parts.collect::<Vec<_>>().join(", ")
+            );
+            text.push_str(&format!("{}\n", wrapped(&text_of_finish, "     ")));
+        }
     }
     if let Some(note) = left_aside(map) {
         text.push_str(&format!("{}\n", wrapped(&note, "     ")));
@@ -83,6 +100,9 @@ impl<'a> Extremes<'a> {
     /// The largest loss over the power there \[%\].
     fn share(&self) -> String {
         let power = power_w(self.at);
+        if power == 0.0 {
+            return "-".to_owned();
+        }
         let loss = self.most.loss_median_w.unwrap_or(self.most.loss_w);
         percent_digits(&self.most, power).rounded(100.0 * loss / power)
     }
@@ -106,6 +126,35 @@ impl<'a> Extremes<'a> {
         };
         Digits::of_uncertainty(half).rounded(numbers.loss_torque_nm)
     }
+}
+
+/// Name, number and loss \[W\] of the meshes of a gear train at the largest loss of a finish, which add up to it as printed;
+/// empty of a single mesh.
+pub(super) fn parts_at_largest(finish: &FinishMap) -> Vec<[String; 3]> {
+    let Some(extremes) = Extremes::of(finish) else {
+        return Vec::new();
+    };
+    let index = finish
+        .points
+        .iter()
+        .position(|point| std::ptr::eq(point, extremes.at));
+    let most = &extremes.most;
+    let factor = most
+        .loss_median_w
+        .map_or(1.0, |median| median / most.loss_w);
+    let omega = extremes.at.speed_rpm * std::f64::consts::PI / 30.0;
+    let part = |mesh: &MeshPart| Some(factor * omega * mesh.loss_torque_nm.get(index?).copied()??);
+    let Some(parts) = finish.meshes.iter().map(part).collect::<Option<Vec<f64>>>() else {
+        return Vec::new();
+    };
+    let digits = most
+        .loss_quantiles_w
+        .map_or(Digits::of_decimals(1), Digits::of_interval);
+    let parts = digits.parts(digits.steps(factor * most.loss_w), &parts);
+    let row = |(mesh, part): (&MeshPart, f64)| {
+        [mesh.name.clone(), mesh.count.to_string(), digits.text(part)]
+    };
+    finish.meshes.iter().zip(parts).map(row).collect()
 }
 
 /// Power at a point \[W\].

@@ -23,4 +23,4 @@ mod write;
 
 pub use bands::wavelength_bands;
 pub use changes::CHANGES;
-pub use study::{Effect, Refused, Sensitivity, SensitivityRow, sensitivity};
+pub use study::{Effect, Refused, Sensitivity, SensitivityRow, sensitivity, sensitivity_of_train};

@@ -1,11 +1,13 @@
 //! Computation of a sensitivity study.
 
 use asperity::case::LoadedCase;
+use asperity::case::gear_train::LoadedTrain;
 use asperity::core::cancel::checkpoint;
 use asperity::pipeline::{Progress, contacts, losses, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity::uncertainty::sampling_interval;
-use asperity::{Contacts, Error};
+use asperity::{Contacts, Error, PositionError};
+use asperity_core::quantity::Power;
 use serde::Serialize;
 
 use super::changes::{Change, changes};
@@ -44,6 +46,13 @@ pub struct SensitivityRow {
     pub refused: Option<Refused>,
 }
 
+impl SensitivityRow {
+    /// Whether both rows have the same change.
+    fn is_change_of(&self, other: &Self) -> bool {
+        (self.group, &self.what, &self.to) == (other.group, &other.what, &other.to)
+    }
+}
+
 /// Error of a changed case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -55,7 +64,7 @@ pub struct Refused {
 }
 
 /// Differences from the unchanged case \[W\], at the same windows of its traces unless their filters change.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 #[non_exhaustive]
 pub struct Effect {
     /// Change of the loss.
@@ -122,6 +131,94 @@ pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitiv
         left_aside,
         rows,
     })
+}
+
+/// Runs every mesh of a gear train and all its changes. A change that all meshes have is made in all of them, another one
+/// has the name of its mesh. The intervals by the sampling of the flanks add up, as for equal flanks.
+///
+/// # Errors
+/// As [`sensitivity`], and when a shaft has no speed or torque.
+pub fn sensitivity_of_train(
+    train: &LoadedTrain,
+    progress: Progress<'_>,
+) -> Result<Sensitivity, Error> {
+    if let Some(pair) = train.pair() {
+        return sensitivity(pair, progress);
+    }
+    let counts = train.counts();
+    let mut of_meshes: Vec<Sensitivity> = Vec::new();
+    for (k, mesh) in train.meshes().enumerate() {
+        let shown = |done, of| progress(k * of + done, counts.len() * of);
+        of_meshes.push(sensitivity(&mesh.case, &shown)?);
+    }
+    let losses = of_meshes.iter().map(|mesh| Power::from_si(mesh.loss_w));
+    let losses: Vec<Power> = losses.collect();
+    let loss_w = train.loss(&losses).si();
+    let power_in = train.train.power_in(&train.by_stage(&losses));
+    let power_in = power_in.map_err(|error| Box::new(PositionError::Gear(error)))?;
+    let mut rows: Vec<SensitivityRow> = Vec::new();
+    for (mesh, study) in train.meshes().zip(&of_meshes) {
+        for row in &study.rows {
+            let same = |other: &&SensitivityRow| other.is_change_of(row);
+            let all = of_meshes.iter().map(|study| study.rows.iter().find(same));
+            let counted = counts.iter().map(|count| f64::from(*count));
+            match all.collect::<Option<Vec<_>>>() {
+                Some(_) if rows.iter().any(|known| known.is_change_of(row)) => {}
+                Some(all) => rows.push(together(row, all.into_iter().zip(counted), loss_w)),
+                None => {
+                    let is_own = |other: &Sensitivity| std::ptr::eq(other, study);
+                    let own = of_meshes.iter().zip(counted);
+                    let count = own
+                        .filter(|(other, _)| is_own(other))
+                        .map(|(_, count)| count);
+                    let of_mesh = SensitivityRow {
+                        what: format!("{} ({})", row.what, mesh.name),
+                        ..row.clone()
+                    };
+                    rows.push(together(&of_mesh, count.map(|count| (row, count)), loss_w));
+                }
+            }
+        }
+    }
+    Ok(Sensitivity {
+        title: train.title.clone(),
+        loss_w,
+        efficiency: 1.0 - loss_w / power_in.si(),
+        left_aside: Vec::new(),
+        rows,
+    })
+}
+
+/// The row `named` with the sum of the effects of rows, each with its number of equal meshes.
+fn together<'a>(
+    named: &SensitivityRow,
+    rows: impl Iterator<Item = (&'a SensitivityRow, f64)>,
+    loss_w: f64,
+) -> SensitivityRow {
+    let mut sum = Effect::default();
+    let mut intervals = Some([0.0; 2]);
+    let mut refused = None;
+    for (row, count) in rows {
+        let Some(effect) = &row.effect else {
+            refused.clone_from(&row.refused);
+            continue;
+        };
+        sum.difference_w += count * effect.difference_w;
+        sum.film_w += count * effect.film_w;
+        sum.lubricated_asperity_w += count * effect.lubricated_asperity_w;
+        sum.boundary_w += count * effect.boundary_w;
+        sum.rolling_w += count * effect.rolling_w;
+        intervals = intervals
+            .zip(effect.sampling_quantiles_w)
+            .map(|(sum, own)| std::array::from_fn(|k| sum[k] + count * own[k]));
+    }
+    sum.change = sum.difference_w / loss_w;
+    sum.sampling_quantiles_w = intervals;
+    SensitivityRow {
+        effect: refused.is_none().then_some(sum),
+        refused,
+        ..named.clone()
+    }
 }
 
 /// Losses, with the contacts of the unchanged case if they are the same.

@@ -1,0 +1,104 @@
+//! `asperity profile generate --like` with surfaces: a surface of their kind.
+
+use std::path::Path;
+
+use asperity_profile_io::read::{Metadata, Surface};
+use asperity_profile_io::write::{WrittenFormat, write_surface};
+use asperity_roughness::areal::parameters;
+use asperity_roughness::generate::FittedSurface;
+use asperity_roughness::lay::bridged;
+use serde_json::json;
+
+use super::evaluated::{opened_surface, um};
+use super::surface_facts::areal_line;
+use crate::args::{Common, ProfileGenerateArgs};
+use crate::failure::Failure;
+use crate::output::{self, print_json, print_text};
+
+/// Writes a surface with spectrum, heights and lay of the surfaces in `args.like`.
+pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failure> {
+    let name = args.output.display().to_string();
+    if WrittenFormat::of_name(&name) != Some(WrittenFormat::X3p) {
+        let text = format!("{name}: cannot be written; a surface is written as X3P, name it .x3p");
+        return Err(Failure::new("E401", text));
+    }
+    let surfaces = args
+        .like
+        .iter()
+        .map(|file| opened_surface(file, &args.reading));
+    let surfaces: Vec<Surface> = surfaces.collect::<Result<_, _>>()?;
+    let Some(first) = surfaces.first() else {
+        return Ok(());
+    };
+    let (Some(dx), Some(dy)) = (first.dx, first.dy) else {
+        let text = format!(
+            "{}: the distances of points and rows are not both stated. Save the surface as X3P, SUR or SDF",
+            first.name
+        );
+        return Err(Failure::new("E110", text));
+    };
+    let spacings = [dx, dy];
+    for other in &surfaces {
+        let grid = |surface: &Surface| (surface.columns, surface.rows, surface.dx, surface.dy);
+        if grid(other) != grid(first) {
+            let text = format!(
+                "{}: its rows, points or their distances differ from {}, to which it is fitted together",
+                other.name, first.name
+            );
+            return Err(Failure::new("E120", text));
+        }
+    }
+    let heights = surfaces.iter().map(|surface| whole(surface, args));
+    let heights: Vec<Vec<f64>> = heights.collect::<Result<_, _>>()?;
+    let refused = |error| Failure::new("E120", format!("{}: {error}", first.name));
+    let fit = FittedSurface::to(&heights, first.columns, spacings).map_err(refused)?;
+    let z = fit.generate(args.seed);
+    let metadata = Metadata {
+        title: Some(format!("synthetic, seed {}", args.seed)),
+        instrument: Some("asperity profile generate".to_owned()),
+        ..Metadata::default()
+    };
+    let bytes = write_surface(&z, first.columns, spacings, &metadata)
+        .map_err(|error| Failure::new("E401", format!("{name}: cannot be written: {error}")))?;
+    output::save(Path::new(&args.output), &bytes)?;
+    let areal = parameters(&z, first.columns, spacings).map_err(refused)?;
+    if common.json {
+        return print_json(&json!({
+            "like": surfaces.iter().map(|surface| &surface.name).collect::<Vec<_>>(),
+            "seed": args.seed,
+            "columns": first.columns,
+            "rows": first.rows,
+            "dx_um": um(dx),
+            "dy_um": um(dy),
+            "achieved": areal,
+            "output": name,
+        }));
+    }
+    let text = format!(
+        "{name}: {} rows of {} points, achieved {}\n",
+        first.rows,
+        first.columns,
+        areal_line(&areal)
+    );
+    print_text(common, &text)
+}
+
+/// Heights without gaps.
+fn whole(surface: &Surface, args: &ProfileGenerateArgs) -> Result<Vec<f64>, Failure> {
+    let missing = surface.z.len() - surface.measured();
+    let fills = args.reading.gaps == Some(asperity_profile_io::read::Gaps::Interpolate);
+    let refused = |rows: &str| {
+        let text = format!("{}: {missing} heights are missing{rows}", surface.name);
+        Failure::new("E107", text)
+    };
+    match (missing, fills) {
+        (0, _) => Ok(surface.z.clone()),
+        (_, false) => Err(refused(". Pass --gaps interpolate")),
+        (_, true) => {
+            let rows = surface.z.chunks(surface.columns).map(bridged);
+            let rows: Option<Vec<Vec<f64>>> = rows.collect();
+            let rows = rows.ok_or_else(|| refused(", more than half of a row"))?;
+            Ok(rows.concat())
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! Seals and bearings on the shafts of a gear train, with the places of gears and bearings.
+
+use asperity_core::DomainError;
+use asperity_core::quantity::{Angle, Length, Temperature};
+use asperity_efficiency::EfficiencyError;
+use asperity_efficiency::rolling_bearing::RollingBearing;
+use asperity_efficiency::shaft_seal::seal_torque;
+use asperity_gear::gear_train::GearTrain;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::error::CaseError;
+use super::gearbox::{named, refused, rolling_bearing};
+use super::gearbox_input::{BearingInput, SealInput};
+use super::section::Section;
+use super::source::Source;
+
+/// Seals and bearings of a gear train; only the losses stated here are added to the losses of the meshes.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TrainGearboxInput {
+    /// Temperature of the oil at the bearings; default that of the operation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub temperature: Option<Temperature>,
+    /// Radial shaft seals, each a table `[[gearbox.seals]]` with the name of its `shaft`, `diameter` and, if wanted, `name`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub seals: Vec<SealInput<String>>,
+    /// Rolling bearings, two on a shaft, each a table `[[gearbox.bearings]]` with the name of its `shaft`, its place `at`
+    /// along the shaft, and type and constants as for a pair of gears. Their loads follow from the teeth by statics, with
+    /// `at`, `angle` and `hand` of each mesh on the shaft; the bearing with `locating = true` carries the axial force.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bearings: Vec<BearingInput<String>>,
+}
+
+/// Direction of a helix.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Hand {
+    /// Left-handed.
+    Left,
+    /// Right-handed.
+    Right,
+}
+
+/// Place of a mesh in the gearbox.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshPlace {
+    /// Middle of the teeth along the shafts.
+    pub at: Option<Length>,
+    /// Angle of the centre line from pinion to wheel.
+    pub angle: Option<Angle>,
+    /// Direction of the helix of the pinion or sun.
+    pub hand: Option<Hand>,
+    /// Whether the teeth are helical.
+    pub is_helical: bool,
+    /// Whether it is a planetary set, whose radial forces are in balance.
+    pub is_set: bool,
+}
+
+/// Seals and bearings of a gear train with their numbers checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrainGearbox {
+    /// Temperature of the oil at the bearings; `None` for the temperature of the operation.
+    pub temperature: Option<Temperature>,
+    /// The parts, in the order of the case file.
+    pub parts: Vec<TrainPart>,
+    /// Place of each stage.
+    pub places: Vec<MeshPlace>,
+}
+
+/// A part on a shaft of a gear train.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrainPart {
+    /// Name.
+    pub name: String,
+    /// Its shaft, by its place in [`GearTrain::shafts`].
+    pub shaft: usize,
+    /// Kind, with its numbers.
+    pub kind: TrainPartKind,
+}
+
+/// A part by its kind.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TrainPartKind {
+    /// Shaft seal on a shaft of this diameter.
+    Seal(Length),
+    /// Rolling bearing.
+    Bearing {
+        /// Geometry and constants.
+        bearing: RollingBearing,
+        /// Places of both bearings of the shaft.
+        places: [Length; 2],
+        /// Whether it is the second one of them.
+        number: usize,
+        /// The bearing that carries the axial force.
+        locating: usize,
+    },
+}
+
+/// The parts on the shafts of a train, whose stages have the `places`.
+pub(super) fn train_gearbox(
+    stated: &TrainGearboxInput,
+    places: Vec<MeshPlace>,
+    train: &GearTrain,
+    source: &Source,
+) -> Result<TrainGearbox, CaseError> {
+    let section = Section::of(source, "gearbox");
+    let shaft_of = |key: &'static str, name: &str| {
+        let known = train.shafts.iter().position(|shaft| shaft.name == name);
+        known.ok_or_else(|| section.conflict(key, "names a shaft that no mesh of the train has"))
+    };
+    let mut parts = Vec::new();
+    for (number, seal) in stated.seals.iter().enumerate() {
+        let name = named(seal.name.as_deref(), "seal", number);
+        seal_torque(seal.diameter).map_err(refused(section, "seals", &name))?;
+        parts.push(TrainPart {
+            shaft: shaft_of("seals", &seal.shaft)?,
+            kind: TrainPartKind::Seal(seal.diameter),
+            name,
+        });
+    }
+    for (number, bearing) in stated.bearings.iter().enumerate() {
+        let name = named(bearing.name.as_deref(), "bearing", number);
+        let shaft = shaft_of("bearings", &bearing.shaft)?;
+        let checked = without_load(bearing).and_then(|()| rolling_bearing(bearing));
+        let rolling = checked.map_err(refused(section, "bearings", &name))?;
+        let all = stated.bearings.iter().enumerate();
+        let on_shaft = all.filter(|(_, other)| other.shaft == bearing.shaft);
+        let [(first, one), (second, other)] = on_shaft.collect::<Vec<_>>()[..] else {
+            let rule = "must be two on each shaft that has bearings: the loads of others do not follow from statics";
+            return Err(section.conflict("bearings", rule));
+        };
+        let [Some(z1), Some(z2)] = [one.at, other.at] else {
+            let rule = "need their places along the shaft, at";
+            return Err(section.conflict("bearings", rule));
+        };
+        let locating = match [one, other].map(|bearing| bearing.locating == Some(true)) {
+            [true, false] => 0,
+            [false, true] => 1,
+            [false, false] if !has_thrust(&places, train, shaft) => 0,
+            _ => {
+                let rule = "must have one with locating = true on a shaft with helical gears: it carries the axial force";
+                return Err(section.conflict("bearings", rule));
+            }
+        };
+        check_places(&places, train, shaft, section)?;
+        let rule = "must differ between the bearings of a shaft";
+        let [z1_m, z2_m] = [z1, z2].map(Length::si);
+        let differ = DomainError::require(z1_m != z2_m, "at", z1_m, "m", rule);
+        differ.map_err(|error| refused(section, "bearings", &name)(error.into()))?;
+        debug_assert!(number == first || number == second);
+        parts.push(TrainPart {
+            shaft,
+            kind: TrainPartKind::Bearing {
+                bearing: rolling,
+                places: [z1, z2],
+                number: usize::from(number == second),
+                locating,
+            },
+            name,
+        });
+    }
+    if parts.is_empty() {
+        let rule = "names nothing that loses; give seals or bearings, or leave it out";
+        return Err(section.conflict_of_key("", rule));
+    }
+    Ok(TrainGearbox {
+        temperature: stated.temperature,
+        parts,
+        places,
+    })
+}
+
+/// Refuses loads of a bearing, which follow from the teeth.
+fn without_load(stated: &BearingInput<String>) -> Result<(), EfficiencyError> {
+    let rule = "follows from the teeth in a gear train; leave it out";
+    let loads = [("radial", stated.radial), ("axial", stated.axial)];
+    for (name, load) in loads {
+        let load = load.map_or(0.0, |load| load.si());
+        DomainError::require(load == 0.0, name, load, "N", rule)?;
+    }
+    let torque = stated.at_torque.map_or(0.0, |torque| torque.si());
+    DomainError::require(torque == 0.0, "at_torque", torque, "N m", rule)?;
+    Ok(())
+}
+
+fn has_thrust(places: &[MeshPlace], train: &GearTrain, shaft: usize) -> bool {
+    train
+        .places_of(shaft)
+        .any(|(stage, _)| places[stage].is_helical)
+}
+
+/// Checks that the places of all meshes on a shaft with bearings are known.
+fn check_places(
+    places: &[MeshPlace],
+    train: &GearTrain,
+    shaft: usize,
+    section: Section<'_>,
+) -> Result<(), CaseError> {
+    let on_shaft = || train.places_of(shaft).map(|(stage, _)| &places[stage]);
+    let pairs = || on_shaft().filter(|place| !place.is_set);
+    let rule = match () {
+        () if pairs().any(|place| place.at.is_none()) => {
+            "need the place of each pair of gears on their shaft: mesh.NAME.at"
+        }
+        () if pairs().count() > 1 && pairs().any(|place| place.angle.is_none()) => {
+            "need the angle of the centre line of each pair of gears on a shaft of several: mesh.NAME.angle"
+        }
+        () if on_shaft().any(|place| place.is_helical && place.hand.is_none()) => {
+            "need the direction of the helix of each pinion or sun on their shaft: mesh.NAME.hand"
+        }
+        () => return Ok(()),
+    };
+    Err(section.conflict("bearings", rule))
+}

@@ -1,0 +1,165 @@
+//! Surfaces generated like measured ones, against surfaces of the same kind that were left out of the fit.
+#![allow(clippy::unwrap_used)]
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use asperity_roughness::Parameters;
+use asperity_roughness::areal::parameters;
+use asperity_roughness::autocorrelation::lengths;
+use asperity_roughness::generate::FittedSurface;
+use asperity_roughness::height_parameters::Mode;
+use asperity_roughness::lay::lay_of_rows;
+use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare};
+
+use crate::fitted::rank_sum;
+use crate::lay::smoothed;
+
+const COLUMNS: usize = 700;
+const ROWS: usize = 160;
+const SPACINGS: [Length; 2] = [Length::from_si(1e-6), Length::from_si(1e-6)];
+const LAMBDA_C: Length = Length::from_si(0.08e-3);
+const NAMES: [&str; 20] = [
+    "Sa",
+    "Sq",
+    "Sp",
+    "Sv",
+    "Sz",
+    "Ssk",
+    "Sku",
+    "Sdq",
+    "Sdr",
+    "Sal",
+    "lay",
+    "Ra",
+    "Rz",
+    "Rsk",
+    "Rku",
+    "RSm",
+    "Rdq",
+    "Rk",
+    "Rpk",
+    "length of the autocorrelation",
+];
+
+/// Areal parameters, the lay, and the means of the parameters of rows.
+fn of(z: &[f64]) -> [f64; 20] {
+    let recipe = Preparation {
+        lambda_c: Some(LAMBDA_C),
+        lambda_s: None,
+        ..Preparation::default()
+    };
+    let areal = parameters(z, COLUMNS, SPACINGS).unwrap();
+    let lay = lay_of_rows(z, COLUMNS, SPACINGS, &recipe, RoughnessFilter::Gaussian).unwrap();
+    let rows: Vec<[f64; 9]> = z
+        .chunks(COLUMNS)
+        .step_by(16)
+        .map(|row| {
+            let profile = Profile::new(SPACINGS[0], row.to_vec()).unwrap();
+            let rough = prepare(&profile, &recipe).unwrap().profile;
+            let found = Parameters::of(&rough, Mode::Iso4287, LAMBDA_C).unwrap();
+            let (h, m) = (&found.heights, &found.material);
+            [
+                h.ra.si(),
+                h.rz.si(),
+                h.rsk.unwrap(),
+                h.rku.unwrap(),
+                h.rsm.unwrap().si(),
+                h.rdq,
+                m.rk.si(),
+                m.rpk.si(),
+                lengths(&rough).unwrap().to_one_fifth.unwrap().si(),
+            ]
+        })
+        .collect();
+    let mean = |k: usize| rows.iter().map(|row| row[k]).sum::<f64>() / rows.len() as f64;
+    let own = [
+        areal.sa.si(),
+        areal.sq.si(),
+        areal.sp.si(),
+        areal.sv.si(),
+        areal.sz.si(),
+        areal.ssk.unwrap(),
+        areal.sku.unwrap(),
+        areal.sdq,
+        areal.sdr,
+        areal.texture.unwrap().sal.unwrap().si(),
+        lay.unwrap().gamma,
+    ];
+    std::array::from_fn(|k| {
+        if k < own.len() {
+            own[k]
+        } else {
+            mean(k - own.len())
+        }
+    })
+}
+
+/// Twelve parts of a ground-like surface: ridges 18 um wide along the face on a finer background, peaks cut, dales deep.
+fn parts() -> Vec<Vec<f64>> {
+    let part = |seed: u64| -> Vec<f64> {
+        let ridges = smoothed(COLUMNS, ROWS, [3.0, 18.0], seed);
+        let fine = smoothed(COLUMNS, ROWS, [1.5, 3.0], 100 + seed);
+        let both = ridges
+            .iter()
+            .zip(&fine)
+            .map(|(a, b)| 1e7 * a / 8.0 + 1e7 * b / 4.0);
+        // Heights in um, squeezed above the mean.
+        both.map(|z| 1e-6 * (1.0 - (-z).exp()) * 0.2).collect()
+    };
+    (1..=12).map(part).collect()
+}
+
+#[test]
+fn eighteen_of_twenty_parameters_are_those_of_surfaces_left_out() {
+    let parts = parts();
+    let (fitted, left_out): (Vec<_>, Vec<_>) =
+        parts.into_iter().enumerate().partition(|(k, _)| k % 2 == 0);
+    let only = |list: Vec<(usize, Vec<f64>)>| list.into_iter().map(|(_, z)| z).collect::<Vec<_>>();
+    let [fitted, left_out] = [fitted, left_out].map(only);
+    let fit = FittedSurface::to(&fitted, COLUMNS, SPACINGS).unwrap();
+    let made: Vec<_> = (1..=20).map(|seed| of(&fit.generate(seed))).collect();
+    let kept: Vec<_> = left_out.iter().map(|z| of(z)).collect();
+    let column = |rows: &[[f64; 20]], k: usize| rows.iter().map(|row| row[k]).collect::<Vec<_>>();
+    let mean = |rows: &[[f64; 20]], k| column(rows, k).iter().sum::<f64>() / rows.len() as f64;
+    let own: Vec<_> = fitted.iter().map(|z| of(z)).collect();
+    let mut off = Vec::new();
+    for (k, name) in NAMES.iter().enumerate() {
+        let p = rank_sum(&column(&made, k), &column(&kept, k));
+        let ratio = mean(&made, k) / mean(&kept, k);
+        println!(
+            "{name}: p {p:.4}, ratio of the means {ratio:.3}, of the fitted {:.3}, {:.3e}",
+            mean(&own, k) / mean(&kept, k),
+            mean(&kept, k)
+        );
+        if p <= 0.01 {
+            off.push(format!("{name}: p {p:.4}, ratio of the means {ratio:.3}"));
+        }
+    }
+    assert!(off.len() <= 2, "{off:?}");
+}
+
+#[test]
+fn seeds_differ_and_repeat_and_ridges_keep_their_direction() {
+    let z = crate::lay::waves(ROWS, [3.0, 30.0], 20.0, 9);
+    let columns = z.len() / ROWS;
+    let fit = FittedSurface::to(std::slice::from_ref(&z), columns, SPACINGS).unwrap();
+    let made = fit.generate(3);
+    assert_eq!(made, fit.generate(3));
+    assert_ne!(made, fit.generate(4));
+    let std = |z: &[f64]| {
+        parameters(z, columns, SPACINGS)
+            .unwrap()
+            .texture
+            .unwrap()
+            .std_degrees
+    };
+    assert!(
+        (std(&made) - std(&z)).abs() < 8.0,
+        "{} {}",
+        std(&made),
+        std(&z)
+    );
+    let mut holed = z;
+    holed[7] = f64::NAN;
+    assert!(FittedSurface::to(&[holed], columns, SPACINGS).is_err());
+}

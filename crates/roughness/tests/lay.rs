@@ -1,0 +1,241 @@
+//! Lay of made surfaces whose spectrum is known: filtered white noise and sums of waves.
+#![allow(clippy::unwrap_used)]
+
+use std::f64::consts::TAU;
+
+use asperity_core::quantity::Length;
+use asperity_roughness::form::Form;
+use asperity_roughness::gaussian_filter::Ends;
+use asperity_roughness::lay::{LayFinding, LayUnknown, lay_of_rows};
+use asperity_roughness::preparation::{Preparation, RoughnessFilter};
+
+const COLUMNS: usize = 1000;
+/// The spectrum of a filtered surface is no longer elliptical.
+const UNFILTERED: Preparation = Preparation {
+    form: Form::Mean,
+    lambda_s: None,
+    lambda_c: None,
+    ends: Ends::Cut,
+};
+
+/// Deviates of the standard normal distribution by Box and Muller from a multiplicative congruential sequence.
+struct Normal(u64);
+
+impl Normal {
+    fn uniform(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
+    }
+
+    fn next(&mut self) -> f64 {
+        (-2.0 * self.uniform().ln()).sqrt() * (TAU * self.uniform()).cos()
+    }
+}
+
+/// White noise of `columns` by `rows` points, smoothed with Gaussian weights of widths [a, b] in points along and across the rows:
+/// its spectrum is elliptical, and the correlation lengths are in the ratio a/b = γ.
+pub fn smoothed(columns: usize, rows: usize, widths: [f64; 2], seed: u64) -> Vec<f64> {
+    let reach = widths.map(|width| (4.0 * width).ceil() as usize);
+    let [wide, high] = [columns + 2 * reach[0], rows + 2 * reach[1]];
+    let mut noise = Normal(seed);
+    let white: Vec<f64> = (0..wide * high).map(|_| noise.next()).collect();
+    let weights = [0, 1].map(|axis: usize| -> Vec<f64> {
+        let r = reach[axis] as i64;
+        (-r..=r)
+            .map(|k| (-(k as f64 / widths[axis]).powi(2)).exp())
+            .collect()
+    });
+    let along = |y: usize, x: usize| -> f64 {
+        weights[0]
+            .iter()
+            .zip(&white[y * wide + x..])
+            .map(|(w, z)| w * z)
+            .sum()
+    };
+    let half: Vec<f64> = (0..high * columns)
+        .map(|k| along(k / columns, k % columns))
+        .collect();
+    let across = |y: usize, x: usize| -> f64 {
+        let column = half[y * columns + x..].iter().step_by(columns);
+        weights[1].iter().zip(column).map(|(w, z)| w * z).sum()
+    };
+    (0..rows * columns)
+        .map(|k| 1e-8 * across(k / columns, k % columns))
+        .collect()
+}
+
+fn lay(z: &[f64], columns: usize, dy: f64) -> LayFinding {
+    let spacings = [1e-6, dy].map(Length::from_si);
+    lay_of_rows(z, columns, spacings, &UNFILTERED, RoughnessFilter::Gaussian).unwrap()
+}
+
+#[test]
+fn the_lay_of_filtered_noise_is_the_ratio_of_its_widths() {
+    for (widths, expected) in [([3.0, 30.0], 0.1), ([4.0, 16.0], 0.25)] {
+        let (mut inside, mut sum) = (0, 0.0);
+        for seed in 1..=20 {
+            let found = lay(&smoothed(COLUMNS, 400, widths, seed), COLUMNS, 1e-6).unwrap();
+            let [low, high] = found.range;
+            assert!(!found.is_bound && high / low < 2.0, "{found:?}");
+            inside += usize::from(low <= expected && expected <= high);
+            sum += found.gamma.ln();
+        }
+        let mean = (sum / 20.0_f64).exp();
+        println!("γ = {expected}: mean {mean:.4}, {inside} of 20 intervals hold it");
+        assert!((mean / expected - 1.0).abs() < 0.06, "{mean} {expected}");
+        // Of 95 % intervals, 16 or fewer of 20 hold the value with a probability of 1.6 %.
+        assert!(inside >= 16, "{inside}");
+    }
+}
+
+#[test]
+fn filtering_along_the_rows_lowers_the_lay_a_little() {
+    // λc removes waves that are long along the rows, whose ridges run along them.
+    let z = smoothed(COLUMNS, 400, [3.0, 30.0], 3);
+    let spacings = [Length::from_si(1e-6); 2];
+    let (recipe, filter) = (Preparation::default(), RoughnessFilter::Gaussian);
+    let filtered = lay_of_rows(&z, COLUMNS, spacings, &recipe, filter).unwrap();
+    let ratio = filtered.unwrap().gamma / lay(&z, COLUMNS, 1e-6).unwrap().gamma;
+    assert!((0.85..1.0).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn the_spacing_of_the_rows_counts() {
+    // Every third row.
+    let z = smoothed(COLUMNS, 900, [3.0, 30.0], 5);
+    let third: Vec<f64> = z.chunks(COLUMNS).step_by(3).flatten().copied().collect();
+    let all = lay(&z, COLUMNS, 1e-6).unwrap();
+    let fewer = lay(&third, COLUMNS, 3e-6).unwrap();
+    assert!(
+        (fewer.gamma / all.gamma - 1.0).abs() < 0.03,
+        "{fewer:?} {all:?}"
+    );
+}
+
+#[test]
+fn missing_points_and_rows_at_other_heights_do_not_change_the_lay() {
+    let z = smoothed(COLUMNS, 400, [3.0, 30.0], 3);
+    let whole = lay(&z, COLUMNS, 1e-6).unwrap();
+    let mut other = Normal(8);
+    let mut changed = z;
+    for row in changed.chunks_mut(COLUMNS) {
+        let offset = 1e-6 * other.next();
+        for z in row {
+            *z += offset;
+            if other.uniform() < 0.05 {
+                *z = f64::NAN;
+            }
+        }
+    }
+    changed[5 * COLUMNS..6 * COLUMNS].fill(f64::NAN);
+    let found = lay(&changed, COLUMNS, 1e-6).unwrap();
+    assert!(
+        (found.gamma / whole.gamma - 1.0).abs() < 0.03,
+        "{found:?} {whole:?}"
+    );
+}
+
+/// Sum of waves whose wave vectors have normal components with the standard deviations 1/a across the ridges and 1/b along
+/// them, the ridges turned by `degrees` from the normal of the rows.
+pub fn waves(rows: usize, [a, b]: [f64; 2], degrees: f64, seed: u64) -> Vec<f64> {
+    let mut noise = Normal(seed);
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let waves: Vec<[f64; 3]> = (0..300)
+        .map(|_| {
+            let (u, v) = (noise.next() / a, noise.next() / b);
+            [u * cos - v * sin, u * sin + v * cos, TAU * noise.uniform()]
+        })
+        .collect();
+    let z = |k: usize| {
+        let (x, y) = ((k % COLUMNS) as f64, (k / COLUMNS) as f64);
+        1e-8 * waves
+            .iter()
+            .map(|[p, q, phase]| (p * x + q * y + phase).cos())
+            .sum::<f64>()
+    };
+    (0..rows * COLUMNS).map(z).collect()
+}
+
+/// γ by its definition, 1/⟨k_x²/k²⟩ − 1, of the elliptical spectrum of [`waves`].
+fn defined([a, b]: [f64; 2], degrees: f64) -> f64 {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let n = 20_000;
+    let share = |k: usize| {
+        let angle = TAU * (k as f64 + 0.5) / f64::from(n);
+        let (u, v) = (angle.cos() / a, angle.sin() / b);
+        (u * cos - v * sin).powi(2) / (u * u + v * v)
+    };
+    f64::from(n) / (0..n as usize).map(share).sum::<f64>() - 1.0
+}
+
+#[test]
+fn turned_ridges_have_the_lay_of_their_spectrum() {
+    for degrees in [0.0, 10.0, 25.0, -25.0] {
+        let widths = [5.0, 40.0];
+        let found = lay(&waves(250, widths, degrees, 4), COLUMNS, 1e-6).unwrap();
+        let expected = defined(widths, degrees);
+        println!("{degrees}°: {found:?}, defined {expected:.4}");
+        assert!(
+            (found.gamma / expected - 1.0).abs() < 0.15,
+            "{degrees}: {found:?} {expected}"
+        );
+    }
+    // Ridges along the rows.
+    let found = lay(&waves(250, [5.0, 40.0], 90.0, 4), COLUMNS, 1e-6).unwrap();
+    assert!(found.gamma > 4.0 && found.range[0] > 3.0, "{found:?}");
+}
+
+#[test]
+fn a_surface_without_lay_is_isotropic() {
+    for seed in 1..=5 {
+        let found = lay(&smoothed(COLUMNS, 400, [4.0, 4.0], seed), COLUMNS, 1e-6).unwrap();
+        println!("{found:?}");
+        assert!((0.8..1.25).contains(&found.gamma), "{found:?}");
+        assert!(found.range[0] > 0.6, "{found:?}");
+    }
+}
+
+#[test]
+fn a_lay_that_is_not_resolved_is_refused_with_its_reason() {
+    let z = smoothed(COLUMNS, 400, [3.0, 12.0], 2);
+    let far: Vec<f64> = z.chunks(COLUMNS).step_by(40).flatten().copied().collect();
+    let found = lay(&far, COLUMNS, 40e-6).unwrap_err();
+    assert!(
+        matches!(found, LayUnknown::TooFarApart { lines: "rows", .. }),
+        "{found}"
+    );
+    assert_eq!(
+        lay(&z[..3 * COLUMNS], COLUMNS, 1e-6),
+        Err(LayUnknown::TooFewRows { rows: 3 })
+    );
+    // Ten rows over 10 um of ridges 40 um long bound the lay, and the bound is of no use.
+    let short = lay(&z[..10 * COLUMNS], COLUMNS, 1e-6).unwrap();
+    assert!(
+        short.is_bound && short.gamma > 0.4 && short.range[0] < 0.1,
+        "{short:?}"
+    );
+    let flat = lay(&vec![0.0; 100 * COLUMNS], COLUMNS, 1e-6);
+    assert_eq!(flat, Err(LayUnknown::Flat));
+    // Waves as long as the parts of the rows.
+    let found = lay(&smoothed(600, 100, [25.0, 60.0], 2), 600, 1e-6).unwrap_err();
+    assert!(matches!(found, LayUnknown::TooShort { .. }), "{found}");
+    // Unevenness from point to point: noise.
+    let found = lay(&smoothed(COLUMNS, 100, [0.2, 0.2], 2), COLUMNS, 1e-6).unwrap_err();
+    assert!(matches!(found, LayUnknown::TooFarApart { .. }), "{found}");
+}
+
+#[test]
+fn the_bound_of_short_surfaces_holds_the_lay() {
+    for rows in [16, 30, 60, 100] {
+        for seed in 1..=4 {
+            let z = smoothed(COLUMNS, rows, [3.0, 30.0], 100 + seed);
+            let found = lay(&z, COLUMNS, 1e-6).unwrap();
+            let [low, high] = found.range;
+
+            assert!(low < 0.11 && high > 0.085, "{rows} rows: {found:?}");
+        }
+    }
+}

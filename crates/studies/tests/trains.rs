@@ -1,0 +1,252 @@
+//! Maps and cycles of gear trains, against runs of the train and maps of its meshes.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests may panic")]
+
+use std::path::Path;
+
+use asperity::case::Source;
+use asperity::case::gear_train::{LoadedTrain, load_set};
+use asperity::gear_train::{TrainResult, run_train};
+use asperity::pipeline::KeptFields;
+use asperity_report::StudyResult as _;
+use asperity_studies::compare::Finish;
+use asperity_studies::cycle::{cycle, evaluate};
+use asperity_studies::export::Field;
+use asperity_studies::map::{Axes, Map, MapBand, MapExtras, Point, map, read};
+
+const TWO_STAGES: &str = r#"
+title = "two stages"
+train.input = "motor"
+mesh.first = { shafts = ["motor", "counter"], gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm", helix = "23.4 deg" } }
+mesh.second = { shafts = ["counter", "output"], gears = { teeth = [25, 61], module = "2.5 mm", face_width = "40 mm" } }
+vehicle = { mass = "1500 kg", wheel_radius = "300 mm", ratio = 7.2, drag_area = "0.6 m2", rolling_resistance = 0.01 }
+"#;
+/// A set whose ring turns, after a pair: its speeds are not proportional to the speed of the input.
+const SET: &str = r#"
+title = "pair and set"
+train.input = "motor"
+mesh.pair = { shafts = ["motor", "sun"], gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" } }
+mesh.set = { shafts = ["sun", "output"], planetary = { teeth = [27, 24, -75], planets = 3, module = "1.5 mm", face_width = ["20 mm", "20 mm", "20 mm"], ring_speed = "50 rad/s" } }
+"#;
+const COMMON: &str = r#"
+operation = { torque = "60 N m", speed = "4000 1/min", bulk_temperature = "90 °C" }
+lubricant.oil = "m100"
+surface = { pinion.file = "ground_pinion.csv", wheel = { file = "ground_wheel.csv", mirrored = true }, cutoff = "0.25 mm" }
+model = { positions = 4, offsets = 2, depths = 0 }
+"#;
+
+fn train(text: &str, keys: &[(&str, &str)]) -> LoadedTrain {
+    let text = format!("{text}{COMMON}");
+    let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
+    let keys = keys
+        .iter()
+        .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()));
+    let folder = Path::new("../../fixtures/profiles");
+    load_set(source, folder, &keys.collect::<Vec<_>>(), None).unwrap()
+}
+
+fn map_of(case: LoadedTrain, torques: &[f64], band: MapBand) -> Map {
+    let axes = Axes::new(torques, &[1000.0, 4000.0], &[60.0, 90.0]).unwrap();
+    let name = "ground".to_owned();
+    map(&[Finish { name, case }], &axes, band, &|_, _| {}).unwrap()
+}
+
+fn at(map: &Map, torque: f64) -> &Point {
+    let mut points = map.finishes[0].points.iter();
+    let place = [torque, 4000.0, 90.0];
+    let is_there =
+        |point: &&Point| [point.torque_nm, point.speed_rpm, point.temperature_c] == place;
+    points.find(is_there).unwrap()
+}
+
+fn run(case: &LoadedTrain, band: bool) -> TrainResult {
+    let found = run_train(case, &KeptFields::Highest, band, &|_, _| {});
+    found.unwrap().result
+}
+
+#[test]
+fn a_point_of_the_map_of_a_train_is_its_run_with_loss_parts_efficiency_and_band() {
+    let case = train(TWO_STAGES, &[]);
+    let found = map_of(case.clone(), &[60.0], MapBand::Nodes);
+    let run = run(&case, true);
+    let numbers = at(&found, 60.0).numbers.unwrap();
+    assert_eq!(
+        (numbers.loss_w, numbers.efficiency),
+        (run.loss_w, Some(run.efficiency))
+    );
+    assert_eq!(numbers.film_w, run.kinds.film_w);
+    let drawn = run.loss_distribution.unwrap();
+    let [low, high] = numbers.loss_quantiles_w.unwrap();
+    let pairs = [
+        (numbers.loss_median_w.unwrap(), drawn.median_w),
+        (low, drawn.quantiles_w[0]),
+        (high, drawn.quantiles_w[1]),
+    ];
+    assert!(
+        pairs.iter().all(|(a, b)| (a / b - 1.0).abs() < 1e-12),
+        "{pairs:?}"
+    );
+    let ratio = found.ratio.unwrap();
+    assert!((ratio / (68.0 / 23.0 * 61.0 / 25.0) - 1.0).abs() < 1e-14);
+    // The parts of the meshes add up at every point.
+    let finish = &found.finishes[0];
+    for (index, point) in finish.points.iter().enumerate() {
+        let parts: Option<f64> = finish
+            .meshes
+            .iter()
+            .map(|mesh| mesh.loss_torque_nm[index])
+            .sum();
+        let whole = point.numbers.unwrap().loss_torque_nm;
+        assert!((parts.unwrap() / whole - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_map_of_a_train_is_the_sum_of_the_maps_of_its_meshes() {
+    let case = train(TWO_STAGES, &[]);
+    let found = map_of(case.clone(), &[-60.0, 60.0], MapBand::None);
+    let mut sums = [0.0; 2];
+    for (mesh, turns) in case.meshes().zip([1.0, 23.0 / 68.0]) {
+        let torque = mesh.case.case.torque.si();
+        let axes = Axes::new(&[-torque, torque], &[4000.0 * turns], &[90.0]).unwrap();
+        let name = mesh.name.clone();
+        let single = Finish {
+            name,
+            case: mesh.case.clone(),
+        };
+        let single = map(&[single], &axes, MapBand::None, &|_, _| {}).unwrap();
+        for (sum, torque) in sums.iter_mut().zip([-torque, torque]) {
+            let mut points = single.finishes[0].points.iter();
+            let there = points.find(|point| point.torque_nm == torque && point.speed_rpm > 0.0);
+            *sum += there.unwrap().numbers.unwrap().loss_w;
+        }
+    }
+    for (sum, torque) in sums.into_iter().zip([-60.0, 60.0]) {
+        // The speed of the second mesh is rounded otherwise.
+        let loss = at(&found, torque).numbers.unwrap().loss_w;
+        assert!((loss / sum - 1.0).abs() < 1e-12, "{loss} {sum}");
+    }
+    // The output drives: the power in is larger by the loss than the stated one.
+    let numbers = at(&found, -60.0).numbers.unwrap();
+    let stated = 60.0 * 4000.0 * std::f64::consts::PI / 30.0;
+    let expected = 1.0 - numbers.loss_w / (stated + numbers.loss_w);
+    assert!((numbers.efficiency.unwrap() - expected).abs() < 1e-12);
+}
+
+#[test]
+fn a_set_whose_ring_turns_has_the_loss_and_the_efficiency_of_its_run() {
+    let case = train(SET, &[]);
+    let found = map_of(case.clone(), &[60.0], MapBand::None);
+    let run = run(&case, false);
+    let numbers = at(&found, 60.0).numbers.unwrap();
+    assert!((numbers.loss_w / run.loss_w - 1.0).abs() < 1e-12);
+    assert!((numbers.efficiency.unwrap() - run.efficiency).abs() < 1e-12);
+    let counts: Vec<u32> = found.finishes[0]
+        .meshes
+        .iter()
+        .map(|mesh| mesh.count)
+        .collect();
+    assert_eq!(counts, [1, 3, 3]);
+    // Two shafts turn whose torque follows.
+    assert_eq!(found.ratio, None);
+}
+
+#[test]
+fn losses_that_are_passed_on_are_refused() {
+    let case = train(TWO_STAGES, &[("train.losses", "passed-on")]);
+    let axes = Axes::new(&[60.0], &[4000.0], &[90.0]).unwrap();
+    let name = String::new();
+    let refused = map(&[Finish { name, case }], &axes, MapBand::None, &|_, _| {});
+    assert_eq!(refused.unwrap_err().code(), "E205");
+}
+
+#[test]
+fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
+    let case = train(TWO_STAGES, &[]);
+    let found = map_of(case, &[0.0, 60.0], MapBand::Nodes);
+    // The map as written and read again.
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path().join("map");
+    found.write(MapExtras::default(), &folder).unwrap();
+    let found = read(&folder).unwrap();
+    assert!(
+        found
+            .summary(MapExtras::default())
+            .contains("ground at the largest loss: first ")
+    );
+    let text = "time_s,torque_nm,speed_rpm\n0,60,4000\n1800,60,4000\n3600,60,4000\n";
+    let constant = cycle(text, None).unwrap();
+    let energies = evaluate(&found, 1, (&constant, "constant"), false).unwrap();
+    let numbers = at(&found, 60.0).numbers.unwrap();
+    let finish = &energies.finishes[0];
+    assert!((finish.lost_wh / numbers.loss_w - 1.0).abs() < 1e-12);
+    // The draws are common to the cycle, the sampling less so.
+    let [low, high] = numbers.loss_quantiles_w.unwrap();
+    let [low_wh, high_wh] = finish.lost_quantiles_wh.unwrap();
+    assert!(low_wh > 0.99 * low && high_wh < 1.01 * high && high_wh - low_wh > 0.8 * (high - low));
+    // Without torque there is no power of which the loss is a share.
+    let idle = map_of(train(TWO_STAGES, &[]), &[0.0], MapBand::None);
+    assert!(!idle.summary(MapExtras::default()).contains("inf"));
+    // A vehicle is a table of the train, too.
+    let driven = cycle(
+        "time_s,speed_km_h\n0,0\n10,20\n20,20\n",
+        found.input.vehicle(),
+    )
+    .unwrap();
+    assert!(
+        evaluate(&found, 0, (&driven, "driven"), false)
+            .unwrap()
+            .finishes[0]
+            .lost_wh
+            > 0.0
+    );
+}
+
+#[test]
+fn seals_and_bearings_are_the_added_part_of_a_map() {
+    let bearing = |at: &str| {
+        format!(
+            r#"{{ shaft = "counter", at = "{at}", kind = "cylindrical-roller", bore = "40 mm", outside_diameter = "80 mm", r1 = 1.09e-6, s1 = 0.16, s2 = 0.0015, k_z = 5.1, k_rs = 3e-8, mu_bl = 0.12, mu_ehl = 0.02, locating = {} }}"#,
+            at.starts_with('0')
+        )
+    };
+    let stated = format!(
+        r#"{{ seals = [{{ shaft = "output", diameter = "50 mm" }}], bearings = [{}, {}] }}"#,
+        bearing("0 mm"),
+        bearing("150 mm")
+    );
+    let keys = [
+        ("gearbox", stated.as_str()),
+        ("mesh.first.at", "40 mm"),
+        ("mesh.first.angle", "0 deg"),
+        ("mesh.first.hand", "right"),
+        ("mesh.second.at", "110 mm"),
+        ("mesh.second.angle", "200 deg"),
+    ];
+    let case = train(TWO_STAGES, &keys);
+    let found = map_of(case.clone(), &[0.0, 60.0], MapBand::None);
+    let run = run(&case, false);
+    let gearbox = found.gearbox.as_ref().unwrap();
+    assert_eq!(gearbox.parts, ["seal 1", "bearing 1", "bearing 2"]);
+    let points = &found.finishes[0].points;
+    let there = points
+        .iter()
+        .position(|point| std::ptr::eq(point, at(&found, 60.0)));
+    let omega = 4000.0 * std::f64::consts::PI / 30.0;
+    let parts = gearbox.loss_torque_nm[there.unwrap()] * omega;
+    assert!((parts / run.gearbox.unwrap().parts_w - 1.0).abs() < 1e-12);
+    // Exports hold them as the added part, and the meshes stay as they are.
+    let fields = Field::all(&found, 0, None).unwrap();
+    let across = fields[1].speed_rpm.len();
+    let index = fields[1]
+        .torque_nm
+        .iter()
+        .position(|torque| *torque == 60.0)
+        .unwrap()
+        * across
+        + across
+        - 1;
+    assert_eq!(fields[1].added_nm.as_ref().unwrap()[index], parts / omega);
+    assert_eq!(fields[1].mesh_nm[index], run.loss_w / omega);
+    assert!(found.summary(MapExtras::default()).contains("W431"));
+}
