@@ -374,6 +374,7 @@ class GearboxInput(TypedDict, total=False):
 class BearingInput(TypedDict, total=False):
     """A rolling bearing with its load."""
 
+    at: Optional[Quantity]
     at_torque: Optional[Quantity]
     axial: Optional[Quantity]
     axial_factor: Optional[float]
@@ -381,6 +382,7 @@ class BearingInput(TypedDict, total=False):
     k_rs: Optional[float]
     k_z: Optional[float]
     kind: Optional[Literal["deep-groove-ball", "cylindrical-roller", "tapered-roller"]]
+    locating: Optional[bool]
     mu_bl: Optional[float]
     mu_ehl: Optional[float]
     name: Optional[str]
@@ -390,7 +392,7 @@ class BearingInput(TypedDict, total=False):
     radial: Optional[Quantity]
     s1: Optional[float]
     s2: Optional[float]
-    shaft: Optional[Literal["pinion", "wheel"]]
+    shaft: Optional[str]
     static_rating: Optional[Quantity]
 
 
@@ -406,7 +408,7 @@ class SealInput(TypedDict, total=False):
 
     diameter: Optional[Quantity]
     name: Optional[str]
-    shaft: Optional[Literal["pinion", "wheel"]]
+    shaft: Optional[str]
 
 
 class GearsInput(TypedDict, total=False):
@@ -591,6 +593,7 @@ class OperationInput(TypedDict, total=False):
     oil_temperature: Optional[Quantity]
     speed: Optional[Quantity]
     temperature: Optional[Quantity]
+    temperature_deviation: Optional[Quantity]
     torque: Optional[Quantity]
 
 
@@ -693,7 +696,7 @@ TraceInput = TypedDict(
 
 
 class VehicleInput(TypedDict, total=False):
-    """A vehicle whose speed over time makes torque and speed of the pinion."""
+    """A vehicle whose speed over time makes torque and speed of the pinion or input shaft."""
 
     drag_area: Optional[Quantity]
     grade: Optional[Union[float, str]]
@@ -746,6 +749,14 @@ class PlanetarySurfaceInput(TypedDict, total=False):
     sun: Optional[Union[FlankInput, str, PathLike[str], Profile]]
 
 
+class TrainGearboxInput(TypedDict, total=False):
+    """Seals and bearings of a gear train; only the losses stated here are added to the losses of the meshes."""
+
+    bearings: Optional[Sequence[BearingInput]]
+    seals: Optional[Sequence[SealInput]]
+    temperature: Optional[Quantity]
+
+
 class HeatInput(TypedDict, total=False):
     """Heat from the oil through the housing to the ambient air."""
 
@@ -768,7 +779,11 @@ class TrainMaterialInput(TypedDict, total=False):
 class MeshInput(TypedDict, total=False):
     """A mesh of a gear train: a pair of gears, or a planetary set."""
 
+    angle: Optional[Quantity]
+    at: Optional[Quantity]
+    bulk: Optional[BulkInput]
     gears: Optional[GearsInput]
+    hand: Optional[Literal["left", "right"]]
     material: Optional[TrainMaterialInput]
     planetary: Optional[PlanetaryInput]
     shafts: Optional[Sequence[str]]
@@ -805,7 +820,7 @@ class CaseTables(TypedDict, total=False):
     """Tables of a case, and its operating point as numbers."""
 
     calibration: Optional[CalibrationInput]
-    gearbox: Optional[GearboxInput]
+    gearbox: Optional[Union[GearboxInput, TrainGearboxInput]]
     gears: Optional[GearsInput]
     lubricant: Optional[LubricantInput]
     map: Optional[MapInput]
@@ -1044,6 +1059,7 @@ CaseKeys = TypedDict(
         "operation.oil_temperature": "Optional[Quantity]",
         "operation.speed": "Optional[Quantity]",
         "operation.temperature": "Optional[Quantity]",
+        "operation.temperature_deviation": "Optional[Quantity]",
         "operation.torque": "Optional[Quantity]",
         "surface.coast": "Optional[CoastInput]",
         "surface.coast.pinion": "Optional[Union[FlankInput, str, PathLike[str], Profile]]",
