@@ -50,6 +50,16 @@ fn map(bench: &Bench, folder: &str, more: &[&str]) {
 }
 
 #[test]
+fn a_map_without_a_loss_is_refused() {
+    let bench = bench(E_DRIVE);
+    // Hertz pressures that no steel carries, at every point under load.
+    let axes = ["--torque=900000,1000000", "--speed=4000,9000"];
+    let said = bench.run(&[&["map", "case.toml", "-o", "m"][..], &axes].concat());
+    said.refused(2, "E212", &["no point of the map has a loss"]);
+    assert!(!bench.path("m/map.csv").exists());
+}
+
+#[test]
 fn quantiles_at_the_nodes_of_a_map_are_those_of_runs() {
     let bench = bench(E_DRIVE);
     let axes = [

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use asperity::case::CaseInput;
 use asperity::case::gear_train::LoadedTrain;
+use asperity::message::explain;
 use asperity::pipeline::KeptFields;
 use asperity_storage::whole_text;
 use asperity_studies::compare::Finish;
@@ -51,6 +52,12 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let watch = |done, total| progress.at(done, total);
     let map = map::map(&finishes, &axes, args.band.points(), &watch)
         .map_err(|error| Failure::about(&args.case, &error))?;
+    if let Some(code) = map.refused() {
+        let code = explain(code).map_or("E301", |known| known.code);
+        let message = "no point of the map has a loss";
+        let advice = "Run the case at one of its points: asperity run names the cause.";
+        return Err(Failure::new(code, message).advising(advice));
+    }
     progress.begin(WRITING);
     let with = With {
         added: added.as_ref(),

@@ -166,6 +166,15 @@ impl Numbers {
 }
 
 impl Map {
+    /// Error code of the first point under load, if no point under load has a loss.
+    #[must_use]
+    pub fn refused(&self) -> Option<&str> {
+        let points = self.finishes.iter().flat_map(|finish| &finish.points);
+        let mut loaded = points.filter(|point| point.torque_nm != 0.0 && point.speed_rpm != 0.0);
+        let first = loaded.next()?.code.as_deref()?;
+        loaded.all(|point| point.code.is_some()).then_some(first)
+    }
+
     /// Shafts at which power enters and leaves, in words.
     pub(crate) fn shafts(&self) -> [&'static str; 2] {
         match self.input {
