@@ -128,7 +128,8 @@ impl EvidenceTable {
     }
 }
 
-/// Executes the run of `case`; if it has an interval, its result has the measurements that would narrow it, with their usual hours.
+/// Executes the run of `case`; if it has an interval, its result has the measurements that would narrow it, with their usual
+/// hours.
 ///
 /// # Errors
 /// As [`Run::execute`].

@@ -132,7 +132,8 @@ impl GearTrain {
     ///
     /// T₁ + T₂ + T_c = 0,  T₁(ω₁ − ω_c) + T₂(ω₂ − ω_c) = P_loss                   [Train-2]
     ///
-    /// The torque into a shaft is the sum of its torques on the stages and of its drag. Without losses the torques of the gears are in the ratio of their tooth numbers.
+    /// The torque into a shaft is the sum of its torques on the stages and of its drag. Without losses the torques of the gears
+    /// are in the ratio of their tooth numbers.
     ///
     /// # Errors
     /// When a torque does not follow from the stated ones, or contradicts them.

@@ -35,8 +35,8 @@ impl Normal {
     }
 }
 
-/// White noise of `columns` by `rows` points, smoothed with Gaussian weights of widths [a, b] in points along and across the rows:
-/// its spectrum is elliptical, and the correlation lengths are in the ratio a/b = γ.
+/// White noise of `columns` by `rows` points, smoothed with Gaussian weights of widths [a, b] in points along and across
+/// the rows: its spectrum is elliptical, and the correlation lengths are in the ratio a/b = γ.
 pub fn smoothed(columns: usize, rows: usize, widths: [f64; 2], seed: u64) -> Vec<f64> {
     let reach = widths.map(|width| (4.0 * width).ceil() as usize);
     let [wide, high] = [columns + 2 * reach[0], rows + 2 * reach[1]];

@@ -99,7 +99,6 @@ pub(crate) fn two_digits(value: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 

@@ -17,8 +17,8 @@ const CUT: f64 = 0.005;
 const SEED: u64 = 3;
 /// Axes besides the constants.
 const FACTORS: usize = 6;
-/// Constants whose axes precede the factors, and those whose axes follow them; the error of the film law, the later constants and
-/// the law of pressure follow these: an axis that is appended leaves the others as they are.
+/// Constants whose axes precede the factors, and constants whose axes follow them. The error of the film law, the later
+/// constants and the law of pressure come next: an axis that is appended leaves the others as they are.
 const FIRST: usize = 6;
 const SECOND: usize = 8;
 const FILM_LAW: usize = SECOND + FACTORS;
