@@ -90,7 +90,7 @@ pub enum TrainPartKind {
         bearing: RollingBearing,
         /// Places of both bearings of the shaft.
         places: [Length; 2],
-        /// Whether it is the second one of them.
+        /// Its number among them, 0 or 1.
         number: usize,
         /// The bearing that carries the axial force.
         locating: usize,
