@@ -4,7 +4,7 @@
 //! is read, ignoring case.
 
 use super::bytes::part;
-use super::mat_elements::{Array, arrays};
+use super::mat_elements::arrays;
 use super::raw::{Layout, Raw};
 use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::archive::damaged;
@@ -25,36 +25,14 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
     match part(bytes, 124, 4) {
         Some(LEVEL_5) => {}
-        Some(LEVEL_7_3) => {
-            return Err(ReadError::FormatNotRead {
-                file: file.to_owned(),
-                format: Format::Hdf5,
-            });
-        }
+        Some(LEVEL_7_3) => return super::hdf5_read(file, bytes, FORMAT),
         _ => return Err(fault("only level 5 with the low byte first is read", "")),
     }
     let mut all =
         arrays(bytes).ok_or_else(|| fault("an array is cut off or cannot be unpacked", ""))?;
     all.retain(|array| array.rows.max(array.columns) > 1);
-    let named = |array: &Array| NAMES.contains(&array.name.to_lowercase().as_str());
-    let at = match all.len() {
-        0 => {
-            return Err(ReadError::NotHeights {
-                file: file.to_owned(),
-                format: FORMAT,
-                content: "no array of real numbers",
-            });
-        }
-        1 => 0,
-        _ => all.iter().position(named).ok_or_else(|| {
-            let names: Vec<&str> = all.iter().map(|array| array.name.as_str()).collect();
-            ReadError::SeveralArrays {
-                file: file.to_owned(),
-                names: shortened(&names.join(", ")),
-            }
-        })?,
-    };
-    let array = all.swap_remove(at);
+    let all = all.into_iter().map(|array| (array.name.clone(), array));
+    let (name, array) = chosen(file, FORMAT, all.collect())?;
     // A row or column vector is a profile.
     let (columns, rows) = match array.columns {
         1 => (array.rows, 1),
@@ -75,6 +53,36 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     let raw = raw.ok_or_else(|| fault("an array has fewer numbers than its size", ""))?;
     let mut found = Areal::new(FORMAT, Heights::Raw(raw));
     found.unit = HeightUnit::Unstated;
-    found.metadata.title = short(&array.name);
+    found.metadata.title = short(&name);
     Ok(found)
+}
+
+/// The only array, or of several the one with the name of heights, in whichever group it is.
+pub(super) fn chosen<T>(
+    file: &str,
+    format: Format,
+    mut all: Vec<(String, T)>,
+) -> Result<(String, T), ReadError> {
+    let is_named = |(name, _): &(String, T)| {
+        let name = name.rsplit('/').next().unwrap_or_default().to_lowercase();
+        NAMES.contains(&name.as_str())
+    };
+    let at = match all.len() {
+        0 => {
+            return Err(ReadError::NotHeights {
+                file: file.to_owned(),
+                format,
+                content: "no array of real numbers",
+            });
+        }
+        1 => 0,
+        _ => all.iter().position(is_named).ok_or_else(|| {
+            let names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
+            ReadError::SeveralArrays {
+                file: file.to_owned(),
+                names: shortened(&names.join(", ")),
+            }
+        })?,
+    };
+    Ok(all.swap_remove(at))
 }

@@ -7,6 +7,8 @@
 mod al3d;
 mod bytes;
 mod gwy;
+#[cfg(feature = "hdf5")]
+mod hdf5;
 mod held;
 mod ibw;
 mod inflate;
@@ -54,6 +56,28 @@ pub(crate) fn read(
         Format::Gwyddion => gwy::read(file, &held(stream)?)?,
         Format::NanosurfNid => nid::read(file, held(stream)?)?,
         Format::IgorWave => ibw::read(file, &held(stream)?)?,
+        Format::Hdf5 | Format::ZygoDatx => hdf5_read(file, &held(stream)?, format)?,
         _ => return Ok(None),
     }))
+}
+
+/// The surface or profile in a file that is HDF5, in a build that reads HDF5.
+#[cfg(feature = "hdf5")]
+fn hdf5_read(file: &str, bytes: &[u8], format: Format) -> Result<Areal, ReadError> {
+    match format {
+        Format::ZygoDatx => hdf5::datx(file, bytes),
+        _ => hdf5::arrays(file, bytes, format),
+    }
+}
+
+/// Refuses a file that is HDF5.
+#[cfg(not(feature = "hdf5"))]
+fn hdf5_read(file: &str, _: &[u8], format: Format) -> Result<Areal, ReadError> {
+    Err(ReadError::FormatNotRead {
+        file: file.to_owned(),
+        format: match format {
+            Format::Matlab => Format::Hdf5,
+            format => format,
+        },
+    })
 }
