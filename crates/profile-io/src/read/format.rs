@@ -63,8 +63,7 @@ formats! {
     /// A workbook as a zip.
     Excel "workbook (xlsx, ods)" [] ["xlsx", "xlsm", "ods"] SEVERAL;
     /// A workbook of Excel 97 to 2003.
-    ExcelBinary "Excel workbook before 2007 (xls)" [b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"] ["xls"] ONE
-        "save it as xlsx, or as text with an x and a height column";
+    ExcelBinary "Excel workbook before 2007 (xls)" [b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"] ["xls"] SEVERAL;
     /// Mitutoyo SurfTest workbook.
     MitutoyoXlsx "Mitutoyo SurfTest workbook" [] [] ONE;
     /// Bruker Dektak, binary.

@@ -58,6 +58,7 @@ mod trace;
 mod units;
 mod workbook;
 mod x3p;
+mod xls;
 mod xml;
 
 use std::io::{Cursor, Read, Seek};
@@ -165,8 +166,9 @@ fn surface_of(
     let zipped = start.bytes.starts_with(recognise::ZIP);
     let found = match format {
         Some(Format::X3p) => x3p::surface(name, stream, start.size)?,
-        Some(Format::Excel) if zipped => {
-            let mut bytes = Cursor::new(workbook::read(name, stream, start.size, options)?.text);
+        Some(format) if is_workbook(format, zipped) => {
+            let table = workbook::read(name, format, stream, start.size, options)?;
+            let mut bytes = Cursor::new(table.text);
             let start = Start::of(name, &mut bytes)?;
             let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
             delimited::surface(&head, &mut text, options)?
@@ -198,6 +200,10 @@ fn format_of(name: &str, stream: &mut dyn Stream, start: &Start) -> Option<Forma
         None if areal::is_plu(&start.bytes) => Some(Format::SensofarPlu),
         format => format,
     }
+}
+
+fn is_workbook(format: Format, zipped: bool) -> bool {
+    (format == Format::Excel && zipped) || format == Format::ExcelBinary
 }
 
 /// Opens a file for repeated reading; standard input is stored in memory.
@@ -331,8 +337,8 @@ fn trace_of(
         Some(Format::X3p) => {
             return x3p::read(name, stream, start.size, options)?.finish(name, options);
         }
-        Some(Format::Excel) if zipped => {
-            let table = workbook::read(name, stream, start.size, options)?;
+        Some(format) if is_workbook(format, zipped) => {
+            let table = workbook::read(name, format, stream, start.size, options)?;
             return trace_of_table(name, table, options);
         }
         Some(Format::NplXml) => return npl_xml::read(name, stream)?.finish(name, options),

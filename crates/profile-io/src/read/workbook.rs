@@ -1,4 +1,4 @@
-//! Workbooks (`.xlsx`, `.ods`): the longest table of numbers in a sheet, read as a table of text with its labels.
+//! Workbooks (`.xlsx`, `.ods`, `.xls`): the longest table of numbers in a sheet, read as a table of text with its labels.
 //!
 //! The rows of the table keep their numbers, so that messages name them. A row above the table is a line of the header:
 //! the labels of the columns, or a name with its value. Mitutoyo SurfTest workbooks (`.xlsx` of the USB communication
@@ -17,6 +17,7 @@ use super::header::FilterState;
 use super::metadata::{self, Metadata, PrintedParameter, short};
 use super::options::ReadOptions;
 use super::text::Stream;
+use super::xls;
 use super::xml::walk;
 
 const FORMAT: Format = Format::Excel;
@@ -27,7 +28,7 @@ const MOST_ROWS: usize = 1 << 20;
 /// Maximum number of cells of a sheet.
 const MOST_CELLS: usize = 50_000_000;
 /// Maximum number of shared texts.
-const MOST_TEXTS: usize = 100_000;
+pub(super) const MOST_TEXTS: usize = 100_000;
 /// Maximum number of texts of a sheet.
 const MOST_LABELS: usize = 5000;
 /// A column belongs to a table if it has at least this part of the numbers of its longest column.
@@ -35,7 +36,7 @@ const MOSTLY: f64 = 0.9;
 
 /// One sheet: its texts and its numbers, with row and column from 0.
 #[derive(Default)]
-struct Sheet {
+pub(super) struct Sheet {
     /// Texts in reading order.
     labels: Vec<(usize, usize, String)>,
     /// Numbers by column, in the order of the rows.
@@ -56,14 +57,20 @@ pub(super) struct Table {
 /// Reads the table of a workbook: of several sheets with tables as long, the one that `options` chooses.
 pub(super) fn read(
     file: &str,
+    format: Format,
     stream: &mut dyn Stream,
     size: u64,
     options: &ReadOptions,
 ) -> Result<Table, ReadError> {
-    let mut archive = Archive::open(file, FORMAT, stream, size)?;
-    let sheets = match archive.holds("content.xml") {
-        true => open_document(file, &mut archive)?,
-        false => office_open(file, &mut archive)?,
+    let sheets = match format {
+        Format::ExcelBinary => xls::sheets(file, stream, size)?,
+        _ => {
+            let mut archive = Archive::open(file, FORMAT, stream, size)?;
+            match archive.holds("content.xml") {
+                true => open_document(file, &mut archive)?,
+                false => office_open(file, &mut archive)?,
+            }
+        }
     };
     let mut metadata = Metadata::default();
     let mut filter_state = FilterState::Unknown;
@@ -102,7 +109,7 @@ pub(super) fn read(
         return Err(match longest.first() {
             None => ReadError::NotHeights {
                 file: file.to_owned(),
-                format: FORMAT,
+                format,
                 content: "no columns of a hundred numbers",
             },
             Some((_, block)) => ReadError::SeveralProfiles {
@@ -119,7 +126,7 @@ pub(super) fn read(
         format: if is_mitutoyo {
             Format::MitutoyoXlsx
         } else {
-            FORMAT
+            format
         },
         filter_state,
         metadata,
@@ -194,7 +201,7 @@ fn sheet(
                 }
                 _ => {}
             }
-            sheet.cells < MOST_CELLS
+            !sheet.is_full()
         });
         match sound {
             true => Ok(sheet),
@@ -234,7 +241,7 @@ fn open_document(file: &str, archive: &mut Archive<'_>) -> Result<Vec<Sheet>, Re
                 }
                 _ => {}
             }
-            sheet.cells < MOST_CELLS && sheets.len() < MOST_COLUMNS
+            !sheet.is_full() && sheets.len() < MOST_COLUMNS
         });
         match sound {
             true => Ok(sheets),
@@ -254,7 +261,7 @@ struct Block {
 }
 
 impl Sheet {
-    fn label(&mut self, row: usize, column: usize, text: &str) {
+    pub(super) fn label(&mut self, row: usize, column: usize, text: &str) {
         let text = text.trim();
         if !text.is_empty() && self.labels.len() < MOST_LABELS {
             self.labels.push((row, column, text.to_owned()));
@@ -262,13 +269,22 @@ impl Sheet {
     }
 
     fn number(&mut self, row: usize, column: usize, value: &str) {
-        if let Some(number) = metadata::number(value)
+        self.value(row, column, metadata::number(value));
+    }
+
+    pub(super) fn value(&mut self, row: usize, column: usize, value: Option<f64>) {
+        if let Some(number) = value.filter(|number| number.is_finite())
             && column < MOST_COLUMNS
             && row < MOST_ROWS
         {
             self.cells += 1;
             self.columns.entry(column).or_default().push((row, number));
         }
+    }
+
+    /// Whether the sheet has the maximum number of cells.
+    pub(super) fn is_full(&self) -> bool {
+        self.cells >= MOST_CELLS
     }
 
     /// The longest columns of numbers; `None` if they are too short for a profile.

@@ -6,7 +6,7 @@ mod archives;
 mod areal;
 mod areal_files;
 mod every;
-mod hdf5;
 mod layouts;
+mod libraries;
 mod samples;
 mod text;

@@ -3,7 +3,7 @@
 use encoding_rs::WINDOWS_1252;
 
 /// A number of fixed width.
-pub(super) trait Plain: Sized {
+pub(crate) trait Plain: Sized {
     /// Number of bytes.
     const WIDTH: usize;
     fn little(bytes: &[u8]) -> Option<Self>;
@@ -32,7 +32,7 @@ pub(super) fn part(bytes: &[u8], at: usize, length: usize) -> Option<&[u8]> {
 }
 
 /// The number at `at`, low byte first.
-pub(super) fn little<T: Plain>(bytes: &[u8], at: usize) -> Option<T> {
+pub(crate) fn little<T: Plain>(bytes: &[u8], at: usize) -> Option<T> {
     T::little(part(bytes, at, T::WIDTH)?)
 }
 

@@ -5,7 +5,7 @@
 //! layout; no code of other readers is used.
 
 mod al3d;
-mod bytes;
+pub(super) mod bytes;
 mod gwy;
 #[cfg(feature = "hdf5")]
 mod hdf5;

@@ -1,14 +1,15 @@
-//! HDF5 files that the library in C has written (references/hdf5_files.py): every point, the spacing, the unit.
+//! Files that libraries of others have written (references/library_files.py): HDF5 and xls.
 
 use asperity_profile_io::read::{
     Format, ReadError, ReadOptions, Surface, TraceLine, read_bytes, read_surface_bytes,
 };
 
-const OWN: &[u8] = include_bytes!("../hdf5/own.h5");
-const MATLAB: &[u8] = include_bytes!("../hdf5/level_7_3.mat");
-const NANOMETRES: &[u8] = include_bytes!("../hdf5/nanometres.datx");
-const FRINGES: &[u8] = include_bytes!("../hdf5/fringes.datx");
-const FURLONGS: &[u8] = include_bytes!("../hdf5/furlongs.datx");
+const OWN: &[u8] = include_bytes!("../made/own.h5");
+const MATLAB: &[u8] = include_bytes!("../made/level_7_3.mat");
+const NANOMETRES: &[u8] = include_bytes!("../made/nanometres.datx");
+const FRINGES: &[u8] = include_bytes!("../made/fringes.datx");
+const WORKBOOK: &[u8] = include_bytes!("../made/workbook.xls");
+const FURLONGS: &[u8] = include_bytes!("../made/furlongs.datx");
 const SIZE: (usize, usize) = (120, 6);
 
 fn stated() -> ReadOptions {
@@ -110,5 +111,25 @@ fn hdf5_without_heights_and_damaged_hdf5_is_refused() {
                 .all(|code| ["read", "E117", "E320", "E321"].contains(code))
         );
         assert_eq!(codes[0], "E117");
+    }
+}
+
+#[test]
+fn a_workbook_before_2007_is_read_by_its_labels() {
+    let reading = read_bytes("a.xls", WORKBOOK, &ReadOptions::default()).unwrap();
+    assert_eq!(reading.format, Format::ExcelBinary);
+    assert_eq!(
+        (reading.points, reading.spacing),
+        (200, "0.5 um".parse().unwrap())
+    );
+    assert_eq!(reading.z_unit, "um".parse().unwrap());
+    for (i, z) in reading.profile.heights().iter().enumerate() {
+        let exact = (0.1 * (i % 7) as f64 + 0.025 * (i % 3) as f64) * 1e-6;
+        assert!((z - exact).abs() < 1e-15, "{i}: {z}");
+    }
+    assert!(reading.warnings.is_empty(), "{:?}", reading.warnings);
+    for end in (0..WORKBOOK.len()).step_by(501) {
+        // The rest of a compound file is its directory; without it nothing is found.
+        assert!(read_bytes("a.xls", &WORKBOOK[..end], &ReadOptions::default()).is_err());
     }
 }

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Make the HDF5 files of crates/profile-io/tests/hdf5 with h5py, which uses the HDF5 library in C.
+"""Make the files of crates/profile-io/tests/made: HDF5 with h5py, which uses the library in C, and xls with xlwt.
 
 The surface has 120 columns and 6 rows; height of column i in row j: (i + 100 j) nm, none at column 2 of row 3.
-Usage: hdf5_files.py FOLDER
+The workbook has 200 points at 0.5 um; height of point i: 0.1 (i % 7) + 0.025 (i % 3) um.
+
+Usage: library_files.py FOLDER
 """
 
 import sys
@@ -10,6 +12,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+import xlwt
 
 COLUMNS, ROWS = 120, 6
 NM = np.arange(COLUMNS)[None, :] + 100.0 * np.arange(ROWS)[:, None]
@@ -58,6 +61,23 @@ def datx(path: Path, unit: str, per_nm: float, mark: float = NO_DATA) -> None:
         surface.attrs["No Data"] = np.array([mark])
 
 
+def workbook(path: Path) -> None:
+    """A sheet of remarks, whose texts fill several records, and a sheet with whole numbers, hundredths and doubles."""
+    book = xlwt.Workbook()
+    remarks = book.add_sheet("remarks")
+    for row in range(300):
+        remarks.write(row, 0, f"remark {row} " + "äµλ"[row % 3] * (row % 30) + "Ω" * (row % 2))
+    sheet = book.add_sheet("profile")
+    sheet.write(0, 0, "Part")
+    sheet.write(0, 1, "flank 7")
+    for column, label in enumerate(["Position (mm)", "Height (µm)", "Temperature"]):
+        sheet.write(1, column, label)
+    for i in range(200):
+        for column, value in enumerate([0.0005 * i, 0.1 * (i % 7) + 0.025 * (i % 3), 20 + i % 2]):
+            sheet.write(i + 2, column, value)
+    book.save(str(path))
+
+
 if __name__ == "__main__":
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
@@ -66,3 +86,4 @@ if __name__ == "__main__":
     datx(folder / "nanometres.datx", "NanoMeters", 1.0)
     datx(folder / "fringes.datx", "Fringes", 1 / 300)
     datx(folder / "furlongs.datx", "Furlongs", 1.0)
+    workbook(folder / "workbook.xls")
