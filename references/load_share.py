@@ -3,8 +3,9 @@
 Computes the 18 windows of `crates/mixed-film/tests/golden/load_share.json` from the traces in `fixtures/profiles`:
 preparation by Gaussian filters (2.5 um, 0.25 mm); attenuation of the waves 1/(1 + 0.125 N + 0.04 N^2), N = (l/a) M^(3/4)
 L^(-1/2); inlet factor sqrt(1 + 2.342 (s/h_c)^2); contact of the flanks under (1 - phi) of Hertz' pressure from the film by
-the conjugate gradients of `rough_contact.py`; phi where the mean gap over 0.8 a is h_c Psi (1 - phi)^(-0.16); films of the
-spots by Moes; friction (1 - phi) mu_f + phi ((1 - beta) mu_a + beta mu_b) with the heat of `film_friction.py`.
+the conjugate gradients of `rough_contact.py`; phi where the mean gap over 0.8 a is h_c Psi (1 - phi)^(-0.16); films by
+Moes of the spots, whose width is 32 (int p dx)^2/(3 pi^2 int p^2 dx); friction (1 - phi) mu_f + phi ((1 - beta) mu_a +
+beta mu_b) with the heat of `film_friction.py`.
 """
 
 import json
@@ -142,7 +143,8 @@ class Window:
         eta, alpha, twice = self.oil.eta(surface), self.oil.alpha(surface), 2 * E_STAR
         total = boundary = wet = sheared = film = 0.0
         for low, high in zip(edges[::2], edges[1::2]):
-            load, width = p[low:high].sum() * SPACING, (high - low) * SPACING
+            load, squares = p[low:high].sum() * SPACING, (p[low:high] ** 2).sum() * SPACING
+            width = 32 * load**2 / (3 * np.pi**2 * squares)
             radius = np.pi * E_STAR * (width / 2) ** 2 / (4 * load)
             h = radius * moes(alpha * twice, eta * self.speed / (twice * radius), load / (twice * radius))
             beta = 1 / (1 + h / LAYER)

@@ -3,6 +3,8 @@
 //! The film carries 1 − φ of the load as that share of the Hertz pressure and deforms both flanks; the
 //! asperities carry φ on the roughness as it is outside the contact, up to the flow pressure.
 
+use std::f64::consts::PI;
+
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::{
     Boundary, ContactProblem, ContactSolution, Control, Solver, SolverSettings,
@@ -17,6 +19,8 @@ use crate::error::LoadShareError;
 const CORE: f64 = 0.8;
 /// Least flow pressure over the Hertz pressure.
 const LEAST_FLOW_PRESSURE: f64 = 1.5;
+/// Width of a Hertz contact times ∫ p² dx over (∫ p dx)²: 2a · (4/3) a p₀²/(π a p₀/2)².
+const HERTZ_WIDTH: f64 = 32.0 / (3.0 * PI * PI);
 /// Starts are kept this far below the pressure limit, so that no cell begins fixed.
 const BELOW_LIMIT: f64 = 0.999;
 
@@ -44,8 +48,29 @@ pub struct RoughWindow<'a> {
 pub struct Spot {
     /// Load f_k per metre of face.
     pub load: LineLoad,
-    /// Width b_k.
+    /// Width b_k of the Hertz contact with the same load and the same ∫ p² dx.
     pub width: Length,
+}
+
+impl Spot {
+    /// The spot under the pressures `cells` \[Pa\], `spacing` apart.
+    ///
+    /// ```text
+    /// f_k = ∫ p dx,  b_k = 32 f_k²/(3 π² ∫ p² dx)                              [Spot-width]
+    /// ```
+    ///
+    /// In a Hertz contact of half width a, f = π a p₀/2 and ∫ p² dx = 4 a p₀²/3: b = 2a. Unlike the number of loaded
+    /// cells, the width is a continuous function of the pressures, also where a cell enters or leaves at an end.
+    fn of(cells: &[f64], spacing: Length) -> Self {
+        cite!("Spot-width");
+        let dx = spacing.si();
+        let load = cells.iter().sum::<f64>() * dx;
+        let squares = cells.iter().map(|p| p * p).sum::<f64>() * dx;
+        Self {
+            load: LineLoad::from_si(load),
+            width: Length::from_si(HERTZ_WIDTH * load * load / squares),
+        }
+    }
 }
 
 /// The contact at one asperity share.
@@ -243,9 +268,37 @@ fn spots(pressure: &[f64], spacing: Length) -> Vec<Spot> {
     pressure
         .chunk_by(|p, q| (*p > 0.0) == (*q > 0.0))
         .filter(|cells| cells[0] > 0.0)
-        .map(|cells| Spot {
-            load: LineLoad::from_si(cells.iter().sum::<f64>() * spacing.si()),
-            width: spacing * cells.len() as f64,
-        })
+        .map(|cells| Spot::of(cells, spacing))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spot_with_hertz_pressure_has_the_width_of_the_hertz_contact() {
+        let [half, peak, spacing] = [12e-6, 1.3e9, 0.05e-6];
+        let places = (-260..=260).map(|i| f64::from(i) * spacing / half);
+        let cells: Vec<f64> = places
+            .map(|x| peak * (1.0 - x * x).max(0.0).sqrt())
+            .filter(|p| *p > 0.0)
+            .collect();
+        let spot = Spot::of(&cells, Length::from_si(spacing));
+        // The sum over cells misses the integral of the root at its ends by (dx/a)^1.5.
+        let error = (spacing / half).powf(1.5);
+        assert!((spot.load.si() / (0.5 * PI * half * peak) - 1.0).abs() < error);
+        assert!((spot.width.si() / (2.0 * half) - 1.0).abs() < error);
+    }
+
+    #[test]
+    fn the_width_of_a_spot_is_continuous_where_a_cell_enters_and_does_not_depend_on_the_pressure_scale() {
+        let spacing = Length::from_si(0.5e-6);
+        let width = |cells: &[f64]| Spot::of(cells, spacing).width.si();
+        let before = width(&[1e9, 2e9, 1e9]);
+        assert!((width(&[1e9, 2e9, 1e9, 1.0]) / before - 1.0).abs() < 1e-8);
+        assert!((width(&[1e3, 2e3, 1e3]) / before - 1.0).abs() < 1e-14);
+        // Even pressure over a strip: 32/(3 π²) = 1.081 of its width.
+        assert!((width(&[1e9; 4]) / 2e-6 - 1.080_759_1).abs() < 1e-6);
+    }
 }
