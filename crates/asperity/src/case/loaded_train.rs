@@ -3,6 +3,7 @@
 use asperity_core::quantity::Power;
 
 use super::any_input::AnyInput;
+use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::input::CaseInput;
 use super::known_keys::first_unknown;
@@ -11,7 +12,8 @@ use super::source::MeshKeys;
 use super::train_flow::{StageKind, Train};
 use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
-use super::train_parts::{TrainFile, TrainParts};
+use super::train_input::TrainCaseInput;
+use super::train_parts::TrainParts;
 use crate::error::Error;
 use crate::flanks::Surfaces;
 
@@ -78,17 +80,13 @@ impl From<LoadedCase> for LoadedTrain {
 
 impl LoadedTrain {
     /// The train of `parts` with the loaded case of each mesh, as `input` states it.
-    pub(super) fn of<T: TrainFile + Into<AnyInput>>(
-        parts: TrainParts,
-        cases: Vec<LoadedCase>,
-        input: T,
-    ) -> Self {
+    pub(super) fn of(parts: TrainParts, cases: Vec<LoadedCase>, input: TrainCaseInput) -> Self {
         let mut defaults: Vec<DefaultUsed> = Vec::new();
         for stage in &parts.stages {
             defaults.extend(stage.defaults.iter().cloned());
         }
         for (mesh, case) in parts.meshes().zip(&cases) {
-            add_defaults(&mut defaults, case, &mesh.keys, T::schema());
+            add_defaults(&mut defaults, case, &mesh.keys);
         }
         let mut cases = cases.into_iter();
         let stages = parts.stages.into_iter().map(|stage| LoadedStage {
@@ -213,12 +211,8 @@ impl LoadedTrain {
 }
 
 /// Adds the defaults of a mesh that are keys of the train.
-fn add_defaults(
-    defaults: &mut Vec<DefaultUsed>,
-    mesh: &LoadedCase,
-    keys: &MeshKeys,
-    schema: &serde_json::Value,
-) {
+fn add_defaults(defaults: &mut Vec<DefaultUsed>, mesh: &LoadedCase, keys: &MeshKeys) {
+    let schema = TrainCaseInput::schema();
     for default in &mesh.case.defaults {
         let key = match keys.in_train(&default.key) {
             Some(in_train) => in_train.into(),

@@ -6,7 +6,6 @@ use asperity_core::quantity::Length;
 use asperity_gear::GearError;
 use asperity_gear::gear_train::GearTrain;
 
-use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::input::CaseInput;
@@ -15,15 +14,6 @@ use super::source::{MeshKeys, Source};
 use super::train_flow::{StageKind, Train};
 use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
-
-/// A case file of a gear train.
-pub(super) trait TrainFile: CaseFile {
-    /// Table that describes the gears.
-    const TABLE: &'static str;
-
-    /// The train and the case of each mesh.
-    fn parts(&self, source: &Source) -> Result<TrainParts, CaseError>;
-}
 
 /// A gear train with the inputs of its meshes, before their traces are read.
 pub(super) struct TrainParts {
