@@ -1,5 +1,7 @@
 //! A case of any kind as the user writes it.
 
+use std::path::Path;
+
 use asperity_core::quantity::{AngularSpeed, Torque};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -52,6 +54,16 @@ impl AnyInput {
             Self::Mesh(input) => input.vehicle.as_ref(),
             Self::Train(input) => input.vehicle.as_ref(),
         }
+    }
+
+    /// Tables of losses of the gearbox of a train.
+    pub(super) fn own_files(&self) -> impl Iterator<Item = &Path> {
+        let gearbox = match self {
+            Self::Mesh(_) => None,
+            Self::Train(input) => input.gearbox.as_ref(),
+        };
+        let tables = gearbox.into_iter().flat_map(|gearbox| &gearbox.tables);
+        tables.map(|table| table.file.as_path())
     }
 
     /// Sets the key at `path`, as [`CaseInput::set`] does.

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use super::case_file::CaseFile;
 use super::check::{completed, readable};
 use super::error::CaseError;
-use super::files::Files;
+use super::files::{Files, Reader};
 use super::input::CaseInput;
 use super::loaded::{complete, open_source};
 use super::model::Formulation;
@@ -73,7 +73,7 @@ fn read(
         input.set_in(source, key, value)?;
     }
     let files = Arc::new(Files::in_folder(folder));
-    let parts = input.parts(source)?;
+    let parts = input.parts(source, Reader::of(&files))?;
     let mut cases = Vec::new();
     for mesh in parts.meshes() {
         let case = CaseInput {
@@ -118,7 +118,8 @@ fn all(
     errors: &mut Vec<CaseError>,
 ) -> Option<LoadedTrain> {
     let (input, mending) = readable::<TrainCaseInput>(source, keys, errors)?;
-    let parts = match input.parts(source) {
+    let files = Files::in_folder(folder);
+    let parts = match input.parts(source, Reader::of(&files)) {
         Ok(parts) => parts,
         Err(error) => {
             if !TrainCaseInput::TABLES

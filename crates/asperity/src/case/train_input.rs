@@ -16,6 +16,7 @@ use super::calibration::CalibrationInput;
 use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
+use super::files::Reader;
 use super::finish::FinishName;
 use super::input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
@@ -62,7 +63,7 @@ pub struct TrainCaseInput {
     /// Heat balance, from which the temperature of the oil follows; `operation.oil_temperature` is then its start.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heat: Option<HeatInput>,
-    /// Seals and bearings on the shafts; only the losses stated here are added.
+    /// Losses besides the meshes; only the losses stated here are added.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gearbox: Option<TrainGearboxInput>,
     /// Choices of the model, for all meshes.
@@ -235,16 +236,22 @@ impl TrainCaseInput {
     pub(super) const TABLES: [&'static str; 2] = ["mesh", planetary::TABLE];
 
     /// The train and the case of each mesh.
-    pub(super) fn parts(&self, source: &Source) -> Result<TrainParts, CaseError> {
+    pub(super) fn parts(
+        &self,
+        source: &Source,
+        files: Reader<'_>,
+    ) -> Result<TrainParts, CaseError> {
         let (shafts, stages) = match &self.planetary {
             Some(set) => self.single_set(set, source)?,
             None => self.on_shafts(source)?,
         };
         let train = self.train.as_ref();
         let passes_losses = train.and_then(|train| train.losses) == Some(PassedLosses::PassedOn);
-        let places: Vec<MeshPlace> = stages.iter().map(|stage| self.place_of(stage)).collect();
+        let places = stages.iter().map(|stage| self.place_of(stage));
+        let places: Vec<MeshPlace> = places.collect();
         let gearbox = self.gearbox.as_ref();
-        let gearbox = gearbox.map(|stated| train_gearbox(stated, places, &shafts, source));
+        let gearbox =
+            gearbox.map(|stated| train_gearbox(stated, places, &shafts, (source, &files)));
         let gearbox = gearbox.transpose()?;
         let [meshes, set] = Self::TABLES;
         let table = if self.planetary.is_some() {
@@ -256,6 +263,7 @@ impl TrainCaseInput {
             .map_err(refused(source, table))?;
         parts.heat = self.checked_heat(source)?;
         parts.gearbox = gearbox;
+        parts.sums = files.into_sums();
         Ok(parts)
     }
 
@@ -551,6 +559,7 @@ impl TrainCaseInput {
         let stated = stage.name.as_ref().and_then(|name| self.mesh.get(name));
         let helix = stage.meshes.first().and_then(|mesh| mesh.case.gears.helix);
         MeshPlace {
+            name: stage.name.clone().unwrap_or_default(),
             at: stated.and_then(|mesh| mesh.at),
             angle: stated.and_then(|mesh| mesh.angle),
             hand: stated.and_then(|mesh| mesh.hand),

@@ -8,6 +8,7 @@ use asperity_gear::gear_train::GearTrain;
 
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
+use super::files::FileSums;
 use super::input::CaseInput;
 use super::resolve::title_by_gears;
 use super::source::{MeshKeys, Source};
@@ -19,6 +20,8 @@ use super::train_heat_input::HeatInput;
 pub(super) struct TrainParts {
     pub heat: Option<HeatInput>,
     pub gearbox: Option<TrainGearbox>,
+    /// Sums of the tables of the gearbox.
+    pub sums: FileSums,
     pub title: String,
     pub train: Train,
     pub stages: Vec<StageParts>,
@@ -82,6 +85,7 @@ impl TrainParts {
         Ok(Self {
             heat: None,
             gearbox: None,
+            sums: FileSums::new(),
             title,
             train,
             stages,
