@@ -329,11 +329,11 @@ pub struct CompareArgs {
     /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
-    /// A finish and its traces; give at least two
+    /// A finish and its traces, in a gear train of all meshes or of one; give at least two
     #[arg(
         long = "finish",
         required = true,
-        value_name = "NAME=PINION.csv[,WHEEL.csv]"
+        value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]"
     )]
     pub finishes: Vec<FinishArg>,
     /// Number of offsets along the traces at which the flanks are paired [default: that of the finish that needs most]

@@ -12,7 +12,7 @@ import asperity
 from asperity import _asperity
 
 FILE = Path(__file__).parent / "python" / "asperity" / "keys.py"
-KINDS = ("gears", "planetary", "mesh")
+KINDS = ("gears", "mesh")
 QUANTITIES = {name for name, _ in _asperity.si_units()}
 PLAIN = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "null": "None"}
 HEAD = '''"""Keys of a case, choices of arguments and columns of results, for type checkers and completion.
@@ -130,7 +130,7 @@ class Tables:
                     if named not in above or named is None:
                         add(f"{path}.{below}", item, below, above | {named} - {None})
 
-        for kind in ("gears", "planetary"):
+        for kind in KINDS:
             for key, node in self.schemas[kind]["properties"].items():
                 add(key, node, key, frozenset())
         return found

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use asperity::Run;
 use asperity::case::gear_train::{self, LoadedMesh, LoadedTrain};
-use asperity::case::planetary;
 use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_source};
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
@@ -60,12 +59,11 @@ pub struct Case {
     kind: Kind,
 }
 
-/// JSON schema of a case file with the tables `kind`: `gears`, `planetary`, or `mesh` of a gear train.
+/// JSON schema of a case file with the tables `kind`: `gears`, or `planetary` and `mesh` of a gear train.
 #[pyfunction]
 pub fn schema(kind: &str) -> PyResult<String> {
     let schema = match kind {
-        "planetary" => planetary::schema(),
-        "mesh" => gear_train::schema(),
+        "planetary" | "mesh" => gear_train::schema(),
         _ => case::schema(),
     };
     Ok(failure::json(&schema)?)

@@ -170,3 +170,24 @@ def test_a_gear_train_has_the_results_of_its_meshes():
     assert case.mesh("z").run("losses").loss_w == result.meshes[1].loss_w
     wider = case.replace({"mesh.a.gears.face_width": "30 mm"}).run()
     assert wider.loss_w != result.loss_w
+
+
+def test_a_gear_train_is_compared_and_swept_as_a_whole():
+    gears = {"teeth": [23, 68], "module": "2 mm", "face_width": "25 mm"}
+    case = asperity.Case(
+        train={"input": "in"},
+        mesh={"a": {"shafts": ["in", "b"], "gears": gears}, "z": {"shafts": ["b", "out"], "gears": gears}},
+        operation=PLANETARY["operation"],
+        lubricant=PLANETARY["lubricant"],
+        surface={"pinion": {"rq": "0.4 um"}},
+    )
+    finer = case.replace({"mesh.z.surface": {"pinion": {"rq": "0.2 um"}}})
+    found = asperity.compare(case, {"rough": case, "fine": finer})
+    rough, fine = found.finishes.to_dict()
+    assert fine["loss_w"] == finer.run().loss_w
+    assert [mesh["mesh"] for mesh in fine["meshes"]] == ["a", "z"]
+    assert fine["meshes"][0]["difference"]["verdict"] == "equal"
+    assert found.to_pandas().loc["fine", "loss_median_w"] < found.to_pandas().loc["rough", "loss_median_w"]
+    rows = asperity.sweep(case, {"mesh.a.gears.face_width": ["25 mm", "30 mm"]}).to_dict()
+    assert rows[0]["loss_w"] == pytest.approx(case.run().loss_w, rel=1e-12)
+    assert rows[0]["mesh.z.loss_w"] == rows[1]["mesh.z.loss_w"] and rows[0]["mesh.a.loss_w"] != rows[1]["mesh.a.loss_w"]

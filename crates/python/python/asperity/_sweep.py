@@ -120,7 +120,8 @@ def sweep(
             ``{"finish": {"ground": {"surface.pinion.file": "g.csv"}}}``.
         sample: ``method`` (``"sobol"``, ``"latin-hypercube"``, ``"random"``, ``"list"``), ``count``, ``seed``,
             ``vary`` (by key ``{"uniform": [a, b]}``, ``"normal"``, ``"log-uniform"``, ``"triangular"``), ``indices``.
-        columns: results of the summary; default efficiency, losses, equivalent friction, mixed share.
+        columns: results of the summary, of a mesh of a gear train ``mesh.NAME.loss_w``; default efficiency, losses,
+            equivalent friction, mixed share.
         detail: ``"losses"`` or ``"contacts"``.
         study: a study file in place of all these (docs/FILE_FORMATS.md).
         folder: folder that files of the sample are relative to.
