@@ -34,7 +34,12 @@ fn the_readme_and_the_gallery_print_what_they_show_and_their_pictures_are_drawn(
     let bench = bench();
     holds("README.md", &bench, 10);
     let read = |page: &str| fs::read_to_string(bench.path("results").join(page)).unwrap();
-    hold_picture("figures/mesh.svg", &animated(&read("e-drive/report.html")));
+    let report = read("e-drive/report.html");
+    hold_picture("figures/mesh.svg", &animated(&report));
+    for (name, figure) in [("band", "band"), ("local_loss", "local-loss")] {
+        let file = format!("figures/{name}.svg");
+        hold_picture(&file, &Figure::of(&report, figure).alone());
+    }
 
     let files = fs::read_dir(root().join("docs/gallery")).unwrap();
     for file in files.map(|entry| entry.unwrap().path()) {
