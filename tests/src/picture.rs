@@ -207,7 +207,7 @@ impl<'a> Figure<'a> {
 /// A drawing of `kind` and size as a separate file.
 pub fn document(kind: &str, title: &str, [width, height]: [f64; 2], body: &str) -> String {
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart {kind}\" viewBox=\"0 0 {width} {height}\" role=\"img\">\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart {kind}\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" role=\"img\">\
          <title>{title}</title><style>{STYLE}</style><rect class=\"paper\" width=\"100%\" height=\"100%\"/>{body}</svg>\n"
     )
 }
@@ -379,7 +379,7 @@ pub fn animated(page: &str) -> String {
     let height = down + under + facing.height;
     let title = "A pair of gears in mesh, and its rough flanks under load";
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\">\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\">\
          <title>{title}</title><style>{style}</style><rect class=\"paper\" width=\"100%\" height=\"100%\"/>\
          <svg width=\"{WIDTH}\" height=\"{CROPPED}\" viewBox=\"0 {top} {WIDTH} {CROPPED}\"><g class=\"gears {0}\">{gears}</g></svg>\
          <g class=\"{0}\">{names}</g><g class=\"{1}\" transform=\"translate(0 {down})\">{head}\
