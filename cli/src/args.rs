@@ -172,14 +172,15 @@ pub enum Command {
     /// Draw the figures of the 2022 paper, each with its table of values
     #[command(after_help = "Example:\n  asperity figures -o docs/figures")]
     Figures(FiguresArgs),
-    /// Print the completions for a shell, or the man page
+    /// Print the completions for a shell, the man page, or the list of all commands
     #[command(
         after_help = "Examples:\n  asperity completions bash > /etc/bash_completion.d/asperity\n  \
         asperity completions zsh > ~/.zfunc/_asperity\n  \
-        asperity completions man > /usr/local/share/man/man1/asperity.1"
+        asperity completions man > /usr/local/share/man/man1/asperity.1\n  \
+        asperity completions markdown > docs/COMMANDS.md"
     )]
     Completions {
-        /// The shell, or man
+        /// The shell, man, or markdown
         #[arg(value_enum)]
         kind: CompletionKind,
     },
@@ -397,6 +398,8 @@ pub enum CompletionKind {
     Zsh,
     /// man page
     Man,
+    /// all commands as Markdown
+    Markdown,
 }
 
 /// Case of the figures and their folder.

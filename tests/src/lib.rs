@@ -2,6 +2,7 @@
 
 mod case_text;
 pub mod parsers;
+pub mod picture;
 mod planetary_set;
 mod table_2;
 mod trace;
