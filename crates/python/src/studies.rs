@@ -41,7 +41,7 @@ type Compared = (Study, String, Vec<String>);
 pub fn compare(
     py: Python<'_>,
     named: Named<'_>,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Compared> {
     let finishes = finishes(named, |case| Ok(case.pair()?.as_ref().clone()))?;
@@ -58,7 +58,7 @@ pub fn compare(
 pub fn sensitivity(
     py: Python<'_>,
     case: PyRef<'_, Case>,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Study> {
     let train = case.train();
@@ -88,7 +88,7 @@ pub fn map(
     speed: Option<Vec<f64>>,
     temperature: Option<Vec<f64>>,
     band: &str,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Map> {
     let finishes = finishes(of_finishes, |case| Ok(case.train()))?;
