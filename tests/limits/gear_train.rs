@@ -1,5 +1,7 @@
 //! Gear trains: their losses against runs of single meshes, the balance of their powers, and the digits of a result.
 
+use std::sync::Arc;
+
 use asperity::case::gear_train::{LoadedTrain, load_set};
 use asperity::case::{Source, TrainPartKind, from_text};
 use asperity::core::quantity::{AngularSpeed, Force};
@@ -7,6 +9,7 @@ use asperity::efficiency::rolling_bearing::RollingBearing;
 use asperity::gear_train::{MeshRow, TrainResult, run_train};
 use asperity::pipeline::KeptFields;
 use asperity::{Error, Run, RunResult};
+use asperity_ehl_regime::FilmLaw;
 use asperity_tests::planetary_set;
 
 /// Pinion and wheel of the shipped ground flanks.
@@ -95,6 +98,18 @@ fn the_loss_of_three_stages_is_the_sum_of_three_single_runs_to_the_last_digit() 
     let torques: Vec<f64> = result.meshes.iter().map(|row| row.torque_nm).collect();
     let second = 145.0 * 68.0 / 23.0;
     assert_eq!(torques, [145.0, second, second * 61.0 / 25.0]);
+}
+
+#[test]
+fn a_user_defined_law_is_the_named_law_in_every_mesh_of_a_train() {
+    let named = run(&train_of(GEARS, &[("model.film", "moes")]), false);
+    let train = train_of(GEARS, &[]);
+    assert_ne!(named.loss_w, run(&train, false).loss_w);
+    let own = train.with_laws(&|case| case.with_film_law(Arc::new(FilmLaw::Moes)));
+    assert_eq!(named.loss_w, run(&own, false).loss_w);
+    let rows = own.defaults.iter().filter(|row| row.key == "model.film");
+    let sources: Vec<_> = rows.map(|row| row.source.as_deref()).collect();
+    assert_eq!(sources, [Some("user-defined law")]);
 }
 
 /// The sum of all powers into the train is its loss, and the power out is by torque and speed of its shaft.

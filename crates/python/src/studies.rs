@@ -39,7 +39,7 @@ type Compared = (Study, String, Vec<String>);
 pub fn compare(
     py: Python<'_>,
     named: Named<'_>,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Compared> {
     let finishes = finishes(named);
@@ -56,7 +56,7 @@ pub fn compare(
 pub fn sensitivity(
     py: Python<'_>,
     case: PyRef<'_, Case>,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Study> {
     let train = case.train();
@@ -86,7 +86,7 @@ pub fn map(
     speed: Option<Vec<f64>>,
     temperature: Option<Vec<f64>>,
     band: &str,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Map> {
     let finishes = finishes(of_finishes);

@@ -46,7 +46,7 @@ impl Cases {
         py: Python<'_>,
         first: usize,
         end: usize,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Vec<Vec<String>>> {
         let end = end.min(self.0.count());
         in_parallel(py, threads, None, |_| {

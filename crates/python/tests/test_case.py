@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import asperity
-from conftest import CASES, PROFILES, small, trace
+from conftest import CASES, PROFILES, SETS, small, trace
 
 
 def test_three_ways_to_the_same_case():
@@ -132,17 +132,8 @@ def losses_of(case):
     return case.run("losses")
 
 
-PLANETARY = {
-    "title": "set",
-    "planetary": {"teeth": [24, 27, -78], "planets": 3, "module": "2 mm", "face_width": ["25 mm", "25 mm", "30 mm"]},
-    "operation": {"torque": "60 N m", "speed": "3000 1/min", "bulk_temperature": "80 °C"},
-    "lubricant": {"oil": "m100"},
-    "surface": {"sun": {"rq": "0.4 um"}},
-}
-
-
 def test_a_planetary_set_has_the_results_of_its_meshes():
-    case = asperity.Case(PLANETARY)
+    case = asperity.Case(SETS["planetary"])
     result = case.run()
     assert case.is_planetary and len(result.meshes) == 2 and 0.9 < result.efficiency < 1
     assert result.loss_w > sum(mesh.loss_w for mesh in result.meshes), "three planets"
@@ -155,14 +146,7 @@ def test_a_planetary_set_has_the_results_of_its_meshes():
 
 
 def test_a_gear_train_has_the_results_of_its_meshes():
-    gears = {"teeth": [23, 68], "module": "2 mm", "face_width": "25 mm"}
-    case = asperity.Case(
-        train={"input": "in"},
-        mesh={"a": {"shafts": ["in", "b"], "gears": gears}, "z": {"shafts": ["b", "out"], "gears": gears}},
-        operation=PLANETARY["operation"],
-        lubricant=PLANETARY["lubricant"],
-        surface={"pinion": {"rq": "0.4 um"}},
-    )
+    case = asperity.Case(SETS["train"])
     result = case.run()
     assert not case.is_planetary and len(result.meshes) == 2
     assert result.loss_w == result.meshes[0].loss_w + result.meshes[1].loss_w

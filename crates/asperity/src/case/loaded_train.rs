@@ -9,6 +9,7 @@ use super::files::FileSums;
 use super::input::CaseInput;
 use super::known_keys::first_unknown;
 use super::loaded::LoadedCase;
+use super::resolve::Case;
 use super::source::MeshKeys;
 use super::train_flow::{StageKind, Train};
 use super::train_gearbox::TrainGearbox;
@@ -227,6 +228,22 @@ impl LoadedTrain {
             sum = sum.with(name.as_os_str().as_encoded_bytes()).with(of_file);
         }
         sum.hex()
+    }
+
+    /// The train with user-defined laws in the case of every mesh, as `laws` puts them into a case.
+    #[must_use]
+    pub fn with_laws(mut self, laws: &dyn Fn(Case) -> Case) -> Self {
+        for mesh in self.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
+            mesh.case.case = laws(mesh.case.case.clone());
+        }
+        let first = self.meshes().next();
+        let named: Vec<DefaultUsed> = (first.into_iter())
+            .flat_map(|mesh| mesh.case.case.own_laws().cloned())
+            .collect();
+        let is_replaced = |row: &DefaultUsed| named.iter().any(|law| law.key == row.key);
+        self.defaults.retain(|row| !is_replaced(row));
+        self.defaults.extend(named);
+        self
     }
 
     /// Turns of the input shaft for one turn of the output shaft, the only one that turns and whose torque follows.
