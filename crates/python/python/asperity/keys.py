@@ -735,7 +735,7 @@ class VehicleInput(TypedDict, total=False):
 
 
 class TrainGearboxInput(TypedDict, total=False):
-    """Seals and bearings of a gear train; only the losses stated here are added to the losses of the meshes."""
+    """Seals, bearings, jets and tables of a gear train; only the losses stated here are added to the losses of the meshes."""
 
     bearings: Optional[Sequence[MeshBearingInput]]
     jets: Optional[Sequence[MeshJetInput]]
