@@ -37,7 +37,7 @@ fn fault(page: &str, link: &str, text: &str, chapters: &[String]) -> Option<Stri
         _ => normal(&folder.join(file)),
     };
     let name = target.to_string_lossy().replace('\\', "/");
-    if !root().join(&target).exists() {
+    if !file.is_empty() && !root().join(&target).exists() {
         return Some(format!("{page}: {link}: no such file"));
     }
     // mdBook makes a page of each chapter and copies other files of its folder; anything else is not in the book.

@@ -41,7 +41,7 @@ fn path_axis() -> Axis {
     Axis::new("place on the path of contact, from A to E", "-")
 }
 
-/// Enough positions for a smooth curve; windows do not matter for loads and films.
+/// Enough positions for a smooth curve; windows of the traces do not matter for the load.
 const FINE: [(&str, &str); 2] = [("model.positions", "48"), ("model.offsets", "1")];
 
 fn mesh() -> String {
@@ -115,7 +115,7 @@ fn roughness() -> String {
 }
 
 fn film() -> String {
-    let path = losses(&e_drive(&FINE)).unwrap().path;
+    let path = losses(&e_drive(&[("model.offsets", "64")])).unwrap().path;
     Chart::new(
         "film",
         "Film of the e-drive at 90 °C",
