@@ -20,6 +20,11 @@ validation:
 references python="python3":
     for script in table_2 half_plane rough_contact film_friction point_film load_map load_share swept smooth_film rough_inlet small_constants shakedown; do {{ python }} references/$script.py || exit 1; done
 
+# Make all pictures of README and documents anew: the paper's figures, and those that tests take from pages or draw.
+pictures:
+    cargo run --release -- figures -o docs/figures
+    ASPERITY_WRITE=1 cargo test -p asperity-tests --test cli --test validation -- picture
+
 # Benches; the table of results is in docs/PERFORMANCE.md.
 bench:
     cargo bench --workspace
@@ -33,6 +38,14 @@ equations:
     ASPERITY_WRITE=1 cargo test -p asperity-tests --test equations the_table_has_the_formulas
     cargo run --release -- equations --markdown > docs/EQUATIONS.md
 
-# Build the page that runs in a browser; docs/WEB.md tells how to serve it.
+# Write the list of commands anew.
+commands:
+    cargo run --release -- completions markdown > docs/COMMANDS.md
+
+# Build the book with mdBook and mdbook-katex.
+book:
+    mdbook build docs
+
+# Build the page that runs in a browser; docs/WEB.md says how to serve it.
 page folder="target/web":
     cargo run --locked --manifest-path crates/web/build/Cargo.toml -- {{ folder }}

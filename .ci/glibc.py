@@ -1,13 +1,16 @@
-"""Newest symbols of glibc that the programs and modules in wheels need; fails where they are newer than allowed.
+"""Size of wheels and newest symbols of glibc that their modules need; fails where they are larger or newer than allowed.
 
     python3 .ci/glibc.py 2.28 asperity.whl ...
 
-maturin looks at the module alone, not at the command beside it. The versions stand as text in the dynamic section.
+The versions stand as text in the dynamic section.
 """
 
 import re
 import sys
 import zipfile
+from pathlib import Path
+
+LARGEST_MB = 9
 
 
 def needed(content):
@@ -23,8 +26,10 @@ def main(allowed, wheels):
         with zipfile.ZipFile(wheel) as archive:
             binaries = {name: archive.read(name) for name in archive.namelist()}
         binaries = {name: content for name, content in binaries.items() if content.startswith(b"\x7fELF")}
-        if len(binaries) < 2:
-            print(f"{wheel}: module and command expected, found {', '.join(binaries) or 'none'}")
+        size = Path(wheel).stat().st_size / 1e6
+        print(f"{wheel}: {size:.2f} MB")
+        if len(binaries) != 1 or size > LARGEST_MB:
+            print(f"{wheel}: one module expected and at most {LARGEST_MB} MB, found {', '.join(binaries) or 'none'}")
             failed = True
         for name, content in binaries.items():
             newest = max(needed(content), default=(0,))

@@ -172,14 +172,15 @@ pub enum Command {
     /// Draw the figures of the 2022 paper, each with its table of values
     #[command(after_help = "Example:\n  asperity figures -o docs/figures")]
     Figures(FiguresArgs),
-    /// Print the completions for a shell, or the man page
+    /// Print the completions for a shell, the man page, or the list of all commands
     #[command(
         after_help = "Examples:\n  asperity completions bash > /etc/bash_completion.d/asperity\n  \
         asperity completions zsh > ~/.zfunc/_asperity\n  \
-        asperity completions man > /usr/local/share/man/man1/asperity.1"
+        asperity completions man > /usr/local/share/man/man1/asperity.1\n  \
+        asperity completions markdown > docs/COMMANDS.md"
     )]
     Completions {
-        /// The shell, or man
+        /// The shell, man, or markdown
         #[arg(value_enum)]
         kind: CompletionKind,
     },
@@ -332,11 +333,11 @@ pub struct CompareArgs {
     /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
-    /// A finish and its traces; give at least two
+    /// A finish and its traces, in a gear train of all meshes or of one; give at least two
     #[arg(
         long = "finish",
         required = true,
-        value_name = "NAME=PINION.csv[,WHEEL.csv]"
+        value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]"
     )]
     pub finishes: Vec<FinishArg>,
     /// Number of offsets along the traces at which the flanks are paired [default: that of the finish that needs most]
@@ -400,6 +401,8 @@ pub enum CompletionKind {
     Zsh,
     /// man page
     Man,
+    /// all commands as Markdown
+    Markdown,
 }
 
 /// Case of the figures and their folder.

@@ -3,7 +3,6 @@
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 use std::path::Path;
-use std::process::ExitCode;
 
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Level, Renderer};
@@ -114,7 +113,7 @@ impl Failure {
     }
 
     /// Prints the error and returns the exit status.
-    pub fn report(&self, json: bool) -> ExitCode {
+    pub fn report(&self, json: bool) -> u8 {
         if json && !self.is_told {
             // The reader may have closed the pipe; the exit status still reports the error.
             let _ = writeln!(std::io::stdout(), "{:#}", self.json());
@@ -122,7 +121,7 @@ impl Failure {
         if !self.is_told {
             self.print();
         }
-        ExitCode::from(self.status())
+        self.status()
     }
 
     /// Prints the error as text.

@@ -9,6 +9,7 @@ mod output;
 mod words;
 
 use asperity_fixtures::worked::Worked;
+use std::ffi::OsString;
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
@@ -21,7 +22,19 @@ const INTERRUPTED: i32 = 130;
 
 /// Runs the command line of this process and returns its exit status.
 pub fn main() -> ExitCode {
-    let cli = Cli::parse();
+    run(std::env::args_os()).into()
+}
+
+/// Runs a command line, whose first argument is the name of the program, and returns the exit status.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(shown) => {
+            // The reader may have closed the pipe.
+            let _ = shown.print();
+            return u8::try_from(shown.exit_code()).unwrap_or(u8::MAX);
+        }
+    };
     // Temporary files are removed on Ctrl-C and SIGTERM. Without the handler the next start would remove them.
     let _ = ctrlc::set_handler(|| {
         asperity_storage::abandon();
@@ -32,7 +45,7 @@ pub fn main() -> ExitCode {
         start_threads(&cli.common).and_then(|()| dispatch(&cli))
     }));
     match done {
-        Ok(Ok(())) => ExitCode::SUCCESS,
+        Ok(Ok(())) => 0,
         Ok(Err(failure)) => failure.report(cli.common.json),
         Err(_) => Failure::new("E501", "internal fault: the program stopped, see above")
             .report(cli.common.json),

@@ -100,9 +100,10 @@ fn write(text: &str) -> Result<(), Failure> {
     write_bytes(text.as_bytes())
 }
 
-/// A closed pipe is not an error.
+/// Writes to standard output at once: nobody flushes it at the end of a process of Python. A closed pipe is not an error.
 fn write_bytes(bytes: &[u8]) -> Result<(), Failure> {
-    match std::io::stdout().write_all(bytes) {
+    let mut output = std::io::stdout().lock();
+    match output.write_all(bytes).and_then(|()| output.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::new(
             "E401",
             format!("standard output: cannot be written: {error}"),

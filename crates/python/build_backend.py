@@ -1,8 +1,9 @@
-"""Builds the wheel: the command with cargo, then the module with maturin, which puts both into it.
+"""Builds the wheel with maturin, and the source distribution from the files that git knows.
 
-Where ASPERITY_GLIBC is set, as 2.28, both are linked by zig against that version of glibc.
+Where ASPERITY_GLIBC is set, as 2.28, the module is linked by zig against that version of glibc.
 """
 
+import contextlib
 import gzip
 import io
 import json
@@ -14,58 +15,39 @@ import tarfile
 from pathlib import Path
 
 import maturin
-from maturin import get_requires_for_build_sdist, get_requires_for_build_wheel  # noqa: F401
+from maturin import (  # noqa: F401
+    get_requires_for_build_editable,
+    get_requires_for_build_sdist,
+    get_requires_for_build_wheel,
+    prepare_metadata_for_build_editable,
+    prepare_metadata_for_build_wheel,
+)
 
 ROOT = Path(__file__).resolve().parents[2]
-DATA = ROOT / "target" / "asperity.data"
-# Folders that neither command nor module is built from.
-LEFT_OUT = (".ci/", ".github/", "docs/", "fuzz/", "references/", "crates/profile-io/fuzz/")
+# Folders that the module is not built from.
+LEFT_OUT = (".ci/", ".github/", "docs/", "fuzz/", "references/", "crates/profile-io/fuzz/", "crates/web/")
+NOTE = "asperity: compiling the module, some 10 minutes of processor time (3 minutes on 4 cores); pip install -v shows the progress"
 
 
-def _glibc():
-    return os.environ.get("ASPERITY_GLIBC")
-
-
-def _cargo(*arguments):
-    subprocess.run(["cargo", *arguments], cwd=ROOT, check=True)
-
-
-def _place_command():
-    """Builds the command and puts it where maturin takes the data of the wheel from."""
-    os.environ.setdefault("CARGO_TARGET_DIR", str(ROOT / "target"))
-    target = Path(os.environ["CARGO_TARGET_DIR"])
-    common = ("--profile", "dist", "--locked", "--package", "asperity-cli")
-    triple = os.environ.get("CARGO_BUILD_TARGET")
-    if _glibc():
-        triple = triple or "x86_64-unknown-linux-gnu"
-        os.environ["CARGO_BUILD_TARGET"] = triple
-        _cargo("zigbuild", *common, "--target", f"{triple}.{_glibc()}")
-    else:
-        _cargo("build", *common)
-    built = (target / triple if triple else target) / "dist"
-    name = "asperity.exe" if (built / "asperity.exe").is_file() else "asperity"
-    shutil.rmtree(DATA, ignore_errors=True)
-    (DATA / "scripts").mkdir(parents=True)
-    shutil.copy2(built / name, DATA / "scripts" / name)
+def _say_that_it_compiles():
+    """Prints the note, on the terminal too: pip shows the output of a build only with -v or if it fails."""
+    print(NOTE, flush=True)
+    with contextlib.suppress(OSError), open("/dev/tty", "w", encoding="utf-8") as terminal:
+        terminal.write(f"\n{NOTE}\n")
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    _place_command()
-    arguments = os.environ.get("MATURIN_PEP517_ARGS", "")
-    if _glibc():
-        arguments += f" --zig --compatibility manylinux_{_glibc().replace('.', '_')}"
-    os.environ["MATURIN_PEP517_ARGS"] = f"--locked {arguments}"
+    _say_that_it_compiles()
+    arguments = f"--locked {os.environ.get('MATURIN_PEP517_ARGS', '')}"
+    if glibc := os.environ.get("ASPERITY_GLIBC"):
+        arguments += f" --zig --compatibility manylinux_{glibc.replace('.', '_')}"
+    os.environ["MATURIN_PEP517_ARGS"] = arguments
     return maturin.build_wheel(wheel_directory, config_settings, metadata_directory)
 
 
 def build_editable(wheel_directory, config_settings=None, metadata_directory=None):
-    _place_command()
+    _say_that_it_compiles()
     return maturin.build_editable(wheel_directory, config_settings, metadata_directory)
-
-
-def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
-    (DATA / "scripts").mkdir(parents=True, exist_ok=True)
-    return maturin.prepare_metadata_for_build_wheel(metadata_directory, config_settings)
 
 
 def _files():
@@ -83,7 +65,7 @@ def _files():
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    """The whole workspace but its documents: the command is built from it as well as the module."""
+    """The files of the workspace that the module is built from."""
     metadata = Path(sdist_directory) / "metadata"
     prepare_metadata_for_build_wheel(str(metadata))
     information = next(metadata.glob("*.dist-info/METADATA")).read_bytes()

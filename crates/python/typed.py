@@ -12,7 +12,7 @@ import asperity
 from asperity import _asperity
 
 FILE = Path(__file__).parent / "python" / "asperity" / "keys.py"
-KINDS = ("gears", "planetary", "mesh")
+KINDS = ("gears", "mesh")
 QUANTITIES = {name for name, _ in _asperity.si_units()}
 PLAIN = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "null": "None"}
 HEAD = '''"""Keys of a case, choices of arguments and columns of results, for type checkers and completion.
@@ -40,21 +40,50 @@ OWN = {"torque_nm": "torque at the pinion, N m", "speed_rpm": "speed of the pini
 """Keys of the operating point as numbers, with their meaning."""
 
 
+def union(parts):
+    """One type of several, without None: texts that are choices together as one."""
+    literals = [text for part in parts if part.startswith("Literal[") for text in part[8:-1].split(", ")]
+    others = [part for part in dict.fromkeys(parts) if part != "None" and not part.startswith("Literal[")]
+    every = ([f"Literal[{', '.join(dict.fromkeys(literals))}]"] if literals else []) + others
+    return every[0] if len(every) == 1 else f"Union[{', '.join(every)}]"
+
+
 class Tables:
-    """Types of the tables of a case."""
+    """Types of the tables of a case.
+
+    A table that has other keys or types in a case of another kind is another class there, as `BearingInput` and
+    `MeshBearingInput`.
+    """
 
     def __init__(self):
         self.schemas = {kind: json.loads(_asperity.schema(kind)) for kind in KINDS}
-        self.defs = {name: node for schema in self.schemas.values() for name, node in schema["$defs"].items()}
+        self.kind = KINDS[0]
         self.classes = {}
+        self._names = {}
+
+    def _definition(self, name):
+        """The definition of this name in cases of the current kind."""
+        return self.schemas[self.kind]["$defs"][name]
+
+    def _whole(self, node, above=()):
+        """The node with the definitions that it refers to, without descriptions."""
+        if isinstance(node, list):
+            return [self._whole(item, above) for item in node]
+        if not isinstance(node, dict):
+            return node
+        name = node.get("$ref", "").rsplit("/", 1)[-1]
+        if name:
+            return name if name in QUANTITIES or name in above else self._whole(self._definition(name), (*above, name))
+        return {key: self._whole(item, above) for key, item in node.items() if key not in ("description", "named")}
+
+    def _class_of(self, name, node):
+        """Name of the class of a table: the name of its definition, after the kind if other kinds have another table."""
+        known = self._names.setdefault(name, {})
+        return known.setdefault(json.dumps(self._whole(node), sort_keys=True), f"{self.kind.title()}{name}" if known else name)
 
     def type_of(self, node, key=""):
         """The type of a node of the schema as text, without None."""
-        found = self._parts(node, key)
-        literals = [text for part in found if part.startswith("Literal[") for text in part[8:-1].split(", ")]
-        others = [part for part in dict.fromkeys(found) if part != "None" and not part.startswith("Literal[")]
-        parts = ([f"Literal[{', '.join(dict.fromkeys(literals))}]"] if literals else []) + others
-        return parts[0] if len(parts) == 1 else f"Union[{', '.join(parts)}]"
+        return union(self._parts(node, key))
 
     def _parts(self, node, key):
         if node is True:
@@ -63,7 +92,7 @@ class Tables:
             name = node["$ref"].rsplit("/", 1)[-1]
             if name in QUANTITIES:
                 return ["Quantity"]
-            parts = self._parts({**self.defs[name], "named": name}, key)
+            parts = self._parts({**self._definition(name), "named": name}, key)
             return [*parts, "str", "PathLike[str]", "Profile"] if name in ("FlankInput", "TraceInput") else parts
         for kind in ("anyOf", "oneOf"):
             if kind in node:
@@ -89,7 +118,9 @@ class Tables:
             return f"Mapping[str, {self.type_of(node['additionalProperties'])}]"
         if "properties" not in node:
             return "Mapping[str, object]"
-        name = node.get("named") or "".join(part.title() for part in key.split("_"))
+        # Tables that are alternatives of one key are told apart by the value that only one of them takes.
+        only = [item["const"] for item in node["properties"].values() if "const" in item]
+        name = self._class_of(node.get("named") or "".join(part.title() for part in "_".join([key, *only]).replace("-", "_").split("_")), node)
         if name not in self.classes:
             self.classes[name] = None
             rows = {key: f"Optional[{self.type_of(item, key)}]" for key, item in node["properties"].items()}
@@ -99,14 +130,10 @@ class Tables:
     def top(self):
         """Types of the tables of all kinds of cases."""
         found = {}
-        for schema in self.schemas.values():
+        for self.kind, schema in self.schemas.items():
             for key, node in schema["properties"].items():
-                kind = self.type_of(node, key)
-                found.setdefault(key, [])
-                if kind not in found[key]:
-                    found[key].append(kind)
-        joined = {key: kinds[0] if len(kinds) == 1 else f"Union[{', '.join(kinds)}]" for key, kinds in found.items()}
-        return {**{key: f"Optional[{kind}]" for key, kind in joined.items()}, **dict.fromkeys(OWN, "float")}
+                found.setdefault(key, []).extend(self._parts(node, key))
+        return {**{key: f"Optional[{union(parts)}]" for key, parts in found.items()}, **dict.fromkeys(OWN, "float")}
 
     def paths(self):
         """Types of single keys by their paths."""
@@ -115,13 +142,13 @@ class Tables:
         def nodes(node):
             yield node
             if "$ref" in node and node["$ref"].rsplit("/", 1)[-1] not in QUANTITIES:
-                yield from nodes(self.defs[node["$ref"].rsplit("/", 1)[-1]])
+                yield from nodes(self._definition(node["$ref"].rsplit("/", 1)[-1]))
             for kind in ("anyOf", "oneOf"):
                 for item in node.get(kind, []):
                     yield from nodes(item)
 
         def add(path, node, key, above):
-            found.setdefault(path, f"Optional[{self.type_of(node, key)}]")
+            found.setdefault(path, []).extend(self._parts(node, key))
             for one in nodes(node):
                 named = one.get("$ref")
                 for number, item in enumerate(one.get("prefixItems", [one["items"]] * one["maxItems"] if isinstance(one.get("items"), dict) and "maxItems" in one else [])):
@@ -130,10 +157,10 @@ class Tables:
                     if named not in above or named is None:
                         add(f"{path}.{below}", item, below, above | {named} - {None})
 
-        for kind in ("gears", "planetary"):
-            for key, node in self.schemas[kind]["properties"].items():
+        for self.kind in KINDS:
+            for key, node in self.schemas[self.kind]["properties"].items():
                 add(key, node, key, frozenset())
-        return found
+        return {path: f"Optional[{union(parts)}]" for path, parts in found.items()}
 
 
 def first_line(text):

@@ -105,10 +105,11 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("fixtures", &["asperity-core", "asperity-roughness"]),
 ];
 
-/// The Python module, outside of the workspace: it passes on what the libraries compute.
+/// The Python module, outside of the workspace: it passes on the results of the libraries, and runs the command.
 const OF_THE_MODULE: &[&str] = &[
     "asperity",
     "asperity-calibration",
+    "asperity-cli",
     "asperity-fixtures",
     "asperity-report",
     "asperity-rexs",

@@ -258,16 +258,67 @@ fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it()
     let rows = bench.run(&["regime", "case.toml", "--json"]).well().json();
     assert_eq!(rows["meshes"][1]["rows"].as_array().unwrap().len(), 8);
     let finishes = ["--finish", "a=pinion.csv", "--finish", "b=wheel.csv"];
-    for command in [
-        &["film", "case.toml"][..],
-        &["contact", "case.toml"],
-        &[&["compare", "case.toml"], &finishes[..]].concat(),
-    ] {
+    for command in [&["film", "case.toml"][..], &["contact", "case.toml"]] {
         let refused = bench.run(command);
         let says = ["has several meshes: \"sun and planet\", \"planet and ring\""];
         refused.refused(2, "E205", &says);
     }
-    // A map and a study of changes take all meshes.
+    // A comparison, a map, a sweep and a study of changes take all meshes.
+    let few = ["--set", "model.offsets=2"];
+    let compared = [
+        &["compare", "case.toml", "-o", "compared"],
+        &finishes[..],
+        &few,
+    ]
+    .concat();
+    let said = bench.run(&compared).well().out;
+    assert!(said.contains("3 × sun and planet, b"), "{said}");
+    let page = fs::read_to_string(bench.path("compared/compare.html")).unwrap();
+    assert!(page.contains("Losses of one mesh of each kind"), "{page}");
+    // A finish of one mesh leaves the other as it is.
+    let of_one = [
+        "--finish",
+        "own=pinion.csv,wheel.csv",
+        "--finish",
+        "ring=pinion.csv,wheel.csv",
+        "--finish",
+        "ring@planet and ring=wheel.csv,pinion.csv",
+    ];
+    let found = bench
+        .run(
+            &[
+                &["compare", "case.toml", "-o", "one", "--json"],
+                &of_one[..],
+                &few,
+            ]
+            .concat(),
+        )
+        .well()
+        .json();
+    let ring = &found["finishes"][1];
+    assert_eq!(
+        ring["meshes"][0]["difference"]["verdict"], "equal",
+        "{ring:#}"
+    );
+    assert_ne!(ring["meshes"][1]["difference"]["at_medians_w"], 0.0);
+    for (finish, says) in [
+        ("a@none=pinion.csv", "there is no mesh \"none\""),
+        ("b@sun and planet=pinion.csv", "stated twice"),
+    ] {
+        let twice = ["--finish", "b@sun and planet=wheel.csv", "--finish", finish];
+        bench
+            .run(&[&["compare", "case.toml"][..], &twice].concat())
+            .refused(2, "E205", &[says]);
+    }
+    let study = "case = \"case.toml\"\n[[axis]]\nkey = \"operation.torque\"\nvalues = [\"20 N m\", \"30 N m\"]\n";
+    bench.write("whole.toml", study);
+    bench.run(&["sweep", "run", "whole.toml", "-q"]).well();
+    bench
+        .run(&["sweep", "merge", "whole.toml", "-o", "merged"])
+        .well();
+    let table = fs::read_to_string(bench.path("merged/sweep.csv")).unwrap();
+    assert!(table.contains("mesh.planet and ring.loss_w"), "{table}");
+    // A map and a study of changes.
     let axes = [
         "map",
         "case.toml",

@@ -241,7 +241,7 @@ fn a_bearing_beyond_what_its_catalogue_allows_is_warned_of() {
 }
 
 #[test]
-fn check_tells_of_parts_and_a_planetary_set_takes_none() {
+fn check_tells_of_parts_and_a_planetary_set_takes_those_of_its_shafts() {
     let bench = Bench::new();
     bench.write_flanks();
     let text = format!(
@@ -259,12 +259,25 @@ planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = 
 operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
 lubricant = { oil = "m100" }
 surface = { sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
-gearbox = { seals = [{ shaft = "pinion", diameter = "40 mm" }] }
+gearbox = { seals = [{ shaft = "carrier", diameter = "40 mm" }] }
 "#,
     );
+    let keys = ["--set", "model.positions=4", "--set", "model.offsets=2"];
+    let found = bench
+        .run(&[&["run", "set.toml", "--no-output", "--json"][..], &keys].concat())
+        .well()
+        .json();
+    // The carrier turns at 27/(27 + 75) of 3000 1/min: P = 7.69e-6 d² n [W], d in mm, n in 1/min.
+    let seal = found["gearbox"]["parts_w"].as_f64().unwrap();
+    let expected = 7.69e-6 * 1600.0 * 3000.0 * 27.0 / 102.0;
+    assert!((seal / expected - 1.0).abs() < 1e-12, "{seal} {expected}");
+    let other = [
+        "--set",
+        "gearbox.seals=[{ shaft = \"pinion\", diameter = \"40 mm\" }]",
+    ];
     bench
-        .run(&["run", "set.toml"])
-        .refused(2, "E203", &["gearbox"]);
+        .run(&[&["run", "set.toml"][..], &other].concat())
+        .refused(2, "E205", &["names a shaft that no mesh of the train has"]);
 }
 
 #[test]

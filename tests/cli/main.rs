@@ -20,6 +20,7 @@ mod ehl;
 mod evidence;
 mod file_messages;
 mod fuzz;
+mod gallery;
 mod gear;
 mod gearbox;
 mod instrument_files;

@@ -6,13 +6,50 @@
 //! `UPDATE_TRANSCRIPTS=1 cargo test -p asperity-tests --test cli transcripts` writes the new numbers
 //! into the old lines.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use asperity_tests::markdown::{blocks, shell_words};
 
 use crate::bench::{Bench, root};
+
+#[path = "../../crates/report/examples/own_law.rs"]
+#[allow(dead_code, reason = "its main function is the example")]
+mod own_law;
+
+/// A folder in which documents run; a line that two of them show runs once.
+pub struct Session {
+    bench: Bench,
+    printed: RefCell<HashMap<String, Option<String>>>,
+}
+
+impl From<Bench> for Session {
+    fn from(bench: Bench) -> Self {
+        let printed = RefCell::default();
+        Self { bench, printed }
+    }
+}
+
+impl Session {
+    /// A file or folder in it.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.bench.path(name)
+    }
+
+    /// What a line prints.
+    fn run(&self, line: &str, may_fail: bool) -> Option<String> {
+        let known = self.printed.borrow().get(line).cloned();
+        known.unwrap_or_else(|| {
+            let printed = run_line(&self.bench, line, may_fail);
+            let mut all = self.printed.borrow_mut();
+            all.insert(line.to_owned(), printed.clone());
+            printed
+        })
+    }
+}
 
 /// Runs a line and gives what it prints; nothing when it is not ours to run.
 fn run_line(bench: &Bench, line: &str, may_fail: bool) -> Option<String> {
@@ -20,6 +57,18 @@ fn run_line(bench: &Bench, line: &str, may_fail: bool) -> Option<String> {
     let parts: Vec<&str> = words.iter().map(String::as_str).collect();
     let arguments = match parts.as_slice() {
         ["asperity", arguments @ ..] => arguments,
+        [
+            "cargo",
+            "run",
+            ..,
+            "--example",
+            "own_law",
+            "--",
+            case,
+            folder,
+        ] => {
+            return Some(own_law::own_law(&bench.path(case), &bench.path(folder)).unwrap());
+        }
         ["cargo", "run", rest @ ..] => {
             let end = rest.iter().position(|word| *word == "--")?;
             &rest[end + 1..]
@@ -61,7 +110,7 @@ fn skeleton(line: &str) -> String {
 }
 
 /// Runs a document; the lines of its transcripts with the lines that the program prints now.
-fn replay(bench: &Bench, document: &str) -> Vec<(String, String)> {
+fn replay(session: &Session, document: &str) -> Vec<(String, String)> {
     let blocks = blocks(document);
     let mut pairs = Vec::new();
     let mut printed: Vec<String> = Vec::new();
@@ -77,7 +126,7 @@ fn replay(bench: &Bench, document: &str) -> Vec<(String, String)> {
                 let output = block
                     .lines
                     .iter()
-                    .filter_map(|line| run_line(bench, line, may_fail));
+                    .filter_map(|line| session.run(line, may_fail));
                 let output: String = output.collect();
                 // What is not run, such as the tests themselves, prints nothing here.
                 if !output.is_empty() {
@@ -109,7 +158,7 @@ fn replay(bench: &Bench, document: &str) -> Vec<(String, String)> {
             }
             language => {
                 if let Some((_, file)) = language.split_once(' ') {
-                    bench.write(file, block.lines.join("\n") + "\n");
+                    session.bench.write(file, block.lines.join("\n") + "\n");
                 }
             }
         }
@@ -117,10 +166,11 @@ fn replay(bench: &Bench, document: &str) -> Vec<(String, String)> {
     pairs
 }
 
-fn holds(name: &str, bench: &Bench, least: usize) {
+/// Runs the document `name`, which shows `least` lines or more; checks or renews them.
+pub fn holds(name: &str, session: &Session, least: usize) {
     let file = root().join(name);
     let mut document = fs::read_to_string(&file).unwrap();
-    let pairs = replay(bench, &document);
+    let pairs = replay(session, &document);
     assert!(pairs.len() >= least, "{name} shows {} lines", pairs.len());
     let stale: Vec<_> = pairs
         .iter()
@@ -150,7 +200,7 @@ fn holds(name: &str, bench: &Bench, least: usize) {
 }
 
 /// A folder with the shipped cases, and a flank under the name that the README gives the reader's own.
-fn bench() -> Bench {
+pub fn bench() -> Session {
     let bench = Bench::new();
     for folder in ["fixtures/cases", "fixtures/profiles"] {
         fs::create_dir_all(bench.path(folder)).unwrap();
@@ -162,17 +212,12 @@ fn bench() -> Bench {
     }
     let flank = root().join("fixtures/profiles/superfinished.csv");
     fs::copy(flank, bench.path("my_flank.csv")).unwrap();
-    bench
-}
-
-#[test]
-fn the_readme_prints_what_it_shows() {
-    holds("README.md", &bench(), 4);
+    bench.into()
 }
 
 #[test]
 fn the_tutorial_prints_what_it_shows() {
-    holds("docs/TUTORIAL.md", &Bench::new(), 40);
+    holds("docs/TUTORIAL.md", &Bench::new().into(), 40);
 }
 
 /// Pages with commands, each in an empty folder as a reader has it, and the least number of lines it shows.
@@ -180,7 +225,7 @@ macro_rules! pages {
     ($($test:ident: $page:literal $least:literal,)+) => {$(
         #[test]
         fn $test() {
-            holds($page, &Bench::new(), $least);
+            holds($page, &Bench::new().into(), $least);
         }
     )+};
 }
@@ -200,7 +245,8 @@ pages! {
 
 #[test]
 fn every_page_that_shows_output_is_replayed() {
-    let here = fs::read_to_string(root().join("tests/cli/transcripts.rs")).unwrap();
+    let read = |file| fs::read_to_string(root().join("tests/cli").join(file)).unwrap();
+    let here = read("transcripts.rs") + &read("gallery.rs");
     for page in asperity_tests::markdown::pages() {
         let text = fs::read_to_string(root().join(&page)).unwrap();
         let shown = blocks(&text);
@@ -217,7 +263,7 @@ fn the_commands_in_the_readme_of_the_demo_run() {
     for file in asperity_fixtures::demo::files().unwrap() {
         bench.write(file.name, file.content);
     }
-    holds("fixtures/src/demo/README.md", &bench, 0);
+    holds("fixtures/src/demo/README.md", &bench.into(), 0);
 }
 
 #[test]

@@ -5,8 +5,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity::case::{Case, FilmFrictionLaw, Formulation, LoadShareName, LoadedCase, Model, load};
+use asperity::core::quantity::LineLoad;
 use asperity::result::EquationUse;
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
+use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadLaw, LoadMap};
 
 const CASES: [&str; 4] = ["e-drive", "e-drive-superfinished", "fzg-c", "table2"];
 
@@ -232,11 +234,37 @@ fn a_law_given_by_hand_is_the_law_named() {
     assert_eq!(film.offsets, by_hand.offsets);
     let by_hand = own(&|case| case.with_load_share(Arc::new(LoadShareLaw::ZhuHu)));
     assert_eq!(share.offsets, by_hand.offsets);
-    let law = asperity_gear::LoadLaw::MinPotential;
+    let law = LoadLaw::MinPotential;
     let sharing = |case: Case| case.with_load_distribution(Arc::new(law.clone()));
     let map = named(&|case| case.model.load_distribution = law.clone());
     assert_ne!(plain.offsets, map.offsets);
     assert_eq!(map.offsets, own(&sharing).offsets);
+}
+
+/// A load distribution without load.
+#[derive(Debug)]
+struct Unloaded;
+
+impl LoadDistribution for Unloaded {
+    fn name(&self) -> &str {
+        "unloaded"
+    }
+
+    fn load_map(&self, mesh: &LoadConditions<'_>) -> Result<LoadMap, GearError> {
+        LoadMap::of_line_loads(mesh, |places| {
+            Ok(vec![LineLoad::from_si(0.0); places.len()])
+        })
+    }
+}
+
+#[test]
+fn a_load_distribution_without_load_is_refused_by_its_name() {
+    let mut loaded = shipped("e-drive", Formulation::Corrected);
+    loaded.case = loaded.case.with_load_distribution(Arc::new(Unloaded));
+    let refused = asperity::losses(&loaded).unwrap_err();
+    let says = "the load distribution \"unloaded\" returns no load at any position";
+    assert!(refused.to_string().contains(says), "{refused}");
+    assert_eq!(refused.code(), "E305");
 }
 
 #[test]
@@ -266,7 +294,7 @@ fn the_fingerprint_of_a_case_includes_its_user_defined_laws() {
             case.with_film_friction(law)
         },
         &|case| case.with_load_share(Arc::new(LoadShareLaw::ZhuHu)),
-        &|case| case.with_load_distribution(Arc::new(asperity_gear::LoadLaw::MinPotential)),
+        &|case| case.with_load_distribution(Arc::new(LoadLaw::MinPotential)),
     ];
     let distinct: BTreeSet<String> = laws.iter().map(|change| with(*change)).collect();
     assert_eq!(distinct.len(), laws.len());

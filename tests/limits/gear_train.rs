@@ -1,5 +1,7 @@
 //! Gear trains: their losses against runs of single meshes, the balance of their powers, and the digits of a result.
 
+use std::sync::Arc;
+
 use asperity::case::gear_train::{LoadedTrain, load_set};
 use asperity::case::{Source, TrainPartKind, from_text};
 use asperity::core::quantity::{AngularSpeed, Force};
@@ -7,6 +9,7 @@ use asperity::efficiency::rolling_bearing::RollingBearing;
 use asperity::gear_train::{MeshRow, TrainResult, run_train};
 use asperity::pipeline::KeptFields;
 use asperity::{Error, Run, RunResult};
+use asperity_ehl_regime::FilmLaw;
 use asperity_tests::planetary_set;
 
 /// Pinion and wheel of the shipped ground flanks.
@@ -95,6 +98,18 @@ fn the_loss_of_three_stages_is_the_sum_of_three_single_runs_to_the_last_digit() 
     let torques: Vec<f64> = result.meshes.iter().map(|row| row.torque_nm).collect();
     let second = 145.0 * 68.0 / 23.0;
     assert_eq!(torques, [145.0, second, second * 61.0 / 25.0]);
+}
+
+#[test]
+fn a_user_defined_law_is_the_named_law_in_every_mesh_of_a_train() {
+    let named = run(&train_of(GEARS, &[("model.film", "moes")]), false);
+    let train = train_of(GEARS, &[]);
+    assert_ne!(named.loss_w, run(&train, false).loss_w);
+    let own = train.with_laws(&|case| case.with_film_law(Arc::new(FilmLaw::Moes)));
+    assert_eq!(named.loss_w, run(&own, false).loss_w);
+    let rows = own.defaults.iter().filter(|row| row.key == "model.film");
+    let sources: Vec<_> = rows.map(|row| row.source.as_deref()).collect();
+    assert_eq!(sources, [Some("user-defined law")]);
 }
 
 /// The sum of all powers into the train is its loss, and the power out is by torque and speed of its shaft.
@@ -528,6 +543,197 @@ fn a_spur_gear_between_its_bearings_loads_them_by_the_lever() {
             "{part:?} {expected}"
         );
     }
+}
+
+#[test]
+fn tables_of_idle_gears_and_clutches_and_jets_take_their_power_from_their_shafts() {
+    let folder = tempfile::tempdir().unwrap();
+    let written = |name: &str, text: &str| {
+        let file = folder.path().join(name);
+        std::fs::write(&file, text).unwrap();
+        file.display().to_string()
+    };
+    let idle = written(
+        "idle.csv",
+        "speed_rpm,temperature_c,loss_torque_nm\n0,60,0.1\n4000,60,0.5\n0,120,0.0\n4000,120,0.2\n",
+    );
+    let clutch = written("clutch.csv", "speed_rpm,loss_w\n100,2\n6000,120\n");
+    let stated = |idle: &str| {
+        format!(
+            r#"{{ jets = [{{ mesh = "m2", flow = "2.5 l/min", speed = "20 m/s" }}], tables = [{{ shaft = "s1", file = "{idle}", name = "idle gear" }}, {{ shaft = "s1", against = "s2", file = "{clutch}" }}] }}"#
+        )
+    };
+    let gearbox = stated(&idle);
+    let plain = run(&train_of(GEARS, &[]), false);
+    let train = train_of(GEARS, &[("gearbox", &gearbox)]);
+    let result = run(&train, false);
+    let found = result.gearbox.clone().unwrap();
+    assert_eq!(
+        (result.loss_w, result.efficiency),
+        (plain.loss_w, plain.efficiency)
+    );
+    let [jet, idle_gear, clutch] = &found.parts[..] else {
+        panic!("three parts: {found:?}");
+    };
+    assert_eq!(
+        [&jet.name, &idle_gear.name, &clutch.name],
+        ["jet 1", "idle gear", "clutch.csv"]
+    );
+    // By the tooth numbers; the table at 90 °C is in the middle of its temperatures.
+    let middle = 9000.0 * 23.0 / 68.0;
+    let omega = |rpm: f64| rpm * std::f64::consts::PI / 30.0;
+    let torque = 0.5 * ((0.1 + 1e-4 * middle) + 5e-5 * middle);
+    assert!((idle_gear.loss_w / (torque * omega(middle)) - 1.0).abs() < 1e-9);
+    // The second shaft turns the other way; 2 W and 120 W are 0.191 N m at both ends.
+    let relative = middle * (1.0 + 25.0 / 61.0);
+    let [low, high] = [2.0 / omega(100.0), 120.0 / omega(6000.0)];
+    let torque = low + (high - low) * (relative - 100.0) / 5900.0;
+    assert!((clutch.loss_w / (torque * omega(relative)) - 1.0).abs() < 1e-9);
+    // ρ Q v (v + v_jet) at the pitch circle.
+    let mesh = &train.mesh("m2").unwrap().case.case;
+    let density = mesh
+        .lubricant
+        .at(mesh.temperature)
+        .unwrap()
+        .value
+        .density
+        .si();
+    let pitch = omega(middle) * mesh.gears.working_pitch_radius[0].si();
+    let expected = density * 2.5e-3 / 60.0 * pitch * (pitch + 20.0);
+    assert!(
+        (jet.loss_w / expected - 1.0).abs() < 1e-9,
+        "{jet:?} {expected}"
+    );
+    let powers: f64 = (result.shafts.iter())
+        .map(|shaft| shaft.torque_nm * shaft.speed_rad_per_s)
+        .sum();
+    assert!((powers - found.loss_w).abs() < 1e-12 * result.power_in_w);
+    assert!((found.loss_w - result.loss_w - found.parts_w).abs() < 1e-9);
+    let heat = r#"{ ambient = "25 °C", oil_to_housing = "80 W/K", housing_to_ambient = "40 W/K" }"#;
+    let warm = [
+        ("gearbox", gearbox.as_str()),
+        ("operation.oil_temperature", "80 °C"),
+        BULK,
+        ("heat", heat),
+    ];
+    let warm = run(&train_of(GEARS, &warm), false);
+    let into = warm.gearbox.unwrap().loss_w;
+    assert!((warm.heat.unwrap().heat_w / into - 1.0).abs() < 1e-12);
+    // A table that ends before the speed, one that is none, and parts without a place.
+    let short = written("short.csv", "speed_rpm,loss_torque_nm\n0,0.1\n1000,0.5\n");
+    let error = run_train(
+        &train_of(GEARS, &[("gearbox", &stated(&short))]),
+        &KeptFields::Highest,
+        false,
+        &|_, _| {},
+    );
+    let error = error.unwrap_err();
+    assert!(error.to_string().contains("idle gear"), "{error}");
+    let at_rest = written("rest.csv", "speed_rpm,loss_w\n0,1\n1000,2\n");
+    for (keys, code, says) in [
+        (stated(&at_rest), "E138", "loss_w at a speed above 0"),
+        (stated("/nowhere.csv"), "E103", "nowhere.csv"),
+        (gearbox.replace("\"s2\"", "\"s9\""), "E205", "names a shaft"),
+        (
+            gearbox.replace("against = \"s2\"", "against = \"s1\""),
+            "E205",
+            "two shafts",
+        ),
+        (
+            gearbox.replace("\"m2\"", "\"m9\""),
+            "E205",
+            "must name a pair of gears",
+        ),
+        (gearbox.replace("2.5 l/min", "-1 l/min"), "E222", "jet 1"),
+    ] {
+        let error = try_train_of(GEARS, &[("gearbox", &keys)]).unwrap_err();
+        assert_eq!(error.code(), code, "{error}");
+        assert!(error.to_string().contains(says), "{error}");
+    }
+}
+
+#[test]
+fn bearings_of_planets_carry_the_forces_of_sun_and_ring_and_take_their_power_from_the_set() {
+    let bearing = |more: &str| {
+        format!(
+            r#"{{ bearings = [{{ shaft = "m2 planet", kind = "cylindrical-roller", bore = "12 mm", outside_diameter = "24 mm", r1 = 1.09e-6, s1 = 0.16, s2 = 0.0015, k_z = 5.1, k_rs = 3e-8, mu_bl = 0.12, mu_ehl = 0.02{more} }}] }}"#
+        )
+    };
+    let set = r#"mesh.m2 = { shafts = ["s1", "s2"], planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] } }"#;
+    let train = |stated: &str| {
+        let first = GEARS[0];
+        let text = format!(
+            "train.input = \"s0\"\nmesh.m1 = {{ shafts = [\"s0\", \"s1\"], gears = {first} }}\n{set}\ngearbox = {stated}\n{COMMON}[surface]{FLANKS}"
+        );
+        let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
+        load_set(source, &profiles(), &[], None)
+    };
+    let loaded = train(&bearing(", planet_mass = \"0.4 kg\", per_planet = 2")).unwrap();
+    let result = run(&loaded, false);
+    let found = result.gearbox.clone().unwrap();
+    // The carrier carries T_s (1 + z_r/z_s), each planet a third of it at the distance of its axis.
+    let report = result.sets.values().next().unwrap();
+    let torque = 145.0 * 68.0 / 23.0;
+    let distance = 1e-3 * (27.0 + 24.0);
+    let tangential = torque * (1.0 + 75.0 / 27.0) / 3.0 / distance;
+    let outwards = 0.4 * distance * report.carrier_rad_per_s.powi(2);
+    let load = [0.5 * tangential.hypot(outwards), 0.0].map(Force::from_si);
+    let TrainPartKind::PlanetBearing {
+        bearing: rolling, ..
+    } = loaded.gearbox.as_ref().unwrap().parts[0].kind
+    else {
+        panic!("{found:?}")
+    };
+    let case = &loaded.meshes().next().unwrap().case.case;
+    let oil = case.lubricant.at(case.temperature).unwrap().value;
+    let speed = AngularSpeed::from_si(report.planet_relative_rad_per_s.abs());
+    let one = rolling
+        .torque(load, speed, oil.kinematic_viscosity)
+        .unwrap();
+    let expected = 6.0 * one.value.total().si() * speed.si();
+    assert!(
+        (found.parts_w / expected - 1.0).abs() < 1e-9,
+        "{found:?} {expected}"
+    );
+    let powers: f64 = (result.shafts.iter())
+        .map(|shaft| shaft.torque_nm * shaft.speed_rad_per_s)
+        .sum();
+    assert!((powers - found.loss_w).abs() < 1e-12 * result.power_in_w);
+    let heavy = train(&bearing(", planet_mass = \"-1 kg\"")).unwrap_err();
+    let placed = train(&bearing(", at = \"1 mm\"")).unwrap_err();
+    let few = train(&bearing(", per_planet = 0")).unwrap_err();
+    let none = train(&bearing("").replace("m2 planet", "m1 planet")).unwrap_err();
+    for (error, code, says) in [
+        (heavy, "E222", "planet_mass"),
+        (placed, "E222", "at"),
+        (few, "E222", "per_planet"),
+        (none, "E205", "names a shaft"),
+    ] {
+        assert!(
+            error.code() == code && error.to_string().contains(says),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn messages_about_the_bulk_temperature_of_a_mesh_name_its_key() {
+    let bulk = r#"{ law = "network", pinion_to_oil = "12 W/K" }"#;
+    let start = ("operation.oil_temperature", "80 °C");
+    let error = try_train_of(GEARS, &[start, BULK, ("mesh.m2.bulk", bulk)]).unwrap_err();
+    let text = error.to_string();
+    assert!(text.contains("mesh.m2.bulk.wheel_to_oil"), "{text}");
+    let negative = r#"{ law = "network", pinion_to_oil = "12 W/K", wheel_to_oil = "-1 W/K" }"#;
+    let error = try_train_of(GEARS, &[start, BULK, ("mesh.m2.bulk", negative)]).unwrap_err();
+    assert!(
+        error.to_string().contains("mesh.m2.bulk.wheel_to_oil"),
+        "{error}"
+    );
+    let error = try_train_of(GEARS, &[start, ("operation.bulk", bulk)]).unwrap_err();
+    assert!(
+        error.to_string().contains("operation.bulk.wheel_to_oil"),
+        "{error}"
+    );
 }
 
 fn train_gearbox_bearing(train: &LoadedTrain) -> RollingBearing {

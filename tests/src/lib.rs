@@ -11,6 +11,7 @@ mod book {
 mod case_text;
 pub mod markdown;
 pub mod parsers;
+pub mod picture;
 mod planetary_set;
 mod table_2;
 mod trace;

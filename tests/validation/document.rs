@@ -7,8 +7,8 @@ use std::path::Path;
 
 use crate::{
     band, ehl_records, fluid_film, full_film_losses, gates, gear_tool, load_share, measured,
-    oil_file, paper_formulation, paper_statements, petry_johnson, rough_contact, share_laws,
-    spot_values, steady_films, table_2,
+    oil_file, paper_formulation, paper_statements, parity, petry_johnson, rough_contact,
+    share_laws, spot_values, steady_films, table_2,
 };
 
 /// Every table by the name of its place.
@@ -45,7 +45,7 @@ fn tables() -> Vec<(&'static str, String)> {
     tables.push(("band", band::table()));
     tables.push(("oil-file", oil_file::table()));
     tables.push(("one-key", load_share::one_key_changed()));
-    tables.push(("one-key-main", load_share::main_keys_changed()));
+    tables.push(("gate-count", parity::count()));
     tables.push(("film", fluid_film::over_thickness()));
     tables.push(("paper-statements", paper_statements::table()));
     tables

@@ -89,6 +89,8 @@ pub struct Gate {
     pub digits: usize,
     /// What is printed with the value.
     pub note: String,
+    /// Least and largest measured value, in the unit of the gate; minus infinity if only a largest one was stated.
+    pub reference: Option<[f64; 2]>,
 }
 
 impl Gate {
@@ -109,7 +111,30 @@ impl Gate {
             unit,
             digits,
             note,
+            reference: None,
         }
+    }
+
+    /// The gate with the measured range, which its picture shows.
+    pub fn against(self, range: [f64; 2]) -> Self {
+        let reference = Some(range);
+        Self { reference, ..self }
+    }
+
+    /// `value` over the middle of the measured range, or over its end if only the largest value was stated; of changes in
+    /// per cent the quotient of the changed quantities.
+    pub fn over_reference(&self, value: f64) -> Option<f64> {
+        let quantity = |value: f64| match self.unit {
+            "%" => 100.0 + value,
+            _ => value,
+        };
+        let [low, high] = self.reference?.map(quantity);
+        let middle = if low.is_finite() {
+            0.5 * (low + high)
+        } else {
+            high
+        };
+        Some(quantity(value) / middle)
     }
 
     pub fn noted(self, note: String) -> Self {
@@ -234,6 +259,21 @@ fn a_gate_is_undecided_where_an_end_of_its_rule_lies_within_1_65_standard_errors
     assert_eq!(judge(Estimate::exact(-3.0), one_sided), Verdict::Pass);
     assert_eq!(judge(Estimate::exact(0.05), one_sided), Verdict::Fail);
     assert_eq!(judge(Estimate::exact(0.05), None), Verdict::Printed);
+}
+
+#[test]
+fn values_are_compared_with_the_middle_or_the_end_of_the_measured_range() {
+    let gate = |unit| Gate::new("", "", Estimate::exact(0.0), None, (unit, 0));
+    assert_eq!(gate("W").over_reference(150.0), None);
+    // A fall by 44 % where 30 % was measured leaves 56 of 70.
+    for (unit, range, value) in [
+        ("W", [100.0, 200.0], 120.0),
+        ("-", [f64::NEG_INFINITY, 0.05], 0.04),
+        ("%", [-30.0, -30.0], -44.0),
+    ] {
+        let ratio = gate(unit).against(range).over_reference(value);
+        assert!((ratio.unwrap() - 0.8).abs() < 1e-12, "{unit}: {ratio:?}");
+    }
 }
 
 #[test]

@@ -72,7 +72,7 @@ impl LoadShare for Arana {
     }
 }
 
-fn gates() -> &'static [Gate] {
+pub fn gates() -> &'static [Gate] {
     static GATES: OnceLock<Vec<Gate>> = OnceLock::new();
     GATES.get_or_init(|| {
         let mut rows = gates_by(GapLaw::default()).to_vec();
@@ -139,7 +139,8 @@ fn fzg_gates(law: GapLaw) -> Vec<Gate> {
             at_slow(&[]),
             Some([0.055, 0.068]),
             FRICTION,
-        ),
+        )
+        .against([f64::NEG_INFINITY, 0.065]),
         Gate::new(
             "T1 the same with boundary friction 0.07",
             "-",
@@ -153,14 +154,16 @@ fn fzg_gates(law: GapLaw) -> Vec<Gate> {
             factor.times(100.0),
             Some([-5.0, 5.0]),
             PERCENT,
-        ),
+        )
+        .against([0.0; 2]),
         Gate::new(
             "T1 gap at 8.3 m/s, mean over the path",
             "just below 0.2 um",
             Estimate::exact(mean_film(&nominal.losses)),
             Some([0.15, 0.20]),
             ("um", 3),
-        ),
+        )
+        .against([0.2; 2]),
     ];
     rows.extend(FZG_SPEEDS.iter().map(|(speed, _)| {
         let turns = turns(*speed);
@@ -183,6 +186,7 @@ fn fzg_gates(law: GapLaw) -> Vec<Gate> {
             Some([-15.0, 15.0]),
             PERCENT,
         )
+        .against([-5.0, 5.0])
     }));
     rows
 }
@@ -265,6 +269,7 @@ fn petry_johnson_gates() -> Vec<Gate> {
             (speed <= 8000).then_some([0.75 * low, 1.25 * high]),
             ("W", 0),
         )
+        .against([low, high])
         .noted(format!(
             " (at the bulk temperature of its loss: {})",
             heated(speed)
@@ -294,16 +299,18 @@ fn finish_gates(law: GapLaw) -> Vec<Gate> {
             is_inside.then_some([-40.0, -20.0]),
             PERCENT,
         )
+        .against([-30.0; 2])
         .noted(format!(" at h/Rq {:.2}", found.film_ratio))
     });
     let mut rows = Vec::from(britton);
-    rows.push(Gate::new(
+    let null = Gate::new(
         "T4 superfinishing in thick films, FZG at 40 °C, 20 m/s: change of μ",
         "nothing measurable",
         null_pair(law).times(100.0),
         Some([-8.0, 8.0]),
         PERCENT,
-    ));
+    );
+    rows.push(null.against([0.0; 2]));
     rows
 }
 
@@ -321,6 +328,7 @@ fn limit_gates() -> Vec<Gate> {
             Some([f64::NEG_INFINITY, limit + 0.005]),
             FRICTION,
         )
+        .against([f64::NEG_INFINITY, limit])
     });
     rows.into()
 }
@@ -343,10 +351,10 @@ pub fn null_pair(law: GapLaw) -> Estimate {
 fn oil_gates(law: GapLaw) -> Vec<Gate> {
     let kept = Kept::new(measured("fzg-c-ground", &[gap_law_key(law)]));
     let oils = [
-        ("polyglycol", "0.6", [0.45, 0.75]),
-        ("ester", "0.6 to 1.0", [0.45, 1.15]),
+        ("polyglycol", "0.6", [0.6; 2], [0.45, 0.75]),
+        ("ester", "0.6 to 1.0", [0.6, 1.0], [0.45, 1.15]),
     ];
-    let row = |(oil, measured, rule): (&str, &str, [f64; 2]), speed: f64| {
+    let row = |(oil, measured, range, rule): (&str, &str, [f64; 2], [f64; 2]), speed: f64| {
         let turns = turns(speed);
         let at = |oil: &str| kept.at(&[("lubricant.base_oil", oil), ("operation.speed", &turns)]);
         Gate::new(
@@ -356,6 +364,7 @@ fn oil_gates(law: GapLaw) -> Vec<Gate> {
             Some(rule),
             RATIO,
         )
+        .against(range)
     };
     let rows = oils.map(|oil| [2.5, 8.3].map(|speed| row(oil, speed)));
     rows.into_iter().flatten().collect()
@@ -395,6 +404,7 @@ fn running_in_gates(law: GapLaw) -> Vec<Gate> {
             fzg,
             Some([0.03, 0.3]),
         )
+        .against([0.1; 2])
         .noted(format!(" with Rq {rq:.0} %")),
         row(&format!("{gain}, e-drive ground"), "-", drive, None),
         row(
@@ -448,6 +458,7 @@ fn film_gates() -> Vec<Gate> {
             rule,
             RATIO,
         )
+        .against([0.65, 0.72])
     };
     vec![
         row("0.5 to 1 m/s", 0.5, 1.0, Some([0.65, 0.72])),

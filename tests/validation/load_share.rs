@@ -303,33 +303,6 @@ pub fn one_key_changed() -> String {
     text
 }
 
-/// The rows that matter most, for the first page.
-pub fn main_keys_changed() -> String {
-    const MAIN: [(&str, &str); 9] = [
-        ("model.boundary_friction", "0.065"),
-        ("model.boundary_friction", "0.12"),
-        ("model.boundary_layer", "5 nm"),
-        ("model.boundary_layer", "20 nm"),
-        ("model.spot_speed", "half-sliding"),
-        ("model.asperity_share_factor", "0.5"),
-        ("material.pinion.flow_pressure", "2.5 GPa"),
-        ("model.load_share", "lambda-star"),
-        ("lubricant.base_oil", "mineral"),
-    ];
-    let (base, changed, run_in) = changes();
-    let mut text = String::from("| key | value | change of the loss |\n|---|---|---|\n");
-    for (row, loss) in CHANGES.iter().zip(changed) {
-        if MAIN.contains(row) {
-            let (key, value) = row;
-            let change = 100.0 * (loss / base - 1.0);
-            let _ = writeln!(text, "| `{key}` | {value} | {change:+.0} % |");
-        }
-    }
-    let change = 100.0 * (run_in / base - 1.0);
-    let _ = writeln!(text, "| `model.run_in` | true | {change:+.0} % |");
-    text
-}
-
 #[test]
 fn every_choice_of_the_load_share_moves_the_loss() {
     let (base, changed, run_in) = changes();

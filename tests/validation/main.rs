@@ -22,6 +22,7 @@ mod measured_cases;
 mod oil_file;
 mod paper_formulation;
 mod paper_statements;
+mod parity;
 mod petry_johnson;
 mod rough_contact;
 mod share_laws;

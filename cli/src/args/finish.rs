@@ -7,6 +7,8 @@ use std::path::PathBuf;
 pub struct FinishArg {
     /// Name.
     pub name: String,
+    /// Mesh of a gear train that has the traces; `None` for all.
+    pub mesh: Option<String>,
     /// Trace of the pinion.
     pub pinion: PathBuf,
     /// Trace of the wheel, if it is a separate file.
@@ -23,7 +25,11 @@ impl std::str::FromStr for FinishArg {
             None => (files, None),
             Some((pinion, wheel)) => (pinion, Some(wheel)),
         };
-        if [Some(name), Some(pinion), wheel]
+        let (name, mesh) = match name.split_once('@') {
+            None => (name, None),
+            Some((name, mesh)) => (name, Some(mesh)),
+        };
+        if [Some(name), mesh, Some(pinion), wheel]
             .into_iter()
             .flatten()
             .any(str::is_empty)
@@ -32,6 +38,7 @@ impl std::str::FromStr for FinishArg {
         }
         Ok(Self {
             name: name.to_owned(),
+            mesh: mesh.map(str::to_owned),
             pinion: pinion.into(),
             wheel: wheel.map(PathBuf::from),
         })

@@ -27,8 +27,9 @@ pub struct MapArgs {
     /// Temperatures of the flanks in °C: a..b:n or a list [default: the temperature of the case]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub temperature: Option<String>,
-    /// A finish and its traces; give several to see their difference [default: the flanks of the case]
-    #[arg(long = "finish", value_name = "NAME=PINION.csv[,WHEEL.csv]")]
+    /// A finish and its traces, in a gear train of all meshes or of one; give several to see their difference
+    /// [default: the flanks of the case]
+    #[arg(long = "finish", value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]")]
     pub finishes: Vec<FinishArg>,
     /// Whether the loss has median, 5 and 95 % quantiles, as in asperity run
     #[arg(long, value_enum, default_value_t, value_name = "POINTS")]

@@ -1,23 +1,20 @@
 //! `asperity compare`: several finishes on one case.
 
-use std::path::Path;
-
-use asperity::case::{CaseInput, LoadedCase, Source};
+use asperity::case::CaseInput;
 use asperity::pipeline::KeptFields;
-use asperity_studies::compare::{self, Comparison, Finish};
+use asperity_studies::compare::{self, Comparison};
 
-use super::finish::{Traces, check_names};
-use super::work::check_work;
-use super::{load_pair, result_name, source, study};
-use crate::args::{Common, CompareArgs, FinishArg};
+use super::finish::{self, check_names};
+use super::work::check_work_of_train;
+use super::{result_name, study};
+use crate::args::{Common, CompareArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
 
 /// `asperity compare`
 pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     if args.finishes.len() < 2 {
-        let message = "--finish: one finish cannot be compared; give at least two";
-        return Err(Failure::new("E205", message));
+        return Err(single());
     }
     check_names(&args.finishes)?;
     if let Some(offsets @ ..2) = args.offsets {
@@ -25,27 +22,20 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
         return Err(Failure::new("E209", message));
     }
     let progress = Progress::of(common.quiet, READING);
-    // Read once for all finishes, since standard input can be read only once.
-    let (text, folder) = source(&args.case)?;
-    let finishes = args
-        .finishes
-        .iter()
-        .map(|finish| {
-            Ok(Finish {
-                name: finish.name.clone(),
-                case: load(args, (&text, folder), finish)?,
-            })
-        })
-        .collect::<Result<Vec<_>, Failure>>()?;
-    if let Some(first) = finishes.first() {
-        check_work(
-            &args.work,
-            &first.case,
-            &KeptFields::Highest,
-            finishes.len(),
-        )?;
+    let change = |input: &mut CaseInput| {
+        if args.offsets.is_some() {
+            input.model.offsets = args.offsets;
+        }
+    };
+    let finishes = finish::finishes(&args.case, &args.set, &args.finishes, &change)?;
+    if finishes.len() < 2 {
+        return Err(single());
     }
-    let title = finishes.first().map_or("", |first| &first.case.case.title);
+    if let Some(first) = finishes.first() {
+        let kept = KeptFields::Highest;
+        check_work_of_train(&args.work, &first.case, &kept, finishes.len())?;
+    }
+    let title = finishes.first().map_or("", |first| &first.case.title);
     let name = result_name(&args.case);
     let folder = study::folder::<Comparison>(args.output.as_deref(), &name, "compare", title)?;
     progress.begin("finishes");
@@ -57,19 +47,7 @@ pub fn compare(args: &CompareArgs, common: &Common) -> Result<(), Failure> {
     study::print(&comparison, (), Some(&folder), None, common)
 }
 
-/// Loads the case with the traces of a finish; a single trace is used for both flanks, mirrored for the wheel.
-fn load(
-    args: &CompareArgs,
-    (text, folder): (&Source, &Path),
-    finish: &FinishArg,
-) -> Result<LoadedCase, Failure> {
-    let (name, traces) = (&finish.name, Traces::of(finish)?);
-    let change = |input: &mut CaseInput| {
-        traces.put_into(input);
-        if args.offsets.is_some() {
-            input.model.offsets = args.offsets;
-        }
-    };
-    load_pair(text.clone(), folder, &args.set, &change)
-        .map_err(|error| error.adding(&format!(" (--finish {name})")))
+fn single() -> Failure {
+    let message = "--finish: one finish cannot be compared; give at least two";
+    Failure::new("E205", message)
 }

@@ -1,6 +1,8 @@
-//! `asperity completions`: completions for shells, and the man page.
+//! `asperity completions`: completions for shells, the man page, and the list of commands for the documents.
 
-use clap::CommandFactory;
+use std::fmt::Write as _;
+
+use clap::{Command, CommandFactory};
 use clap_complete::{Shell, generate};
 use clap_mangen::Man;
 
@@ -23,6 +25,7 @@ pub fn completions(kind: CompletionKind, common: &Common) -> Result<(), Failure>
             })?;
             return print_text(common, &String::from_utf8_lossy(&text));
         }
+        CompletionKind::Markdown => return print_text(common, &markdown()),
     };
     generate(shell, &mut Cli::command(), "asperity", &mut text);
     print_text(common, &String::from_utf8_lossy(&text))
@@ -46,4 +49,88 @@ fn man_page(text: &mut Vec<u8>) -> std::io::Result<()> {
         page.render_extra_section(text)?;
     }
     Ok(())
+}
+
+/// Commands by the question that they answer.
+const QUESTIONS: [(&str, &[&str]); 7] = [
+    (
+        "One loss",
+        &["demo", "new", "check", "run", "report", "diff"],
+    ),
+    ("Compare", &["compare", "sensitivity", "sweep"]),
+    ("Narrow the interval", &["evidence", "calibrate"]),
+    ("Torque, speed and drive cycles", &["map", "cycle"]),
+    (
+        "One part of the model",
+        &["gear", "regime", "contact", "film", "ehl", "figures"],
+    ),
+    (
+        "Profiles, oils and gears",
+        &["profile", "oil", "oils", "steels", "gears", "case"],
+    ),
+    (
+        "Look things up",
+        &["explain", "equations", "schema", "completions"],
+    ),
+];
+
+/// The page of all commands: a table by question, then the help of each.
+fn markdown() -> String {
+    let mut root = Cli::command().term_width(100).disable_help_subcommand(true);
+    root.build();
+    let about = |command: &Command| {
+        command
+            .get_about()
+            .map(ToString::to_string)
+            .unwrap_or_default()
+    };
+    let mut text = String::from(
+        "# Commands\n\nWritten by `asperity completions markdown > docs/COMMANDS.md`; `asperity COMMAND --help` prints the same.\n",
+    );
+    let mut details = String::new();
+    for (question, names) in QUESTIONS {
+        let _ = write!(text, "\n## {question}\n\n| command | does |\n|---|---|\n");
+        for command in names.iter().filter_map(|name| root.find_subcommand(name)) {
+            let inner: Vec<&Command> = command.get_subcommands().collect();
+            let all = if inner.is_empty() {
+                vec![command]
+            } else {
+                inner
+            };
+            for command in all {
+                let name = command.get_bin_name().unwrap_or_default();
+                let anchor = name.replace(' ', "-");
+                let _ = writeln!(
+                    text,
+                    "| [`{name}`](#{anchor}) | {} |",
+                    about(command).replace('|', "\\|")
+                );
+                let help = command.clone().render_help();
+                let _ = write!(
+                    details,
+                    "\n### {name}\n\n```text\n{}\n```\n",
+                    help.to_string().trim_end()
+                );
+            }
+        }
+    }
+    text + "\n## Help of each command\n" + &details
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_command_answers_one_question() {
+        let command = Cli::command();
+        let mut listed: Vec<&str> = QUESTIONS
+            .iter()
+            .flat_map(|(_, names)| names.iter().copied())
+            .collect();
+        let mut all: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+        listed.sort_unstable();
+        all.sort_unstable();
+        assert_eq!(listed, all);
+    }
 }

@@ -1,25 +1,104 @@
 //! A case on the traces of a finish.
 
 use std::io::ErrorKind;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use asperity::case::CaseInput;
+use asperity::case::gear_train::LoadedTrain;
 use asperity_storage::regular_file;
+use asperity_studies::compare::Finish;
 
-use crate::args::FinishArg;
+use super::{load_changed_train, source};
+use crate::args::{FinishArg, SetArgs};
 use crate::failure::Failure;
 
-/// Rejects finishes with equal names.
+/// Rejects finishes with equal names, or for the same mesh.
 pub fn check_names(finishes: &[FinishArg]) -> Result<(), Failure> {
     for (index, finish) in finishes.iter().enumerate() {
-        let before = &finishes[..index];
-        if before.iter().any(|other| other.name == finish.name) {
-            let name = &finish.name;
-            let message = format!("--finish {name}: two finishes have this name; rename one");
+        let FinishArg { name, mesh, .. } = finish;
+        let mut before = finishes[..index].iter();
+        if before.any(|other| other.name == *name && other.mesh == *mesh) {
+            let message = match mesh {
+                None => format!("--finish {name}: two finishes have this name; rename one"),
+                Some(mesh) => format!("--finish {name}@{mesh}: stated twice; leave one out"),
+            };
             return Err(Failure::new("E205", message));
         }
     }
     Ok(())
+}
+
+/// The case with the traces of each finish and a `change` of every mesh; meshes that a finish does not name keep their flanks.
+pub fn finishes(
+    case: &Path,
+    set: &SetArgs,
+    stated: &[FinishArg],
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<Vec<Finish<LoadedTrain>>, Failure> {
+    check_names(stated)?;
+    // Read once for all finishes, since standard input can be read only once.
+    let (text, folder) = source(case)?;
+    let mut names: Vec<&str> = Vec::new();
+    for finish in stated {
+        if !names.contains(&finish.name.as_str()) {
+            names.push(&finish.name);
+        }
+    }
+    let load = |name: &str| {
+        let of_name = stated.iter().filter(|finish| finish.name == name);
+        let traces = of_name.map(|finish| Ok((finish.mesh.as_deref(), Traces::of(finish)?)));
+        let traces = traces.collect::<Result<Vec<_>, Failure>>()?;
+        let of_all = |input: &mut CaseInput| {
+            for (_, traces) in traces.iter().filter(|(mesh, _)| mesh.is_none()) {
+                traces.put_into(input);
+            }
+            change(input);
+        };
+        let train = load_changed_train(text.clone(), folder, set, &of_all)?;
+        let is_of =
+            |stated: &str, stage: Option<&str>, mesh: &str| stated == mesh || Some(stated) == stage;
+        let named = || {
+            traces
+                .iter()
+                .filter_map(|(mesh, traces)| Some(((*mesh)?, traces)))
+        };
+        let all = |stated: &str| {
+            let stages = train.stages.iter();
+            stages
+                .flat_map(|stage| {
+                    stage
+                        .meshes
+                        .iter()
+                        .map(|mesh| (stage.name.as_deref(), mesh))
+                })
+                .any(|(stage, mesh)| is_of(stated, stage, &mesh.name))
+        };
+        if let Some((mesh, _)) = named().find(|(mesh, _)| !all(mesh)) {
+            let known = match train.pair() {
+                Some(_) => "the case has a single mesh".to_owned(),
+                None => format!("there is no mesh \"{mesh}\", only {}", train.names()),
+            };
+            return Err(Failure::new(
+                "E205",
+                format!("--finish {name}@{mesh}: {known}"),
+            ));
+        }
+        if named().next().is_none() {
+            return Ok(train);
+        }
+        let changed = train.with_each(&|stage, mesh, input| {
+            for (_, traces) in named().filter(|(stated, _)| is_of(stated, stage, mesh)) {
+                traces.put_into(input);
+            }
+        });
+        changed.map_err(|error| Failure::of(&error))
+    };
+    let finish = |name: &&str| {
+        let case = load(name).map_err(|error| error.adding(&format!(" (--finish {name})")))?;
+        let name = (*name).to_owned();
+        Ok(Finish { name, case })
+    };
+    names.iter().map(finish).collect()
 }
 
 /// Traces of a finish by absolute path.

@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use asperity_rexs::{
-    CaseText, Flanks, Model, OperatingPoint, RexsError, Stage, StageKind, case_text,
-    operating_points, stages, teeth, train_text,
+    CaseText, Flanks, Model, OperatingPoint, RexsError, Stage, StageKind, case_text, contents,
+    lubricants, operating_points, stages, teeth_of, train_text,
 };
 use asperity_storage::{one_line, whole_file};
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::args::{Common, FromRexsArgs};
 use crate::failure::Failure;
@@ -27,10 +27,10 @@ pub fn from_rexs(args: &FromRexsArgs, common: &Common) -> Result<(), Failure> {
     let wrong = |error: RexsError| refused(&error, error.code());
     let model = Model::read(&bytes).map_err(wrong)?;
     if args.stage.is_none() && args.output.is_none() && !args.all {
-        return list(&model, common).map_err(|failure| match failure {
-            Listing::Rexs(error) => wrong(error),
-            Listing::Output(failure) => failure,
-        });
+        return match common.json {
+            true => print_json(&contents(&model).map_err(wrong)?),
+            false => print_text(common, &listed(&model).map_err(wrong)?),
+        };
     }
     let output = args.output.as_deref().unwrap_or(Path::new("-"));
     let flank = |file: &Option<PathBuf>| file.as_deref().map(|file| named_from(output, file));
@@ -90,45 +90,25 @@ fn named_from(output: &Path, flank: &Path) -> String {
     name.to_string_lossy().into_owned()
 }
 
-enum Listing {
-    Rexs(RexsError),
-    Output(Failure),
-}
-
-impl From<RexsError> for Listing {
-    fn from(error: RexsError) -> Self {
-        Self::Rexs(error)
-    }
-}
-
-/// Stages, lubricants and operating points of a file.
-fn list(model: &Model, common: &Common) -> Result<(), Listing> {
-    let stages = stages(model)?;
+/// Stages, lubricants and operating points of a file as text.
+fn listed(model: &Model) -> Result<String, RexsError> {
     let mut text = format!(
         "REXS {} by {}\n",
         one_line(&model.version),
         one_line(&model.program)
     );
-    let mut rows = Vec::new();
+    let stages = stages(model)?;
     for stage in &stages {
-        let points = operating_points(model, stage)?;
-        let teeth = teeth_of(model, stage)?;
-        let kind = described(stage, &teeth);
+        let kind = described(stage, &teeth_of(model, stage)?);
         let _ = writeln!(text, "stage {}: {}", stage.number, one_line(&kind));
-        for point in &points {
-            let _ = writeln!(text, "  {}", one_line(&point_text(point)));
+        for point in operating_points(model, stage)? {
+            let _ = writeln!(text, "  {}", one_line(&point_text(&point)));
         }
-        rows.push(row(stage, &teeth, &points));
     }
     if stages.is_empty() {
         text.push_str("no stage of gears\n");
     }
-    let oils: Vec<_> = model
-        .components
-        .values()
-        .filter(|component| component.kind == "lubricant")
-        .collect();
-    for oil in &oils {
+    for oil in lubricants(model) {
         let at = |key: &str| one_line(oil.attributes.get(key).map_or("?", |value| &value.text));
         let _ = writeln!(
             text,
@@ -138,25 +118,10 @@ fn list(model: &Model, common: &Common) -> Result<(), Listing> {
             at("viscosity_at_100_degree_celsius")
         );
     }
-    if oils.is_empty() {
+    if lubricants(model).next().is_none() {
         text.push_str("no lubricant\n");
     }
-    if common.json {
-        let oils: Vec<&str> = oils.iter().map(|oil| oil.name.as_str()).collect();
-        let listed = json!({
-            "version": model.version, "program": model.program, "stages": rows, "lubricants": oils,
-        });
-        return print_json(&listed).map_err(Listing::Output);
-    }
-    print_text(common, &text).map_err(Listing::Output)
-}
-
-fn teeth_of(model: &Model, stage: &Stage) -> Result<Vec<u32>, RexsError> {
-    let gears = stage.gears().into_iter();
-    gears
-        .filter_map(|id| model.components.get(id))
-        .map(teeth)
-        .collect()
+    Ok(text)
 }
 
 fn described(stage: &Stage, teeth: &[u32]) -> String {
@@ -196,31 +161,4 @@ fn point_text(point: &OperatingPoint) -> String {
         true => format!("{name}: nothing known"),
         false => format!("{name}: {}", values.join(", ")),
     }
-}
-
-fn row(stage: &Stage, teeth: &[u32], points: &[OperatingPoint]) -> Value {
-    let kind = match &stage.kind {
-        StageKind::Pair { is_ring: false, .. } => "pair",
-        StageKind::Pair { .. } => "ring pair",
-        StageKind::Planetary { .. } => "planetary",
-        StageKind::Other { kind } => kind,
-        _ => "",
-    };
-    let value = |number: &Option<(f64, String)>| number.as_ref().map(|value| value.0);
-    let points: Vec<Value> = points
-        .iter()
-        .map(|point| {
-            json!({
-                "load_case": point.load_case,
-                "share_percent": point.share,
-                "torque_nm": value(&point.torque),
-                "speed_rpm": value(&point.speed),
-                "temperature_c": value(&point.temperature),
-            })
-        })
-        .collect();
-    json!({
-        "stage": stage.number, "name": stage.name, "kind": kind, "teeth": teeth,
-        "operating_points": points,
-    })
 }

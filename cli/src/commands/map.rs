@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::case::CaseInput;
 use asperity::case::gear_train::LoadedTrain;
 use asperity::message::explain;
 use asperity::pipeline::KeptFields;
@@ -13,7 +12,7 @@ use asperity_studies::export::{self, AddedLoss, With};
 use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 
 use super::cycle::{LARGEST_TABLE, read_cycle};
-use super::finish::{Traces, check_names};
+use super::finish::{self, check_names};
 use super::work::check_work_of_train;
 use super::{load_changed_train, result_name, source, stem, study};
 use crate::args::{Common, ExportArg, MapArgs};
@@ -98,7 +97,7 @@ fn added_loss(file: &Path) -> Result<AddedLoss, Failure> {
     let short = file.file_name().unwrap_or_default().to_string_lossy();
     AddedLoss::read(&short, &text).map_err(|error| {
         Failure::new("E101", format!("--add-loss {error}")).advising(
-            "The table has the columns speed_rpm, loss_torque_nm and, where the loss depends on them, torque_nm and temperature_c, as a grid.",
+            "The table has the columns speed_rpm, loss_torque_nm or loss_w and, where the loss depends on them, torque_nm and temperature_c, as a grid.",
         )
     })
 }
@@ -111,26 +110,13 @@ fn name_of_value(format: ExportArg) -> String {
 
 /// The case with the traces of each finish, or with its own traces.
 fn finishes(args: &MapArgs) -> Result<Vec<Finish<LoadedTrain>>, Failure> {
+    if !args.finishes.is_empty() {
+        return finish::finishes(&args.case, &args.set, &args.finishes, &|_| {});
+    }
     let (text, folder) = source(&args.case)?;
-    let load = |change: &dyn Fn(&mut CaseInput)| {
-        load_changed_train(text.clone(), folder, &args.set, change)
-    };
-    if args.finishes.is_empty() {
-        let case = load(&|_| {})?;
-        let name = stem(&args.case).to_string_lossy().into_owned();
-        return Ok(vec![Finish { name, case }]);
-    }
-    let mut finishes = Vec::with_capacity(args.finishes.len());
-    for finish in &args.finishes {
-        let (name, traces) = (&finish.name, Traces::of(finish)?);
-        let case = load(&|input| traces.put_into(input))
-            .map_err(|error| error.adding(&format!(" (--finish {name})")))?;
-        finishes.push(Finish {
-            name: name.clone(),
-            case,
-        });
-    }
-    Ok(finishes)
+    let case = load_changed_train(text, folder, &args.set, &|_| {})?;
+    let name = stem(&args.case).to_string_lossy().into_owned();
+    Ok(vec![Finish { name, case }])
 }
 
 fn axes(args: &MapArgs, case: &LoadedTrain) -> Result<Axes, Failure> {

@@ -162,7 +162,7 @@ fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
 fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
-    let (name, title) = (study.name.as_ref(), &study.case.case.title);
+    let (name, title) = (study.name.as_ref(), &study.case.title);
     let target = study::folder::<Merged>(args.output.as_deref(), name, "sweep", title)?;
     let merged = sweep::merge(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
     study::write(&merged, (), &target)?;

@@ -14,11 +14,11 @@ use crate::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
 use crate::error::{Error, PositionError};
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::{GearboxReport, Scope};
-use crate::result::{Outcome, RunResult, Summary};
+use crate::result::{LossDistribution, Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
 use crate::train_gearbox;
 use crate::train_heat::{self, HeatReport};
-use crate::uncertainty::{Quantiles, run_and_draw};
+use crate::uncertainty::{DrawnMesh, Predictive, Quantiles, losses_of_meshes, run_and_draw};
 
 /// The result of a gear train, in addition to the results of its meshes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -208,6 +208,80 @@ pub struct TrainOutcome {
     pub result: TrainResult,
     /// Every mesh, in the order of its row.
     pub meshes: Vec<Outcome>,
+    /// Draws of each mesh; `None` of a formulation without uncertainty.
+    pub drawn: Option<Vec<Predictive>>,
+}
+
+impl TrainOutcome {
+    /// The drawn losses of the meshes, whose flanks have the numbers `flanks`; `None` without draws.
+    #[must_use]
+    pub fn drawn_meshes(&self, flanks: &[usize]) -> Option<Vec<DrawnMesh<'_>>> {
+        let drawn = self.drawn.as_ref()?;
+        let mesh = |k: usize| {
+            Some(DrawnMesh {
+                predictive: drawn.get(k)?,
+                uncertainty: self.meshes[k].result.uncertainty.as_ref()?,
+                count: self.result.meshes.get(k)?.count,
+                flanks: *flanks.get(k)?,
+            })
+        };
+        (0..self.meshes.len()).map(mesh).collect()
+    }
+}
+
+/// Losses of a mesh for a result without its pictures.
+struct MeshLosses<'a> {
+    summary: &'a Summary,
+    path: &'a [PositionRow],
+    drawn: Option<&'a LossDistribution>,
+}
+
+impl<'a> MeshLosses<'a> {
+    fn of_run(run: &'a RunResult) -> Self {
+        Self {
+            summary: &run.summary,
+            path: &run.path,
+            drawn: run.uncertainty.as_ref().map(|found| &found.loss),
+        }
+    }
+}
+
+/// Losses of a mesh, with its draws.
+pub type LossesOfMesh<'a> = &'a dyn Fn(&LoadedCase) -> Result<(Losses, Option<Predictive>), Error>;
+
+/// The result of a gear train from the losses of its meshes, computed by `of_mesh`: the same numbers as of a run, without
+/// runs of the meshes and their quantiles.
+///
+/// # Errors
+/// As [`run_train`].
+pub fn train_losses(loaded: &LoadedTrain, of_mesh: LossesOfMesh<'_>) -> Result<TrainResult, Error> {
+    let (warmed, oil) = train_heat::warmed(loaded)?;
+    let loaded = &*loaded_by_losses(&warmed)?;
+    let meshes = loaded.meshes().map(|mesh| of_mesh(&mesh.case));
+    let meshes = meshes.collect::<Result<Vec<_>, Error>>()?;
+    let runs = meshes.iter().map(|(losses, _)| MeshLosses {
+        summary: &losses.summary,
+        path: &losses.path,
+        drawn: None,
+    });
+    let runs: Vec<MeshLosses<'_>> = runs.collect();
+    let mut result = result(loaded, &runs).map_err(|error| Error::Whole(Box::new(error)))?;
+    result.heat = oil
+        .zip(loaded.heat.as_ref())
+        .map(|(oil, heat)| HeatReport::of(&oil, heat, result.losses(), std::iter::empty()));
+    let drawn = meshes
+        .iter()
+        .map(|(_, drawn)| drawn.as_ref())
+        .collect::<Option<Vec<_>>>();
+    result.loss_distribution = drawn.map(|drawn| {
+        let flanks = loaded.first_with_flanks();
+        let mut total = vec![0.0; Predictive::count()];
+        for ((predictive, flanks), row) in drawn.into_iter().zip(flanks).zip(&result.meshes) {
+            predictive.add_draws(&mut total, f64::from(row.count), flanks);
+        }
+        Quantiles::of(&total)
+    });
+    Ok(result)
 }
 
 /// Runs every mesh of a gear train, with the uncertainty of the loss if `band` is set; fields are held for the positions
@@ -233,31 +307,28 @@ pub fn run_train(
         drawn.push(predictive);
     }
     let whole = |error: PositionError| Error::Whole(Box::new(error));
-    let runs: Vec<&RunResult> = meshes.iter().map(|mesh| &mesh.result).collect();
+    let runs: Vec<MeshLosses<'_>> = meshes
+        .iter()
+        .map(|mesh: &Outcome| MeshLosses::of_run(&mesh.result))
+        .collect();
     let mut result = result(loaded, &runs).map_err(whole)?;
-    let whole_w = result.gearbox.as_ref().map(|gearbox| gearbox.loss_w);
-    let losses = Power::from_si(whole_w.unwrap_or(result.loss_w));
     let found = oil.zip(loaded.heat.as_ref());
     result.heat = found.map(|(oil, heat)| {
         let runs = loaded.meshes().zip(&meshes);
         let runs = runs.map(|(mesh, outcome)| (mesh.name.as_str(), &outcome.result));
-        HeatReport::of(&oil, heat, losses, runs)
+        HeatReport::of(&oil, heat, result.losses(), runs)
     });
+    let mut outcome = TrainOutcome {
+        result,
+        meshes,
+        drawn: drawn.into_iter().collect(),
+    };
     // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
-    let mut total: Vec<f64> = Vec::new();
-    let draws = drawn.iter().zip(loaded.first_with_flanks());
-    for ((predictive, flanks), row) in draws.zip(&result.meshes) {
-        let Some(predictive) = predictive else {
-            return Ok(TrainOutcome { result, meshes });
-        };
-        let of_mesh = predictive.draws_of_sum_w(flanks, 1.0);
-        total.resize(of_mesh.len(), 0.0);
-        for (total, loss) in total.iter_mut().zip(of_mesh) {
-            *total += f64::from(row.count) * loss;
-        }
-    }
-    result.loss_distribution = Some(Quantiles::of(&total));
-    Ok(TrainOutcome { result, meshes })
+    let total = outcome
+        .drawn_meshes(&loaded.first_with_flanks())
+        .map(|drawn| losses_of_meshes(&drawn));
+    outcome.result.loss_distribution = total.map(|total| Quantiles::of(&total));
+    Ok(outcome)
 }
 
 /// The train with the torques that the losses leave, where the case passes them on.
@@ -320,7 +391,7 @@ fn at_load(case: &LoadedCase, load: MeshLoad) -> Result<LoadedCase, Error> {
     }
 }
 
-fn result(loaded: &LoadedTrain, runs: &[&RunResult]) -> Result<TrainResult, PositionError> {
+fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, PositionError> {
     let train = &loaded.train;
     let losses = runs.iter().map(|run| Power::from_si(run.summary.loss_w));
     let losses = losses.collect::<Vec<Power>>();
@@ -333,7 +404,7 @@ fn result(loaded: &LoadedTrain, runs: &[&RunResult]) -> Result<TrainResult, Posi
     let mut runs = runs.iter();
     for (k, (stage, kind)) in loaded.stages.iter().zip(&train.kinds).enumerate() {
         for (mesh, run) in stage.meshes.iter().zip(runs.by_ref()) {
-            kinds.add(&LossKinds::of(&run.summary), f64::from(kind.count()));
+            kinds.add(&LossKinds::of(run.summary), f64::from(kind.count()));
             meshes.push(row(mesh, kind, run));
         }
         if let Some(report) = planetary(loaded, k, &flow)? {
@@ -443,11 +514,10 @@ fn planetary(
     }))
 }
 
-fn row(mesh: &LoadedMesh, kind: &StageKind, run: &RunResult) -> MeshRow {
+fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
     let pressures = run.path.iter().map(|row| row.hertz_pressure_mpa);
     let highest = pressures.fold(0.0, f64::max);
-    let drawn = run.uncertainty.as_ref().map(|found| &found.loss);
-    let summary = &run.summary;
+    let MeshLosses { summary, drawn, .. } = run;
     MeshRow {
         mesh: mesh.name.clone(),
         count: kind.count(),
@@ -468,6 +538,21 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &RunResult) -> MeshRow {
 }
 
 impl TrainResult {
+    /// Losses of all meshes, and of seals, bearings and other parts if the case states some.
+    fn losses(&self) -> Power {
+        Power::from_si(
+            self.gearbox
+                .as_ref()
+                .map_or(self.loss_w, |gearbox| gearbox.loss_w),
+        )
+    }
+
+    /// Power into the meshes \[W\], without seals, bearings and other parts.
+    #[must_use]
+    pub fn meshes_power_in_w(&self) -> f64 {
+        self.loss_w / (1.0 - self.efficiency)
+    }
+
     /// Loss \[W\] and efficiency \[%\] with their bands, each with the digits that its band leaves.
     #[must_use]
     pub fn with_bands(&self) -> [String; 2] {

@@ -32,11 +32,26 @@ struct Row {
     torque_nm: Option<f64>,
     speed_rpm: f64,
     temperature_c: Option<f64>,
-    loss_torque_nm: f64,
+    loss_torque_nm: Option<f64>,
+    /// In place of the torque.
+    loss_w: Option<f64>,
 }
 
-/// Reads a table with the columns `speed_rpm`, `loss_torque_nm` and, where the loss depends on them,
-/// `torque_nm` and `temperature_c`: a grid of nodes, in any order. Lines that begin with # are comments.
+impl Row {
+    /// Loss torque \[N m\]; NaN, which no table has, unless one of torque and power is stated, at a speed above 0.
+    fn loss_torque_nm(&self) -> f64 {
+        match (self.loss_torque_nm, self.loss_w) {
+            (Some(torque), None) => torque,
+            (None, Some(power)) if self.speed_rpm > 0.0 => {
+                power / (self.speed_rpm * std::f64::consts::PI / 30.0)
+            }
+            _ => f64::NAN,
+        }
+    }
+}
+
+/// Reads a table with the columns `speed_rpm`, `loss_torque_nm` or `loss_w` (with speeds above 0) and, where the loss depends
+/// on them, `torque_nm` and `temperature_c`: a grid of nodes, in any order. Lines that begin with # are comments.
 ///
 /// # Errors
 /// When the text is no such table, or its rows form no grid.
@@ -63,7 +78,7 @@ pub fn read(name: &str, text: &str) -> Result<LossTable, LossTableError> {
             torque_nm: row.torque_nm,
             speed_rpm: row.speed_rpm,
             temperature_c: row.temperature_c,
-            loss_torque_nm: row.loss_torque_nm,
+            loss_torque_nm: row.loss_torque_nm(),
         });
     }
     LossTable::new(&rows).map_err(|source| LossTableError::Rows {

@@ -1,16 +1,19 @@
-//! Losses of seals and bearings on the shafts of a gear train.
+//! Losses of seals, bearings, oil jets and tables on the shafts of a gear train.
 //!
 //! The bearings carry the forces of all teeth on their shaft, without friction of the teeth and without weights.
 
-use asperity_core::quantity::{AngularSpeed, Power, Temperature, Torque};
+use asperity_core::quantity::{AngularSpeed, Force, Power, Temperature, Torque};
 use asperity_efficiency::shaft_seal::seal_torque;
 use asperity_gear::gear_train::TrainTorques;
+use asperity_gear::planetary::{PlanetaryOperation, PlanetarySet, PlanetarySpeeds};
 use asperity_gear::shaft_statics::{BearingLoad, ShaftForce, bearing_loads};
 
 use crate::case::gear_train::LoadedTrain;
-use crate::case::{Hand, MeshLoad, MeshPlace, TrainFlow, TrainGearbox, TrainPartKind};
+use crate::case::{Hand, MeshLoad, MeshPlace, StageKind, TrainFlow, TrainGearbox, TrainPartKind};
 use crate::error::PositionError;
-use crate::result::gearbox::{GearboxPart, GearboxReport};
+use crate::result::gearbox::{
+    GearboxPart, GearboxReport, JET_LAW, OperatingPoint, TABLE_LAW, jet_torque, table_torque,
+};
 
 /// The losses of all parts at an operating point of the input shaft, at the torques by the tooth numbers and a temperature of
 /// the operation; none without parts.
@@ -28,21 +31,55 @@ pub fn parts(
     let shafts = train.train.at(at).shafts;
     let speeds = shafts.speeds()?;
     let torques = shafts.torques(&speeds, &[])?;
-    let found = of_parts(train, gearbox, (&speeds, &torques), temperature)?;
+    let found = of_parts(
+        train,
+        gearbox,
+        (&speeds, &torques),
+        (at.torque, temperature),
+    )?;
     Ok(found.into_iter().map(|(_, part)| part).collect())
 }
 
-/// The parts with the shaft of each.
+/// Shafts from which a part takes its torque, each with its share of the torque.
+type Drags = Vec<(usize, f64)>;
+
+/// The parts, at a torque and a temperature of the operation, with the shafts of each.
 fn of_parts(
     train: &LoadedTrain,
     gearbox: &TrainGearbox,
     (speeds, torques): (&[AngularSpeed], &TrainTorques),
-    temperature: Temperature,
-) -> Result<Vec<(usize, GearboxPart)>, PositionError> {
+    (torque, temperature): (Torque, Temperature),
+) -> Result<Vec<(Drags, GearboxPart)>, PositionError> {
     let temperature = gearbox.temperature.unwrap_or(temperature);
     let mut found = Vec::with_capacity(gearbox.parts.len());
     for part in &gearbox.parts {
-        let speed = AngularSpeed::from_si(speeds[part.shaft].si().abs());
+        let named = |source: PositionError| PositionError::GearboxPart {
+            part: part.name.clone(),
+            source: Box::new(source),
+        };
+        let speed_of = |shaft: usize| speeds[shaft].si();
+        // The torque of a part acts between two shafts, or a shaft and the housing.
+        let (relative, shafts) = match part.kind {
+            TrainPartKind::Table {
+                against: Some(other),
+                ..
+            } => (
+                speed_of(part.shaft) - speed_of(other),
+                vec![(part.shaft, 1.0), (other, -1.0)],
+            ),
+            TrainPartKind::PlanetBearing { stage, .. } => {
+                let turns = planet(train, stage, (speeds, torques))?.1;
+                // ω_p − ω_c = −(ω_s − ω_c) z_s/z_p.
+                (turns.planet_relative.si(), planet_shafts(train, stage))
+            }
+            _ => (speed_of(part.shaft), vec![(part.shaft, 1.0)]),
+        };
+        let speed = AngularSpeed::from_si(relative.abs());
+        let at = OperatingPoint {
+            torque,
+            speed,
+            temperature,
+        };
         let loss = match &part.kind {
             // A shaft that does not turn loses nothing.
             _ if speed.si() == 0.0 => (Torque::from_si(0.0), Vec::new()),
@@ -61,16 +98,86 @@ fn of_parts(
                 let torque = bearing.torque([radial, axial], speed, oil.kinematic_viscosity)?;
                 (torque.value.total(), torque.outside)
             }
+            TrainPartKind::PlanetBearing {
+                stage,
+                bearing,
+                mass,
+                per_planet,
+            } => {
+                let (set, _, operation) = planet(train, *stage, (speeds, torques))?;
+                let load = set.planet_load(&operation, *mass)? / f64::from(*per_planet);
+                let first = train.meshes().next().ok_or(PositionError::NoProfile)?;
+                let oil = first.case.case.lubricant.at(temperature)?.value;
+                let none = Force::from_si(0.0);
+                let torque = bearing.torque([load, none], speed, oil.kinematic_viscosity)?;
+                let count = f64::from(set.planets * per_planet);
+                (torque.value.total() * count, torque.outside)
+            }
+            TrainPartKind::Jet { stage, flow, speed } => {
+                let gears = train.stages[*stage].meshes.first();
+                let case = &gears.ok_or(PositionError::NoProfile)?.case.case;
+                let torque = jet_torque(case, (*flow, *speed), &at).map_err(named)?;
+                (torque, Vec::new())
+            }
+            TrainPartKind::Table { table, .. } => {
+                (table_torque(table, &at).map_err(named)?, Vec::new())
+            }
         };
         let (kind, law) = match part.kind {
             TrainPartKind::Seal(_) => ("seal", "ISO/TR 14179-2, as quoted"),
-            TrainPartKind::Bearing { .. } => ("bearing", "SKF's form"),
+            TrainPartKind::Bearing { .. } | TrainPartKind::PlanetBearing { .. } => {
+                ("bearing", "SKF's form")
+            }
+            TrainPartKind::Jet { .. } => ("jet", JET_LAW),
+            TrainPartKind::Table { .. } => ("table", TABLE_LAW),
         };
         let (torque, outside) = loss;
         let of_part = GearboxPart::new(&part.name, (kind, law), (torque, speed), &outside);
-        found.push((part.shaft, of_part));
+        let against = shafts
+            .into_iter()
+            .map(|(shaft, share)| (shaft, share * relative.signum()));
+        found.push((against.collect(), of_part));
     }
     Ok(found)
+}
+
+/// Set of a stage, its speeds, and its operating point.
+fn planet<'a>(
+    train: &'a LoadedTrain,
+    stage: usize,
+    (speeds, torques): (&[AngularSpeed], &TrainTorques),
+) -> Result<(&'a PlanetarySet, PlanetarySpeeds, PlanetaryOperation), PositionError> {
+    let StageKind::Planetary {
+        set,
+        load_share_factor,
+    } = &train.train.kinds[stage]
+    else {
+        return Err(PositionError::NoProfile);
+    };
+    let [sun_speed, ring_speed] = train.train.shafts.stages[stage]
+        .gears
+        .map(|shaft| speeds[shaft]);
+    let [sun_torque, _, _] = torques.stages[stage];
+    let operation = PlanetaryOperation {
+        sun_torque,
+        sun_speed,
+        ring_speed,
+        load_share_factor: *load_share_factor,
+    };
+    Ok((set, set.speeds(sun_speed, ring_speed)?, operation))
+}
+
+/// Sun and carrier of a set, with their shares of a torque between planets and carrier.
+fn planet_shafts(train: &LoadedTrain, stage: usize) -> Drags {
+    let shafts = &train.train.shafts.stages[stage];
+    let StageKind::Planetary { set, .. } = &train.train.kinds[stage] else {
+        return Vec::new();
+    };
+    let [sun, planet] = set.sun_planet.teeth.map(f64::from);
+    let carrier = shafts.carrier.map(|carrier| (carrier, sun / planet));
+    std::iter::once((shafts.gears[0], -sun / planet))
+        .chain(carrier)
+        .collect()
 }
 
 /// Forces of all teeth on a shaft.
@@ -90,17 +197,17 @@ fn forces(
             hand,
             is_set,
             ..
-        } = gearbox.places[stage];
+        } = &gearbox.places[stage];
         // Without need of a place it does not matter.
         let at = (at.unwrap_or_default(), angle.unwrap_or_default());
         let [torque, _, _] = torques.stages[stage];
-        let of_gears = gears.shaft_forces(torque, at, hand == Some(Hand::Left))?;
+        let of_gears = gears.shaft_forces(torque, at, *hand == Some(Hand::Left))?;
         let balanced = |on: ShaftForce| ShaftForce {
             force: [0.0, 0.0, on.force[2]],
             arm: [0.0; 2],
             ..on
         };
-        match (place, is_set) {
+        match (place, *is_set) {
             (0 | 1, false) => forces.push(of_gears[place]),
             // The planets hold the radial forces of sun and ring in balance, and none of theirs reaches the carrier.
             (0 | 1, true) => forces.push(balanced(of_gears[place])),
@@ -130,11 +237,13 @@ pub(crate) fn report(
             &by_teeth
         }
     };
-    let found = of_parts(train, gearbox, (&flow.speeds, torques), temperature)?;
+    let operation = (train.train.operation().torque, temperature);
+    let found = of_parts(train, gearbox, (&flow.speeds, torques), operation)?;
     let mut drags = vec![Torque::from_si(0.0); flow.speeds.len()];
-    for (shaft, part) in &found {
-        let against = part.torque_nm * flow.speeds[*shaft].si().signum();
-        drags[*shaft] = drags[*shaft] + Torque::from_si(against);
+    for (of_part, part) in &found {
+        for (shaft, sign) in of_part {
+            drags[*shaft] = drags[*shaft] + Torque::from_si(sign * part.torque_nm);
+        }
     }
     let flow = train.train.with_drags(&drags).flow(losses)?;
     let parts: Vec<GearboxPart> = found.into_iter().map(|(_, part)| part).collect();

@@ -68,7 +68,7 @@ impl LossTable {
             }
             if !(row.loss_torque_nm.is_finite() && row.loss_torque_nm >= 0.0) {
                 return Err(EfficiencyError::TableRow {
-                    rule: "loss_torque_nm must be zero or more",
+                    rule: "loss_torque_nm, or loss_w at a speed above 0, must be stated and zero or more",
                     value: row.loss_torque_nm,
                 });
             }

@@ -158,6 +158,14 @@ pub enum GearError {
         /// The computed value.
         value: f64,
     },
+    /// A law that puts no load on the teeth.
+    #[error(
+        "the load distribution \"{law}\" returns no load at any position of the path of contact, so that no torque is transmitted"
+    )]
+    NoLoad {
+        /// Name of the law.
+        law: String,
+    },
     /// Modified flanks require a law with deflections.
     #[error(
         "the load distribution \"{law}\" has no deflections and cannot take modified flanks; use \"elastic\" or \"iso-stiffness\""

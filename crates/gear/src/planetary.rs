@@ -8,12 +8,14 @@
 //! | z_s, z_p, z_r | tooth numbers, all positive here | - |
 //! | n_p | number of planets | - |
 //! | T_s | torque at the sun | N m |
+//! | F_t,s, F_r,s, F_t,r, F_r,r | tangential and radial forces of sun and ring on a planet | N |
+//! | m, a | mass of a planet, distance of its axis from that of the sun | kg, m |
 //! | K_γ | mesh load factor: load of the most loaded planet over the mean | - |
 //!
 //! Every mesh is a gear pair with speeds relative to the carrier. In the planet-ring mesh the planet is gear 1. The two
 //! meshes use opposite flanks of a planet. The mean loss does not depend on the phases of the planets.
 
-use asperity_core::quantity::{Angle, AngularSpeed, Length, Power, Torque};
+use asperity_core::quantity::{Angle, AngularSpeed, Force, Length, Mass, Power, Torque};
 use asperity_core::{DomainError, cite};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -262,6 +264,35 @@ impl PlanetarySet {
     pub fn loss(&self, sun_planet: Power, planet_ring: Power) -> Power {
         cite!("Planet-3");
         (sun_planet + planet_ring) * f64::from(self.planets)
+    }
+
+    /// Radial load of the bearings of a planet, from the teeth of sun and ring and the mass of the planet, without friction of
+    /// the teeth:
+    ///
+    /// F = √((F_t,s + F_t,r)² + (F_r,s − F_r,r + m a ω_c²)²)                        [Planet-4]
+    ///
+    /// Both tangential forces turn the carrier; the sun pushes the planet outwards, the ring inwards. The axial forces of sun and
+    /// ring cancel, and the moment by which they tilt the planet is not in F.
+    ///
+    /// # Errors
+    /// As [`meshes`](Self::meshes), and when the mass is negative.
+    pub fn planet_load(
+        &self,
+        operation: &PlanetaryOperation,
+        mass: Mass,
+    ) -> Result<Force, GearError> {
+        cite!("Planet-4");
+        let mass = DomainError::non_negative("mass of a planet", mass)?;
+        let [sun, ring] = self.meshes(operation)?;
+        let carrier = self
+            .speeds(operation.sun_speed, operation.ring_speed)?
+            .carrier;
+        let of_sun = self.sun_planet.forces(sun.torque)?;
+        let of_ring = self.planet_ring.forces(ring.torque)?;
+        let outwards = mass * self.sun_planet.centre_distance.si() * carrier.si().powi(2);
+        let tangential = of_sun.tangential.si() + of_ring.tangential.si();
+        let radial = of_sun.radial.si() - of_ring.radial.si() + outwards;
+        Ok(Force::from_si(tangential.hypot(radial)))
     }
 
     /// Rolling power transmitted by the meshes, |T_s·(ω_s − ω_c)|.

@@ -330,3 +330,40 @@ fn few_positions_suffice_for_the_means_of_smooth_quantities() {
     let exact = pair.mean_over_mesh(8, |place| place.xi.powi(4)).unwrap();
     assert_close(sum, exact, 1e-3);
 }
+
+#[test]
+fn the_bearings_of_the_planets_carry_the_torque_of_the_carrier_and_their_centrifugal_force() {
+    use asperity_core::quantity::{AngularSpeed, Mass, Torque};
+    use asperity_gear::planetary::{PlanetaryOperation, PlanetarySet, PlanetarySetInput};
+    let set = PlanetarySet::new(&PlanetarySetInput::standard(
+        [27, 24, 75],
+        3,
+        "1.5 mm".parse().unwrap(),
+        "0 deg".parse().unwrap(),
+        "20 mm".parse().unwrap(),
+    ))
+    .unwrap();
+    let at = |speed: f64| PlanetaryOperation {
+        sun_torque: Torque::from_si(120.0),
+        sun_speed: AngularSpeed::from_si(speed),
+        ring_speed: AngularSpeed::from_si(0.0),
+        load_share_factor: 1.0,
+    };
+    // Without profile shift the radial forces of sun and ring cancel; the torque of the carrier is T_s (1 + z_r/z_s).
+    let load = set
+        .planet_load(&at(300.0), Mass::from_si(0.0))
+        .unwrap()
+        .si();
+    let distance = 0.5 * 1.5e-3 * (27.0 + 24.0);
+    let carrier = 120.0 * (1.0 + 75.0 / 27.0);
+    assert!(
+        (3.0 * load * distance / carrier - 1.0).abs() < 1e-12,
+        "{load}"
+    );
+    // m a ω_c² across it.
+    let mass = Mass::from_si(0.4);
+    let fast = set.planet_load(&at(3000.0), mass).unwrap().si();
+    let outwards = 0.4 * distance * (3000.0_f64 * 27.0 / 102.0).powi(2);
+    assert!((fast / load.hypot(outwards) - 1.0).abs() < 1e-12, "{fast}");
+    assert!(set.planet_load(&at(300.0), Mass::from_si(-1.0)).is_err());
+}

@@ -292,7 +292,8 @@ mod tests {
     }
 
     #[test]
-    fn the_width_of_a_spot_is_continuous_where_a_cell_enters_and_does_not_depend_on_the_pressure_scale() {
+    fn the_width_of_a_spot_is_continuous_where_a_cell_enters_and_does_not_depend_on_the_pressure_scale()
+     {
         let spacing = Length::from_si(0.5e-6);
         let width = |cells: &[f64]| Spot::of(cells, spacing).width.si();
         let before = width(&[1e9, 2e9, 1e9]);

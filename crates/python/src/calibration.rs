@@ -33,7 +33,7 @@ pub fn calibrate(
     beside: Option<PyRef<'_, Case>>,
     cases: Vec<(String, PyRef<'_, Case>)>,
     hold: Vec<String>,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Calibration> {
     let held = hold.iter().map(|key| named("hold", key));
@@ -106,7 +106,7 @@ pub fn design(
     case: PyRef<'_, Case>,
     limits: &str,
     hold: Vec<String>,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Study> {
     let held = hold.iter().map(|key| named("hold", key));
@@ -160,7 +160,7 @@ pub fn evidence(
     py: Python<'_>,
     case: PyRef<'_, Case>,
     hours: Vec<(String, f64)>,
-    threads: Option<usize>,
+    threads: Option<isize>,
 ) -> PyResult<Study> {
     let mut efforts = Effort::usual().to_vec();
     for (name, hours) in &hours {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use asperity::Run;
 use asperity::case::gear_train::{self, LoadedMesh, LoadedTrain};
-use asperity::case::planetary;
 use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_source};
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
@@ -19,7 +18,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
 
-use crate::choices::{Detail, named};
+use crate::choices::{Detail, LawOf, named};
 use crate::contact::found;
 use crate::failure::{self, Failure};
 use crate::outcome::{Found, Outcome};
@@ -44,6 +43,7 @@ pub struct Train {
     folder: PathBuf,
     keys: Vec<(String, String)>,
     formulation: Option<Formulation>,
+    laws: Vec<(LawOf, Arc<PythonLaw>)>,
 }
 
 /// A case of either kind.
@@ -60,12 +60,11 @@ pub struct Case {
     kind: Kind,
 }
 
-/// JSON schema of a case file with the tables `kind`: `gears`, `planetary`, or `mesh` of a gear train.
+/// JSON schema of a case file with the tables `kind`: `gears`, or `planetary` and `mesh` of a gear train.
 #[pyfunction]
 pub fn schema(kind: &str) -> PyResult<String> {
     let schema = match kind {
-        "planetary" => planetary::schema(),
-        "mesh" => gear_train::schema(),
+        "planetary" | "mesh" => gear_train::schema(),
         _ => case::schema(),
     };
     Ok(failure::json(&schema)?)
@@ -108,6 +107,7 @@ impl Case {
                 folder: folder.to_owned(),
                 keys,
                 formulation,
+                laws: Vec::new(),
             };
             return Ok(Self {
                 kind: Kind::Train(train.into()),
@@ -121,6 +121,25 @@ impl Case {
         Ok(Self {
             kind: Kind::Pair(loaded.into()),
         })
+    }
+
+    /// The case with a law in Python, in each of its meshes.
+    fn with(&self, law_of: LawOf, law: &Arc<PythonLaw>) -> Self {
+        let kind = match &self.kind {
+            Kind::Pair(loaded) => {
+                let mut loaded = loaded.as_ref().clone();
+                loaded.case = law.applied(loaded.case, law_of);
+                Kind::Pair(loaded.into())
+            }
+            Kind::Train(train) => {
+                let mut train = train.clone();
+                let loaded = train.loaded.as_ref().clone();
+                train.loaded = loaded.with_laws(&|case| law.applied(case, law_of)).into();
+                train.laws.push((law_of, Arc::clone(law)));
+                Kind::Train(train)
+            }
+        };
+        Self { kind }
     }
 
     /// The case as a gear train, also of a single mesh.
@@ -212,15 +231,18 @@ impl Case {
                             ),
                         )
                     })?;
+                    all.retain(|(before, _)| *before != key);
                     all.push((key, value));
                 }
-                Self::of(
+                let changed = Self::of(
                     train.source.clone(),
                     &train.folder,
                     &held,
                     all,
                     train.formulation,
-                )
+                )?;
+                let laws = train.laws.iter();
+                Ok(laws.fold(changed, |case, (kind, law)| case.with(*kind, law)))
             }
         })
     }
@@ -251,13 +273,8 @@ impl Case {
 
     /// The case with a law in Python, called `name`, that takes a dictionary of arrays and returns another.
     fn with_law(&self, law: &str, name: String, exponent: f64, call: Py<PyAny>) -> PyResult<Self> {
-        let kind = named("law", law)?;
-        let mut loaded = self.pair()?.as_ref().clone();
-        let law = Arc::new(PythonLaw::new(name, exponent, call));
-        loaded.case = law.applied(loaded.case, kind);
-        Ok(Self {
-            kind: Kind::Pair(loaded.into()),
-        })
+        let law_of = named("law", law)?;
+        Ok(self.with(law_of, &Arc::new(PythonLaw::new(name, exponent, call))))
     }
 
     /// The case of a mesh of a gear train or planetary set, at its torque and speed.
@@ -340,7 +357,7 @@ impl Case {
         py: Python<'_>,
         detail: &str,
         band: bool,
-        threads: Option<usize>,
+        threads: Option<isize>,
         progress: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Outcome> {
         let detail: Detail = named("detail", detail)?;
@@ -376,7 +393,7 @@ impl Case {
     }
 
     /// Film and regime along the path as JSON: rows of each mesh with its title.
-    fn regime(&self, py: Python<'_>, threads: Option<usize>) -> PyResult<String> {
+    fn regime(&self, py: Python<'_>, threads: Option<isize>) -> PyResult<String> {
         in_parallel(py, threads, None, |_| {
             let rows = |mesh: &LoadedCase| -> Result<MeshRegime, Failure> {
                 Ok(MeshRegime {

@@ -36,7 +36,7 @@ pub fn ehl<'py>(
     py: Python<'py>,
     case: &Case,
     asked: &str,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
     let asked: Asked =

@@ -5,6 +5,7 @@ mod arrays;
 mod calibration;
 mod case;
 mod choices;
+mod command;
 mod contact;
 mod ehl;
 mod failure;
@@ -33,6 +34,8 @@ mod _asperity {
     #[pymodule_export]
     use super::choices::choices;
     #[pymodule_export]
+    use super::command::command;
+    #[pymodule_export]
     use super::contact::{press_flanks, solve_contact, subsurface_stress};
     #[pymodule_export]
     use super::ehl::ehl;
@@ -41,7 +44,7 @@ mod _asperity {
     #[pymodule_export]
     use super::laws::{film_thickness, friction_coefficient, hertz, thermal_reduction};
     #[pymodule_export]
-    use super::library::{demo, from_rexs, gears, oils, steels};
+    use super::library::{demo, from_rexs, gears, oils, rexs_contents, steels};
     #[pymodule_export]
     use super::oil::{oil_fit, oil_plan, oil_traction, stribeck};
     #[pymodule_export]

@@ -6,7 +6,7 @@ use asperity_fixtures::worked::{Worked, WorkedError};
 use asperity_report::library::{
     LibraryError, gears_named, listed_gears, listed_oil, listed_steel, oils_named, steels_named,
 };
-use asperity_rexs::{Flanks, Model, RexsError, case_text, train_text};
+use asperity_rexs::{CaseText, Flanks, Model, RexsError, case_text, contents, train_text};
 use asperity_storage::{new_folder_of, whole_file};
 use pyo3::prelude::*;
 use serde_json::Value;
@@ -85,6 +85,27 @@ pub fn demo(
     })
 }
 
+/// What `read` makes of a gearbox file.
+fn of_gearbox_file<T: Send>(
+    py: Python<'_>,
+    file: &Path,
+    read: impl FnOnce(&Model) -> Result<T, RexsError> + Send,
+) -> PyResult<T> {
+    let shown = file.display().to_string();
+    alone(py, || {
+        let bytes = whole_file(file, LARGEST)
+            .map_err(|error| Failure::new("E101", error.to_string()).about(&shown))?;
+        let found = Model::read(&bytes).and_then(|model| read(&model));
+        found.map_err(|error| Failure::from(error).about(&shown))
+    })
+}
+
+/// Version, program, stages with their operating points and lubricants of a gearbox file, as JSON.
+#[pyfunction]
+pub fn rexs_contents(py: Python<'_>, file: PathBuf) -> PyResult<String> {
+    Ok(failure::json(&of_gearbox_file(py, &file, contents)?)?)
+}
+
 /// Text of the case of a stage of a gearbox file, or of all stages, notes, and attributes that were not read.
 #[pyfunction]
 pub fn from_rexs(
@@ -94,21 +115,12 @@ pub fn from_rexs(
     load_case: usize,
     flanks: (Option<String>, Option<String>),
 ) -> PyResult<(String, Vec<String>, Vec<String>)> {
-    let shown = file.display().to_string();
     let (pinion, wheel) = flanks;
-    alone(py, || {
-        let bytes = whole_file(&file, LARGEST)
-            .map_err(|error| Failure::new("E101", error.to_string()).about(&shown))?;
-        let about = |error: RexsError| Failure::from(error).about(&shown);
-        let model = Model::read(&bytes).map_err(about)?;
-        let flanks = Flanks { pinion, wheel };
-        let name = Path::new(&file).file_name().unwrap_or_default();
-        let name = name.to_string_lossy();
-        let case = match stage {
-            None => train_text(&model, &name, load_case, &flanks),
-            Some(number) => case_text(&model, &name, number, load_case, &flanks),
-        };
-        let case = case.map_err(about)?;
-        Ok((case.toml, case.notes, case.not_read))
-    })
+    let flanks = Flanks { pinion, wheel };
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let case: CaseText = of_gearbox_file(py, &file, |model| match stage {
+        None => train_text(model, &name, load_case, &flanks),
+        Some(number) => case_text(model, &name, number, load_case, &flanks),
+    })?;
+    Ok((case.toml, case.notes, case.not_read))
 }

@@ -105,7 +105,7 @@ pub fn oil_traction(
     conditions: (f64, f64, f64),
     temperatures: Vec<f64>,
     specimens: Specimens,
-    threads: Option<usize>,
+    threads: Option<isize>,
 ) -> PyResult<Study> {
     let (oil, _) = oil.base(ConstantsOf::File)?;
     let (load, speed, slide_to_roll) = conditions;
@@ -140,7 +140,7 @@ pub fn oil_fit(
     wide: bool,
     errors_of: Errors,
     force: bool,
-    threads: Option<usize>,
+    threads: Option<isize>,
 ) -> PyResult<Study> {
     let (oil, _) = oil.base(ConstantsOf::Family)?;
     let (zero, errors) = errors(errors_of)?;
@@ -165,7 +165,7 @@ pub fn oil_plan(
     specimens: Specimens,
     wide: bool,
     errors_of: Errors,
-    threads: Option<usize>,
+    threads: Option<isize>,
 ) -> PyResult<Study> {
     let (oil, own) = oil.base(ConstantsOf::Family)?;
     let case = match case {

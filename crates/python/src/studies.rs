@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use asperity::case::gear_train::LoadedTrain;
 use asperity_report::StudyResult;
 use asperity_storage::whole_text;
 use asperity_studies::compare::{self as comparing, Finish};
@@ -22,13 +23,10 @@ use crate::work::{alone, in_parallel};
 
 type Named<'py> = Vec<(String, PyRef<'py, Case>)>;
 
-fn finishes<C>(
-    named: Named<'_>,
-    of: impl Fn(&Case) -> Result<C, Failure>,
-) -> Result<Vec<Finish<C>>, Failure> {
-    let finish = |(name, case): (String, PyRef<'_, Case>)| {
-        let case = of(&case)?;
-        Ok(Finish { name, case })
+fn finishes(named: Named<'_>) -> Vec<Finish<LoadedTrain>> {
+    let finish = |(name, case): (String, PyRef<'_, Case>)| Finish {
+        name,
+        case: case.train(),
     };
     named.into_iter().map(finish).collect()
 }
@@ -41,10 +39,10 @@ type Compared = (Study, String, Vec<String>);
 pub fn compare(
     py: Python<'_>,
     named: Named<'_>,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Compared> {
-    let finishes = finishes(named, |case| Ok(case.pair()?.as_ref().clone()))?;
+    let finishes = finishes(named);
     in_parallel(py, threads, progress.as_ref(), |told| {
         let found = comparing::compare(&finishes, &|done, total| told.tell(done, total))?;
         let offsets: Vec<_> = found.finishes.iter().map(|of| &of.offsets).collect();
@@ -58,7 +56,7 @@ pub fn compare(
 pub fn sensitivity(
     py: Python<'_>,
     case: PyRef<'_, Case>,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Study> {
     let train = case.train();
@@ -88,10 +86,10 @@ pub fn map(
     speed: Option<Vec<f64>>,
     temperature: Option<Vec<f64>>,
     band: &str,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Map> {
-    let finishes = finishes(of_finishes, |case| Ok(case.train()))?;
+    let finishes = finishes(of_finishes);
     let Some(first) = finishes.first() else {
         return Err(Failure::new("E205", "a map needs a case").into());
     };

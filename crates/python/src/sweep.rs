@@ -24,7 +24,7 @@ impl Cases {
     /// Those of a case with the other keys of a study in JSON.
     #[staticmethod]
     fn of(py: Python<'_>, case: &Case, study: &str, folder: PathBuf) -> PyResult<Self> {
-        let loaded = case.pair()?.as_ref().clone();
+        let loaded = case.train();
         alone(py, || {
             Ok(Self(Listed::of(Study::of_case(loaded, study, &folder)?)?))
         })
@@ -46,7 +46,7 @@ impl Cases {
         py: Python<'_>,
         first: usize,
         end: usize,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Vec<Vec<String>>> {
         let end = end.min(self.0.count());
         in_parallel(py, threads, None, |_| {

@@ -69,20 +69,35 @@ impl Told {
     }
 }
 
+/// Number of threads for a requested one, at most one per core; all cores for none and, as elsewhere in Python, for -1.
+fn threads_for(requested: Option<isize>) -> Result<usize, Failure> {
+    let cores = thread::available_parallelism().map_or(1, Into::into);
+    let Some(requested) = requested.filter(|requested| *requested != -1) else {
+        return Ok(cores);
+    };
+    match usize::try_from(requested) {
+        Ok(threads) if threads > 0 => Ok(threads.min(cores)),
+        _ => {
+            let message = format!("threads = {requested}: must be 1 or more, or -1 for all cores");
+            Err(Failure::new("E209", message))
+        }
+    }
+}
+
 /// Does `work` on `threads` threads of its own, all cores where none are named, and calls `progress` with the steps
 /// done and their number. What Python raises meanwhile, as KeyboardInterrupt, ends the work.
 pub fn in_parallel<T: Send>(
     py: Python<'_>,
-    threads: Option<usize>,
+    threads: Option<isize>,
     progress: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&Told) -> Result<T, Failure> + Send,
 ) -> PyResult<T> {
+    let threads = threads_for(threads)?;
     beside(py, progress, move |token, told| {
         let raised = RAISED.with_borrow(Clone::clone);
-        let cores = thread::available_parallelism().map_or(1, Into::into);
         let adopting = token.clone();
         let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.unwrap_or(cores).clamp(1, cores))
+            .num_threads(threads)
             .stack_size(STACK)
             .start_handler(move |_| {
                 adopting.adopt();

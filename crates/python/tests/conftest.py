@@ -55,6 +55,30 @@ def small(**changed: Any) -> dict[str, Any]:
     return case
 
 
+_AT = {
+    "operation": {"torque": "60 N m", "speed": "3000 1/min", "bulk_temperature": "80 °C"},
+    "lubricant": {"oil": "m100"},
+    "model": {"positions": 4, "offsets": 2},
+}
+_GEARS = {"teeth": [23, 68], "module": "2 mm", "face_width": "25 mm"}
+SETS: dict[str, dict[str, Any]] = {
+    "planetary": {
+        "title": "set",
+        "planetary": {"teeth": [24, 27, -78], "planets": 3, "module": "2 mm", "face_width": ["25 mm", "25 mm", "30 mm"]},
+        "surface": {"sun": {"rq": "0.4 um"}},
+        **_AT,
+    },
+    "train": {
+        "title": "two stages",
+        "train": {"input": "in"},
+        "mesh": {"a": {"shafts": ["in", "b"], "gears": _GEARS}, "z": {"shafts": ["b", "out"], "gears": _GEARS}},
+        "surface": {"pinion": {"rq": "0.4 um"}},
+        **_AT,
+    },
+}
+"""Cases of several meshes."""
+
+
 @pytest.fixture(scope="session")
 def case() -> asperity.Case:
     """The small case."""

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import asperity
-from conftest import CASES, PROFILES, small, trace
+from conftest import CASES, PROFILES, SETS, small, trace
 
 
 def test_three_ways_to_the_same_case():
@@ -132,17 +132,8 @@ def losses_of(case):
     return case.run("losses")
 
 
-PLANETARY = {
-    "title": "set",
-    "planetary": {"teeth": [24, 27, -78], "planets": 3, "module": "2 mm", "face_width": ["25 mm", "25 mm", "30 mm"]},
-    "operation": {"torque": "60 N m", "speed": "3000 1/min", "bulk_temperature": "80 °C"},
-    "lubricant": {"oil": "m100"},
-    "surface": {"sun": {"rq": "0.4 um"}},
-}
-
-
 def test_a_planetary_set_has_the_results_of_its_meshes():
-    case = asperity.Case(PLANETARY)
+    case = asperity.Case(SETS["planetary"])
     result = case.run()
     assert case.is_planetary and len(result.meshes) == 2 and 0.9 < result.efficiency < 1
     assert result.loss_w > sum(mesh.loss_w for mesh in result.meshes), "three planets"
@@ -155,6 +146,17 @@ def test_a_planetary_set_has_the_results_of_its_meshes():
 
 
 def test_a_gear_train_has_the_results_of_its_meshes():
+    case = asperity.Case(SETS["train"])
+    result = case.run()
+    assert not case.is_planetary and len(result.meshes) == 2
+    assert result.loss_w == result.meshes[0].loss_w + result.meshes[1].loss_w
+    assert case.meshes == ["a", "z"]
+    assert case.mesh("z").run("losses").loss_w == result.meshes[1].loss_w
+    wider = case.replace({"mesh.a.gears.face_width": "30 mm"}).run()
+    assert wider.loss_w != result.loss_w
+
+
+def test_a_gear_train_is_compared_and_swept_as_a_whole():
     gears = {"teeth": [23, 68], "module": "2 mm", "face_width": "25 mm"}
     case = asperity.Case(
         train={"input": "in"},
@@ -163,10 +165,13 @@ def test_a_gear_train_has_the_results_of_its_meshes():
         lubricant=PLANETARY["lubricant"],
         surface={"pinion": {"rq": "0.4 um"}},
     )
-    result = case.run()
-    assert not case.is_planetary and len(result.meshes) == 2
-    assert result.loss_w == result.meshes[0].loss_w + result.meshes[1].loss_w
-    assert case.meshes == ["a", "z"]
-    assert case.mesh("z").run("losses").loss_w == result.meshes[1].loss_w
-    wider = case.replace({"mesh.a.gears.face_width": "30 mm"}).run()
-    assert wider.loss_w != result.loss_w
+    finer = case.replace({"mesh.z.surface": {"pinion": {"rq": "0.2 um"}}})
+    found = asperity.compare(case, {"rough": case, "fine": finer})
+    rough, fine = found.finishes.to_dict()
+    assert fine["loss_w"] == finer.run().loss_w
+    assert [mesh["mesh"] for mesh in fine["meshes"]] == ["a", "z"]
+    assert fine["meshes"][0]["difference"]["verdict"] == "equal"
+    assert found.to_pandas().loc["fine", "loss_median_w"] < found.to_pandas().loc["rough", "loss_median_w"]
+    rows = asperity.sweep(case, {"mesh.a.gears.face_width": ["25 mm", "30 mm"]}).to_dict()
+    assert rows[0]["loss_w"] == pytest.approx(case.run().loss_w, rel=1e-12)
+    assert rows[0]["mesh.z.loss_w"] == rows[1]["mesh.z.loss_w"] and rows[0]["mesh.a.loss_w"] != rows[1]["mesh.a.loss_w"]

@@ -9,7 +9,7 @@ import pytest
 
 import asperity
 from asperity import AsperityError
-from conftest import CASES, small
+from conftest import CASES, SETS, small
 
 
 @pytest.fixture(scope="module")
@@ -86,6 +86,37 @@ def test_a_load_distribution_moves_the_load(drive):
     full, relieved = own.run("losses"), reduced.run("losses")
     assert seen and set(seen) == {256}
     assert relieved.path.line_load_n_per_mm[0] < full.path.line_load_n_per_mm[0]
+
+
+def test_a_load_distribution_without_load_is_refused_by_its_name(drive):
+    def empty(at):
+        return 0.0
+
+    own = drive.with_laws(load_distribution=empty)
+    for work in (lambda: own.run("losses"), own.run, own.gear):
+        with pytest.raises(AsperityError, match='"empty" returns no load at any position') as refused:
+            work()
+        assert refused.value.code == "E305"
+
+
+def test_a_law_is_in_every_mesh_of_a_train():
+    calls = []
+
+    def limit(at):
+        calls.append(len(at.load))
+        return np.full_like(at.load, 0.03)
+
+    train = asperity.Case(SETS["train"])
+    own = train.with_laws(film_friction=limit)
+    result = own.run(band=False)
+    assert calls and result.loss_w != train.run(band=False).loss_w
+    for mesh in result.meshes:
+        assert np.allclose(mesh.path.mu_film, 0.03, rtol=1e-14)
+    assert result.meshes[1].loss_w == own.mesh("z").run("losses").loss_w
+    assert [row.value for row in own.defaults if row.get("source") == "user-defined law"] == ["limit"]
+    slower = own.replace({"operation.speed": "1000 1/min"})
+    assert np.allclose(slower.run(band=False).meshes[0].path.mu_film, 0.03, rtol=1e-14), "another key keeps the law"
+    assert slower.defaults == slower.replace({"operation.speed": "1000 1/min"}).defaults
 
 
 def test_an_exception_of_a_law_reaches_the_user_with_its_traceback(drive):

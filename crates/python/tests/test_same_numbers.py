@@ -6,9 +6,11 @@ import subprocess
 import pytest
 
 import asperity
-from conftest import CASES, PROFILES, json_of
+from conftest import CASES, PROFILES, SETS, json_of
 
-FIXTURES = ["e-drive", "e-drive-superfinished", "fzg-c", "table2"]
+FIXTURES = sorted(file.stem for file in CASES.glob("*.toml"))
+TRACES = sorted(file.name for file in PROFILES.iterdir())
+assert len(FIXTURES) >= 4 and len(TRACES) >= 7
 
 
 @pytest.mark.parametrize("name", FIXTURES)
@@ -28,7 +30,16 @@ def test_the_losses_alone_are_those_of_the_run(name, command):
     assert asperity.Case(case).run("contacts").loss_w == expected
 
 
-@pytest.mark.parametrize("name", ["ground_pinion.csv", "superfinished.csv", "damaged.txt"])
+@pytest.mark.parametrize("kind", SETS)
+def test_a_run_of_several_meshes_is_that_of_the_command(kind, command, tmp_path):
+    file = tmp_path / f"{kind}.json"
+    file.write_text(json.dumps(SETS[kind]))
+    expected = json_of(command, "run", file, "--no-output")
+    found = asperity.Case(file).run()
+    assert found.loss_w == expected["loss_w"] and json.loads(found.to_json()) == expected
+
+
+@pytest.mark.parametrize("name", TRACES)
 def test_the_parameters_of_a_profile_are_those_of_the_command(name, command):
     file = PROFILES / name
     expected = json_of(command, "profile", "info", file)

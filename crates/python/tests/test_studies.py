@@ -1,5 +1,7 @@
 """Comparisons, maps, sweeps."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -82,6 +84,20 @@ def test_a_sweep_is_an_iterator(drive):
     assert frame.loss_w.notna().all() and (frame.code.isna()).all()
     single = drive.replace({"operation.torque": "50 N m", "operation.speed": "1000 1/min"}).run("losses")
     assert frame.loss_w[0] == single.loss_w
+
+
+def test_a_sweep_goes_to_other_processes(drive, tmp_path, monkeypatch):
+    (tmp_path / "case.toml").write_text((CASES / "e-drive.toml").read_text().replace("../profiles", str(PROFILES)))
+    (tmp_path / "study.toml").write_text('case = "case.toml"\n[[axis]]\nkey = "model.positions"\nvalues = [4, 5]\n')
+    monkeypatch.chdir(tmp_path)
+    for rows in (asperity.sweep(drive, {"torque_nm": [50, 145]}), asperity.sweep(study="study.toml")):
+        first = next(rows)
+        copy = pickle.loads(pickle.dumps(rows))
+        assert repr(copy).startswith("<Sweep: 2 of 2"), "the rows that were run are there"
+        fresh = pickle.loads(pickle.dumps(type(rows)(rows._source, 1)))
+        monkeypatch.chdir("/")
+        assert copy.run() == rows.run() == fresh.run() and next(iter(copy)) == first
+        monkeypatch.chdir(tmp_path)
 
 
 def test_choices_and_samples(drive):

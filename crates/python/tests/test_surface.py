@@ -138,6 +138,21 @@ def test_a_gearbox_file_makes_the_case_of_the_command(command, tmp_path):
     assert refused.value.code == "E132"
 
 
+def test_the_contents_of_a_gearbox_file_are_those_of_the_command(command, tmp_path):
+    folder = ROOT / "crates" / "rexs" / "tests" / "gearboxes"
+    files = sorted(folder.glob("*.rexs*"))
+    assert len(files) > 1
+    for rexs in files:
+        assert asperity.rexs_contents(rexs).to_dict() == json_of(command, "case", "from-rexs", rexs), rexs.name
+    stages = asperity.rexs_contents(folder / "chain.rexs").stages
+    assert list(stages.kind) == ["pair", "pair", "bevel_stage"]
+    made = asperity.from_rexs(folder / "chain.rexs", stage=int(stages.stage[1]), pinion=PROFILES / "ground_pinion.csv")
+    assert list(made.case.inputs.gears.teeth) == list(stages[1].teeth)
+    with pytest.raises(AsperityError) as refused:
+        asperity.rexs_contents(tmp_path / "absent.rexs")
+    assert refused.value.code == "E101"
+
+
 def test_the_oil_of_a_fit_goes_into_a_case(tmp_path):
     columns = ("load_n", "mean_speed_m_s", "slide_roll_percent", "temperature_c", "traction")
     predicted = asperity.oil_traction("m100")

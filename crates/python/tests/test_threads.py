@@ -68,6 +68,17 @@ def test_cases_run_on_several_threads_at_once():
     assert found == [expected] * 4
 
 
+def test_a_number_of_threads_is_positive_or_minus_one():
+    case = asperity.Case(CASES / "e-drive.toml", model={"positions": 4, "offsets": 2})
+    expected = case.run("losses").loss_w
+    for threads in (None, -1, 1, 1000):
+        assert case.run("losses", threads=threads).loss_w == expected
+    for threads in (0, -2):
+        with pytest.raises(asperity.AsperityError, match="threads = ") as refused:
+            case.run("losses", threads=threads)
+        assert refused.value.code == "E209"
+
+
 LONG = {
     "run": "case.replace({'model.positions': 1000, 'model.offsets': 200}).run()",
     "map": "asperity.map(case, torque='1..145:200 N m', speed='10..9000:200 1/min')",

@@ -1,5 +1,6 @@
 """Types: the package by mypy --strict, the compiled part by stubtest, a program that uses them."""
 
+import builtins
 import importlib.util
 import os
 import subprocess
@@ -41,12 +42,16 @@ def test_the_stub_is_that_of_the_compiled_part(checked):
 def test_a_program_that_uses_the_package_is_typed(checked, tmp_path):
     (tmp_path / "program.py").write_text(
         "import asperity\n"
+        "import asperity.keys\n"
         "import numpy as np\n"
         "def loss(file: str) -> float:\n"
         "    case = asperity.Case(file).replace({'operation.torque': '20 N m'}, model={'offsets': 4}, speed_rpm=1000)\n"
         "    result: asperity.RunResult = case.run('losses', progress=lambda done, total: None)\n"
         "    heights = asperity.read_profile(file).prepare(cutoff='0.25 mm').heights\n"
         "    found = asperity.solve_contact(heights, '0.5 um', 115e9, load='200 N/mm')\n"
+        "    lubricant: asperity.keys.LubricantInput = {'viscosity': {'law': 'iso-vg', 'grade': 100, 'viscosity_index': 95}}\n"
+        "    case.replace(lubricant=lubricant, gearbox={'seals': [{'shaft': 'pinion', 'diameter': '40 mm'}]})\n"
+        "    case.replace(gearbox={'seals': [{'shaft': 'input shaft', 'diameter': '40 mm'}]})\n"
         "    for row in asperity.sweep(case, {'operation.speed': ['1000 1/min']}):\n"
         "        print(row.loss_w)\n"
         "    return result.loss_w + float(np.max(found.pressure))\n"
@@ -81,16 +86,40 @@ def test_mistakes_in_names_units_and_choices_are_type_errors(checked, tmp_path):
     assert found == {number: {kind} for number, kind in enumerate(MISTAKES.values())}
 
 
+def script(name):
+    """A script of crates/python as a module."""
+    specification = importlib.util.spec_from_file_location(name, Path(__file__).parents[1] / f"{name}.py")
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
+
+
 def test_the_types_of_keys_choices_and_columns_are_those_of_the_compiled_part():
-    script = Path(__file__).parents[1] / "typed.py"
-    specification = importlib.util.spec_from_file_location("typed", script)
-    typed = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(typed)
+    typed = script("typed")
     assert typed.written() == (PLACE / "asperity" / "keys.py").read_text(encoding="utf-8"), "run crates/python/typed.py"
 
 
+def test_tables_that_differ_by_the_kind_of_the_case_are_different_classes():
+    from asperity import keys
+
+    shafts = [table.__annotations__["shaft"].__forward_arg__ for table in (keys.BearingInput, keys.MeshBearingInput)]
+    assert shafts == ["Optional[Literal['pinion', 'wheel']]", "Optional[str]"]
+
+
+def test_the_reference_has_everything_public_as_it_is():
+    reference = script("reference")
+    assert reference.written() == reference.FILE.read_text(encoding="utf-8"), "run crates/python/reference.py"
+
+
+def test_a_star_import_replaces_no_built_in_function():
+    names = {}
+    exec("from asperity import *", names)
+    assert not set(names) & (set(dir(builtins)) - {"__builtins__", "__doc__", "__name__"})
+    assert set(asperity.__all__) == set(names) - {"__builtins__"} and "Case" in names
+
+
 def test_everything_public_is_documented():
-    for name in asperity.__all__:
+    for name in [*asperity.__all__, "map"]:
         thing = getattr(asperity, name)
         assert name == "__version__" or thing.__doc__, name
         if isinstance(thing, type):

@@ -117,6 +117,14 @@ def test_a_case_warns_of_its_files_once():
     assert "W203" in list(result.warnings.code) and "W203" not in told and told
 
 
+def test_a_map_warns_with_the_codes_of_its_points(drive):
+    with pytest.warns(AsperityWarning) as seen:
+        found = asperity.map(drive, torque_nm=[-145, 145], speed=["100 1/min", "9000 1/min"], band="none")
+    assert "extended" in list(found.warnings.text), "points that are extrapolated are listed"
+    warned = [warning.message for warning in seen]
+    assert warned and all(one.text and asperity.explain(one.code) for one in warned)
+
+
 def test_a_law_outside_its_range_warns():
     with pytest.warns(AsperityWarning, match="W401"):
         found = asperity.thermal_reduction("gupta", max_pressure=[1e9, 9e9], modulus=115e9, loading=1.0, slide_to_roll=0.2)

@@ -8,6 +8,7 @@
 //! programs. A flank is called `flank_geometry` in 1.0 and 1.1, `cylindrical_gear_flank` from 1.2 on.
 
 mod case_text;
+mod contents;
 mod error;
 mod json;
 mod model;
@@ -26,9 +27,10 @@ mod writer;
 mod xml;
 
 pub use case_text::{Flanks, case_text};
+pub use contents::{contents, lubricants, teeth_of};
 pub use error::RexsError;
 pub use model::{Attribute, Component, LoadCase, Model, Relation};
 pub use operating_points::{OperatingPoint, operating_points};
-pub use stages::{Stage, StageKind, stages, teeth};
+pub use stages::{Stage, StageKind, stages};
 pub use train_text::train_text;
 pub use writer::CaseText;

@@ -1,6 +1,6 @@
 //! Maps and cycles of gear trains, against runs of the train and maps of its meshes.
 
-#![allow(clippy::unwrap_used, reason = "helpers of tests may panic")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests may panic")]
 
 use std::path::Path;
 
@@ -8,11 +8,13 @@ use asperity::case::Source;
 use asperity::case::gear_train::{LoadedTrain, load_set};
 use asperity::gear_train::{TrainResult, run_train};
 use asperity::pipeline::KeptFields;
+use asperity::uncertainty::Verdict;
 use asperity_report::StudyResult as _;
-use asperity_studies::compare::Finish;
+use asperity_studies::compare::{Finish, FinishResult, compare};
 use asperity_studies::cycle::{cycle, evaluate};
 use asperity_studies::export::Field;
 use asperity_studies::map::{Axes, Map, MapBand, MapExtras, Point, map, read};
+use asperity_studies::sweep::{Cases, Study};
 
 const TWO_STAGES: &str = r#"
 title = "two stages"
@@ -149,6 +151,183 @@ fn a_set_whose_ring_turns_has_the_loss_and_the_efficiency_of_its_run() {
     assert_eq!(counts, [1, 3, 3]);
     // Two shafts turn whose torque follows.
     assert_eq!(found.ratio, None);
+}
+
+/// The train with other flanks of the mesh `on`, or of all meshes.
+fn superfinished(case: &LoadedTrain, on: Option<&str>) -> Finish<LoadedTrain> {
+    let file = |name: &str| Path::new(name).to_owned();
+    let (pinion, wheel) = (file("superfinished.csv"), file("superfinished_wheel.csv"));
+    let changed = case.with_each(&|_, mesh, input| {
+        if on.is_none_or(|on| on == mesh) {
+            input.surface.put_traces(&pinion, Some(&wheel));
+        }
+    });
+    Finish {
+        name: "fine".to_owned(),
+        case: changed.unwrap(),
+    }
+}
+
+#[test]
+fn a_comparison_of_a_train_has_the_losses_of_its_runs_and_the_differences_of_its_meshes() {
+    let case = train(TWO_STAGES, &[]);
+    let ground = Finish {
+        name: "ground".to_owned(),
+        case: case.clone(),
+    };
+    let same = Finish {
+        name: "same".to_owned(),
+        ..ground.clone()
+    };
+    let (all, second) = (
+        superfinished(&case, None),
+        superfinished(&case, Some("second")),
+    );
+    let found = compare(&[ground, all.clone(), second, same], &|_, _| {}).unwrap();
+    let [first, fine, one, same] = &found.finishes[..] else {
+        panic!("{found:?}")
+    };
+    let run_of_all = run(&all.case, true);
+    assert_eq!(
+        (fine.loss_w, fine.efficiency),
+        (run_of_all.loss_w, run_of_all.efficiency)
+    );
+    assert_eq!(fine.loss_distribution, run_of_all.loss_distribution);
+    for finish in &found.finishes {
+        let sum: f64 = finish.meshes.iter().map(|mesh| mesh.loss_w).sum();
+        assert!((sum / finish.loss_w - 1.0).abs() < 1e-14);
+    }
+    let of = |finish: &FinishResult| finish.difference.clone().unwrap();
+    let whole = of(fine);
+    assert!((whole.at_medians_w - (fine.loss_w - first.loss_w)).abs() < 1e-9);
+    let meshes = fine
+        .meshes
+        .iter()
+        .map(|mesh| mesh.difference.clone().unwrap());
+    let sum: f64 = meshes.map(|mesh| mesh.at_medians_w).sum();
+    assert!((sum - whole.at_medians_w).abs() < 1e-9);
+    assert!(
+        whole.quantiles_w[1] < 0.0 && whole.verdict != Verdict::Undecided,
+        "{whole:?}"
+    );
+    // The other mesh cancels draw by draw.
+    let [kept, changed] = [0, 1].map(|k| one.meshes[k].difference.clone().unwrap());
+    assert_eq!((kept.verdict, kept.quantiles_w), (Verdict::Equal, [0.0; 2]));
+    let of_train = of(one);
+    for (own, of_mesh) in of_train.quantiles_w.iter().zip(changed.quantiles_w) {
+        assert!((own / of_mesh - 1.0).abs() < 1e-9, "{own} {of_mesh}");
+    }
+    assert_eq!(of(same).verdict, Verdict::Equal);
+    // Its summary, its page and its tables.
+    let summary = found.summary(());
+    assert!(
+        summary.contains("second, fine") && found.verdicts().len() == 3,
+        "{summary}"
+    );
+    let folder = tempfile::tempdir().unwrap();
+    found.write((), &folder.path().join("compare")).unwrap();
+    let rows = std::fs::read_to_string(folder.path().join("compare/meshes.csv")).unwrap();
+    assert_eq!(
+        rows.lines().filter(|row| !row.starts_with('#')).count(),
+        1 + 4 * 2,
+        "{rows}"
+    );
+}
+
+#[test]
+fn a_comparison_of_a_set_counts_its_equal_meshes() {
+    let case = train(SET, &[]);
+    let ground = Finish {
+        name: "ground".to_owned(),
+        case: case.clone(),
+    };
+    let found = compare(&[ground, superfinished(&case, None)], &|_, _| {}).unwrap();
+    let fine = &found.finishes[1];
+    assert_eq!(
+        fine.meshes
+            .iter()
+            .map(|mesh| mesh.count)
+            .collect::<Vec<_>>(),
+        [1, 3, 3]
+    );
+    let of_meshes = fine.meshes.iter().map(|mesh| {
+        let difference = mesh.difference.as_ref().unwrap();
+        f64::from(mesh.count) * difference.at_medians_w
+    });
+    let whole = fine.difference.as_ref().unwrap().at_medians_w;
+    assert!((of_meshes.sum::<f64>() / whole - 1.0).abs() < 1e-12);
+    assert!((whole / (fine.loss_w - found.finishes[0].loss_w) - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_sweep_of_a_train_has_the_numbers_of_its_runs() {
+    let case = train(TWO_STAGES, &[]);
+    let study = r#"{
+        "axis": [
+            { "key": "mesh.second.gears.face_width", "values": ["40 mm", "50 mm"] },
+            { "key": "operation.speed", "values": ["3000 1/min", "4000 1/min"] }
+        ],
+        "columns": ["loss_w", "efficiency", "film_w", "loss_p95_w", "mesh.first.loss_w", "mesh.second.loss_w"]
+    }"#;
+    let cases = Cases::of(Study::of_case(case, study, Path::new(".")).unwrap()).unwrap();
+    let rows = cases.rows(0..cases.count()).unwrap();
+    assert_eq!(rows.len(), 4);
+    let ids: std::collections::BTreeSet<&String> = rows.iter().map(|row| &row[1]).collect();
+    assert_eq!(ids.len(), 4);
+    let keys = [
+        ("mesh.second.gears.face_width", "50 mm"),
+        ("operation.speed", "3000 1/min"),
+    ];
+    let run = run(&train(TWO_STAGES, &keys), true);
+    let row = &rows[2];
+    assert_eq!((row[2].as_str(), row[3].as_str()), ("50 mm", "3000 1/min"));
+    let found: Vec<f64> = row[4..10]
+        .iter()
+        .map(|cell| cell.parse().unwrap())
+        .collect();
+    let expected = [
+        run.loss_w,
+        run.efficiency,
+        run.kinds.film_w,
+        run.loss_distribution.unwrap().quantiles_w[1],
+        run.meshes[0].loss_w,
+        run.meshes[1].loss_w,
+    ];
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found / expected - 1.0).abs() < 1e-12, "{row:?} {expected}");
+    }
+    assert!((found[4] + found[5] - found[0]).abs() < 1e-9);
+    assert_eq!(row[10], "");
+    // Only the second mesh has another face.
+    assert_eq!(rows[0][8], rows[2][8]);
+    assert_ne!(rows[0][9], rows[2][9]);
+}
+
+#[test]
+fn a_sweep_of_a_train_takes_its_losses_passed_on_and_names_what_it_refuses() {
+    let keys = [("train.losses", "passed-on")];
+    let study =
+        r#"{ "axis": [{ "key": "mesh.first.gears.module", "values": ["1.8 mm", "9 mm"] }] }"#;
+    let case = train(TWO_STAGES, &keys);
+    let lost = run(&case, false).loss_w;
+    let cases = Cases::of(Study::of_case(case, study, Path::new(".")).unwrap()).unwrap();
+    let header = cases.header();
+    assert_eq!(header.last().unwrap(), "code");
+    assert!(
+        header.contains(&"mesh.first.loss_w".to_owned()),
+        "{header:?}"
+    );
+    let rows = cases.rows(0..2).unwrap();
+    let column = header.iter().position(|name| name == "loss_w").unwrap();
+    let found: f64 = rows[0][column].parse().unwrap();
+    assert!((found / lost - 1.0).abs() < 1e-12, "{found} {lost}");
+    // Teeth of 9 mm have the place of their axes.
+    assert!(rows[1].iter().all(|cell| cell != "NaN"), "{rows:?}");
+    let unknown = r#"{ "axis": [{ "key": "mesh.third.gears.module", "values": ["1.8 mm"] }] }"#;
+    let case = train(TWO_STAGES, &[]);
+    let cases = Cases::of(Study::of_case(case, unknown, Path::new(".")).unwrap()).unwrap();
+    let row = &cases.rows(0..1).unwrap()[0];
+    assert!(row.last().unwrap().starts_with("E2"), "{row:?}");
 }
 
 #[test]

@@ -29,7 +29,7 @@ pub fn gearbox_stage(
     number: usize,
     [pinion, wheel]: [&str; 2],
 ) -> Result<GearboxStage, Failure> {
-    let refused = |error: RexsError| Failure::new("E132", format!("{name}: {error}"));
+    let refused = |error: RexsError| Failure::new(error.code(), format!("{name}: {error}"));
     let model = Model::read(bytes).map_err(refused)?;
     let all = stages(&model).map_err(refused)?;
     let mut pairs = all

@@ -161,6 +161,6 @@ fn a_stage_of_a_gearbox_file_becomes_a_case_with_the_chosen_flanks() {
         let made = gearbox_stage("chain.rexs", bytes, stage, ["", ""]);
         made.unwrap_err().code
     };
-    assert_eq!(refused(&bytes, 99), "E132");
+    assert_eq!(refused(&bytes, 99), "E133");
     assert_eq!(refused(b"heights\n", 0), "E132");
 }

@@ -1,27 +1,25 @@
 //! A case of any kind as the user writes it.
 
+use std::path::Path;
+
 use asperity_core::quantity::{AngularSpeed, Torque};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::case_file::CaseFile;
 use super::input::{CaseInput, MapInput, OperationInput, VehicleInput};
-use super::planetary::PlanetaryCaseInput;
 use super::set::of_json;
 use super::source::Source;
 use super::train_input::TrainCaseInput;
-use super::train_parts::TrainFile;
 use crate::error::Error;
 
-/// A case of any kind: a pair of gears, a planetary set or a gear train.
+/// A case of any kind: a pair of gears, or a gear train or planetary set.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum AnyInput {
     /// A pair of gears.
     Mesh(Box<CaseInput>),
-    /// A planetary set.
-    Planetary(Box<PlanetaryCaseInput>),
-    /// A gear train.
+    /// A gear train or a planetary set.
     Train(Box<TrainCaseInput>),
 }
 
@@ -31,7 +29,6 @@ impl AnyInput {
     pub fn operation(&self) -> &OperationInput {
         match self {
             Self::Mesh(input) => &input.operation,
-            Self::Planetary(input) => &input.operation,
             Self::Train(input) => &input.operation,
         }
     }
@@ -41,7 +38,6 @@ impl AnyInput {
     pub fn map_limits(&self) -> (Torque, AngularSpeed) {
         let map: Option<MapInput> = match self {
             Self::Mesh(input) => input.map,
-            Self::Planetary(input) => input.map,
             Self::Train(input) => input.map,
         };
         let (map, operation) = (map.unwrap_or_default(), self.operation());
@@ -56,9 +52,18 @@ impl AnyInput {
     pub fn vehicle(&self) -> Option<&VehicleInput> {
         match self {
             Self::Mesh(input) => input.vehicle.as_ref(),
-            Self::Planetary(input) => input.vehicle.as_ref(),
             Self::Train(input) => input.vehicle.as_ref(),
         }
+    }
+
+    /// Tables of losses of the gearbox of a train.
+    pub(super) fn own_files(&self) -> impl Iterator<Item = &Path> {
+        let gearbox = match self {
+            Self::Mesh(_) => None,
+            Self::Train(input) => input.gearbox.as_ref(),
+        };
+        let tables = gearbox.into_iter().flat_map(|gearbox| &gearbox.tables);
+        tables.map(|table| table.file.as_path())
     }
 
     /// Sets the key at `path`, as [`CaseInput::set`] does.
@@ -69,7 +74,6 @@ impl AnyInput {
         let place = Source::in_memory().place_of(path);
         Ok(match self {
             Self::Mesh(input) => input.set_at(place, path, value),
-            Self::Planetary(input) => input.set_at(place, path, value),
             Self::Train(input) => input.set_at(place, path, value),
         }?)
     }
@@ -78,12 +82,6 @@ impl AnyInput {
 impl From<CaseInput> for AnyInput {
     fn from(input: CaseInput) -> Self {
         Self::Mesh(Box::new(input))
-    }
-}
-
-impl From<PlanetaryCaseInput> for AnyInput {
-    fn from(input: PlanetaryCaseInput) -> Self {
-        Self::Planetary(Box::new(input))
     }
 }
 
@@ -98,14 +96,9 @@ impl<'de> Deserialize<'de> for AnyInput {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let value = serde_json::Value::deserialize(from)?;
         let has = |table: &str| value.get(table).is_some_and(serde_json::Value::is_object);
-        match () {
-            () if has(TrainCaseInput::TABLE) => {
-                of_json(value).map(|input| Self::Train(Box::new(input)))
-            }
-            () if has(PlanetaryCaseInput::TABLE) => {
-                of_json(value).map(|input| Self::Planetary(Box::new(input)))
-            }
-            () => of_json(value).map(|input| Self::Mesh(Box::new(input))),
+        match TrainCaseInput::TABLES.into_iter().any(has) {
+            true => of_json(value).map(|input| Self::Train(Box::new(input))),
+            false => of_json(value).map(|input| Self::Mesh(Box::new(input))),
         }
         .map_err(D::Error::custom)
     }

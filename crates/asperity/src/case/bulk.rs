@@ -60,8 +60,36 @@ pub struct FoundBulk {
     pub report: BulkReport,
 }
 
-/// The law of the bulk temperature, if the case states one.
+/// The law of the bulk temperature, if the case states one. A message about the law of a single mesh has its key in the gear
+/// train.
 pub(super) fn bulk_model(
+    stated: Option<&BulkInput>,
+    formulation: Formulation,
+    model: &Model,
+    source: &Source,
+) -> Result<Option<BulkModel>, CaseError> {
+    checked(stated, formulation, model, source).map_err(|error| match error {
+        CaseError::Conflict { place, key, rule } => CaseError::Conflict {
+            place,
+            key: source.key_in_train(key),
+            rule,
+        },
+        CaseError::Domain {
+            place,
+            key,
+            written,
+            source: error,
+        } => CaseError::Domain {
+            place,
+            key: source.key_in_train(key),
+            written,
+            source: error,
+        },
+        other => other,
+    })
+}
+
+fn checked(
     stated: Option<&BulkInput>,
     formulation: Formulation,
     model: &Model,

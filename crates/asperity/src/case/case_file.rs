@@ -1,4 +1,4 @@
-//! The two kinds of case file, an ordinary case and a planetary set: reading, and keys set by their path.
+//! The two kinds of case file, an ordinary case and a gear train: reading, and keys set by their path.
 
 use std::sync::LazyLock;
 
@@ -17,7 +17,7 @@ use super::symbols::with_keys;
 
 /// A kind of case file.
 pub(super) trait CaseFile: Serialize + DeserializeOwned {
-    /// A valid case, from which a check takes replacements.
+    /// Valid values of the keys, which replace wrong ones in a check.
     const VALID: &'static str;
 
     /// The JSON schema of the keys.

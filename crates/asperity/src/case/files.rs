@@ -22,7 +22,7 @@ pub(super) const LOSS_TABLE: &str = "gearbox.loss_table";
 pub(super) const OIL_FILE: &str = "lubricant.oil_file";
 pub(super) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
 
-/// Every key of a case that names a file, or several.
+/// Every key of a pair of gears that names a file, or several.
 pub const FILE_KEYS: [&str; 11] = [
     "surface.pinion.file",
     "surface.wheel.file",
@@ -234,14 +234,16 @@ impl Files {
     /// Sums of the files that any of `inputs` names; those that cannot be read are left out.
     pub(super) fn sums_of(&self, inputs: &[CaseInput]) -> FileSums {
         let named = inputs.iter().flat_map(named);
-        let names: BTreeSet<PathBuf> = named
-            .flat_map(|named| match named.is_pattern {
-                true => self.matching(&named.name),
-                false => vec![named.name],
-            })
-            .collect();
+        self.sums_of_names(named.flat_map(|named| match named.is_pattern {
+            true => self.matching(&named.name),
+            false => vec![named.name],
+        }))
+    }
+
+    /// Sums of the files with these names; those that cannot be read are left out.
+    pub(super) fn sums_of_names(&self, names: impl Iterator<Item = PathBuf>) -> FileSums {
         let reader = Reader::of(self);
-        for name in &names {
+        for name in &names.collect::<BTreeSet<PathBuf>>() {
             // A file that cannot be read is an error of the case that needs it.
             let _ = reader.content(name);
             reader.conditions(name);

@@ -7,16 +7,14 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::any_input::AnyInput;
+use super::case_file::CaseFile;
 use super::check::{completed, readable};
 use super::error::CaseError;
-use super::files::Files;
+use super::files::{Files, Reader};
 use super::input::CaseInput;
 use super::loaded::{complete, open_source};
 use super::model::Formulation;
-use super::planetary::PlanetaryCaseInput;
 use super::source::Source;
-use super::train_parts::TrainFile;
 use crate::error::Error;
 
 pub use super::loaded_train::{LoadedMesh, LoadedStage, LoadedTrain};
@@ -28,13 +26,8 @@ pub use super::train_input::{
 
 /// Whether the text is of a gear train: it has tables `[mesh.NAME]` or `[planetary]`.
 pub fn is_train(source: &Source) -> bool {
-    is_planetary(source) || source.key_paths().any(|key| key == TrainCaseInput::TABLE)
-}
-
-fn is_planetary(source: &Source) -> bool {
-    source
-        .key_paths()
-        .any(|key| key == PlanetaryCaseInput::TABLE)
+    let mut keys = source.key_paths();
+    keys.any(|key| TrainCaseInput::TABLES.contains(&key))
 }
 
 /// Reads the case file `path` of a gear train and the traces it names; `None` if it holds neither `[mesh.NAME]` nor
@@ -65,25 +58,22 @@ pub fn load_set(
     formulation: Option<Formulation>,
 ) -> Result<LoadedTrain, Error> {
     let mut source = source;
-    let loaded = match is_planetary(&source) {
-        true => read::<PlanetaryCaseInput>(&mut source, folder, keys, formulation),
-        false => read::<TrainCaseInput>(&mut source, folder, keys, formulation),
-    };
+    let loaded = read(&mut source, folder, keys, formulation);
     loaded.map_err(|error| Error::in_text(error, source))
 }
 
-fn read<T: TrainFile + Into<AnyInput>>(
+fn read(
     source: &mut Source,
     folder: &Path,
     keys: &[(String, String)],
     formulation: Option<Formulation>,
 ) -> Result<LoadedTrain, CaseError> {
-    let mut input = T::read(source)?;
+    let mut input = TrainCaseInput::read(source)?;
     for (key, value) in keys {
         input.set_in(source, key, value)?;
     }
     let files = Arc::new(Files::in_folder(folder));
-    let parts = input.parts(source)?;
+    let parts = input.parts(source, Reader::of(&files))?;
     let mut cases = Vec::new();
     for mesh in parts.meshes() {
         let case = CaseInput {
@@ -110,10 +100,7 @@ pub struct TrainFindings {
 pub fn check(source: Source, folder: &Path, keys: &[(String, String)]) -> TrainFindings {
     let mut source = source;
     let mut errors = Vec::new();
-    let case = match is_planetary(&source) {
-        true => all::<PlanetaryCaseInput>(&mut source, folder, keys, &mut errors),
-        false => all::<TrainCaseInput>(&mut source, folder, keys, &mut errors),
-    };
+    let case = all(&mut source, folder, keys, &mut errors);
     let errors: Vec<Error> = errors
         .into_iter()
         .map(|error| Error::in_text(error, source.clone()))
@@ -124,17 +111,21 @@ pub fn check(source: Source, folder: &Path, keys: &[(String, String)]) -> TrainF
     }
 }
 
-fn all<T: TrainFile + Into<AnyInput>>(
+fn all(
     source: &mut Source,
     folder: &Path,
     keys: &[(String, String)],
     errors: &mut Vec<CaseError>,
 ) -> Option<LoadedTrain> {
-    let (input, mending) = readable::<T>(source, keys, errors)?;
-    let parts = match input.parts(source) {
+    let (input, mending) = readable::<TrainCaseInput>(source, keys, errors)?;
+    let files = Files::in_folder(folder);
+    let parts = match input.parts(source, Reader::of(&files)) {
         Ok(parts) => parts,
         Err(error) => {
-            if !mending.is_known(T::TABLE) {
+            if !TrainCaseInput::TABLES
+                .iter()
+                .any(|table| mending.is_known(table))
+            {
                 errors.push(error);
             }
             return None;

@@ -11,7 +11,7 @@ use asperity_efficiency::rolling_bearing::{BearingConstants, BearingForm, Rollin
 use asperity_efficiency::shaft_seal::seal_torque;
 
 use super::error::CaseError;
-use super::files::{Content, LOSS_TABLE, Reader};
+use super::files::{Content, Reader};
 use super::gearbox_input::{BearingInput, BearingKind, GearboxInput, JetInput, Shaft};
 use super::section::Section;
 use super::source::Source;
@@ -96,14 +96,14 @@ pub(super) fn gearbox(
     }
     if let Some(JetInput { flow, speed }) = *jet {
         let name = "oil jet".to_owned();
-        let checked = DomainError::positive("flow", flow)
-            .and_then(|_| DomainError::non_negative("speed", speed));
-        checked.map_err(|error| refused(section, "jet", &name)(error.into()))?;
+        check_jet(flow, speed).map_err(refused(section, "jet", &name))?;
         let kind = PartKind::Jet { flow, speed };
         parts.push(Part { name, kind });
     }
     if let Some(file) = loss_table {
-        parts.push(table(file, section, files)?);
+        let (name, table) = table(file, (section, "loss_table"), files)?;
+        let kind = PartKind::Table(table);
+        parts.push(Part { name, kind });
     }
     if parts.is_empty() {
         let rule =
@@ -139,16 +139,21 @@ fn loaded_bearing(stated: &BearingInput) -> Result<PartKind, EfficiencyError> {
         shaft,
         at,
         locating,
+        planet_mass,
+        per_planet,
         radial,
         axial,
         at_torque,
         ..
     } = stated;
     let rule = "is of a gear train, where the load of a bearing follows from the teeth";
-    for name in [at.map(|_| "at"), locating.map(|_| "locating")]
-        .into_iter()
-        .flatten()
-    {
+    let of_train = [
+        at.map(|_| "at"),
+        locating.map(|_| "locating"),
+        planet_mass.map(|_| "planet_mass"),
+        per_planet.map(|_| "per_planet"),
+    ];
+    for name in of_train.into_iter().flatten() {
         DomainError::require(false, name, f64::NAN, "-", rule)?;
     }
     let radial = radial.unwrap_or(Force::from_si(f64::NAN));
@@ -180,6 +185,8 @@ pub(super) fn rolling_bearing<S>(
         outside_diameter,
         at: _,
         locating: _,
+        planet_mass: _,
+        per_planet: _,
         radial: _,
         axial: _,
         at_torque: _,
@@ -250,25 +257,34 @@ pub(super) fn rolling_bearing<S>(
     Ok(bearing)
 }
 
-fn table(file: &Path, section: Section<'_>, files: &Reader<'_>) -> Result<Part, CaseError> {
+/// Name and content of the table `file`, which is stated at `key`.
+pub(super) fn table(
+    file: &Path,
+    (section, key): (Section<'_>, &str),
+    files: &Reader<'_>,
+) -> Result<(String, Arc<LossTable>), CaseError> {
     let name = file
         .file_name()
         .unwrap_or(file.as_os_str())
         .to_string_lossy();
-    let bytes = match files.open(file, section.source, LOSS_TABLE)? {
+    let bytes = match files.open(file, section.source, section.key(key).into_owned())? {
         (Content::Bytes(bytes), _) => bytes,
         (Content::Heights(_), _) => {
-            return Err(section.value("loss_table", "names a trace, not a table of losses"));
+            return Err(section.value(key, "names a trace, not a table of losses"));
         }
     };
     let table =
         read(&name, &String::from_utf8_lossy(&bytes)).map_err(|error| CaseError::LossTable {
-            place: section.place("loss_table"),
-            key: section.key("loss_table"),
+            place: section.place(key),
+            key: section.key(key).into_owned().into(),
             source: error,
         })?;
-    Ok(Part {
-        name: name.into_owned(),
-        kind: PartKind::Table(Arc::new(table)),
-    })
+    Ok((name.into_owned(), Arc::new(table)))
+}
+
+/// Checks the numbers of a jet.
+pub(super) fn check_jet(flow: VolumeFlow, speed: Speed) -> Result<(), EfficiencyError> {
+    DomainError::positive("flow", flow)?;
+    DomainError::non_negative("speed", speed)?;
+    Ok(())
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use asperity_core::quantity::{Force, Length, Speed, Temperature, Torque, VolumeFlow};
+use asperity_core::quantity::{Force, Length, Mass, Speed, Temperature, Torque, VolumeFlow};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -14,7 +14,7 @@ pub struct GearboxInput {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub temperature: Option<Temperature>,
     /// CSV file, relative to the case file, with the loss torque at the pinion of all other parts:
-    /// columns `speed_rpm`, `loss_torque_nm` and, where the loss depends on them, `torque_nm` and `temperature_c`, as
+    /// columns `speed_rpm`, `loss_torque_nm` or `loss_w` and, where the loss depends on them, `torque_nm` and `temperature_c`, as
     /// a grid; linear in between, nothing beyond.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub loss_table: Option<PathBuf>,
@@ -68,6 +68,12 @@ pub struct BearingInput<S = Shaft> {
     /// Whether it carries the axial force of its shaft, in a gear train; default false.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub locating: Option<bool>,
+    /// Mass of a planet with its share of the bearing, whose centrifugal force the bearings of planets carry; default 0 kg.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub planet_mass: Option<Mass>,
+    /// Equal bearings of each planet, which share its load; default 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub per_planet: Option<u32>,
     /// Radial load F_r of a pair of gears.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radial: Option<Force>,
@@ -101,6 +107,38 @@ pub struct BearingInput<S = Shaft> {
     pub mu_bl: f64,
     /// Coefficient of sliding on a whole film.
     pub mu_ehl: f64,
+}
+
+/// A table of losses on a shaft of a gear train: of gears that run idle, a clutch, a pump.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TableInput {
+    /// Name, shown with its loss; default the name of the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Shaft whose speed the table is over.
+    pub shaft: String,
+    /// Other shaft of a clutch: the table is then over the difference of both speeds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub against: Option<String>,
+    /// CSV file, relative to the case file: columns `speed_rpm`, `loss_torque_nm` or `loss_w` and, where the loss depends on
+    /// them, `torque_nm` (of the operation) and `temperature_c`, as a grid; linear in between, nothing beyond.
+    pub file: PathBuf,
+}
+
+/// An oil jet onto a pair of gears of a gear train.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshJetInput {
+    /// Name, shown with its loss; default `jet 1`, counted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Name of the mesh.
+    pub mesh: String,
+    /// Flow of the jet.
+    pub flow: VolumeFlow,
+    /// Speed of the jet at the nozzle.
+    pub speed: Speed,
 }
 
 /// An oil jet.

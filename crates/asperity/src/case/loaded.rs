@@ -25,7 +25,7 @@ use super::oil_file::oil_file;
 use super::plausibility::{SYMBOLS, at_pitch_point, of_files, step_up, unusual};
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
-use super::source::Source;
+use super::source::{MeshKeys, Source};
 use super::surrogates::solves_contact;
 use crate::error::Error;
 use crate::fingerprint::Fingerprint;
@@ -225,6 +225,11 @@ impl LoadedCase {
         self.files.sums_of(inputs)
     }
 
+    /// SHA-256 of the files with these names; unreadable files are left out.
+    pub(super) fn sums_of_files<'a>(&self, names: impl Iterator<Item = &'a Path>) -> FileSums {
+        self.files.sums_of_names(names.map(Path::to_owned))
+    }
+
     /// SHA-256 of everything that determines the result: every key of the case, every byte of the files read for it, the
     /// version of the program, and every user-defined law by its `Debug` text, which must therefore show everything that
     /// the law depends on. It does not include fields that were changed after the case was read, nor the code of a law.
@@ -262,7 +267,7 @@ impl LoadedCase {
     pub fn with(&self, change: impl FnOnce(&mut CaseInput)) -> Result<Self, Error> {
         let mut input = self.case.input.clone();
         change(&mut input);
-        self.changed_to(input)
+        self.changed_to(input, None)
     }
 
     /// The case with the key at `path` set to `value`, as [`CaseInput::set`] takes them.
@@ -272,7 +277,7 @@ impl LoadedCase {
     pub fn with_key(&self, path: &str, value: &str) -> Result<Self, Error> {
         let mut input = self.case.input.clone();
         input.set(path, value)?;
-        self.changed_to(input)
+        self.changed_to(input, None)
     }
 
     /// The case on its first pair of traces, where several teeth or surrogates are in contact.
@@ -319,16 +324,33 @@ impl LoadedCase {
         !self.case.face_zones.is_empty() || self.all_traces().into_iter().any(is_rolled)
     }
 
-    fn changed_to(&self, mut input: CaseInput) -> Result<Self, Error> {
+    /// The case with another input, of the mesh with these keys if it is one of a gear train.
+    pub(super) fn changed_to(
+        &self,
+        mut input: CaseInput,
+        mesh: Option<&Arc<MeshKeys>>,
+    ) -> Result<Self, Error> {
         keep_oil(&self.case.input, &mut input);
-        // The lines of the file hold the earlier values.
-        let source = Source::without_text(&self.name);
+        let source = match mesh {
+            Some(mesh) => self.source().of_mesh(mesh),
+            None => self.source(),
+        };
         Ok(complete(
             input,
             &source,
             Arc::clone(&self.files),
             Some(self),
         )?)
+    }
+
+    /// Source of changes of the case: the lines of the file hold the earlier values.
+    pub(super) fn source(&self) -> Source {
+        Source::without_text(&self.name)
+    }
+
+    /// Reader of the files of the case.
+    pub(super) fn reader(&self) -> Reader<'_> {
+        Reader::of(&self.files)
     }
 
     pub(super) fn built(input: CaseInput, files: Files) -> Result<Self, Error> {

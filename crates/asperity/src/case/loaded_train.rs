@@ -3,16 +3,21 @@
 use asperity_core::quantity::Power;
 
 use super::any_input::AnyInput;
+use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
+use super::files::FileSums;
 use super::input::CaseInput;
 use super::known_keys::first_unknown;
 use super::loaded::LoadedCase;
+use super::resolve::Case;
 use super::source::MeshKeys;
 use super::train_flow::{StageKind, Train};
 use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
-use super::train_parts::{TrainFile, TrainParts};
-use crate::error::Error;
+use super::train_input::TrainCaseInput;
+use super::train_parts::{MeshParts, TrainParts};
+use crate::error::{Error, PositionError};
+use crate::fingerprint::Fingerprint;
 use crate::flanks::Surfaces;
 
 /// A gear train, ready to run.
@@ -33,6 +38,8 @@ pub struct LoadedTrain {
     pub input: AnyInput,
     /// Every default in use, by the keys of the train.
     pub defaults: Vec<DefaultUsed>,
+    /// Sums of the tables of its gearbox.
+    sums: FileSums,
 }
 
 /// A pair of gears or a planetary set of a gear train.
@@ -65,6 +72,7 @@ impl From<LoadedCase> for LoadedTrain {
             gearbox: None,
             input: case.case.input.clone().into(),
             defaults: case.case.defaults.clone(),
+            sums: FileSums::new(),
             stages: vec![LoadedStage {
                 name: None,
                 meshes: vec![LoadedMesh {
@@ -78,17 +86,13 @@ impl From<LoadedCase> for LoadedTrain {
 
 impl LoadedTrain {
     /// The train of `parts` with the loaded case of each mesh, as `input` states it.
-    pub(super) fn of<T: TrainFile + Into<AnyInput>>(
-        parts: TrainParts,
-        cases: Vec<LoadedCase>,
-        input: T,
-    ) -> Self {
+    pub(super) fn of(parts: TrainParts, cases: Vec<LoadedCase>, input: TrainCaseInput) -> Self {
         let mut defaults: Vec<DefaultUsed> = Vec::new();
         for stage in &parts.stages {
             defaults.extend(stage.defaults.iter().cloned());
         }
         for (mesh, case) in parts.meshes().zip(&cases) {
-            add_defaults(&mut defaults, case, &mesh.keys, T::schema());
+            add_defaults(&mut defaults, case, &mesh.keys);
         }
         let mut cases = cases.into_iter();
         let stages = parts.stages.into_iter().map(|stage| LoadedStage {
@@ -103,6 +107,7 @@ impl LoadedTrain {
         Self {
             heat: parts.heat,
             gearbox: parts.gearbox,
+            sums: parts.sums,
             title: parts.title,
             train: parts.train,
             stages: stages.collect(),
@@ -125,11 +130,120 @@ impl LoadedTrain {
     /// # Errors
     /// When a changed case cannot be completed.
     pub fn with(&self, change: &dyn Fn(&mut CaseInput)) -> Result<Self, Error> {
+        self.with_each(&|_, _, input| change(input))
+    }
+
+    /// The train with a change of the case of every mesh, which may depend on the name of the stage, if it has one, and the
+    /// name of the mesh.
+    ///
+    /// # Errors
+    /// When a changed case cannot be completed.
+    pub fn with_each(
+        &self,
+        change: &dyn Fn(Option<&str>, &str, &mut CaseInput),
+    ) -> Result<Self, Error> {
         let mut other = self.clone();
-        for mesh in other.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
-            mesh.case = mesh.case.with(|input| change(input))?;
+        for stage in &mut other.stages {
+            for mesh in &mut stage.meshes {
+                let (stage, name) = (stage.name.as_deref(), &mesh.name);
+                mesh.case = mesh.case.with(|input| change(stage, name, input))?;
+            }
         }
         Ok(other)
+    }
+
+    /// The train with another input, checked again; traces are read again only if the input affects them.
+    ///
+    /// # Errors
+    /// When the changed train cannot be run.
+    pub fn with_input(&self, input: AnyInput) -> Result<Self, Error> {
+        let Some(first) = self.meshes().next() else {
+            return Err(Error::Whole(Box::new(PositionError::NoProfile)));
+        };
+        match input {
+            AnyInput::Mesh(input) => first.case.with(|now| *now = *input).map(Self::from),
+            AnyInput::Train(input) => {
+                let source = first.case.source();
+                let parts = input.parts(&source, first.case.reader())?;
+                let case = |mesh: &MeshParts| {
+                    let before = self.mesh(&mesh.name).unwrap_or(first);
+                    before.case.changed_to(mesh.case.clone(), Some(&mesh.keys))
+                };
+                let cases = parts.meshes().map(case).collect::<Result<_, _>>()?;
+                Ok(Self::of(parts, cases, *input))
+            }
+        }
+    }
+
+    /// The inputs of the meshes that `input` states; none if it cannot be completed.
+    fn inputs_of(&self, input: &AnyInput) -> Vec<CaseInput> {
+        match input {
+            AnyInput::Mesh(input) => vec![CaseInput::clone(input)],
+            AnyInput::Train(input) => {
+                let first = self.meshes().next();
+                let parts = first.and_then(|first| {
+                    let case = &first.case;
+                    input.parts(&case.source(), case.reader()).ok()
+                });
+                let meshes = parts.iter().flat_map(TrainParts::meshes);
+                meshes.map(|mesh| mesh.case.clone()).collect()
+            }
+        }
+    }
+
+    /// Files that the train would read with any of `inputs`, and their SHA-256; unreadable files are left out.
+    #[must_use]
+    pub fn files_of(&self, inputs: &[AnyInput]) -> FileSums {
+        let Some(first) = self.meshes().next() else {
+            return FileSums::new();
+        };
+        let of_meshes = inputs.iter().flat_map(|input| self.inputs_of(input));
+        let mut sums = first.case.files_of(&of_meshes.collect::<Vec<_>>());
+        sums.extend(
+            first
+                .case
+                .sums_of_files(inputs.iter().flat_map(AnyInput::own_files)),
+        );
+        sums
+    }
+
+    /// Files that were read for the train, and their SHA-256.
+    #[must_use]
+    pub fn files_read(&self) -> FileSums {
+        let of_meshes = self.meshes().flat_map(|mesh| mesh.case.files_read());
+        of_meshes.chain(self.sums.clone()).collect()
+    }
+
+    /// SHA-256 of everything that determines the result, as [`LoadedCase::fingerprint`].
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        if let Some(pair) = self.pair() {
+            return pair.fingerprint();
+        }
+        let mut sum = Fingerprint::default().with(format!("{:?}", self.input));
+        for mesh in self.meshes() {
+            sum = sum.with(mesh.case.fingerprint());
+        }
+        for (name, of_file) in &self.sums {
+            sum = sum.with(name.as_os_str().as_encoded_bytes()).with(of_file);
+        }
+        sum.hex()
+    }
+
+    /// The train with user-defined laws in the case of every mesh, as `laws` puts them into a case.
+    #[must_use]
+    pub fn with_laws(mut self, laws: &dyn Fn(Case) -> Case) -> Self {
+        for mesh in self.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
+            mesh.case.case = laws(mesh.case.case.clone());
+        }
+        let first = self.meshes().next();
+        let named: Vec<DefaultUsed> = (first.into_iter())
+            .flat_map(|mesh| mesh.case.case.own_laws().cloned())
+            .collect();
+        let is_replaced = |row: &DefaultUsed| named.iter().any(|law| law.key == row.key);
+        self.defaults.retain(|row| !is_replaced(row));
+        self.defaults.extend(named);
+        self
     }
 
     /// Turns of the input shaft for one turn of the output shaft, the only one that turns and whose torque follows.
@@ -151,11 +265,7 @@ impl LoadedTrain {
     #[must_use]
     pub fn first_with_flanks(&self) -> Vec<usize> {
         let flanks: Vec<&Surfaces> = self.meshes().map(|mesh| &mesh.case.surfaces).collect();
-        let first = |(k, own): (usize, &&Surfaces)| {
-            let same = flanks.iter().position(|other| other.has_flanks_of(own));
-            same.unwrap_or(k)
-        };
-        flanks.iter().enumerate().map(first).collect()
+        Surfaces::first_equal(&flanks)
     }
 
     /// Loss of the train with the loss of one of the equal meshes of each kind.
@@ -213,12 +323,8 @@ impl LoadedTrain {
 }
 
 /// Adds the defaults of a mesh that are keys of the train.
-fn add_defaults(
-    defaults: &mut Vec<DefaultUsed>,
-    mesh: &LoadedCase,
-    keys: &MeshKeys,
-    schema: &serde_json::Value,
-) {
+fn add_defaults(defaults: &mut Vec<DefaultUsed>, mesh: &LoadedCase, keys: &MeshKeys) {
+    let schema = TrainCaseInput::schema();
     for default in &mesh.case.defaults {
         let key = match keys.in_train(&default.key) {
             Some(in_train) => in_train.into(),

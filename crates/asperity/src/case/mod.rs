@@ -90,7 +90,9 @@ pub use gear_input::{
     EndReliefInput, GearFlankInput, NoRelief, ReliefInput, ReliefSource, TipRelief,
 };
 pub use gearbox::{Gearbox, Part, PartKind};
-pub use gearbox_input::{BearingInput, BearingKind, GearboxInput, JetInput, SealInput, Shaft};
+pub use gearbox_input::{
+    BearingInput, BearingKind, GearboxInput, JetInput, MeshJetInput, SealInput, Shaft, TableInput,
+};
 pub use gears::gear_pair;
 pub use input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,

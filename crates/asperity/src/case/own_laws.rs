@@ -11,6 +11,9 @@ use super::resolve::Case;
 use crate::lubrication::LoadShare;
 use asperity_mixed_film::FilmAlone;
 
+/// Source of the name of a user-defined law.
+const OWN_LAW: &str = "user-defined law";
+
 impl Case {
     /// The case with a user-defined film thickness law.
     #[must_use]
@@ -68,9 +71,15 @@ impl Case {
             self.defaults.push(DefaultUsed {
                 key: key.into(),
                 value: name.to_owned(),
-                source: Some("user-defined law".into()),
+                source: Some(OWN_LAW.into()),
             });
         }
+    }
+
+    /// The rows of the user-defined laws among the defaults.
+    pub(super) fn own_laws(&self) -> impl Iterator<Item = &DefaultUsed> {
+        let rows = self.defaults.iter();
+        rows.filter(|row| row.source.as_deref() == Some(OWN_LAW))
     }
 
     /// The film thickness law in use: user-defined, or the one that the case names.
@@ -107,15 +116,21 @@ impl Case {
     /// The load over the flanks by the law in use.
     ///
     /// # Errors
-    /// When the law does not hold for these gears.
+    /// When the law does not hold for these gears, or puts no load on the teeth.
     pub fn load_map(&self) -> Result<LoadMap, GearError> {
-        self.load_distribution().load_map(&LoadConditions {
+        let law = self.load_distribution();
+        let map = law.load_map(&LoadConditions {
             pair: &self.gears,
             torque: self.torque,
             micro: &self.micro_geometry,
             materials: &self.materials,
             settings: &self.load_settings,
-        })
+        })?;
+        if map.samples().iter().all(|sample| sample.load.si() == 0.0) {
+            let law = law.name().to_owned();
+            return Err(GearError::NoLoad { law });
+        }
+        Ok(map)
     }
 
     /// The load sharing between film and asperities in use.

@@ -1,65 +1,24 @@
-//! A planetary set as a case: sun, planets and ring, each mesh an ordinary case of its own.
+//! A planetary set of a gear train: sun, planets and ring, each mesh an ordinary case of its own.
 //!
 //! The sun is the pinion of its mesh with a planet, the planet is the pinion of its mesh with the ring. Speeds are relative
 //! to the carrier.
 
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
 use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
 use asperity_gear::planetary::{PlanetarySet, PlanetarySetInput};
-use asperity_oil::LubricantInput;
-use asperity_roughness::form::Form;
-use asperity_roughness::gaussian_filter::Ends;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::calibration::CalibrationInput;
-use super::case_file::CaseFile;
 use super::defaults::Defaults;
 use super::error::CaseError;
-use super::finish::FinishName;
 use super::gear_input::GearFlankInput;
-use super::input::{
-    BodyInput, CaseInput, FlankInput, GearsInput, MapInput, MaterialInput, OperationInput,
-    SurfaceInput, VehicleInput,
-};
-use super::model::ModelInput;
+use super::input::{BodyInput, CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput};
 use super::one_or_two::OneOrTwo;
 use super::source::{MeshKeys, Source};
 use super::train_flow::StageKind;
-use super::train_parts::{MeshParts, StageParts, TrainFile, TrainParts, conflict, refused};
-
-/// A planetary case as the user writes it. Torque and speed of the operation are those of the sun.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PlanetaryCaseInput {
-    /// Title of the case, shown in every output.
-    pub title: Option<String>,
-    /// The set.
-    pub planetary: PlanetaryInput,
-    /// Steel; planets and ring are of that of the sun unless they have their own.
-    #[serde(default)]
-    pub material: PlanetaryMaterialInput,
-    /// Torque and speed of the sun, temperature.
-    pub operation: OperationInput,
-    /// The oil.
-    pub lubricant: LubricantInput,
-    /// The measured flanks and their preparation.
-    pub surface: PlanetarySurfaceInput,
-    /// Choices of the model, for both meshes.
-    #[serde(default)]
-    pub model: ModelInput,
-    /// Parameters calibrated on a rig, for both meshes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub calibration: Option<CalibrationInput>,
-    /// Ranges of the default axes of `asperity map`; a run ignores them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub map: Option<MapInput>,
-    /// The vehicle of a cycle stated by its speed, for `asperity cycle`; a run ignores it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub vehicle: Option<VehicleInput>,
-}
+use super::train_parts::{MeshParts, StageParts, conflict, refused};
 
 /// Sun, planets and ring. Three values belong to sun, planet and ring.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -97,100 +56,51 @@ pub struct PlanetaryInput {
     pub ring: Option<GearFlankInput>,
 }
 
-/// Steel of the set.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PlanetaryMaterialInput {
-    /// The sun; also planets and ring unless given.
-    #[serde(default)]
-    pub sun: BodyInput,
-    /// The planets, where they differ.
-    pub planet: Option<BodyInput>,
-    /// The ring, where it differs.
-    pub ring: Option<BodyInput>,
-}
-
-/// The flanks of the set.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PlanetarySurfaceInput {
-    /// Trace of the sun's flank.
-    pub sun: FlankInput,
-    /// Trace of a planet's flank, for both of its meshes; default: the sun's trace, mirrored.
-    pub planet: Option<FlankInput>,
-    /// Trace of the ring's flank; default: the planet's trace, mirrored.
-    pub ring: Option<FlankInput>,
-    /// Finish of flanks without a file; default by Ra.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub finish: Option<FinishName>,
-    /// Form removed from each trace; default `level` (a straight line).
-    pub form: Option<Form>,
-    /// Cut-off λc; default as the file states, else 0.25 mm.
-    pub cutoff: Option<Length>,
-    /// Cut-off λs; default as the file states, else 2.5 um.
-    pub noise_cutoff: Option<Length>,
-    /// Treatment of the ends of a trace in filtering; default `cut`.
-    pub ends: Option<Ends>,
-    /// Robust standard deviations from the running median beyond which spikes are replaced; default none.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub outliers: Option<f64>,
-}
-
-/// The JSON schema of a planetary case file.
-pub fn schema() -> serde_json::Value {
-    schemars::schema_for!(PlanetaryCaseInput).to_value()
-}
-
-impl CaseFile for PlanetaryCaseInput {
-    const VALID: &'static str = r#"
-planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] }
-operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
-lubricant = { oil = "m100" }
-surface = { sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
-"#;
-
-    fn schema() -> &'static serde_json::Value {
-        static SCHEMA: LazyLock<serde_json::Value> = LazyLock::new(schema);
-        &SCHEMA
-    }
-}
-
-impl TrainFile for PlanetaryCaseInput {
-    const TABLE: &'static str = "planetary";
-
-    fn parts(&self, source: &Source) -> Result<TrainParts, CaseError> {
-        let stage = stage(self, source, None, &str::to_owned)?;
-        let ring_speed = self.planetary.ring_speed;
-        let shaft = |name: &str, speed, torque| TrainShaft {
-            name: name.to_owned(),
-            speed,
-            torque,
-            drag: Torque::from_si(0.0),
-        };
-        let OperationInput { torque, speed, .. } = self.operation;
-        let shafts = GearTrain {
-            shafts: vec![
-                shaft("sun", Some(speed), Some(torque)),
-                shaft("ring", Some(ring_speed.unwrap_or(HELD)), None),
-                shaft("carrier", None, None),
-            ],
-            stages: vec![TrainStage {
-                gears: [0, 1],
-                carrier: Some(2),
-                teeth: stage.teeth,
-            }],
-        };
-        TrainParts::new(self.title.clone(), shafts, false, vec![stage])
-            .map_err(refused(source, Self::TABLE))
-    }
-}
-
+/// Table of the set in a case.
+pub(super) const TABLE: &str = "planetary";
 /// Speed of a ring that is held.
 const HELD: AngularSpeed = AngularSpeed::from_si(0.0);
 
-/// The meshes of a set, named `name` in its train; `in_train` is the key of the train for a key of a planetary case.
+/// Sun, ring and carrier of a case `[planetary]`, the sun with torque and speed of the operation.
+pub(super) fn shafts(
+    set: &PlanetaryInput,
+    operation: &OperationInput,
+    teeth: [f64; 2],
+) -> GearTrain {
+    let shaft = |name: &str, speed, torque| TrainShaft {
+        name: name.to_owned(),
+        speed,
+        torque,
+        drag: Torque::from_si(0.0),
+    };
+    GearTrain {
+        shafts: vec![
+            shaft("sun", Some(operation.speed), Some(operation.torque)),
+            shaft("ring", Some(set.ring_speed.unwrap_or(HELD)), None),
+            shaft("carrier", None, None),
+        ],
+        stages: vec![TrainStage {
+            gears: [0, 1],
+            carrier: Some(2),
+            teeth,
+        }],
+    }
+}
+
+/// A planetary set with the steel and the flanks of sun, planet and ring.
+pub(super) struct SetOfCase<'a> {
+    pub set: &'a PlanetaryInput,
+    /// Steel; planets and ring are of the steel of the sun unless they have their own.
+    pub steels: [Option<BodyInput>; 3],
+    /// Flanks of planet and ring; default: the sun's trace, mirrored, and the planet's trace, mirrored.
+    pub flanks: [Option<FlankInput>; 2],
+    /// Case without gears and steel whose pinion has the flank of the sun.
+    pub common: CaseInput,
+}
+
+/// The meshes of a set, named `name` in its train; `in_train` is the key of the train for a key of a case `[planetary]`.
 pub(super) fn stage(
-    input: &PlanetaryCaseInput,
+    input: &SetOfCase<'_>,
     source: &Source,
     name: Option<&str>,
     in_train: &dyn Fn(&str) -> String,
@@ -212,8 +122,8 @@ pub(super) fn stage(
         sun: _,
         planet: _,
         ring: _,
-    } = input.planetary;
-    let table = in_train(PlanetaryCaseInput::TABLE);
+    } = *input.set;
+    let table = in_train(TABLE);
     let key = |name: &str| format!("{table}.{name}");
     let mut defaults = Defaults::default();
     let helix = defaults.take(key("helix"), helix, Angle::from_si(0.0));
@@ -314,8 +224,8 @@ const MESHES: [Mesh; 2] = [
     },
 ];
 
-fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
-    let set = &input.planetary;
+fn mesh_case(input: &SetOfCase<'_>, mesh: &Mesh) -> CaseInput {
+    let set = input.set;
     let [i, j] = mesh.gears;
     let flanks = [set.sun, set.planet, set.ring];
     let teeth = set.teeth.map(i32::abs);
@@ -330,36 +240,25 @@ fn mesh_case(input: &PlanetaryCaseInput, mesh: &Mesh) -> CaseInput {
     gears.tip_diameter = set.tip_diameter.map(|d| [d[i], d[j]]);
     gears.addendum = set.addendum;
     (gears.pinion, gears.wheel) = (flanks[i], flanks[j]);
-    let steel = &input.material;
-    let steels = [Some(&steel.sun), steel.planet.as_ref(), steel.ring.as_ref()];
-    let surface = &input.surface;
-    let traces = [
-        Some(surface.sun.clone()),
-        surface.planet.clone(),
-        surface.ring.clone(),
-    ];
-    CaseInput {
+    let steel = |gear: usize| {
+        let own = input.steels[gear].clone();
+        own.or_else(|| input.steels[0].clone()).unwrap_or_default()
+    };
+    let mut case = CaseInput {
         gears,
         material: MaterialInput {
-            pinion: steels[i].unwrap_or(&steel.sun).clone(),
-            // The steel of the sun by default, which may differ from that of the planet.
-            wheel: Some(steels[j].unwrap_or(&steel.sun).clone()),
+            pinion: steel(i),
+            // The steel of the sun by default, which may differ from the planet's.
+            wheel: Some(steel(j)),
         },
-        operation: input.operation,
-        lubricant: input.lubricant.clone(),
-        surface: SurfaceInput {
-            pinion: traces[i].clone().unwrap_or_else(|| surface.sun.clone()),
-            wheel: traces[j].clone(),
-            finish: surface.finish,
-            form: surface.form,
-            cutoff: surface.cutoff,
-            noise_cutoff: surface.noise_cutoff,
-            ends: surface.ends,
-            outliers: surface.outliers,
-            coast: None,
-        },
-        model: input.model.clone(),
-        calibration: input.calibration.clone(),
-        ..CaseInput::default()
+        ..input.common.clone()
+    };
+    let [planet, ring] = &input.flanks;
+    case.surface
+        .wheel
+        .clone_from(if j == 2 { ring } else { planet });
+    if let (1, Some(planet)) = (i, planet) {
+        case.surface.pinion = planet.clone();
     }
+    case
 }

@@ -1,5 +1,6 @@
 //! The text of a case file with the places of its keys.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
@@ -145,6 +146,12 @@ impl Source {
             mesh: Some(Arc::clone(mesh)),
             ..self.clone()
         }
+    }
+
+    /// The key of the gear train for `key` of its mesh; `key` itself if both are the same.
+    pub(super) fn key_in_train(&self, key: Cow<'static, str>) -> Cow<'static, str> {
+        let in_train = self.mesh.as_ref().and_then(|mesh| mesh.in_train(&key));
+        in_train.map_or(key, Cow::from)
     }
 
     /// Whether this is the source of a mesh of a gear train.

@@ -1,8 +1,11 @@
-//! Seals and bearings on the shafts of a gear train, with the places of gears and bearings.
+//! Seals, bearings, oil jets and tables of losses on the shafts of a gear train, with the places of gears and bearings.
+
+use std::sync::Arc;
 
 use asperity_core::DomainError;
-use asperity_core::quantity::{Angle, Length, Temperature};
+use asperity_core::quantity::{Angle, Length, Mass, Speed, Temperature, VolumeFlow};
 use asperity_efficiency::EfficiencyError;
+use asperity_efficiency::loss_table::LossTable;
 use asperity_efficiency::rolling_bearing::RollingBearing;
 use asperity_efficiency::shaft_seal::seal_torque;
 use asperity_gear::gear_train::GearTrain;
@@ -10,16 +13,17 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::error::CaseError;
-use super::gearbox::{named, refused, rolling_bearing};
-use super::gearbox_input::{BearingInput, SealInput};
+use super::files::Reader;
+use super::gearbox::{check_jet, named, refused, rolling_bearing, table};
+use super::gearbox_input::{BearingInput, MeshJetInput, SealInput, TableInput};
 use super::section::Section;
 use super::source::Source;
 
-/// Seals and bearings of a gear train; only the losses stated here are added to the losses of the meshes.
+/// Seals, bearings, jets and tables of a gear train; only the losses stated here are added to the losses of the meshes.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TrainGearboxInput {
-    /// Temperature of the oil at the bearings; default that of the operation.
+    /// Temperature of the oil at bearings and jets and in the tables; default that of the operation.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub temperature: Option<Temperature>,
     /// Radial shaft seals, each a table `[[gearbox.seals]]` with the name of its `shaft`, `diameter` and, if wanted, `name`.
@@ -27,9 +31,19 @@ pub struct TrainGearboxInput {
     pub seals: Vec<SealInput<String>>,
     /// Rolling bearings, two on a shaft, each a table `[[gearbox.bearings]]` with the name of its `shaft`, its place `at`
     /// along the shaft, and type and constants as for a pair of gears. Their loads follow from the teeth by statics, with
-    /// `at`, `angle` and `hand` of each mesh on the shaft; the bearing with `locating = true` carries the axial force.
+    /// `at`, `angle` and `hand` of each mesh on the shaft; the bearing with `locating = true` carries the axial force. The
+    /// bearings of the planets of a set have the shaft `NAME planet` (`planet` in a case `[planetary]`), no place, and, if
+    /// wanted, `planet_mass` and `per_planet`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub bearings: Vec<BearingInput<String>>,
+    /// Oil jets onto pairs of gears, each a table `[[gearbox.jets]]` with the name of its `mesh`, `flow`, `speed` and, if
+    /// wanted, `name`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub jets: Vec<MeshJetInput>,
+    /// Measured losses, as of gears that run idle and of clutches, each a table `[[gearbox.tables]]` with the name of its
+    /// `shaft`, `file` and, if wanted, `name`; a clutch names its other shaft `against` which it turns.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tables: Vec<TableInput>,
 }
 
 /// Direction of a helix.
@@ -43,8 +57,10 @@ pub enum Hand {
 }
 
 /// Place of a mesh in the gearbox.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MeshPlace {
+    /// Name of the stage.
+    pub name: String,
     /// Middle of the teeth along the shafts.
     pub at: Option<Length>,
     /// Angle of the centre line from pinion to wheel.
@@ -95,6 +111,33 @@ pub enum TrainPartKind {
         /// The bearing that carries the axial force.
         locating: usize,
     },
+    /// Rolling bearings of the planets of a set, whose sun is on the shaft.
+    PlanetBearing {
+        /// The stage.
+        stage: usize,
+        /// Geometry and constants.
+        bearing: RollingBearing,
+        /// Mass of a planet.
+        mass: Mass,
+        /// Equal bearings of a planet.
+        per_planet: u32,
+    },
+    /// Oil jet onto a pair of gears, whose pinion is on the shaft.
+    Jet {
+        /// The stage.
+        stage: usize,
+        /// Flow.
+        flow: VolumeFlow,
+        /// Speed at the nozzle.
+        speed: Speed,
+    },
+    /// Loss torque over the speed of the shaft, or over its difference from the speed of a second shaft.
+    Table {
+        /// The table.
+        table: Arc<LossTable>,
+        /// The second shaft.
+        against: Option<usize>,
+    },
 }
 
 /// The parts on the shafts of a train, whose stages have the `places`.
@@ -102,7 +145,7 @@ pub(super) fn train_gearbox(
     stated: &TrainGearboxInput,
     places: Vec<MeshPlace>,
     train: &GearTrain,
-    source: &Source,
+    (source, files): (&Source, &Reader<'_>),
 ) -> Result<TrainGearbox, CaseError> {
     let section = Section::of(source, "gearbox");
     let shaft_of = |key: &'static str, name: &str| {
@@ -121,9 +164,27 @@ pub(super) fn train_gearbox(
     }
     for (number, bearing) in stated.bearings.iter().enumerate() {
         let name = named(bearing.name.as_deref(), "bearing", number);
-        let shaft = shaft_of("bearings", &bearing.shaft)?;
         let checked = without_load(bearing).and_then(|()| rolling_bearing(bearing));
         let rolling = checked.map_err(refused(section, "bearings", &name))?;
+        let is_planet = |place: &MeshPlace| place.is_set && place.planet() == bearing.shaft;
+        if let Some(stage) = places.iter().position(is_planet) {
+            let kind = of_planet(bearing, stage, rolling);
+            parts.push(TrainPart {
+                shaft: train.stages[stage].gears[0],
+                kind: kind.map_err(refused(section, "bearings", &name))?,
+                name,
+            });
+            continue;
+        }
+        let shaft = shaft_of("bearings", &bearing.shaft)?;
+        let planet = [
+            bearing.planet_mass.map(|_| "planet_mass"),
+            bearing.per_planet.map(|_| "per_planet"),
+        ];
+        if let Some(key) = planet.into_iter().flatten().next() {
+            let refusal = unneeded(key, "is of the bearings of planets");
+            refusal.map_err(refused(section, "bearings", &name))?;
+        }
         let all = stated.bearings.iter().enumerate();
         let on_shaft = all.filter(|(_, other)| other.shaft == bearing.shaft);
         let [(first, one), (second, other)] = on_shaft.collect::<Vec<_>>()[..] else {
@@ -160,14 +221,81 @@ pub(super) fn train_gearbox(
             name,
         });
     }
+    for (number, jet) in stated.jets.iter().enumerate() {
+        let name = named(jet.name.as_deref(), "jet", number);
+        check_jet(jet.flow, jet.speed).map_err(refused(section, "jets", &name))?;
+        let is_pair = |place: &MeshPlace| !place.is_set && place.name == jet.mesh;
+        let Some(stage) = places.iter().position(is_pair) else {
+            return Err(section.conflict("jets", "must name a pair of gears: mesh"));
+        };
+        parts.push(TrainPart {
+            shaft: train.stages[stage].gears[0],
+            kind: TrainPartKind::Jet {
+                stage,
+                flow: jet.flow,
+                speed: jet.speed,
+            },
+            name,
+        });
+    }
+    for stated in &stated.tables {
+        let (file, table) = table(&stated.file, (section, "tables"), files)?;
+        let shaft = shaft_of("tables", &stated.shaft)?;
+        let against = stated.against.as_ref();
+        let against = against.map(|name| shaft_of("tables", name)).transpose()?;
+        if against == Some(shaft) {
+            return Err(section.conflict("tables", "must name two shafts of a clutch"));
+        }
+        parts.push(TrainPart {
+            name: stated.name.clone().unwrap_or(file),
+            shaft,
+            kind: TrainPartKind::Table { table, against },
+        });
+    }
     if parts.is_empty() {
-        let rule = "names nothing that loses; give seals or bearings, or leave it out";
+        let rule =
+            "names nothing that loses; give seals, bearings, jets or tables, or leave it out";
         return Err(section.conflict_of_key("", rule));
     }
     Ok(TrainGearbox {
         temperature: stated.temperature,
         parts,
         places,
+    })
+}
+
+impl MeshPlace {
+    /// Name of the axes of the planets of a set.
+    fn planet(&self) -> String {
+        format!("{} planet", self.name).trim_start().to_owned()
+    }
+}
+
+/// Refuses a key that a part does not have.
+fn unneeded(key: &'static str, rule: &'static str) -> Result<(), EfficiencyError> {
+    Ok(DomainError::require(false, key, f64::NAN, "-", rule).map(|_| ())?)
+}
+
+/// Bearings of the planets of a set.
+fn of_planet(
+    stated: &BearingInput<String>,
+    stage: usize,
+    bearing: RollingBearing,
+) -> Result<TrainPartKind, EfficiencyError> {
+    let of_shaft = [stated.at.map(|_| "at"), stated.locating.map(|_| "locating")];
+    if let Some(key) = of_shaft.into_iter().flatten().next() {
+        unneeded(key, "is not of the bearings of planets")?;
+    }
+    let mass = stated.planet_mass.unwrap_or(Mass::from_si(0.0));
+    DomainError::non_negative("planet_mass", mass)?;
+    let per_planet = stated.per_planet.unwrap_or(1);
+    let rule = "must be at least 1";
+    DomainError::require(per_planet >= 1, "per_planet", per_planet.into(), "-", rule)?;
+    Ok(TrainPartKind::PlanetBearing {
+        stage,
+        bearing,
+        mass,
+        per_planet,
     })
 }
 

@@ -16,23 +16,23 @@ use super::calibration::CalibrationInput;
 use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
+use super::files::Reader;
 use super::finish::FinishName;
 use super::input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
     OperationInput, SurfaceInput, VehicleInput,
 };
 use super::model::{Formulation, ModelInput};
-use super::planetary::{
-    self, PlanetaryCaseInput, PlanetaryInput, PlanetaryMaterialInput, PlanetarySurfaceInput,
-};
+use super::planetary::{self, PlanetaryInput, SetOfCase};
 use super::section::domain;
 use super::source::{MeshKeys, Source};
 use super::train_flow::StageKind;
 use super::train_gearbox::{Hand, MeshPlace, TrainGearboxInput, train_gearbox};
 use super::train_heat_input::HeatInput;
-use super::train_parts::{MeshParts, StageParts, TrainFile, TrainParts, conflict, refused};
+use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, refused};
 
-/// A case of several meshes as the user writes it. Torque and speed of the operation are those of the input shaft.
+/// A case of several meshes as the user writes it, on named shafts or of a single planetary set. Torque and speed of the
+/// operation are those of the input shaft, or of the sun.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TrainCaseInput {
@@ -40,10 +40,16 @@ pub struct TrainCaseInput {
     pub title: Option<String>,
     /// Reading of the model: `corrected` (default) or `paper`.
     pub formulation: Option<Formulation>,
-    /// Input and output shaft.
-    pub train: TrainInput,
+    /// Input and output shaft of the meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub train: Option<TrainInput>,
     /// The meshes by their names, each a table `[mesh.NAME]`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub mesh: BTreeMap<String, MeshInput>,
+    /// The set of a case that is a single planetary set, in place of `train` and `mesh`; its shafts are `sun`, `ring` and
+    /// `carrier`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub planetary: Option<PlanetaryInput>,
     /// Steel of all meshes that have no own.
     #[serde(default)]
     pub material: TrainMaterialInput,
@@ -57,7 +63,7 @@ pub struct TrainCaseInput {
     /// Heat balance, from which the temperature of the oil follows; `operation.oil_temperature` is then its start.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heat: Option<HeatInput>,
-    /// Seals and bearings on the shafts; only the losses stated here are added.
+    /// Losses besides the meshes; only the losses stated here are added.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gearbox: Option<TrainGearboxInput>,
     /// Choices of the model, for all meshes.
@@ -104,7 +110,7 @@ pub enum PassedLosses {
 }
 
 /// A mesh of a gear train: a pair of gears, or a planetary set.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshInput {
     /// Shafts of pinion and wheel; of a planetary set sun and carrier, or sun, carrier and ring.
@@ -213,9 +219,10 @@ impl CaseFile for TrainCaseInput {
     const VALID: &'static str = r#"
 train = { input = "input" }
 mesh.only = { shafts = ["input", "output"], gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" } }
+planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] }
 operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
 lubricant = { oil = "m100" }
-surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
+surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" }, sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
 "#;
 
     fn schema() -> &'static serde_json::Value {
@@ -224,29 +231,61 @@ surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
     }
 }
 
-impl TrainFile for TrainCaseInput {
-    const TABLE: &'static str = "mesh";
+impl TrainCaseInput {
+    /// Tables that describe the gears.
+    pub(super) const TABLES: [&'static str; 2] = ["mesh", planetary::TABLE];
 
-    fn parts(&self, source: &Source) -> Result<TrainParts, CaseError> {
-        let mut stages = BTreeMap::new();
-        for (name, mesh) in &self.mesh {
-            stages.insert(name.as_str(), self.stage(name, mesh, source)?);
-        }
-        let (shafts, stages) = self.on_shafts(stages, source)?;
-        let passes_losses = self.train.losses == Some(PassedLosses::PassedOn);
-        let places: Vec<MeshPlace> = stages.iter().map(|stage| self.place_of(stage)).collect();
+    /// The train and the case of each mesh.
+    pub(super) fn parts(
+        &self,
+        source: &Source,
+        files: Reader<'_>,
+    ) -> Result<TrainParts, CaseError> {
+        let (shafts, stages) = match &self.planetary {
+            Some(set) => self.single_set(set, source)?,
+            None => self.on_shafts(source)?,
+        };
+        let train = self.train.as_ref();
+        let passes_losses = train.and_then(|train| train.losses) == Some(PassedLosses::PassedOn);
+        let places = stages.iter().map(|stage| self.place_of(stage));
+        let places: Vec<MeshPlace> = places.collect();
         let gearbox = self.gearbox.as_ref();
-        let gearbox = gearbox.map(|stated| train_gearbox(stated, places, &shafts, source));
+        let gearbox =
+            gearbox.map(|stated| train_gearbox(stated, places, &shafts, (source, &files)));
         let gearbox = gearbox.transpose()?;
+        let [meshes, set] = Self::TABLES;
+        let table = if self.planetary.is_some() {
+            set
+        } else {
+            meshes
+        };
         let mut parts = TrainParts::new(self.title.clone(), shafts, passes_losses, stages)
-            .map_err(refused(source, Self::TABLE))?;
+            .map_err(refused(source, table))?;
         parts.heat = self.checked_heat(source)?;
         parts.gearbox = gearbox;
+        parts.sums = files.into_sums();
         Ok(parts)
     }
-}
 
-impl TrainCaseInput {
+    /// The set of a case `[planetary]`.
+    fn single_set(
+        &self,
+        set: &PlanetaryInput,
+        source: &Source,
+    ) -> Result<(GearTrain, Vec<StageParts>), CaseError> {
+        let others = [
+            ("train", self.train.is_some()),
+            ("mesh", !self.mesh.is_empty()),
+        ];
+        if let Some((key, _)) = others.into_iter().find(|(_, is_stated)| *is_stated) {
+            let rule = "is of a gear train, this case is a single planetary set: make it a mesh, mesh.NAME.planetary";
+            return Err(conflict(source, key.to_owned(), rule));
+        }
+        let stage = self.set(None, &MeshInput::default(), set, source)?;
+        let shafts = planetary::shafts(set, &self.operation, stage.teeth);
+        Ok((shafts, vec![stage]))
+    }
+
     fn checked_heat(&self, source: &Source) -> Result<Option<HeatInput>, CaseError> {
         let Some(heat) = &self.heat else {
             return Ok(None);
@@ -261,14 +300,18 @@ impl TrainCaseInput {
     }
 
     /// The stages in the order of the power, on their shafts.
-    fn on_shafts(
-        &self,
-        mut stages: BTreeMap<&str, StageParts>,
-        source: &Source,
-    ) -> Result<(GearTrain, Vec<StageParts>), CaseError> {
+    fn on_shafts(&self, source: &Source) -> Result<(GearTrain, Vec<StageParts>), CaseError> {
+        let Some(stated) = &self.train else {
+            let rule = "is needed: the shaft with torque and speed of the operation";
+            return Err(conflict(source, "train.input".to_owned(), rule));
+        };
+        let mut stages = BTreeMap::new();
+        for (name, mesh) in &self.mesh {
+            stages.insert(name.as_str(), self.stage(name, mesh, source)?);
+        }
         let mut train = GearTrain::default();
         let mut ordered = Vec::new();
-        let mut shafts = vec![self.train.input.as_str()];
+        let mut shafts = vec![stated.input.as_str()];
         while let Some(name) = {
             let is_next = |name: &&&str| {
                 let on = &self.mesh[**name].shafts;
@@ -292,14 +335,10 @@ impl TrainCaseInput {
             return Err(conflict(source, format!("mesh.{name}.shafts"), rule));
         }
         let names = [
-            ("train.input", Some(&self.train.input)),
-            ("train.output", self.train.output.as_ref()),
+            ("train.input", Some(&stated.input)),
+            ("train.output", stated.output.as_ref()),
         ];
-        let held = self
-            .train
-            .held
-            .iter()
-            .map(|name| ("train.held", Some(name)));
+        let held = stated.held.iter().map(|name| ("train.held", Some(name)));
         for (key, name) in names.into_iter().chain(held) {
             let is_used = |name: &String| self.mesh.values().any(|mesh| mesh.shafts.contains(name));
             if name.is_some_and(|name| !is_used(name)) {
@@ -312,12 +351,12 @@ impl TrainCaseInput {
             let all = self.mesh.values().flat_map(|mesh| &mesh.shafts);
             all.filter(|name| *name == shaft).count() == 1
         };
-        let is_held = |shaft: &str| self.train.held.iter().any(|held| held == shaft);
-        let input = self.train.input.as_str();
+        let is_held = |shaft: &str| stated.held.iter().any(|held| held == shaft);
+        let input = stated.input.as_str();
         let mut outputs = shafts
             .iter()
             .filter(|shaft| ends(shaft) && !is_held(shaft) && **shaft != input);
-        let output = match (&self.train.output, outputs.next(), outputs.next()) {
+        let output = match (&stated.output, outputs.next(), outputs.next()) {
             (Some(output), _, _) => output,
             (None, Some(output), None) => *output,
             _ => {
@@ -388,7 +427,7 @@ impl TrainCaseInput {
                 Err(conflict(source, format!("mesh.{name}.shafts"), rule))
             }
             (Some(gears), None) => self.pair(name, mesh, gears, source),
-            (None, Some(set)) => self.set(name, mesh, set, source),
+            (None, Some(set)) => self.set(Some(name), mesh, set, source),
             _ => {
                 let rule = "must have one of the tables gears and planetary";
                 Err(conflict(source, format!("mesh.{name}"), rule))
@@ -406,9 +445,10 @@ impl TrainCaseInput {
         let (own, shared) = (&mesh.surface, &self.surface);
         let has_own = own.pinion.is_some();
         let Some(pinion) = own.pinion.clone().or_else(|| shared.pinion.clone()) else {
-            return Err(self.no_flank(name, mesh, "pinion", source));
+            return Err(self.no_flank(Some(name), mesh, "pinion", source));
         };
         let of_all = |flank: &Option<FlankInput>| flank.clone().filter(|_| !has_own);
+        let common = self.common(mesh, pinion);
         let (steel, steels) = (&mesh.material, &self.material);
         let keys = MeshKeys {
             name: format!("mesh \"{name}\""),
@@ -435,25 +475,14 @@ impl TrainCaseInput {
                             .or_else(|| steels.wheel.clone().filter(|_| steel.pinion.is_none())),
                     },
                     surface: SurfaceInput {
-                        pinion,
                         wheel: own.wheel.clone().or_else(|| of_all(&shared.wheel)),
-                        finish: own.finish.or(shared.finish),
-                        form: own.form.or(shared.form),
-                        cutoff: own.cutoff.or(shared.cutoff),
-                        noise_cutoff: own.noise_cutoff.or(shared.noise_cutoff),
-                        ends: own.ends.or(shared.ends),
-                        outliers: own.outliers.or(shared.outliers),
                         coast: own
                             .coast
                             .clone()
                             .or_else(|| shared.coast.clone().filter(|_| !has_own)),
+                        ..common.surface
                     },
-                    formulation: self.formulation,
-                    operation: self.operation_of(mesh),
-                    lubricant: self.lubricant.clone(),
-                    model: self.model.clone(),
-                    calibration: self.calibration.clone(),
-                    ..CaseInput::default()
+                    ..common
                 },
             }],
             defaults: Vec::new(),
@@ -462,11 +491,38 @@ impl TrainCaseInput {
 
     fn set(
         &self,
-        name: &str,
+        name: Option<&str>,
         mesh: &MeshInput,
         set: &PlanetaryInput,
         source: &Source,
     ) -> Result<StageParts, CaseError> {
+        let (own, shared) = (&mesh.surface, &self.surface);
+        let of_all = shared.sun.clone().or_else(|| shared.pinion.clone());
+        let Some(sun) = own.sun.clone().or(of_all) else {
+            return Err(self.no_flank(name, mesh, "sun", source));
+        };
+        let shared_unless_own = |flank: Option<FlankInput>| flank.filter(|_| own.sun.is_none());
+        let (steel, steels) = (&mesh.material, &self.material);
+        let input = SetOfCase {
+            set,
+            steels: [
+                (steel.sun.clone())
+                    .or_else(|| steels.sun.clone())
+                    .or_else(|| steels.pinion.clone()),
+                steel.planet.clone().or_else(|| steels.planet.clone()),
+                steel.ring.clone().or_else(|| steels.ring.clone()),
+            ],
+            flanks: [
+                (own.planet.clone()).or_else(|| {
+                    shared_unless_own(shared.planet.clone().or_else(|| shared.wheel.clone()))
+                }),
+                (own.ring.clone()).or_else(|| shared_unless_own(shared.ring.clone())),
+            ],
+            common: self.common(mesh, sun),
+        };
+        let Some(name) = name else {
+            return planetary::stage(&input, source, None, &str::to_owned);
+        };
         if mesh.shafts.len() == 3 && set.ring_speed.is_some() {
             let rule = "follows from the shaft of the ring; leave one of the two out";
             return Err(conflict(
@@ -475,44 +531,6 @@ impl TrainCaseInput {
                 rule,
             ));
         }
-        let (own, shared) = (&mesh.surface, &self.surface);
-        let of_all = shared.sun.clone().or_else(|| shared.pinion.clone());
-        let Some(sun) = own.sun.clone().or(of_all) else {
-            return Err(self.no_flank(name, mesh, "sun", source));
-        };
-        let shared_unless_own = |flank: Option<FlankInput>| flank.filter(|_| own.sun.is_none());
-        let (steel, steels) = (&mesh.material, &self.material);
-        let input = PlanetaryCaseInput {
-            title: None,
-            planetary: set.clone(),
-            material: PlanetaryMaterialInput {
-                sun: (steel.sun.clone())
-                    .or_else(|| steels.sun.clone())
-                    .or_else(|| steels.pinion.clone())
-                    .unwrap_or_default(),
-                planet: steel.planet.clone().or_else(|| steels.planet.clone()),
-                ring: steel.ring.clone().or_else(|| steels.ring.clone()),
-            },
-            operation: self.operation_of(mesh),
-            lubricant: self.lubricant.clone(),
-            surface: PlanetarySurfaceInput {
-                sun,
-                planet: (own.planet.clone()).or_else(|| {
-                    shared_unless_own(shared.planet.clone().or_else(|| shared.wheel.clone()))
-                }),
-                ring: (own.ring.clone()).or_else(|| shared_unless_own(shared.ring.clone())),
-                finish: own.finish.or(shared.finish),
-                form: own.form.or(shared.form),
-                cutoff: own.cutoff.or(shared.cutoff),
-                noise_cutoff: own.noise_cutoff.or(shared.noise_cutoff),
-                ends: own.ends.or(shared.ends),
-                outliers: own.outliers.or(shared.outliers),
-            },
-            model: self.model.clone(),
-            calibration: self.calibration.clone(),
-            map: None,
-            vehicle: None,
-        };
         let own_tables = own_tables(name, mesh);
         let in_train = |key: &str| {
             let own = own_tables
@@ -520,7 +538,7 @@ impl TrainCaseInput {
                 .find(|(table, _)| key.starts_with(table.as_str()));
             match own {
                 Some(_) => format!("mesh.{name}.{key}"),
-                None if key.starts_with(PlanetaryCaseInput::TABLE) => format!("mesh.{name}.{key}"),
+                None if key.starts_with(planetary::TABLE) => format!("mesh.{name}.{key}"),
                 None => key.to_owned(),
             }
         };
@@ -530,7 +548,6 @@ impl TrainCaseInput {
             stage.defaults.retain(|default| !is_of_ring(default));
         }
         for of_set in &mut stage.meshes {
-            of_set.case.formulation = self.formulation;
             let keys = Arc::make_mut(&mut of_set.keys);
             keys.tables.extend(own_bulk(name, mesh));
         }
@@ -542,6 +559,7 @@ impl TrainCaseInput {
         let stated = stage.name.as_ref().and_then(|name| self.mesh.get(name));
         let helix = stage.meshes.first().and_then(|mesh| mesh.case.gears.helix);
         MeshPlace {
+            name: stage.name.clone().unwrap_or_default(),
             at: stated.and_then(|mesh| mesh.at),
             angle: stated.and_then(|mesh| mesh.angle),
             hand: stated.and_then(|mesh| mesh.hand),
@@ -551,22 +569,47 @@ impl TrainCaseInput {
     }
 
     /// No flank of `gear` in a mesh and none for all meshes.
-    fn no_flank(&self, name: &str, mesh: &MeshInput, gear: &str, source: &Source) -> CaseError {
+    fn no_flank(
+        &self,
+        name: Option<&str>,
+        mesh: &MeshInput,
+        gear: &str,
+        source: &Source,
+    ) -> CaseError {
         const NO_HEIGHT: &str = "does not determine the height of the roughness: state Ra as well, for all meshes as surface.pinion.ra, such as \"0.4 um\"";
         const NO_FLANK: &str = "needs a flank, here or, for all meshes, as surface.pinion: a trace, or surface.finish with surface.pinion.ra";
+        let of_mesh = name.map_or(String::new(), |name| format!("mesh.{name}."));
         let (key, rule) = match (mesh.surface.finish, self.surface.finish) {
-            (Some(_), _) => (format!("mesh.{name}.surface.finish"), NO_HEIGHT),
+            (Some(_), _) => (format!("{of_mesh}surface.finish"), NO_HEIGHT),
             (None, Some(_)) => ("surface.finish".to_owned(), NO_HEIGHT),
-            (None, None) => (format!("mesh.{name}.surface.{gear}"), NO_FLANK),
+            (None, None) => (format!("{of_mesh}surface.{gear}"), NO_FLANK),
         };
         conflict(source, key, rule)
     }
 
-    /// The operation with the law of the bulk temperature of `mesh`.
-    fn operation_of(&self, mesh: &MeshInput) -> OperationInput {
-        OperationInput {
-            bulk: mesh.bulk.or(self.operation.bulk),
-            ..self.operation
+    /// Case of `mesh` without gears, steel and flank of the wheel.
+    fn common(&self, mesh: &MeshInput, pinion: FlankInput) -> CaseInput {
+        let (own, shared) = (&mesh.surface, &self.surface);
+        CaseInput {
+            formulation: self.formulation,
+            operation: OperationInput {
+                bulk: mesh.bulk.or(self.operation.bulk),
+                ..self.operation
+            },
+            lubricant: self.lubricant.clone(),
+            surface: SurfaceInput {
+                pinion,
+                finish: own.finish.or(shared.finish),
+                form: own.form.or(shared.form),
+                cutoff: own.cutoff.or(shared.cutoff),
+                noise_cutoff: own.noise_cutoff.or(shared.noise_cutoff),
+                ends: own.ends.or(shared.ends),
+                outliers: own.outliers.or(shared.outliers),
+                ..SurfaceInput::default()
+            },
+            model: self.model.clone(),
+            calibration: self.calibration.clone(),
+            ..CaseInput::default()
         }
     }
 }

@@ -6,9 +6,9 @@ use asperity_core::quantity::Length;
 use asperity_gear::GearError;
 use asperity_gear::gear_train::GearTrain;
 
-use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
+use super::files::FileSums;
 use super::input::CaseInput;
 use super::resolve::title_by_gears;
 use super::source::{MeshKeys, Source};
@@ -16,19 +16,12 @@ use super::train_flow::{StageKind, Train};
 use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
 
-/// A case file of a gear train.
-pub(super) trait TrainFile: CaseFile {
-    /// Table that describes the gears.
-    const TABLE: &'static str;
-
-    /// The train and the case of each mesh.
-    fn parts(&self, source: &Source) -> Result<TrainParts, CaseError>;
-}
-
 /// A gear train with the inputs of its meshes, before their traces are read.
 pub(super) struct TrainParts {
     pub heat: Option<HeatInput>,
     pub gearbox: Option<TrainGearbox>,
+    /// Sums of the tables of the gearbox.
+    pub sums: FileSums,
     pub title: String,
     pub train: Train,
     pub stages: Vec<StageParts>,
@@ -92,6 +85,7 @@ impl TrainParts {
         Ok(Self {
             heat: None,
             gearbox: None,
+            sums: FileSums::new(),
             title,
             train,
             stages,

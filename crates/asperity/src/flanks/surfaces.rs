@@ -404,6 +404,16 @@ impl Surfaces {
         ours.len() == theirs.len() && pairs.all(|(one, other)| one.has_textures_of(other))
     }
 
+    /// Number of the first of `flanks` that has the flanks of each.
+    #[must_use]
+    pub fn first_equal(flanks: &[&Self]) -> Vec<usize> {
+        let first = |(k, own): (usize, &&Self)| {
+            let same = flanks.iter().position(|other| other.has_flanks_of(own));
+            same.unwrap_or(k)
+        };
+        flanks.iter().enumerate().map(first).collect()
+    }
+
     /// Roughness of two windows in contact.
     pub(crate) fn roughness_of(&self, windows: &[Profile; 2]) -> Result<Roughness, PositionError> {
         let (peak, summits) = peaks(windows, self.noise_cutoff.unwrap_or(SUMMIT_WINDOW))?;

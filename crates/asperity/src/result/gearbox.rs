@@ -4,7 +4,8 @@
 //! seals take before the mesh is not taken off its torque. No band belongs to these parts.
 
 use asperity_core::OutOfRange;
-use asperity_core::quantity::{AngularSpeed, Force, Power, Speed, Temperature, Torque};
+use asperity_core::quantity::{AngularSpeed, Force, Power, Speed, Temperature, Torque, VolumeFlow};
+use asperity_efficiency::loss_table::LossTable;
 use asperity_efficiency::oil_jet::jet_power;
 use asperity_efficiency::output_torque::{MeshOperation, power_flow};
 use asperity_efficiency::shaft_seal::seal_torque;
@@ -222,20 +223,16 @@ fn loss_of(part: &Part, case: &Case, at: &OperatingPoint) -> Result<GearboxPart,
             )
         }
         PartKind::Jet { flow, speed } => {
-            let radius = case.gears.working_pitch_radius[0].si().abs();
-            let pitch = Speed::from_si(at.speed.si() * radius);
-            let power = jet_power(oil()?.density, *flow, pitch, *speed)?;
-            let torque = Torque::from_si(power.si() / at.speed.si());
-            ("jet", "Ariura, as quoted", torque, at.speed, Vec::new())
+            let torque = jet_torque(case, (*flow, *speed), at)?;
+            ("jet", JET_LAW, torque, at.speed, Vec::new())
         }
-        PartKind::Table(table) => {
-            let rpm = at.speed.si() * 30.0 / std::f64::consts::PI;
-            let celsius = at.temperature.celsius();
-            // Nodes written in 1/min and °C are met although both are kept in SI.
-            let torque = table.loss_torque(at.torque.si(), rounded(rpm), rounded(celsius))?;
-            let torque = Torque::from_si(torque);
-            ("table", "the user's table", torque, at.speed, Vec::new())
-        }
+        PartKind::Table(table) => (
+            "table",
+            TABLE_LAW,
+            table_torque(table, at)?,
+            at.speed,
+            Vec::new(),
+        ),
     };
     Ok(GearboxPart::new(
         &part.name,
@@ -243,6 +240,36 @@ fn loss_of(part: &Part, case: &Case, at: &OperatingPoint) -> Result<GearboxPart,
         (torque, speed),
         &outside,
     ))
+}
+
+/// Law of the loss of an oil jet.
+pub(crate) const JET_LAW: &str = "Ariura, as quoted";
+/// Law of the loss of a table.
+pub(crate) const TABLE_LAW: &str = "the user's table";
+
+/// Torque of an oil jet onto the gears of `case` at its pinion with the speed `at`.
+pub(crate) fn jet_torque(
+    case: &Case,
+    (flow, speed): (VolumeFlow, Speed),
+    at: &OperatingPoint,
+) -> Result<Torque, PositionError> {
+    let oil = case.lubricant.at(at.temperature)?.value;
+    let radius = case.gears.working_pitch_radius[0].si().abs();
+    let pitch = Speed::from_si(at.speed.si() * radius);
+    let power = jet_power(oil.density, flow, pitch, speed)?;
+    Ok(Torque::from_si(power.si() / at.speed.si()))
+}
+
+/// Loss torque of a table.
+pub(crate) fn table_torque(
+    table: &LossTable,
+    at: &OperatingPoint,
+) -> Result<Torque, PositionError> {
+    let rpm = at.speed.si() * 30.0 / std::f64::consts::PI;
+    let celsius = at.temperature.celsius();
+    // Nodes written in 1/min and °C are met although both are kept in SI.
+    let torque = table.loss_torque(at.torque.si(), rounded(rpm), rounded(celsius))?;
+    Ok(Torque::from_si(torque))
 }
 
 /// A number without the last bits that a change of its unit leaves.

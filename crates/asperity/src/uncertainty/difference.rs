@@ -81,23 +81,63 @@ impl PairedDifference {
     }
 }
 
-/// The loss of `other` minus the loss of `first`, draw by draw. Cases that differ in nothing differ by exactly 0.
-///
-/// ```text
-/// δ_j = P_other,j − P_first,j                                                [Paired-difference]
-/// ```
-///
-/// Constants, structure, tip relief and weights are the same in both; model error and sampling are drawn apart unless
-/// the flanks are the same (`same_flanks`).
+/// The drawn loss of a mesh of a gear train.
+#[derive(Debug, Clone, Copy)]
+pub struct DrawnMesh<'a> {
+    /// Draws.
+    pub predictive: &'a Predictive,
+    /// Loss by every model.
+    pub uncertainty: &'a Uncertainty,
+    /// Number of equal meshes.
+    pub count: u32,
+    /// Number of the flanks: equal flanks have the same errors of model and sampling.
+    pub flanks: usize,
+}
+
+/// The loss of all meshes of a gear train in every draw \[W\].
+#[must_use]
+pub fn losses_of_meshes(meshes: &[DrawnMesh<'_>]) -> Vec<f64> {
+    let mut total = vec![0.0; Predictive::count()];
+    for mesh in meshes {
+        let count = f64::from(mesh.count);
+        mesh.predictive.add_draws(&mut total, count, mesh.flanks);
+    }
+    total
+}
+
+/// The loss of `other` minus the loss of `first`, draw by draw; model error and sampling are drawn separately unless the
+/// flanks are the same (`same_flanks`).
 #[must_use]
 pub fn difference(
     (first, of_first): (&Predictive, &Uncertainty),
     (other, of_other): (&Predictive, &Uncertainty),
     same_flanks: bool,
 ) -> PairedDifference {
+    let mesh = |predictive, uncertainty, flanks| DrawnMesh {
+        predictive,
+        uncertainty,
+        count: 1,
+        flanks,
+    };
+    difference_of_meshes(
+        &[mesh(first, of_first, 0)],
+        &[mesh(other, of_other, usize::from(!same_flanks))],
+    )
+}
+
+/// The loss of all meshes of `other` minus the loss of all meshes of `first`, draw by draw. Cases that differ in nothing
+/// differ by exactly 0.
+///
+/// ```text
+/// δ_j = P_other,j − P_first,j                                                [Paired-difference]
+/// ```
+///
+/// Constants, structure, tip relief and weights are the same in all meshes; model error and sampling are drawn by the number
+/// of the flanks.
+#[must_use]
+pub fn difference_of_meshes(first: &[DrawnMesh<'_>], other: &[DrawnMesh<'_>]) -> PairedDifference {
     asperity_core::cite!("Paired-difference");
-    let own = first.losses(0);
-    let theirs = other.losses(usize::from(!same_flanks));
+    let [own, theirs] = [first, other].map(losses_of_meshes);
     let deltas: Vec<f64> = own.iter().zip(&theirs).map(|(a, b)| b - a).collect();
     let shares: Vec<f64> = deltas.iter().zip(&own).map(|(d, a)| d / a).collect();
     let [low, median_w, high] = sorted_quantiles(&deltas, PROBABILITIES);
@@ -105,15 +145,36 @@ pub fn difference(
     let agreeing = deltas.iter().filter(|d| **d * median_w > 0.0).count();
     let quantiles_w = [low, high];
     let probability = agreeing as f64 / deltas.len() as f64;
-    let of_models = of_first.models().filter_map(|row| {
-        let other = of_other.models().find(|other| other.name == row.name)?;
-        let loss_w = row.loss_w.zip(other.loss_w).map(|(a, b)| b - a);
-        let row = row.clone();
-        Some(AlternativeRow { loss_w, ..row })
-    });
-    let models: Vec<AlternativeRow> = of_models.collect();
+    let of_model = |row: &AlternativeRow| {
+        let of_mesh = |mesh: &DrawnMesh<'_>| {
+            let found = mesh
+                .uncertainty
+                .models()
+                .find(|other| other.name == row.name)?;
+            Some(found.loss_w.map(|loss| f64::from(mesh.count) * loss))
+        };
+        // A model that a mesh does not have is not a model of the train.
+        let sum = |meshes: &[DrawnMesh<'_>]| {
+            let losses = meshes.iter().map(of_mesh).collect::<Option<Vec<_>>>()?;
+            Some(losses.into_iter().sum::<Option<f64>>())
+        };
+        let (own, theirs) = (sum(first)?, sum(other)?);
+        Some(AlternativeRow {
+            loss_w: own.zip(theirs).map(|(a, b)| b - a),
+            ..row.clone()
+        })
+    };
+    let models = first
+        .first()
+        .into_iter()
+        .flat_map(|mesh| mesh.uncertainty.models());
+    let models: Vec<AlternativeRow> = models.filter_map(of_model).collect();
+    let at_medians = |meshes: &[DrawnMesh<'_>]| -> f64 {
+        let of_mesh = |mesh: &DrawnMesh<'_>| f64::from(mesh.count) * mesh.predictive.at_medians_w;
+        meshes.iter().map(of_mesh).sum()
+    };
     PairedDifference {
-        at_medians_w: other.at_medians_w - first.at_medians_w,
+        at_medians_w: at_medians(other) - at_medians(first),
         median_w,
         quantiles_w,
         median_share,

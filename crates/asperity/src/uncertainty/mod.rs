@@ -52,7 +52,9 @@ use crate::sampling::{length_for, means_of_pairs, windows_of_traces};
 
 pub use crate::parameters::UncertainParameter;
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
-pub use difference::{PairedDifference, Verdict, difference};
+pub use difference::{
+    DrawnMesh, PairedDifference, Verdict, difference, difference_of_meshes, losses_of_meshes,
+};
 pub use expected::Measurement;
 pub use predictive::{Predictive, model_deviation};
 pub use quantiles::Quantiles;

@@ -233,6 +233,13 @@ impl Predictive {
         scaled.losses(flanks)
     }
 
+    /// Adds `count` times the losses of all draws, as of flanks number `flanks`, to `total` \[W\].
+    pub(crate) fn add_draws(&self, total: &mut [f64], count: f64, flanks: usize) {
+        for (total, loss) in total.iter_mut().zip(self.losses(flanks)) {
+            *total += count * loss;
+        }
+    }
+
     /// Draws whose loss exceeds the power into the mesh.
     pub(super) fn beyond_power(&self) -> usize {
         self.draws_w()

@@ -74,7 +74,7 @@ formats! {
     Matlab "MATLAB data (mat)" [b"MATLAB "] ["mat"] SEVERAL;
     /// HDF5.
     Hdf5 "HDF5" [b"\x89HDF\r\n\x1a\n"] ["h5", "hdf5"] SEVERAL
-        "take a released binary or wheel, which read HDF5, build with --features hdf5, or export the profile as text or as MATLAB data of level 5 (-v7)";
+        "take a released binary or wheel, which read HDF5, build with feature hdf5, or export the profile as text or as MATLAB data of level 5 (-v7)";
     /// Hommel, binary.
     HommelHwp "Hommel binary (hwp, pip)" [] ["hwp", "pip"] ONE
         "export the profile as text (hfm) or as X3P from the Hommel software";
@@ -101,7 +101,7 @@ formats! {
     MetroPro "Zygo MetroPro (dat)" [b"\x88\x1b\x03\x6f", b"\x88\x1b\x03\x70", b"\x88\x1b\x03\x71"] [] SEVERAL;
     /// Zygo Mx, HDF5 (datx).
     ZygoDatx "Zygo datx" [] ["datx"] SEVERAL
-        "take a released binary or wheel, which read HDF5, build with --features hdf5, or export the surface as dat (MetroPro), X3P or text from Mx";
+        "take a released binary or wheel, which read HDF5, build with feature hdf5, or export the surface as dat (MetroPro), X3P or text from Mx";
     /// NanoFocus.
     Nms "NanoFocus nms" [] ["nms"] ONE "export the surface as X3P, SDF or text";
     /// FRT MicroProf.

@@ -44,6 +44,7 @@ mod resample;
 mod roll_length;
 mod rows;
 mod sdf;
+mod sheet;
 mod sigmasurf;
 mod single_column;
 mod smd;

@@ -10,8 +10,8 @@ use super::archive::{damaged, most_unpacked};
 use super::areal::bytes::little;
 use super::error::ReadError;
 use super::format::Format;
+use super::sheet::{MOST_TEXTS, Sheet};
 use super::text::Stream;
-use super::workbook::{MOST_TEXTS, Sheet};
 
 const FORMAT: Format = Format::ExcelBinary;
 

@@ -26,8 +26,9 @@ if TYPE_CHECKING:
     from ._errors import AsperityError, AsperityWarning, Place
     from ._html import Chart
     from ._laws import film_thickness, friction_coefficient, hertz, thermal_reduction
-    from ._library import RexsCase, demo, from_rexs, gears, oils, steels
-    from ._map import Cycle, Map, cycle, map, read_map
+    from ._library import RexsCase, demo, from_rexs, gears, oils, rexs_contents, steels
+    from ._map import Cycle, Map, cycle, read_map
+    from ._map import map as map
     from ._oil import OilFit, OilPlan, Stribeck, Traction, oil_fit, oil_plan, oil_traction, stribeck
     from ._profile import Parameters, Parts, Profile, generate, read_profile
     from ._record import Record, Table
@@ -45,7 +46,7 @@ else:
         "_errors": "AsperityError AsperityWarning Place",
         "_html": "Chart",
         "_laws": "film_thickness friction_coefficient hertz thermal_reduction",
-        "_library": "RexsCase demo from_rexs gears oils steels",
+        "_library": "RexsCase demo from_rexs gears oils rexs_contents steels",
         "_map": "Cycle Map cycle map read_map",
         "_oil": "OilFit OilPlan Stribeck Traction oil_fit oil_plan oil_traction stribeck",
         "_profile": "Parameters Parts Profile generate read_profile",
@@ -66,9 +67,10 @@ else:
         return found
 
     def __dir__() -> list[str]:
-        return sorted({*globals(), *__all__})
+        return sorted({*globals(), *_HOME})
 
 
+# All that is public but `map`: `from asperity import *` must not replace the built-in function.
 __all__ = [
     "AsperityError",
     "AsperityWarning",
@@ -117,7 +119,6 @@ __all__ = [
     "gears",
     "generate",
     "hertz",
-    "map",
     "oil_fit",
     "oil_plan",
     "oil_traction",
@@ -126,6 +127,7 @@ __all__ = [
     "read_map",
     "read_profile",
     "read_result",
+    "rexs_contents",
     "sensitivity",
     "solve_contact",
     "steels",
@@ -137,7 +139,7 @@ __all__ = [
 
 
 class Explanation(NamedTuple):
-    """What a message code means."""
+    """Title, meaning and remedy of a message code."""
 
     title: str
     meaning: str

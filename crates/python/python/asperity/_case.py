@@ -261,7 +261,7 @@ class Case:
             detail: ``"losses"`` (a fraction of the time), ``"contacts"`` (the rough contacts at every offset), or
                 ``"fields"`` (as the command: fields and stress below the surface, too).
             band: whether the uncertainty of the loss is computed with ``"fields"``.
-            threads: number of threads; default all cores.
+            threads: number of threads; default, and -1, all cores.
             progress: ``f(done, total)``, ``tqdm``, or a bar of it.
 
         Ctrl-C ends the run.

@@ -24,6 +24,12 @@ Finish = Union[Trace, tuple[Trace, Trace], Case]
 """A trace for both flanks, those of pinion and wheel, or a case."""
 
 
+def _loss(finish: Mapping[str, Any]) -> Any:
+    """Median and quantiles of the loss of a finish, of a pair of gears or a gear train; None without draws."""
+    uncertainty = finish.get("uncertainty")
+    return uncertainty["loss"] if uncertainty else finish.get("loss_distribution")
+
+
 def cases_of(case: CaseLike, finishes: Mapping[str, Finish], offsets: Optional[int]) -> list[tuple[str, _asperity.Case]]:
     """The case on each finish."""
     base = as_case(case)
@@ -37,8 +43,8 @@ def cases_of(case: CaseLike, finishes: Mapping[str, Finish], offsets: Optional[i
 class Comparison(Study):
     """Finishes side by side; the first is the one that the others are compared with.
 
-    ``finishes`` (name, loss_w, uncertainty, difference ...), ``correlations`` (parameter, with_loss,
-    within_finishes). The ``difference`` of a finish is taken draw by draw: ``median_w``, ``quantiles_w`` (5 and 95 %),
+    ``finishes`` (name, loss_w, uncertainty, difference ...; of a gear train loss_distribution and meshes in place of
+    uncertainty), ``correlations`` (parameter, with_loss, within_finishes). The ``difference`` of a finish is taken draw by draw: ``median_w``, ``quantiles_w`` (5 and 95 %),
     ``probability`` of its sign, ``models``, and ``verdict``: ``"equal"``, ``"holds"``, ``"undecided"``, or ``except`` with
     the models that have the other sign.
     """
@@ -73,7 +79,7 @@ class Comparison(Study):
 
     @property
     def offsets(self) -> dict[str, Table]:
-        """Efficiency and losses at each offset, by the name of the finish."""
+        """Efficiency and losses at each offset, by the name of the finish; empty of a gear train."""
         return {name: Table(rows) for name, rows in zip(self.names, self._offsets)}
 
     def to_pandas(self) -> pandas.DataFrame:
@@ -83,8 +89,7 @@ class Comparison(Study):
         rows = []
         for finish in self._values["finishes"]:
             row = {key: value for key, value in finish.items() if isinstance(value, (int, float, str))}
-            if uncertainty := finish.get("uncertainty"):
-                loss = uncertainty["loss"]
+            if loss := _loss(finish):
                 row["loss_median_w"] = loss["median_w"]
                 row["loss_p05_w"], row["loss_p95_w"] = loss["quantiles_w"]
             if difference := finish.get("difference"):
@@ -115,7 +120,7 @@ class Comparison(Study):
 
     def _rows(self) -> list[tuple[str, str]]:
         finishes = self._values["finishes"]
-        losses = [drawn(of["uncertainty"]) if of["uncertainty"] else f"{of['loss_w']:.4g} W" for of in finishes]
+        losses = [drawn({"loss": _loss(of)}) if _loss(of) else f"{of['loss_w']:.4g} W" for of in finishes]
         return [*zip(self.names, losses), *(("", verdict) for verdict in self.verdicts)]
 
 
@@ -130,7 +135,7 @@ def compare(
     """Compares finishes on one case by the same offsets and the same draws of what is uncertain.
 
     Args:
-        case: the case, whose traces are replaced by those of each finish.
+        case: the case, whose traces are replaced by those of each finish. The finishes of a gear train are cases.
         finishes: by name a profile or file for both flanks (mirrored for the wheel), or a pair of pinion and wheel;
             at least two.
         offsets: places along the traces at which the flanks meet, at least two; None for those of the finish that needs

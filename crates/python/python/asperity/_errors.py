@@ -95,9 +95,12 @@ def _parts(row: Row) -> tuple[str, str, str]:
 
 
 def warn(rows: Iterable[Row], known: Iterable[Row] = ()) -> None:
-    """Warns of every row that is not known yet, at the line outside of the package."""
+    """Warns of every row with a code that is not known yet, at the line outside of the package.
+
+    A map lists other notes on its points among its warnings, as points that are extrapolated, which have no code.
+    """
     told = {_parts(row)[1] for row in known}
-    new = [parts for parts in map(_parts, rows) if parts[1] not in told]
+    new = [parts for parts in map(_parts, rows) if parts[1] and parts[1] not in told]
     if not new:
         return
     level, frame = 1, sys._getframe()

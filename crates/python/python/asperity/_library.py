@@ -87,6 +87,12 @@ class RexsCase(NamedTuple):
     """Attributes of the file that the case does not use, by component."""
 
 
+def rexs_contents(file: Union[str, PathLike[str]]) -> Record:
+    """The stages of a REXS gearbox file with kind, teeth and the operating points of the pinion or sun, and its
+    ``version``, ``program`` and ``lubricants``, as ``asperity case from-rexs`` lists them."""
+    return Record(json.loads(_asperity.rexs_contents(fspath(file))))
+
+
 def from_rexs(
     file: Union[str, PathLike[str]],
     *,
@@ -99,7 +105,7 @@ def from_rexs(
 
     Args:
         file: the gearbox file.
-        stage: number of the stage, in the order of the file; None for one case of all stages.
+        stage: number of the stage, in the order of the file (`rexs_contents` lists them); None for one case of all stages.
         load_case: number of the load case, in the order of the file.
         pinion, wheel: files of the traces of pinion (sun) and wheel (planet).
     """

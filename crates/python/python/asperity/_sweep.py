@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Literal, Optional, Union
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
 
 _AT_ONCE = 16
 
+Source = Union[str, tuple[Case, str, str]]
+"""A study file; or a case, the other keys of a study as JSON, and the folder of its files."""
+
 
 def _value(text: str) -> Any:
     """A cell: a number where it is one, none where it is empty."""
@@ -35,16 +39,31 @@ class Sweep(Iterator[Record]):
     """The cases of a study, run as they are asked for: an iterator of rows.
 
     A row has ``case`` (its number), ``id``, the inputs, the results and ``code``, the code of the error of a case
-    that has no result. Cases that share their contacts solve them once. Iterating again runs nothing twice.
+    that has no result. Cases that share their contacts solve them once. Iterating again runs nothing twice. In another
+    process the rows that were run are there, and ``progress`` is not called.
     """
 
-    def __init__(self, raw: _asperity.Cases, threads: Optional[int], progress: Optional[Progress]) -> None:
-        self._raw = raw
+    def __init__(
+        self,
+        source: Source,
+        threads: Optional[int],
+        progress: Optional[Progress] = None,
+        rows: Optional[list[dict[str, Any]]] = None,
+    ) -> None:
+        if isinstance(source, str):
+            self._raw = _asperity.Cases.load(source)
+        else:
+            case, *study = source
+            self._raw = _asperity.Cases.of(case._raw, *study)
+        self._source = source
         self._threads = threads
         self._told = Told(progress, "cases")
-        self._rows: list[dict[str, Any]] = []
+        self._rows = rows or []
         self._given = 0
-        self._header = raw.header
+        self._header = self._raw.header
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Sweep, (self._source, self._threads, None, self._rows)
 
     @property
     def columns(self) -> list[str]:
@@ -120,14 +139,15 @@ def sweep(
             ``{"finish": {"ground": {"surface.pinion.file": "g.csv"}}}``.
         sample: ``method`` (``"sobol"``, ``"latin-hypercube"``, ``"random"``, ``"list"``), ``count``, ``seed``,
             ``vary`` (by key ``{"uniform": [a, b]}``, ``"normal"``, ``"log-uniform"``, ``"triangular"``), ``indices``.
-        columns: results of the summary; default efficiency, losses, equivalent friction, mixed share.
+        columns: results of the summary, of a mesh of a gear train ``mesh.NAME.loss_w``; default efficiency, losses,
+            equivalent friction, mixed share.
         detail: ``"losses"`` or ``"contacts"``.
         study: a study file in place of all these (docs/FILE_FORMATS.md).
         folder: folder that files of the sample are relative to.
         threads, progress: as in `Case.run`.
     """
     if study is not None:
-        return Sweep(_asperity.Cases.load(fspath(study)), threads, progress)
+        return Sweep(os.path.abspath(fspath(study)), threads, progress)
     if case is None:
         raise AsperityError("a sweep needs a case or a study", "E205", "Give a case with axes, or a study file.")
     base = as_case(case)
@@ -137,8 +157,8 @@ def sweep(
     if sample is not None:
         vary = {key: _with_units(key, law) for key, law in sample.get("vary", {}).items()}
         text["sample"] = {**sample, "vary": vary}
-    raw = _asperity.Cases.of(base._raw, json.dumps(text, ensure_ascii=False), fspath(folder))
-    return Sweep(raw, threads, progress)
+    source = (base, json.dumps(text, ensure_ascii=False), os.path.abspath(fspath(folder)))
+    return Sweep(source, threads, progress)
 
 
 def _schema(key: str) -> Schema:

@@ -392,7 +392,7 @@ class BearingInput(TypedDict, total=False):
     radial: Optional[Quantity]
     s1: Optional[float]
     s2: Optional[float]
-    shaft: Optional[str]
+    shaft: Optional[Literal["pinion", "wheel"]]
     static_rating: Optional[Quantity]
 
 
@@ -408,7 +408,7 @@ class SealInput(TypedDict, total=False):
 
     diameter: Optional[Quantity]
     name: Optional[str]
-    shaft: Optional[str]
+    shaft: Optional[Literal["pinion", "wheel"]]
 
 
 class GearsInput(TypedDict, total=False):
@@ -480,15 +480,40 @@ class LubricantInput(TypedDict, total=False):
     temperature_coefficient: Optional[Quantity]
     thermal_conductivity: Optional[Quantity]
     thermal_expansion: Optional[Quantity]
-    viscosity: Optional[Viscosity]
+    viscosity: Optional[Union[ViscosityAstmD341, ViscosityIsoVg, ViscosityVogel, ViscosityGiven]]
 
 
-class Viscosity(TypedDict, total=False):
+class ViscosityAstmD341(TypedDict, total=False):
     """ASTM D341 through the two kinematic viscosities of a data sheet."""
 
     at_100: Optional[Quantity]
     at_40: Optional[Quantity]
     law: Optional[Literal["astm-d341"]]
+
+
+class ViscosityIsoVg(TypedDict, total=False):
+    """ASTM D341 through the viscosities of an ISO VG grade and a viscosity index."""
+
+    grade: Optional[float]
+    law: Optional[Literal["iso-vg"]]
+    viscosity_index: Optional[float]
+
+
+class ViscosityVogel(TypedDict, total=False):
+    """Vogel's law η = K·exp(b/(T − θ))."""
+
+    law: Optional[Literal["vogel"]]
+    limit_viscosity: Optional[Quantity]
+    pole_kelvin: Optional[float]
+    slope_kelvin: Optional[float]
+
+
+class ViscosityGiven(TypedDict, total=False):
+    """One dynamic viscosity; the lubricant then needs a `temperature_coefficient`."""
+
+    dynamic_viscosity: Optional[Quantity]
+    law: Optional[Literal["given"]]
+    temperature: Optional[Quantity]
 
 
 class MapInput(TypedDict, total=False):
@@ -752,9 +777,42 @@ class PlanetarySurfaceInput(TypedDict, total=False):
 class TrainGearboxInput(TypedDict, total=False):
     """Seals and bearings of a gear train; only the losses stated here are added to the losses of the meshes."""
 
-    bearings: Optional[Sequence[BearingInput]]
-    seals: Optional[Sequence[SealInput]]
+    bearings: Optional[Sequence[MeshBearingInput]]
+    seals: Optional[Sequence[MeshSealInput]]
     temperature: Optional[Quantity]
+
+
+class MeshBearingInput(TypedDict, total=False):
+    """A rolling bearing with its load."""
+
+    at: Optional[Quantity]
+    at_torque: Optional[Quantity]
+    axial: Optional[Quantity]
+    axial_factor: Optional[float]
+    bore: Optional[Quantity]
+    k_rs: Optional[float]
+    k_z: Optional[float]
+    kind: Optional[Literal["deep-groove-ball", "cylindrical-roller", "tapered-roller"]]
+    locating: Optional[bool]
+    mu_bl: Optional[float]
+    mu_ehl: Optional[float]
+    name: Optional[str]
+    outside_diameter: Optional[Quantity]
+    r1: Optional[float]
+    r2: Optional[float]
+    radial: Optional[Quantity]
+    s1: Optional[float]
+    s2: Optional[float]
+    shaft: Optional[str]
+    static_rating: Optional[Quantity]
+
+
+class MeshSealInput(TypedDict, total=False):
+    """A radial shaft seal."""
+
+    diameter: Optional[Quantity]
+    name: Optional[str]
+    shaft: Optional[str]
 
 
 class HeatInput(TypedDict, total=False):
@@ -849,11 +907,11 @@ CaseKeys = TypedDict(
         "gears": "Optional[GearsInput]",
         "lubricant": "Optional[LubricantInput]",
         "map": "Optional[MapInput]",
-        "material": "Optional[MaterialInput]",
+        "material": "Optional[Union[MaterialInput, PlanetaryMaterialInput]]",
         "micropitting": "Optional[MicropittingInput]",
         "model": "Optional[ModelInput]",
         "operation": "Optional[OperationInput]",
-        "surface": "Optional[SurfaceInput]",
+        "surface": "Optional[Union[SurfaceInput, PlanetarySurfaceInput]]",
         "title": "Optional[str]",
         "vehicle": "Optional[VehicleInput]",
         "planetary": "Optional[PlanetaryInput]",
@@ -964,10 +1022,10 @@ CaseKeys = TypedDict(
         "lubricant.temperature_coefficient": "Optional[Quantity]",
         "lubricant.thermal_conductivity": "Optional[Quantity]",
         "lubricant.thermal_expansion": "Optional[Quantity]",
-        "lubricant.viscosity": "Optional[Viscosity]",
+        "lubricant.viscosity": "Optional[Union[ViscosityAstmD341, ViscosityIsoVg, ViscosityVogel, ViscosityGiven]]",
         "lubricant.viscosity.at_100": "Optional[Quantity]",
         "lubricant.viscosity.at_40": "Optional[Quantity]",
-        "lubricant.viscosity.law": 'Optional[Literal["astm-d341"]]',
+        "lubricant.viscosity.law": 'Optional[Literal["astm-d341", "iso-vg", "vogel", "given"]]',
         "lubricant.viscosity.grade": "Optional[float]",
         "lubricant.viscosity.viscosity_index": "Optional[float]",
         "lubricant.viscosity.limit_viscosity": "Optional[Quantity]",

@@ -1,14 +1,14 @@
 //! Comparison of several finishes on one case.
 
-use asperity::Error;
-use asperity::Run;
 use asperity::case::LoadedCase;
+use asperity::case::gear_train::{LoadedMesh, LoadedTrain};
 use asperity::flanks::Surfaces;
-use asperity::pipeline::KeptFields;
-use asperity::pipeline::Progress;
+use asperity::gear_train::{TrainOutcome, run_train};
+use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
-use asperity::uncertainty::{self, PairedDifference, Predictive};
+use asperity::uncertainty::{DrawnMesh, PairedDifference, Quantiles, difference_of_meshes};
+use asperity::{Error, PositionError};
 use asperity_report::tables::FlankTables;
 use serde::Serialize;
 
@@ -32,14 +32,14 @@ pub struct Comparison {
     pub program: String,
     /// Title of the case.
     pub title: String,
-    /// Scope; efficiencies, losses and differences are always of the mesh.
+    /// Scope; efficiencies, losses and differences are always of the mesh, or of all meshes of a gear train.
     pub scope: Scope,
-    /// Power into the mesh \[W\].
+    /// Power into the meshes \[W\].
     pub power_in_w: f64,
     /// The finishes.
     pub finishes: Vec<FinishResult>,
-    /// Rank correlations of roughness with the computed loss, strongest first; empty of fewer than three finishes, and if
-    /// a finish has fewer than 5 windows.
+    /// Rank correlations of roughness with the computed loss, strongest first; empty of fewer than three finishes, of a gear
+    /// train, and if a finish has fewer than 5 windows.
     pub correlations: Vec<Correlation>,
     /// Number of windows in the correlations: offsets of all finishes.
     pub windows: usize,
@@ -55,42 +55,87 @@ pub struct FinishResult {
     pub files: Vec<[String; 2]>,
     /// Mean efficiency.
     pub efficiency: f64,
-    /// Power into the mesh \[W\].
+    /// Power into the meshes \[W\].
     pub power_in_w: f64,
     /// Mean loss with every constant at its median \[W\].
     pub loss_w: f64,
-    /// The uncertainty of the loss; `None` if the model has none.
+    /// The uncertainty of the loss of a pair of gears; `None` if the model has none.
     pub uncertainty: Option<Uncertainty>,
+    /// Median, quantiles and spread of the loss of a gear train.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loss_distribution: Option<Quantiles>,
     /// Loss minus the loss of the first finish with the same draws; `None` for the first, and if the model has no
     /// uncertainty.
     pub difference: Option<PairedDifference>,
     /// Losses of the gearbox, if the case states them; the same parts for every finish.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gearbox: Option<GearboxReport>,
-    /// Share of the path in mixed lubrication.
-    pub mixed_share: f64,
-    /// Lubrication regime of the mesh.
-    pub regime: Regime,
+    /// Share of the path of a pair of gears in mixed lubrication.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mixed_share: Option<f64>,
+    /// Lubrication regime of a pair of gears.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub regime: Option<Regime>,
+    /// Meshes of a gear train.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub meshes: Vec<MeshOfFinish>,
     /// Codes and texts of the warnings.
     pub warnings: Vec<String>,
-    /// Losses by offset.
+    /// Losses of a pair of gears by offset.
     #[serde(skip)]
     pub offsets: Vec<OffsetRow>,
-    /// Draws of the loss.
+    /// Run of a pair of gears.
     #[serde(skip)]
-    pub(crate) predictive: Option<Predictive>,
-    /// The flanks.
-    #[serde(skip)]
-    pub(crate) surfaces: Surfaces,
+    pub(crate) pair: Option<PairOfFinish>,
+}
+
+/// A mesh of a gear train with the flanks of a finish, or one of its equal meshes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct MeshOfFinish {
+    /// Name.
+    pub mesh: String,
+    /// Number of equal meshes.
+    pub count: u32,
+    /// Mean loss of one such mesh with every constant at its median \[W\].
+    pub loss_w: f64,
+    /// Median of its loss \[W\].
+    pub loss_median_w: Option<f64>,
+    /// 5 and 95 % quantiles of its loss \[W\].
+    pub loss_quantiles_w: Option<[f64; 2]>,
+    /// Loss minus the loss of the mesh with the first finish, as of a finish.
+    pub difference: Option<PairedDifference>,
+    /// Share of the path in mixed lubrication.
+    pub mixed_share: f64,
+    /// Lubrication regime.
+    pub regime: Regime,
+}
+
+/// The run of a pair of gears with a finish.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct PairOfFinish {
     /// The result of the run.
-    #[serde(skip)]
-    pub(crate) result: RunResult,
+    pub result: RunResult,
     /// Traces and spectra of pinion and wheel; `None` for a flank without a trace.
-    #[serde(skip)]
-    pub(crate) tables: [Option<FlankTables>; 2],
+    pub tables: [Option<FlankTables>; 2],
     /// Roughness under the contact by offset.
-    #[serde(skip)]
-    pub(crate) roughness: Vec<WindowRoughness>,
+    pub roughness: Vec<WindowRoughness>,
+}
+
+impl FinishResult {
+    /// Median of the loss with its 5 and 95 % quantiles \[W\]; `None` without draws.
+    #[must_use]
+    pub fn drawn_w(&self) -> Option<(f64, [f64; 2])> {
+        let of_pair = self.uncertainty.as_ref().map(|found| &found.loss);
+        let of_pair = of_pair.map(|loss| (loss.median_w, loss.quantiles_w));
+        let of_train = self.loss_distribution;
+        of_pair.or(of_train.map(|loss| (loss.median_w, loss.quantiles_w)))
+    }
+
+    /// Roughness under the contact of a pair of gears by offset.
+    pub(crate) fn roughness(&self) -> &[WindowRoughness] {
+        self.pair.as_ref().map_or(&[], |pair| &pair.roughness)
+    }
 }
 
 /// Rank correlation of a roughness parameter with the computed loss.
@@ -105,36 +150,60 @@ pub struct Correlation {
     pub within_finishes: f64,
 }
 
-/// Runs all finishes and compares them with the first. Where the case states no offsets, all have those of the finish that
-/// needs most.
+/// Runs all finishes and compares them with the first. Where the case states no offsets, each mesh has the offsets of the
+/// finish that needs most.
 ///
 /// # Errors
 /// When a finish has no solution.
-pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison, Error> {
-    let run = |case: &LoadedCase| Run::new(case).fields(&KeptFields::Highest).draw();
+pub fn compare<C: Clone + Into<LoadedTrain>>(
+    finishes: &[Finish<C>],
+    progress: Progress<'_>,
+) -> Result<Comparison, Error> {
+    let run = |case: &LoadedTrain| run_train(case, &KeptFields::Highest, true, &|_, _| {});
     let mut runs = Vec::with_capacity(finishes.len());
     for finish in finishes {
-        runs.push(run(&finish.case)?);
+        let case: LoadedTrain = finish.case.clone().into();
+        let outcome = run(&case)?;
+        runs.push((finish.name.as_str(), case, outcome));
         progress(runs.len(), finishes.len());
     }
-    let of_each_pair =
-        |finish: &Finish, rows: &[OffsetRow]| rows.len() / finish.case.surfaces.pairs();
-    let numbers = finishes.iter().zip(&runs);
-    let most = numbers.map(|(finish, (outcome, _))| of_each_pair(finish, &outcome.offsets));
-    let most = most.max().unwrap_or(0);
-    let mut results: Vec<FinishResult> = Vec::with_capacity(finishes.len());
-    let (mut title, mut power_in_w) = (String::new(), 0.0);
-    for (finish, (mut outcome, mut predictive)) in finishes.iter().zip(runs) {
-        let is_chosen = finish.case.case.input.model.offsets.is_none();
-        if is_chosen && of_each_pair(finish, &outcome.offsets) < most {
-            let more = (finish.case).with(|input| input.model.offsets = Some(most))?;
-            (outcome, predictive) = run(&more)?;
+    let offsets_of = |(_, case, outcome): &(&str, LoadedTrain, TrainOutcome)| -> Vec<usize> {
+        let meshes = case.meshes().zip(&outcome.meshes);
+        let of_mesh = meshes.map(|(mesh, run)| run.offsets.len() / mesh.case.surfaces.pairs());
+        of_mesh.collect()
+    };
+    let mut most: Vec<usize> = Vec::new();
+    for offsets in runs.iter().map(offsets_of) {
+        most.resize(offsets.len(), 0);
+        for (most, offsets) in most.iter_mut().zip(offsets) {
+            *most = offsets.max(*most);
         }
-        title.clone_from(&outcome.result.title);
-        power_in_w = outcome.result.summary.power_in_w;
-        results.push(finish_result(finish, outcome, predictive, results.first())?);
     }
-    let pooled = |finish: &FinishResult| finish.roughness.len().min(finish.offsets.len());
+    for entry in &mut runs {
+        let own = offsets_of(entry);
+        let (_, case, outcome) = entry;
+        let is_chosen = |mesh: &LoadedMesh| mesh.case.case.input.model.offsets.is_none();
+        let mut fewer = case.meshes().zip(own.iter().zip(&most));
+        if fewer.any(|(mesh, (own, most))| is_chosen(mesh) && own < most) {
+            let names: Vec<String> = case.meshes().map(|mesh| mesh.name.clone()).collect();
+            let more = case.with_each(&|_, name, input| {
+                let place = names.iter().position(|known| known == name);
+                let most = place.map(|place| most[place]);
+                input.model.offsets = input.model.offsets.or(most);
+            })?;
+            *outcome = run(&more)?;
+        }
+    }
+    let Some((_, first, _)) = runs.first() else {
+        return Err(Error::Whole(Box::new(PositionError::NoProfile)));
+    };
+    let title = first.title.clone();
+    let mut results: Vec<FinishResult> = Vec::with_capacity(runs.len());
+    for (k, (name, case, outcome)) in runs.iter().enumerate() {
+        let first = (k > 0).then(|| (&runs[0].1, &runs[0].2));
+        results.push(finish_result(name, (case, outcome), first)?);
+    }
+    let pooled = |finish: &FinishResult| finish.roughness().len().min(finish.offsets.len());
     Ok(Comparison {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title,
@@ -142,7 +211,7 @@ pub fn compare(finishes: &[Finish], progress: Progress<'_>) -> Result<Comparison
             true => Scope::Gearbox,
             false => Scope::Mesh,
         },
-        power_in_w,
+        power_in_w: results.last().map_or(0.0, |finish| finish.power_in_w),
         correlations: correlations(&results),
         windows: results.iter().map(pooled).sum(),
         finishes: results,
@@ -161,45 +230,134 @@ pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
 }
 
 fn finish_result(
-    finish: &Finish,
-    outcome: Outcome,
-    predictive: Option<Predictive>,
-    first: Option<&FinishResult>,
+    name: &str,
+    (case, outcome): (&LoadedTrain, &TrainOutcome),
+    first: Option<(&LoadedTrain, &TrainOutcome)>,
 ) -> Result<FinishResult, Error> {
-    let roughness = windows::roughness(&finish.case, outcome.offsets.len())
+    let surfaces = |case: &LoadedTrain| -> Vec<Surfaces> {
+        case.meshes()
+            .map(|mesh| mesh.case.surfaces.clone())
+            .collect()
+    };
+    // Flanks of the first finish and of this one, numbered together.
+    let numbers = |first: &LoadedTrain| {
+        let (mut all, own) = (surfaces(first), surfaces(case));
+        all.extend(own);
+        Surfaces::first_equal(&all.iter().collect::<Vec<_>>())
+    };
+    let compared = first.and_then(|(first, of_first)| {
+        let numbers = numbers(first);
+        let (of_case, of_own) = numbers.split_at(of_first.meshes.len());
+        Some((
+            of_first.drawn_meshes(of_case)?,
+            outcome.drawn_meshes(of_own)?,
+        ))
+    });
+    let difference = compared
+        .as_ref()
+        .map(|(first, own)| difference_of_meshes(first, own));
+    let mut files_read: Vec<[String; 2]> = Vec::new();
+    for file in case.meshes().flat_map(|mesh| files(&mesh.case)) {
+        if !files_read.contains(&file) {
+            files_read.push(file);
+        }
+    }
+    let result = &outcome.result;
+    let mut finish = FinishResult {
+        name: name.to_owned(),
+        files: files_read,
+        efficiency: result.efficiency,
+        power_in_w: result.meshes_power_in_w(),
+        loss_w: result.loss_w,
+        uncertainty: None,
+        loss_distribution: result.loss_distribution,
+        difference,
+        gearbox: result.gearbox.clone(),
+        mixed_share: None,
+        regime: None,
+        meshes: Vec::new(),
+        warnings: warnings(outcome),
+        offsets: Vec::new(),
+        pair: None,
+    };
+    let Some((loaded, [run])) = case
+        .pair()
+        .zip(<&[Outcome; 1]>::try_from(&outcome.meshes[..]).ok())
+    else {
+        let meshes = result.meshes.iter().zip(&outcome.meshes).enumerate();
+        finish.meshes = meshes
+            .map(|(k, (row, run))| {
+                let pair = compared
+                    .as_ref()
+                    .and_then(|(first, own)| Some((first.get(k)?, own.get(k)?)));
+                let summary = &run.result.summary;
+                MeshOfFinish {
+                    mesh: row.mesh.clone(),
+                    count: row.count,
+                    loss_w: row.loss_w,
+                    loss_median_w: row.loss_median_w,
+                    loss_quantiles_w: row.loss_q05_w.zip(row.loss_q95_w).map(<[f64; 2]>::from),
+                    difference: pair
+                        .map(|(first, own)| difference_of_meshes(&[single(first)], &[single(own)])),
+                    mixed_share: summary.mixed_share,
+                    regime: summary.regime(),
+                }
+            })
+            .collect();
+        return Ok(finish);
+    };
+    let result = run.result.clone();
+    let roughness = windows::roughness(loaded, run.offsets.len())
         .map_err(|error| Error::Whole(Box::new(error)))?;
     let flank = |body: usize| {
-        FlankTables::new(&outcome.result.flanks[body], outcome.traces[body].as_ref())
+        FlankTables::new(&result.flanks[body], run.traces[body].as_ref())
             .map_err(|error| Error::Whole(Box::new(error.into())))
     };
     let tables = [flank(0)?, flank(1)?];
-    let result = outcome.result;
-    let difference = first.and_then(|first| {
-        Some(uncertainty::difference(
-            (first.predictive.as_ref()?, first.uncertainty.as_ref()?),
-            (predictive.as_ref()?, result.uncertainty.as_ref()?),
-            first.surfaces.has_flanks_of(&finish.case.surfaces),
-        ))
-    });
-    Ok(FinishResult {
-        name: finish.name.clone(),
-        files: files(&finish.case),
-        efficiency: result.summary.efficiency,
-        power_in_w: result.summary.power_in_w,
-        loss_w: result.summary.loss_w,
-        uncertainty: result.uncertainty.clone(),
-        difference,
-        gearbox: result.gearbox.clone(),
-        mixed_share: result.summary.mixed_share,
-        regime: result.summary.regime(),
-        warnings: result.warnings.iter().map(ToString::to_string).collect(),
-        offsets: outcome.offsets,
-        predictive,
-        surfaces: finish.case.surfaces.clone(),
+    finish.efficiency = result.summary.efficiency;
+    finish.power_in_w = result.summary.power_in_w;
+    finish.uncertainty.clone_from(&result.uncertainty);
+    finish.loss_distribution = None;
+    finish.gearbox.clone_from(&result.gearbox);
+    finish.mixed_share = Some(result.summary.mixed_share);
+    finish.regime = Some(result.summary.regime());
+    finish.offsets.clone_from(&run.offsets);
+    finish.pair = Some(PairOfFinish {
         result,
         tables,
         roughness,
-    })
+    });
+    Ok(finish)
+}
+
+/// Distinct warnings of all meshes, with the name of the mesh unless they apply to all.
+fn warnings(outcome: &TrainOutcome) -> Vec<String> {
+    let of = |run: &Outcome| {
+        run.result
+            .warnings
+            .iter()
+            .map(ToString::to_string)
+            .collect()
+    };
+    let all: Vec<Vec<String>> = outcome.meshes.iter().map(of).collect();
+    let mut distinct: Vec<String> = Vec::new();
+    for (row, warnings) in outcome.result.meshes.iter().zip(&all) {
+        for warning in warnings {
+            let text = match all.iter().all(|other| other.contains(warning)) {
+                true => warning.clone(),
+                false => format!("{warning} [{}]", row.mesh),
+            };
+            if !distinct.contains(&text) {
+                distinct.push(text);
+            }
+        }
+    }
+    distinct
+}
+
+/// One of equal meshes.
+fn single<'a>(mesh: &DrawnMesh<'a>) -> DrawnMesh<'a> {
+    DrawnMesh { count: 1, ..*mesh }
 }
 
 /// Fewest pairs of a correlation.
@@ -209,12 +367,12 @@ const FEWEST_FINISHES: usize = 3;
 
 fn correlations(finishes: &[FinishResult]) -> Vec<Correlation> {
     let few =
-        |finish: &FinishResult| finish.roughness.len().min(finish.offsets.len()) < FEWEST_PAIRS;
+        |finish: &FinishResult| finish.roughness().len().min(finish.offsets.len()) < FEWEST_PAIRS;
     if finishes.len() < FEWEST_FINISHES || finishes.iter().any(few) {
         return Vec::new();
     }
     let pairs = |finish: &FinishResult, of: Value| -> Vec<[f64; 2]> {
-        let rows = finish.roughness.iter().zip(&finish.offsets);
+        let rows = finish.roughness().iter().zip(&finish.offsets);
         rows.map(|(window, row)| [of(window), row.loss_w]).collect()
     };
     let mut correlations: Vec<Correlation> = windows::PARAMETERS

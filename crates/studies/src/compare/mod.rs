@@ -1,4 +1,4 @@
-//! Several finishes on one case: losses, differences, and correlation of the roughness parameters with the loss.
+//! Several finishes on one case, a pair of gears or a gear train: losses, differences, and correlation of the roughness parameters with the loss.
 //!
 //! All finishes run at the same offsets of their traces and with the same draws of the uncertain parameters; differences are
 //! taken draw by draw. Roughness is evaluated on the windows under the contact in the middle of the path, so that it
@@ -12,6 +12,6 @@ mod windows;
 mod write;
 
 pub(crate) use comparison::files;
-pub use comparison::{Comparison, Correlation, Finish, FinishResult, compare};
+pub use comparison::{Comparison, Correlation, Finish, FinishResult, MeshOfFinish, compare};
 pub use statistics::rank_correlation;
 pub use summary::{difference_with_interval, verdict};

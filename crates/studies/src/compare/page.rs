@@ -8,18 +8,22 @@ use asperity_report::tables::BODIES;
 use asperity_report::units::MICRO;
 use maud::{Markup, html};
 
-use super::comparison::{Comparison, FinishResult};
-use super::summary::{cells, efficiency, note, scope};
+use super::comparison::{Comparison, PairOfFinish};
+use super::summary::{cells, efficiency, mesh_rows, note, scope};
 use super::windows::PARAMETERS;
+use super::write::pairs;
 
 pub(super) fn render(comparison: &Comparison) -> String {
-    let sections = [
-        ("Verdict", verdict(comparison)),
-        ("Flanks", flanks(comparison)),
-        ("Roughness and loss", roughness(comparison)),
-        ("Uncertainty", contributions(comparison)),
-        ("Provenance", provenance(comparison)),
-    ];
+    let mut sections = vec![("Verdict", verdict(comparison))];
+    match pairs(comparison).next() {
+        Some(_) => sections.extend([
+            ("Flanks", flanks(comparison)),
+            ("Roughness and loss", roughness(comparison)),
+            ("Uncertainty", contributions(comparison)),
+        ]),
+        None => sections.push(("Meshes", meshes(comparison))),
+    }
+    sections.push(("Provenance", provenance(comparison)));
     let names: Vec<&str> = comparison
         .finishes
         .iter()
@@ -33,13 +37,29 @@ pub(super) fn render(comparison: &Comparison) -> String {
     page(&comparison.title, &subtitle, &sections)
 }
 
+/// Losses of the meshes of a gear train.
+fn meshes(comparison: &Comparison) -> Markup {
+    html! {
+        div.scroll { table {
+            thead { tr { th { "mesh and finish" } th.number { "loss [W]" } th.number { "minus the first [W]" } th.number { "change [%]" } } }
+            tbody { @for [mesh, loss, difference, change] in mesh_rows(comparison) {
+                tr { th scope="row" { (mesh) } td.number { (loss) } td.number { (difference) } td.number { (change) } }
+            } }
+        } }
+        p.sub { "Losses of one mesh of each kind. A comparison of a single mesh shows its flanks, its spectra and the correlation of their "
+            "roughness with the loss." }
+    }
+}
+
 fn verdict(comparison: &Comparison) -> Markup {
+    let of_pair = pairs(comparison).next().is_some();
     html! {
         @for verdict in comparison.verdicts() { p { strong { (verdict) "." } } }
         div.scroll { table {
             thead { tr {
                 th { "finish" } th.number { "efficiency" } th.number { "loss [W]" }
-                th.number { "minus the first [W]" } th.number { "change [%]" } th.number { "mixed" } th { "regime" }
+                th.number { "minus the first [W]" } th.number { "change [%]" }
+                @if of_pair { th.number { "mixed" } th { "regime" } }
             } }
             tbody { @for finish in &comparison.finishes {
                 @let [loss, difference, change] = cells(finish);
@@ -49,14 +69,16 @@ fn verdict(comparison: &Comparison) -> Markup {
                     td.number { (loss) }
                     td.number { (difference) }
                     td.number { (change) }
-                    td.number { (format!("{:.0} %", 100.0 * finish.mixed_share)) }
-                    td { (finish.regime.name()) }
+                    @if let (Some(share), Some(regime)) = (finish.mixed_share, finish.regime) {
+                        td.number { (format!("{:.0} %", 100.0 * share)) }
+                        td { (regime.name()) }
+                    }
                 }
             } }
         } }
         p.sub { "Losses are " (note(comparison)) ". Common contributions, such as the friction of the oil, cancel in the "
             "differences; " (scope(comparison)) "." }
-        div.charts { (figure(&bars(comparison))) (figure(&along_the_path(comparison))) }
+        div.charts { (figure(&bars(comparison))) @if of_pair { (figure(&along_the_path(comparison))) } }
     }
 }
 
@@ -70,20 +92,20 @@ fn along_the_path(comparison: &Comparison) -> Drawing {
         along(),
         Axis::new("loss", "kW/m").from_zero(),
     );
-    if let Some(first) = comparison.finishes.first() {
+    if let Some((_, first)) = pairs(comparison).next() {
         chart = chart.marked(&points(&first.result));
     }
-    for finish in &comparison.finishes {
-        let rows = &finish.result.path;
+    for (finish, pair) in pairs(comparison) {
+        let rows = &pair.result.path;
         let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
         let loss: Vec<f64> = rows.iter().map(|row| KILO * row.loss_w_per_m()).collect();
         chart = chart.with(Series::new(&finish.name, Line::Solid, &s, &loss));
     }
-    for (index, finish) in comparison.finishes.iter().enumerate() {
-        let Some(ends) = finish.result.path_loss_quantiles() else {
+    for (index, (finish, pair)) in pairs(comparison).enumerate() {
+        let Some(ends) = pair.result.path_loss_quantiles() else {
             continue;
         };
-        let s: Vec<f64> = finish.result.path.iter().map(|row| row.s_mm).collect();
+        let s: Vec<f64> = pair.result.path.iter().map(|row| row.s_mm).collect();
         let [low, high] = [0, 1].map(|end| {
             ends.iter()
                 .map(|both| KILO * both[end])
@@ -105,8 +127,8 @@ fn flanks(comparison: &Comparison) -> Markup {
     if drawings.is_empty() {
         return html! { p { "The flanks are given only by roughness values: no trace was measured." } };
     }
-    let parameters = |finish: &FinishResult, body: usize| {
-        let parameters = finish.result.flanks[body].parameters.as_ref()?;
+    let parameters = |pair: &PairOfFinish, body: usize| {
+        let parameters = pair.result.flanks[body].parameters.as_ref()?;
         let (heights, material) = (&parameters.heights, &parameters.material);
         let um = |length: Length| format!("{:.3}", length.si() * MICRO);
         let of_heights = [heights.ra, heights.rq, heights.rz];
@@ -122,8 +144,8 @@ fn flanks(comparison: &Comparison) -> Markup {
     html! {
         div.scroll { table {
             thead { tr { th { "finish" } th { "flank" } @for name in ["Ra", "Rq", "Rz", "Rpk", "Rk", "Rvk"] { th.number { (name) " [µm]" } } } }
-            tbody { @for finish in &comparison.finishes { @for (body, name) in BODIES.iter().enumerate() {
-                @if let Some(values) = parameters(finish, body) {
+            tbody { @for (finish, pair) in pairs(comparison) { @for (body, name) in BODIES.iter().enumerate() {
+                @if let Some(values) = parameters(pair, body) {
                     tr { th scope="row" { (finish.name) } td { (name) } @for value in &values { td.number { (value) } } }
                 }
             } } }
@@ -142,8 +164,8 @@ fn traces(comparison: &Comparison, body: usize) -> Option<Drawing> {
         Axis::new("position", "mm"),
         Axis::new("height", "µm"),
     );
-    for finish in &comparison.finishes {
-        let Some(tables) = &finish.tables[body] else {
+    for (finish, pair) in pairs(comparison) {
+        let Some(tables) = &pair.tables[body] else {
             continue;
         };
         let points = tables
@@ -165,8 +187,8 @@ fn spectra(comparison: &Comparison, body: usize) -> Option<Drawing> {
         Axis::new("wavelength", "µm").log(),
         Axis::new("density", "µm³").log(),
     );
-    for finish in &comparison.finishes {
-        let Some(tables) = &finish.tables[body] else {
+    for (finish, pair) in pairs(comparison) {
+        let Some(tables) = &pair.tables[body] else {
             continue;
         };
         let bands = tables.spectrum_in_bands();
@@ -228,16 +250,8 @@ fn contributions(comparison: &Comparison) -> Markup {
 fn bars(comparison: &Comparison) -> Drawing {
     let bars = comparison.finishes.iter().map(|finish| Bar {
         name: finish.name.clone(),
-        value: Some(
-            finish
-                .uncertainty
-                .as_ref()
-                .map_or(finish.loss_w, |drawn| drawn.loss.median_w),
-        ),
-        spread: finish
-            .uncertainty
-            .as_ref()
-            .map(|drawn| drawn.loss.quantiles_w),
+        value: Some(finish.drawn_w().map_or(finish.loss_w, |(median, _)| median)),
+        spread: finish.drawn_w().map(|(_, quantiles)| quantiles),
         text: format!("{} W", cells(finish)[0]),
     });
     Drawing::Bars(BarChart {
@@ -284,7 +298,7 @@ fn scatter(comparison: &Comparison, parameter: &str) -> Option<Drawing> {
         Axis::new("loss", "W").from_zero(),
     );
     for finish in &comparison.finishes {
-        let x: Vec<f64> = finish.roughness.iter().map(of).collect();
+        let x: Vec<f64> = finish.roughness().iter().map(of).collect();
         let y: Vec<f64> = finish.offsets.iter().map(|row| row.loss_w).collect();
         chart = chart.with(Series::new(&finish.name, Line::Scatter, &x, &y));
     }

@@ -4,7 +4,7 @@ use asperity_report::{stated, stated_parts, wrapped};
 use asperity_storage::one_line;
 
 use asperity::result::loss_band::Digits;
-use asperity::uncertainty::{PairedDifference, Verdict};
+use asperity::uncertainty::{PairedDifference, Predictive, Verdict};
 
 use super::comparison::{Comparison, FinishResult};
 
@@ -30,6 +30,7 @@ pub(super) fn summary(comparison: &Comparison) -> String {
             efficiency(finish),
         ));
     }
+    text.push_str(&meshes(comparison));
     for verdict in comparison.verdicts() {
         text.push_str(&format!("{}\n", wrapped(&one_line(&verdict), "  ")));
     }
@@ -52,13 +53,49 @@ pub(super) fn summary(comparison: &Comparison) -> String {
     text
 }
 
+/// The meshes of a gear train; empty of a pair of gears.
+fn meshes(comparison: &Comparison) -> String {
+    let rows = mesh_rows(comparison);
+    let width = rows.iter().map(|[mesh, ..]| mesh.chars().count()).max();
+    let width = width.unwrap_or(0);
+    let line = |[mesh, loss, difference, change]: &[String; 4]| {
+        format!(
+            "  {:width$}  {loss:>18}  {difference:>20}  {change:>22}\n",
+            one_line(mesh)
+        )
+    };
+    rows.iter().map(line).collect()
+}
+
+/// Name, loss, difference and change of every mesh with every finish, mesh by mesh.
+pub(super) fn mesh_rows(comparison: &Comparison) -> Vec<[String; 4]> {
+    let count = comparison
+        .finishes
+        .first()
+        .map_or(0, |first| first.meshes.len());
+    let of_mesh = |k: usize| {
+        comparison.finishes.iter().filter_map(move |finish| {
+            let mesh = finish.meshes.get(k)?;
+            let times = match mesh.count {
+                1 => String::new(),
+                count => format!("{count} × "),
+            };
+            let drawn = mesh.loss_median_w.zip(mesh.loss_quantiles_w);
+            let [loss, difference, change] = texts(mesh.loss_w, drawn, mesh.difference.as_ref());
+            let name = format!("{times}{}, {}", mesh.mesh, finish.name);
+            Some([name, loss, difference, change])
+        })
+    };
+    (0..count).flat_map(of_mesh).collect()
+}
+
 /// Median of the efficiency in percent, with the digits that its interval leaves; without an interval the efficiency of
 /// the run.
 pub(super) fn efficiency(finish: &FinishResult) -> String {
-    match &finish.uncertainty {
-        Some(uncertainty) => {
-            let percent = uncertainty.digits().of_percent(finish.power_in_w);
-            percent.rounded(100.0 * uncertainty.efficiency_median)
+    match finish.drawn_w() {
+        Some((median, quantiles)) => {
+            let percent = Digits::of_interval(quantiles).of_percent(finish.power_in_w);
+            percent.rounded(100.0 * (1.0 - median / finish.power_in_w))
         }
         None => format!("{:.4}", 100.0 * finish.efficiency),
     }
@@ -66,15 +103,19 @@ pub(super) fn efficiency(finish: &FinishResult) -> String {
 
 /// Loss, difference and change of a finish, each with its quantiles.
 pub(super) fn cells(finish: &FinishResult) -> [String; 3] {
-    let loss = match &finish.uncertainty {
-        Some(uncertainty) => interval(
-            uncertainty.loss.median_w,
-            uncertainty.loss.quantiles_w,
-            false,
-        ),
-        None => Digits::of_decimals(1).rounded(finish.loss_w),
+    texts(finish.loss_w, finish.drawn_w(), finish.difference.as_ref())
+}
+
+fn texts(
+    loss_w: f64,
+    drawn: Option<(f64, [f64; 2])>,
+    difference: Option<&PairedDifference>,
+) -> [String; 3] {
+    let loss = match drawn {
+        Some((median, quantiles)) => interval(median, quantiles, false),
+        None => Digits::of_decimals(1).rounded(loss_w),
     };
-    match &finish.difference {
+    match difference {
         None => [loss, "reference".to_owned(), "reference".to_owned()],
         Some(difference) => {
             let [watts, percent] = difference_with_interval(difference);
@@ -169,11 +210,11 @@ pub fn verdict([first, other]: [&str; 2], difference: &PairedDifference) -> Stri
 
 /// Explanation of the intervals.
 pub(super) fn note(comparison: &Comparison) -> String {
-    let drawn = comparison
+    let is_drawn = comparison
         .finishes
         .iter()
-        .filter_map(|finish| finish.uncertainty.as_ref());
-    match drawn.map(|uncertainty| uncertainty.draws).max() {
+        .any(|finish| finish.drawn_w().is_some());
+    match is_drawn.then(Predictive::count) {
         None => "without an uncertainty of the loss".to_owned(),
         Some(draws) => format!(
             "medians of {draws} draws, in brackets their 5 and 95 % quantiles; all finishes share the draws, but model error and sampling of the flanks are drawn for each"
@@ -189,10 +230,10 @@ pub(super) fn scope(comparison: &Comparison) -> String {
     };
     let with = |finish: &FinishResult| {
         let gearbox = finish.gearbox.as_ref()?;
-        let efficiency = match &finish.uncertainty {
-            Some(uncertainty) => {
-                let percent = uncertainty.digits().of_percent(gearbox.power_in_w);
-                let median = uncertainty.loss.median_w + gearbox.parts_w;
+        let efficiency = match finish.drawn_w() {
+            Some((median, quantiles)) => {
+                let percent = Digits::of_interval(quantiles).of_percent(gearbox.power_in_w);
+                let median = median + gearbox.parts_w;
                 percent.rounded(100.0 * (1.0 - median / gearbox.power_in_w))
             }
             None => format!("{:.4}", 100.0 * gearbox.efficiency),
@@ -204,7 +245,16 @@ pub(super) fn scope(comparison: &Comparison) -> String {
     let parts = first.parts.iter().zip(stated_parts(&losses));
     let parts = parts.map(|(part, loss)| format!("{} {loss}", part.name));
     format!(
-        "scope gearbox: the values above are of the mesh; with {} from the input and without a band ({}), the efficiency of the gearbox is {}",
+        "scope gearbox: the values above are of the {}; with {} from the input and without a band ({}), the efficiency of the gearbox is {}",
+        if comparison
+            .finishes
+            .iter()
+            .any(|finish| finish.meshes.is_empty())
+        {
+            "mesh"
+        } else {
+            "meshes"
+        },
         stated(first.parts_w),
         parts.collect::<Vec<_>>().join(", "),
         efficiencies.join(", "),

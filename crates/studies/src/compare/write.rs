@@ -3,12 +3,13 @@
 use std::borrow::Cow;
 use std::path::Path;
 
+use asperity::result::Regime;
 use asperity_report::tables::{BODIES, FlankTables, write as write_table};
 use asperity_report::{ReportError, StudyResult};
 use asperity_storage::cell;
 use serde::Serialize;
 
-use super::comparison::{Comparison, FinishResult};
+use super::comparison::{Comparison, FinishResult, PairOfFinish};
 use super::page;
 use super::summary::summary;
 use super::windows::WindowRoughness;
@@ -28,6 +29,9 @@ impl StudyResult for Comparison {
 
     fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
         finishes(self, &folder.join("compare.csv"))?;
+        if self.finishes.iter().any(|finish| finish.pair.is_none()) {
+            return write_table(&folder.join("meshes.csv"), meshes(self));
+        }
         offsets(self, &folder.join("offsets.csv"))?;
         write_table(&folder.join("path.csv"), path(self))?;
         write_table(&folder.join("traces.csv"), traces(self))?;
@@ -54,26 +58,23 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         change_percent: Option<f64>,
         change_p05_percent: Option<f64>,
         change_p95_percent: Option<f64>,
-        mixed_share_percent: f64,
-        regime: &'static str,
+        mixed_share_percent: Option<f64>,
+        regime: Option<&'static str>,
         gearbox_efficiency_percent: Option<f64>,
         gearbox_loss_w: Option<f64>,
     }
     write_table(
         file,
         comparison.finishes.iter().map(|finish| {
-            let loss = finish
-                .uncertainty
-                .as_ref()
-                .map(|uncertainty| &uncertainty.loss);
+            let loss = finish.drawn_w();
             let difference = finish.difference.as_ref();
             FinishRow {
                 finish: cell(&finish.name),
                 efficiency_percent: 100.0 * finish.efficiency,
                 loss_w: finish.loss_w,
-                loss_median_w: loss.map(|loss| loss.median_w),
-                loss_p05_w: loss.map(|loss| loss.quantiles_w[0]),
-                loss_p95_w: loss.map(|loss| loss.quantiles_w[1]),
+                loss_median_w: loss.map(|(median, _)| median),
+                loss_p05_w: loss.map(|(_, quantiles)| quantiles[0]),
+                loss_p95_w: loss.map(|(_, quantiles)| quantiles[1]),
                 difference_w: difference.map(|difference| difference.median_w),
                 difference_p05_w: difference.map(|difference| difference.quantiles_w[0]),
                 difference_p95_w: difference.map(|difference| difference.quantiles_w[1]),
@@ -82,13 +83,52 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
                     .map(|difference| 100.0 * difference.share_quantiles[0]),
                 change_p95_percent: difference
                     .map(|difference| 100.0 * difference.share_quantiles[1]),
-                mixed_share_percent: 100.0 * finish.mixed_share,
-                regime: finish.regime.name(),
+                mixed_share_percent: finish.mixed_share.map(|share| 100.0 * share),
+                regime: finish.regime.map(Regime::name),
                 gearbox_efficiency_percent: finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency),
                 gearbox_loss_w: finish.gearbox.as_ref().map(|g| g.loss_w),
             }
         }),
     )
+}
+
+/// Row of `meshes.csv`: a mesh of a gear train with a finish, or one of its equal meshes.
+#[derive(Serialize)]
+struct MeshRow<'a> {
+    finish: Cow<'a, str>,
+    mesh: Cow<'a, str>,
+    count: u32,
+    loss_w: f64,
+    loss_median_w: Option<f64>,
+    loss_p05_w: Option<f64>,
+    loss_p95_w: Option<f64>,
+    difference_w: Option<f64>,
+    difference_p05_w: Option<f64>,
+    difference_p95_w: Option<f64>,
+    mixed_share_percent: f64,
+    regime: &'static str,
+}
+
+fn meshes(comparison: &Comparison) -> impl Iterator<Item = MeshRow<'_>> {
+    comparison.finishes.iter().flat_map(|finish| {
+        finish.meshes.iter().map(|mesh| {
+            let difference = mesh.difference.as_ref();
+            MeshRow {
+                finish: cell(&finish.name),
+                mesh: cell(&mesh.mesh),
+                count: mesh.count,
+                loss_w: mesh.loss_w,
+                loss_median_w: mesh.loss_median_w,
+                loss_p05_w: mesh.loss_quantiles_w.map(|ends| ends[0]),
+                loss_p95_w: mesh.loss_quantiles_w.map(|ends| ends[1]),
+                difference_w: difference.map(|difference| difference.median_w),
+                difference_p05_w: difference.map(|difference| difference.quantiles_w[0]),
+                difference_p95_w: difference.map(|difference| difference.quantiles_w[1]),
+                mixed_share_percent: 100.0 * mesh.mixed_share,
+                regime: mesh.regime.name(),
+            }
+        })
+    })
 }
 
 /// Row of `path.csv`: the local loss of a finish.
@@ -102,9 +142,9 @@ struct PathRow<'a> {
 }
 
 fn path(comparison: &Comparison) -> impl Iterator<Item = PathRow<'_>> {
-    comparison.finishes.iter().flat_map(|finish| {
-        let quantiles = finish.result.path_loss_quantiles();
-        let rows = finish.result.path.iter().enumerate();
+    pairs(comparison).flat_map(|(finish, pair)| {
+        let quantiles = pair.result.path_loss_quantiles();
+        let rows = pair.result.path.iter().enumerate();
         rows.map(move |(k, row)| {
             let quantiles = quantiles.as_ref().map(|rows| rows[k]);
             PathRow {
@@ -161,12 +201,20 @@ fn spectra(comparison: &Comparison) -> impl Iterator<Item = SpectrumBand<'_>> {
     })
 }
 
+/// The finishes of a pair of gears with their runs.
+pub(super) fn pairs(
+    comparison: &Comparison,
+) -> impl Iterator<Item = (&FinishResult, &PairOfFinish)> {
+    let finishes = comparison.finishes.iter();
+    finishes.filter_map(|finish| Some((finish, finish.pair.as_ref()?)))
+}
+
 /// The flanks with a trace.
 fn flanks(
     comparison: &Comparison,
 ) -> impl Iterator<Item = (&FinishResult, &'static str, &FlankTables)> {
-    comparison.finishes.iter().flat_map(|finish| {
-        let bodies = BODIES.iter().zip(&finish.tables);
+    pairs(comparison).flat_map(|(finish, pair)| {
+        let bodies = BODIES.iter().zip(&pair.tables);
         bodies.filter_map(move |(flank, tables)| Some((finish, *flank, tables.as_ref()?)))
     })
 }
@@ -186,7 +234,7 @@ fn offsets(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         rvk_composite_um: f64,
     }
     let rows = comparison.finishes.iter().flat_map(|finish| {
-        let both = finish.offsets.iter().zip(&finish.roughness);
+        let both = finish.offsets.iter().zip(finish.roughness());
         both.map(|(row, window): (_, &WindowRoughness)| OffsetRow {
             finish: cell(&finish.name),
             offset: row.offset,

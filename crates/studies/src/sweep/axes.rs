@@ -1,6 +1,7 @@
 //! The crossed axes of a study.
 
-use asperity::case::{FILE_KEYS, FileSums, LoadedCase};
+use asperity::case::gear_train::LoadedTrain;
+use asperity::case::{FILE_KEYS, FileSums};
 use toml::Value;
 
 use super::amount::{Amount, text_of, written};
@@ -57,15 +58,15 @@ impl Axes {
     }
 
     /// Hashes of the files that `case` reads at any point of the axes.
-    pub(super) fn files(&self, case: &LoadedCase) -> FileSums {
-        let mut inputs = vec![case.case.input.clone()];
+    pub(super) fn files(&self, case: &LoadedTrain) -> FileSums {
+        let mut inputs = vec![case.input.clone()];
         for axis in self.0.iter().filter(|axis| axis.names_files()) {
             let crossed = inputs.iter().flat_map(|input| {
                 axis.nodes.iter().map(|(_, settings)| {
                     let mut input = input.clone();
                     for (key, value) in settings {
                         // A key that cannot be set is an error of its cases, which then read no files.
-                        let _ = set(&mut input, &case.case.defaults, key, value);
+                        let _ = set(&mut input, &case.defaults, key, value);
                     }
                     input
                 })
@@ -84,12 +85,28 @@ impl CrossedAxis {
                 .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
         };
         let names_files = |key: &str| {
-            let mut keys = FILE_KEYS.iter();
+            let key = &*key_of_pair(key);
+            let mut keys = FILE_KEYS.iter().chain([&"gearbox.tables"]);
             keys.any(|file| is_within(file, key) || is_within(key, file))
         };
         let settings = self.nodes.iter().flat_map(|(_, settings)| settings);
         settings.map(|(key, _)| key.as_str()).any(names_files)
     }
+}
+
+/// The key of a pair of gears for a key of a mesh of a gear train, or of sun, planet and ring.
+fn key_of_pair(key: &str) -> String {
+    let of_mesh = match key.strip_prefix("mesh.") {
+        None => key,
+        // A whole mesh has its flanks.
+        Some(rest) => rest.split_once('.').map_or("surface", |(_, key)| key),
+    };
+    let gear = |part| match part {
+        "sun" | "planet" => "pinion",
+        "ring" => "wheel",
+        part => part,
+    };
+    of_mesh.split('.').map(gear).collect::<Vec<_>>().join(".")
 }
 
 fn axis(input: &AxisInput) -> Result<CrossedAxis, SweepError> {
@@ -145,5 +162,24 @@ fn some(name: String, nodes: Vec<(String, Settings)>) -> Result<CrossedAxis, Swe
     match nodes.is_empty() {
         true => Err(SweepError::key(&name, "has no values")),
         false => Ok(CrossedAxis { name, nodes }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::key_of_pair;
+
+    #[test]
+    fn keys_of_meshes_are_read_as_keys_of_a_pair() {
+        for (key, of_pair) in [
+            ("surface.pinion.file", "surface.pinion.file"),
+            ("mesh.first.surface.wheel.file", "surface.wheel.file"),
+            ("surface.planet.traces", "surface.pinion.traces"),
+            ("mesh.set.surface.ring", "surface.wheel"),
+            ("mesh.first", "surface"),
+            ("operation.torque", "operation.torque"),
+        ] {
+            assert_eq!(key_of_pair(key), of_pair);
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! The cases of a study by number.
 
 use asperity::case::LoadedCase;
+use asperity::case::gear_train::LoadedTrain;
 use asperity_core::numerics::standard_normal_quantile;
 use toml::Value;
 
@@ -307,13 +308,13 @@ fn list(study: &Study) -> Result<Sample, SweepError> {
 pub(super) fn resolved(
     study: &Study,
     inputs: &CaseInputs,
-) -> Result<(LoadedCase, String), SweepError> {
+) -> Result<(LoadedTrain, String), SweepError> {
     let base = &study.case;
-    let mut input = base.case.input.clone();
+    let mut input = base.input.clone();
     for (key, value) in &inputs.settings {
-        set(&mut input, &base.case.defaults, key, value)?;
+        set(&mut input, &base.defaults, key, value)?;
     }
-    let case = base.with(|now| *now = input)?;
+    let case = base.with_input(input)?;
     // All rows of a study must be computed from the same content of each file.
     for (name, sum) in case.files_read() {
         if study.sums.get(&name) != Some(&sum) {
@@ -324,7 +325,7 @@ pub(super) fn resolved(
     Ok((case, id))
 }
 
-/// Key of the inputs on which the contact tables of a case depend, so that cases can share them.
+/// Key of the inputs on which the contact tables of a mesh depend, so that cases can share them.
 pub(super) fn key_of_tables(case: &LoadedCase) -> Option<String> {
     let mut input = serde_json::to_value(&case.case.input).ok()?;
     let root = input.as_object_mut()?;

@@ -36,7 +36,7 @@ pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
     Ok(Merged {
         name: study.name.clone(),
         study: study.hash.clone(),
-        title: study.case.case.title.clone(),
+        title: study.case.title.clone(),
         cases: count,
         failed: rows.values().filter(has_code).count(),
         sha256: sha256(&table),

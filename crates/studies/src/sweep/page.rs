@@ -57,8 +57,8 @@ fn axes(merged: &Merged) -> Vec<Drawing> {
         .collect()
 }
 
-/// A result over an axis: over a number a line and a range, of choices their ranges about the mean of all; `None` for a
-/// constant axis.
+/// A result over an axis: over a number a line and a range, of choices their ranges about the mean of all, or bars if
+/// each is a single case; `None` for a constant axis.
 fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
     let output = Output::of(name);
     let id = format!("{name}-over-{}", axis.name.replace(['.', ' '], "-"));
@@ -112,6 +112,23 @@ fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
             };
             let intervals: Vec<Interval> = choices.iter().filter_map(interval).collect();
             let [middle, ..] = group(&|_| true)?;
+            // Of a single case at each choice there is no range to draw.
+            if intervals.iter().all(|of| of.ends[0] == of.ends[1]) {
+                let bars = intervals.into_iter().map(|of| Bar {
+                    name: of.name,
+                    value: Some(of.ends[0]),
+                    spread: None,
+                    text: of.text.trim_start_matches("mean ").to_owned(),
+                });
+                let bars: Vec<Bar> = bars.collect();
+                return (bars.len() > 1).then_some(Drawing::Bars(BarChart {
+                    id,
+                    title,
+                    source: source.to_owned(),
+                    axis: y,
+                    bars,
+                }));
+            }
             (intervals.len() > 1).then_some(Drawing::Tornado(Tornado {
                 id,
                 title,

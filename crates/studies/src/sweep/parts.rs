@@ -76,21 +76,33 @@ pub(super) fn header(study: &Study, list: &CaseList) -> Vec<String> {
 
 /// Columns of the results.
 pub(super) fn outputs(study: &Study) -> Vec<String> {
-    /// Default columns of the summary.
-    const USUAL: [&str; 6] = [
-        "efficiency",
-        "loss_w",
-        "sliding_w",
-        "rolling_w",
-        "mu_equivalent",
-        "mixed_share",
-    ];
-    /// Additional default columns if the case states losses of its gearbox; the other columns are for the mesh.
+    /// Default columns, also of a gear train.
+    const USUAL: [&str; 4] = ["efficiency", "loss_w", "sliding_w", "rolling_w"];
+    /// Further default columns of a pair of gears.
+    const OF_PAIR: [&str; 2] = ["mu_equivalent", "mixed_share"];
+    /// Further default columns if the case states losses of its gearbox; the other columns are for the meshes.
     const OF_GEARBOX: [&str; 2] = ["gearbox_efficiency", "gearbox_loss_w"];
-    let has_gearbox = study.case.case.gearbox.is_some();
-    let more = OF_GEARBOX.into_iter().filter(|_| has_gearbox);
-    let usual = || USUAL.into_iter().chain(more).map(str::to_owned).collect();
-    study.input.columns.clone().unwrap_or_else(usual)
+    if let Some(columns) = &study.input.columns {
+        return columns.clone();
+    }
+    let train = &study.case;
+    let has_gearbox = match train.pair() {
+        Some(pair) => pair.case.gearbox.is_some(),
+        None => train.gearbox.is_some(),
+    };
+    let of_pair = OF_PAIR.iter().filter(|_| train.pair().is_some());
+    let of_gearbox = OF_GEARBOX.iter().filter(|_| has_gearbox);
+    let usual = USUAL.iter().chain(of_pair).chain(of_gearbox);
+    let mut names: Vec<String> = usual.map(ToString::to_string).collect();
+    names.extend(train.heat.iter().map(|_| "oil_c".to_owned()));
+    if train.pair().is_none() {
+        names.extend(
+            train
+                .meshes()
+                .map(|mesh| format!("mesh.{}.loss_w", mesh.name)),
+        );
+    }
+    names
 }
 
 /// Table as text.

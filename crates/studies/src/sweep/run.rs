@@ -6,12 +6,15 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use asperity::case::LoadedCase;
+use asperity::case::gear_train::LoadedTrain;
 use asperity::core::cancel::checkpoint;
-use asperity::pipeline::{contacts, losses, losses_with};
+use asperity::gear_train::{TrainResult, run_train, train_losses};
+use asperity::pipeline::{KeptFields, contacts, losses, losses_with};
 use asperity::result::{Losses, Summary};
-use asperity::uncertainty::{Quantiles, predictive};
+use asperity::uncertainty::{Predictive, Quantiles, predictive};
 use asperity::{Contacts, Error, Run};
 use rayon::prelude::*;
+use serde_json::{Value, json};
 
 use super::case_list::{CaseList, key_of_tables, resolved};
 use super::error::SweepError;
@@ -169,35 +172,54 @@ fn is_drawn(name: &str) -> bool {
     DRAWN.contains(&name)
 }
 
-/// Summary of a case, and median, 5 and 95 % quantiles of its draws if they are requested and the case has some.
-type Found = (Summary, Option<[f64; 3]>);
+/// Numbers of a case by the names of their columns, and median, 5 and 95 % quantiles of its draws if they are requested and
+/// the case has some.
+type Found = (Value, Option<[f64; 3]>);
 
 fn result(
     study: &Study,
-    case: &LoadedCase,
+    case: &LoadedTrain,
     shared: Option<&SharedTables>,
     with_draws: bool,
 ) -> Result<Found, Error> {
     let columns = |median, [low, high]: [f64; 2]| [median, low, high];
-    if study.input.detail.unwrap_or_default() == Detail::Contacts {
-        let run = Run::new(case).without_pictures().band(with_draws);
+    let of_draws = |found: Quantiles| columns(found.median_w, found.quantiles_w);
+    let with_contacts = study.input.detail.unwrap_or_default() == Detail::Contacts;
+    let of_mesh = |case: &LoadedCase| mesh_losses(case, shared, with_draws);
+    let Some(pair) = case.pair() else {
+        let found = match with_contacts {
+            true => run_train(case, &KeptFields::Highest, with_draws, &|_, _| {})?.result,
+            false => train_losses(case, &of_mesh)?,
+        };
+        return Ok((numbers_of(&found), found.loss_distribution.map(of_draws)));
+    };
+    let numbers = |summary: &Summary| serde_json::to_value(summary).unwrap_or_default();
+    if with_contacts {
+        let run = Run::new(pair).without_pictures().band(with_draws);
         let found = run.execute()?.result;
         let drawn = found.uncertainty.map(|found| found.loss);
         return Ok((
-            found.summary,
+            numbers(&found.summary),
             drawn.map(|loss| columns(loss.median_w, loss.quantiles_w)),
         ));
     }
+    let (losses, draws) = of_mesh(pair)?;
+    let drawn = draws.map(|draws| of_draws(Quantiles::of(&draws.draws_w())));
+    Ok((numbers(&losses.summary), drawn))
+}
+
+/// Losses of a mesh with its draws, if they are requested and it has some.
+fn mesh_losses(
+    case: &LoadedCase,
+    shared: Option<&SharedTables>,
+    with_draws: bool,
+) -> Result<(Losses, Option<Predictive>), Error> {
     let drawn = |losses: Losses, tables: Option<&Contacts>| {
         let draws = match with_draws {
             true => predictive(case, &losses, tables)?,
             false => None,
         };
-        let found = draws.map(|draws| Quantiles::of(&draws.draws_w()));
-        Ok((
-            losses.summary,
-            found.map(|found| columns(found.median_w, found.quantiles_w)),
-        ))
+        Ok((losses, draws))
     };
     if let Some(tables) = shared.and_then(|shared| tables(case, shared)) {
         // Tables of another contact are an error here; the case is then computed without them.
@@ -208,7 +230,36 @@ fn result(
     drawn(losses(case)?, None)
 }
 
-/// The contact tables of a case, computed on first use.
+/// The numbers of a gear train by the names of their columns, which are those of a pair of gears where both have them; those
+/// of its meshes begin with `mesh.NAME.`.
+fn numbers_of(result: &TrainResult) -> Value {
+    let kinds = &result.kinds;
+    let gearbox = result.gearbox.as_ref();
+    let mut numbers = json!({
+        "efficiency": result.efficiency,
+        "loss_w": result.loss_w,
+        "power_in_w": result.power_in_w,
+        "sliding_w": kinds.film_w + kinds.lubricated_asperity_w + kinds.boundary_w,
+        "gearbox_efficiency": gearbox.map(|gearbox| gearbox.efficiency),
+        "gearbox_loss_w": gearbox.map(|gearbox| gearbox.loss_w),
+        "oil_c": result.heat.as_ref().map(|heat| heat.oil_c),
+    });
+    let mut add = |prefix: String, row: Value| {
+        if let (Some(all), Value::Object(row)) = (numbers.as_object_mut(), row) {
+            all.extend(
+                row.into_iter()
+                    .map(|(name, value)| (format!("{prefix}{name}"), value)),
+            );
+        }
+    };
+    add(String::new(), json!(kinds));
+    for mesh in &result.meshes {
+        add(format!("mesh.{}.", mesh.mesh), json!(mesh));
+    }
+    numbers
+}
+
+/// The contact tables of a mesh, computed on first use.
 fn tables(case: &LoadedCase, shared: &SharedTables) -> Option<Arc<Contacts>> {
     let key = key_of_tables(case)?;
     let lock = || shared.lock().unwrap_or_else(PoisonError::into_inner);
@@ -225,16 +276,15 @@ fn tables(case: &LoadedCase, shared: &SharedTables) -> Option<Arc<Contacts>> {
 }
 
 /// The columns of a case, or an error code.
-fn values((summary, drawn): &Found, names: &[String]) -> Result<Vec<String>, String> {
-    let value = serde_json::to_value(summary).map_err(|_| "E501".to_owned())?;
+fn values((value, drawn): &Found, names: &[String]) -> Result<Vec<String>, String> {
     let of_draws = |name: &str| {
         let place = DRAWN.iter().position(|drawn| *drawn == name)?;
         Some(drawn.as_ref()?[place].to_string())
     };
     let of = |name: &String| match value.get(name) {
         _ if is_drawn(name) => Ok(of_draws(name).unwrap_or_default()),
-        Some(serde_json::Value::Number(number)) => Ok(number.to_string()),
-        Some(serde_json::Value::Null) => Ok(String::new()),
+        Some(Value::Number(number)) => Ok(number.to_string()),
+        Some(Value::Null) => Ok(String::new()),
         _ => Err("E402".to_owned()),
     };
     names.iter().map(of).collect()

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::{self, FileSums, LoadedCase, gear_train};
+use asperity::case::gear_train::{self, LoadedTrain};
+use asperity::case::{self, FileSums};
 use asperity::fingerprint::Fingerprint;
 use asperity_storage::{whole_file, whole_text};
 
@@ -21,8 +22,8 @@ pub(super) const LARGEST_TABLE: u64 = 1_000_000_000;
 #[derive(Debug, Clone)]
 pub struct Study {
     pub(super) input: StudyInput,
-    /// The case of the study.
-    pub case: LoadedCase,
+    /// The case of the study, a pair of gears or a gear train.
+    pub case: LoadedTrain,
     /// Name of the study, without folder and extension.
     pub name: String,
     /// First sixteen hexadecimal digits of the fingerprint of all inputs of the study: the study, its table, the case, the
@@ -68,19 +69,23 @@ impl Study {
     ///
     /// # Errors
     /// When the text is not a valid study, or a file cannot be read.
-    pub fn of_case(case: LoadedCase, text: &str, folder: &Path) -> Result<Self, SweepError> {
+    pub fn of_case(
+        case: impl Into<LoadedTrain>,
+        text: &str,
+        folder: &Path,
+    ) -> Result<Self, SweepError> {
         let input = serde_json::from_str(text).map_err(|error| SweepError::Study {
             path: IN_MEMORY.into(),
             message: error.to_string(),
         })?;
         let name = (IN_MEMORY.to_owned(), folder.to_owned());
-        Self::of(input, text, case, name)
+        Self::of(input, text, case.into(), name)
     }
 
     fn of(
         input: StudyInput,
         text: &str,
-        case: LoadedCase,
+        case: LoadedTrain,
         (name, folder): (String, PathBuf),
     ) -> Result<Self, SweepError> {
         let table = match input
@@ -118,20 +123,28 @@ impl Study {
 }
 
 /// The case in `file`, or the mesh called `mesh` of the gear train in it.
-fn case_of(file: &Path, mesh: Option<&str>) -> Result<LoadedCase, SweepError> {
-    let Some(train) = gear_train::load(file)? else {
-        return Ok(case::load(file, None)?);
+fn case_of(file: &Path, mesh: Option<&str>) -> Result<LoadedTrain, SweepError> {
+    let refused = |message: String| SweepError::Study {
+        path: file.to_owned(),
+        message,
     };
-    let found = mesh.and_then(|mesh| train.mesh(mesh));
-    found
-        .map(|mesh| mesh.case.clone())
-        .ok_or_else(|| SweepError::Study {
-            path: file.to_owned(),
-            message: format!(
-                "`mesh` of the study must name one of the meshes {}",
-                train.names()
-            ),
-        })
+    let (train, mesh) = match (gear_train::load(file)?, mesh) {
+        (None, None) => return Ok(case::load(file, None)?.into()),
+        (None, Some(_)) => {
+            return Err(refused(
+                "has a single mesh; leave `mesh` out of the study".to_owned(),
+            ));
+        }
+        (Some(train), None) => return Ok(train),
+        (Some(train), Some(mesh)) => (train, mesh),
+    };
+    let found = train.mesh(mesh).map(|mesh| mesh.case.clone().into());
+    found.ok_or_else(|| {
+        let names = train.names();
+        refused(format!(
+            "`mesh` of the study must name one of the meshes {names}"
+        ))
+    })
 }
 
 /// The first sixteen digits of a fingerprint.

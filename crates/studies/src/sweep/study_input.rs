@@ -13,7 +13,7 @@ pub(super) struct StudyInput {
     /// Case file, relative to the study; not used for a case in memory.
     #[serde(default)]
     pub case: Option<PathBuf>,
-    /// Mesh of the case, if it is a gear train.
+    /// Single mesh of a gear train that the study is of.
     pub mesh: Option<String>,
     pub detail: Option<Detail>,
     pub columns: Option<Vec<String>>,

@@ -24,6 +24,16 @@ const UNITS: [(&str, &str); 5] = [
 impl Output {
     /// The result in the column `name`.
     pub(super) fn of(name: &str) -> Self {
+        if let Some((mesh, column)) = name
+            .strip_prefix("mesh.")
+            .and_then(|rest| rest.rsplit_once('.'))
+        {
+            let of_mesh = Self::of(column);
+            return Self {
+                name: format!("{} of {mesh}", of_mesh.name),
+                ..of_mesh
+            };
+        }
         let is_share = name.ends_with("share") || name.ends_with("efficiency");
         let unit = UNITS.into_iter().find(|(ending, _)| name.ends_with(ending));
         let (stem, unit, factor) = match (is_share, unit) {
@@ -111,6 +121,10 @@ mod tests {
         assert_eq!(named("loss_w"), ("loss".to_owned(), "W"));
         assert_eq!(named("sliding_w"), ("sliding loss".to_owned(), "W"));
         assert_eq!(named("efficiency"), ("efficiency".to_owned(), "%"));
+        assert_eq!(
+            named("mesh.first.loss_w"),
+            ("loss of first".to_owned(), "W")
+        );
         assert_eq!(
             named("mu_equivalent"),
             ("equivalent friction".to_owned(), "")

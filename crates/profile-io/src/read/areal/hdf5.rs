@@ -12,7 +12,7 @@ use hdf5_reader::messages::datatype::Datatype;
 use hdf5_reader::{Attribute, Dataset, H5Type, Hdf5File, OpenOptions};
 
 use super::bytes::{Plain, part};
-use super::mat::chosen;
+use super::chosen::chosen;
 use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::archive::{damaged, most_unpacked};
 use crate::read::error::ReadError;

@@ -4,6 +4,7 @@
 //! is read, ignoring case.
 
 use super::bytes::part;
+use super::chosen::chosen;
 use super::mat_elements::arrays;
 use super::raw::{Layout, Raw};
 use super::trace::{Areal, HeightUnit, Heights};
@@ -11,21 +12,22 @@ use crate::read::archive::damaged;
 use crate::read::error::ReadError;
 use crate::read::format::Format;
 use crate::read::metadata::short;
-use crate::read::table::shortened;
 
 const FORMAT: Format = Format::Matlab;
 /// Version and byte order, at the end of the header.
 const LEVEL_5: &[u8] = b"\x00\x01IM";
 const LEVEL_7_3: &[u8] = b"\x00\x02IM";
-/// Names of the array of heights among several arrays.
-const NAMES: [&str; 4] = ["z", "heights", "height", "profile"];
 
-/// Reads the heights.
+/// Whether the file is of level 7.3, which is HDF5.
+pub(super) fn is_hdf5(bytes: &[u8]) -> bool {
+    part(bytes, 124, 4) == Some(LEVEL_7_3)
+}
+
+/// Reads the heights of a file of level 5.
 pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
     match part(bytes, 124, 4) {
         Some(LEVEL_5) => {}
-        Some(LEVEL_7_3) => return super::hdf5_read(file, bytes, FORMAT),
         _ => return Err(fault("only level 5 with the low byte first is read", "")),
     }
     let mut all =
@@ -55,34 +57,4 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     found.unit = HeightUnit::Unstated;
     found.metadata.title = short(&name);
     Ok(found)
-}
-
-/// The only array, or of several the one with the name of heights, in whichever group it is.
-pub(super) fn chosen<T>(
-    file: &str,
-    format: Format,
-    mut all: Vec<(String, T)>,
-) -> Result<(String, T), ReadError> {
-    let is_named = |(name, _): &(String, T)| {
-        let name = name.rsplit('/').next().unwrap_or_default().to_lowercase();
-        NAMES.contains(&name.as_str())
-    };
-    let at = match all.len() {
-        0 => {
-            return Err(ReadError::NotHeights {
-                file: file.to_owned(),
-                format,
-                content: "no array of real numbers",
-            });
-        }
-        1 => 0,
-        _ => all.iter().position(is_named).ok_or_else(|| {
-            let names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
-            ReadError::SeveralArrays {
-                file: file.to_owned(),
-                names: shortened(&names.join(", ")),
-            }
-        })?,
-    };
-    Ok(all.swap_remove(at))
 }

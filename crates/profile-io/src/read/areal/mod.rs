@@ -6,6 +6,7 @@
 
 mod al3d;
 pub(super) mod bytes;
+mod chosen;
 mod gwy;
 #[cfg(feature = "hdf5")]
 mod hdf5;
@@ -52,7 +53,13 @@ pub(crate) fn read(
         Format::Opd => opd::read(file, held(stream)?)?,
         Format::SdfBinary => sdf_binary::read(file, held(stream)?)?,
         Format::Opdx => opdx::read(file, held(stream)?)?,
-        Format::Matlab => mat::read(file, &held(stream)?)?,
+        Format::Matlab => {
+            let bytes = held(stream)?;
+            match mat::is_hdf5(&bytes) {
+                true => hdf5_read(file, &bytes, format)?,
+                false => mat::read(file, &bytes)?,
+            }
+        }
         Format::Gwyddion => gwy::read(file, &held(stream)?)?,
         Format::NanosurfNid => nid::read(file, held(stream)?)?,
         Format::IgorWave => ibw::read(file, &held(stream)?)?,

@@ -1,0 +1,167 @@
+"""Writes docs/PYTHON_API.md: everything public with its signature and doc string.
+
+    python crates/python/reference.py          # after building the module
+"""
+
+import ast
+import inspect
+import re
+import sys
+from pathlib import Path
+
+import asperity
+from asperity import _asperity
+
+FILE = Path(__file__).resolve().parents[2] / "docs" / "PYTHON_API.md"
+HEAD = """# Python API
+
+<!-- Written by crates/python/reference.py from signatures and doc strings. -->
+
+Everything public of the module `asperity`; [PYTHON.md](PYTHON.md) has rules, examples and laws written in Python. Types
+of arguments are in `asperity.keys` and written as in Python: `Scalar` is a number in SI units or text with a unit,
+`Quantity` text with a unit or a quantity of pint, `Numbers` a number, a list or an array of them.
+"""
+TOPICS = {
+    "Cases": "Case read_result demo from_rexs rexs_contents RexsCase",
+    "Results of a case": "RunResult Summary Path Fields Regime",
+    "Profiles": "read_profile generate Profile Parts Parameters",
+    "Contacts": "solve_contact press_flanks subsurface_stress Contact Stress ehl EhlRecord",
+    "Laws over arrays": "hertz film_thickness thermal_reduction friction_coefficient",
+    "Studies": "compare Comparison map read_map Map cycle Cycle sensitivity Sensitivity sweep Sweep",
+    "Measurements": "calibrate Calibration design Design evidence Evidence",
+    "Oils": "oil_traction Traction oil_plan OilPlan oil_fit OilFit stribeck Stribeck",
+    "The library": "gears steels oils",
+    "Errors and warnings": "AsperityError AsperityWarning Place explain Explanation",
+    "Tables and charts": "Record Table Chart",
+}
+# Columns are listed in FILE_FORMATS.md, kinds of laws are keywords.
+NOT_LISTED = ("ResultName", "SummaryName", "PathColumn", "MapName", "LawOf")
+
+
+def signature(name, function, begin=""):
+    """The call of a function with the types of its arguments, on lines of at most 100 letters."""
+    given = inspect.signature(function)
+    parts, kinds = [], inspect.Parameter
+    before = None
+    for one in given.parameters.values():
+        if one.name in ("self", "cls"):
+            continue
+        if before == kinds.POSITIONAL_ONLY != one.kind:
+            parts.append("/")
+        if one.kind == kinds.KEYWORD_ONLY and before not in (kinds.KEYWORD_ONLY, kinds.VAR_POSITIONAL):
+            parts.append("*")
+        star = {kinds.VAR_POSITIONAL: "*", kinds.VAR_KEYWORD: "**"}.get(one.kind, "")
+        kind = "" if one.annotation is one.empty else f": {one.annotation}"
+        default = "" if one.default is one.empty else f" = {one.default!r}"
+        parts.append(f"{star}{one.name}{kind}{default}")
+        before = one.kind
+    back = "" if given.return_annotation is given.empty or given.return_annotation == "None" else f" -> {given.return_annotation}"
+    line = f"{begin}{name}({', '.join(parts)}){back}"
+    if len(line) <= 100:
+        return line
+    body = "".join(f"    {part},\n" for part in parts)
+    return f"{begin}{name}(\n{body}){back}"
+
+
+def prose(text):
+    """A doc string as Markdown: sections of arguments as lists, examples as code."""
+    lines, found, in_list, in_code = inspect.cleandoc(text).splitlines(), [], False, False
+    for line in lines:
+        is_code = line.startswith((">>> ", "... ")) or (in_code and line.startswith("    "))
+        if is_code != in_code:
+            found += ["```" if in_code else "```python"]
+            in_code = is_code
+        if is_code:
+            found.append(re.sub(r"\s*# doctest:.*", "", line[4:]))
+            continue
+        line = line.replace("``", "`")
+        if line in ("Args:", "Attributes:"):
+            in_list = True
+            found.append("")
+        elif in_list and (entry := re.match(r"    (\w[\w, *]*): (.*)", line)):
+            names = ", ".join(f"`{name.strip()}`" for name in entry[1].split(","))
+            found.append(f"- {names}: {entry[2]}")
+        elif in_list and line.startswith("        "):
+            found.append(f"  {line.strip()}")
+        else:
+            in_list = in_list and not line
+            found.append(line)
+    return "\n".join([*found, "```"] if in_code else found)
+
+
+def first(text):
+    """The first paragraph of a doc string on one line."""
+    return " ".join(inspect.cleandoc(text).replace("``", "`").split("\n\n")[0].split())
+
+
+def documented_fields(kind):
+    """Fields of a named tuple with their types and the texts that follow them in the source."""
+    (node,) = ast.parse(inspect.getsource(kind)).body
+    for field, after in zip(node.body, [*node.body[1:], None]):
+        if isinstance(field, ast.AnnAssign):
+            is_text = isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant)
+            text = f": {first(after.value.value)}" if is_text else ""
+            yield f"- `{field.target.id}: {ast.unparse(field.annotation)}`{text}"
+
+
+def members(kind):
+    """Public members of a class by name, with the members of bases that have no entry of their own."""
+    found = {}
+    for base in reversed(kind.__mro__):
+        is_own = base is kind or (base.__module__.startswith("asperity._") and base.__name__ not in asperity.__all__)
+        if is_own:
+            found.update({key: member for key, member in vars(base).items() if not key.startswith("_")})
+    return sorted(found.items())
+
+
+def of_class(name, kind):
+    """A class with its bases, its call where users make it, and its members."""
+    text = [f"### {name}", ""]
+    if "Args:" in kind.__doc__:
+        text += ["```python", signature(name, kind.__init__, "class "), "```", ""]
+    text += [prose(kind.__doc__), ""]
+    bases = [base.__name__ for base in kind.__mro__[1:] if base.__name__ in (*asperity.__all__, "ValueError", "UserWarning")]
+    if bases:
+        text += [f"Base: `{bases[0]}`.", ""]
+    if issubclass(kind, tuple):
+        return "\n".join([*text, *documented_fields(kind)])
+    for key, member in members(kind):
+        member = member.__func__ if isinstance(member, (classmethod, staticmethod)) else member
+        getter = getattr(member, "fget", None) or getattr(member, "func", None)
+        if getter is not None:
+            text.append(f"- `.{key}: {inspect.signature(getter).return_annotation}`: {first(getter.__doc__)}")
+        elif inspect.isfunction(member):
+            call = signature(f".{key}", member)
+            is_short = "\n" not in call and "\n\n" not in inspect.cleandoc(member.__doc__)
+            long = f"\n```python\n{call}\n```\n\n{prose(member.__doc__)}\n"
+            text.append(f"- `{call}`: {first(member.__doc__)}" if is_short else long)
+    return "\n".join(text)
+
+
+def of_function(name, function):
+    """A function with its call."""
+    return f"### {name}\n\n```python\n{signature(name, function)}\n```\n\n{prose(function.__doc__)}"
+
+
+def written():
+    """The text of the page."""
+    public = {*asperity.__all__, "map"} - {"__version__"}
+    listed = [name for names in TOPICS.values() for name in names.split()]
+    if {*listed} != public or len(listed) != len(public):
+        raise ValueError(f"names of no topic or of two: {public.symmetric_difference(listed) or listed}")
+    blocks = [HEAD]
+    for topic, names in TOPICS.items():
+        things = {name: getattr(asperity, name) for name in names.split()}
+        blocks.append(f"## {topic}\n")
+        for name, thing in things.items():
+            blocks.append((of_class if isinstance(thing, type) else of_function)(name, thing) + "\n")
+    rows = "".join(
+        f"| `{name}` | {', '.join(f'`{value}`' for value in values)} |\n" for name, values in _asperity.choices() if name not in NOT_LISTED
+    )
+    blocks.append(f"## Choices\n\nTypes of arguments that take one of these texts.\n\n| type | texts |\n|---|---|\n{rows}")
+    return re.sub(r"\n{3,}", "\n\n", "\n".join(blocks))
+
+
+if __name__ == "__main__":
+    FILE.write_text(written(), encoding="utf-8")
+    sys.exit()

@@ -1,0 +1,60 @@
+//! README and gallery: their commands print what they show, and their pictures are figures of the pages that they write.
+
+use std::fs;
+
+use asperity_tests::picture::{Figure, animated, hold_picture};
+
+use crate::bench::root;
+use crate::transcripts::{bench, holds};
+
+/// Pictures in `docs/gallery`, with the page and its figure.
+const PICTURES: [(&str, &str, &str); 10] = [
+    ("finishes", "demo-case-compare/compare.html", "local-losses"),
+    (
+        "wrong_oil",
+        "wrong_oil-sweep/sweep.html",
+        "loss_w-over-base-oil",
+    ),
+    (
+        "hot_day",
+        "hot_day-sweep/sweep.html",
+        "loss_w-over-operation-bulk_temperature",
+    ),
+    ("run_in", "run-in/report.html", "flanks-change"),
+    ("relief", "relief/report.html", "load"),
+    ("planetary", "planetary/sun_planet/report.html", "mesh"),
+    ("own_law", "own-law/report.html", "friction"),
+    ("rig", "rig/calibration.html", "measured"),
+    ("traction", "m100-traction/traction.html", "over-slide"),
+    ("cycle", "map-urban/cycle.html", "loss-0-0"),
+];
+
+#[test]
+fn the_readme_and_the_gallery_print_what_they_show_and_their_pictures_are_drawn() {
+    let bench = bench();
+    holds("README.md", &bench, 10);
+    let read = |page: &str| fs::read_to_string(bench.path("results").join(page)).unwrap();
+    let report = read("e-drive/report.html");
+    hold_picture("figures/mesh.svg", &animated(&report));
+    for (name, figure) in [("band", "band"), ("local_loss", "local-loss")] {
+        let file = format!("figures/{name}.svg");
+        hold_picture(&file, &Figure::of(&report, figure).alone());
+    }
+
+    let files = fs::read_dir(root().join("docs/gallery")).unwrap();
+    for file in files.map(|entry| entry.unwrap().path()) {
+        if file.extension().is_some_and(|ending| ending == "toml") {
+            let name = file.file_name().unwrap().to_str().unwrap();
+            fs::create_dir_all(bench.path("docs/gallery")).unwrap();
+            fs::copy(&file, bench.path("docs/gallery").join(name)).unwrap();
+        }
+    }
+    holds("docs/GALLERY.md", &bench, 20);
+    let document = fs::read_to_string(root().join("docs/GALLERY.md")).unwrap();
+    for (name, page, figure) in PICTURES {
+        let page = read(page);
+        let file = format!("gallery/{name}.svg");
+        hold_picture(&file, &Figure::of(&page, figure).alone());
+        assert!(document.contains(&format!("]({file})")), "{file}");
+    }
+}
