@@ -215,6 +215,9 @@ pub enum Command {
     Explain {
         /// The code, e.g. W402 [default: all codes]
         code: Option<String>,
+        /// Print the page docs/MESSAGES.md instead: every code with its cause and remedy
+        #[arg(long, conflicts_with_all = ["code", "json"])]
+        markdown: bool,
     },
     /// Print the JSON schema of the case file
     Schema {

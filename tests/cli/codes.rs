@@ -135,6 +135,14 @@ fn explain_prints_meaning_and_remedy_of_every_code() {
         one.contains("0.01 to 0.12") && one.contains("what to do"),
         "{one}"
     );
+    let made = bench.run(&["explain", "--markdown"]).well().out;
+    let headings = made.lines().filter(|line| line.starts_with("### "));
+    assert_eq!(headings.count(), EXPLANATIONS.len());
+    let page = fs::read_to_string(root().join("docs/MESSAGES.md")).unwrap();
+    assert_eq!(
+        page, made,
+        "asperity explain --markdown > docs/MESSAGES.md writes it anew"
+    );
     let listed = bench.run(&["explain", "--json"]).well().json();
     assert_eq!(listed.as_array().unwrap().len(), EXPLANATIONS.len());
 }

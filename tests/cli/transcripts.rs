@@ -1,7 +1,8 @@
 //! The transcripts in the documents are what the program prints.
 //!
 //! Every ```` ```sh ```` block of a document runs, line by line, in a folder of its own; every line of
-//! the ```` ```text ```` block after it must be printed, in this order. After a change of results
+//! the ```` ```text ```` block after it must be printed, in this order. A block with a file name after its language, as
+//! ```` ```toml my_case.toml ````, is that file. After a change of results
 //! `UPDATE_TRANSCRIPTS=1 cargo test -p asperity-tests --test cli transcripts` writes the new numbers
 //! into the old lines.
 
@@ -11,63 +12,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use asperity_tests::markdown::{blocks, shell_words};
+
 use crate::bench::{Bench, root};
 
 #[path = "../../crates/report/examples/own_law.rs"]
 #[allow(dead_code, reason = "its main function is the example")]
 mod own_law;
-
-/// A fenced block of a document: its language and its lines.
-struct Block<'a> {
-    language: &'a str,
-    lines: Vec<&'a str>,
-}
-
-fn blocks(document: &str) -> Vec<Block<'_>> {
-    let mut found: Vec<Block<'_>> = Vec::new();
-    let mut is_open = false;
-    for line in document.lines() {
-        match line.strip_prefix("```") {
-            Some(language) => {
-                if !is_open {
-                    let lines = Vec::new();
-                    found.push(Block { language, lines });
-                }
-                is_open = !is_open;
-            }
-            None if is_open => {
-                if let Some(block) = found.last_mut() {
-                    block.lines.push(line);
-                }
-            }
-            None => {}
-        }
-    }
-    found
-}
-
-/// The words of a line as a shell would part them; a comment is dropped.
-fn words(line: &str) -> Vec<String> {
-    let mut words = Vec::new();
-    let mut word = String::new();
-    let mut quoted = false;
-    for c in line.chars() {
-        match c {
-            '"' => quoted = !quoted,
-            '#' if !quoted && word.is_empty() => break,
-            ' ' if !quoted => {
-                if !word.is_empty() {
-                    words.push(std::mem::take(&mut word));
-                }
-            }
-            c => word.push(c),
-        }
-    }
-    if !word.is_empty() {
-        words.push(word);
-    }
-    words
-}
 
 /// A folder in which documents run; a line that two of them show runs once.
 pub struct Session {
@@ -102,7 +53,7 @@ impl Session {
 
 /// Runs a line and gives what it prints; nothing when it is not ours to run.
 fn run_line(bench: &Bench, line: &str, may_fail: bool) -> Option<String> {
-    let words = words(line);
+    let words = shell_words(line);
     let parts: Vec<&str> = words.iter().map(String::as_str).collect();
     let arguments = match parts.as_slice() {
         ["asperity", arguments @ ..] => arguments,
@@ -205,7 +156,11 @@ fn replay(session: &Session, document: &str) -> Vec<(String, String)> {
                     }
                 }
             }
-            _ => {}
+            language => {
+                if let Some((_, file)) = language.split_once(' ') {
+                    session.bench.write(file, block.lines.join("\n") + "\n");
+                }
+            }
         }
     }
     pairs
@@ -244,10 +199,10 @@ pub fn holds(name: &str, session: &Session, least: usize) {
     }
 }
 
-/// A folder with the shipped cases, and a flank under the name that documents give the reader's own.
+/// A folder with the shipped cases, and a flank under the name that the README gives the reader's own.
 pub fn bench() -> Session {
     let bench = Bench::new();
-    for folder in ["fixtures/cases", "fixtures/profiles", "fixtures/curves"] {
+    for folder in ["fixtures/cases", "fixtures/profiles"] {
         fs::create_dir_all(bench.path(folder)).unwrap();
         for entry in fs::read_dir(root().join(folder)).unwrap() {
             let path = entry.unwrap().path();
@@ -262,7 +217,44 @@ pub fn bench() -> Session {
 
 #[test]
 fn the_tutorial_prints_what_it_shows() {
-    holds("docs/TUTORIAL.md", &bench(), 40);
+    holds("docs/TUTORIAL.md", &Bench::new().into(), 40);
+}
+
+/// Pages with commands, each in an empty folder as a reader has it, and the least number of lines it shows.
+macro_rules! pages {
+    ($($test:ident: $page:literal $least:literal,)+) => {$(
+        #[test]
+        fn $test() {
+            holds($page, &Bench::new().into(), $least);
+        }
+    )+};
+}
+
+pages! {
+    the_page_on_traces_prints_what_it_shows: "docs/howto/profile.md" 12,
+    the_page_on_gears_prints_what_it_shows: "docs/howto/gears.md" 9,
+    the_page_on_oils_prints_what_it_shows: "docs/howto/oil.md" 20,
+    the_page_on_rigs_prints_what_it_shows: "docs/howto/rig.md" 30,
+    the_page_on_vehicles_prints_what_it_shows: "docs/howto/vehicle.md" 12,
+    the_page_on_what_matters_prints_what_it_shows: "docs/howto/what-matters.md" 15,
+    the_page_on_gearboxes_prints_what_it_shows: "docs/howto/trains.md" 2,
+    the_chapter_on_the_contact_prints_what_it_shows: "docs/model/contact.md" 2,
+    the_chapter_on_the_film_prints_what_it_shows: "docs/model/film.md" 2,
+    the_page_on_the_paper_prints_what_it_shows: "docs/PAPER.md" 6,
+}
+
+#[test]
+fn every_page_that_shows_output_is_replayed() {
+    let read = |file| fs::read_to_string(root().join("tests/cli").join(file)).unwrap();
+    let here = read("transcripts.rs") + &read("gallery.rs");
+    for page in asperity_tests::markdown::pages() {
+        let text = fs::read_to_string(root().join(&page)).unwrap();
+        let shown = blocks(&text);
+        let mut pairs = shown.windows(2);
+        let has_output = pairs.any(|pair| pair[0].language == "sh" && pair[1].language == "text");
+        let is_replayed = here.contains(&format!("\"{page}\""));
+        assert!(!has_output || is_replayed, "{page} is not replayed here");
+    }
 }
 
 #[test]
@@ -277,7 +269,7 @@ fn the_commands_in_the_readme_of_the_demo_run() {
 #[test]
 fn lines_of_a_shell_are_parted_as_a_shell_parts_them() {
     assert_eq!(
-        words("asperity run \"a b.toml\"  # note"),
+        shell_words("asperity run \"a b.toml\"  # note"),
         ["asperity", "run", "a b.toml"]
     );
     assert_eq!(settled("wrote x in 0.4 s"), settled("wrote x in 12.0 s"));

@@ -1,6 +1,15 @@
 //! Helpers shared by the workspace tests: cases built in the test, and traces to go with them.
 
+/// The programs of the book compile, and those without files run.
+#[cfg(doctest)]
+mod book {
+    #[doc = include_str!("../../docs/howto/embed.md")]
+    mod embed {}
+    #[doc = include_str!("../../docs/howto/law.md")]
+    mod law {}
+}
 mod case_text;
+pub mod markdown;
 pub mod parsers;
 pub mod picture;
 mod planetary_set;

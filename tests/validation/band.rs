@@ -29,7 +29,7 @@ pub fn both() -> &'static [Banded; 2] {
     BOTH.get_or_init(|| ["e-drive", "e-drive-superfinished"].map(banded))
 }
 
-/// The table of docs/VALIDATION.md.
+/// The table of docs/records/uncertainty.md.
 pub fn table() -> String {
     let mut text = String::from(
         "| e-drive | ground | superfinished | reference computation, ground and superfinished |\n|---|---|---|---|\n",

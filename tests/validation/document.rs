@@ -1,4 +1,4 @@
-//! `docs/VALIDATION.md`, `docs/EHL.md`, `docs/PAPER.md` and `README.md` show what the tests compute.
+//! `docs/VALIDATION.md`, `docs/PAPER.md`, `docs/records` and `README.md` show what the tests compute.
 //!
 //! The tables stand between `<!-- name -->` and `<!-- end -->`. `ASPERITY_WRITE=1 cargo test -p
 //! asperity-tests --test validation document` writes them anew.
@@ -69,21 +69,22 @@ fn with_tables(mut document: String, tables: &[(&str, String)]) -> String {
 fn the_documents_show_what_the_tests_compute() {
     let tables = tables();
     let mut shown = 0;
-    for name in [
-        "docs/VALIDATION.md",
-        "docs/EHL.md",
-        "docs/PAPER.md",
-        "README.md",
-    ] {
-        shown += hold(name, &tables);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut files = vec![root.join("README.md")];
+    for folder in ["docs", "docs/records"] {
+        let entries = std::fs::read_dir(root.join(folder)).unwrap();
+        let paths = entries.map(|entry| entry.unwrap().path());
+        files.extend(paths.filter(|path| path.extension().is_some_and(|e| e == "md")));
+    }
+    for file in files {
+        shown += hold(&file, &tables);
     }
     assert_eq!(shown, tables.len(), "a table has no place, or two");
 }
 
 /// Holds or writes a document; how many tables it shows.
-fn hold(name: &str, tables: &[(&str, String)]) -> usize {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name);
-    let document = std::fs::read_to_string(&path).unwrap();
+fn hold(path: &Path, tables: &[(&str, String)]) -> usize {
+    let document = std::fs::read_to_string(path).unwrap();
     let made = with_tables(document.clone(), tables);
     let places = tables.iter().filter(|(name, _)| {
         let begin = format!("<!-- {name} -->\n");
@@ -91,15 +92,17 @@ fn hold(name: &str, tables: &[(&str, String)]) -> usize {
     });
     let places = places.count();
     if std::env::var_os("ASPERITY_WRITE").is_some() {
-        std::fs::write(&path, &made).unwrap();
+        std::fs::write(path, &made).unwrap();
         return places;
     }
     for (shown, made) in document.lines().zip(made.lines()) {
         assert_eq!(
-            shown, made,
-            "the document is not up to date; see the top of this file"
+            shown,
+            made,
+            "{}: not up to date; see the top of this file",
+            path.display()
         );
     }
-    assert_eq!(document.len(), made.len(), "the document is not up to date");
+    assert_eq!(document.len(), made.len(), "{} is stale", path.display());
     places
 }

@@ -494,7 +494,7 @@ fn the_blind_records_are_compared_as_listed() {
     println!("{}", blind_table());
     let rows = blind();
     assert_eq!(rows.len(), 28);
-    // The outcome, printed in docs/EHL.md: the interval of 90 % holds fewer. Another number means that a record or the law has
+    // The outcome, printed in docs/records/ehl-blind-test.md: the interval of 90 % holds fewer. Another number means that a record or the law has
     // changed since.
     let within = rows.iter().filter(|row| is_covered(row, false)).count();
     assert_eq!(within, 19);
@@ -547,7 +547,7 @@ fn by_cause(table: &str, conditions: Vec<mixed_ehl_records::Condition>) -> Vec<B
 }
 
 #[test]
-#[ignore = "some minutes; the table of docs/EHL.md is renewed by hand"]
+#[ignore = "some minutes; the table of docs/records/ehl-blind-test.md is renewed by hand"]
 fn causes_of_the_blind_failures() {
     let blind = by_cause("blind", mixed_ehl_records::blind_conditions());
     let meshes = by_cause("gear_meshes", mixed_ehl_records::conditions());
@@ -687,7 +687,7 @@ pub fn deviation(law: GapLaw, within_reference: bool, with_undefined: bool) -> D
 fn the_solved_share_is_compared_with_every_record_that_has_one() {
     let undefined = gear_meshes().iter().filter(|row| !row.is_defined()).count();
     assert_eq!(undefined, UNDEFINED_RECORDS);
-    // The comparison of docs/EHL.md with the law `power`, on other windows, has a root mean square of .04.
+    // The comparison of docs/records/ehl-comparison.md with the law `power`, on other windows, has a root mean square of .04.
     for (law, most) in [(GapLaw::Inlet, 0.04), (GapLaw::Power, 0.08)] {
         let within = deviation(law, true, false).root_mean_square.value;
         assert!(within < most, "{law:?}: {within}");

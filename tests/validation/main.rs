@@ -2,7 +2,7 @@
 //!
 //! Validation that spans crates; the results of a single crate are proven in that crate. Each module
 //! makes tables of reference numbers with ours beside them; its tests hold them, and
-//! `docs/VALIDATION.md` shows them.
+//! `docs/VALIDATION.md` and `docs/records` show them.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may panic")]
 

@@ -79,7 +79,7 @@ fn all() -> &'static [[Banded; 3]; 2] {
     ALL.get_or_init(|| CASES.map(|(_, case, _)| runs(case)))
 }
 
-/// The table of docs/VALIDATION.md.
+/// The table of docs/records/uncertainty.md.
 pub fn table() -> String {
     let mut text = String::from(
         "| e-drive, tip relief stated | constants | loss W, median (5 to 95 %) | sd of ln loss by the constants | over the family | of it what no curve states | error of the law |\n|---|---|---|---|---|---|---|\n",

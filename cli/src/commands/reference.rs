@@ -80,6 +80,42 @@ pub fn explain(code: Option<&str>, common: &Common) -> Result<(), Failure> {
     print_text(common, &text)
 }
 
+/// Headings of the page of messages, by the first two characters of a code.
+const KINDS: [(&str, &str); 9] = [
+    ("E1", "Errors: files"),
+    ("E2", "Errors: cases and arguments"),
+    ("E3", "Errors: solutions and results"),
+    ("E4", "Errors: files to be written"),
+    ("E5", "Errors: the program"),
+    ("W1", "Warnings: traces"),
+    ("W2", "Warnings: values of a case"),
+    ("W3", "Warnings: readers"),
+    ("W4", "Warnings: results"),
+];
+
+/// `asperity explain --markdown`
+pub fn messages(common: &Common) -> Result<(), Failure> {
+    let mut page = String::from(
+        "# Messages\n\nEvery error and warning has a stable code. `asperity explain W401` prints one of these \
+         entries. This page is\nwritten by `asperity explain --markdown`.\n",
+    );
+    let escaped = |text: &str| text.replace('<', "\\<").replace('*', "\\*");
+    for (start, heading) in KINDS {
+        page += &format!("\n## {heading}\n");
+        for entry in message::EXPLANATIONS
+            .iter()
+            .filter(|entry| entry.code.starts_with(start))
+        {
+            let (title, meaning) = (escaped(entry.title), escaped(entry.meaning));
+            page += &format!("\n### {}: {title}\n\n{meaning}\n", entry.code);
+            if let Some(advice) = words::advice(entry.code) {
+                page += &format!("\n*Remedy:* {}\n", escaped(&advice));
+            }
+        }
+    }
+    print_text(common, &page)
+}
+
 fn as_json(entry: &message::Explanation) -> Value {
     json!({
         "code": entry.code,

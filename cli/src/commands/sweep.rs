@@ -38,9 +38,9 @@ fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
     match error {
         SweepError::Open { .. } => Failure::new("E103", error.to_string()),
         SweepError::Study { .. } => Failure::new("E202", error.to_string())
-            .advising("docs/FILE_FORMATS.md lists the keys of a study."),
+            .advising("docs/files/sweeps.md lists the keys of a study."),
         SweepError::Key { .. } => Failure::new("E204", format!("{study}: {error}"))
-            .advising("docs/FILE_FORMATS.md lists the keys of a study."),
+            .advising("docs/files/sweeps.md lists the keys of a study."),
         SweepError::Case(error) => Failure::of(error).adding(&format!(" (case of {study})")),
         SweepError::Storage(_) => Failure::new("E401", error.to_string()),
         SweepError::Report(error) => Failure::new(error.code(), error.to_string()),

@@ -1,4 +1,4 @@
-//! Records of gear meshes with heat, of the first 256 steps; `docs/PERFORMANCE.md` has the table.
+//! Records of gear meshes with heat, of the first 256 steps; `docs/records/performance-ehl.md` has the table.
 #![allow(clippy::expect_used, missing_docs)] // a bench stops when its record does not run
 
 use std::path::Path;

@@ -92,7 +92,7 @@ fn bands_of_eight_rigs_hold_their_truth() {
             *count += u32::from((low..=high).contains(&truth[k]));
         }
     }
-    // Of eight bands of 95 % fewer than six hold once in 170 times; a hundred rigs are in docs/VALIDATION.md.
+    // Of eight bands of 95 % fewer than six hold once in 170 times; a hundred rigs are in docs/records/calibration.md.
     assert!(held.iter().all(|count| *count >= 6), "{held:?}");
 }
 

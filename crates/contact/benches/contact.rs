@@ -1,5 +1,5 @@
 //! Time of whole solutions, planning included; of warm starts with plans kept; of the transforms
-//! that the solutions are made of; and of a stress field. `docs/PERFORMANCE.md` defines the cases.
+//! that the solutions are made of; and of a stress field. `docs/records/performance-contact.md` defines the cases.
 #![allow(
     missing_docs,
     reason = "criterion's macros make undocumented functions"

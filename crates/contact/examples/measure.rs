@@ -1,4 +1,4 @@
-//! Time, iterations and certificate of one of the problems in `docs/PERFORMANCE.md`, and the time
+//! Time, iterations and certificate of one of the problems in `docs/records/performance-contact.md`, and the time
 //! of an iteration over that of its transforms.
 //!
 //! ```text

@@ -1,4 +1,4 @@
-//! Cold steady solutions and time steps of rough contacts; `docs/PERFORMANCE.md` has the table.
+//! Cold steady solutions and time steps of rough contacts; `docs/records/performance-ehl.md` has the table.
 #![allow(
     missing_docs,
     reason = "criterion's macros make undocumented functions"

@@ -1,5 +1,5 @@
 //! The checks of the uncertainty of a loss that take minutes: bands over operating points, offsets, and how often the band
-//! holds the loss of flanks of the same recipe. docs/VALIDATION.md shows the tables; `--example uncertainty PAIRS
+//! holds the loss of flanks of the same recipe. docs/records/uncertainty.md shows the tables; `--example uncertainty PAIRS
 //! POSITIONS` sets the number of pairs of flanks and of positions.
 
 #![allow(

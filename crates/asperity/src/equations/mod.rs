@@ -119,11 +119,10 @@ pub fn markdown() -> String {
     for equation in all() {
         let keys: Vec<_> = equation.references.iter().map(|r| r.key).collect();
         page.push_str(&format!(
-            "| {} | {} | {} | [{}](../{}) | `{}` | {} |\n",
+            "| {} | {} | {} | `{}` | `{}` | {} |\n",
             equation.tag,
             cell(equation.title),
             cell(equation.formula),
-            equation.file,
             equation.file,
             equation.test,
             if keys.is_empty() {

@@ -1,4 +1,4 @@
-//! The problems that contact programs are compared on; `docs/PERFORMANCE.md` defines them in words.
+//! The problems that contact programs are compared on; `docs/records/performance-contact.md` defines them in words.
 
 #![allow(
     clippy::unwrap_used,

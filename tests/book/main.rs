@@ -1,0 +1,13 @@
+//! The book and the other documents: links, words, formulas, commands, case files and pictures hold.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests may panic"
+)]
+
+mod blocks;
+mod chapters;
+mod links;
+mod pictures;
+mod spelling;
