@@ -12,6 +12,9 @@ pub(super) const NOTE: &str = "A ridge is a part of a prepared trace above its m
     pressed. The saving of all of them together is a run of the model. Sets of the contacts, windows and relief are held in \
     the gradient. Running-in, which presses ridges too, is not in it. These are answers of the model, not measurements.";
 
+/// Least uncertainty of printed watts.
+const LEAST_W: f64 = 0.5;
+
 /// Summary of the study for the terminal.
 pub(super) fn summary(study: &Ridges) -> String {
     let mut text = format!("{}\n{}\n", one_line(&study.title), headline(study));
@@ -93,10 +96,10 @@ pub(super) fn wavelengths(octave: &OctaveRow) -> String {
 }
 
 fn short(um: f64) -> String {
-    rounded(um, 0.04 * um.max(1.0))
+    format!("{um:.1}").trim_end_matches(".0").to_owned()
 }
 
-/// Watts with two digits: more than the scatter over the windows leaves.
+/// Watts with the digits that a scatter of a tenth over the windows leaves, and at most one decimal.
 pub(super) fn watts(value: f64) -> String {
-    rounded(value, (0.1 * value.abs()).max(0.01))
+    rounded(value, (0.1 * value.abs()).max(LEAST_W))
 }
