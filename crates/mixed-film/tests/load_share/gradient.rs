@@ -105,10 +105,10 @@ fn the_gradient_over_the_heights_is_the_central_difference() {
             errors.push((found / expected - 1.0).abs());
         }
         errors.sort_by(f64::total_cmp);
-        eprintln!("{gap_law:?} heights {errors:?}");
         assert!(errors.len() >= 8);
-        assert!(errors[errors.len() / 2] < 1e-3, "{errors:?}");
-        assert!(errors[errors.len() - 2] < 2e-2, "{errors:?}");
+        // 1e-10 and 4e-5 were seen.
+        assert!(errors[errors.len() / 2] < 1e-7, "{errors:?}");
+        assert!(errors[errors.len() - 1] < 1e-3, "{errors:?}");
         // Bumps of 2 to 200 um, also outside of the contact, where only the inlet sees them.
         for (k, width) in [4, 12, 40, 100, 200, 400].into_iter().enumerate() {
             let body = k % 2;
@@ -116,8 +116,7 @@ fn the_gradient_over_the_heights_is_the_central_difference() {
             let shape = bump(flanks.heights[body].len(), middle, width);
             let found: f64 = gradient[body].iter().zip(&shape).map(|(g, s)| g * s).sum();
             let expected = quotient(flanks, &settings, body, &shape);
-            eprintln!("{gap_law:?} bump {width}: {found:e} {expected:e}");
-            assert!((found - expected).abs() < 0.03 * expected.abs().max(0.01 * largest));
+            assert!((found - expected).abs() < 1e-3 * expected.abs().max(0.01 * largest));
         }
     }
 }
