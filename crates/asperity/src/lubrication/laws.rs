@@ -40,7 +40,7 @@ use asperity_tribo_friction::FilmFriction;
 
 use crate::lubrication::load_share_law::LoadShare;
 
-/// What only a program can choose: user-defined laws, without which the choice of the case applies, and exact contacts.
+/// Choices that only a program can make: user-defined laws, without which those of the case apply, and exact contacts.
 #[derive(Debug, Clone, Default)]
 #[non_exhaustive]
 pub struct Laws {

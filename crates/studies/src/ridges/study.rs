@@ -77,7 +77,7 @@ pub struct OctaveRow {
     pub to_um: Option<f64>,
     /// d(loss)/d ln(height) of these waves of the pinion \[W\].
     pub pinion_w: f64,
-    /// The same of the wheel \[W\].
+    /// d(loss)/d ln(height) of these waves of the wheel \[W\].
     pub wheel_w: f64,
 }
 
