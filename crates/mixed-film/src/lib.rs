@@ -54,9 +54,8 @@ pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
 pub use error::LoadShareError;
 pub use film_alone::FilmAlone;
 pub use point_contact::{PointContact, PointFilm};
-pub use position_film::{
-    InletSupply, LoadShareSettings, PositionFilm, ShareGradient, SmoothFilm, SpotSpeed,
-};
+pub use position_film::gradient::ShareGradient;
+pub use position_film::{InletSupply, LoadShareSettings, PositionFilm, SmoothFilm, SpotSpeed};
 pub use rough_contact::{ContactState, RoughContact, RoughWindow, Spot};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};
 pub use trace_spectra::TraceSpectra;

@@ -1,6 +1,6 @@
 //! The film of one position at one temperature, and the load share of any window there.
 
-mod gradient;
+pub mod gradient;
 
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::line_contact::LineContact;
@@ -25,8 +25,6 @@ use crate::error::LoadShareError;
 use crate::rough_contact::{ContactState, RoughContact, Spot};
 use crate::solution::{LineLosses, LoadShareSolution, ShareEvidence};
 use crate::spots::{SpotConditions, SpotFriction};
-
-pub use gradient::ShareGradient;
 
 /// Relative step at which the secant iteration for friction ends: it leaves some 1e-12.
 const TOLERANCE: f64 = 1e-9;
