@@ -52,8 +52,15 @@ fn wrong(text: &str) -> Vec<String> {
             .collect()
     };
     let of_pair = faults(&case::check(source.clone(), folder, &[]).errors);
-    let of_train = faults(&gear_train::check(source, folder, &[]).errors);
-    // A part such as [heat] does not show which of both it belongs to.
+    // A part such as [heat] does not show that it belongs to a train.
+    let of_train = match text.contains("[planetary]") {
+        true => Ok(source),
+        false => Source::new("block.toml", &format!("{text}\n[mesh.part]\n")),
+    };
+    let of_train = match of_train {
+        Ok(source) => faults(&gear_train::check(source, folder, &[]).errors),
+        Err(error) => return vec![error.to_string()],
+    };
     match of_train.len() < of_pair.len() {
         true => of_train,
         false => of_pair,
@@ -87,7 +94,8 @@ fn judged(language: &str, lines: &[&str]) -> (Vec<String>, [usize; 2]) {
     let body = lines.join("\n");
     match language {
         "sh" | "bash" | "text" => {
-            let is_whole = |line: &&&str| line.starts_with("asperity ") && !line.ends_with('\\');
+            let is_whole =
+                |line: &&&str| line.starts_with("asperity ") && !line.ends_with(['\\', '.']);
             let commands: Vec<_> = lines.iter().filter(is_whole).collect();
             let refused = commands.iter().filter(|line| !is_accepted(line));
             let faults = refused.map(|line| format!("not a command: {line}"));
