@@ -3,7 +3,8 @@
 use std::fs;
 
 use asperity::Error;
-use asperity::case::{self, Source, gear_train};
+use asperity::case::gear_train::{self, is_train};
+use asperity::case::{self, Source};
 use asperity_cli::fuzzing::arguments;
 use asperity_tests::markdown::{blocks, pages, root, shell_words};
 
@@ -51,19 +52,14 @@ fn wrong(text: &str) -> Vec<String> {
             .map(|error| format!("{} {error}", error.code()))
             .collect()
     };
-    let of_pair = faults(&case::check(source.clone(), folder, &[]).errors);
-    // A part such as [heat] does not show that it belongs to a train.
-    let of_train = match text.contains("[planetary]") {
-        true => Ok(source),
-        false => Source::new("block.toml", &format!("{text}\n[mesh.part]\n")),
+    // [heat] does not show that it belongs to a train.
+    let source = match text.starts_with("[heat]") {
+        true => Source::new("block.toml", &format!("{text}\n[mesh.part]\n")).unwrap_or(source),
+        false => source,
     };
-    let of_train = match of_train {
-        Ok(source) => faults(&gear_train::check(source, folder, &[]).errors),
-        Err(error) => return vec![error.to_string()],
-    };
-    match of_train.len() < of_pair.len() {
-        true => of_train,
-        false => of_pair,
+    match is_train(&source) {
+        true => faults(&gear_train::check(source, folder, &[]).errors),
+        false => faults(&case::check(source, folder, &[]).errors),
     }
 }
 
