@@ -152,6 +152,11 @@ pub enum Command {
         Each row is a run of the model with one thing changed, at the same windows of the traces. To vary\n\
         keys of your own choice, with distributions, see asperity sweep.")]
     Sensitivity(SensitivityArgs),
+    /// Ridges of both flanks that cost most, and the loss by wavelength
+    #[command(after_help = "Example:\n  asperity ridges demo/case.toml\n\n\
+        The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and\n\
+        a run with the twenty dearest ridges pressed to the mean line.")]
+    Ridges(RidgesArgs),
     /// Measurements that would narrow the interval of the loss most, with their hours
     #[command(after_help = "Example:\n  asperity evidence demo/case.toml --hours traction-plan=3")]
     Evidence(EvidenceArgs),
@@ -360,6 +365,22 @@ pub struct SensitivityArgs {
     #[command(flatten)]
     pub set: SetArgs,
     /// Folder of the study [default: results/<name of the case>-sensitivity, named as for run]
+    #[arg(long, short)]
+    pub output: Option<PathBuf>,
+    /// Limits of time and memory.
+    #[command(flatten)]
+    pub work: WorkArgs,
+}
+
+/// Case of a study of ridges.
+#[derive(Debug, Args)]
+pub struct RidgesArgs {
+    /// Case file; - reads standard input
+    pub case: PathBuf,
+    /// Keys of the case set on the command line.
+    #[command(flatten)]
+    pub set: SetArgs,
+    /// Folder of the study [default: results/<name of the case>-ridges, named as for run]
     #[arg(long, short)]
     pub output: Option<PathBuf>,
     /// Limits of time and memory.

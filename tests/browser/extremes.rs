@@ -307,6 +307,15 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
         }
         // Signed: where the loss falls, the bars are left of zero.
         ("changed/sensitivity.html", _) => Some(table("sensitivity.csv").column("difference_w")),
+        ("pressed/ridges.html", "ridges") => Some(table("ridges.csv").column("first_order_w")),
+        ("pressed/ridges.html", "octaves") => {
+            let octaves = table("octaves.csv");
+            Some(octaves.map(["pinion_w", "wheel_w"], |[pinion, wheel]| pinion + wheel))
+        }
+        ("pressed/ridges.html", flank) => {
+            let trace = || table(&format!("{flank}.csv")).column("height_um");
+            (curve == "trace").then(trace)
+        }
         ("swept/sweep.html", chart) if chart.contains("-over-") => {
             let (output, axis) = chart.split_once("-over-").unwrap();
             assert_eq!(axis, "operation-torque");

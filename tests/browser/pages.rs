@@ -179,6 +179,10 @@ const COMMANDS: [(&[&str], &[&str]); 10] = [
         &["sensitivity", "case.toml", "-o", "changed"],
         &["changed/sensitivity.html"],
     ),
+    (
+        &["ridges", "case.toml", "-o", "pressed"],
+        &["pressed/ridges.html"],
+    ),
     (&["sweep", "run", "study.toml", "--parts", "parts"], &[]),
     (
         &[

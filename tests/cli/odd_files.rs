@@ -75,6 +75,8 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ("cycle", "output", Written, "map cycle.csv -o @"),
     ("sensitivity", "case", Read, "@"),
     ("sensitivity", "output", Written, "case.toml -o @"),
+    ("ridges", "case", Read, "@"),
+    ("ridges", "output", Written, "case.toml -o @"),
     ("evidence", "case", Read, "@"),
     ("evidence", "output", Written, "case.toml -o @"),
     ("sweep run", "study", Read, "@"),

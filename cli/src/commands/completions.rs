@@ -57,7 +57,7 @@ const QUESTIONS: [(&str, &[&str]); 7] = [
         "One loss",
         &["demo", "new", "check", "run", "report", "diff"],
     ),
-    ("Compare", &["compare", "sensitivity", "sweep"]),
+    ("Compare", &["compare", "sensitivity", "ridges", "sweep"]),
     ("Narrow the interval", &["evidence", "calibrate"]),
     ("Torque, speed and drive cycles", &["map", "cycle"]),
     (

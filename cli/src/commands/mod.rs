@@ -26,6 +26,7 @@ pub mod profile;
 pub mod reference;
 pub mod regime;
 pub mod report;
+pub mod ridges;
 pub mod run;
 pub mod sensitivity;
 pub mod steels;

@@ -52,6 +52,14 @@ pub enum PositionError {
         /// Teeth of pinion and wheel.
         teeth: [usize; 2],
     },
+    /// A loss whose gradient over the heights is not known.
+    #[error(
+        "the loss over the heights of the traces is known of the default model only, not with {differs}"
+    )]
+    NoGradient {
+        /// Choice that differs from the default model.
+        differs: &'static str,
+    },
     /// Contact tables of other gears, flanks or loads.
     #[error("the contact tables were made for another {differs}")]
     OtherTables {
@@ -374,6 +382,7 @@ impl PositionError {
             Self::TraceTooShort { .. } => "E122",
             Self::NotCovered { .. } => "E123",
             Self::SeveralTraces { .. } => "E312",
+            Self::NoGradient { .. } => "E205",
             Self::NoProfile => "E303",
             Self::Impossible { .. } => "E308",
             Self::Unbalanced(error) => error.code(),

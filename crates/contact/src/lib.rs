@@ -12,14 +12,13 @@
 //! | stress below the surface | [`subsurface`] |
 //! | closed forms | [`hertz_line`], [`hertz_point`], [`westergaard`], [`flat_punch`] |
 //! | the kernel and its fast product | [`strip_kernel`], [`half_plane`] |
-//! | the dense reference solver | `dense_reference` (feature `oracle`) |
+//! | the dense solver, exact to round-off, and its gradient | `dense_reference` |
 //! | files | [`array_file`] |
 
 pub mod array_file;
 pub mod boundary;
 pub mod certificate;
 mod convolution;
-#[cfg(feature = "oracle")]
 pub mod dense_reference;
 pub mod error;
 pub mod flat_punch;

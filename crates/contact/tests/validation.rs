@@ -6,7 +6,7 @@ use crate::common::{
     CYLINDER, hertz_problem, largest, periodic_problem, relative_difference, rough_gap, rough_wave,
     tight,
 };
-use asperity_contact::dense_reference::solve_dense;
+use asperity_contact::dense_reference::{FixedSets, solve_dense};
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::westergaard::Wave;
 use asperity_contact::{
@@ -138,6 +138,80 @@ fn transforms_and_the_dense_matrix_give_the_same_rough_contact() {
             assert!((fast.approach / direct.approach - 1.0).abs() < 1e-10);
             assert!(direct.steps <= 15);
         }
+    }
+}
+
+#[test]
+fn a_contact_solved_to_its_exact_sets_has_the_pressures_of_the_dense_matrix() {
+    let (gap, spacing) = rough_gap(300);
+    for limit in [None, Some(Pressure::from_si(4e9))] {
+        let problem = ContactProblem {
+            pressure_limit: limit,
+            ..hertz_problem(&gap, spacing)
+        };
+        let mut solver = Solver::new(gap.len(), problem.boundary).unwrap();
+        let settings = SolverSettings::default();
+        let exact = solver.solve_exactly(&problem, &settings).unwrap();
+        let direct = solve_dense(&problem).unwrap();
+        assert!(relative_difference(&exact.pressure, &direct.pressure) < 1e-12);
+        assert!(
+            exact.certificate.duality_gap < 1e-13,
+            "{:?}",
+            exact.certificate
+        );
+        assert!(exact.certificate.penetration < 1e-12 && exact.certificate.load_error < 1e-13);
+    }
+}
+
+#[test]
+fn the_gradient_of_a_contact_is_its_central_difference() {
+    let (gap, spacing) = rough_gap(300);
+    for limit in [None, Some(Pressure::from_si(4e9))] {
+        let problem = ContactProblem {
+            pressure_limit: limit,
+            ..hertz_problem(&gap, spacing)
+        };
+        let solution = solve_dense(&problem).unwrap();
+        let weight = |i: usize| 1e-9 * (0.3 + (i as f64).sin());
+        let by_pressure: Vec<f64> = (0..gap.len()).map(weight).collect();
+        let by_approach = 2e5;
+        let sets = FixedSets::of(&problem, &solution.pressure).unwrap();
+        let gradient = sets.gap_gradient(&by_pressure, by_approach);
+        let number = |gap: &[f64]| {
+            let start = Some(solution.pressure.as_slice());
+            let moved = solve_dense(&ContactProblem {
+                gap,
+                start,
+                ..problem
+            })
+            .unwrap();
+            let pairs = moved.pressure.iter().zip(&by_pressure);
+            pairs.map(|(p, w)| p * w).sum::<f64>() + by_approach * moved.approach.si()
+        };
+        let largest = gradient.iter().fold(0.0, |m: f64, g| m.max(g.abs()));
+        let mut seen = 0;
+        for i in (0..gap.len())
+            .filter(|i| gradient[*i].abs() > 0.01 * largest)
+            .step_by(7)
+        {
+            let quotient = |step: f64| {
+                let at = |step: f64| {
+                    let mut moved = gap.clone();
+                    moved[i] += step;
+                    number(&moved)
+                };
+                (at(step) - at(-step)) / (2.0 * step)
+            };
+            // Linear while no cell enters or leaves.
+            let found = quotient(1e-13);
+            assert!(
+                (found / gradient[i] - 1.0).abs() < 2e-4,
+                "{i}: {found} {}",
+                gradient[i]
+            );
+            seen += 1;
+        }
+        assert!(seen > 5, "{seen}");
     }
 }
 

@@ -142,11 +142,16 @@ impl Profile {
 /// assert_eq!(mirrored_window(&heights, 2, 4), [2.0, 3.0, 2.0, 1.0]);
 /// ```
 pub fn mirrored_window(heights: &[f64], start: isize, points: usize) -> Vec<f64> {
-    let last = heights.len() as isize - 1;
+    let indices = mirrored_indices(heights.len(), start, points);
+    indices.map(|i| heights[i]).collect()
+}
+
+/// Indices of `points` heights from index `start` in a trace of `length` points, which is mirrored beyond its ends.
+pub fn mirrored_indices(length: usize, start: isize, points: usize) -> impl Iterator<Item = usize> {
+    let last = length as isize - 1;
     let period = (2 * last).max(1);
-    let at = |i: isize| {
-        let i = i.rem_euclid(period);
-        heights[(if i > last { period - i } else { i }) as usize]
-    };
-    (0..points as isize).map(|k| at(start + k)).collect()
+    (0..points as isize).map(move |k| {
+        let i = (start + k).rem_euclid(period);
+        (if i > last { period - i } else { i }) as usize
+    })
 }

@@ -135,6 +135,25 @@ impl Attenuation {
         let [first, second] = self.fall;
         1.0 / (1.0 + nabla * (first + second * nabla))
     }
+
+    /// Slope dA/d ln ∇ at a wavelength.
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_ehl_regime::{Attenuation, GapLaw};
+    /// let wave = Length::from_si(20e-6);
+    /// let ratio = |nabla: f64| Attenuation::new(GapLaw::Inlet, nabla).map(|a| a.ratio(wave));
+    /// let quotient = (ratio(1e5 * 1.0001)? - ratio(1e5 * 0.9999)?) / 2e-4;
+    /// let slope = Attenuation::new(GapLaw::Inlet, 1e5)?.slope(wave);
+    /// assert!((slope / quotient - 1.0).abs() < 1e-7);
+    /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+    /// ```
+    #[must_use]
+    pub fn slope(&self, wavelength: Length) -> f64 {
+        let nabla = self.nabla_per_length * wavelength.si();
+        let [first, second] = self.fall;
+        -self.ratio_at(nabla).powi(2) * nabla * (first + 2.0 * second * nabla)
+    }
 }
 
 /// The spectrum of a whole prepared trace, to be attenuated for any contact.
@@ -202,8 +221,7 @@ impl TraceSpectrum {
     /// ```
     #[must_use]
     pub fn attenuated(&self, attenuation: &Attenuation) -> Vec<f64> {
-        let [heights, _] = Self::transformed(self, None, attenuation);
-        heights
+        self.filtered(|wavelength| attenuation.ratio(wavelength))
     }
 
     /// Heights \[m\] of two traces in the contact, as [`TraceSpectrum::attenuated`] gives each.
@@ -215,26 +233,36 @@ impl TraceSpectrum {
         attenuation: &Attenuation,
     ) -> [Vec<f64>; 2] {
         if first.points == second.points && first.spacing == second.spacing {
-            Self::transformed(first, Some(second), attenuation)
+            cite!("Attenuated-trace");
+            Self::transformed(first, Some(second), |wavelength| {
+                attenuation.ratio(wavelength)
+            })
         } else {
             [first, second].map(|trace| trace.attenuated(attenuation))
         }
+    }
+
+    /// Heights of the trace, free of their mean, each wave multiplied by `factor` of its wavelength.
+    ///
+    /// A filter is its own adjoint: Σ y F(z) = Σ F(y) z.
+    #[must_use]
+    pub fn filtered(&self, factor: impl Fn(Length) -> f64) -> Vec<f64> {
+        cite!("Attenuated-trace");
+        let [heights, _] = Self::transformed(self, None, factor);
+        heights
     }
 
     /// Heights of one trace, or of two of as many points in the real and the imaginary part of one signal.
     fn transformed(
         first: &Self,
         second: Option<&Self>,
-        attenuation: &Attenuation,
+        factor: impl Fn(Length) -> f64,
     ) -> [Vec<f64>; 2] {
-        cite!("Attenuated-trace");
-        cite!("Venner");
         let points = first.points;
         let length = points as f64 * first.spacing;
         let mut signal = vec![Complex::default(); points];
         for (k, &value) in first.spectrum.iter().enumerate().skip(1) {
-            let nabla = attenuation.nabla_per_length * length / k as f64;
-            let scale = attenuation.ratio_at(nabla) / points as f64;
+            let scale = factor(Length::from_si(length / k as f64)) / points as f64;
             let one = value * scale;
             let other = second.map_or_else(Complex::default, |trace| trace.spectrum[k] * scale);
             // Of an even number of points the last coefficient is its own mirror: real.
@@ -265,6 +293,12 @@ impl TraceSpectrum {
             let variance = mirrors * value.norm_sqr() / (points * points);
             [length / k as f64, variance]
         })
+    }
+
+    /// Distance of the points.
+    #[must_use]
+    pub fn spacing(&self) -> Length {
+        Length::from_si(self.spacing)
     }
 
     /// Number of points of the trace.

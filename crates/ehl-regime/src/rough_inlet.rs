@@ -27,7 +27,7 @@ use crate::inlet_flow::{Lay, inlet_factor};
 /// Power of Ψ in the length of the inlet: that of √(h_g · h_g Ψ) to the power 2/3.
 const LENGTH_POWER: f64 = 1.0 / 3.0;
 /// Change of ln Ψ at which the iteration ends.
-const TOLERANCE: f64 = 1e-10;
+const TOLERANCE: f64 = 1e-13;
 /// Iterations after which the change is below the tolerance whatever the roughness: it falls at least by a third each time.
 const MAX_ITERATIONS: usize = 100;
 /// Relative width of the bands in which neighbouring waves are summed; it moves σ_d² by less than 4e-6 of it.
@@ -38,6 +38,8 @@ const BAND: f64 = 1.0 / 256.0;
 pub struct PairSpectrum {
     /// Wavelength \[m\] and variance \[m²\] of each band, from the longest on.
     bands: Vec<[f64; 2]>,
+    /// Longest wave of each band \[m\].
+    longest: Vec<f64>,
 }
 
 impl PairSpectrum {
@@ -47,16 +49,20 @@ impl PairSpectrum {
         let mut waves: Vec<[f64; 2]> = traces.into_iter().flat_map(TraceSpectrum::waves).collect();
         waves.retain(|[_, variance]| *variance > 0.0);
         waves.sort_by(|a, b| b[0].total_cmp(&a[0]));
-        let mut bands = Vec::new();
+        let (mut bands, mut starts) = (Vec::new(), Vec::new());
         while let Some([longest, _]) = waves.first() {
             let shortest = (1.0 - BAND) * longest;
             let count = waves.partition_point(|[length, _]| *length > shortest);
             let variance: f64 = waves[..count].iter().map(|[_, v]| v).sum();
             let length = waves[..count].iter().map(|[l, v]| l * v).sum::<f64>() / variance;
             bands.push([length, variance]);
+            starts.push(*longest);
             waves.drain(..count);
         }
-        Self { bands }
+        Self {
+            bands,
+            longest: starts,
+        }
     }
 
     /// Standard deviation of the flattened roughness.
@@ -71,6 +77,31 @@ impl PairSpectrum {
             variance * attenuation.ratio(Length::from_si(*length)).powi(2)
         });
         Length::from_si(left.sum::<f64>().sqrt())
+    }
+}
+
+impl PairSpectrum {
+    /// Slope dσ_d²/d ln n \[m²\] over the wavelength scale of the flattening.
+    fn roughness_slope(&self, attenuation: &Attenuation) -> f64 {
+        let slope = |[length, variance]: &[f64; 2]| {
+            let wave = Length::from_si(*length);
+            2.0 * variance * attenuation.ratio(wave) * attenuation.slope(wave)
+        };
+        self.bands.iter().map(slope).sum()
+    }
+
+    /// Derivative dσ_d²/dv over the variance of a wave; the wavelength of its band is the mean over its waves.
+    fn by_variance(&self, attenuation: &Attenuation, wavelength: Length) -> f64 {
+        let after = self
+            .longest
+            .partition_point(|longest| *longest >= wavelength.si());
+        let Some([length, _]) = self.bands.get(after.saturating_sub(1)) else {
+            return 0.0;
+        };
+        let band = Length::from_si(*length);
+        let ratio = attenuation.ratio(band);
+        let off = wavelength / band - 1.0;
+        ratio * (ratio + 2.0 * attenuation.slope(band) * off)
     }
 }
 
@@ -133,6 +164,36 @@ impl RoughInlet {
                 residual: change,
                 iterations,
             },
+        })
+    }
+
+    /// Derivative d ln n/dz \[1/m\] of the wavelength scale over each height of both traces, whose variance is `waves`.
+    ///
+    /// ```text
+    /// d ln n = −(K/3)/(1 + (K/3) ∂σ_d²/∂ ln n) Σ ∂σ_d²/∂v dv,  K = (Ψ² − 1)/(2 Ψ² σ_d²)
+    /// Σ ∂σ_d²/∂v ∂v/∂z_j = (2/N) (D z)_j,  D = A² + 2 A (dA/d ln ∇)(l/l_B − 1)     [Inlet-gradient]
+    /// ```
+    ///
+    /// D filters the trace of N points; l_B is the mean wavelength of the band that holds l.
+    #[must_use]
+    pub fn scale_gradient(
+        &self,
+        waves: &PairSpectrum,
+        traces: [&TraceSpectrum; 2],
+    ) -> [Vec<f64>; 2] {
+        cite!("Inlet-gradient");
+        let attenuation = &self.attenuation;
+        let variance = waves.roughness(attenuation).si().powi(2);
+        let square = self.inlet_factor * self.inlet_factor;
+        let steepness = match variance > 0.0 {
+            true => LENGTH_POWER * (square - 1.0) / (2.0 * square * variance),
+            false => 0.0,
+        };
+        let scale = -steepness / (1.0 + steepness * waves.roughness_slope(attenuation));
+        traces.map(|trace| {
+            let each = 2.0 * scale / trace.points() as f64;
+            let by_variance = |wave| each * waves.by_variance(attenuation, wave);
+            trace.filtered(by_variance)
         })
     }
 }

@@ -371,3 +371,54 @@ fn a_lay_is_a_ratio_up_to_1_and_a_supply_has_a_factor_from_1_on() {
         );
     }
 }
+
+#[test]
+fn the_scale_of_a_rough_inlet_has_the_gradient_of_its_differences() {
+    let dx = um(0.5);
+    let wave = |length: f64, phase: f64, i: usize| {
+        (std::f64::consts::TAU * i as f64 * 0.5 / length + phase).sin()
+    };
+    let trace = |seed: f64, points: usize| -> Vec<f64> {
+        let heights = (0..points).map(|i| {
+            let waves = [7.0, 23.0, 61.0, 140.0].iter().zip(1..);
+            waves
+                .map(|(l, k)| 0.02e-6 * f64::from(k) * wave(*l, seed * f64::from(k * k), i))
+                .sum()
+        });
+        heights.collect()
+    };
+    let heights = [trace(0.7, 900), trace(1.9, 1201)];
+    let inlet = |heights: &[Vec<f64>; 2]| {
+        let spectra = heights
+            .each_ref()
+            .map(|z| TraceSpectrum::new(z, dx).unwrap());
+        let waves = PairSpectrum::of([&spectra[0], &spectra[1]]);
+        let inlet = RoughInlet::of(&waves, 1.4e5, um(0.1), Lay::GROUND).unwrap();
+        (inlet, waves, spectra)
+    };
+    let (found, waves, spectra) = inlet(&heights);
+    let gradient = found.scale_gradient(&waves, spectra.each_ref());
+    let scale = |heights: &[Vec<f64>; 2]| inlet(heights).0.attenuation.nabla_per_length().ln();
+    for body in [0, 1] {
+        let largest = gradient[body].iter().fold(0.0, |m: f64, g| m.max(g.abs()));
+        for i in [3, 111, 350, 622, 899] {
+            let at = |step: f64| {
+                let mut moved = heights.clone();
+                moved[body][i] += step;
+                scale(&moved)
+            };
+            let quotient = (at(1e-9) - at(-1e-9)) / 2e-9;
+            let off = (gradient[body][i] - quotient).abs();
+            assert!(
+                off < 1e-5 * largest,
+                "{body} {i}: {} {quotient}",
+                gradient[body][i]
+            );
+        }
+    }
+    // Flat flanks have no scale to change.
+    let flat = [vec![0.0; 8], vec![0.0; 8]];
+    let (found, waves, spectra) = inlet(&flat);
+    let none = found.scale_gradient(&waves, spectra.each_ref());
+    assert!(none.iter().flatten().all(|g| *g == 0.0));
+}

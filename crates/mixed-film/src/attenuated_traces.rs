@@ -1,8 +1,8 @@
 //! Both whole traces as the inlet of one contact leaves them.
 
-use asperity_core::DomainError;
 use asperity_core::profile::mirrored_window;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, cite};
 use asperity_ehl_regime::{Attenuation, TraceSpectrum};
 
 use crate::error::LoadShareError;
@@ -42,6 +42,28 @@ impl AttenuatedTraces {
                 })
         };
         Ok(deviation(part(0)?, part(1)?))
+    }
+
+    /// Derivative of σ_d over the sum of the heights at each point of two windows, which are mirrored beyond the ends of their
+    /// traces; zero where σ_d is.
+    ///
+    /// ```text
+    /// ∂σ_d/∂y_i = (y_i − ȳ)/(n σ_d)                                              [Rms-gradient]
+    /// ```
+    #[must_use]
+    pub fn rms_gradient(&self, starts: [isize; 2], points: usize) -> Vec<f64> {
+        cite!("Rms-gradient");
+        let [first, second] =
+            [0, 1].map(|k: usize| mirrored_window(&self.heights[k], starts[k], points));
+        let deviation = deviation(&first, &second).si();
+        let sums: Vec<f64> = first.iter().zip(&second).map(|(a, b)| a + b).collect();
+        let n = points as f64;
+        let mean = sums.iter().sum::<f64>() / n;
+        let of = |y: &f64| match deviation > 0.0 {
+            true => (y - mean) / (n * deviation),
+            false => 0.0,
+        };
+        sums.iter().map(of).collect()
     }
 
     /// The same of windows that may reach beyond the ends of their traces, where these are mirrored.

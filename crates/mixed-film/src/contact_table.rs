@@ -77,6 +77,8 @@ pub struct ContactTable {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Between<'a> {
     pub(crate) rows: [(&'a TableRow, f64); 2],
+    /// Slope of the second weight over the share.
+    pub(crate) slope: f64,
 }
 
 impl Between<'_> {
@@ -185,18 +187,48 @@ impl ContactTable {
         if k == 0 {
             return Between {
                 rows: [(&self.rows[0], 1.0), (&self.rows[0], 0.0)],
+                slope: 0.0,
             };
         }
         let (low, high) = (&self.rows[(k - 1).min(last)], &self.rows[k.min(last)]);
         let (a, b) = (abscissa(low.asperity_share), abscissa(high.asperity_share));
-        let weight = if b > a {
-            (abscissa(asperity_share) - a) / (b - a)
+        let (weight, slope) = if b > a {
+            let s = abscissa(asperity_share);
+            let slope = abscissa_slope(asperity_share);
+            ((s - a) / (b - a), slope / (b - a))
         } else {
-            0.0
+            (0.0, 0.0)
         };
         Between {
             rows: [(low, 1.0 - weight), (high, weight)],
+            slope,
         }
+    }
+
+    /// Slope g′(φ), and the derivative of g(φ) over the gap of every knot: first touch, then the rows.
+    pub(crate) fn gap_slopes(&self, asperity_share: f64) -> (f64, Vec<f64>) {
+        /// Step of the difference quotients over the gap of first touch: the interpolation is linear in the gaps of its knots
+        /// where no slope is held.
+        const STEP: f64 = 1e-6;
+        let s = abscissa(asperity_share);
+        let k = self.knots[1..self.knots.len() - 1].partition_point(|knot| knot[0] <= s);
+        let slope = hermite_slope(&self.knots[k], &self.knots[k + 1], s);
+        let step = STEP * self.first_touch.abs();
+        let by_knot = |j: usize| {
+            // Slopes follow from the nearest neighbours; at the ends from the nearest three knots.
+            if step == 0.0 || j + 2 < k || j > k + 3 {
+                return 0.0;
+            }
+            let at = |step: f64| {
+                let mut knots = self.knots.clone();
+                knots[j][1] += step;
+                set_monotone_slopes(&mut knots);
+                hermite(&knots[k], &knots[k + 1], s)
+            };
+            (at(step) - at(-step)) / (2.0 * step)
+        };
+        let all = (0..self.knots.len()).map(by_knot).collect();
+        (slope * abscissa_slope(asperity_share), all)
     }
 }
 
@@ -220,6 +252,11 @@ pub(crate) fn end_share(
 
 fn abscissa(share: f64) -> f64 {
     share.sqrt().sqrt()
+}
+
+/// d(φ^¼)/dφ
+fn abscissa_slope(share: f64) -> f64 {
+    ABSCISSA_POWER * share.powf(ABSCISSA_POWER - 1.0)
 }
 
 /// Slopes of the parabola through three neighbours, held to three times the flatter chord: no new extreme
@@ -260,6 +297,14 @@ fn hermite(a: &[f64; 3], b: &[f64; 3], x: f64) -> f64 {
     let (d0, d1, rise) = (a[2] * width, b[2] * width, b[1] - a[1]);
     let (c2, c3) = (3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise);
     a[1] + t * (d0 + t * (c2 + t * c3))
+}
+
+fn hermite_slope(a: &[f64; 3], b: &[f64; 3], x: f64) -> f64 {
+    let width = b[0] - a[0];
+    let t = (x - a[0]) / width;
+    let (d0, d1, rise) = (a[2] * width, b[2] * width, b[1] - a[1]);
+    let (c2, c3) = (3.0 * rise - 2.0 * d0 - d1, d0 + d1 - 2.0 * rise);
+    (d0 + t * (2.0 * c2 + t * 3.0 * c3)) / width
 }
 
 #[cfg(test)]

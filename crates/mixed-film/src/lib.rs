@@ -18,6 +18,7 @@
 //! | the same at twelve shares, once per window | [`ContactTable`] |
 //! | roughness flattened in the inlet | [`AttenuatedTraces`], [`TraceSpectra`] |
 //! | film, share and friction at one temperature and speed | [`PositionFilm`], [`LoadShareSolution`] |
+//! | gradient of the friction over the heights | [`ShareGradient`] |
 //! | friction of the film without asperities | [`FilmAlone`] |
 //! | film and friction of ball and disc | [`PointContact`] |
 //!
@@ -53,6 +54,7 @@ pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
 pub use error::LoadShareError;
 pub use film_alone::FilmAlone;
 pub use point_contact::{PointContact, PointFilm};
+pub use position_film::gradient::ShareGradient;
 pub use position_film::{InletSupply, LoadShareSettings, PositionFilm, SmoothFilm, SpotSpeed};
 pub use rough_contact::{ContactState, RoughContact, RoughWindow, Spot};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};

@@ -1,5 +1,7 @@
 //! The film of one position at one temperature, and the load share of any window there.
 
+pub mod gradient;
+
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::line_contact::LineContact;
 use asperity_core::numerics::{Solved, secant_root};
@@ -295,8 +297,12 @@ impl<'a> PositionFilm<'a> {
             return Ok(smooth);
         }
         self.roughness_over_film = Some(traces.roughness(&smooth) / self.mass_flow);
-        let inlet = RoughInlet::of(traces, self.nabla, self.supplied, self.settings.lay)?;
-        Ok(inlet.attenuation)
+        Ok(self.inlet(traces)?.attenuation)
+    }
+
+    fn inlet(&self, traces: &PairSpectrum) -> Result<RoughInlet, LoadShareError> {
+        let lay = self.settings.lay;
+        Ok(RoughInlet::of(traces, self.nabla, self.supplied, lay)?)
     }
 
     /// Central film of smooth flanks h_c, as it enters the friction.
@@ -571,6 +577,16 @@ impl<'a> PositionFilm<'a> {
         spots: &[(&[Spot], f64)],
     ) -> Result<([f64; 2], SpotFriction), LoadShareError> {
         let film = self.film.friction_at(rise)?;
+        let conditions = self.spot_conditions(rise);
+        let mut sum = SpotFriction::default();
+        for (spots, weight) in spots {
+            sum.add(&conditions.friction(spots)?, *weight);
+        }
+        Ok((film, sum))
+    }
+
+    /// The spots at a rise of the surface temperature.
+    fn spot_conditions(&self, rise: f64) -> SpotConditions<'a> {
         let [u1, u2] = self.contact.speeds.map(Speed::si);
         let sliding = (u1 - u2).abs();
         let entrainment = match self.settings.spot_speed {
@@ -578,19 +594,14 @@ impl<'a> PositionFilm<'a> {
             // A spot without sliding keeps the least speed that a film can be computed for.
             SpotSpeed::HalfSliding => (0.5 * sliding).max(1e-6),
         };
-        let conditions = SpotConditions {
+        SpotConditions {
             rheology: self.rheology,
             wall: Temperature::from_si(self.bulk + rise),
             modulus: self.contact.modulus.si(),
             entrainment,
             sliding,
             boundary_layer: self.settings.boundary_layer,
-        };
-        let mut sum = SpotFriction::default();
-        for (spots, weight) in spots {
-            sum.add(&conditions.friction(spots)?, *weight);
         }
-        Ok((film, sum))
     }
 
     fn shared(&self, phi: f64, film: f64, spots: &SpotFriction) -> SharedFriction {

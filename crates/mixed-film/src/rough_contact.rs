@@ -5,6 +5,7 @@
 
 use std::f64::consts::PI;
 
+use asperity_contact::dense_reference::FixedSets;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::{
     Boundary, ContactProblem, ContactSolution, Control, Solver, SolverSettings,
@@ -114,6 +115,7 @@ pub struct RoughContact {
     flow_pressure: f64,
     max_hertz: f64,
     settings: SolverSettings,
+    is_exact: bool,
 }
 
 impl RoughContact {
@@ -182,7 +184,17 @@ impl RoughContact {
             flow_pressure: flow,
             max_hertz,
             settings: window.settings,
+            is_exact: false,
         })
+    }
+
+    /// Solves every contact to its exact sets, with `exact`: the error of the pressures is then round-off.
+    #[must_use]
+    pub fn exactly(self, exact: bool) -> Self {
+        Self {
+            is_exact: exact,
+            ..self
+        }
     }
 
     /// Mean gap where the flanks, deformed by the whole film pressure, first touch anywhere in the window.
@@ -232,7 +244,10 @@ impl RoughContact {
             pressure_limit: Some(Pressure::from_si(limit)),
             start: start.as_deref(),
         };
-        let solution = self.solver.solve(&problem, &self.settings)?;
+        let solution = match self.is_exact {
+            true => self.solver.solve_exactly(&problem, &self.settings)?,
+            false => self.solver.solve(&problem, &self.settings)?,
+        };
         self.last = Some((phi, solution.pressure.clone()));
         Ok(self.state(phi, solution))
     }
@@ -248,12 +263,93 @@ impl RoughContact {
         ContactState {
             asperity_share: phi,
             mean_gap: Length::from_si(core / self.core.len() as f64),
-            spots: spots(&solution.pressure, self.spacing),
+            spots: (runs(&solution.pressure))
+                .map(|cells| Spot::of(&solution.pressure[cells], self.spacing))
+                .collect(),
             area: touching.count() as f64 / self.inside.len() as f64,
             max_pressure: Pressure::from_si(highest),
             dissipated: solution.dissipated,
             solution,
         }
+    }
+
+    /// Points of the window.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.undeformed.len()
+    }
+
+    /// Derivative of a number J over the heights of the composite window, with the sets of the contact `state` held.
+    /// `by_gap` is ∂J/∂(mean gap) and `by_spots` ∂J/∂f_k and ∂J/∂b_k of every spot.
+    ///
+    /// ```text
+    /// ∂J/∂p_i = ∂J/∂f_k dx + ∂J/∂b_k (2 b_k/f_k) (1 − p_i f_k/∫ p² dx) dx + ∂J/∂g Σ_j A_ji/N
+    /// ∂J/∂z = −∂J/∂h,  ∂J/∂h_j = ∂J/∂g/N outside of the contact              [Share-contact-gradient]
+    /// ```
+    ///
+    /// j are the points of the middle 0.8 of the Hertz contact that stay apart, N is the number of all its points.
+    ///
+    /// # Errors
+    /// When the contact has too many touching points.
+    pub(crate) fn height_gradient(
+        &mut self,
+        state: &ContactState,
+        by_gap: f64,
+        by_spots: &[[f64; 2]],
+    ) -> Result<Vec<f64>, LoadShareError> {
+        cite!("Share-contact-gradient");
+        let pressure = &state.solution.pressure;
+        let fluid = 1.0 - state.asperity_share;
+        let problem = ContactProblem {
+            pressure_limit: Some(Pressure::from_si(
+                self.flow_pressure - fluid * self.max_hertz,
+            )),
+            ..ContactProblem::new(
+                &self.undeformed,
+                self.spacing,
+                self.modulus,
+                LineLoad::from_si(state.asperity_share * self.load),
+            )
+        };
+        let sets = FixedSets::of(&problem, pressure)?;
+        let each = by_gap / self.core.len() as f64;
+        let mut apart = vec![0.0; pressure.len()];
+        for i in self.core.clone() {
+            if pressure[i] == 0.0 && state.solution.gap[i] > 0.0 {
+                apart[i] = each;
+            }
+        }
+        let by_approach: f64 = -apart.iter().sum::<f64>();
+        let mut by_pressure = vec![0.0; pressure.len()];
+        let cell = (self.spacing, self.modulus);
+        self.solver.displacement(cell, &apart, &mut by_pressure)?;
+        let dx = self.spacing.si();
+        for ((cells, spot), [by_load, by_width]) in runs(pressure).zip(&state.spots).zip(by_spots) {
+            let (f, b) = (spot.load.si(), spot.width.si());
+            let of_width = by_width * 2.0 * b / f;
+            // f_k/∫ p² dx
+            let inverse = b / (HERTZ_WIDTH * f);
+            for i in cells {
+                by_pressure[i] += dx * (by_load + of_width * (1.0 - pressure[i] * inverse));
+            }
+        }
+        let through_contact = sets.gap_gradient(&by_pressure, by_approach);
+        let both = apart.iter().zip(&through_contact);
+        Ok(both.map(|(direct, by_gap)| -direct - by_gap).collect())
+    }
+
+    /// Derivative of `by_gap` times the mean gap of first touch over the heights of the composite window.
+    pub(crate) fn first_touch_gradient(&self, by_gap: f64) -> Vec<f64> {
+        let gap = |i: usize| self.undeformed[i] + self.hertz_displacement[i];
+        let mut gradient = vec![0.0; self.undeformed.len()];
+        for i in self.core.clone() {
+            gradient[i] -= by_gap / self.core.len() as f64;
+        }
+        let first = (0..gradient.len()).min_by(|i, j| gap(*i).total_cmp(&gap(*j)));
+        if let Some(first) = first {
+            gradient[first] += by_gap;
+        }
+        gradient
     }
 
     /// Largest Hertz pressure on the cells.
@@ -264,12 +360,14 @@ impl RoughContact {
 }
 
 /// Runs of neighbouring cells under pressure.
-fn spots(pressure: &[f64], spacing: Length) -> Vec<Spot> {
-    pressure
-        .chunk_by(|p, q| (*p > 0.0) == (*q > 0.0))
-        .filter(|cells| cells[0] > 0.0)
-        .map(|cells| Spot::of(cells, spacing))
-        .collect()
+fn runs(pressure: &[f64]) -> impl Iterator<Item = std::ops::Range<usize>> {
+    let mut end = 0;
+    let all = pressure.chunk_by(|p, q| (*p > 0.0) == (*q > 0.0));
+    let cells = all.map(move |cells| {
+        end += cells.len();
+        end - cells.len()..end
+    });
+    cells.filter(|cells| pressure[cells.start] > 0.0)
 }
 
 #[cfg(test)]

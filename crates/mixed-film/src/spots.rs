@@ -14,7 +14,7 @@ use asperity_core::cite;
 use asperity_core::quantity::{Length, Pressure, Speed, Temperature};
 use asperity_ehl_regime::FilmGroups;
 use asperity_ehl_regime::film_line::moes;
-use asperity_oil::FilmRheology;
+use asperity_oil::{FilmOilState, FilmRheology};
 use asperity_tribo_friction::boundary::boundary_share;
 
 use crate::error::LoadShareError;
@@ -22,6 +22,9 @@ use crate::rough_contact::Spot;
 
 /// Thinnest film that the shear rate of a spot is taken of.
 const THINNEST: f64 = 1e-9;
+
+/// Relative step of the difference quotients of a spot's friction.
+const SLOPE_STEP: f64 = 1e-4;
 
 /// Data common to all spots of a contact.
 #[derive(Debug, Clone, Copy)]
@@ -57,6 +60,11 @@ impl SpotFriction {
         }
     }
 
+    /// Friction coefficient (1 − β) μ_a + β μ_b with the coefficient `boundary` of the boundary layer.
+    pub(crate) fn total(&self, boundary: f64) -> f64 {
+        self.lubricated + self.boundary_share * boundary
+    }
+
     /// This and another by their weights.
     pub(crate) fn add(&mut self, other: &Self, weight: f64) {
         self.boundary_share += weight * other.boundary_share;
@@ -78,32 +86,10 @@ impl SpotConditions<'_> {
     pub(crate) fn friction(&self, spots: &[Spot]) -> Result<SpotFriction, LoadShareError> {
         cite!("Spot-friction");
         let state = self.rheology.state(self.wall)?;
-        let modulus = 2.0 * self.modulus;
-        let material = state.pressure_viscosity.si() * modulus;
         let (mut total, mut sum) = (0.0, SpotFriction::default());
         for spot in spots {
-            let (f, b) = (spot.load.si(), spot.width.si());
-            let radius = PI * self.modulus * 0.25 * b * b / (4.0 * f);
-            let groups = FilmGroups {
-                material,
-                speed: state.viscosity.si() * self.entrainment / (modulus * radius),
-                load: f / (modulus * radius),
-            };
-            let film = moes(&groups, Length::from_si(radius))?;
-            let beta = boundary_share(film, self.boundary_layer)?.clamp(0.0, 1.0);
-            let pressure = f / b;
-            let stress = self.rheology.shear_stress(
-                Pressure::from_si(pressure),
-                self.wall,
-                Speed::from_si(self.sliding),
-                Length::from_si(film.si().max(THINNEST)),
-            )?;
-            let friction = SpotFriction {
-                boundary_share: beta,
-                lubricated: (1.0 - beta) * stress.value / pressure,
-                film: film.si(),
-            };
-            sum.add(&friction, f);
+            let f = spot.load.si();
+            sum.add(&self.of_spot(&state, [f, spot.width.si()])?, f);
             total += f;
         }
         let mut mean = SpotFriction::default();
@@ -111,5 +97,67 @@ impl SpotConditions<'_> {
             mean.add(&sum, 1.0 / total);
         }
         Ok(mean)
+    }
+
+    /// Derivatives of the mean friction coefficient of `spots`, with the coefficient `boundary` of the boundary layer, over
+    /// load and width of each spot \[m/N, 1/m\].
+    ///
+    /// ```text
+    /// B = Σ f_k e_k/Σ f_k:  ∂B/∂f_k = (e_k + f_k ∂e/∂f − B)/Σ f,  ∂B/∂b_k = f_k ∂e/∂b/Σ f      [Spot-gradient]
+    /// ```
+    ///
+    /// The friction e(f, b) of one spot is smooth; its slopes are central difference quotients.
+    ///
+    /// # Errors
+    /// When a spot has no film.
+    pub(crate) fn slopes(
+        &self,
+        spots: &[Spot],
+        boundary: f64,
+    ) -> Result<Vec<[f64; 2]>, LoadShareError> {
+        cite!("Spot-gradient");
+        let state = self.rheology.state(self.wall)?;
+        let at = |f: f64, b: f64| -> Result<f64, LoadShareError> {
+            Ok(self.of_spot(&state, [f, b])?.total(boundary))
+        };
+        let total: f64 = spots.iter().map(|spot| spot.load.si()).sum();
+        let mean = self.friction(spots)?.total(boundary);
+        let slopes = |spot: &Spot| {
+            let (f, b, h) = (spot.load.si(), spot.width.si(), SLOPE_STEP);
+            let by_load = (at(f * (1.0 + h), b)? - at(f * (1.0 - h), b)?) / (2.0 * h);
+            let by_width = f * (at(f, b * (1.0 + h))? - at(f, b * (1.0 - h))?) / (2.0 * h * b);
+            Ok([at(f, b)? + by_load - mean, by_width].map(|slope| slope / total))
+        };
+        spots.iter().map(slopes).collect()
+    }
+
+    /// Friction and film of a spot with load and width `[f, b]`.
+    fn of_spot(
+        &self,
+        state: &FilmOilState,
+        [f, b]: [f64; 2],
+    ) -> Result<SpotFriction, LoadShareError> {
+        let modulus = 2.0 * self.modulus;
+        let material = state.pressure_viscosity.si() * modulus;
+        let radius = PI * self.modulus * 0.25 * b * b / (4.0 * f);
+        let groups = FilmGroups {
+            material,
+            speed: state.viscosity.si() * self.entrainment / (modulus * radius),
+            load: f / (modulus * radius),
+        };
+        let film = moes(&groups, Length::from_si(radius))?;
+        let beta = boundary_share(film, self.boundary_layer)?.clamp(0.0, 1.0);
+        let pressure = f / b;
+        let stress = self.rheology.shear_stress(
+            Pressure::from_si(pressure),
+            self.wall,
+            Speed::from_si(self.sliding),
+            Length::from_si(film.si().max(THINNEST)),
+        )?;
+        Ok(SpotFriction {
+            boundary_share: beta,
+            lubricated: (1.0 - beta) * stress.value / pressure,
+            film: film.si(),
+        })
     }
 }

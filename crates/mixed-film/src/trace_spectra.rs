@@ -66,7 +66,11 @@ impl TraceSpectra {
         whole.insert(attenuated).mirrored_rms(starts, points)
     }
 
-    fn of_whole(&self, traces: [&Profile; 2]) -> Result<&[TraceSpectrum; 2], LoadShareError> {
+    /// Spectra of both whole traces.
+    ///
+    /// # Errors
+    /// When a trace has fewer than two points.
+    pub fn of_whole(&self, traces: [&Profile; 2]) -> Result<&[TraceSpectrum; 2], LoadShareError> {
         if let Some(known) = self.whole.get() {
             return Ok(known);
         }

@@ -9,5 +9,6 @@ pub mod estimate;
 pub mod export;
 pub mod figures;
 pub mod map;
+pub mod ridges;
 pub mod sensitivity;
 pub mod sweep;

@@ -10,6 +10,7 @@ use asperity::gear_train::{TrainResult, run_train};
 use asperity::pipeline::KeptFields;
 use asperity::uncertainty::Verdict;
 use asperity_report::StudyResult as _;
+use asperity_storage::whole_text;
 use asperity_studies::compare::{Finish, FinishResult, compare};
 use asperity_studies::cycle::{cycle, evaluate};
 use asperity_studies::export::Field;
@@ -226,7 +227,7 @@ fn a_comparison_of_a_train_has_the_losses_of_its_runs_and_the_differences_of_its
     );
     let folder = tempfile::tempdir().unwrap();
     found.write((), &folder.path().join("compare")).unwrap();
-    let rows = std::fs::read_to_string(folder.path().join("compare/meshes.csv")).unwrap();
+    let rows = whole_text(&folder.path().join("compare/meshes.csv"), 100_000).unwrap();
     assert_eq!(
         rows.lines().filter(|row| !row.starts_with('#')).count(),
         1 + 4 * 2,

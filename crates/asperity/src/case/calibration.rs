@@ -1,5 +1,6 @@
 //! Parameters calibrated on a rig, with their 95 % bands.
 
+use asperity_core::numerics::Cholesky;
 use asperity_core::quantity::{Length, Pressure};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -138,22 +139,7 @@ pub(crate) fn cholesky(
 ) -> Option<Vec<Vec<f64>>> {
     /// Smallest square of a pivot: a correlation of 1 - 5e-7.
     const LEAST: f64 = 1e-6;
-    let mut lower = vec![vec![0.0; n]; n];
-    for i in 0..n {
-        for j in 0..=i {
-            let known: f64 = (0..j).map(|k| lower[i][k] * lower[j][k]).sum();
-            let left = correlation(i, j) - known;
-            if !left.is_finite() || (i == j && left < LEAST) {
-                return None;
-            }
-            lower[i][j] = if i == j {
-                left.sqrt()
-            } else {
-                left / lower[j][j]
-            };
-        }
-    }
-    Some(lower)
+    Cholesky::new(n, correlation, LEAST).map(|factor| factor.lower().to_vec())
 }
 
 #[cfg(test)]

@@ -30,5 +30,6 @@ pub(crate) fn rough_window(
             tolerance: case.model.tolerance.min(LOOSEST_TOLERANCE),
             ..SolverSettings::default()
         },
-    })?)
+    })?
+    .exactly(case.laws.exact_contacts))
 }

@@ -299,6 +299,7 @@ fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
     .to_vec();
     let noise = case.preparation.lambda_s.map_or(0.0, |cutoff| cutoff.si());
     bits.push(noise.to_bits());
+    bits.push(u64::from(case.laws.exact_contacts));
     bits.extend(case.face_zones.iter().map(|edge| edge.to_bits()));
     for met in surfaces.each() {
         if let Some(placement) = met.placement() {

@@ -17,7 +17,7 @@ use crate::flanks::local_roughness::{Roughness, peaks};
 use crate::flanks::placement::Placement;
 use crate::flanks::surrogate_record::SurrogateRecord;
 use crate::mesh::MeshPosition;
-use asperity_ehl_regime::{Attenuation, PairSpectrum};
+use asperity_ehl_regime::{Attenuation, PairSpectrum, TraceSpectrum};
 use asperity_mixed_film::AttenuatedTraces;
 use asperity_mixed_film::TraceSpectra;
 
@@ -263,8 +263,9 @@ impl Surfaces {
         self.rz[body].unwrap_or(window).si()
     }
 
-    /// The flanks with other traces.
-    pub(crate) fn with_traces(&self, traces: [Profile; 2]) -> Self {
+    /// The flanks with other traces, of one pair.
+    #[must_use]
+    pub fn with_traces(&self, traces: [Profile; 2]) -> Self {
         Self::new(
             traces.map(Texture::Trace),
             self.noise_cutoff,
@@ -360,12 +361,17 @@ impl Surfaces {
         Ok(found?)
     }
 
+    /// Spectra of both whole traces.
+    pub(crate) fn whole_spectra(&self) -> Result<&[TraceSpectrum; 2], PositionError> {
+        Ok(self.spectra.of_whole(self.traces()?)?)
+    }
+
     /// Variance of both traces by wavelength.
     pub(crate) fn pair_spectrum(&self) -> Result<&PairSpectrum, PositionError> {
         Ok(self.spectra.pair(self.traces()?)?)
     }
 
-    fn traces(&self) -> Result<[&Profile; 2], PositionError> {
+    pub(crate) fn traces(&self) -> Result<[&Profile; 2], PositionError> {
         match self.textures() {
             [Texture::Trace(first), Texture::Trace(second)] => Ok([first, second]),
             _ => Err(PositionError::NoProfile),

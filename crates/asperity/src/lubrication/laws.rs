@@ -40,7 +40,7 @@ use asperity_tribo_friction::FilmFriction;
 
 use crate::lubrication::load_share_law::LoadShare;
 
-/// User-defined laws; without one the choice of the case applies.
+/// Choices that only a program can make: user-defined laws, without which those of the case apply, and exact contacts.
 #[derive(Debug, Clone, Default)]
 #[non_exhaustive]
 pub struct Laws {
@@ -52,6 +52,9 @@ pub struct Laws {
     pub load_distribution: Option<Arc<dyn LoadDistribution>>,
     /// Film against asperities, in place of `model.load_share`.
     pub load_share: Option<Arc<dyn LoadShare>>,
+    /// Solve every rough contact to its exact sets: slower, and its error is round-off, so that differences of losses can be
+    /// taken over small steps.
+    pub exact_contacts: bool,
 }
 
 impl Laws {

@@ -2,6 +2,7 @@
 
 use asperity_core::Checked;
 use asperity_core::line_contact::LineContact;
+use asperity_core::profile::mirrored_indices;
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::{Attenuation, Lay};
 
@@ -126,6 +127,80 @@ impl<'a> RoughFilm<'a> {
         }
         let table = ContactTable::build(&mut rough)?;
         Ok(self.film.share(contact.table.get_or_init(|| table), rms)?)
+    }
+}
+
+/// Gradient of a number over the heights of both traces, summed over the windows of a position.
+pub(crate) struct HeightGradient {
+    /// Over the heights in the rough contacts.
+    direct: [Vec<f64>; 2],
+    /// Over the heights that the inlet has flattened.
+    flattened: [Vec<f64>; 2],
+}
+
+impl HeightGradient {
+    pub(crate) fn none(surfaces: &Surfaces) -> Result<Self, PositionError> {
+        let zeros = || Ok::<_, PositionError>(surfaces.traces()?.map(|t| vec![0.0; t.len()]));
+        Ok(Self {
+            direct: zeros()?,
+            flattened: zeros()?,
+        })
+    }
+}
+
+impl RoughFilm<'_> {
+    /// Adds the gradient of `force` times the friction coefficient of a window whose contact is stored.
+    ///
+    /// # Errors
+    /// As [`share`](Self::share).
+    pub(crate) fn add_gradient(
+        &mut self,
+        (contact, window): (&WindowContact, Window),
+        composite: impl Fn() -> Result<(Vec<f64>, Length), PositionError>,
+        force: f64,
+        sums: &mut HeightGradient,
+    ) -> Result<(), PositionError> {
+        let Some(table) = contact.table.get() else {
+            return Ok(());
+        };
+        let rms = self.window_rms(window)?;
+        let (heights, spacing) = composite()?;
+        let mut rough = rough_window(self.case, &self.contact, &heights, spacing)?;
+        let scale = self.case.model.friction_scale;
+        let found = self.film.gradient(&mut rough, table, rms, scale)?;
+        let (starts, points) = (window.starts, window.points);
+        let spectra = self.surfaces.whole_spectra()?;
+        let attenuation = match self.attenuation {
+            Some(known) => known,
+            None => self.film.attenuation(self.surfaces.pair_spectrum()?)?,
+        };
+        let traces = (self.traces)
+            .get_or_insert_with(|| AttenuatedTraces::new(spectra.each_ref(), &attenuation));
+        let of_rms = traces.rms_gradient(starts, points);
+        for body in [0, 1] {
+            let [direct, flattened] = [&mut sums.direct[body], &mut sums.flattened[body]];
+            let places = mirrored_indices(direct.len(), starts[body], points);
+            for ((i, by_height), by_sum) in places.zip(&found.by_height).zip(&of_rms) {
+                direct[i] += force * by_height;
+                flattened[i] += force * found.by_rms * by_sum;
+            }
+        }
+        Ok(())
+    }
+
+    /// The gradient over the heights of the traces.
+    pub(crate) fn gradient(&self, sums: HeightGradient) -> Result<[Vec<f64>; 2], PositionError> {
+        let spectra = self.surfaces.whole_spectra()?;
+        let pair = self.surfaces.pair_spectrum()?;
+        let mut gradient = self.film.unflattened(spectra, pair, &sums.flattened)?;
+        for (sum, direct) in gradient
+            .iter_mut()
+            .flatten()
+            .zip(sums.direct.iter().flatten())
+        {
+            *sum += direct;
+        }
+        Ok(gradient)
     }
 }
 

@@ -17,7 +17,7 @@ use super::full_film::FullFilm;
 use super::full_film_solution::full_film_at;
 use super::plausibility::{check_position, plausible_film};
 use super::position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
-use super::rough_film::RoughFilm;
+use super::rough_film::{HeightGradient, RoughFilm};
 use crate::case::{Case, Formulation, FullFilmName};
 use crate::contacts::{Pressed, Pressing, WindowContact, full_film};
 use crate::error::PositionError;
@@ -219,6 +219,33 @@ impl Lubrication<'_> {
         let decided = self.decided((at, &film), contacts, recorded)?;
         let decisions = decided.into_iter().map(|decided| decided.decision);
         Ok((film, decisions.collect()))
+    }
+
+    /// Gradient \[W/m\] of the sliding loss at `at` over the heights of both traces, its rough contacts stored and their sets
+    /// held.
+    ///
+    /// # Errors
+    /// When a contact has no solution, or the load share does not follow from one.
+    pub(crate) fn gradient(
+        &self,
+        at: &MeshPosition,
+        contacts: &[Arc<WindowContact>],
+    ) -> Result<[Vec<f64>; 2], PositionError> {
+        checkpoint()?;
+        let film = plausible_film(self.case, at)?;
+        let mut sums = HeightGradient::none(self.surfaces)?;
+        let of_position = (at, &film);
+        let rough = RoughFilm::at(self.case, self.laws, self.surfaces, of_position)?;
+        let mut rough = rough.ok_or(PositionError::NoProfile)?;
+        let count = contacts.len();
+        let force = at.weight * at.mean_sliding() * at.load.si() / count as f64;
+        for (k, contact) in contacts.iter().enumerate() {
+            if let Some(window) = contact.window {
+                let heights = || self.composite(at, window, (k, count));
+                rough.add_gradient((contact, window), heights, force, &mut sums)?;
+            }
+        }
+        rough.gradient(sums)
     }
 
     /// Solves the rough contact of every window whose load share did not: its numbers, for the result and for the

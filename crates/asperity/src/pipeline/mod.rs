@@ -13,11 +13,13 @@
 //! ([`settled`]), and running-in applies them again to other flanks.
 
 mod bulk_temperature;
+mod gradient;
 mod kept_fields;
 mod offsets;
 mod stages;
 mod survey;
 
+pub use gradient::{LossGradient, gradient};
 pub use kept_fields::KeptFields;
 pub use stages::{Progress, check, contacts, contacts_beside, losses, losses_with, settled};
 pub use survey::{FilmRow, FilmSurvey, RegimeRow, film, survey};

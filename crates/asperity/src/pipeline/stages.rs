@@ -74,7 +74,7 @@ fn placed_mesh(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Mesh,
 }
 
 /// Values of all mesh positions, in order; an error names its position.
-fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Error> {
+pub(super) fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Error> {
     let count = of_positions.len();
     let numbered = |(index, one): (usize, Result<T, PositionError>)| {
         one.map_err(|source| Error::Position {
@@ -340,7 +340,7 @@ impl<'a> Stages<'a> {
     }
 
     /// Film, load share and friction of every position, in parallel.
-    fn lubricated(&self) -> Result<Vec<LubricatedPosition>, Error> {
+    pub fn lubricated(&self) -> Result<Vec<LubricatedPosition>, Error> {
         let lubrication = self.lubrication();
         let case = &self.loaded.case;
         let done = AtomicUsize::new(self.record_count);
@@ -426,7 +426,7 @@ impl<'a> Stages<'a> {
     }
 
     /// The positions with their sums over the path.
-    fn solved(&self, positions: Vec<LubricatedPosition>) -> Result<Solved<'_>, PositionError> {
+    pub fn solved(&self, positions: Vec<LubricatedPosition>) -> Result<Solved<'_>, PositionError> {
         Solved::new(
             self.loaded,
             &self.mesh.load,
@@ -436,7 +436,7 @@ impl<'a> Stages<'a> {
     }
 
     /// The result of `sums` with its equations noted.
-    fn summed<T>(&self, sums: impl FnOnce() -> Result<T, PositionError>) -> Result<T, Error> {
+    pub fn summed<T>(&self, sums: impl FnOnce() -> Result<T, PositionError>) -> Result<T, Error> {
         Ok(self.used.collect(sums).map_err(Box::new)?)
     }
 

@@ -31,6 +31,7 @@ use rustfft::FftPlanner;
 
 use crate::boundary::Boundary;
 use crate::convolution::{Buffers, EvenFilter};
+use crate::dense_reference::solve_dense;
 use crate::error::{ContactError, SolverShape};
 use crate::half_plane::{
     cell_compliance, cite_kernel, displace, displacement_filter, inverse_filter, line_load,
@@ -253,15 +254,44 @@ impl Solver {
                 problem: shape,
             });
         }
-        let buffers = &mut self.work.buffers;
-        let discrete = DiscreteProblem::new(problem, |prescribed, compliance| {
-            let whole = self.levels.displacement(shape.points, buffers);
-            whole.filter(buffers, compliance, prescribed);
-            buffers.signal(shape.points)
-        })?;
+        let discrete = self.discrete(problem)?;
         let start = self.start(&discrete, settings)?;
         let (iterations, certified) = self.solve_finest(&discrete, settings, start)?;
         self.solution(&discrete, settings, iterations, &certified)
+    }
+
+    /// Solves a problem as [`solve`](Self::solve), then finds its exact sets: its error is round-off.
+    ///
+    /// # Errors
+    /// As [`solve`](Self::solve), and when the contact has too many touching points or its sets do not settle.
+    pub fn solve_exactly(
+        &mut self,
+        problem: &ContactProblem,
+        settings: &SolverSettings,
+    ) -> Result<ContactSolution, ContactError> {
+        let solution = self.solve(problem, settings)?;
+        let sets = ContactProblem {
+            start: Some(&solution.pressure),
+            ..*problem
+        };
+        let exact = solve_dense(&sets)?.pressure;
+        let discrete = self.discrete(problem)?;
+        self.open_whole_grid(&discrete, settings, &exact);
+        let whole = Window::whole(self.shape.points);
+        let certified = self.certify(&discrete.task(whole, settings, 0));
+        self.solution(&discrete, settings, solution.iterations, &certified)
+    }
+
+    fn discrete<'a>(
+        &mut self,
+        problem: &'a ContactProblem<'a>,
+    ) -> Result<DiscreteProblem<'a>, ContactError> {
+        let (points, buffers) = (self.shape.points, &mut self.work.buffers);
+        DiscreteProblem::new(problem, |prescribed, compliance| {
+            let whole = self.levels.displacement(points, buffers);
+            whole.filter(buffers, compliance, prescribed);
+            buffers.signal(points)
+        })
     }
 
     /// Start pressure of the finest grid: the start of the problem, or the solution on coarser grids,

@@ -1,5 +1,6 @@
-//! The little numerics that is not physics: transforms, convolution, roots, sums, elliptic integrals, Student's t.
+//! The little numerics that is not physics: transforms, convolution, factors, roots, sums, elliptic integrals, Student's t.
 
+mod cholesky;
 mod convolution;
 mod elliptic;
 mod fft_length;
@@ -11,6 +12,7 @@ mod root;
 mod student_t;
 mod sums;
 
+pub use cholesky::Cholesky;
 pub use convolution::SymmetricToeplitz;
 pub use elliptic::CompleteElliptic;
 pub use fft_length::good_fft_length;

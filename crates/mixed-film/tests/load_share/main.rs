@@ -7,6 +7,7 @@
     reason = "helpers of tests may unwrap as tests do"
 )]
 
+mod gradient;
 mod point_contact;
 mod properties;
 

@@ -387,6 +387,8 @@ class BearingInput(TypedDict, total=False):
     mu_ehl: Optional[float]
     name: Optional[str]
     outside_diameter: Optional[Quantity]
+    per_planet: Optional[int]
+    planet_mass: Optional[Quantity]
     r1: Optional[float]
     r2: Optional[float]
     radial: Optional[Quantity]
@@ -732,53 +734,13 @@ class VehicleInput(TypedDict, total=False):
     wheel_radius: Optional[Quantity]
 
 
-class PlanetaryMaterialInput(TypedDict, total=False):
-    """Steel of the set."""
-
-    planet: Optional[BodyInput]
-    ring: Optional[BodyInput]
-    sun: Optional[BodyInput]
-
-
-class PlanetaryInput(TypedDict, total=False):
-    """Sun, planets and ring."""
-
-    addendum: Optional[float]
-    centre_distance: Optional[Quantity]
-    face_width: Optional[Sequence[Quantity]]
-    helix: Optional[Quantity]
-    load_share_factor: Optional[float]
-    module: Optional[Quantity]
-    planet: Optional[GearFlankInput]
-    planets: Optional[int]
-    pressure_angle: Optional[Quantity]
-    profile_shift: Optional[Sequence[float]]
-    ring: Optional[GearFlankInput]
-    ring_speed: Optional[Quantity]
-    sun: Optional[GearFlankInput]
-    teeth: Optional[Sequence[int]]
-    tip_diameter: Optional[Sequence[Quantity]]
-
-
-class PlanetarySurfaceInput(TypedDict, total=False):
-    """The flanks of the set."""
-
-    cutoff: Optional[Quantity]
-    ends: Optional[Literal["cut", "reg0", "reg1", "reflect"]]
-    finish: Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]
-    form: Optional[Literal["none", "mean", "level", "poly2", "circle"]]
-    noise_cutoff: Optional[Quantity]
-    outliers: Optional[float]
-    planet: Optional[Union[FlankInput, str, PathLike[str], Profile]]
-    ring: Optional[Union[FlankInput, str, PathLike[str], Profile]]
-    sun: Optional[Union[FlankInput, str, PathLike[str], Profile]]
-
-
 class TrainGearboxInput(TypedDict, total=False):
-    """Seals and bearings of a gear train; only the losses stated here are added to the losses of the meshes."""
+    """Seals, bearings, jets and tables of a gear train; only the losses stated here are added to the losses of the meshes."""
 
     bearings: Optional[Sequence[MeshBearingInput]]
+    jets: Optional[Sequence[MeshJetInput]]
     seals: Optional[Sequence[MeshSealInput]]
+    tables: Optional[Sequence[TableInput]]
     temperature: Optional[Quantity]
 
 
@@ -798,6 +760,8 @@ class MeshBearingInput(TypedDict, total=False):
     mu_ehl: Optional[float]
     name: Optional[str]
     outside_diameter: Optional[Quantity]
+    per_planet: Optional[int]
+    planet_mass: Optional[Quantity]
     r1: Optional[float]
     r2: Optional[float]
     radial: Optional[Quantity]
@@ -807,10 +771,28 @@ class MeshBearingInput(TypedDict, total=False):
     static_rating: Optional[Quantity]
 
 
+class MeshJetInput(TypedDict, total=False):
+    """An oil jet onto a pair of gears of a gear train."""
+
+    flow: Optional[str]
+    mesh: Optional[str]
+    name: Optional[str]
+    speed: Optional[Quantity]
+
+
 class MeshSealInput(TypedDict, total=False):
     """A radial shaft seal."""
 
     diameter: Optional[Quantity]
+    name: Optional[str]
+    shaft: Optional[str]
+
+
+class TableInput(TypedDict, total=False):
+    """A table of losses on a shaft of a gear train: of gears that run idle, a clutch, a pump."""
+
+    against: Optional[str]
+    file: Optional[Union[str, PathLike[str], Profile]]
     name: Optional[str]
     shaft: Optional[str]
 
@@ -848,6 +830,26 @@ class MeshInput(TypedDict, total=False):
     surface: Optional[TrainSurfaceInput]
 
 
+class PlanetaryInput(TypedDict, total=False):
+    """Sun, planets and ring."""
+
+    addendum: Optional[float]
+    centre_distance: Optional[Quantity]
+    face_width: Optional[Sequence[Quantity]]
+    helix: Optional[Quantity]
+    load_share_factor: Optional[float]
+    module: Optional[Quantity]
+    planet: Optional[GearFlankInput]
+    planets: Optional[int]
+    pressure_angle: Optional[Quantity]
+    profile_shift: Optional[Sequence[float]]
+    ring: Optional[GearFlankInput]
+    ring_speed: Optional[Quantity]
+    sun: Optional[GearFlankInput]
+    teeth: Optional[Sequence[int]]
+    tip_diameter: Optional[Sequence[Quantity]]
+
+
 class TrainSurfaceInput(TypedDict, total=False):
     """Flanks of pinion and wheel, or of sun, planets and ring, and the preparation of their traces."""
 
@@ -882,16 +884,16 @@ class CaseTables(TypedDict, total=False):
     gears: Optional[GearsInput]
     lubricant: Optional[LubricantInput]
     map: Optional[MapInput]
-    material: Optional[Union[MaterialInput, PlanetaryMaterialInput, TrainMaterialInput]]
+    material: Optional[Union[MaterialInput, TrainMaterialInput]]
     micropitting: Optional[MicropittingInput]
     model: Optional[ModelInput]
     operation: Optional[OperationInput]
-    surface: Optional[Union[SurfaceInput, PlanetarySurfaceInput, TrainSurfaceInput]]
+    surface: Optional[Union[SurfaceInput, TrainSurfaceInput]]
     title: Optional[str]
     vehicle: Optional[VehicleInput]
-    planetary: Optional[PlanetaryInput]
     heat: Optional[HeatInput]
     mesh: Optional[Mapping[str, MeshInput]]
+    planetary: Optional[PlanetaryInput]
     train: Optional[TrainInput]
     torque_nm: float
     speed_rpm: float
@@ -903,20 +905,20 @@ CaseKeys = TypedDict(
     {
         "calibration": "Optional[CalibrationInput]",
         "formulation": 'Optional[Literal["corrected", "paper"]]',
-        "gearbox": "Optional[GearboxInput]",
+        "gearbox": "Optional[Union[GearboxInput, TrainGearboxInput]]",
         "gears": "Optional[GearsInput]",
         "lubricant": "Optional[LubricantInput]",
         "map": "Optional[MapInput]",
-        "material": "Optional[Union[MaterialInput, PlanetaryMaterialInput]]",
+        "material": "Optional[Union[MaterialInput, TrainMaterialInput]]",
         "micropitting": "Optional[MicropittingInput]",
         "model": "Optional[ModelInput]",
         "operation": "Optional[OperationInput]",
-        "surface": "Optional[Union[SurfaceInput, PlanetarySurfaceInput]]",
+        "surface": "Optional[Union[SurfaceInput, TrainSurfaceInput]]",
         "title": "Optional[str]",
         "vehicle": "Optional[VehicleInput]",
-        "planetary": "Optional[PlanetaryInput]",
         "heat": "Optional[HeatInput]",
         "mesh": "Optional[Mapping[str, MeshInput]]",
+        "planetary": "Optional[PlanetaryInput]",
         "train": "Optional[TrainInput]",
         "torque_nm": "float",
         "speed_rpm": "float",
@@ -939,12 +941,12 @@ CaseKeys = TypedDict(
         "calibration.limiting_shear.low": "Optional[float]",
         "calibration.limiting_shear.value": "Optional[float]",
         "calibration.source": "Optional[str]",
-        "gearbox.bearings": "Optional[Sequence[BearingInput]]",
+        "gearbox.bearings": "Optional[Union[Sequence[BearingInput], Sequence[MeshBearingInput]]]",
         "gearbox.jet": "Optional[JetInput]",
         "gearbox.jet.flow": "Optional[str]",
         "gearbox.jet.speed": "Optional[Quantity]",
         "gearbox.loss_table": "Optional[str]",
-        "gearbox.seals": "Optional[Sequence[SealInput]]",
+        "gearbox.seals": "Optional[Union[Sequence[SealInput], Sequence[MeshSealInput]]]",
         "gearbox.temperature": "Optional[Quantity]",
         "gears.addendum": "Optional[float]",
         "gears.amounts": 'Optional[Literal["transverse", "normal"]]',
@@ -1269,6 +1271,12 @@ CaseKeys = TypedDict(
         "vehicle.ratio": "Optional[float]",
         "vehicle.rolling_resistance": "Optional[float]",
         "vehicle.wheel_radius": "Optional[Quantity]",
+        "gearbox.jets": "Optional[Sequence[MeshJetInput]]",
+        "gearbox.tables": "Optional[Sequence[TableInput]]",
+        "heat.ambient": "Optional[Quantity]",
+        "heat.housing_to_ambient": "Optional[Quantity]",
+        "heat.oil_to_housing": "Optional[Quantity]",
+        "heat.other_losses": "Optional[Quantity]",
         "material.planet": "Optional[BodyInput]",
         "material.planet.conductivity": "Optional[Quantity]",
         "material.planet.density": "Optional[Quantity]",
@@ -1482,6 +1490,10 @@ CaseKeys = TypedDict(
         "surface.sun.uneven": 'Optional[Literal["refuse", "resample"]]',
         "surface.sun.x_unit": 'Optional[Literal["m", "mm", "um", "nm", "angstrom", "inch", "mil", "uin"]]',
         "surface.sun.z_unit": 'Optional[Literal["m", "mm", "um", "nm", "angstrom", "inch", "mil", "uin"]]',
+        "train.held": "Optional[Sequence[str]]",
+        "train.input": "Optional[str]",
+        "train.losses": 'Optional[Literal["not-passed-on", "passed-on"]]',
+        "train.output": "Optional[str]",
     },
     total=False,
 )

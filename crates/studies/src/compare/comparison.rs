@@ -122,6 +122,14 @@ pub(crate) struct PairOfFinish {
     pub roughness: Vec<WindowRoughness>,
 }
 
+impl Comparison {
+    /// The finishes of a pair of gears with their runs.
+    pub(crate) fn pairs(&self) -> impl Iterator<Item = (&FinishResult, &PairOfFinish)> {
+        let finishes = self.finishes.iter();
+        finishes.filter_map(|finish| Some((finish, finish.pair.as_ref()?)))
+    }
+}
+
 impl FinishResult {
     /// Median of the loss with its 5 and 95 % quantiles \[W\]; `None` without draws.
     #[must_use]

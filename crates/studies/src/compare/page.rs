@@ -11,11 +11,10 @@ use maud::{Markup, html};
 use super::comparison::{Comparison, PairOfFinish};
 use super::summary::{cells, efficiency, mesh_rows, note, scope};
 use super::windows::PARAMETERS;
-use super::write::pairs;
 
 pub(super) fn render(comparison: &Comparison) -> String {
     let mut sections = vec![("Verdict", verdict(comparison))];
-    match pairs(comparison).next() {
+    match comparison.pairs().next() {
         Some(_) => sections.extend([
             ("Flanks", flanks(comparison)),
             ("Roughness and loss", roughness(comparison)),
@@ -52,7 +51,7 @@ fn meshes(comparison: &Comparison) -> Markup {
 }
 
 fn verdict(comparison: &Comparison) -> Markup {
-    let of_pair = pairs(comparison).next().is_some();
+    let of_pair = comparison.pairs().next().is_some();
     html! {
         @for verdict in comparison.verdicts() { p { strong { (verdict) "." } } }
         div.scroll { table {
@@ -92,16 +91,16 @@ fn along_the_path(comparison: &Comparison) -> Drawing {
         along(),
         Axis::new("loss", "kW/m").from_zero(),
     );
-    if let Some((_, first)) = pairs(comparison).next() {
+    if let Some((_, first)) = comparison.pairs().next() {
         chart = chart.marked(&points(&first.result));
     }
-    for (finish, pair) in pairs(comparison) {
+    for (finish, pair) in comparison.pairs() {
         let rows = &pair.result.path;
         let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
         let loss: Vec<f64> = rows.iter().map(|row| KILO * row.loss_w_per_m()).collect();
         chart = chart.with(Series::new(&finish.name, Line::Solid, &s, &loss));
     }
-    for (index, (finish, pair)) in pairs(comparison).enumerate() {
+    for (index, (finish, pair)) in comparison.pairs().enumerate() {
         let Some(ends) = pair.result.path_loss_quantiles() else {
             continue;
         };
@@ -144,7 +143,7 @@ fn flanks(comparison: &Comparison) -> Markup {
     html! {
         div.scroll { table {
             thead { tr { th { "finish" } th { "flank" } @for name in ["Ra", "Rq", "Rz", "Rpk", "Rk", "Rvk"] { th.number { (name) " [µm]" } } } }
-            tbody { @for (finish, pair) in pairs(comparison) { @for (body, name) in BODIES.iter().enumerate() {
+            tbody { @for (finish, pair) in comparison.pairs() { @for (body, name) in BODIES.iter().enumerate() {
                 @if let Some(values) = parameters(pair, body) {
                     tr { th scope="row" { (finish.name) } td { (name) } @for value in &values { td.number { (value) } } }
                 }
@@ -164,7 +163,7 @@ fn traces(comparison: &Comparison, body: usize) -> Option<Drawing> {
         Axis::new("position", "mm"),
         Axis::new("height", "µm"),
     );
-    for (finish, pair) in pairs(comparison) {
+    for (finish, pair) in comparison.pairs() {
         let Some(tables) = &pair.tables[body] else {
             continue;
         };
@@ -187,7 +186,7 @@ fn spectra(comparison: &Comparison, body: usize) -> Option<Drawing> {
         Axis::new("wavelength", "µm").log(),
         Axis::new("density", "µm³").log(),
     );
-    for (finish, pair) in pairs(comparison) {
+    for (finish, pair) in comparison.pairs() {
         let Some(tables) = &pair.tables[body] else {
             continue;
         };

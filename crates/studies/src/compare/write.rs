@@ -9,7 +9,7 @@ use asperity_report::{ReportError, StudyResult};
 use asperity_storage::cell;
 use serde::Serialize;
 
-use super::comparison::{Comparison, FinishResult, PairOfFinish};
+use super::comparison::{Comparison, FinishResult};
 use super::page;
 use super::summary::summary;
 use super::windows::WindowRoughness;
@@ -142,7 +142,7 @@ struct PathRow<'a> {
 }
 
 fn path(comparison: &Comparison) -> impl Iterator<Item = PathRow<'_>> {
-    pairs(comparison).flat_map(|(finish, pair)| {
+    comparison.pairs().flat_map(|(finish, pair)| {
         let quantiles = pair.result.path_loss_quantiles();
         let rows = pair.result.path.iter().enumerate();
         rows.map(move |(k, row)| {
@@ -201,19 +201,11 @@ fn spectra(comparison: &Comparison) -> impl Iterator<Item = SpectrumBand<'_>> {
     })
 }
 
-/// The finishes of a pair of gears with their runs.
-pub(super) fn pairs(
-    comparison: &Comparison,
-) -> impl Iterator<Item = (&FinishResult, &PairOfFinish)> {
-    let finishes = comparison.finishes.iter();
-    finishes.filter_map(|finish| Some((finish, finish.pair.as_ref()?)))
-}
-
 /// The flanks with a trace.
 fn flanks(
     comparison: &Comparison,
 ) -> impl Iterator<Item = (&FinishResult, &'static str, &FlankTables)> {
-    pairs(comparison).flat_map(|(finish, pair)| {
+    comparison.pairs().flat_map(|(finish, pair)| {
         let bodies = BODIES.iter().zip(&pair.tables);
         bodies.filter_map(move |(flank, tables)| Some((finish, *flank, tables.as_ref()?)))
     })

@@ -1,0 +1,273 @@
+//! Gradient of the loss of a mesh over the heights of both traces.
+//!
+//! The heights act through the rough contacts and through the roughness that the inlets leave
+//! ([`PositionFilm::gradient`](asperity_mixed_film::PositionFilm::gradient)). Contact sets, places of the windows, and the
+//! relief are held. Kinks of the loss, where the gradient is one-sided: a cell that enters or leaves a contact between two
+//! spots, the first touch, a share at a row of the table, a slope of the gap that is held, a film at its floor.
+
+use asperity_core::cite;
+use asperity_core::provenance::Provenance;
+use asperity_core::quantity::Temperature;
+use rayon::prelude::*;
+
+use super::stages::{Stages, losses_with, numbered, sampled, warmed};
+use crate::case::{Formulation, LoadShareName, LoadedCase};
+use crate::contacts::Contacts;
+use crate::error::{Error, PositionError};
+use crate::parameters::at_temperature;
+use crate::result::Losses;
+
+/// Step of the difference quotient of the loss over the bulk temperature \[K\].
+const TEMPERATURE_STEP: f64 = 0.1;
+
+/// Gradient of the loss of a mesh over the heights of both traces.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct LossGradient {
+    /// Derivative of the loss over the height of each point of both prepared traces \[W/m\].
+    pub by_height: [Vec<f64>; 2],
+    /// The losses, from exact contacts.
+    pub losses: Losses,
+    /// Change of the loss with the equilibrium bulk temperature over its change at a held temperature; 1 with a stated
+    /// temperature.
+    pub heat_balance: f64,
+    /// Sliding loss at positions whose contact the traces do not resolve \[W\]: it is left out of the gradient.
+    pub unresolved_w: f64,
+    /// The case with exact contacts and its number of offsets stated, at the bulk temperature as the case states it: its
+    /// losses with other traces can be compared.
+    pub case: LoadedCase,
+}
+
+/// Gradient of the loss of a case over the heights of both prepared traces.
+///
+/// ```text
+/// dP/dz = Σ_i w_i V_s,i f_i (1/K) Σ_k dμ_ik/dz / (1 − (∂P/∂T) (T_b − T_oil)/P)        [Loss-gradient]
+/// ```
+///
+/// The last factor belongs to a bulk temperature that follows from the loss, to which its rise is proportional.
+///
+/// # Errors
+/// As [`losses`](super::losses), and when the loss is not from the default load share and film friction, or a flank has no
+/// trace or several.
+pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
+    refuse(loaded).map_err(Box::new)?;
+    let mut exact = loaded.clone();
+    exact.case.laws.exact_contacts = true;
+    let used = Provenance::new();
+    let (sampled, contacts) = used.collect(|| sampled(&exact, None, &[]))?;
+    let warm = warmed(&sampled, &contacts)?;
+    let stages = Stages::of(&warm, &contacts, &|_, _| {}, used)?;
+    let positions = stages.lubricated()?;
+    let lubrication = stages.lubrication();
+    let of_position = |at| {
+        let row = stages.contacts.at(at)?;
+        match row.iter().any(|contact| contact.window.is_some()) {
+            true => lubrication.gradient(at, row).map(Some),
+            false => Ok(None),
+        }
+    };
+    let found: Vec<_> = stages.mesh.positions.par_iter().map(of_position).collect();
+    let found = numbered(found)?;
+    let unresolved = stages.mesh.positions.iter().zip(&positions).zip(&found);
+    let unresolved_w = unresolved
+        .filter(|(_, gradient)| gradient.is_none())
+        .map(|((at, position), _)| {
+            let forces = position.offsets.iter().map(|offset| offset.friction_force);
+            at.weight * at.mean_sliding() * crate::assembly::mean(forces)
+        })
+        .sum();
+    let losses = stages.summed(|| stages.solved(positions)?.losses())?;
+    cite!("Loss-gradient");
+    let heat_balance = heat_balance(&warm, &contacts, &losses)?;
+    let traces = warm.surfaces.traces().map_err(Box::new)?;
+    let mut by_height = traces.map(|trace| vec![0.0; trace.len()]);
+    for gradient in found.iter().flatten() {
+        let of_both = by_height.iter_mut().flatten();
+        for (sum, one) in of_both.zip(gradient.iter().flatten()) {
+            *sum += heat_balance * one;
+        }
+    }
+    drop(stages);
+    let mut case = sampled.into_owned();
+    case.case.input.model.offsets = Some(case.case.model.offsets);
+    Ok(LossGradient {
+        by_height,
+        losses,
+        heat_balance,
+        unresolved_w,
+        case,
+    })
+}
+
+/// 1/(1 − (∂P/∂T) (T_b − T_oil)/P)
+fn heat_balance(warm: &LoadedCase, contacts: &Contacts, losses: &Losses) -> Result<f64, Error> {
+    let Some(found) = &warm.case.found_bulk else {
+        return Ok(1.0);
+    };
+    let loss = |step: f64| {
+        let bulk = Temperature::from_si(warm.case.temperature.si() + step);
+        let losses = losses_with(contacts, &at_temperature(warm, bulk)?)?;
+        Ok::<f64, Error>(losses.summary.loss_w)
+    };
+    let slope = (loss(TEMPERATURE_STEP)? - loss(-TEMPERATURE_STEP)?) / (2.0 * TEMPERATURE_STEP);
+    let rise = found.report.bulk_c - found.report.oil_c;
+    Ok(1.0 / (1.0 - slope * rise / losses.summary.loss_w))
+}
+
+/// Refuses a loss that is not from the solved load share with the friction of its film.
+fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
+    let (case, surfaces) = (&loaded.case, &loaded.surfaces);
+    surfaces.check_one_pair()?;
+    surfaces.traces()?;
+    let model = &case.model;
+    let differs = if case.formulation == Formulation::Paper {
+        "formulation = \"paper\""
+    } else if case.laws.is_any() {
+        "a user-defined law"
+    } else if case.model.load_share != LoadShareName::Solved {
+        "model.load_share"
+    } else if model.film_friction.shear_law().is_none() {
+        "model.film_friction"
+    } else if model.include_running_in {
+        "model.include_running_in"
+    } else {
+        return Ok(());
+    };
+    Err(PositionError::NoGradient { differs })
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity_core::Profile;
+
+    use super::gradient;
+    use crate::case::{LoadedCase, load_with};
+    use crate::flanks::Texture;
+    use crate::pipeline::losses;
+
+    /// Heights and bumps that are compared.
+    const HEIGHTS: usize = 16;
+    const BUMPS: usize = 6;
+
+    fn e_drive(settings: &[(&str, &str)]) -> LoadedCase {
+        let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+        let few = [("model.positions", "4"), ("model.offsets", "2")];
+        let set = |input: &mut crate::case::CaseInput| {
+            for (key, value) in few.iter().chain(settings) {
+                input.set(key, value).unwrap();
+            }
+        };
+        load_with(file, &set).unwrap()
+    }
+
+    fn heights(case: &LoadedCase) -> [Vec<f64>; 2] {
+        case.surfaces
+            .textures()
+            .each_ref()
+            .map(|texture| match texture {
+                Texture::Trace(trace) => trace.heights().to_vec(),
+                Texture::Values { .. } => Vec::new(),
+            })
+    }
+
+    /// Loss with other heights \[W\].
+    fn loss(case: &LoadedCase, heights: [Vec<f64>; 2]) -> f64 {
+        let [Texture::Trace(trace), _] = case.surfaces.textures() else {
+            return f64::NAN;
+        };
+        let spacing = trace.spacing();
+        let mut changed = case.clone();
+        let traces = heights.map(|z| Profile::new(spacing, z).unwrap());
+        changed.surfaces = changed.surfaces.with_traces(traces);
+        losses(&changed).unwrap().summary.loss_w
+    }
+
+    /// Central difference of the loss along `shape` of a trace.
+    fn quotient(case: &LoadedCase, body: usize, shape: &[(usize, f64)], step: f64) -> f64 {
+        let at = |step: f64| {
+            let mut moved = heights(case);
+            for (i, one) in shape {
+                moved[body][*i] += step * one;
+            }
+            loss(case, moved)
+        };
+        (at(step) - at(-step)) / (2.0 * step)
+    }
+
+    /// Relative error of `expected`, by the better of two steps: a cell that enters or leaves spoils the longer one, rounding
+    /// the shorter one.
+    fn error(case: &LoadedCase, body: usize, shape: &[(usize, f64)], expected: f64) -> f64 {
+        let off = [1e-9, 5e-11].map(|step| quotient(case, body, shape, step) / expected - 1.0);
+        off[0].abs().min(off[1].abs())
+    }
+
+    #[test]
+    fn the_gradient_of_the_loss_is_its_central_difference() {
+        let found = gradient(&e_drive(&[])).unwrap();
+        assert_eq!((found.heat_balance, found.unresolved_w), (1.0, 0.0));
+        let case = &found.case;
+        let all = found.by_height.iter().flatten();
+        let largest = all.fold(0.0, |m: f64, g| m.max(g.abs()));
+        let mut errors = Vec::new();
+        let mut k = 0_usize;
+        while errors.len() < HEIGHTS {
+            let body = k % 2;
+            let i = (k * 7919) % found.by_height[body].len();
+            k += 1;
+            let expected = found.by_height[body][i];
+            if expected.abs() < 0.01 * largest {
+                continue;
+            }
+            errors.push(error(case, body, &[(i, 1.0)], expected));
+        }
+        errors.sort_by(f64::total_cmp);
+        assert!(errors[HEIGHTS / 2] < 1e-6, "{errors:?}");
+        // Two spots that merge within the shorter step make the loss jump.
+        assert!(errors[HEIGHTS - 1 - HEIGHTS / 16] < 2e-2, "{errors:?}");
+        for k in 0..BUMPS {
+            let body = k % 2;
+            // 2 to 200 um wide.
+            let width = (4.0 * 100f64.powf(k as f64 / (BUMPS - 1) as f64)) as usize;
+            let points = found.by_height[body].len();
+            let begin = (k * 104_729 + 900) % (points - width);
+            let cosine = |j: usize| (std::f64::consts::TAU * j as f64 / width as f64).cos();
+            let shape: Vec<(usize, f64)> = (0..=width)
+                .map(|j| (begin + j, 0.5 * (1.0 - cosine(j))))
+                .collect();
+            let expected: f64 = shape
+                .iter()
+                .map(|(i, s)| found.by_height[body][*i] * s)
+                .sum();
+            let error = error(case, body, &shape, expected);
+            assert!(error < 0.03, "{width} points from {begin}: {error}");
+        }
+        // Heights of both flanks together.
+        let by_log: f64 = heights(case)
+            .iter()
+            .flatten()
+            .zip(found.by_height.iter().flatten())
+            .map(|(z, g)| z * g)
+            .sum();
+        let scaled = |factor: f64| {
+            loss(
+                case,
+                heights(case).map(|z| z.iter().map(|z| factor * z).collect()),
+            )
+        };
+        let seen = (scaled(1.001) - scaled(0.999)) / 0.002;
+        assert!((by_log / seen - 1.0).abs() < 0.01, "{by_log} {seen}");
+    }
+
+    #[test]
+    fn a_loss_that_is_not_of_the_default_model_has_no_gradient() {
+        for (key, value) in [
+            ("model.load_share", "lambda-star"),
+            ("model.film_friction", "xu"),
+            ("model.include_running_in", "true"),
+        ] {
+            let error = gradient(&e_drive(&[(key, value)])).unwrap_err();
+            assert_eq!(error.code(), "E205", "{key}: {error}");
+            assert!(error.to_string().contains(key), "{error}");
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! The ridges of both flanks that cost most: the gradient of the loss over the heights, by ridge and by octave of
+//! wavelength, and a run with the dearest ridges pressed to the mean line.
+//!
+//! ```
+//! use asperity::case;
+//! use asperity_studies::ridges::ridges;
+//! let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+//! let case = case::load_with(file, &|input| {
+//!     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+//! })?;
+//! let found = ridges(&case, &|_, _| {})?;
+//! assert!(found.pressed_loss_w < found.loss_w);
+//! assert!(found.rows[0].first_order_w >= found.rows[1].first_order_w);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod page;
+mod study;
+mod summary;
+mod write;
+
+pub use study::{FlankWatts, OctaveRow, RidgeRow, Ridges, ridges};

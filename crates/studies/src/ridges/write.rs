@@ -1,0 +1,53 @@
+//! Output of a study of ridges: `ridges.json`, tables, page and summary.
+
+use std::path::Path;
+
+use asperity_report::tables::write as write_table;
+use asperity_report::{ReportError, StudyResult};
+use serde::Serialize;
+
+use super::page;
+use super::study::{FLANKS, FlankWatts, Ridges};
+use super::summary::summary;
+
+impl StudyResult for Ridges {
+    const KIND: &'static str = "study of ridges";
+    const NAME: &'static str = "ridges";
+    type Context<'a> = ();
+
+    fn summary(&self, (): ()) -> String {
+        summary(self)
+    }
+
+    fn page(&self, (): ()) -> String {
+        page::render(self)
+    }
+
+    fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
+        write_table(&folder.join("ridges.csv"), &self.rows)?;
+        write_table(&folder.join("octaves.csv"), &self.octaves)?;
+        for (name, flank) in FLANKS.iter().zip(&self.flanks) {
+            write_table(&folder.join(format!("{name}.csv")), points(flank))?;
+        }
+        Ok(())
+    }
+}
+
+/// A point of a trace.
+#[derive(Serialize)]
+struct PointRow {
+    x_mm: f64,
+    height_um: f64,
+    /// d(loss)/d(height) per length of the trace.
+    loss_w_per_um_mm: f64,
+}
+
+fn points(flank: &FlankWatts) -> impl Iterator<Item = PointRow> {
+    let dx = flank.trace.spacing().si();
+    let both = flank.trace.heights().iter().zip(&flank.by_height);
+    both.enumerate().map(move |(i, (z, by_height))| PointRow {
+        x_mm: 1e3 * dx * i as f64,
+        height_um: 1e6 * z,
+        loss_w_per_um_mm: 1e-9 * by_height / dx,
+    })
+}
