@@ -3,7 +3,8 @@
 use std::fs;
 
 use asperity::Error;
-use asperity::case::{self, Source, gear_train};
+use asperity::case::gear_train::{self, is_train};
+use asperity::case::{self, Source};
 use asperity_cli::fuzzing::arguments;
 use asperity_tests::markdown::{blocks, pages, root, shell_words};
 
@@ -51,12 +52,14 @@ fn wrong(text: &str) -> Vec<String> {
             .map(|error| format!("{} {error}", error.code()))
             .collect()
     };
-    let of_pair = faults(&case::check(source.clone(), folder, &[]).errors);
-    let of_train = faults(&gear_train::check(source, folder, &[]).errors);
-    // A part such as [heat] does not show which of both it belongs to.
-    match of_train.len() < of_pair.len() {
-        true => of_train,
-        false => of_pair,
+    // [heat] does not show that it belongs to a train.
+    let source = match text.starts_with("[heat]") {
+        true => Source::new("block.toml", &format!("{text}\n[mesh.part]\n")).unwrap_or(source),
+        false => source,
+    };
+    match is_train(&source) {
+        true => faults(&gear_train::check(source, folder, &[]).errors),
+        false => faults(&case::check(source, folder, &[]).errors),
     }
 }
 
@@ -87,7 +90,8 @@ fn judged(language: &str, lines: &[&str]) -> (Vec<String>, [usize; 2]) {
     let body = lines.join("\n");
     match language {
         "sh" | "bash" | "text" => {
-            let is_whole = |line: &&&str| line.starts_with("asperity ") && !line.ends_with('\\');
+            let is_whole =
+                |line: &&&str| line.starts_with("asperity ") && !line.ends_with(['\\', '.']);
             let commands: Vec<_> = lines.iter().filter(is_whole).collect();
             let refused = commands.iter().filter(|line| !is_accepted(line));
             let faults = refused.map(|line| format!("not a command: {line}"));
