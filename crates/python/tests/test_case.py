@@ -161,8 +161,8 @@ def test_a_gear_train_is_compared_and_swept_as_a_whole():
     case = asperity.Case(
         train={"input": "in"},
         mesh={"a": {"shafts": ["in", "b"], "gears": gears}, "z": {"shafts": ["b", "out"], "gears": gears}},
-        operation=PLANETARY["operation"],
-        lubricant=PLANETARY["lubricant"],
+        operation=SETS["planetary"]["operation"],
+        lubricant=SETS["planetary"]["lubricant"],
         surface={"pinion": {"rq": "0.4 um"}},
     )
     finer = case.replace({"mesh.z.surface": {"pinion": {"rq": "0.2 um"}}})
