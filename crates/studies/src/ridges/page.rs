@@ -84,8 +84,9 @@ fn trace_chart(study: &Ridges, body: usize) -> Drawing {
         .push(Series::through("trace", Line::Solid, whole));
     let mut dear: Vec<[f64; 2]> = (0..trace.len()).map(|i| [point(i)[0], f64::NAN]).collect();
     for row in study.rows.iter().filter(|row| row.flank == name) {
-        for i in row.points[0]..=row.points[1] {
-            dear[i] = point(i);
+        let [first, last] = row.points;
+        for (i, place) in dear.iter_mut().enumerate().take(last + 1).skip(first) {
+            *place = point(i);
         }
     }
     chart
