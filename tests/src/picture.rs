@@ -71,8 +71,9 @@ fn is_near(before: &str, now: &str) -> bool {
 fn numbers(text: &str) -> (String, Vec<f64>) {
     let (mut rest, mut numbers, mut number) = (String::new(), Vec::new(), String::new());
     for c in text.chars().chain([' ']) {
-        let is_sign = c == '-';
-        if is_sign || !(c.is_ascii_digit() || c == '.') {
+        // A sign or a second point begins the next number.
+        let begins = c == '-' || (c == '.' && number.contains('.'));
+        if begins || !(c.is_ascii_digit() || c == '.') {
             numbers.extend(number.parse::<f64>().ok());
             number.clear();
         }

@@ -123,7 +123,8 @@ fn verdict(result: &RunResult, columns: usize) -> String {
     let gearbox = gearbox.map(|gearbox| gearbox_headline(gearbox, of_mesh));
     let regime = format!("regime  {}", regime(&result.summary));
     let lines = gearbox.into_iter().chain([parts(&printed), regime]);
-    for text_of_line in lines.chain(result.bulk.as_ref().map(bulk_text)) {
+    let lines = lines.chain(result.bulk.as_ref().map(bulk_text));
+    for text_of_line in lines.chain(run_in_loss(result)) {
         text.push_str(&line(&text_of_line, INDENT, columns));
     }
     if let Some(uncertainty) = of_mesh {
@@ -365,6 +366,20 @@ fn solver_notes(result: &RunResult) -> Vec<String> {
         ));
     }
     lines
+}
+
+/// The loss run in beside the loss of the headline, if the flanks were run in.
+fn run_in_loss(result: &RunResult) -> Option<String> {
+    let rounded = |loss: f64| match &result.uncertainty {
+        Some(uncertainty) => format!("{} W", uncertainty.digits().rounded(loss)),
+        None => watts(loss),
+    };
+    let after = result.run_in.as_ref()?.summary.loss_w;
+    Some(format!(
+        "run in  loss {} in place of {}, both with every constant at its median",
+        rounded(after),
+        rounded(result.summary.loss_w)
+    ))
 }
 
 /// The losses as measured and run in, if the flanks were run in.

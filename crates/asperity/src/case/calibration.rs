@@ -131,8 +131,8 @@ pub(super) fn correlation<N: Copy + PartialEq>(
     of_both.next().map_or(0.0, |pair| pair.value)
 }
 
-/// Lower triangle L with L Lᵀ = the correlations of `n` parameters, given by their numbers; `None` if no distribution has
-/// them.
+/// Rows of the lower triangle L, each up to its diagonal, with L Lᵀ = the correlations of `n` parameters, given by their
+/// numbers; `None` if no distribution has them.
 pub(crate) fn cholesky(
     n: usize,
     correlation: impl Fn(usize, usize) -> f64,
@@ -168,7 +168,7 @@ mod tests {
         let lower = triangle(&given).unwrap();
         for i in 0..4 {
             for j in 0..4 {
-                let product: f64 = (0..4).map(|k| lower[i][k] * lower[j][k]).sum();
+                let product: f64 = lower[i].iter().zip(&lower[j]).map(|(a, b)| a * b).sum();
                 let [first, other] = [i, j].map(|k| CalibratedName::ALL[k]);
                 assert!((product - given.correlation(first, other)).abs() < 1e-15);
             }
