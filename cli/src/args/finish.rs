@@ -25,7 +25,8 @@ impl std::str::FromStr for FinishArg {
             None => (files, None),
             Some((pinion, wheel)) => (pinion, Some(wheel)),
         };
-        let (name, mesh) = match name.split_once('@') {
+        // A name may begin with @.
+        let (name, mesh) = match name.split_once('@').filter(|(name, _)| !name.is_empty()) {
             None => (name, None),
             Some((name, mesh)) => (name, Some(mesh)),
         };
