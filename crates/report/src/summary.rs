@@ -368,7 +368,7 @@ fn solver_notes(result: &RunResult) -> Vec<String> {
     lines
 }
 
-/// The loss run in beside the loss of the headline, if the flanks were run in.
+/// The losses run in and as measured in a line of the first screen, if the flanks were run in.
 fn run_in_loss(result: &RunResult) -> Option<String> {
     let rounded = |loss: f64| match &result.uncertainty {
         Some(uncertainty) => format!("{} W", uncertainty.digits().rounded(loss)),
@@ -441,7 +441,7 @@ fn composition(uncertainty: &Uncertainty, columns: usize) -> String {
     text
 }
 
-/// What narrows the largest part, and the others as long as they fit into the line.
+/// The measurements that narrow the largest part, and the others as long as they fit into the line.
 fn remedies(parts: &[&UncertaintyPart], columns: usize) -> String {
     let mut text = String::from("narrower with  ");
     let mut named: Vec<&str> = Vec::new();

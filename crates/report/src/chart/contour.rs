@@ -350,7 +350,7 @@ fn part_above(d: &mut String, places: &[[f64; 2]; 4], corners: &[f64; 4], level:
     }
 }
 
-/// Whether the bands reach below zero, so that their colours are those of differences.
+/// Whether the bands reach below zero, so that they have the colours of differences.
 fn is_diverging(levels: &[f64]) -> bool {
     levels.first().is_some_and(|level| *level < 0.0)
 }

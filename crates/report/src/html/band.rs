@@ -5,7 +5,7 @@ use maud::{Markup, html};
 
 use crate::chart::{Axis, Drawing, Interval, Tornado};
 
-/// What narrows each component: the fold below the chart.
+/// The measurements that narrow each component: the fold below the chart.
 pub(super) fn remedies(uncertainty: &Uncertainty) -> Markup {
     let digits = uncertainty.digits();
     html! {
@@ -47,7 +47,7 @@ pub(super) fn evidence(uncertainty: &Uncertainty) -> Markup {
     } }
 }
 
-/// How the band was drawn, the constants, and other models.
+/// The method of the draws, the constants, and other models.
 pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
     html! {
         p {

@@ -1,4 +1,4 @@
-//! What an engineer checks first: gears, oil at its temperature, contact, and mesh.
+//! The values that an engineer checks first: gears, oil at its temperature, contact, and mesh.
 
 use asperity::oil::Mark;
 use asperity::result::{FilmConstant, PositionRow, RunResult, Scope};

@@ -57,9 +57,9 @@ pub struct RidgeRow {
     pub width_um: f64,
     /// Height above the mean line \[µm\].
     pub height_um: f64,
-    /// What pressing it to the mean line saves according to the gradient before \[W\].
+    /// Saving by pressing it to the mean line, according to the gradient before \[W\].
     pub first_order_w: f64,
-    /// What pressing it together with all other listed ridges saves according to the mean of the gradients before and
+    /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before and
     /// after \[W\].
     pub mean_gradient_w: f64,
     /// First and last point.
