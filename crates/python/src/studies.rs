@@ -9,6 +9,7 @@ use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle::{self as driving, EnergyError};
 use asperity_studies::export::{AddedLoss, Format, With, export};
 use asperity_studies::map::{self as mapping, Axes, MapBand, MapExtras, Numbers, Point};
+use asperity_studies::ridges as dearest;
 use asperity_studies::sensitivity as changing;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
@@ -63,6 +64,21 @@ pub fn sensitivity(
     in_parallel(py, threads, progress.as_ref(), |told| {
         let shown = |done, total| told.tell(done, total);
         Study::of(changing::sensitivity_of_train(&train, &shown)?)
+    })
+}
+
+/// The ridges of both flanks that cost most.
+#[pyfunction]
+pub fn ridges(
+    py: Python<'_>,
+    case: PyRef<'_, Case>,
+    threads: Option<isize>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Study> {
+    let case = case.pair()?;
+    in_parallel(py, threads, progress.as_ref(), |told| {
+        let shown = |done, total| told.tell(done, total);
+        Study::of(dearest::ridges(case, &shown)?)
     })
 }
 

@@ -17,7 +17,7 @@ KEYS = [f"--set=model.{name}={value}" for name, value in FEW.items()]
 TWINS = {
     "run": "Case", "report": "read_result", "check": "Case", "diff": "RunResult", "oil": "oil_fit", "oils": "oils",
     "steels": "steels", "gears": "gears", "case": "from_rexs", "compare": "compare", "map": "map", "cycle": "cycle",
-    "sensitivity": "sensitivity", "evidence": "evidence", "sweep": "sweep", "calibrate": "calibrate", "regime": "Case",
+    "sensitivity": "sensitivity", "evidence": "evidence", "ridges": "ridges", "sweep": "sweep", "calibrate": "calibrate", "regime": "Case",
     "gear": "Case", "contact": "solve_contact", "ehl": "ehl", "film": "Case", "profile": "read_profile",
     "explain": "explain", "demo": "demo", "schema": "keys",
 }
@@ -101,6 +101,13 @@ def test_measurements_and_designs_are_those_of_the_command(command, tmp_path):
     assert refused.value.code == "E209"
     with pytest.raises(AsperityError, match="no interval") as refused:
         asperity.evidence(asperity.Case(file, formulation="paper"))
+    assert refused.value.code == "E205"
+    found = asperity.ridges(case)
+    assert found.to_dict() == json_of(command, "ridges", file, *KEYS, "-o", tmp_path / "ridges")
+    assert found.rows[0]["first_order_w"] >= found.rows[1]["first_order_w"] and len(found.octaves) > 5
+    assert pickle.loads(pickle.dumps(found)) == found
+    with pytest.raises(AsperityError) as refused:
+        asperity.ridges(asperity.Case(file, formulation="paper"))
     assert refused.value.code == "E205"
     limits = ["--hours", "4", "--torque-max", "180", "--speed-max", "3000", "--temperature", "40,90"]
     expected = json_of(command, "calibrate", "--design", file, *KEYS, *limits, "-o", tmp_path / "design")

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from ._profile import Parameters, Parts, Profile, generate, read_profile
     from ._record import Record, Table
     from ._result import Fields, Path, Regime, RunResult, Summary
+    from ._ridges import Ridges, ridges
     from ._sensitivity import Sensitivity, sensitivity
     from ._stored import read_result
     from ._sweep import Sweep, sweep
@@ -52,6 +53,7 @@ else:
         "_profile": "Parameters Parts Profile generate read_profile",
         "_record": "Record Table",
         "_result": "Fields Path Regime RunResult Summary",
+        "_ridges": "Ridges ridges",
         "_sensitivity": "Sensitivity sensitivity",
         "_stored": "read_result",
         "_sweep": "Sweep sweep",
@@ -96,6 +98,7 @@ __all__ = [
     "Record",
     "Regime",
     "RexsCase",
+    "Ridges",
     "RunResult",
     "Sensitivity",
     "Stress",
@@ -128,6 +131,7 @@ __all__ = [
     "read_profile",
     "read_result",
     "rexs_contents",
+    "ridges",
     "sensitivity",
     "solve_contact",
     "steels",
