@@ -68,7 +68,19 @@ fn of_book(book: &[u8]) -> Result<Vec<Sheet>, &'static str> {
             _ => {}
         }
     }
-    let sheet = |at| sheet(Records { book, at }, &texts);
+    // A sheet ends where the next one begins, so that no record is read twice.
+    let mut sorted = places.clone();
+    sorted.sort_unstable();
+    sorted.dedup();
+    if sorted.len() != places.len() {
+        return Err("two sheets have the same place");
+    }
+    let sheet = |at: usize| {
+        let next = sorted.partition_point(|place| *place <= at);
+        let end = sorted.get(next).map_or(book.len(), |end| *end);
+        let book = book.get(..end).unwrap_or(book);
+        sheet(Records { book, at }, &texts)
+    };
     Ok(places.into_iter().map(sheet).collect())
 }
 
@@ -192,7 +204,7 @@ impl<'a> Texts<'a> {
             units.push(u16::from_le_bytes([low, high]));
         }
         // Formats of parts of the text, four bytes each, and phonetic text.
-        self.skip(4 * usize::from(runs) + extension as usize);
+        self.skip((4 * usize::from(runs)).saturating_add(extension as usize));
         Some(String::from_utf16_lossy(&units))
     }
 
@@ -213,11 +225,11 @@ impl<'a> Texts<'a> {
             self.part += 1;
             self.at = 0;
         }
-        self.at += bytes;
+        self.at = self.at.saturating_add(bytes);
     }
 }
 
-/// The number of an RK: bit 0 divides it by 100, bit 1 tells a whole number from the upper bits of a double.
+/// The number of an RK: with bit 0 a hundredth; with bit 1 a whole number, else the upper bits of a double.
 fn rk(bits: u32) -> f64 {
     let number = match bits & 2 != 0 {
         true => f64::from(bits.cast_signed() >> 2),

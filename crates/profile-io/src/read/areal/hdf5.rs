@@ -6,6 +6,8 @@
 //! are wavelength, scale and obliquity factor, whose product is the height of a fringe in metres. MATLAB stores a matrix
 //! with its sizes in reverse order, and states the class of each array.
 
+use std::collections::BTreeSet;
+
 use hdf5_reader::error::Error;
 use hdf5_reader::group::Group;
 use hdf5_reader::messages::datatype::Datatype;
@@ -19,10 +21,12 @@ use crate::read::error::ReadError;
 use crate::read::format::Format;
 use crate::read::metadata::short;
 
-/// Maximum depth of groups.
-const DEEPEST: usize = 6;
+/// Maximum number of groups, and so of their depth.
+const MOST_GROUPS: usize = 100;
 /// Maximum number of arrays; a file of lab data has some dozens.
 const MOST_ARRAYS: usize = 10_000;
+/// Maximum number of heights: 1 GiB as doubles.
+const MOST_HEIGHTS: u64 = 1 << 27;
 /// Classes of MATLAB that hold real numbers.
 const NUMERIC: [&str; 10] = [
     "double", "single", "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64",
@@ -34,7 +38,7 @@ pub(super) fn arrays(file: &str, bytes: &[u8], format: Format) -> Result<Areal, 
     let fault = |error: Error| damaged(file, format, "HDF5", &error.to_string());
     let root = opened(bytes).map_err(fault)?;
     let mut all = Vec::new();
-    collect(&root, "", DEEPEST, &mut all).map_err(fault)?;
+    collect(&root, "", &mut BTreeSet::new(), &mut all).map_err(fault)?;
     all.retain(|(_, dataset)| is_heights(dataset, is_matlab));
     let (name, dataset) = chosen(file, format, all)?;
     let values = numbers(&dataset).map_err(fault)?;
@@ -130,11 +134,12 @@ fn opened(bytes: &[u8]) -> Result<Group, Error> {
     Hdf5File::from_bytes_with_options(bytes, options)?.root_group()
 }
 
-/// Adds the arrays in `group` and in its groups by their path. Groups that start with # belong to MATLAB.
+/// Adds the arrays in `group` and in its groups by their path. Groups that start with # belong to MATLAB; a group that several
+/// links name is read once, so that links in a circle end.
 fn collect(
     group: &Group,
     path: &str,
-    depth: usize,
+    seen: &mut BTreeSet<u64>,
     all: &mut Vec<(String, Dataset)>,
 ) -> Result<(), Error> {
     let (groups, datasets) = group.members()?;
@@ -143,8 +148,12 @@ fn collect(
     }
     for inner in groups {
         let name = inner.name();
-        if depth > 0 && all.len() < MOST_ARRAYS && !name.starts_with('#') {
-            collect(&inner, &format!("{path}{name}/"), depth - 1, all)?;
+        if seen.len() < MOST_GROUPS
+            && all.len() < MOST_ARRAYS
+            && !name.starts_with('#')
+            && seen.insert(inner.address())
+        {
+            collect(&inner, &format!("{path}{name}/"), seen, all)?;
         }
     }
     Ok(())
@@ -183,6 +192,9 @@ fn numbers(dataset: &Dataset) -> Result<Vec<f64>, Error> {
             .iter()
             .map(|z| as_f64(*z))
             .collect())
+    }
+    if dataset.num_elements()? > MOST_HEIGHTS {
+        return Err(Error::InvalidData("more than 2²⁷ heights".to_owned()));
     }
     match *dataset.dtype() {
         Datatype::FloatingPoint { size: 8, .. } => cast(dataset, |z: f64| z),
