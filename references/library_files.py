@@ -26,6 +26,9 @@ def own(path: Path) -> None:
         group.create_dataset("z", data=NM.astype(np.float32), chunks=(5, 7), compression="gzip", shuffle=True)
         group.create_dataset("x", data=np.arange(COLUMNS) * 0.5)
         file["remark"] = "made for a test"
+        # Links in a circle.
+        for name in "abcdefghij":
+            group[name] = group
 
 
 def matlab(path: Path) -> None:

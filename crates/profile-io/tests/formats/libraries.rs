@@ -128,6 +128,16 @@ fn a_workbook_before_2007_is_read_by_its_labels() {
         assert!((z - exact).abs() < 1e-15, "{i}: {z}");
     }
     assert!(reading.warnings.is_empty(), "{:?}", reading.warnings);
+    // The second of two sheets at the place of the first.
+    let records = |bytes: &[u8]| bytes.starts_with(&[0x85, 0, 15, 0]);
+    let sheets: Vec<usize> = (0..WORKBOOK.len())
+        .filter(|at| records(&WORKBOOK[*at..]))
+        .collect();
+    assert_eq!(sheets.len(), 2);
+    let mut twice = WORKBOOK.to_vec();
+    twice.copy_within(sheets[0] + 4..sheets[0] + 8, sheets[1] + 4);
+    let refused = read_bytes("a.xls", &twice, &ReadOptions::default()).unwrap_err();
+    assert!(refused.to_string().contains("the same place"), "{refused}");
     for end in (0..WORKBOOK.len()).step_by(501) {
         // The rest of a compound file is its directory; without it nothing is found.
         assert!(read_bytes("a.xls", &WORKBOOK[..end], &ReadOptions::default()).is_err());
