@@ -45,7 +45,7 @@ fn ten_answers_make_a_case_that_runs() {
 fn a_centre_distance_the_temperature_of_the_oil_and_two_traces_make_a_case_that_runs() {
     let bench = Bench::new();
     bench.write_flanks();
-    let answers = "25 61\n2\n28 mm\n\n87.5\n120\n4000\noil 80 °C\noil 80 °C dip\nm100\nground_pinion.csv, ground_wheel.csv\n";
+    let answers = "25 61\n2\n28 mm\n\n87.5\n120\n4000\noil 80 °C\noil 80 °C dip\nm100\npinion.csv, wheel.csv\n";
     let said = bench.run_with_input(&["new", "case.toml"], answers);
     assert_eq!(said.status, 0, "{said:?}");
     assert!(
@@ -57,11 +57,11 @@ fn a_centre_distance_the_temperature_of_the_oil_and_two_traces_make_a_case_that_
     for line in [
         "oil_temperature = \"80 °C\"",
         "lubrication = \"dip\"",
-        "wheel = { file = \"ground_wheel.csv\", mirrored = true }",
+        "wheel = { file = \"wheel.csv\", mirrored = true }",
     ] {
         assert!(case.contains(line), "{line} is not in {case}");
     }
-    let checked = bench.run(&["check", "case.toml"]).well();
+    let checked = bench.run(&["check", "case.toml"]).well().unwrapped();
     // The division of the shifts as in the validation of the crate of gears.
     assert!(checked.contains("W445 gears.profile_shift: the centre distance gives the sum 0.797, taken as [0.444, 0.352]"), "{checked}");
     assert!(
