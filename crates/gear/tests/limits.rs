@@ -142,7 +142,7 @@ fn the_tips_of_a_ring_do_not_follow_from_the_centre_distance() {
         ..GearPairInput::standard([24, 75], mm(1.5), Angle::from_si(0.0), mm(20.0))
     };
     let refused = GearPair::internal(&input).unwrap_err();
-    assert!(matches!(refused, GearError::TipRadiusUnknown { sum } if sum > 0.0));
+    assert!(matches!(refused, GearError::TipRadiusUnknown { sum } if sum.abs() > 0.1));
     assert!(
         refused
             .to_string()
