@@ -83,12 +83,6 @@ pub enum PositionError {
         /// Passes made.
         passes: usize,
     },
-    /// A map of a gear train whose torques depend on its losses.
-    #[error(
-        "train.losses is \"passed-on\", by which the torques of the meshes depend on speed and temperature: a map requires \
-         \"not-passed-on\""
-    )]
-    PassesLosses,
     /// Losses that lower the torques of the following meshes do not settle.
     #[error("the torques of the gear train do not settle (last change {change:.1e})")]
     TorquesNotSettled {
@@ -296,7 +290,6 @@ fn advice(source: &PositionError) -> &'static str {
         | PositionError::Impossible { .. }
         | PositionError::Ehl(_)
         | PositionError::FlashNotSettled { .. }
-        | PositionError::PassesLosses
         | PositionError::TorquesNotSettled { .. }
         | PositionError::Marching { .. } => ". No efficiency is reported",
         _ => "",
@@ -387,7 +380,6 @@ impl PositionError {
             Self::Impossible { .. } => "E308",
             Self::Unbalanced(error) => error.code(),
             Self::Marching { .. } => "E304",
-            Self::PassesLosses => "E205",
             Self::FlashNotSettled { .. } | Self::TorquesNotSettled { .. } => "E301",
             Self::Contact(ContactError::NotConverged { .. })
             | Self::LoadShare(
@@ -419,9 +411,7 @@ impl PositionError {
                 Remedy::state(key("model.ehl.cells")).because("to more cells across the film")
             }
             Self::FlashNotSettled { .. } => Remedy::omit(key("model.flash_feedback")),
-            Self::PassesLosses | Self::TorquesNotSettled { .. } => {
-                Remedy::omit(key("train.losses"))
-            }
+            Self::TorquesNotSettled { .. } => Remedy::omit(key("train.losses")),
             Self::LoadShare(LoadShareError::FlowPressureTooLow { .. }) => {
                 Remedy::state(key("material.pinion.flow_pressure"))
                     .because("to the indentation hardness, 6 to 8 GPa for case-hardened steel")

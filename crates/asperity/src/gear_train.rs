@@ -11,9 +11,11 @@ use serde::{Deserialize, Serialize};
 use crate::balance;
 use crate::case::gear_train::{LoadedMesh, LoadedTrain};
 use crate::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
+use crate::contacts::Contacts;
 use crate::error::{Error, PositionError};
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::{GearboxReport, Scope};
+use crate::result::loss_band::EvidenceRow;
 use crate::result::{LossDistribution, Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
 use crate::train_gearbox;
@@ -63,6 +65,9 @@ pub struct TrainResult {
     /// Planetary sets by the names of their stages.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sets: BTreeMap<String, PlanetaryReport>,
+    /// Measurements that would narrow the interval, the one that leaves the narrowest first; empty if they were not sought.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub evidence: Vec<EvidenceRow>,
 }
 
 /// Speeds and power of a planetary set.
@@ -210,6 +215,10 @@ pub struct TrainOutcome {
     pub meshes: Vec<Outcome>,
     /// Draws of each mesh; `None` of a formulation without uncertainty.
     pub drawn: Option<Vec<Predictive>>,
+    /// The train at the oil temperature and the torques that its losses cause.
+    pub settled: LoadedTrain,
+    /// Rough contacts of each mesh.
+    pub contacts: Vec<Contacts>,
 }
 
 impl TrainOutcome {
@@ -297,7 +306,7 @@ pub fn run_train(
 ) -> Result<TrainOutcome, Error> {
     let (warmed, oil) = train_heat::warmed(loaded)?;
     let loaded = &*loaded_by_losses(&warmed)?;
-    let mut contacts = Vec::new();
+    let mut contacts: Vec<Contacts> = Vec::new();
     let mut meshes = Vec::new();
     let mut drawn = Vec::new();
     for mesh in loaded.meshes() {
@@ -322,6 +331,8 @@ pub fn run_train(
         result,
         meshes,
         drawn: drawn.into_iter().collect(),
+        settled: loaded.clone(),
+        contacts,
     };
     // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
     let total = outcome
@@ -329,6 +340,15 @@ pub fn run_train(
         .map(|drawn| losses_of_meshes(&drawn));
     outcome.result.loss_distribution = total.map(|total| Quantiles::of(&total));
     Ok(outcome)
+}
+
+/// The train at the oil temperature and the torques that its losses cause.
+///
+/// # Errors
+/// When a mesh has no solution, or temperature or torques do not settle.
+pub fn settled(loaded: &LoadedTrain) -> Result<LoadedTrain, Error> {
+    let (warmed, _) = train_heat::warmed(loaded)?;
+    Ok(loaded_by_losses(&warmed)?.into_owned())
 }
 
 /// The train with the torques that the losses leave, where the case passes them on.
@@ -448,6 +468,7 @@ fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, 
         shafts,
         meshes,
         sets,
+        evidence: Vec::new(),
     })
 }
 

@@ -114,10 +114,13 @@ pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundO
         };
         let cases = train.meshes().map(|mesh| &mesh.case);
         let of_meshes = cases.zip(&contacts).map(of_mesh);
-        let meshes = train.loss(&of_meshes.collect::<Result<Vec<Power>, Error>>()?);
+        let of_meshes = of_meshes.collect::<Result<Vec<Power>, Error>>()?;
+        let meshes = train.loss(&of_meshes);
         let oil = train.meshes().map(|mesh| mesh.case.case.temperature).next();
         let oil = oil.unwrap_or(heat.ambient);
-        let parts = train_gearbox::parts(train, train.train.operation(), oil).map_err(Box::new)?;
+        let operation = train.train.operation();
+        let of_meshes = train.by_stage(&of_meshes);
+        let parts = train_gearbox::parts(train, operation, oil, &of_meshes).map_err(Box::new)?;
         let parts = parts.iter().map(|part| Power::from_si(part.loss_w));
         Ok(parts.fold(meshes, |sum, part| sum + part))
     };

@@ -233,7 +233,7 @@ pub fn write_json<T: Serialize>(file: &Path, value: &T) -> Result<(), ReportErro
 }
 
 /// Value as JSON that ends with a line feed; `file` is the name in messages.
-fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, ReportError> {
+pub(crate) fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, ReportError> {
     check_finite(value).map_err(ReportError::not_finite(file))?;
     let mut text = serde_json::to_string_pretty(value)?;
     text.push('\n');

@@ -143,21 +143,41 @@ impl Files {
         }
     }
 
-    /// Files in memory: those that `input` names, as `resolver` gives them.
-    pub(super) fn gathered(
+    /// Holds the files that `input` names, as `resolver` gives them.
+    pub(super) fn gather(
+        &mut self,
         input: &CaseInput,
         source: &Source,
         resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
-    ) -> Result<Self, CaseError> {
-        let mut files = Self::default();
+    ) -> Result<(), CaseError> {
+        self.gather_named(&named(input), source, resolver)
+    }
+
+    /// Holds the tables of the gearbox of a train, as `resolver` gives them.
+    pub(super) fn gather_tables<'a>(
+        &mut self,
+        tables: impl Iterator<Item = &'a Path>,
+        source: &Source,
+        resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
+    ) -> Result<(), CaseError> {
+        let tables = tables.map(|name| Named::file("gearbox.tables", name));
+        self.gather_named(&tables.collect::<Vec<_>>(), source, resolver)
+    }
+
+    fn gather_named(
+        &mut self,
+        named: &[Named],
+        source: &Source,
+        resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
+    ) -> Result<(), CaseError> {
         for Named {
             key,
             name,
             is_pattern,
-        } in &named(input)
+        } in named
         {
             // Patterns are of files on disk.
-            if files.held.contains_key(name) || *is_pattern {
+            if self.held.contains_key(name) || *is_pattern {
                 continue;
             }
             let file = name.display().to_string();
@@ -167,15 +187,15 @@ impl Files {
                 key: key.clone(),
                 reason,
             })?;
-            files.hold(name, Content::Bytes(bytes.into()));
+            self.hold(name, Content::Bytes(bytes.into()));
             // An optional file that the case does not name.
             if let Some(conditions) = conditions_of(name)
                 && let Ok(bytes) = resolver(&conditions.display().to_string())
             {
-                files.hold(&conditions, Content::Bytes(bytes.into()));
+                self.hold(&conditions, Content::Bytes(bytes.into()));
             }
         }
-        Ok(files)
+        Ok(())
     }
 
     /// Folder that names are relative to; `None` if all files are in memory.

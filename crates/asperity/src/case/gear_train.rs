@@ -12,7 +12,7 @@ use super::check::{completed, readable};
 use super::error::CaseError;
 use super::files::{Files, Reader};
 use super::input::CaseInput;
-use super::loaded::{complete, open_source};
+use super::loaded::{Resolver, complete, open_source};
 use super::model::Formulation;
 use super::source::Source;
 use crate::error::Error;
@@ -58,13 +58,30 @@ pub fn load_set(
     formulation: Option<Formulation>,
 ) -> Result<LoadedTrain, Error> {
     let mut source = source;
-    let loaded = read(&mut source, folder, keys, formulation);
+    let loaded = read(&mut source, Origin::Folder(folder), keys, formulation);
     loaded.map_err(|error| Error::in_text(error, source))
+}
+
+/// Reads the gear train in `text`, called `name`, whose files `resolver` gives, as [`from_text`](super::from_text).
+///
+/// # Errors
+/// As for [`load`].
+pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<LoadedTrain, Error> {
+    let mut source = Source::from_bytes(name, text.as_bytes())?;
+    let loaded = read(&mut source, Origin::Memory(resolver), &[], None);
+    loaded.map_err(|error| Error::in_text(error, source))
+}
+
+/// Origin of the files of a train.
+#[derive(Clone, Copy)]
+enum Origin<'a> {
+    Folder(&'a Path),
+    Memory(Resolver<'a>),
 }
 
 fn read(
     source: &mut Source,
-    folder: &Path,
+    from: Origin<'_>,
     keys: &[(String, String)],
     formulation: Option<Formulation>,
 ) -> Result<LoadedTrain, CaseError> {
@@ -72,8 +89,21 @@ fn read(
     for (key, value) in keys {
         input.set_in(source, key, value)?;
     }
-    let files = Arc::new(Files::in_folder(folder));
+    let mut files = match from {
+        Origin::Folder(folder) => Files::in_folder(folder),
+        Origin::Memory(_) => Files::default(),
+    };
+    if let Origin::Memory(resolver) = from {
+        let tables = input.gearbox.iter().flat_map(|gearbox| &gearbox.tables);
+        files.gather_tables(tables.map(|table| table.file.as_path()), source, resolver)?;
+    }
     let parts = input.parts(source, Reader::of(&files))?;
+    if let Origin::Memory(resolver) = from {
+        for mesh in parts.meshes() {
+            files.gather(&mesh.case, &source.of_mesh(&mesh.keys), resolver)?;
+        }
+    }
+    let files = Arc::new(files);
     let mut cases = Vec::new();
     for mesh in parts.meshes() {
         let case = CaseInput {

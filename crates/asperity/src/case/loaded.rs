@@ -184,7 +184,8 @@ pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Loade
     let source = Source::from_bytes(name, text.as_bytes())?;
     let read = || {
         let input = CaseInput::read(&source)?;
-        let files = Files::gathered(&input, &source, resolver)?;
+        let mut files = Files::default();
+        files.gather(&input, &source, resolver)?;
         complete(input, &source, files.into(), None)
     };
     read().map_err(|error| Error::in_text(error, source.clone()))

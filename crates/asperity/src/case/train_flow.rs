@@ -179,9 +179,7 @@ impl Train {
     /// When the stages do not determine a speed or torque, or a mesh carries no torque.
     pub fn flow(&self, losses: &[Vec<Power>]) -> Result<TrainFlow, GearError> {
         let speeds = self.shafts.speeds()?;
-        let stages = self.kinds.iter().zip(losses);
-        let of_stages: Vec<Power> = stages.map(|(kind, losses)| kind.loss(losses)).collect();
-        let torques = self.shafts.torques(&speeds, &of_stages)?;
+        let torques = self.torques(&speeds, losses)?;
         let loads = (0..self.kinds.len()).map(|k| {
             let first = losses.get(k).and_then(|losses| losses.first());
             self.loads(k, &speeds, torques.stages[k], first.copied())
@@ -191,6 +189,29 @@ impl Train {
             speeds,
             torques,
         })
+    }
+
+    /// Torques of shafts and stages with the loss of one mesh of each kind in each stage.
+    fn torques(
+        &self,
+        speeds: &[AngularSpeed],
+        losses: &[Vec<Power>],
+    ) -> Result<TrainTorques, GearError> {
+        let stages = self.kinds.iter().zip(losses);
+        let of_stages: Vec<Power> = stages.map(|(kind, losses)| kind.loss(losses)).collect();
+        self.shafts.torques(speeds, &of_stages)
+    }
+
+    /// Torques that load the meshes: by the tooth numbers, or with the losses if the train passes them on.
+    ///
+    /// # Errors
+    /// When a torque does not follow from the stated ones, or contradicts them.
+    pub fn loading_torques(
+        &self,
+        speeds: &[AngularSpeed],
+        losses: &[Vec<Power>],
+    ) -> Result<TrainTorques, GearError> {
+        self.torques(speeds, if self.passes_losses { losses } else { &[] })
     }
 
     /// Loads of the meshes of stage `k`; `lost` is the loss of one of its first meshes.

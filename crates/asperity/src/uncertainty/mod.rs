@@ -55,7 +55,7 @@ pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use difference::{
     DrawnMesh, PairedDifference, Verdict, difference, difference_of_meshes, losses_of_meshes,
 };
-pub use expected::Measurement;
+pub use expected::{Measurement, MeshDraws, expected_after};
 pub use predictive::{Predictive, model_deviation};
 pub use quantiles::Quantiles;
 
