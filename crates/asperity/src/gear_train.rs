@@ -1,6 +1,5 @@
 //! The run of a gear train: every mesh, and their loss together.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use asperity_core::quantity::Power;
@@ -19,7 +18,7 @@ use crate::result::loss_band::EvidenceRow;
 use crate::result::{LossDistribution, Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
 use crate::train_gearbox;
-use crate::train_heat::{self, HeatReport};
+use crate::train_heat::{self, FoundOil, HeatReport};
 use crate::uncertainty::{DrawnMesh, Predictive, Quantiles, losses_of_meshes, run_and_draw};
 
 /// The result of a gear train, in addition to the results of its meshes.
@@ -264,8 +263,8 @@ pub type LossesOfMesh<'a> = &'a dyn Fn(&LoadedCase) -> Result<(Losses, Option<Pr
 /// # Errors
 /// As [`run_train`].
 pub fn train_losses(loaded: &LoadedTrain, of_mesh: LossesOfMesh<'_>) -> Result<TrainResult, Error> {
-    let (warmed, oil) = train_heat::warmed(loaded)?;
-    let loaded = &*loaded_by_losses(&warmed)?;
+    let (settled, oil) = with_oil(loaded)?;
+    let loaded = &settled;
     let meshes = loaded.meshes().map(|mesh| of_mesh(&mesh.case));
     let meshes = meshes.collect::<Result<Vec<_>, Error>>()?;
     let runs = meshes.iter().map(|(losses, _)| MeshLosses {
@@ -304,8 +303,8 @@ pub fn run_train(
     band: bool,
     progress: Progress<'_>,
 ) -> Result<TrainOutcome, Error> {
-    let (warmed, oil) = train_heat::warmed(loaded)?;
-    let loaded = &*loaded_by_losses(&warmed)?;
+    let (settled, oil) = with_oil(loaded)?;
+    let loaded = &settled;
     let mut contacts: Vec<Contacts> = Vec::new();
     let mut meshes = Vec::new();
     let mut drawn = Vec::new();
@@ -331,7 +330,7 @@ pub fn run_train(
         result,
         meshes,
         drawn: drawn.into_iter().collect(),
-        settled: loaded.clone(),
+        settled: settled.clone(),
         contacts,
     };
     // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
@@ -347,20 +346,31 @@ pub fn run_train(
 /// # Errors
 /// When a mesh has no solution, or temperature or torques do not settle.
 pub fn settled(loaded: &LoadedTrain) -> Result<LoadedTrain, Error> {
-    let (warmed, _) = train_heat::warmed(loaded)?;
-    Ok(loaded_by_losses(&warmed)?.into_owned())
+    Ok(with_oil(loaded)?.0)
+}
+
+/// The settled train, and how the temperature of its oil was found.
+fn with_oil(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundOil>), Error> {
+    let (warmed, oil) = train_heat::warmed(loaded)?;
+    let settled = loaded_by_losses(warmed)?;
+    if loaded.heat.is_none() || !loaded.train.passes_losses {
+        return Ok((settled, oil));
+    }
+    // Losses at the torques that they leave change the oil by tenths of a kelvin, and the torques then by less than 1e-5.
+    let (warmed, oil) = train_heat::warmed(&settled)?;
+    Ok((loaded_by_losses(warmed)?, oil))
 }
 
 /// The train with the torques that the losses leave, where the case passes them on.
-fn loaded_by_losses(loaded: &LoadedTrain) -> Result<Cow<'_, LoadedTrain>, Error> {
+fn loaded_by_losses(loaded: LoadedTrain) -> Result<LoadedTrain, Error> {
     /// Change of a torque, relative to it, at which the torques have settled.
     const SETTLED: f64 = 1e-9;
     const MOST: usize = 30;
     if !loaded.train.passes_losses {
-        return Ok(Cow::Borrowed(loaded));
+        return Ok(loaded);
     }
     let whole = |error| Error::Whole(Box::new(PositionError::Gear(error)));
-    let mut settled = loaded.clone();
+    let mut settled = loaded;
     let mut known: Vec<Vec<(MeshLoad, Power)>> = vec![Vec::new(); settled.stages.len()];
     let mut change = f64::INFINITY;
     for _ in 0..MOST {
@@ -392,7 +402,7 @@ fn loaded_by_losses(loaded: &LoadedTrain) -> Result<Cow<'_, LoadedTrain>, Error>
             }
         }
         if change < SETTLED {
-            return Ok(Cow::Owned(settled));
+            return Ok(settled);
         }
     }
     Err(Error::Whole(Box::new(PositionError::TorquesNotSettled {
