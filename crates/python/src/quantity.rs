@@ -9,7 +9,8 @@ use crate::failure::Failure;
 #[pyfunction]
 pub fn to_si(quantity: &str, text: &str) -> PyResult<f64> {
     let known = QUANTITIES.iter().find(|known| known.type_name == quantity);
-    let known = known.ok_or_else(|| Failure::new("E501", format!("{quantity}: no such quantity")))?;
+    let known =
+        known.ok_or_else(|| Failure::new("E501", format!("{quantity}: no such quantity")))?;
     Ok((known.read)(text).map_err(Failure::from)?)
 }
 
@@ -17,5 +18,7 @@ pub fn to_si(quantity: &str, text: &str) -> PyResult<f64> {
 #[pyfunction]
 pub fn si_units() -> Vec<(&'static str, &'static str)> {
     let quantities = QUANTITIES.iter();
-    quantities.map(|known| (known.type_name, known.si_unit)).collect()
+    quantities
+        .map(|known| (known.type_name, known.si_unit))
+        .collect()
 }

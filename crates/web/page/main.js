@@ -295,12 +295,14 @@ for (const body of ["pinion", "wheel"]) {
 async function takeGearbox({ name, bytes, flanks = state.own ? state.files : { pinion: "", wheel: "" } }, wanted = 0) {
   const { stage, stages, case: made, notes } = await questions.ask("gearbox", { name, bytes, stage: wanted, ...flanks });
   state.name = `${name.replace(/\.[^.]*$/, "")}.toml`;
-  await adopt(made);
+  const adopted = adopt(made);
   state.gearbox = { name, bytes, flanks, made: text.value };
   element("stage-part").hidden = stages.length < 2;
   element("stage").replaceChildren(new Option("the whole gearbox", 0), ...stages.map((each, at) => new Option(each, at + 1)));
   element("stage").value = String(stage);
   status.textContent = [`${name} is read.`, ...notes].join(" ");
+  // A stage without roughness has no flanks before its profiles are chosen.
+  await adopted.catch(() => setApart(true));
 }
 
 function leaveGearbox() {

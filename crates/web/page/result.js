@@ -87,13 +87,16 @@ function showReports(files) {
   const reports = Object.keys(files).filter((name) => name.endsWith(REPORT));
   const frame = element("report");
   const choice = element("reports");
+  const folder = (name) => name.slice(0, name.lastIndexOf("/") + 1);
+  const title = (name) => JSON.parse(new TextDecoder().decode(files[`${folder(name)}result.json`])).title.split(": ").pop();
   const show = (name) => {
     for (const each of choice.children) each.setAttribute("aria-pressed", each.dataset.name === name);
+    for (const each of element("files").children) each.hidden = files[each.dataset.name] && folder(each.dataset.name) !== folder(name);
     frame.onload = () => {
       grow(frame);
       // Links of a report are files of its folder, which are in memory.
       for (const a of frame.contentDocument.querySelectorAll("a[href]")) {
-        const target = name.slice(0, -REPORT.length) + a.getAttribute("href");
+        const target = folder(name) + a.getAttribute("href");
         if (!files[target]) continue;
         a.addEventListener("click", (event) => {
           event.preventDefault();
@@ -106,7 +109,7 @@ function showReports(files) {
   };
   choice.hidden = reports.length < 2;
   choice.replaceChildren(...reports.map((name) => {
-    const each = button(name === REPORT ? "Whole gearbox" : `Mesh ${name.slice(0, -REPORT.length - 1).replaceAll("_", " and ")}`, () => show(name));
+    const each = button(name === REPORT ? "Whole gearbox" : `Mesh ${title(name)}`, () => show(name));
     each.dataset.name = name;
     return each;
   }));

@@ -8,9 +8,9 @@ use std::path::PathBuf;
 
 use asperity::Run;
 use asperity::case;
-use asperity::pipeline::KeptFields;
 use asperity::case::gear_train;
 use asperity::gear_train::run_train;
+use asperity::pipeline::KeptFields;
 use asperity_report::{summary_of_train, texts, texts_of_train};
 use asperity_web::{Files, gearbox_stage, keys, library, run, versus};
 
@@ -166,7 +166,11 @@ fn a_stage_of_a_gearbox_file_becomes_a_case_with_the_chosen_flanks() {
         made.unwrap_err().code
     };
     // A bevel stage cannot be a mesh of a train.
-    assert!(made.notes.iter().any(|note| note.contains("bevel")), "{:?}", made.notes);
+    assert!(
+        made.notes.iter().any(|note| note.contains("bevel")),
+        "{:?}",
+        made.notes
+    );
     let second = gearbox_stage("chain.rexs", &bytes, 2, ["", ""]).unwrap();
     assert_eq!((second.stage, second.stages.len()), (2, 3));
     assert_eq!(refused(&bytes, 99), "E133");
@@ -201,29 +205,58 @@ fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
     }
     fs::write(folder.join("idle.csv"), IDLE).unwrap();
     fs::write(folder.join("train.toml"), TRAIN).unwrap();
-    let train = gear_train::load(&folder.join("train.toml")).unwrap().unwrap();
+    let train = gear_train::load(&folder.join("train.toml"))
+        .unwrap()
+        .unwrap();
     let outcome = run_train(&train, &KeptFields::Highest, true, &told()).unwrap();
     assert_eq!(found.outcome.result, outcome.result);
     assert_eq!(found.summary(), summary_of_train(&outcome.result));
     // Each mesh names its case by the place of the file.
-    let names = |files: &[(String, Vec<u8>)]| files.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+    let names = |files: &[(String, Vec<u8>)]| {
+        files
+            .iter()
+            .map(|(name, _)| name.clone())
+            .collect::<Vec<_>>()
+    };
     let of_disk = texts_of_train(&outcome).unwrap();
     assert_eq!(names(&found.files), names(&of_disk));
     assert_eq!(found.files[..4], of_disk[..4]);
-    for name in ["train.json", "report.html", "first/report.html", "second/result.json"] {
+    for name in [
+        "train.json",
+        "report.html",
+        "first/report.html",
+        "second/result.json",
+    ] {
         assert!(found.files.iter().any(|(known, _)| known == name), "{name}");
     }
     let tiles = found.tiles();
     assert_eq!(tiles[1].name, "loss of all meshes");
-    let parts = tiles.iter().find(|tile| tile.name == "meshes and parts").unwrap();
+    let parts = tiles
+        .iter()
+        .find(|tile| tile.name == "meshes and parts")
+        .unwrap();
     assert_eq!(parts.rows.len(), 4, "{parts:?}");
     // Side by side with the same train at another torque, and with a pair of gears.
-    let other = run("train.toml", &TRAIN.replace("60 N m", "30 N m"), &files, &told()).unwrap();
+    let other = run(
+        "train.toml",
+        &TRAIN.replace("60 N m", "30 N m"),
+        &files,
+        &told(),
+    )
+    .unwrap();
     let both = versus(&found, &other).unwrap();
     assert!(both.verdict.starts_with("B loses "), "{}", both.verdict);
-    let loss = both.rows.iter().find(|row| row[0] == "loss of all meshes").unwrap();
+    let loss = both
+        .rows
+        .iter()
+        .find(|row| row[0] == "loss of all meshes")
+        .unwrap();
     assert!(loss[3].starts_with('-'), "{loss:?}");
-    assert!(both.inputs.iter().any(|row| row[0] == "operation.torque"), "{:?}", both.inputs);
+    assert!(
+        both.inputs.iter().any(|row| row[0] == "operation.torque"),
+        "{:?}",
+        both.inputs
+    );
     let (text, files) = small();
     let pair = run("e-drive.toml", &text, &files, &told()).unwrap();
     assert!(!versus(&found, &pair).unwrap().verdict.is_empty());
