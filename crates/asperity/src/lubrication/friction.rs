@@ -9,14 +9,14 @@ use asperity_tribo_friction::{
     mixed_friction,
 };
 
+use super::FormulaFilm;
 use super::chosen_laws::ChosenLaws;
-use super::formula_film::FormulaFilm;
-use super::load_share_law::SharedLoad;
 use crate::case::Case;
 use crate::contacts::Pressed;
 use crate::error::PositionError;
 use crate::flanks::{Roughness, Surfaces};
 use crate::mesh::MeshPosition;
+use asperity_case::load_share_law::SharedLoad;
 
 /// Friction coefficient in the film.
 #[derive(Debug, Clone, PartialEq)]

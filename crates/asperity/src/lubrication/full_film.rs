@@ -2,7 +2,7 @@
 
 use asperity_core::quantity::Length;
 
-use super::formula_film::FormulaFilm;
+use super::FormulaFilm;
 use crate::mesh::MeshPosition;
 use crate::result::FullFilmRow;
 

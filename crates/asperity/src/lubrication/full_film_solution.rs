@@ -6,7 +6,7 @@ use asperity_ehl::{Oil, SteadySettings, steady};
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_oil::{PressureLaw, PressureViscosityLaw};
 
-use super::formula_film::FormulaFilm;
+use super::FormulaFilm;
 use super::full_film::{Fields, FullFilm};
 use crate::case::{Case, FullFilmName};
 use crate::error::PositionError;

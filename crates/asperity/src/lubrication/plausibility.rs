@@ -3,12 +3,12 @@
 //! The limits are own choices, some powers of ten beyond what was ever measured on gears, where the model says
 //! nothing any more whatever its laws return.
 
-use super::formula_film::FormulaFilm;
+use super::FormulaFilm;
 use super::position::LubricatedPosition;
 use crate::case::Case;
 use crate::error::PositionError;
 use crate::mesh::MeshPosition;
-use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
+use asperity_case::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 
 /// Film \[m\]: gear films are below 10 um.
 const FILM: f64 = 1e-3;

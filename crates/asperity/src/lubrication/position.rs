@@ -3,7 +3,7 @@
 use asperity_contact::ContactWarning;
 use asperity_ehl_regime::Regime;
 
-use super::formula_film::FormulaFilm;
+use super::FormulaFilm;
 use super::friction::{InFilm, Rubbing};
 use super::full_film::FullFilm;
 use crate::case::Case;

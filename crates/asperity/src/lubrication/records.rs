@@ -1,7 +1,7 @@
 //! The records that a case requires.
 
+use super::FormulaFilm;
 use super::chosen_laws::ChosenLaws;
-use super::formula_film::FormulaFilm;
 use super::friction;
 use crate::case::{FullFilmName, LoadedCase};
 use crate::error::PositionError;

@@ -3,7 +3,7 @@
 use asperity_efficiency::RollingSurfaces;
 use asperity_tribo_friction::rolling_force;
 
-use super::formula_film::FormulaFilm;
+use super::FormulaFilm;
 use super::friction::hysteresis_force;
 use crate::case::{Case, Formulation};
 use crate::error::PositionError;

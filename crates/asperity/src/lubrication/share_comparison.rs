@@ -9,9 +9,9 @@ use asperity_ehl_regime::{Lay, LoadShareLaw, PairSpectrum, TraceSpectrum};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::FormulaFilm;
 use super::chosen_laws::ChosenLaws;
 use super::decision::lambda_star_of;
-use super::formula_film::FormulaFilm;
 use crate::case::LoadedCase;
 use crate::flanks::{Roughness, Surfaces, Texture};
 use crate::reference_solution::{ReferenceContact, ReferenceError, rheology};

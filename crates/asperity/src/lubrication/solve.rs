@@ -9,9 +9,9 @@ use asperity_core::quantity::Length;
 use asperity_ehl_regime::Regime;
 use asperity_mixed_film::LoadShareSolution;
 
+use super::FormulaFilm;
 use super::chosen_laws::ChosenLaws;
 use super::decision::{Decision, Undecided};
-use super::formula_film::FormulaFilm;
 use super::friction::{self, InFilm, Rubbing};
 use super::full_film::FullFilm;
 use super::full_film_solution::full_film_at;

@@ -7,7 +7,7 @@
 use asperity_core::quantity::{Length, LineLoad};
 use asperity_gear::{LoadCell, LoadMap};
 
-use super::mesh_position::Resolution;
+use super::Resolution;
 use crate::case::{Case, Formulation};
 use crate::error::PositionError;
 

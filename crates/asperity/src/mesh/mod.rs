@@ -1,9 +1,8 @@
 //! The mesh without roughness and oil: positions along the path of contact with load, speeds and Hertz contact.
 
 mod cells;
-mod mesh_position;
 
-pub use mesh_position::{MeshPosition, Resolution};
+pub use asperity_case::mesh_position::{MeshPosition, Resolution};
 
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::Length;

@@ -7,8 +7,8 @@ use asperity_core::quantity::Length;
 use asperity_ehl::{Estimate, RecordSettings, transient};
 use rayon::prelude::*;
 
+use super::RecordedShare;
 use super::path_record::PathRecord;
-use super::share::RecordedShare;
 use super::store::RecordStore;
 use crate::case::{Formulation, LoadedCase};
 use crate::equations::find;

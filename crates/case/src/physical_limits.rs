@@ -6,4 +6,4 @@ use asperity_core::quantity::Pressure;
 /// Pressure that no steel withstands: hardened steel flows at 7 GPa.
 pub const HIGHEST_PRESSURE: Pressure = Pressure::from_si(20e9);
 /// Speed of a flank \[m/s\]: turbine gears reach 200.
-pub(crate) const HIGHEST_SPEED: f64 = 1000.0;
+pub const HIGHEST_SPEED: f64 = 1000.0;

@@ -13,7 +13,7 @@ const MOST_LAY: f64 = 1.0 / 6.0;
 /// Distribution of the lay of a flank.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum FlankLay {
+pub enum FlankLay {
     /// Everything between two ends.
     Uniform {
         /// Lower end.
@@ -32,13 +32,13 @@ pub(crate) enum FlankLay {
 
 impl FlankLay {
     /// The lay of ground flanks.
-    pub(crate) const ASSUMED: Self = Self::Uniform {
+    pub const ASSUMED: Self = Self::Uniform {
         low: 0.0,
         high: MOST_LAY,
     };
 
     /// The measured lay; `None` if it says less than the assumed one.
-    pub(crate) fn of(measured: &RowLay) -> Option<Self> {
+    pub fn of(measured: &RowLay) -> Option<Self> {
         let [low, high] = measured.range.map(|end| two_digits(end.min(1.0)));
         match measured.is_bound {
             true if high >= MOST_LAY && low < MOST_LAY => None,
@@ -51,7 +51,7 @@ impl FlankLay {
     }
 
     /// γ at `z` of the standard normal distribution.
-    pub(crate) fn at(self, z: f64) -> f64 {
+    pub fn at(self, z: f64) -> f64 {
         match self {
             Self::Uniform { low, high } => low + (high - low) * standard_normal_below(z),
             Self::Lognormal { median, factor } => (median * factor.powf(z / Z_975)).min(1.0),
@@ -60,7 +60,7 @@ impl FlankLay {
 }
 
 /// Mean of the lays of both flanks at `z`.
-pub(crate) fn mean_at(lays: [FlankLay; 2], z: f64) -> f64 {
+pub fn mean_at(lays: [FlankLay; 2], z: f64) -> f64 {
     0.5 * (lays[0].at(z) + lays[1].at(z))
 }
 
@@ -68,7 +68,7 @@ pub(crate) fn mean_at(lays: [FlankLay; 2], z: f64) -> f64 {
 ///
 /// # Errors
 /// When a lay is not within 0 to 1.
-pub(crate) fn with_mean(lays: [FlankLay; 2], mean: f64) -> Result<[Lay; 2], PositionError> {
+pub fn with_mean(lays: [FlankLay; 2], mean: f64) -> Result<[Lay; 2], PositionError> {
     if lays[0] == lays[1] {
         return Ok([Lay::new(mean)?; 2]);
     }
@@ -88,7 +88,7 @@ pub(crate) fn with_mean(lays: [FlankLay; 2], mean: f64) -> Result<[Lay; 2], Posi
 }
 
 /// Rounded to the digits that an interval of some per cent allows.
-pub(crate) fn two_digits(value: f64) -> f64 {
+pub fn two_digits(value: f64) -> f64 {
     if value <= 0.0 {
         return 0.0;
     }

@@ -40,7 +40,7 @@ impl Roughness {
 }
 
 /// Reduced peak height \[m\] of the composite of two windows, and its asperities if it has any.
-pub(crate) fn peaks(
+pub fn peaks(
     windows: &[Profile; 2],
     lambda_s: Length,
 ) -> Result<(f64, Option<AsperityRadius>), PositionError> {

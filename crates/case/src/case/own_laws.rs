@@ -8,7 +8,7 @@ use asperity_tribo_friction::{FilmFriction, NamedFriction};
 
 use super::defaults::DefaultUsed;
 use super::resolve::Case;
-use crate::lubrication::LoadShare;
+use crate::load_share_law::LoadShare;
 use asperity_mixed_film::FilmAlone;
 
 /// Source of the name of a user-defined law.

@@ -38,7 +38,7 @@ use asperity_ehl_regime::FilmThicknessLaw;
 use asperity_gear::LoadDistribution;
 use asperity_tribo_friction::FilmFriction;
 
-use crate::lubrication::load_share_law::LoadShare;
+use crate::load_share_law::LoadShare;
 
 /// Choices that only a program can make: user-defined laws, without which those of the case apply, and exact contacts.
 #[derive(Debug, Clone, Default)]
@@ -59,7 +59,7 @@ pub struct Laws {
 
 impl Laws {
     /// Whether a law is user-defined.
-    pub(crate) fn is_any(&self) -> bool {
+    pub fn is_any(&self) -> bool {
         self.film.is_some()
             || self.friction.is_some()
             || self.load_distribution.is_some()

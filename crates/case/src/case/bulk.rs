@@ -24,7 +24,6 @@ pub enum BulkModel {
 
 /// The bulk temperature of a run that follows from its loss.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[non_exhaustive]
 pub struct BulkReport {
     /// Law of the rise: `iso` with the lubrication, as in `iso, unconfirmed, jet`, or `network`.
     pub law: String,

@@ -133,10 +133,7 @@ pub(super) fn correlation<N: Copy + PartialEq>(
 
 /// Rows of the lower triangle L, each up to its diagonal, with L Lᵀ = the correlations of `n` parameters, given by their
 /// numbers; `None` if no distribution has them.
-pub(crate) fn cholesky(
-    n: usize,
-    correlation: impl Fn(usize, usize) -> f64,
-) -> Option<Vec<Vec<f64>>> {
+pub fn cholesky(n: usize, correlation: impl Fn(usize, usize) -> f64) -> Option<Vec<Vec<f64>>> {
     /// Smallest square of a pivot: a correlation of 1 - 5e-7.
     const LEAST: f64 = 1e-6;
     Cholesky::new(n, correlation, LEAST).map(|factor| factor.lower().to_vec())

@@ -15,7 +15,7 @@ use asperity_core::quantity::Length;
 use asperity_core::{Profile, cite};
 
 use crate::error::PositionError;
-use crate::mesh::MeshPosition;
+use crate::mesh_position::MeshPosition;
 
 /// Share of the loss that must lie on the traces, or there is no placement.
 pub const LEAST_COVERAGE: f64 = 0.3;
@@ -57,13 +57,13 @@ impl PlacedTrace {
     }
 
     /// Roll lengths of the first and the last point of `trace`; 0 where it reaches below the base circle.
-    pub(crate) fn roll_lengths(&self, trace: &Profile) -> [Length; 2] {
+    pub fn roll_lengths(&self, trace: &Profile) -> [Length; 2] {
         let last = self.first_arc + self.direction * trace.length().si();
         [self.first_arc, last].map(|arc| self.roll_length(arc))
     }
 
     /// Roll length of the point at an arc \[m\]; 0 below the base circle.
-    pub(crate) fn roll_length(&self, arc: f64) -> Length {
+    pub fn roll_length(&self, arc: f64) -> Length {
         // ρ = √(2 r_b l), [Flank-arc] solved for ρ.
         Length::from_si((2.0 * self.base_radius * arc.max(0.0)).sqrt())
     }
@@ -72,7 +72,7 @@ impl PlacedTrace {
 impl Placement {
     /// Middles of the contact at `position` on traces of `points` points `spacing` apart, and whether both lie on
     /// data; where they do not, the nearest places that do.
-    pub(crate) fn middles(
+    pub fn middles(
         &self,
         position: &MeshPosition,
         points: [usize; 2],
@@ -92,7 +92,7 @@ impl Placement {
     }
 
     /// Share of the loss at places that both traces cover, by f |V_s|.
-    pub(crate) fn coverage<'a>(
+    pub fn coverage<'a>(
         &self,
         positions: impl Iterator<Item = &'a MeshPosition>,
         points: [usize; 2],
@@ -111,7 +111,7 @@ impl Placement {
 }
 
 /// Refuses a placement on which hardly any contact lies.
-pub(crate) fn check_coverage(coverage: f64) -> Result<(), PositionError> {
+pub fn check_coverage(coverage: f64) -> Result<(), PositionError> {
     match coverage >= LEAST_COVERAGE {
         true => Ok(()),
         false => Err(PositionError::NotCovered { coverage }),

@@ -1,7 +1,7 @@
 //! The case: the inputs of a run, completed with defaults.
 //!
 //! [`CaseInput`] is the case as the user writes it; [`Case`] has every choice made and checked; [`LoadedCase`] adds
-//! the flanks and is ready for [`Run`](crate::Run). All defaults in use are listed.
+//! the flanks and is ready for a run. All defaults in use are listed.
 //!
 //! | from | by |
 //! |---|---|
@@ -78,7 +78,7 @@ pub use assumed_relief::AssumedRelief;
 pub use builder::CaseBuilder;
 pub use bulk::{BulkModel, BulkReport, FoundBulk};
 pub use bulk_input::{BulkInput, BulkLaw, Lubrication};
-pub(crate) use calibration::cholesky;
+pub use calibration::cholesky;
 pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput};
 pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
@@ -116,7 +116,7 @@ pub use place::Place;
 pub use plausibility::possible_range;
 pub use resolve::{Case, resolve};
 pub use source::{Source, Syntax};
-pub(crate) use steel::STEEL_FLOW_PRESSURE;
+pub use steel::STEEL_FLOW_PRESSURE;
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};
 pub use train_flow::{MeshLoad, StageKind, Train, TrainFlow};

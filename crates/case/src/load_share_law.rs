@@ -13,17 +13,16 @@ use asperity_ehl_regime::LoadShareLaw;
 use asperity_ehl_regime::published_shares::masjedi_khonsari;
 use asperity_tribo_friction::FilmContact;
 
-use super::formula_film::FormulaFilm;
 use crate::case::LoadShareName;
 use crate::error::PositionError;
 use crate::flanks::{Roughness, WindowPair};
-use crate::mesh::MeshPosition;
-use crate::records::RecordedShare;
+use crate::formula_film::FormulaFilm;
+use crate::mesh_position::MeshPosition;
+use crate::recorded_share::RecordedShare;
 use asperity_mixed_film::{InletSupply, LoadShareSolution};
 
 /// Film and asperities at one mesh position and one offset: the inputs of a load-sharing law.
 #[derive(Debug, Clone, Copy)]
-#[non_exhaustive]
 pub struct ShareConditions<'a> {
     /// Motion, load and smooth contact.
     pub position: &'a MeshPosition,

@@ -20,7 +20,6 @@ pub enum Resolution {
 
 /// A mesh position: everything that depends on neither roughness nor oil.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct MeshPosition {
     /// Number of the position from A.
     pub number: usize,
@@ -57,7 +56,7 @@ impl MeshPosition {
     }
 
     /// `share` of the Hertz pressure \[Pa\] at the points `x` \[m\].
-    pub(crate) fn hertz_pressure(&self, x: &[f64], share: f64) -> Result<Vec<f64>, PositionError> {
+    pub fn hertz_pressure(&self, x: &[f64], share: f64) -> Result<Vec<f64>, PositionError> {
         x.iter()
             .map(|&x| Ok(share * self.hertz.pressure(Length::from_si(x))?.si()))
             .collect()
@@ -65,7 +64,7 @@ impl MeshPosition {
 
     /// Sliding speed \[m/s\] that gives, times the friction force at the position, the mean sliding power over the
     /// contact line that it represents.
-    pub(crate) fn mean_sliding(&self) -> f64 {
+    pub fn mean_sliding(&self) -> f64 {
         self.motion.sliding.si().abs() * self.sliding_factor
     }
 }

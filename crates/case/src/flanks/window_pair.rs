@@ -8,13 +8,13 @@ use asperity_core::quantity::{Length, Pressure};
 use crate::error::PositionError;
 use crate::flanks::Roughness;
 use crate::flanks::{Surfaces, Texture};
-use crate::mesh::{MeshPosition, Resolution};
+use crate::mesh_position::{MeshPosition, Resolution};
 
 /// Least points per Hertz half-width at which a contact is resolved.
 pub const LEAST_POINTS_PER_HALF_WIDTH: f64 = 20.0;
 
 /// Width b_e in half-widths of a contact over which the loss averages, which is weighted with the pressure of Hertz.
-pub(crate) const AVERAGING_WIDTH: f64 = 1.6;
+pub const AVERAGING_WIDTH: f64 = 1.6;
 
 /// 1/p and 1/p² of p³ = p + 1: multiples of both, minus their whole parts, fill a square evenly (Roberts 2018).
 const SHIFTS: [f64; 2] = [0.569_840_290_998_053_3, 0.754_877_666_246_692_8];
@@ -56,7 +56,7 @@ fn radical_inverse(n: usize, base: usize) -> f64 {
 }
 
 /// Whether the roughness of the whole traces is used for the windows at `position`.
-pub(crate) fn is_substituted(surfaces: &Surfaces, position: &MeshPosition) -> bool {
+pub fn is_substituted(surfaces: &Surfaces, position: &MeshPosition) -> bool {
     let [Texture::Trace(first), Texture::Trace(_)] = surfaces.textures() else {
         return false;
     };
@@ -70,7 +70,7 @@ pub(crate) fn is_substituted(surfaces: &Surfaces, position: &MeshPosition) -> bo
 
 /// The windows of both traces in contact at a mesh position, by their places on the traces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Window {
+pub struct Window {
     /// First points of the window on the traces of pinion and wheel; negative where a placed trace begins within the
     /// window.
     pub starts: [isize; 2],
@@ -84,7 +84,7 @@ impl Window {
     ///
     /// # Errors
     /// When the traces are too coarse or too short for the contact.
-    pub(crate) fn at(
+    pub fn at(
         surfaces: &Surfaces,
         position: &MeshPosition,
         window: f64,
@@ -131,7 +131,7 @@ impl Window {
 
     /// Heights of both flanks in the windows at offset `k` of `count`, beyond the ends of a trace from its mirror
     /// image.
-    pub(crate) fn cut(
+    pub fn cut(
         self,
         surfaces: &Surfaces,
         position: &MeshPosition,
@@ -206,7 +206,7 @@ impl WindowPair {
     ///
     /// # Errors
     /// When the gap refuses the numbers.
-    pub(crate) fn new(
+    pub fn new(
         flanks: [Profile; 2],
         position: &MeshPosition,
         modulus: Pressure,

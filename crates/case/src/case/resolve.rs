@@ -29,7 +29,7 @@ use super::plausibility::{at_pitch_point, refuse_impossible, refuse_stiff_oil};
 use super::section::{Section, domain};
 use super::source::Source;
 use super::steel::{Steels, steels};
-use crate::lubrication::laws::Laws;
+use crate::laws::Laws;
 
 /// A case with every choice made.
 #[derive(Debug, Clone)]

@@ -200,12 +200,12 @@ impl LoadedCase {
     }
 
     /// Distributions of the lay of both flanks.
-    pub(crate) fn flank_lays(&self) -> [FlankLay; 2] {
+    pub fn flank_lays(&self) -> [FlankLay; 2] {
         self.lays.of_flanks
     }
 
     /// Name of the case file without its folder.
-    pub(crate) fn file_name(&self) -> Option<String> {
+    pub fn file_name(&self) -> Option<String> {
         let name = Path::new(&*self.name).file_name()?;
         Some(name.to_string_lossy().into_owned())
     }
@@ -305,7 +305,7 @@ impl LoadedCase {
 
     /// Cache folder of records of mixed lubrication; `None` if the case disables it, has no files, or the user has no cache
     /// folder.
-    pub(crate) fn record_folder(&self) -> Option<PathBuf> {
+    pub fn record_folder(&self) -> Option<PathBuf> {
         let beside = self.files.folder()?;
         match self.case.model.ehl.cache.as_str() {
             "off" => None,

@@ -1,7 +1,7 @@
 //! Measured flanks: their traces, the places of these, and the windows in contact at a mesh position.
 
 pub mod flank_form;
-pub(crate) mod flank_lay;
+pub mod flank_lay;
 pub mod local_roughness;
 pub mod placement;
 pub mod surfaces;
@@ -13,4 +13,4 @@ pub use local_roughness::Roughness;
 pub use surfaces::{Surfaces, Texture};
 pub use window_pair::{LEAST_POINTS_PER_HALF_WIDTH, WindowPair, window_places};
 
-pub(crate) use window_pair::{AVERAGING_WIDTH, Window, is_substituted};
+pub use window_pair::{AVERAGING_WIDTH, Window, is_substituted};

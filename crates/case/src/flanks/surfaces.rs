@@ -16,8 +16,8 @@ use crate::flanks::flank_form::FlankForm;
 use crate::flanks::local_roughness::{Roughness, peaks};
 use crate::flanks::placement::Placement;
 use crate::flanks::surrogate_record::SurrogateRecord;
-use crate::mesh::MeshPosition;
-use asperity_ehl_regime::{Attenuation, PairSpectrum, TraceSpectrum};
+use crate::mesh_position::MeshPosition;
+use asperity_ehl_regime::{Attenuation, Lay, PairSpectrum, TraceSpectrum};
 use asperity_mixed_film::AttenuatedTraces;
 use asperity_mixed_film::TraceSpectra;
 
@@ -26,7 +26,6 @@ const SUMMIT_WINDOW: Length = Length::from_si(2.5e-6);
 
 /// Surface of one flank: measured, or known by its roughness values.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum Texture {
     /// A prepared trace.
     Trace(Profile),
@@ -168,7 +167,7 @@ impl Surfaces {
     }
 
     /// Refuses several pairs where a single contact is solved.
-    pub(crate) fn check_one_pair(&self) -> Result<(), PositionError> {
+    pub fn check_one_pair(&self) -> Result<(), PositionError> {
         match self.teeth() {
             None => Ok(()),
             Some(teeth) => Err(PositionError::SeveralTraces { teeth }),
@@ -186,7 +185,7 @@ impl Surfaces {
     }
 
     /// The pair of traces in a zone of the face at offset `k` of `count` of all pairs, and its own offset of how many.
-    pub(crate) fn met(&self, zone: usize, k: usize, count: usize) -> (&Self, usize, usize) {
+    pub fn met(&self, zone: usize, k: usize, count: usize) -> (&Self, usize, usize) {
         let Some(sample) = &self.sample else {
             return (self, k, count);
         };
@@ -197,7 +196,7 @@ impl Surfaces {
     }
 
     /// Whether offset `k` of `count` is the first one of a pair.
-    pub(crate) fn begins_a_pair(&self, k: usize, count: usize) -> bool {
+    pub fn begins_a_pair(&self, k: usize, count: usize) -> bool {
         self.met(0, k, count).1 == 0
     }
 
@@ -215,7 +214,7 @@ impl Surfaces {
     }
 
     /// Shifts placed traces by a number of half-widths against each other; `None` if they are not placed.
-    pub(crate) fn misplaced(&self, half_widths: f64) -> Option<Self> {
+    pub fn misplaced(&self, half_widths: f64) -> Option<Self> {
         self.changed(|met| {
             let placement = met.placement.ok_or(())?;
             let misplaced = Placement {
@@ -234,7 +233,7 @@ impl Surfaces {
     }
 
     /// Share of the loss at places that both traces cover, the least of all pairs; `None` if they are not placed.
-    pub(crate) fn coverage<'a>(
+    pub fn coverage<'a>(
         &self,
         stations: impl Iterator<Item = &'a MeshPosition> + Clone,
     ) -> Option<f64> {
@@ -351,7 +350,7 @@ impl Surfaces {
 
     /// Standard deviation of the sum of two windows, each its first point and their number of points, flattened by
     /// `attenuation`; `whole` holds the attenuated traces once they were needed.
-    pub(crate) fn window_rms(
+    pub fn window_rms(
         &self,
         window: ([isize; 2], usize),
         attenuation: &Attenuation,
@@ -362,24 +361,50 @@ impl Surfaces {
     }
 
     /// Spectra of both whole traces.
-    pub(crate) fn whole_spectra(&self) -> Result<&[TraceSpectrum; 2], PositionError> {
+    pub fn whole_spectra(&self) -> Result<&[TraceSpectrum; 2], PositionError> {
         Ok(self.spectra.of_whole(self.traces()?)?)
     }
 
     /// Variance of both traces by wavelength.
-    pub(crate) fn pair_spectrum(&self) -> Result<&PairSpectrum, PositionError> {
+    pub fn pair_spectrum(&self) -> Result<&PairSpectrum, PositionError> {
         Ok(self.spectra.pair(self.traces()?)?)
     }
 
-    pub(crate) fn traces(&self) -> Result<[&Profile; 2], PositionError> {
+    /// Traces of both flanks.
+    ///
+    /// # Errors
+    /// When a flank is known by roughness values only.
+    pub fn traces(&self) -> Result<[&Profile; 2], PositionError> {
         match self.textures() {
             [Texture::Trace(first), Texture::Trace(second)] => Ok([first, second]),
             _ => Err(PositionError::NoProfile),
         }
     }
 
+    /// Lay of both flanks together.
+    ///
+    /// # Errors
+    /// When the law of two lays refuses the roughness of the flanks.
+    pub fn lay(&self, lays: [Lay; 2]) -> Result<Lay, PositionError> {
+        let rq = |texture: &Texture| match texture {
+            Texture::Trace(profile) => {
+                let z = profile.heights();
+                let n = z.len() as f64;
+                let mean = z.iter().sum::<f64>() / n;
+                let square = z.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n;
+                Length::from_si(square.sqrt())
+            }
+            Texture::Values { rq, .. } => Length::from_si(*rq),
+        };
+        if lays[0] == lays[1] {
+            return Ok(lays[0]);
+        }
+        let [first, second] = self.textures();
+        Ok(Lay::of_pair(lays, [rq(first), rq(second)])?)
+    }
+
     /// Whether both flanks have the textures of `other`.
-    pub(crate) fn has_textures_of(&self, other: &Self) -> bool {
+    pub fn has_textures_of(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.textures, &other.textures) || self.textures == other.textures
     }
 
@@ -421,7 +446,7 @@ impl Surfaces {
     }
 
     /// Roughness of two windows in contact.
-    pub(crate) fn roughness_of(&self, windows: &[Profile; 2]) -> Result<Roughness, PositionError> {
+    pub fn roughness_of(&self, windows: &[Profile; 2]) -> Result<Roughness, PositionError> {
         let (peak, summits) = peaks(windows, self.noise_cutoff.unwrap_or(SUMMIT_WINDOW))?;
         let [first, second] = [
             section_heights(windows[0].heights())?,
@@ -438,7 +463,7 @@ impl Surfaces {
     }
 
     /// Roughness of the flanks as a whole: of both traces, or from values.
-    pub(crate) fn roughness_as_a_whole(&self) -> Result<Roughness, PositionError> {
+    pub fn roughness_as_a_whole(&self) -> Result<Roughness, PositionError> {
         let made = self.whole.get_or_init(|| self.roughness_of_whole());
         made.clone()
     }
@@ -454,7 +479,7 @@ impl Surfaces {
     }
 
     /// Roughness from values, where a flank has no trace; a trace counts with its whole length.
-    pub(crate) fn roughness_of_values(&self) -> Result<Roughness, PositionError> {
+    pub fn roughness_of_values(&self) -> Result<Roughness, PositionError> {
         let each = |body: usize| -> Result<_, PositionError> {
             Ok(match &self.textures[body] {
                 Texture::Trace(profile) => {

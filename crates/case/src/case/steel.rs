@@ -20,7 +20,7 @@ const STEEL_POISSON: f64 = 0.3;
 /// about 1500 MPa for 18CrNiMo7-6 at 60 HRC.
 const STEEL_ELASTIC_LIMIT: Pressure = Pressure::from_si(1500e6);
 /// Indentation hardness of case-hardened steel of 60 HRC, at which asperities flow.
-pub(crate) const STEEL_FLOW_PRESSURE: Pressure = Pressure::from_si(7e9);
+pub const STEEL_FLOW_PRESSURE: Pressure = Pressure::from_si(7e9);
 /// Density, conductivity and heat capacity of case-hardening steel at 60 °C.
 const STEEL_DENSITY: Density = Density::from_si(7830.0);
 const STEEL_CONDUCTIVITY: ThermalConductivity = ThermalConductivity::from_si(45.0);

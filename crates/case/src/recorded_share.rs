@@ -4,7 +4,6 @@ use asperity_ehl::Estimate;
 
 /// Shares and friction at one mesh position, interpolated between the neighbouring records.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct RecordedShare {
     /// Share of the load at films no thicker than the solid film.
     pub solid_share: Estimate,

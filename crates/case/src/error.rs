@@ -186,7 +186,7 @@ pub struct UnsolvedContact {
 
 impl PositionError {
     /// The same error with the gap \[m\] at the points `x` \[m\], where it is about one that was not closed.
-    pub(crate) fn keeping(self, x: &[f64], gap: &[f64]) -> Self {
+    pub fn keeping(self, x: &[f64], gap: &[f64]) -> Self {
         match self {
             Self::Contact(ContactError::NotConverged { .. })
             | Self::LoadShare(LoadShareError::Contact(ContactError::NotConverged { .. })) => {
@@ -305,7 +305,7 @@ fn advice(source: &PositionError) -> &'static str {
 
 impl Error {
     /// A case error with the text that it is about.
-    pub(crate) fn in_text(error: CaseError, text: Source) -> Self {
+    pub fn in_text(error: CaseError, text: Source) -> Self {
         Self::CaseText {
             error: Box::new(error),
             text: Box::new(text),
