@@ -57,7 +57,7 @@ impl Unbalanced {
 /// If a number is not finite, or the parts do not add up to the total.
 ///
 /// ```
-/// use asperity::balance::sum;
+/// use asperity_case::balance::sum;
 /// let loss = |total: f64| sum("loss", "W", total, &[560.0, 10.0]);
 /// assert!(loss(570.0).is_ok());
 /// assert_eq!(loss(580.0).unwrap_err().code(), "E501");
@@ -90,7 +90,7 @@ pub fn sum(
 /// If the efficiency is outside 0 to 1, or does not follow from loss and input.
 ///
 /// ```
-/// use asperity::balance::efficiency;
+/// use asperity_case::balance::efficiency;
 /// let of = |value: f64| efficiency("efficiency", value, 1.0, 100.0);
 /// assert!(of(0.99).is_ok());
 /// assert_eq!(of(1.01).unwrap_err().code(), "E308");

@@ -228,7 +228,7 @@ impl PositionError {
 /// command line, a page or another language can put them in words of its own.
 ///
 /// ```
-/// use asperity::case::from_text;
+/// use asperity_case::case::from_text;
 /// let error = from_text("case.toml", "gears = 3", &|_| Ok(Vec::new())).unwrap_err();
 /// assert_eq!(error.code(), "E204");
 /// assert_eq!(error.place().and_then(|place| place.line), Some(1));

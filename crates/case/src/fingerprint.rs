@@ -5,7 +5,7 @@ use sha2::{Digest, Sha256};
 /// SHA-256 of `bytes` in hexadecimal digits.
 ///
 /// ```
-/// assert!(asperity::fingerprint::sha256(b"abc").starts_with("ba7816bf"));
+/// assert!(asperity_case::fingerprint::sha256(b"abc").starts_with("ba7816bf"));
 /// ```
 #[must_use]
 pub fn sha256(bytes: &[u8]) -> String {
@@ -19,7 +19,7 @@ fn hex(bytes: &[u8]) -> String {
 /// SHA-256 of several inputs and of the version of the program: another version may compute other numbers from them.
 ///
 /// ```
-/// use asperity::fingerprint::Fingerprint;
+/// use asperity_case::fingerprint::Fingerprint;
 /// let of = |parts: [&[u8]; 2]| Fingerprint::default().with(parts[0]).with(parts[1]).hex();
 /// assert_eq!(of([b"flank", b"oil"]), of([b"flank", b"oil"]));
 /// // The boundary between two inputs counts.

@@ -11,7 +11,7 @@ impl Error {
     /// The error with its remedy in keys of the case.
     ///
     /// ```
-    /// use asperity::case::from_text;
+    /// use asperity_case::case::from_text;
     /// let text = r#"
     ///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
     ///     operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
@@ -119,7 +119,7 @@ pub fn explained(instruction: String, why: &str) -> String {
 ///
 /// ```
 /// assert_eq!(
-///     asperity::key_words::advice("E110").as_deref(),
+///     asperity_case::key_words::advice("E110").as_deref(),
 ///     Some("State the spacing of the points, e.g. 0.5 um (dx in surface.pinion).")
 /// );
 /// ```

@@ -23,13 +23,10 @@
 //! }
 //!
 //! let file = Path::new("../../fixtures/cases/e-drive.toml");
-//! let Ok(mut loaded) = asperity::case::load(file, None) else {
-//!     panic!("the shipped case is refused")
-//! };
+//! let mut loaded = asperity_case::case::load(file, None)?;
 //! loaded.case = loaded.case.with_film_friction(Arc::new(Limit));
-//! let losses = asperity::losses(&loaded)?;
-//! assert!(losses.path.iter().all(|row| row.mu_film > 0.03));
-//! # Ok::<(), asperity::Error>(())
+//! assert_eq!(loaded.case.film_friction().name(), "limit");
+//! # Ok::<(), asperity_case::error::Error>(())
 //! ```
 
 use std::sync::Arc;

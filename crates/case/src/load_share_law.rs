@@ -111,8 +111,8 @@ impl SharedLoad {
 /// Law of the load sharing between film and asperities.
 ///
 /// ```
-/// use asperity::error::PositionError;
-/// use asperity::lubrication::load_share_law::{LoadShare, ShareConditions, SharedLoad};
+/// use asperity_case::error::PositionError;
+/// use asperity_case::load_share_law::{LoadShare, ShareConditions, SharedLoad};
 ///
 /// /// The film carries half of the load wherever the flanks touch.
 /// #[derive(Debug)]

@@ -57,7 +57,7 @@ impl Row {
 /// When the text is no such table, or its rows form no grid.
 ///
 /// ```
-/// use asperity::loss_table::read;
+/// use asperity_case::loss_table::read;
 /// let table = read("bearings.csv", "speed_rpm,loss_torque_nm\n0,0.1\n1000,0.3\n")?;
 /// assert!((table.loss_torque(145.0, 500.0, 90.0)? - 0.2).abs() < 1e-15);
 /// assert!(read("bearings.csv", "speed_rpm,loss_torque_nm\n0,-1\n").is_err());

@@ -51,8 +51,8 @@ pub struct Explanation {
 /// The explanation of `code`, in upper or lower case.
 ///
 /// ```
-/// assert!(asperity::message::explain("w402").is_some());
-/// assert!(asperity::message::explain("W999").is_none());
+/// assert!(asperity_case::message::explain("w402").is_some());
+/// assert!(asperity_case::message::explain("W999").is_none());
 /// ```
 pub fn explain(code: &str) -> Option<&'static Explanation> {
     EXPLANATIONS

@@ -9,11 +9,11 @@ use asperity_tribo_friction::FilmContact;
 use super::FormulaFilm;
 use super::chosen_laws::ChosenLaws;
 use super::friction;
-use crate::case::Case;
-use crate::error::PositionError;
-use crate::flanks::{Roughness, WindowPair};
 use crate::mesh::MeshPosition;
 use crate::records::RecordedShare;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{Roughness, WindowPair};
 use asperity_case::load_share_law::{ShareConditions, SharedLoad};
 use asperity_mixed_film::LoadShareSolution;
 

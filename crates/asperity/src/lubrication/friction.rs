@@ -11,11 +11,11 @@ use asperity_tribo_friction::{
 
 use super::FormulaFilm;
 use super::chosen_laws::ChosenLaws;
-use crate::case::Case;
 use crate::contacts::Pressed;
-use crate::error::PositionError;
-use crate::flanks::{Roughness, Surfaces};
 use crate::mesh::MeshPosition;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{Roughness, Surfaces};
 use asperity_case::load_share_law::SharedLoad;
 
 /// Friction coefficient in the film.

@@ -2,6 +2,7 @@
 
 mod chosen_laws;
 mod decision;
+mod film_of_case;
 mod friction;
 mod full_film;
 mod full_film_solution;
@@ -17,6 +18,7 @@ pub use asperity_case::formula_film::FormulaFilm;
 pub use asperity_case::load_share_law::{LoadShare, ShareConditions, SharedLoad};
 pub use asperity_case::physical_limits::HIGHEST_PRESSURE;
 pub use asperity_case::{laws, load_share_law};
+pub use film_of_case::formula_film;
 
 pub(crate) use chosen_laws::ChosenLaws;
 pub(crate) use decision::Decision;

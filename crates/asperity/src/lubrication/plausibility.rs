@@ -3,11 +3,11 @@
 //! The limits are own choices, some powers of ten beyond what was ever measured on gears, where the model says
 //! nothing any more whatever its laws return.
 
-use super::FormulaFilm;
 use super::position::LubricatedPosition;
-use crate::case::Case;
-use crate::error::PositionError;
+use super::{FormulaFilm, formula_film};
 use crate::mesh::MeshPosition;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
 use asperity_case::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 
 /// Film \[m\]: gear films are below 10 um.
@@ -33,7 +33,7 @@ pub(crate) fn plausible_film(
     case: &Case,
     position: &MeshPosition,
 ) -> Result<FormulaFilm, PositionError> {
-    let film = FormulaFilm::of(case, position)?;
+    let film = formula_film(case, position)?;
     below("central film", film.film.central.si(), "m", FILM)?;
     let minimum = film.film.minimum.si();
     if minimum > 0.0 {

@@ -5,9 +5,9 @@ use asperity_tribo_friction::rolling_force;
 
 use super::FormulaFilm;
 use super::friction::hysteresis_force;
-use crate::case::{Case, Formulation};
-use crate::error::PositionError;
 use crate::mesh::MeshPosition;
+use asperity_case::case::{Case, Formulation};
+use asperity_case::error::PositionError;
 
 /// Rolling friction force per metre of contact line on one surface \[N/m\], hysteresis of the steel included.
 pub(crate) fn rolling(

@@ -8,11 +8,11 @@ use asperity_ehl_regime::Attenuation;
 
 use super::FormulaFilm;
 use super::chosen_laws::ChosenLaws;
-use crate::case::{Case, Formulation};
 use crate::contacts::{WindowContact, rough_window};
-use crate::error::PositionError;
-use crate::flanks::{Surfaces, Window};
 use crate::mesh::MeshPosition;
+use asperity_case::case::{Case, Formulation};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{Surfaces, Window};
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, LoadShareSettings, LoadShareSolution, PositionFilm, SmoothFilm,
 };

@@ -18,13 +18,13 @@ use super::full_film_solution::full_film_at;
 use super::plausibility::{check_position, plausible_film};
 use super::position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 use super::rough_film::{HeightGradient, RoughFilm};
-use crate::case::{Case, Formulation, FullFilmName};
 use crate::contacts::{Pressed, Pressing, WindowContact, full_film};
-use crate::error::PositionError;
-use crate::flanks::{Roughness, Surfaces, Window, WindowPair};
 use crate::mesh::MeshPosition;
 use crate::paper::{self, PrintedDeformation};
 use crate::records::{PathRecords, RecordedShare};
+use asperity_case::case::{Case, Formulation, FullFilmName};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{Roughness, Surfaces, Window, WindowPair};
 
 /// Regime and load share in one window.
 struct Decided {

@@ -9,8 +9,8 @@ use asperity_core::quantity::Length;
 use asperity_gear::LoadMap;
 
 use self::cells::Place;
-use crate::case::Case;
-use crate::error::PositionError;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
 
 /// Load over the flanks and the mesh positions that follow from it.
 #[derive(Debug, Clone)]

@@ -11,11 +11,11 @@ use asperity_core::quantity::Temperature;
 use rayon::prelude::*;
 
 use super::stages::{Stages, losses_with, numbered, sampled, warmed};
-use crate::case::{Formulation, LoadShareName, LoadedCase};
 use crate::contacts::Contacts;
-use crate::error::{Error, PositionError};
 use crate::parameters::at_temperature;
 use crate::result::Losses;
+use asperity_case::case::{Formulation, LoadShareName, LoadedCase};
+use asperity_case::error::{Error, PositionError};
 
 /// Step of the difference quotient of the loss over the bulk temperature \[K\].
 const TEMPERATURE_STEP: f64 = 0.1;
@@ -141,9 +141,9 @@ mod tests {
     use asperity_core::Profile;
 
     use super::gradient;
-    use crate::case::{LoadedCase, load_with};
-    use crate::flanks::Texture;
     use crate::pipeline::losses;
+    use asperity_case::case::{LoadedCase, load_with};
+    use asperity_case::flanks::Texture;
 
     /// Heights that are compared.
     const HEIGHTS: usize = 16;
@@ -153,7 +153,7 @@ mod tests {
     fn e_drive(settings: &[(&str, &str)]) -> LoadedCase {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
         let few = [("model.positions", "4"), ("model.offsets", "2")];
-        let set = |input: &mut crate::case::CaseInput| {
+        let set = |input: &mut asperity_case::case::CaseInput| {
             for (key, value) in few.iter().chain(settings) {
                 input.set(key, value).unwrap();
             }

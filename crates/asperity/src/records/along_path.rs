@@ -10,12 +10,12 @@ use rayon::prelude::*;
 use super::RecordedShare;
 use super::path_record::PathRecord;
 use super::store::RecordStore;
-use crate::case::{Formulation, LoadedCase};
 use crate::equations::find;
-use crate::error::PositionError;
-use crate::flanks::is_substituted;
 use crate::mesh::{MeshPosition, Resolution};
 use crate::reference_solution::{ReferenceContact, ReferenceError, ReferenceSettings};
+use asperity_case::case::{Formulation, LoadedCase};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::is_substituted;
 
 /// A record at its place on the path.
 #[derive(Debug, Clone)]

@@ -18,9 +18,9 @@
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 
-use crate::case::LoadedCase;
-use crate::flanks::{AVERAGING_WIDTH, Surfaces};
 use crate::result::loss_band::WindowSampling;
+use asperity_case::case::LoadedCase;
+use asperity_case::flanks::{AVERAGING_WIDTH, Surfaces};
 
 /// Scatter of the whole loss over the sum of the scatters of its positions, which share places of the flank: 0.68 to
 /// 0.77 measured.

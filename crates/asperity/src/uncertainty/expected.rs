@@ -9,9 +9,9 @@ use asperity_core::numerics::standard_normal_quantile;
 use super::draw::Draw;
 use super::predictive::{FilmLaw, Predictive};
 use super::quantiles::{PROBABILITIES, Quantiles};
-use crate::case::law_error;
 use crate::parameters::{AXES, UncertainParameter};
 use crate::result::loss_band::EvidenceRow;
+use asperity_case::case::law_error;
 
 /// Simulated results of a measurement of losses.
 const TRUTHS: usize = 64;

@@ -31,8 +31,8 @@ impl Case {
     /// Begins a case with the tables that have no default; [`CaseBuilder::pinion`] adds the flanks.
     ///
     /// ```
-    /// use asperity::case::{Case, FlankInput, GearsInput, OperationInput};
-    /// use asperity::oil::LubricantInput;
+    /// use asperity_case::case::{Case, FlankInput, GearsInput, OperationInput};
+    /// use asperity_oil::LubricantInput;
     /// let loaded = Case::builder(
     ///     GearsInput::new([23, 68], "1.8 mm".parse()?, "32 mm".parse()?),
     ///     OperationInput::new("145 N m".parse()?, "9000 1/min".parse()?, "90 °C".parse()?),

@@ -38,7 +38,7 @@ fn flanks<'a>(gears: &GearsInput, source: &'a Source) -> [(GearFlankInput, Secti
 /// When the gears cannot mesh.
 ///
 /// ```
-/// use asperity::case::{GearsInput, Source, gear_pair};
+/// use asperity_case::case::{GearsInput, Source, gear_pair};
 /// let gears = GearsInput::new([23, 68], "1.8 mm".parse()?, "32 mm".parse()?);
 /// let pair = gear_pair(gears, &Source::in_memory())?;
 /// assert_eq!(format!("{:.2}", 1e3 * pair.centre_distance.si()), "81.90");

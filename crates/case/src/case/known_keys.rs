@@ -93,8 +93,8 @@ fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
 ///
 /// ```
 /// let known = ["18CrNiMo7-6", "42CrMo4"].map(str::to_owned);
-/// assert_eq!(asperity::case::nearest_name("18crnimo", &known).as_deref(), Some("18CrNiMo7-6"));
-/// assert_eq!(asperity::case::nearest_name("brass", &known), None);
+/// assert_eq!(asperity_case::case::nearest_name("18crnimo", &known).as_deref(), Some("18CrNiMo7-6"));
+/// assert_eq!(asperity_case::case::nearest_name("brass", &known), None);
 /// ```
 pub fn nearest_name(seen: &str, known: &[String]) -> Option<String> {
     let lower: Vec<String> = known.iter().map(|name| name.to_lowercase()).collect();

@@ -98,8 +98,8 @@ pub fn load_set(
 /// As for [`load_set`].
 ///
 /// ```
-/// use asperity::case::{Source, load_holding};
-/// use asperity::core::{Profile, quantity::Length};
+/// use asperity_case::case::{Source, load_holding};
+/// use asperity_core::{Profile, quantity::Length};
 /// let text = r#"
 ///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
 ///     operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
@@ -108,7 +108,7 @@ pub fn load_set(
 /// "#;
 /// let heights = (0..8000).map(|i| 2e-7 * (f64::from(i) * 0.7).sin()).collect();
 /// let trace = Profile::new(Length::from_si(0.5e-6), heights)?;
-/// let source = Source::from_bytes("case.toml", text.as_bytes()).map_err(asperity::Error::from)?;
+/// let source = Source::from_bytes("case.toml", text.as_bytes()).map_err(asperity_case::error::Error::from)?;
 /// let held = [("measured just now".into(), trace)];
 /// let loaded = load_holding(source, ".".as_ref(), &held, &[], &|_| {})?;
 /// assert!(loaded.surfaces.are_measured());
@@ -165,7 +165,7 @@ pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedC
 /// As for [`load`], or when the resolver refuses a file.
 ///
 /// ```
-/// use asperity::case;
+/// use asperity_case::case;
 /// let text = r#"
 ///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
 ///     operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
@@ -178,7 +178,7 @@ pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedC
 ///     _ => Err(std::io::ErrorKind::NotFound.into()),
 /// })?;
 /// assert!(loaded.surfaces.are_measured());
-/// # Ok::<(), asperity::Error>(())
+/// # Ok::<(), asperity_case::error::Error>(())
 /// ```
 pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<LoadedCase, Error> {
     let source = Source::from_bytes(name, text.as_bytes())?;
@@ -235,12 +235,12 @@ impl LoadedCase {
     /// the law depends on. It does not include fields that were changed after the case was read, nor the code of a law.
     ///
     /// ```
-    /// use asperity::case;
+    /// use asperity_case::case;
     /// let case = case::load("../../fixtures/cases/e-drive.toml".as_ref(), None)?;
     /// let hotter = case.with_key("operation.bulk_temperature", "91 °C")?;
     /// assert_ne!(case.fingerprint(), hotter.fingerprint());
     /// assert_eq!(case.fingerprint(), hotter.with_key("operation.bulk_temperature", "90 °C")?.fingerprint());
-    /// # Ok::<(), asperity::Error>(())
+    /// # Ok::<(), asperity_case::error::Error>(())
     /// ```
     #[must_use]
     pub fn fingerprint(&self) -> String {

@@ -66,9 +66,9 @@ struct Key {
 /// When the shortest case cannot be completed, which a test excludes.
 ///
 /// ```
-/// let page = asperity::case::markdown()?;
+/// let page = asperity_case::case::markdown()?;
 /// assert!(page.contains("| `operation.torque` |"));
-/// # Ok::<(), asperity::Error>(())
+/// # Ok::<(), asperity_case::error::Error>(())
 /// ```
 pub fn markdown() -> Result<String, Error> {
     let flank: String = (0..4000)

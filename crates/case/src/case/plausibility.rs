@@ -126,7 +126,7 @@ fn of_rows<T>(table: &'static str, rows: &[Limits<T>], stated: Option<&T>) -> Ve
 /// a range.
 ///
 /// ```
-/// use asperity::case::possible_range;
+/// use asperity_case::case::possible_range;
 /// assert_eq!(possible_range("operation.speed"), Some([1e-6, 1e6]));
 /// assert_eq!(possible_range("operation.bulk"), None);
 /// ```

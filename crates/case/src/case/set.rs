@@ -21,7 +21,7 @@ impl CaseInput {
     /// When the key is not known, or the value does not fit it; the case is then unchanged.
     ///
     /// ```
-    /// # use asperity::case::{CaseInput, FlankInput, GearsInput, OperationInput};
+    /// # use asperity_case::case::{CaseInput, FlankInput, GearsInput, OperationInput};
     /// # let gears = GearsInput::new([23, 68], "1.8 mm".parse()?, "32 mm".parse()?);
     /// # let operation = OperationInput::new("145 N m".parse()?, "9000 1/min".parse()?, "90 °C".parse()?);
     /// let mut case = CaseInput::new(gears, operation, Default::default(), FlankInput::default());

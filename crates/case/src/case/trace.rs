@@ -21,12 +21,12 @@ const SPACINGS: std::ops::RangeInclusive<f64> = 1e-11..=1e-2;
 /// The trace of a flank.
 ///
 /// ```
-/// use asperity::case::Trace;
-/// use asperity::core::quantity::Length;
+/// use asperity_case::case::Trace;
+/// use asperity_core::quantity::Length;
 /// let heights: Vec<f64> = (0..8000).map(|i| 1e-7 * (f64::from(i) * 0.7).sin()).collect();
 /// let trace = Trace::from_heights(&heights, Length::from_si(0.5e-6))?.mirrored();
 /// assert!(Trace::from_heights(&heights[..50], Length::from_si(0.5e-6)).is_err());
-/// # Ok::<(), asperity::Error>(())
+/// # Ok::<(), asperity_case::error::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace {

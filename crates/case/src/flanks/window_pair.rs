@@ -30,7 +30,7 @@ const SHIFTS: [f64; 2] = [0.569_840_290_998_053_3, 0.754_877_666_246_692_8];
 /// in contact there: the mean over the path then samples more of the traces.
 ///
 /// ```
-/// use asperity::flanks::window_places;
+/// use asperity_case::flanks::window_places;
 /// assert_eq!(window_places(1, 16, 0), [0.25, 2.0 / 3.0]);
 /// assert_eq!(window_places(1, 64, 0), window_places(1, 16, 0));
 /// ```
