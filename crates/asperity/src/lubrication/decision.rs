@@ -6,7 +6,6 @@ use asperity_ehl_regime::{
 };
 use asperity_tribo_friction::FilmContact;
 
-use super::FormulaFilm;
 use super::chosen_laws::ChosenLaws;
 use super::friction;
 use crate::mesh::MeshPosition;
@@ -14,6 +13,7 @@ use crate::records::RecordedShare;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, WindowPair};
+use asperity_case::formula_film::FormulaFilm;
 use asperity_case::load_share_law::{ShareConditions, SharedLoad};
 use asperity_mixed_film::LoadShareSolution;
 

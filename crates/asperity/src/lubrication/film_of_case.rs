@@ -5,8 +5,8 @@ use asperity_case::error::PositionError;
 use asperity_ehl_regime::starvation::starved;
 use asperity_ehl_regime::{FilmConditions, FilmThickness, thermal_loading};
 
-use super::FormulaFilm;
 use crate::mesh::MeshPosition;
+use asperity_case::formula_film::FormulaFilm;
 
 /// The film at `position` with the oil, film law and thermal reduction of `case`.
 ///

@@ -2,9 +2,9 @@
 
 use asperity_core::quantity::Length;
 
-use super::FormulaFilm;
 use crate::mesh::MeshPosition;
 use crate::result::FullFilmRow;
+use asperity_case::formula_film::FormulaFilm;
 
 /// Deviation from the formulas that a run warns about.
 pub(crate) const NOTED_DEVIATION: f64 = 0.1;

@@ -3,11 +3,12 @@
 //! The limits are own choices, some powers of ten beyond what was ever measured on gears, where the model says
 //! nothing any more whatever its laws return.
 
+use super::film_of_case::formula_film;
 use super::position::LubricatedPosition;
-use super::{FormulaFilm, formula_film};
 use crate::mesh::MeshPosition;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
+use asperity_case::formula_film::FormulaFilm;
 use asperity_case::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 
 /// Film \[m\]: gear films are below 10 um.

@@ -3,7 +3,6 @@
 use asperity_contact::ContactWarning;
 use asperity_ehl_regime::Regime;
 
-use super::FormulaFilm;
 use super::friction::{InFilm, Rubbing};
 use super::full_film::FullFilm;
 use crate::contacts::Pressed;
@@ -13,6 +12,7 @@ use crate::records::RecordedShare;
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_case::flanks::Roughness;
+use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::LoadShareSolution;
 
 /// A mesh position with everything that varies over the offsets.

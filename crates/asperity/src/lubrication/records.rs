@@ -1,7 +1,7 @@
 //! The records that a case requires.
 
 use super::chosen_laws::ChosenLaws;
-use super::formula_film;
+use super::film_of_case::formula_film;
 use super::friction;
 use crate::mesh::MeshPosition;
 use crate::records::PathRecords;

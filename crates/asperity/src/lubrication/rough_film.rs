@@ -6,13 +6,13 @@ use asperity_core::profile::mirrored_indices;
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::Attenuation;
 
-use super::FormulaFilm;
 use super::chosen_laws::ChosenLaws;
 use crate::contacts::{WindowContact, rough_window};
 use crate::mesh::MeshPosition;
 use asperity_case::case::{Case, Formulation};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
+use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, LoadShareSettings, LoadShareSolution, PositionFilm, SmoothFilm,
 };

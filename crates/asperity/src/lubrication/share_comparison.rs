@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::chosen_laws::ChosenLaws;
 use super::decision::lambda_star_of;
-use super::formula_film;
+use super::film_of_case::formula_film;
 use crate::reference_solution::{ReferenceContact, ReferenceError, rheology};
 use asperity_case::case::LoadedCase;
 use asperity_case::flanks::{Roughness, Surfaces, Texture};

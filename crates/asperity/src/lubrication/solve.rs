@@ -9,7 +9,6 @@ use asperity_core::quantity::Length;
 use asperity_ehl_regime::Regime;
 use asperity_mixed_film::LoadShareSolution;
 
-use super::FormulaFilm;
 use super::chosen_laws::ChosenLaws;
 use super::decision::{Decision, Undecided};
 use super::friction::{self, InFilm, Rubbing};
@@ -25,6 +24,7 @@ use crate::records::{PathRecords, RecordedShare};
 use asperity_case::case::{Case, Formulation, FullFilmName};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, Surfaces, Window, WindowPair};
+use asperity_case::formula_film::FormulaFilm;
 
 /// Regime and load share in one window.
 struct Decided {

@@ -7,7 +7,6 @@ use asperity_core::quantity::Length;
 use asperity_ehl::{Estimate, RecordSettings, transient};
 use rayon::prelude::*;
 
-use super::RecordedShare;
 use super::path_record::PathRecord;
 use super::store::RecordStore;
 use crate::equations::find;
@@ -16,6 +15,7 @@ use crate::reference_solution::{ReferenceContact, ReferenceError, ReferenceSetti
 use asperity_case::case::{Formulation, LoadedCase};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::is_substituted;
+use asperity_case::recorded_share::RecordedShare;
 
 /// A record at its place on the path.
 #[derive(Debug, Clone)]
