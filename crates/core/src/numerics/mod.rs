@@ -18,7 +18,7 @@ pub use elliptic::CompleteElliptic;
 pub use fft_length::good_fft_length;
 pub use fourier::{complex_inverse, real_transforms};
 pub use increasing_root::{Solved, newton_root, secant_root};
-pub use interpolation::{interpolate, interpolate_between};
+pub use interpolation::{NodeInterval, interpolate, interpolate_between};
 pub use normal::{Z_95, Z_975, standard_normal_below, standard_normal_quantile};
 pub use root::{Root, RootError, find_root};
 pub use student_t::{student_t_below, student_t_quantile, student_t_within};
