@@ -16,7 +16,7 @@ pub use cholesky::Cholesky;
 pub use convolution::SymmetricToeplitz;
 pub use elliptic::CompleteElliptic;
 pub use fft_length::good_fft_length;
-pub use fourier::{complex_inverse, real_transforms};
+pub use fourier::{FourierNumber, complex_inverse, real_transforms};
 pub use increasing_root::{Solved, newton_root, secant_root};
 pub use interpolation::{NodeInterval, interpolate, interpolate_between};
 pub use normal::{Z_95, Z_975, standard_normal_below, standard_normal_quantile};

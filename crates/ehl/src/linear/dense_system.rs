@@ -1,9 +1,6 @@
 //! Dense linear systems on any grid: O(n³), for tables on graded grids and as oracle of the fast ones.
 
-use faer::linalg::solvers::Solve;
-use faer::{Col, Mat};
-
-use super::small_lu::dot;
+use super::small_lu::{SmallLu, dot};
 use super::system::{ElasticSystem, LinearEffort, Linearised};
 use crate::grid::Grid;
 use crate::hat_kernel::hat_matrix;
@@ -21,27 +18,17 @@ impl DenseSystem {
         }
     }
 
-    /// Matrix with the rows scaled to a largest element of one, and the scales.
-    fn scaled_matrix(&self, system: &Linearised) -> (Mat<f64>, Vec<f64>) {
+    fn matrix(&self, system: &Linearised) -> SmallLu {
         let n = self.nodes;
-        let mut matrix = Mat::zeros(n + 1, n + 1);
-        let mut scales = Vec::with_capacity(n + 1);
-        let mut row = vec![0.0; n + 1];
-        for i in 0..=n {
-            row.fill(0.0);
-            if i < n {
-                self.balance_row(system, i, &mut row);
-            } else {
-                row[..n].copy_from_slice(system.weights);
-                mask(&mut row, system.masked);
-            }
-            let scale = 1.0 / row.iter().fold(f64::MIN_POSITIVE, |m, v| v.abs().max(m));
-            for (j, value) in row.iter().enumerate() {
-                matrix[(i, j)] = scale * value;
-            }
-            scales.push(scale);
+        let mut matrix = SmallLu::default();
+        matrix.reset(n + 1);
+        for i in 0..n {
+            self.balance_row(system, i, matrix.row_mut(i));
         }
-        (matrix, scales)
+        let load = matrix.row_mut(n);
+        load[..n].copy_from_slice(system.weights);
+        mask(load, system.masked);
+        matrix
     }
 
     fn balance_row(&self, system: &Linearised, i: usize, row: &mut [f64]) {
@@ -83,12 +70,11 @@ impl ElasticSystem for DenseSystem {
         solution: &mut [f64],
         _tolerance: f64,
     ) -> LinearEffort {
-        let (matrix, scales) = self.scaled_matrix(system);
-        let mut x = Col::from_fn(self.nodes + 1, |i| scales[i] * right[i]);
-        matrix.partial_piv_lu().solve_in_place(&mut x);
-        for (i, value) in solution.iter_mut().enumerate() {
-            *value = x[i];
-        }
+        let mut matrix = self.matrix(system);
+        matrix.factor();
+        let mut x = right.to_vec();
+        matrix.solve(&mut x);
+        solution.copy_from_slice(&x[..solution.len()]);
         LinearEffort {
             iterations: 1,
             capped: false,
