@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::case_file::CaseFile;
 use super::input::{CaseInput, MapInput, OperationInput, VehicleInput};
-use super::set::of_json;
+use super::set::{of_json, train_of_json};
 use super::source::Source;
 use super::train_input::TrainCaseInput;
 use crate::error::Error;
@@ -97,7 +97,7 @@ impl<'de> Deserialize<'de> for AnyInput {
         let value = serde_json::Value::deserialize(from)?;
         let has = |table: &str| value.get(table).is_some_and(serde_json::Value::is_object);
         match TrainCaseInput::TABLES.into_iter().any(has) {
-            true => of_json(value).map(|input| Self::Train(Box::new(input))),
+            true => train_of_json(value).map(|input| Self::Train(Box::new(input))),
             false => of_json(value).map(|input| Self::Mesh(Box::new(input))),
         }
         .map_err(D::Error::custom)

@@ -39,6 +39,7 @@ mod gearbox_input;
 mod gears;
 mod input;
 mod key_names;
+mod keyed;
 mod known_keys;
 mod law_names;
 mod lay;

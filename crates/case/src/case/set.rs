@@ -9,6 +9,7 @@ use super::error::CaseError;
 use super::input::CaseInput;
 use super::source::{Source, from_table, stated};
 use super::symbols::with_keys;
+use super::train_input::TrainCaseInput;
 use crate::error::Error;
 
 impl CaseInput {
@@ -83,8 +84,17 @@ impl CaseInput {
     }
 }
 
-/// A case from its JSON in a stored result.
-pub(super) fn of_json<T: DeserializeOwned>(value: serde_json::Value) -> Result<T, String> {
+/// A case from its JSON in a stored result. Not generic, so that other crates do not compile it anew.
+pub(super) fn of_json(value: serde_json::Value) -> Result<CaseInput, String> {
+    of_json_object(value)
+}
+
+/// A gear train from its JSON in a stored result.
+pub(super) fn train_of_json(value: serde_json::Value) -> Result<TrainCaseInput, String> {
+    of_json_object(value)
+}
+
+fn of_json_object<T: DeserializeOwned>(value: serde_json::Value) -> Result<T, String> {
     let Some(Value::Table(table)) = stated(value) else {
         return Err("a case is a JSON object".to_owned());
     };

@@ -10,6 +10,7 @@ use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
 use super::error::CaseError;
+use super::keyed::from_keys;
 use super::place::Place;
 use super::symbols::{key_of_symbol, key_of_text, moved, name_viscosity_law};
 
@@ -446,19 +447,7 @@ pub(super) fn from_table<T: DeserializeOwned>(
     mut root: Table,
 ) -> Result<T, (Option<String>, String)> {
     name_viscosity_law(&mut root);
-    serde_path_to_error::deserialize(Value::Table(root))
-        .map_err(|error| (key_of(error.path()), error.inner().message().to_owned()))
-}
-
-/// The key of a path; entries of a list have the key of the list, as in TOML.
-fn key_of(path: &serde_path_to_error::Path) -> Option<String> {
-    use serde_path_to_error::Segment;
-    let names = path.iter().map_while(|segment| match segment {
-        Segment::Map { key } => Some(key.as_str()),
-        _ => None,
-    });
-    let key = names.collect::<Vec<_>>().join(".");
-    (!key.is_empty()).then_some(key)
+    from_keys(root)
 }
 
 /// The message of the JSON parser without the place at its end.
