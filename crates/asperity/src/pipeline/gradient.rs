@@ -2,8 +2,9 @@
 //!
 //! The heights act through the rough contacts and through the roughness that the inlets leave
 //! ([`PositionFilm::gradient`](asperity_mixed_film::PositionFilm::gradient)). Contact sets, places of the windows, and the
-//! relief are held. Kinks of the loss, where the gradient is one-sided: a cell that enters or leaves a contact between two
-//! spots, the first touch, a share at a row of the table, a slope of the gap that is held, a film at its floor.
+//! relief are held. Kinks of the loss, where the gradient is one-sided: a cell that enters or leaves a contact, another cell
+//! that becomes the highest of a peak of the pressure or the lowest between two peaks, two such valleys of equal pressure, the
+//! first touch, a share at a row of the table, a slope of the gap that is held, a film at its floor.
 
 use asperity_core::cite;
 use asperity_core::provenance::Provenance;
@@ -223,7 +224,6 @@ mod tests {
         }
         errors.sort_by(f64::total_cmp);
         assert!(errors[HEIGHTS / 2] < 1e-6, "{errors:?}");
-        // Two spots that merge within the shorter step make the loss jump.
         assert!(errors[HEIGHTS - 1 - HEIGHTS / 16] < 2e-2, "{errors:?}");
         for (k, width) in BUMPS.into_iter().enumerate() {
             let body = k % 2;
