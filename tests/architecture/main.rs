@@ -38,6 +38,24 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "crates/case",
+        &[
+            "asperity-core",
+            "asperity-oil",
+            "asperity-profile-io",
+            "asperity-roughness",
+            "asperity-gear",
+            "asperity-contact",
+            "asperity-ehl",
+            "asperity-ehl-regime",
+            "asperity-tribo-friction",
+            "asperity-ns-film",
+            "asperity-mixed-film",
+            "asperity-efficiency",
+            "asperity-storage",
+        ],
+    ),
+    (
         "crates/asperity",
         &[
             "asperity-core",
@@ -53,6 +71,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "asperity-mixed-film",
             "asperity-efficiency",
             "asperity-storage",
+            "asperity-case",
         ],
     ),
     (

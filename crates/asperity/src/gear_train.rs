@@ -7,11 +7,7 @@ use asperity_gear::gear_train::{TrainShaft, TrainTorques};
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySpeeds};
 use serde::{Deserialize, Serialize};
 
-use crate::balance;
-use crate::case::gear_train::{LoadedMesh, LoadedTrain};
-use crate::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
 use crate::contacts::Contacts;
-use crate::error::{Error, PositionError};
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::{GearboxReport, Scope};
 use crate::result::loss_band::EvidenceRow;
@@ -20,6 +16,10 @@ use crate::result::{rounded, with_interval};
 use crate::train_gearbox;
 use crate::train_heat::{self, FoundOil, HeatReport};
 use crate::uncertainty::{DrawnMesh, Predictive, Quantiles, losses_of_meshes, run_and_draw};
+use asperity_case::balance;
+use asperity_case::case::gear_train::{LoadedMesh, LoadedTrain};
+use asperity_case::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
+use asperity_case::error::{Error, PositionError};
 
 /// The result of a gear train, in addition to the results of its meshes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -8,12 +8,14 @@ use asperity_gear::gear_train::TrainTorques;
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySet, PlanetarySpeeds};
 use asperity_gear::shaft_statics::{BearingLoad, ShaftForce, bearing_loads};
 
-use crate::case::gear_train::LoadedTrain;
-use crate::case::{Hand, MeshLoad, MeshPlace, StageKind, TrainFlow, TrainGearbox, TrainPartKind};
-use crate::error::PositionError;
 use crate::result::gearbox::{
     GearboxPart, GearboxReport, JET_LAW, OperatingPoint, TABLE_LAW, jet_torque, table_torque,
 };
+use asperity_case::case::gear_train::LoadedTrain;
+use asperity_case::case::{
+    Hand, MeshLoad, MeshPlace, StageKind, TrainFlow, TrainGearbox, TrainPartKind,
+};
+use asperity_case::error::PositionError;
 
 /// The losses of all parts at an operating point of the input shaft and a temperature of the operation, with the loss of one
 /// mesh of each kind in each stage, which matter if the train passes them on; none without parts.

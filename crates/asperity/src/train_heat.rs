@@ -14,13 +14,13 @@ use asperity_core::quantity::{Power, Temperature};
 use asperity_efficiency::bulk_temperature::{BulkTemperature, fixed_point};
 use serde::{Deserialize, Serialize};
 
-use crate::case::LoadedCase;
-use crate::case::gear_train::{HeatInput, LoadedTrain};
 use crate::contacts::Contacts;
-use crate::error::Error;
 use crate::pipeline;
 use crate::result::RunResult;
 use crate::train_gearbox;
+use asperity_case::case::LoadedCase;
+use asperity_case::case::gear_train::{HeatInput, LoadedTrain};
+use asperity_case::error::Error;
 
 /// Temperatures at which the losses of a gear train leave through its housing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

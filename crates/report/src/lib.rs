@@ -29,8 +29,8 @@ mod wrap;
 
 pub use error::{ReportError, TableFault};
 pub use folder::{
-    Fields, FileText, PAGE, check_place, make_folder, read_result, redraw, texts, title_of,
-    write_bytes, write_folder, write_json, write_load_points, write_text, write_unsolved,
+    Fields, FileText, PAGE, check_place, make_folder, parse_result, read_result, redraw, texts,
+    title_of, write_bytes, write_folder, write_json, write_load_points, write_text, write_unsolved,
 };
 pub use gear_train::{
     check_train_place, summary_of_train, texts_of_train, tiles_of_train, write_train,

@@ -11,20 +11,20 @@ use asperity_mixed_film::LoadShareSolution;
 
 use super::chosen_laws::ChosenLaws;
 use super::decision::{Decision, Undecided};
-use super::formula_film::FormulaFilm;
 use super::friction::{self, InFilm, Rubbing};
 use super::full_film::FullFilm;
 use super::full_film_solution::full_film_at;
 use super::plausibility::{check_position, plausible_film};
 use super::position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 use super::rough_film::{HeightGradient, RoughFilm};
-use crate::case::{Case, Formulation, FullFilmName};
 use crate::contacts::{Pressed, Pressing, WindowContact, full_film};
-use crate::error::PositionError;
-use crate::flanks::{Roughness, Surfaces, Window, WindowPair};
 use crate::mesh::MeshPosition;
 use crate::paper::{self, PrintedDeformation};
 use crate::records::{PathRecords, RecordedShare};
+use asperity_case::case::{Case, Formulation, FullFilmName};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{Roughness, Surfaces, Window, WindowPair};
+use asperity_case::formula_film::FormulaFilm;
 
 /// Regime and load share in one window.
 struct Decided {

@@ -2,8 +2,9 @@
 //!
 //! The heights act through the rough contacts and through the roughness that the inlets leave
 //! ([`PositionFilm::gradient`](asperity_mixed_film::PositionFilm::gradient)). Contact sets, places of the windows, and the
-//! relief are held. Kinks of the loss, where the gradient is one-sided: a cell that enters or leaves a contact between two
-//! spots, the first touch, a share at a row of the table, a slope of the gap that is held, a film at its floor.
+//! relief are held. Kinks of the loss, where the gradient is one-sided: a cell that enters or leaves a contact, another cell
+//! that becomes the highest of a peak of the pressure or the lowest between two peaks, two such valleys of equal pressure, the
+//! first touch, a share at a row of the table, a slope of the gap that is held, a film at its floor.
 
 use asperity_core::cite;
 use asperity_core::provenance::Provenance;
@@ -11,11 +12,11 @@ use asperity_core::quantity::Temperature;
 use rayon::prelude::*;
 
 use super::stages::{Stages, losses_with, numbered, sampled, warmed};
-use crate::case::{Formulation, LoadShareName, LoadedCase};
 use crate::contacts::Contacts;
-use crate::error::{Error, PositionError};
 use crate::parameters::at_temperature;
 use crate::result::Losses;
+use asperity_case::case::{Formulation, LoadShareName, LoadedCase};
+use asperity_case::error::{Error, PositionError};
 
 /// Step of the difference quotient of the loss over the bulk temperature \[K\].
 const TEMPERATURE_STEP: f64 = 0.1;
@@ -141,9 +142,9 @@ mod tests {
     use asperity_core::Profile;
 
     use super::gradient;
-    use crate::case::{LoadedCase, load_with};
-    use crate::flanks::Texture;
     use crate::pipeline::losses;
+    use asperity_case::case::{LoadedCase, load_with};
+    use asperity_case::flanks::Texture;
 
     /// Heights that are compared.
     const HEIGHTS: usize = 16;
@@ -153,7 +154,7 @@ mod tests {
     fn e_drive(settings: &[(&str, &str)]) -> LoadedCase {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
         let few = [("model.positions", "4"), ("model.offsets", "2")];
-        let set = |input: &mut crate::case::CaseInput| {
+        let set = |input: &mut asperity_case::case::CaseInput| {
             for (key, value) in few.iter().chain(settings) {
                 input.set(key, value).unwrap();
             }
@@ -223,7 +224,6 @@ mod tests {
         }
         errors.sort_by(f64::total_cmp);
         assert!(errors[HEIGHTS / 2] < 1e-6, "{errors:?}");
-        // Two spots that merge within the shorter step make the loss jump.
         assert!(errors[HEIGHTS - 1 - HEIGHTS / 16] < 2e-2, "{errors:?}");
         for (k, width) in BUMPS.into_iter().enumerate() {
             let body = k % 2;

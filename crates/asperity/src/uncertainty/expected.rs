@@ -11,10 +11,10 @@ use asperity_core::numerics::standard_normal_quantile;
 use super::draw::Draw;
 use super::predictive::{FilmLaw, Predictive};
 use super::quantiles::{PROBABILITIES, Quantiles};
-use crate::case::law_error;
 use crate::parameters::{AXES, UncertainParameter};
 use crate::result::loss_band::EvidenceRow;
 use crate::sampling::SamplingError;
+use asperity_case::case::law_error;
 
 /// Simulated results of a measurement of losses.
 const TRUTHS: usize = 64;
