@@ -67,7 +67,7 @@ impl Asked {
 
 /// Solver of the last contact over a gap, whose operators and buffers the next contact of its shape uses.
 static LAST: Mutex<Option<Solver>> = Mutex::new(None);
-/// Largest number of points of a stored solver, which then holds some 100 MB.
+/// Largest number of points of a stored solver, which then holds some 20 MB.
 const MOST_STORED: usize = 1 << 18;
 
 /// Solves a problem by the last solver if it has the shape of the problem. Does not wait for another thread.
