@@ -42,6 +42,35 @@ fn ten_answers_make_a_case_that_runs() {
 }
 
 #[test]
+fn a_centre_distance_the_temperature_of_the_oil_and_two_traces_make_a_case_that_runs() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let answers = "25 61\n2\n28 mm\n\n87.5\n120\n4000\noil 80 °C\noil 80 °C dip\nm100\npinion.csv, wheel.csv\n";
+    let said = bench.run_with_input(&["new", "case.toml"], answers);
+    assert_eq!(said.status, 0, "{said:?}");
+    assert!(
+        said.err.contains("add jet, dip or submerged"),
+        "{}",
+        said.err
+    );
+    let case = fs::read_to_string(bench.path("case.toml")).unwrap();
+    for line in [
+        "oil_temperature = \"80 °C\"",
+        "lubrication = \"dip\"",
+        "wheel = { file = \"wheel.csv\", mirrored = true }",
+    ] {
+        assert!(case.contains(line), "{line} is not in {case}");
+    }
+    let checked = bench.run(&["check", "case.toml"]).well().unwrapped();
+    // The division of the shifts as in the validation of the crate of gears.
+    assert!(checked.contains("W445 gears.profile_shift: the centre distance gives the sum 0.797, taken as [0.444, 0.352]"), "{checked}");
+    assert!(
+        checked.contains("gears.profile_shift = [0.4443,0.3523]"),
+        "{checked}"
+    );
+}
+
+#[test]
 fn answers_that_cannot_be_read_are_asked_again_and_missing_ones_refused() {
     let bench = Bench::new();
     let answers = "23\n23/68\n1.8 kg\n1.8 mm\n32\n\n\n145\n9000\n\nVG 100\nm100\n0.4\n";

@@ -190,12 +190,40 @@ fn curves_that_give_no_constants_are_refused() {
     };
     let table = curves(&bench, |traction| traction);
     fit(&table.replace("load_n", "load_kg"), &[]).refused(2, "E317", &["load_kg is not known"]);
-    fit(&table.replace("traction", "friction"), &[]).refused(2, "E317", &["traction is missing"]);
+    fit(&table.replace("traction", "friction"), &[]).refused(
+        2,
+        "E317",
+        &["friction is not known; write traction"],
+    );
+    let named = table
+        .replace("load_n", "Max Hertz pressure (GPa)")
+        .replace("mean_speed_m_s", "Rolling Speed (m/s)");
+    let renamed = [
+        "max hertz pressure (gpa) is not known; write max_pressure_gpa",
+        "write mean_speed_m_s",
+    ];
+    fit(&named, &[]).refused(2, "E317", &renamed);
+    fit(&table.replace("load_n", "x").replace("traction", "y"), &[]).refused(
+        2,
+        "E317",
+        &["columns load_n, traction are missing"],
+    );
     fit(&table.replacen("30,2,", "30,2000,", 1), &[]).refused(2, "E317", &["mean_speed_m_s"]);
     fit("MTM Test Data File\n", &[]).refused(2, "E317", &["no table has the columns"]);
     let few: Vec<&str> = table.lines().take(6).collect();
     fit(&few.join("\n"), &[]).refused(2, "E318", &["5 of 5 set points"]);
     fit(&table, &["--rq", "1 um"]).refused(2, "E318", &["film thinner than three times"]);
+    // 0.948 GPa are 30 N on a ball of 9.525 mm on a flat, with 115.385 GPa.
+    let by_pressure = table
+        .replace("load_n", "max_pressure_gpa")
+        .replace("\n30,2,", "\n0.948,2,");
+    let both = [fit(&table, &["--json"]), fit(&by_pressure, &["--json"])];
+    let [by_load, by_pressure] =
+        both.map(|run| run.json()["points"][0]["load_n"].as_f64().unwrap());
+    assert!(
+        (by_pressure / by_load - 1.0).abs() < 2e-3,
+        "{by_pressure} {by_load}"
+    );
     let light = table.replace("\n30,2,", "\n0.5,2,");
     fit(&light, &[]).refused(2, "E318", &["at least 0.4 GPa"]);
     let high = curves(&bench, |traction| 3.0 * traction);

@@ -57,7 +57,7 @@ const QUESTIONS: [(&str, Question); 10] = [
     (
         "",
         Question {
-            text: "Centre distance a (empty: that of gears without profile shift)",
+            text: "Centre distance a (empty: the one of gears without profile shift)",
             default: Some(""),
             lines: distance,
         },
@@ -81,12 +81,9 @@ const QUESTIONS: [(&str, Question); 10] = [
     (
         "",
         Question {
-            text: "Temperature of the flanks",
+            text: "Temperature of the flanks, or oil, its temperature and jet, dip or submerged, e.g. oil 80 °C dip",
             default: Some("90 °C"),
-            lines: |answer| {
-                let what = "of the flanks; asperity run takes the oil's with operation.bulk";
-                quantity::<Temperature>(answer, "°C", "bulk_temperature", what)
-            },
+            lines: temperature,
         },
     ),
     (
@@ -100,7 +97,7 @@ const QUESTIONS: [(&str, Question); 10] = [
     (
         "\n[surface]\n",
         Question {
-            text: "Flanks: a trace file, or Ra of both, e.g. pinion.csv or 0.4 um",
+            text: "Flanks: the traces of pinion and wheel, or Ra of both, e.g. pinion.csv, wheel.csv or 0.4 um",
             default: None,
             lines: flanks,
         },
@@ -200,8 +197,25 @@ fn teeth(answer: &str) -> Result<String, String> {
     }
 }
 
+/// The bulk temperature, or the temperature of the oil with its lubrication.
+fn temperature(answer: &str) -> Result<String, String> {
+    let Some(oil) = answer.strip_prefix("oil ").map(str::trim) else {
+        let what = "of the flanks; or oil_temperature with bulk";
+        return quantity::<Temperature>(answer, "°C", "bulk_temperature", what);
+    };
+    let kind = ["jet", "dip", "submerged"]
+        .into_iter()
+        .find_map(|kind| Some((oil.strip_suffix(kind)?.trim(), kind)));
+    let (value, kind) =
+        kind.ok_or_else(|| format!("{answer:?}: add jet, dip or submerged, e.g. oil 80 °C dip"))?;
+    let line = quantity::<Temperature>(value, "°C", "oil_temperature", "of the oil")?;
+    Ok(format!(
+        "{line}bulk = {{ law = \"iso\", lubrication = \"{kind}\" }} # the loss heats the flanks above the oil\n"
+    ))
+}
+
 fn distance(answer: &str) -> Result<String, String> {
-    const SHIFTS: &str = "# profile_shift = [0, 0] # x of pinion and wheel\n# tip_diameter = [\"45 mm\", \"126 mm\"] # d_a\n";
+    const SHIFTS: &str = "# profile_shift = [0.1, -0.1] # x of pinion and wheel on the drawing\n# tip_diameter = [\"45 mm\", \"126 mm\"] # d_a\n";
     const RELIEF: &str = "# pinion.tip_relief = { amount = \"10 um\", length = \"3 mm\" }\n\
         # wheel.tip_relief = { amount = \"10 um\", length = \"3 mm\" }\n";
     if answer.is_empty() {
@@ -238,8 +252,18 @@ fn flanks(answer: &str) -> Result<String, String> {
         return Err("write the name of a file, or Ra".to_owned());
     }
     if !is_value {
-        let mut lines = format!("pinion = {{ file = {} }}\n", json!(answer));
-        lines += "# wheel = { file = \"wheel.csv\" } # without it the pinion's trace, mirrored\n";
+        let (pinion, wheel) = match answer.split_once(',') {
+            Some((pinion, wheel)) => (pinion.trim(), Some(wheel.trim())),
+            None => (answer, None),
+        };
+        let mut lines = format!("pinion = {{ file = {} }}\n", json!(pinion));
+        lines += &match wheel {
+            Some(wheel) => format!(
+                "wheel = {{ file = {}, mirrored = true }} # if both were traced from root to tip\n",
+                json!(wheel)
+            ),
+            None => "# wheel = { file = \"wheel.csv\", mirrored = true } # without it the pinion's trace, mirrored\n".to_owned(),
+        };
         return Ok(lines);
     }
     let mut lines = "# Without a trace, surrogate flanks with this Ra are generated.\n".to_owned();

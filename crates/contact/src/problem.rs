@@ -99,7 +99,8 @@ pub struct ContactSolution {
     pub approach: Length,
     /// Datum distance of `displacement` and `approach`; zero for periodic ends, which have no datum.
     pub datum: Length,
-    /// Share of the points with pressure.
+    /// Share of the points of the gap with pressure; times the length of the gap over the Hertz width 2b it is the share of
+    /// that width.
     pub contact_fraction: f64,
     /// Largest pressure.
     pub max_pressure: Pressure,

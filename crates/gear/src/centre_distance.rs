@@ -4,6 +4,7 @@
 
 use asperity_core::DomainError;
 use asperity_core::cite;
+use asperity_core::numerics::find_root;
 use asperity_core::quantity::{Angle, Length};
 
 use crate::error::GearError;
@@ -101,5 +102,46 @@ impl Centre {
             shift_sum: difference * rack.tooth_sum() / (2.0 * rack.alpha_n.tan()),
             profile_shift: None,
         })
+    }
+
+    /// Divides the sum of the profile shifts of an external pair for equal specific sliding at A and E.
+    ///
+    /// ```text
+    /// ρ₂(A)·ρ₂(E) = u²·ρ₁(A)·ρ₁(E)                                             [Shift-division]
+    /// ```
+    ///
+    /// ρ₁, ρ₂: distances from T₁ and T₂ \[m\] for the tip radii r + mₙ·(hₐ* + x); u = z₂/z₁. The specific sliding
+    /// 1 − ρ₂/(u ρ₁) of the pinion's root at A then equals 1 − u ρ₁/ρ₂ of the wheel's root at E. `None` if every
+    /// division lets a tip interfere, and for a ring.
+    pub(crate) fn divided(&self, rack: &Rack, addendum: f64) -> Option<[f64; 2]> {
+        let [base_1, base_2] = rack.base_radius.map(Length::si);
+        let [reference_1, reference_2] = rack.reference_radius.map(Length::si);
+        let t1t2 = self.distance.si() * self.working_angle.sin();
+        if rack.internal || !(addendum.is_finite() && addendum > 0.0) {
+            return None;
+        }
+        cite!("Shift-division");
+        // Shift at which the tip of a gear reaches the foot of the mating gear's perpendicular.
+        let limit = |base: f64, reference: f64| {
+            (t1t2.hypot(base) - reference) / rack.normal_module.si() - addendum
+        };
+        // Distance of a tip circle's end of contact from the gear's own foot.
+        let reach = |base: f64, reference: f64, shift: f64| {
+            let tip = reference + rack.normal_module.si() * (addendum + shift);
+            (tip * tip - base * base).max(0.0).sqrt()
+        };
+        let squared_ratio = (rack.teeth[1] / rack.teeth[0]).powi(2);
+        let excess = |shift: f64| {
+            let at_e = reach(base_1, reference_1, shift);
+            let at_a = reach(base_2, reference_2, self.shift_sum - shift);
+            at_a * (t1t2 - at_e) - squared_ratio * at_e * (t1t2 - at_a)
+        };
+        let low = self.shift_sum - limit(base_2, reference_2);
+        let high = limit(base_1, reference_1);
+        if low >= high {
+            return None;
+        }
+        let root = find_root(excess, low, high, 1e-12).ok()?.value;
+        Some([root, self.shift_sum - root])
     }
 }

@@ -52,9 +52,9 @@ pub enum GearError {
         /// Permitted difference.
         tolerance: Length,
     },
-    /// Tip radii are unknown because only the sum of the profile shifts is known.
+    /// Tip radii are unknown because only the sum of the profile shifts is known, and no division of it is possible.
     #[error(
-        "neither the profile shifts nor the tip diameters are given: the centre distance gives only the sum of the shifts, {sum:.4}"
+        "neither the profile shifts nor the tip diameters are given: the centre distance gives only the sum of the shifts, {sum:.4}; state both shifts with this sum, or both tip diameters"
     )]
     TipRadiusUnknown {
         /// Sum of the profile shifts.

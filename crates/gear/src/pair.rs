@@ -85,7 +85,8 @@ impl GearPair {
     ///
     /// If both centre distance and profile shifts are given, they must agree to 0.01 mₙ; the mesh then has the given
     /// centre distance and the teeth the given shifts. A centre distance without shifts determines only the sum of the
-    /// shifts, and the tip radii must be given.
+    /// shifts: without tip radii an external pair takes the division with equal specific sliding at both ends of contact,
+    /// and a ring is refused.
     ///
     /// # Errors
     /// When a number is out of its domain, the inputs contradict each other, or the geometry is invalid: interference,
@@ -128,7 +129,10 @@ impl GearPair {
     fn derive(input: &GearPairInput, internal: bool) -> Result<Self, GearError> {
         let rack = Rack::new(input, internal)?;
         let face_width = face_width(input)?;
-        let centre = Centre::new(input, &rack)?;
+        let mut centre = Centre::new(input, &rack)?;
+        if input.tip_radius.is_none() && centre.profile_shift.is_none() {
+            centre.profile_shift = centre.divided(&rack, input.addendum);
+        }
         let tip_radius = tip_radii(input, &rack, &centre)?;
         let tip_thickness = tip_thickness(&rack, &centre, tip_radius)?;
         let path = PathOfContact::new(

@@ -136,12 +136,18 @@ fn contradicting_givens_are_refused() {
 }
 
 #[test]
-fn without_shifts_the_centre_distance_does_not_give_the_tips() {
+fn the_tips_of_a_ring_do_not_follow_from_the_centre_distance() {
     let input = GearPairInput {
-        centre_distance: Some(mm(98.0)),
-        ..spur()
+        centre_distance: Some(mm(39.0)),
+        ..GearPairInput::standard([24, 75], mm(1.5), Angle::from_si(0.0), mm(20.0))
     };
-    assert!(matches!(refusal(&input), GearError::TipRadiusUnknown { sum } if sum > 0.0));
+    let refused = GearPair::internal(&input).unwrap_err();
+    assert!(matches!(refused, GearError::TipRadiusUnknown { sum } if sum > 0.0));
+    assert!(
+        refused
+            .to_string()
+            .contains("state both shifts with this sum")
+    );
 }
 
 #[test]

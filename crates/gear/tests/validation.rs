@@ -367,3 +367,44 @@ fn the_bearings_of_the_planets_carry_the_torque_of_the_carrier_and_their_centrif
     assert!((fast / load.hypot(outwards) - 1.0).abs() < 1e-12, "{fast}");
     assert!(set.planet_load(&at(300.0), Mass::from_si(-1.0)).is_err());
 }
+
+/// Pairs known by their centre distance, with the shift of the pinion by bisection of the two specific slidings, outside of the
+/// program.
+const DIVIDED: [([u32; 2], f64, f64, f64, f64); 4] = [
+    ([16, 24], 4.5, 0.0, 91.5, 0.309_349),
+    ([25, 61], 2.0, 0.0, 87.5, 0.444_274),
+    ([23, 68], 1.8, 23.4, 91.5, 0.561_540),
+    ([23, 68], 1.8, 23.4, 89.9, 0.315_050),
+];
+
+#[test]
+fn the_shifts_of_a_centre_distance_slide_equally_at_both_ends() {
+    for (teeth, module, helix, distance, expected) in DIVIDED {
+        let pair = |teeth: [u32; 2]| {
+            let input = GearPairInput {
+                centre_distance: Some(mm(distance)),
+                ..GearPairInput::standard(teeth, mm(module), degrees(helix), mm(20.0))
+            };
+            GearPair::new(&input).unwrap()
+        };
+        let divided = pair(teeth);
+        let [x1, x2] = divided.profile_shift.unwrap();
+        assert!((x1 - expected).abs() < 1e-6, "{teeth:?}: {x1}");
+        assert!((x1 + x2 - divided.profile_shift_sum).abs() < 1e-12);
+        let path = divided.path();
+        let slip = |rolling: f64, other: f64| 1.0 - other / rolling;
+        let [a, e] = [path.a, path.e].map(|s| [s.si(), (path.t1t2 - s).si()]);
+        let at_a = slip(divided.ratio * a[0], a[1]);
+        let at_e = slip(e[1], divided.ratio * e[0]);
+        assert!((at_a - at_e).abs() < 1e-9 * at_a.abs(), "{at_a} {at_e}");
+        // Which gear is named first does not matter.
+        let [y2, y1] = pair([teeth[1], teeth[0]]).profile_shift.unwrap();
+        assert!((y1 - x1).abs() < 1e-9 && (y2 - x2).abs() < 1e-9);
+    }
+    let equal = GearPairInput {
+        centre_distance: Some(mm(73.0)),
+        ..GearPairInput::standard([24, 24], mm(3.0), degrees(0.0), mm(20.0))
+    };
+    let [x1, x2] = GearPair::new(&equal).unwrap().profile_shift.unwrap();
+    assert!((x1 - x2).abs() < 1e-12 && x1 > 0.0);
+}

@@ -16,7 +16,7 @@ pub enum LubricantError {
     )]
     NoViscosity,
     /// No density.
-    #[error("the lubricant has no density: give its density and the temperature of that density")]
+    #[error("the lubricant has no density: give density, at 15 °C or at density_temperature")]
     NoDensity,
     /// A viscosity at one temperature does not give its slope.
     #[error(
@@ -31,6 +31,11 @@ pub enum LubricantError {
         /// The viscosity law.
         law: &'static str,
     },
+    /// Neither a density nor α or a class of base oil.
+    #[error(
+        "the lubricant has no density and no pressure-viscosity coefficient: give density, at 15 °C or at density_temperature, and base_oil (mineral, naphthenic, group-iii, pao, ester, polyglycol) or pressure_viscosity"
+    )]
+    NoDensityNorPressureViscosity,
     /// Neither α nor a class of base oil to estimate it from.
     #[error(
         "the lubricant has no pressure-viscosity coefficient: give pressure_viscosity, or base_oil (mineral, naphthenic, group-iii, pao, ester, polyglycol) to estimate it"

@@ -311,7 +311,12 @@ impl LubricantInput {
         bulk: Temperature,
         assumptions: &mut Vec<Assumption>,
     ) -> Result<DensityLine, LubricantError> {
-        let density = self.density.ok_or(LubricantError::NoDensity)?;
+        let density = self.density.ok_or({
+            match self.pressure_viscosity.is_none() && self.base_oil.is_none() {
+                true => LubricantError::NoDensityNorPressureViscosity,
+                false => LubricantError::NoDensity,
+            }
+        })?;
         let temperature = self.density_temperature.unwrap_or_else(|| {
             let (temperature, source) = match self.viscosity {
                 Some(ViscosityLaw::Given { .. }) => (bulk, "the bulk temperature of the case"),

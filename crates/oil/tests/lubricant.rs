@@ -100,7 +100,14 @@ fn missing_and_impossible_numbers_are_named() {
     assert_eq!(resolve("{}"), LubricantError::NoViscosity);
     let no_density =
         r#"{"viscosity": {"law": "astm-d341", "at_40": "100 mm2/s", "at_100": "11 mm2/s"}}"#;
-    assert_eq!(resolve(no_density), LubricantError::NoDensity);
+    assert_eq!(
+        resolve(no_density),
+        LubricantError::NoDensityNorPressureViscosity
+    );
+    assert_eq!(
+        resolve(&no_density.replacen('{', r#"{"base_oil": "pao", "#, 1)),
+        LubricantError::NoDensity
+    );
     assert_eq!(
         resolve(&no_density.replacen('{', r#"{"density": "880 kg/m3", "#, 1)),
         LubricantError::NoPressureViscosity

@@ -115,7 +115,8 @@ pub(crate) fn run_and_draw(
     let warnings = &mut outcome.result.warnings;
     let of_relief = loaded.case.assumed_relief.as_ref();
     if let Some((assumed, ends)) = of_relief.zip(predictive.at_ends_of_relief()) {
-        warnings.insert(0, relief::warning(assumed, ends));
+        let internal = loaded.case.gears.internal;
+        warnings.insert(0, relief::warning(assumed, ends, internal));
     }
     if predictive.surface_rms > PRECISE {
         let percent = 100.0 * predictive.surface_rms;

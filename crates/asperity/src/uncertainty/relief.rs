@@ -65,18 +65,22 @@ impl ReliefFactors {
 }
 
 /// W439: the amounts that the tip relief may have, and the loss at both ends.
-pub(super) fn warning(assumed: &AssumedRelief, at_ends: [f64; 2]) -> Warning {
+pub(super) fn warning(assumed: &AssumedRelief, at_ends: [f64; 2], internal: bool) -> Warning {
     let gears = match assumed.gears {
         [true, false] => "of the pinion",
         [false, true] => "of the wheel",
         _ => "of both gears",
     };
     let [none, whole] = at_ends.map(|ratio| 100.0 * (ratio - 1.0));
+    let edges = match internal {
+        true => "",
+        false => ", with contact of the tip edges,",
+    };
     let most = 1e6 * assumed.approach.si();
     Warning::new(
         "W439",
         format!(
-            "tip relief {gears} not stated, taken from 0 to {most:.0} um: none changes the loss by {none:+.0} %, {most:.0} um by {whole:+.0} %"
+            "tip relief {gears} not stated, taken from 0 to {most:.0} um: none{edges} changes the loss by {none:+.0} %, {most:.0} um by {whole:+.0} %"
         ),
     )
 }

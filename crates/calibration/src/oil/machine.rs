@@ -100,14 +100,29 @@ impl Machine {
         })
     }
 
+    /// Reduced modulus E* of both specimens.
+    fn modulus(&self) -> Pressure {
+        let Material { young, poisson, .. } = self.material;
+        young * (0.5 / (1.0 - poisson * poisson))
+    }
+
+    /// The load that causes a largest Hertz pressure p₀: F = (p₀/p₁)³ · 1 N, where p₁ is the pressure of 1 N, because all
+    /// lengths of the contact grow with F^(1/3).
+    ///
+    /// # Errors
+    /// When the radii or the modulus of the machine are not positive.
+    pub fn load_at(&self, max_pressure: Pressure) -> Result<Force, LoadShareError> {
+        let of_one = HertzPoint::new(Force::from_si(1.0), self.radii, self.modulus())?;
+        Ok(Force::from_si((max_pressure / of_one.max_pressure).powi(3)))
+    }
+
     /// The contact at a setting.
     #[must_use]
     pub fn contact(&self, at: &Setting) -> PointContact {
-        let Material { young, poisson, .. } = self.material;
         PointContact {
             load: at.load,
             radii: self.radii,
-            modulus: young * (0.5 / (1.0 - poisson * poisson)),
+            modulus: self.modulus(),
             entrainment: at.mean_speed,
             slide_to_roll: at.slide_to_roll,
             bodies: [self.material; 2],

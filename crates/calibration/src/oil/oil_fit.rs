@@ -363,7 +363,7 @@ impl OilFit {
                 "the points do not decide the law of pressure: the oil file holds the constants by {other} as well"
             ));
         } else if !self.is_law_decided_by_points {
-            let text = "the law of pressure is decided by the pressure-viscosity coefficient, which must be known to 10 %";
+            let text = "the points alone do not decide the law of pressure: the stated or estimated pressure-viscosity coefficient does, and must be right to 10 %";
             texts.push(text.to_owned());
         }
         texts.extend(self.combinations.iter().map(Combination::sentence));

@@ -2,6 +2,7 @@
 //!
 //! | column | meaning |
 //! |---|---|
+//! | `max_pressure_gpa` | largest Hertz pressure, in place of `load_n` |
 //! | `load_n`, `mean_speed_m_s`, `slide_roll_percent`, `temperature_c` | setting; 200 % is pure sliding |
 //! | `traction` | friction coefficient |
 //! | `sigma` | its standard deviation |
@@ -21,7 +22,7 @@ use crate::error::{CalibrationError, RowFault};
 use crate::number_table::{NumberRow, NumberTable};
 
 /// Known columns.
-const KNOWN: [&str; 15] = [
+const KNOWN: [&str; 16] = [
     "load_n",
     "mean_speed_m_s",
     "slide_roll_percent",
@@ -37,18 +38,29 @@ const KNOWN: [&str; 15] = [
     "youngs_modulus_gpa",
     "poisson",
     "conductivity_w_mk",
+    PRESSURE,
 ];
+/// Column of a largest Hertz pressure, in place of a load.
+const PRESSURE: &str = "max_pressure_gpa";
 /// Column of a measured film.
 const FILM: &str = "film_nm";
 /// Columns that a table needs.
 const NEEDED: usize = 5;
 /// Prefixes of column names, with the known column of the quantity.
-const STEMS: [(&str, &str); 5] = [
+const STEMS: [(&str, &str); 13] = [
     ("load", "load_n"),
+    ("ball load", "load_n"),
     ("mean_speed", "mean_speed_m_s"),
+    ("mean speed", "mean_speed_m_s"),
+    ("rolling speed", "mean_speed_m_s"),
     ("speed", "mean_speed_m_s"),
     ("slide", "slide_roll_percent"),
+    ("srr", "slide_roll_percent"),
     ("temperature", "temperature_c"),
+    ("friction", "traction"),
+    ("traction", "traction"),
+    ("max", PRESSURE),
+    ("hertz", PRESSURE),
 ];
 /// Prefixes of columns of a contact along a line.
 const LINE_CONTACT: [&str; 6] = [
@@ -63,8 +75,9 @@ const LINE_RULE: &str = "of a contact along a line; its losses are fitted by asp
 /// Largest ellipticity that the formula of the film covers.
 const LARGEST_ELLIPTICITY: f64 = 8.0;
 /// Columns with their possible numbers, far wider than any machine needs.
-const POSSIBLE: [(&str, [f64; 2], &str); 14] = [
+const POSSIBLE: [(&str, [f64; 2], &str); 15] = [
     ("load_n", [0.01, 1e5], "N"),
+    (PRESSURE, [0.05, 10.0], "GPa"),
     ("mean_speed_m_s", [1e-4, 200.0], "m/s"),
     ("slide_roll_percent", [-200.0, 200.0], "%"),
     ("temperature_c", [-60.0, 250.0], "°C"),
@@ -94,21 +107,36 @@ pub fn read_table(
         file: name.to_owned(),
         rule,
     };
+    let mut renamed = Vec::new();
     for column in &table.names {
         if LINE_CONTACT.iter().any(|stem| column.starts_with(stem)) {
             return Err(refuse(format!("column {column}: {LINE_RULE}")));
         }
         let is_known = KNOWN.contains(&column.as_str()) || column == FILM;
         let stem = STEMS.iter().find(|(stem, _)| column.starts_with(stem));
-        if let (Some((_, known)), false) = (stem, is_known) {
-            return Err(refuse(format!(
-                "column {column} is not known; give {known} in this unit"
-            )));
+        let has_load = table.has("load_n") || table.has(PRESSURE);
+        let is_there = |known: &str| match known {
+            "load_n" | PRESSURE => has_load,
+            known => table.has(known),
+        };
+        if let Some((_, known)) = stem.filter(|(_, known)| !is_known && !is_there(known)) {
+            renamed.push(format!("column {column} is not known; write {known}"));
         }
     }
-    for needed in &KNOWN[..NEEDED] {
-        if !table.has(needed) {
-            return Err(refuse(format!("column {needed} is missing")));
+    if !renamed.is_empty() {
+        let unit = "names end in the unit of their numbers";
+        return Err(refuse(format!("{} ({unit})", renamed.join(", "))));
+    }
+    let mut missing: Vec<&str> = KNOWN[..NEEDED].to_vec();
+    missing.retain(|needed| !table.has(needed) && !(*needed == "load_n" && table.has(PRESSURE)));
+    match missing.as_slice() {
+        [] => {}
+        [one] => return Err(refuse(format!("column {one} is missing"))),
+        several => {
+            return Err(refuse(format!(
+                "columns {} are missing",
+                several.join(", ")
+            )));
         }
     }
     table.all(name, |row| reading(name, row, machine))
@@ -125,14 +153,26 @@ fn reading(file: &str, row: NumberRow<'_>, machine: &Machine) -> Result<Reading,
     let celsius = row.number("temperature_c")?;
     let set = row.optional("set_temperature_c")?;
     let film = row.optional(FILM)?;
+    let machine = machine_of(row, machine)?;
+    let load = match (row.optional("load_n")?, row.optional(PRESSURE)?) {
+        (None, Some(gpa)) => machine
+            .load_at(Pressure::from_si(1e9 * gpa))
+            .map_err(|error| row.fault(PRESSURE, error.to_string()))?,
+        (Some(newtons), None) => Force::from_si(newtons),
+        (None, None) => Force::from_si(row.number("load_n")?),
+        (Some(_), Some(_)) => {
+            let rule = format!("is given in addition to {PRESSURE}; leave one of the two out");
+            return Err(row.fault("load_n", rule));
+        }
+    };
     Ok(Reading {
         file: file.to_owned(),
         line: row.line,
         step: 0,
         group: row.text("group").unwrap_or_default(),
-        machine: machine_of(row, machine)?,
+        machine,
         setting: Setting {
-            load: Force::from_si(row.number("load_n")?),
+            load,
             mean_speed: Speed::from_si(row.number("mean_speed_m_s")?),
             slide_to_roll: 0.01 * row.number("slide_roll_percent")?,
             temperature: Temperature::from_celsius(celsius),

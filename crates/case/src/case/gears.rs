@@ -109,6 +109,19 @@ pub(super) fn gears(
         true => GearPair::internal(&geometry),
         false => GearPair::new(&geometry),
     };
+    if let (Some(_), None, None, Ok(pair)) = (centre_distance, profile_shift, tip_diameter, &pair) {
+        let shifts = pair.profile_shift.unwrap_or_default();
+        let [first, second] = shifts.map(|x| (x * 1e4).round() / 1e4);
+        defaults.take_from(
+            "gears.profile_shift",
+            None,
+            [first, second],
+            Some(
+                "sum from the centre distance, divided for equal specific sliding at both ends of contact"
+                    .to_owned(),
+            ),
+        );
+    }
     let none = Length::from_si(0.0);
     let chamfer = flanks(&input.gears, source)
         .map(|(flank, section)| defaults.take(section.key("tip_chamfer"), flank.tip_chamfer, none));

@@ -88,7 +88,8 @@ table! {
     pressure_angle: Option<Angle> = "deg" usual [14.0, 30.0] possible OPEN;
     /// Face width b, one value for both gears or `[pinion, wheel]`.
     face_width: OneOrTwo<Length> = "mm" usual [1.0, 1000.0] possible [0.01, 10_000.0];
-    /// Profile shift coefficients x, pinion then wheel; default `[0, 0]`.
+    /// Profile shift coefficients x, pinion then wheel; default `[0, 0]`. With only `centre_distance`, its sum of the shifts,
+    /// divided for equal specific sliding at both ends of contact (W445).
     profile_shift: Option<[f64; 2]> = "" usual [-1.5, 1.5] possible OPEN;
     /// Working centre distance a; derived from the profile shifts when not given.
     centre_distance: Option<Length> = "mm" usual [5.0, 5000.0] possible [0.1, 50_000.0];

@@ -22,7 +22,7 @@ use super::law_names::{FullFilmName, LoadShareName};
 use super::lay::Lays;
 use super::model::Formulation;
 use super::oil_file::oil_file;
-use super::plausibility::{SYMBOLS, at_pitch_point, of_files, step_up, unusual};
+use super::plausibility::{SYMBOLS, at_pitch_point, divided_shifts, of_files, step_up, unusual};
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
 use super::source::{MeshKeys, Source};
@@ -506,6 +506,7 @@ pub(super) fn complete(
         0..0,
         unusual.into_iter().chain(step_up(&case.gears, source)),
     );
+    warnings.extend(divided_shifts(&case.input.gears, &case.gears));
     warnings.extend(read_as_keys(source));
     let oil = case.oil_file.iter();
     warnings.extend(oil.flat_map(|oil| oil.warnings(&case.input, case.temperature)));

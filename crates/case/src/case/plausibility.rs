@@ -12,7 +12,7 @@ use asperity_gear::GearPair;
 use asperity_oil::{LubricantInput, LubricantState, ViscosityLaw};
 
 use super::error::CaseError;
-use super::input::{CaseInput, OperationInput, TEMPERATURE_KEYS};
+use super::input::{CaseInput, GearsInput, OperationInput, TEMPERATURE_KEYS};
 use super::rows::{Limits, Table, in_unit, limits};
 use super::section::Section;
 use super::source::Source;
@@ -21,6 +21,8 @@ use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 
 /// Code of the warning about an unusual number.
 const UNUSUAL: &str = "W201";
+/// Code of a division of the profile shifts.
+const DIVIDED: &str = "W445";
 /// Code of the warning that names the keys of symbols.
 pub(super) const SYMBOLS: &str = "W202";
 /// Code of a key that is read by its former name.
@@ -363,10 +365,23 @@ pub(super) fn step_up(gears: &GearPair, source: &Source) -> Option<Warning> {
     (pinion > wheel && !source.is_of_a_train()).then(|| Warning::new(UNUSUAL, text()))
 }
 
+/// W445: profile shifts of which the case gives only the sum, by its centre distance.
+pub(super) fn divided_shifts(input: &GearsInput, gears: &GearPair) -> Option<Warning> {
+    let is_stated = input.profile_shift.is_some() || input.tip_diameter.is_some();
+    let [x1, x2] = gears.profile_shift?;
+    (input.centre_distance.is_some() && !is_stated).then(|| {
+        let sum = gears.profile_shift_sum;
+        let text = format!(
+            "gears.profile_shift: the centre distance gives the sum {sum:.3}, taken as [{x1:.3}, {x2:.3}] with equal specific sliding at both ends of contact"
+        );
+        Warning::new(DIVIDED, text)
+    })
+}
+
 /// The warnings that are not about numbers of the case.
 pub(super) fn of_files(warnings: &[Warning]) -> Vec<Warning> {
     let is_of_a_file =
-        |warning: &&Warning| ![UNUSUAL, SYMBOLS, FORMER_NAME].contains(&&*warning.code);
+        |warning: &&Warning| ![UNUSUAL, SYMBOLS, FORMER_NAME, DIVIDED].contains(&&*warning.code);
     warnings.iter().filter(is_of_a_file).cloned().collect()
 }
 

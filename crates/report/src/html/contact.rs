@@ -22,9 +22,9 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
     Ok(html! {
         p {
             "Position " (contact.position) " of " (count)
-            @if count > 1 { ", by default the position with the highest pressure" }
-            ", at " (format!("{:.3}", row.path_fraction))
-            " of the way from A to E; first offset of the traces."
+            @if count > 1 { ", by default the position with the highest pressure of the rough contact" }
+            ", at " (format!("{:.0} %", 100.0 * row.path_fraction))
+            " of the path from A to E; first offset of the traces."
         }
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
     })

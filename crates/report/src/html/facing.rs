@@ -34,7 +34,8 @@ pub(super) fn in_mesh(result: &RunResult) -> Option<Markup> {
             p.under { output.caption { "Contact at the pitch point C" } }
             (legend(&drawing))
             @if !result.flanks.iter().any(is_placed) {
-                p.sub { "Where the traces lie on their flanks is not known: no key " code { "at" } " says so." }
+                p.sub { "The places of the traces on their flanks are unknown: the keys " code { "surface.pinion.at" } " and "
+                    code { "surface.wheel.at" } " are not stated." }
             }
             (source(drawing.source()))
             (embedded(&motion))

@@ -3,7 +3,7 @@
 use asperity::case::LoadedCase;
 use asperity::case::gear_train::{LoadedMesh, LoadedTrain};
 use asperity::flanks::Surfaces;
-use asperity::gear_train::{TrainOutcome, run_train};
+use asperity::gear_train::{MeshRow, TrainOutcome, run_train};
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
@@ -67,6 +67,9 @@ pub struct FinishResult {
     /// Loss minus the loss of the first finish with the same draws; `None` for the first, and if the model has no
     /// uncertainty.
     pub difference: Option<PairedDifference>,
+    /// Mean loss of the flanks run in with every constant at its median \[W\], if the case sets `model.run_in`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub run_in_loss_w: Option<f64>,
     /// Losses of the gearbox, if the case states them; the same parts for every finish.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gearbox: Option<GearboxReport>,
@@ -281,6 +284,7 @@ fn finish_result(
         uncertainty: None,
         loss_distribution: result.loss_distribution,
         difference,
+        run_in_loss_w: run_in_loss(outcome),
         gearbox: result.gearbox.clone(),
         mixed_share: None,
         regime: None,
@@ -337,6 +341,16 @@ fn finish_result(
         roughness,
     });
     Ok(finish)
+}
+
+/// Loss of all meshes with their flanks run in \[W\]; `None` unless every mesh was run in.
+fn run_in_loss(outcome: &TrainOutcome) -> Option<f64> {
+    let meshes = outcome.result.meshes.iter().zip(&outcome.meshes);
+    let of_mesh = |(row, run): (&MeshRow, &Outcome)| {
+        let run_in = run.result.run_in.as_ref()?;
+        Some(f64::from(row.count) * run_in.summary.loss_w)
+    };
+    meshes.map(of_mesh).sum()
 }
 
 /// Distinct warnings of all meshes, with the name of the mesh unless they apply to all.

@@ -9,7 +9,7 @@ use asperity_report::units::MICRO;
 use maud::{Markup, html};
 
 use super::comparison::{Comparison, PairOfFinish};
-use super::summary::{cells, efficiency, mesh_rows, note, scope};
+use super::summary::{cells, efficiency, mesh_rows, note, run_in, scope};
 use super::windows::PARAMETERS;
 
 pub(super) fn render(comparison: &Comparison) -> String {
@@ -77,6 +77,7 @@ fn verdict(comparison: &Comparison) -> Markup {
         } }
         p.sub { "Losses are " (note(comparison)) ". Common contributions, such as the friction of the oil, cancel in the "
             "differences; " (scope(comparison)) "." }
+        @for line in run_in(comparison) { p.sub { (line) } }
         div.charts { (figure(&bars(comparison))) @if of_pair { (figure(&along_the_path(comparison))) } }
     }
 }
@@ -214,7 +215,10 @@ fn contributions(comparison: &Comparison) -> Markup {
         let entry = of.loss.parts.iter().find(|part| part.name == name);
         entry.map_or("-".to_owned(), |part| {
             let [low, high] = part.quantiles_w.map(|loss| digits.rounded(loss));
-            format!("{low}..{high} W")
+            match low == high {
+                true => format!("{low} W"),
+                false => format!("{low}..{high} W"),
+            }
         })
     };
     let other = |of: &Uncertainty, name: &str| {

@@ -35,6 +35,9 @@ pub(super) fn summary(comparison: &Comparison) -> String {
         text.push_str(&format!("{}\n", wrapped(&one_line(&verdict), "  ")));
     }
     text.push_str(&format!("{}\n", wrapped(&note(comparison), "  ")));
+    for line in run_in(comparison) {
+        text.push_str(&format!("{}\n", wrapped(&one_line(&line), "  ")));
+    }
     text.push_str(&format!("{}\n", wrapped(&scope(comparison), "  ")));
     let best: Vec<String> = comparison
         .correlations
@@ -220,6 +223,31 @@ pub(super) fn note(comparison: &Comparison) -> String {
             "medians of {draws} draws, in brackets their 5 and 95 % quantiles; all finishes share the draws, but model error and sampling of the flanks are drawn for each"
         ),
     }
+}
+
+/// Losses of the finishes run in; empty without `model.run_in`.
+pub(super) fn run_in(comparison: &Comparison) -> Vec<String> {
+    let of = |finish: &FinishResult| {
+        let after = finish.run_in_loss_w?;
+        let digits = match finish.drawn_w() {
+            Some((_, quantiles)) => Digits::of_interval(quantiles),
+            None => Digits::of_decimals(1),
+        };
+        Some(format!(
+            "{} run in: {} W in place of {} W, both with every constant at its median",
+            finish.name,
+            digits.rounded(after),
+            digits.rounded(finish.loss_w)
+        ))
+    };
+    let mut lines: Vec<String> = comparison.finishes.iter().filter_map(of).collect();
+    if !lines.is_empty() {
+        lines.insert(
+            0,
+            "the table and the verdict are of the flanks as measured".to_owned(),
+        );
+    }
+    lines
 }
 
 /// Scope of the comparison, with the efficiency of the gearbox if it is included.
