@@ -104,6 +104,7 @@ def test_measurements_and_designs_are_those_of_the_command(command, tmp_path):
     assert refused.value.code == "E205"
     found = asperity.ridges(case)
     assert found.to_dict() == json_of(command, "ridges", file, *KEYS, "-o", tmp_path / "ridges")
+    assert found.rows[0]["low_w"] < found.rows[0]["mean_gradient_w"] < found.rows[0]["high_w"]
     assert found.rows[0]["first_order_w"] >= found.rows[1]["first_order_w"] and len(found.octaves) > 5
     assert pickle.loads(pickle.dumps(found)) == found
     with pytest.raises(AsperityError) as refused:

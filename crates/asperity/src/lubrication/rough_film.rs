@@ -130,7 +130,7 @@ impl<'a> RoughFilm<'a> {
     }
 }
 
-/// Gradient of a number over the heights of both traces, summed over the windows of a position.
+/// Gradient of a number over the heights of both traces.
 pub(crate) struct HeightGradient {
     /// Over the heights in the rough contacts.
     direct: [Vec<f64>; 2],

@@ -41,6 +41,14 @@ pub(crate) fn settle(
     Ok(settled)
 }
 
+/// Power of the loss to which the rise of a law is proportional.
+pub(super) const fn rise_exponent(model: BulkModel) -> f64 {
+    match model {
+        BulkModel::Iso(_) => bulk_temperature::OSTER_EXPONENT,
+        BulkModel::Network(_) => 1.0,
+    }
+}
+
 /// A law with what it needs of the case.
 struct Law<'a> {
     loaded: &'a LoadedCase,

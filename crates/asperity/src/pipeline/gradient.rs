@@ -11,6 +11,7 @@ use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Temperature;
 use rayon::prelude::*;
 
+use super::bulk_temperature::rise_exponent;
 use super::stages::{Stages, losses_with, numbered, sampled, warmed};
 use crate::contacts::Contacts;
 use crate::parameters::at_temperature;
@@ -27,6 +28,8 @@ const TEMPERATURE_STEP: f64 = 0.1;
 pub struct LossGradient {
     /// Derivative of the loss over the height of each point of both prepared traces \[W/m\].
     pub by_height: [Vec<f64>; 2],
+    /// The same of the loss at each offset of the traces: their mean is `by_height` \[W/m\].
+    pub by_offset: Vec<[Vec<f64>; 2]>,
     /// The losses, from exact contacts.
     pub losses: Losses,
     /// Change of the loss with the equilibrium bulk temperature over its change at a held temperature; 1 with a stated
@@ -42,10 +45,10 @@ pub struct LossGradient {
 /// Gradient of the loss of a case over the heights of both prepared traces.
 ///
 /// ```text
-/// dP/dz = Σ_i w_i V_s,i f_i (1/K) Σ_k dμ_ik/dz / (1 − (∂P/∂T) (T_b − T_oil)/P)        [Loss-gradient]
+/// dP/dz = Σ_i w_i V_s,i f_i (1/K) Σ_k dμ_ik/dz / (1 − n (∂P/∂T) (T_b − T_oil)/P)      [Loss-gradient]
 /// ```
 ///
-/// The last factor belongs to a bulk temperature that follows from the loss, to which its rise is proportional.
+/// The last factor belongs to a bulk temperature that follows from the loss, of which its rise is the power n.
 ///
 /// # Errors
 /// As [`losses`](super::losses), and when the loss is not from the default load share and film friction, or a flank has no
@@ -79,13 +82,21 @@ pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
         .sum();
     let losses = stages.summed(|| stages.solved(positions)?.losses())?;
     cite!("Loss-gradient");
-    let heat_balance = heat_balance(&warm, &contacts, &losses)?;
+    let heat_balance = heat_balance((&sampled, &warm), &contacts, &losses)?;
     let traces = warm.surfaces.traces().map_err(Box::new)?;
-    let mut by_height = traces.map(|trace| vec![0.0; trace.len()]);
+    let none = traces.map(|trace| vec![0.0; trace.len()]);
+    let mut by_offset = vec![none.clone(); warm.case.model.offsets];
     for gradient in found.iter().flatten() {
-        let of_both = by_height.iter_mut().flatten();
-        for (sum, one) in of_both.zip(gradient.iter().flatten()) {
+        let of_all = by_offset.iter_mut().flatten().flatten();
+        for (sum, one) in of_all.zip(gradient.iter().flatten().flatten()) {
             *sum += heat_balance * one;
+        }
+    }
+    let mut by_height = none;
+    for of_offset in &by_offset {
+        let of_both = by_height.iter_mut().flatten();
+        for (sum, one) in of_both.zip(of_offset.iter().flatten()) {
+            *sum += one / by_offset.len() as f64;
         }
     }
     drop(stages);
@@ -93,6 +104,7 @@ pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
     case.case.input.model.offsets = Some(case.case.model.offsets);
     Ok(LossGradient {
         by_height,
+        by_offset,
         losses,
         heat_balance,
         unresolved_w,
@@ -100,9 +112,13 @@ pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
     })
 }
 
-/// 1/(1 − (∂P/∂T) (T_b − T_oil)/P)
-fn heat_balance(warm: &LoadedCase, contacts: &Contacts, losses: &Losses) -> Result<f64, Error> {
-    let Some(found) = &warm.case.found_bulk else {
+/// 1/(1 − n (∂P/∂T) (T_b − T_oil)/P) of a case as stated and at its bulk temperature.
+fn heat_balance(
+    (stated, warm): (&LoadedCase, &LoadedCase),
+    contacts: &Contacts,
+    losses: &Losses,
+) -> Result<f64, Error> {
+    let (Some(found), Some(law)) = (&warm.case.found_bulk, stated.case.bulk) else {
         return Ok(1.0);
     };
     let loss = |step: f64| {
@@ -111,7 +127,7 @@ fn heat_balance(warm: &LoadedCase, contacts: &Contacts, losses: &Losses) -> Resu
         Ok::<f64, Error>(losses.summary.loss_w)
     };
     let slope = (loss(TEMPERATURE_STEP)? - loss(-TEMPERATURE_STEP)?) / (2.0 * TEMPERATURE_STEP);
-    let rise = found.report.bulk_c - found.report.oil_c;
+    let rise = rise_exponent(law) * (found.report.bulk_c - found.report.oil_c);
     Ok(1.0 / (1.0 - slope * rise / losses.summary.loss_w))
 }
 
@@ -239,6 +255,36 @@ mod tests {
                 .sum();
             let error = error(case, body, &shape, expected);
             assert!(error < 0.03, "{width} points from {begin}: {error}");
+        }
+    }
+
+    #[test]
+    fn the_gradient_includes_the_heat_balance_of_the_flanks() {
+        let network = r#"{ law = "network", pinion_to_oil = "12 W/K", wheel_to_oil = "20 W/K" }"#;
+        for law in [r#"{ law = "iso", lubrication = "jet" }"#, network] {
+            let oil = [
+                ("operation.oil_temperature", "70 °C"),
+                ("operation.bulk", law),
+            ];
+            let found = gradient(&e_drive(&oil)).unwrap();
+            assert!(
+                (found.heat_balance - 1.0).abs() > 0.02,
+                "{law}: {}",
+                found.heat_balance
+            );
+            let z = heights(&found.case);
+            let expected: f64 = (z.iter().flatten().zip(found.by_height.iter().flatten()))
+                .map(|(z, by_height)| z * by_height)
+                .sum();
+            let at = |part: f64| {
+                let scaled = z.clone().map(|z| z.iter().map(|z| part * z).collect());
+                loss(&found.case, scaled)
+            };
+            let step = 2e-3;
+            let quotient = (at(1.0 + step) - at(1.0 - step)) / (2.0 * step);
+            // The equilibrium is iterated to 0.01 K: half of the last change of the temperature is missing.
+            let error = quotient / expected - 1.0;
+            assert!(error.abs() < 0.01, "{law}: {expected} W, {quotient} W");
         }
     }
 
