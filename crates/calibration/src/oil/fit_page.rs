@@ -106,13 +106,13 @@ impl OilFit {
             true => "decided",
             false => "not decided",
         };
-        vec![
+        let mut lines = vec![
             format!(
                 "{readings} readings at {points} set points{films}, {kept} fitted{}",
                 counted.collect::<String>()
             ),
             format!(
-                "law of pressure {}: {decided}, sum of squares {best:.1} against {other:.1} of the other law",
+                "law of pressure {}: {decided}, sum of squares with the errors of the machine {best:.1} against {other:.1} of the other law",
                 self.pressure_law.name()
             ),
             format!(
@@ -120,7 +120,9 @@ impl OilFit {
                 self.squares_per_point,
                 100.0 * self.law_error
             ),
-        ]
+        ];
+        lines.extend(self.largest_deviation());
+        lines
     }
 
     /// The text of the oil file.

@@ -164,6 +164,13 @@ pub(super) fn resolve_checked(
     }
     if let Some(file) = &oil_file {
         choices = file.put_into(&choices, formulation, source)?;
+        let by = "the law by which the constants of lubricant.oil_file were fitted".to_owned();
+        defaults.take_from(
+            "model.film_pressure_law",
+            input.model.film_pressure_law,
+            file.film_friction.pressure_law,
+            Some(by),
+        );
     }
     let model = model(&choices, formulation, &gears, source, &mut defaults)?;
     let bulk = bulk_model(bulk.as_ref(), formulation, &model, source)?;
