@@ -79,7 +79,7 @@ fn what_cannot_be_run_is_refused_with_code_place_and_help() {
         missing.message
     );
     let set = refused("[planetary]\nteeth = [27, 24, -75]\n", &files);
-    assert_eq!(set.code, "E201", "{}", set.message);
+    assert_eq!(set.code, "E204", "{}", set.message);
     let huge = text.replace("offsets = 2", "offsets = 2\ndepths = 4000000");
     let huge = refused(&huge, &files);
     assert!(
