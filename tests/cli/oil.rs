@@ -307,7 +307,7 @@ fn a_fit_under_a_condition_is_warned_about() {
     let decided = fit(&cold, "m100", &[]);
     warned(
         &decided,
-        "decided by the pressure-viscosity coefficient, which must be known to 10 %",
+        "the stated or estimated pressure-viscosity coefficient does, and must be right to 10 %",
     );
     let wide = fit(&cold, "m100", &["--wide"]);
     warned(&wide, "W441 the points do not decide the law of pressure");
