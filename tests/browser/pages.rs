@@ -183,6 +183,19 @@ const COMMANDS: [(&[&str], &[&str]); 11] = [
         &["ridges", "case.toml", "-o", "pressed"],
         &["pressed/ridges.html"],
     ),
+    (
+        &[
+            "callout",
+            "case.toml",
+            "--loss",
+            "600 W",
+            "--lots",
+            "20",
+            "-o",
+            "limited",
+        ],
+        &["limited/callout.html"],
+    ),
     (&["sweep", "run", "study.toml", "--parts", "parts"], &[]),
     (
         &[
