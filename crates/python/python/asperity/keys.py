@@ -94,6 +94,11 @@ CalibratedParameter = Literal[
 ]
 
 
+RoughnessParameter = Literal[
+    "rpk", "rq", "rdq",
+]
+
+
 SurfaceKind = Literal[
     "self-affine", "non-gaussian", "plateau-honed", "ground", "fitted",
 ]
