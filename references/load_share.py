@@ -4,8 +4,9 @@ Computes the 18 windows of `crates/mixed-film/tests/golden/load_share.json` from
 preparation by Gaussian filters (2.5 um, 0.25 mm); attenuation of the waves 1/(1 + 0.125 N + 0.04 N^2), N = (l/a) M^(3/4)
 L^(-1/2); inlet factor sqrt(1 + 2.342 (s/h_c)^2); contact of the flanks under (1 - phi) of Hertz' pressure from the film by
 the conjugate gradients of `rough_contact.py`; phi where the mean gap over 0.8 a is h_c Psi (1 - phi)^(-0.16); films by
-Moes of the spots, whose width is 32 (int p dx)^2/(3 pi^2 int p^2 dx); friction (1 - phi) mu_f + phi ((1 - beta) mu_a +
-beta mu_b) with the heat of `film_friction.py`.
+Moes of the spots, one for each peak of the pressure, with the load and the width 32 (int p dx)^2/(3 pi^2 int p^2 dx) of the
+pressure around the peak, as a mean over the levels up to it; friction (1 - phi) mu_f + phi ((1 - beta) mu_a + beta mu_b)
+with the heat of `film_friction.py`.
 """
 
 import json
@@ -47,6 +48,29 @@ def prepared(file, mirrored):
     z = gaussian(z - np.polyval(np.polyfit(x, z, 1), x), 2.5e-6)
     edge = round(0.125e-3 / SPACING)
     return (z - gaussian(z, 0.25e-3))[edge:-edge]
+
+
+def components(above):
+    """First cells and ends of the runs of true cells."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], above, [0]]).astype(int)))
+    return zip(edges[::2], edges[1::2])
+
+
+def peaks(p, low=0.0, content=None, below=(0.0, 0.0)):
+    """Load, and load and int p^2 dx of the contact around it, of every peak of the run `p`: one level after the other, in
+    the order of the pressures. `content` is load and int p^2 dx of the part of the run above `low`, `below` the sums over
+    the levels up to `low`."""
+    power = np.array([1, 2])
+    content = (p[:, None] ** power).sum(axis=0) * SPACING if content is None else content
+    for level in np.unique(p):
+        parts = [p[a:b] for a, b in components(p > level)]
+        if len(parts) > 1:
+            excess = np.array([((part[:, None] ** power) - level**power).sum(axis=0) for part in parts])
+            shares = content * excess / excess.sum(axis=0)
+            below = below + (level - low) * content
+            return [peak for part, share in zip(parts, shares) for peak in peaks(part, level, share, below)]
+    top = p.max()
+    return [(content[0], *((below + (top - low) * content) / top))]
 
 
 class Window:
@@ -139,18 +163,16 @@ class Window:
 
     def spots(self, p, surface):
         """Boundary part, friction of the lubricated part, and the mean film of the spots."""
-        edges = np.flatnonzero(np.diff(np.concatenate([[0], p > 0, [0]]).astype(int)))
         eta, alpha, twice = self.oil.eta(surface), self.oil.alpha(surface), 2 * E_STAR
         total = boundary = wet = sheared = film = 0.0
-        for low, high in zip(edges[::2], edges[1::2]):
-            load, squares = p[low:high].sum() * SPACING, (p[low:high] ** 2).sum() * SPACING
-            width = 32 * load**2 / (3 * np.pi**2 * squares)
-            radius = np.pi * E_STAR * (width / 2) ** 2 / (4 * load)
-            h = radius * moes(alpha * twice, eta * self.speed / (twice * radius), load / (twice * radius))
+        for load, joint, squares in (peak for low, high in components(p > 0) for peak in peaks(p[low:high])):
+            width = 32 * joint**2 / (3 * np.pi**2 * squares)
+            radius = np.pi * E_STAR * (width / 2) ** 2 / (4 * joint)
+            h = radius * moes(alpha * twice, eta * self.speed / (twice * radius), joint / (twice * radius))
             beta = 1 / (1 + h / LAYER)
             total, boundary, film = total + load, boundary + load * beta, film + load * h
             wet += load * (1 - beta)
-            sheared += load * (1 - beta) * self.stress(load / width, h, surface) / (load / width)
+            sheared += load * (1 - beta) * self.stress(joint / width, h, surface) / (joint / width)
         return boundary / total, sheared / wet, film / total
 
     def friction(self, phi):

@@ -80,6 +80,7 @@ fn dispatch(cli: &Cli) -> Result<(), Failure> {
         Command::Cycle(args) => commands::cycle::cycle(args, common),
         Command::Sensitivity(args) => commands::sensitivity::sensitivity(args, common),
         Command::Ridges(args) => commands::ridges::ridges(args, common),
+        Command::Callout(args) => commands::callout::callout(args, common),
         Command::Evidence(args) => commands::evidence::evidence(args, common),
         Command::Sweep(command) => commands::sweep::sweep(command, common),
         Command::Calibrate(args) => commands::calibrate::calibrate(args, common),

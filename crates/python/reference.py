@@ -27,7 +27,7 @@ TOPICS = {
     "Profiles": "read_profile generate Profile Parts Parameters",
     "Contacts": "solve_contact press_flanks subsurface_stress Contact Stress ehl EhlRecord",
     "Laws over arrays": "hertz film_thickness thermal_reduction friction_coefficient",
-    "Studies": "compare Comparison map read_map Map cycle Cycle sensitivity Sensitivity ridges Ridges sweep Sweep",
+    "Studies": "compare Comparison map read_map Map cycle Cycle sensitivity Sensitivity ridges Ridges callout CallOut sweep Sweep",
     "Measurements": "calibrate Calibration design Design evidence Evidence",
     "Oils": "oil_traction Traction oil_plan OilPlan oil_fit OilFit stribeck Stribeck",
     "The library": "gears steels oils",

@@ -316,6 +316,8 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
             let trace = || table(&format!("{flank}.csv")).column("height_um");
             (curve == "trace").then(trace)
         }
+        ("limited/callout.html", "traces") => Some(table("traces.csv").column("limit_over_recipe")),
+        ("limited/callout.html", _) => Some(table("curve.csv").column("loss_w")),
         ("swept/sweep.html", chart) if chart.contains("-over-") => {
             let (output, axis) = chart.split_once("-over-").unwrap();
             assert_eq!(axis, "operation-torque");

@@ -134,7 +134,7 @@ vary."lubricant.viscosity.at_100" = { normal = ["5.9 mm2/s", "0.15 mm2/s"] }
 "#;
 
 /// Options of the commands that make the other pages, and the pages.
-const COMMANDS: [(&[&str], &[&str]); 11] = [
+const COMMANDS: [(&[&str], &[&str]); 12] = [
     (
         &[
             "compare",
@@ -182,6 +182,19 @@ const COMMANDS: [(&[&str], &[&str]); 11] = [
     (
         &["ridges", "case.toml", "-o", "pressed"],
         &["pressed/ridges.html"],
+    ),
+    (
+        &[
+            "callout",
+            "case.toml",
+            "--loss",
+            "600 W",
+            "--lots",
+            "20",
+            "-o",
+            "limited",
+        ],
+        &["limited/callout.html"],
     ),
     (&["sweep", "run", "study.toml", "--parts", "parts"], &[]),
     (

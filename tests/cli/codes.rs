@@ -95,6 +95,7 @@ fn every_code_in_the_sources_is_explained_and_no_other() {
             "crates/contact/src",
             "crates/ehl/src",
             "crates/report/src",
+            "crates/case/src",
             "crates/asperity/src",
             "crates/calibration/src",
             "crates/rexs/src",

@@ -480,7 +480,8 @@ fn a_gear_train_gives_its_shafts_its_meshes_and_one_loss() {
     ] {
         assert!(bench.path("train").join(file).is_file(), "{file}");
     }
-    let page = std::fs::read_to_string(bench.path("train/report.html")).unwrap();
+    let read = |file: &str| std::fs::read_to_string(bench.path(file)).unwrap();
+    let page = read("train/report.html");
     for says in [
         "fast/report.html",
         "lubricated asperities",
@@ -507,6 +508,24 @@ fn a_gear_train_gives_its_shafts_its_meshes_and_one_loss() {
     let whole = w(&quantiles[1]) - w(&quantiles[0]);
     assert!(whole > 1.02 * first.hypot(second) && whole < 1.02 * (first + second));
     assert!(run(&["--no-band"])["loss_distribution"].is_null());
+    // The measurements that narrow it have one row for all meshes, in the run, in its report and in their own table.
+    bench
+        .run(&["evidence", "case.toml", "-o", "evidence"])
+        .well();
+    let table: serde_json::Value = serde_json::from_str(&read("evidence/evidence.json")).unwrap();
+    assert_eq!(table["loss"], json["loss_distribution"]);
+    assert_eq!(table["rows"], json["evidence"]);
+    let rows = json["evidence"].as_array().unwrap();
+    let keys = rows.iter().map(|row| row["key"].as_str().unwrap());
+    let distinct: std::collections::BTreeSet<&str> = keys.collect();
+    assert!(rows.len() > 4 && rows.len() == distinct.len(), "{rows:?}");
+    assert!(
+        rows.iter()
+            .all(|row| (0.1..1.0).contains(&w(&row["width"]))),
+        "{rows:?}"
+    );
+    assert!(page.contains("What would narrow the interval most"));
+    assert!(read("evidence/evidence.html").contains(rows[0]["measurement"].as_str().unwrap()));
     let passed = run(&["--no-band", "--set", "train.losses=passed-on"]);
     assert!(w(&passed["meshes"][1]["torque_nm"]) < w(&json["meshes"][1]["torque_nm"]));
     let slow = run(&["--no-band", "--set", "mesh.slow.gears.face_width=60 mm"]);

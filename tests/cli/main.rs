@@ -11,6 +11,7 @@ mod bench;
 
 mod bulk;
 mod calibrate;
+mod callout;
 mod case_commands;
 mod case_messages;
 mod codes;

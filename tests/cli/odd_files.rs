@@ -77,6 +77,8 @@ const PATHS: &[(&str, &str, Role, &str)] = &[
     ("sensitivity", "output", Written, "case.toml -o @"),
     ("ridges", "case", Read, "@"),
     ("ridges", "output", Written, "case.toml -o @"),
+    ("callout", "case", Read, "@ --loss 600~W"),
+    ("callout", "output", Written, "case.toml --loss 600~W -o @"),
     ("evidence", "case", Read, "@"),
     ("evidence", "output", Written, "case.toml -o @"),
     ("sweep run", "study", Read, "@"),

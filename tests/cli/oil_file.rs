@@ -117,6 +117,20 @@ fn keys_of_the_case_and_its_calibration_replace_constants_of_the_oil_file() {
     let own = own.replacen("[lubricant]\n", "[lubricant]\noil_file = \"oil.toml\"\n", 1);
     let of_file = result(&bench, &own);
     assert_eq!(of_file["summary"]["loss_w"], plain["summary"]["loss_w"]);
+
+    // An oil file whose family was assumed is enough as well, and the law of its fit is listed.
+    let file = fs::read_to_string(bench.path("oil.toml")).unwrap();
+    assert!(file.contains("base_oil = "), "{file}");
+    bench.write(
+        "oil.toml",
+        file.replacen("base_oil = ", "assume_base_oil = ", 1),
+    );
+    let of_assumed = result(&bench, &own);
+    assert_eq!(of_assumed["summary"]["loss_w"], plain["summary"]["loss_w"]);
+    let defaults = of_assumed["defaults"].to_string();
+    for key in ["lubricant.base_oil", "model.film_pressure_law"] {
+        assert!(defaults.contains(key), "{key}: {defaults}");
+    }
 }
 
 #[test]

@@ -213,7 +213,9 @@ fn expected_intervals_are_those_of_simulated_measurements() {
     for (name, aim) in [("e-drive", 0.765), ("e-drive-superfinished", 0.25)] {
         let case = with(name, &few);
         let hold = |case: &LoadedCase, key: &str, [measured, _]: [f64; 2]| {
-            let table = EvidenceTable::of(case, &Effort::usual()).unwrap().unwrap();
+            let table = EvidenceTable::of(&case.clone().into(), &Effort::usual())
+                .unwrap()
+                .unwrap();
             let row = table.rows.iter().find(|row| row.key == key).unwrap();
             let ratio = row.width * spreads(case)[0] / measured;
             println!("{name} {key}: expected over measured {ratio:.3}");

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::case::{Case, load};
 use asperity::ehl::{LineContact, Oil, SteadySettings, steady};
-use asperity::lubrication::FormulaFilm;
+use asperity::lubrication::formula_film;
 use asperity::mesh::{Mesh, MeshPosition};
 use asperity::oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
 use asperity_ehl_regime::FilmLaw;
@@ -39,7 +39,7 @@ fn rows(name: &str, case: &Case, station: &MeshPosition) -> [Comparison; 3] {
         .unwrap()
         .value;
     let formula = FilmLaw::DowsonToyoda
-        .film(&FormulaFilm::of(case, station).unwrap().conditions)
+        .film(&formula_film(case, station).unwrap().conditions)
         .unwrap()
         .value;
     let line = station.line_contact(case.modulus, case.materials);

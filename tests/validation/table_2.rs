@@ -2,7 +2,7 @@
 //! double precision: geometry, speeds, contact, films, friction, losses.
 
 use asperity::case::Case;
-use asperity::lubrication::FormulaFilm;
+use asperity::lubrication::formula_film;
 use asperity::mesh::position_at;
 use asperity::result::PositionRow;
 use asperity_core::quantity::Length;
@@ -147,7 +147,7 @@ pub fn films() -> Table {
             .with("model.thermal", "none");
         let case = case.load().case;
         let station = position_at(&case, case.gears.path().c).unwrap();
-        let film = FormulaFilm::of(&case, &station).unwrap().film;
+        let film = formula_film(&case, &station).unwrap().film;
         let quantity = format!("central film at C, {name}");
         push(quantity, "µm", central, film.central.si() * 1e6);
         if let Some(minimum) = minimum {
@@ -158,7 +158,7 @@ pub fn films() -> Table {
     let case = table_2().load().case;
     for (((name, _), s), expected) in POINTS.into_iter().zip(places(&case)).zip(REDUCTIONS) {
         let position = position_at(&case, s).unwrap();
-        let reduction = FormulaFilm::of(&case, &position).unwrap().thermal_reduction;
+        let reduction = formula_film(&case, &position).unwrap().thermal_reduction;
         let quantity = format!("thermal reduction φ at {name}, Gupta");
         push(quantity, "-", expected, reduction);
     }

@@ -57,7 +57,10 @@ const QUESTIONS: [(&str, &[&str]); 7] = [
         "One loss",
         &["demo", "new", "check", "run", "report", "diff"],
     ),
-    ("Compare", &["compare", "sensitivity", "ridges", "sweep"]),
+    (
+        "Compare",
+        &["compare", "sensitivity", "ridges", "callout", "sweep"],
+    ),
     ("Narrow the interval", &["evidence", "calibrate"]),
     ("Torque, speed and drive cycles", &["map", "cycle"]),
     (

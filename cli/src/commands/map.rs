@@ -45,7 +45,11 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let (name, title) = (result_name(&args.case), &first.case.title);
     let folder = study::folder::<Map>(args.output.as_deref(), &name, "map", title)?;
     let added = args.add_loss.as_deref().map(added_loss).transpose()?;
-    let torques = axes.torque_nm.len().div_ceil(2) * finishes.len();
+    let torques = match first.case.train.passes_losses {
+        true => 2 * axes.torque_nm.len(),
+        false => axes.torque_nm.len().div_ceil(2),
+    };
+    let torques = torques * finishes.len();
     check_work_of_train(&args.work, &first.case, &KeptFields::Highest, torques)?;
     progress.begin("points");
     let watch = |done, total| progress.at(done, total);

@@ -2,6 +2,7 @@
 
 mod bibtex;
 pub mod calibrate;
+pub mod callout;
 pub mod check;
 pub mod compare;
 pub mod completions;

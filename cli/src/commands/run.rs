@@ -3,10 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::gear_train::LoadedTrain;
-use asperity::gear_train::{TrainResult, run_train};
 use asperity::result::RunResult;
 use asperity::{Error, Run};
-use asperity_calibration::evidence::execute;
+use asperity_calibration::evidence::{execute, execute_train};
 use asperity_report::{self as report, Fields, ReportError};
 
 use super::bibtex::bibtex;
@@ -69,7 +68,7 @@ fn run_meshes(
     let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
     let at = |done, total| progress.at(done, total);
-    let outcome = run_train(train, &fields.kept(), !args.no_band, &at);
+    let outcome = execute_train(train, &fields.kept(), !args.no_band, &at);
     let outcome = outcome.map_err(|error| failed(&error, args, folder))?;
     if let Some(folder) = folder {
         progress.begin(WRITING);
@@ -79,104 +78,11 @@ fn run_meshes(
     if common.json {
         return print_json(&outcome.result);
     }
-    let mut text = text_of_train(&outcome.result);
+    let mut text = report::summary_of_train(&outcome.result);
     if let Some(target) = &target {
         text.push_str(&target.text(&outcome.result.title, ""));
     }
     print_text(common, &text)
-}
-
-fn text_of_train(result: &TrainResult) -> String {
-    let [loss, efficiency] = result.with_bands();
-    let rpm = |speed: f64| speed * 30.0 / std::f64::consts::PI;
-    let mut text = format!(
-        "{}\nefficiency (meshes only)  {efficiency} %   loss {loss} W\n  power in {:.2} kW\n",
-        asperity_storage::one_line(&result.title),
-        1e-3 * result.power_in_w,
-    );
-    if let (Some([loss, efficiency]), Some(gearbox)) =
-        (result.gearbox_with_bands(), &result.gearbox)
-    {
-        text.push_str(&format!(
-            "efficiency (gearbox)      {efficiency} %   loss {loss} W\n"
-        ));
-        text.push_str(&format!(
-            "{}\n",
-            report::wrapped(&report::besides_the_mesh(gearbox), "  ")
-        ));
-        for part in &gearbox.parts {
-            for outside in &part.outside {
-                let text_of_part = format!("W401 {}: {outside}", part.name);
-                text.push_str(&format!("{}\n", report::wrapped(&text_of_part, "     ")));
-            }
-        }
-    }
-    for (name, set) in result.planetary_sets() {
-        let name = if name.is_empty() {
-            String::new()
-        } else {
-            format!("{name}: ")
-        };
-        text.push_str(&format!(
-            "{name}{} planets   carrier {:.1} 1/min   power through the meshes {:.2} kW\n",
-            set.planets,
-            rpm(set.carrier_rad_per_s),
-            1e-3 * set.rolling_power_w,
-        ));
-    }
-    let width = |names: &mut dyn Iterator<Item = &String>| {
-        names
-            .map(|name| name.chars().count())
-            .max()
-            .unwrap_or(0)
-            .max(16)
-    };
-    if let Some(heat) = &result.heat {
-        text.push_str(&format!("{}\n", heat.line()));
-    }
-    let wide = width(&mut result.meshes.iter().map(|row| &row.mesh));
-    text.push_str(&format!(
-        "{:<wide$} {:>2} {:>10} {:>8} {:>9} {:>8} {:>8} {:>12} {:>7} {:>8} {:>7}\n",
-        "mesh",
-        "n",
-        "T N m",
-        "1/min",
-        "loss W",
-        "sliding",
-        "rolling",
-        "efficiency",
-        "H_V",
-        "mu_eq",
-        "p0 MPa",
-    ));
-    for row in &result.meshes {
-        let [loss, efficiency, mu] = row.with_digits();
-        let [sliding, rolling] = row.parts_with_digits();
-        text.push_str(&format!(
-            "{:<wide$} {:>2} {:>10.3} {:>8.1} {loss:>9} {sliding:>8} {rolling:>8} {efficiency:>10} % {:>7.4} {mu:>8} {:>7.0}\n",
-            row.mesh, row.count, row.torque_nm, rpm(row.speed_rad_per_s), row.loss_factor, row.hertz_pressure_mpa,
-        ));
-    }
-    let wide = width(&mut result.shafts.iter().map(|row| &row.shaft));
-    text.push_str(&format!(
-        "{:<wide$} {:>13} {:>8} {:>13} {:>9}\n",
-        "shaft", "T N m", "1/min", "T into N m", "kW",
-    ));
-    for row in &result.shafts {
-        let [carried, torque, power] = result.shaft_with_digits(row);
-        text.push_str(&format!(
-            "{:<wide$} {carried:>13} {:>8.1} {torque:>13} {power:>9}\n",
-            row.shaft,
-            rpm(row.speed_rad_per_s),
-        ));
-    }
-    if result
-        .planetary_sets()
-        .any(|(_, set)| !set.can_be_equally_spaced)
-    {
-        text.push_str("equally spaced planets cannot be assembled with these tooth numbers\n");
-    }
-    text
 }
 
 fn text(result: &RunResult, args: &RunArgs, target: Option<&Target>) -> String {

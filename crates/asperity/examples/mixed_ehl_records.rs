@@ -16,7 +16,7 @@ use std::time::Instant;
 use asperity::LoadedCase;
 use asperity::case::load_with;
 use asperity::ehl::{RecordSettings, transient};
-use asperity::lubrication::FormulaFilm;
+use asperity::lubrication::formula_film;
 use asperity::quantity::Length;
 use asperity::quantity::Pressure;
 use asperity::reference_solution::{ReferenceContact, ReferenceSettings, record_warnings};
@@ -553,7 +553,7 @@ fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
 
 /// Attenuated roughness over the isothermal central film of the formula.
 fn roughness_over_film(loaded: &LoadedCase, contact: &ReferenceContact) -> Outcome<f64> {
-    let formula = FormulaFilm::of(&loaded.case, &contact.position)?;
+    let formula = formula_film(&loaded.case, &contact.position)?;
     let film = formula.film.central / formula.thermal_reduction;
     Ok(contact.attenuated_roughness / film)
 }

@@ -1,6 +1,5 @@
 //! The run of a gear train: every mesh, and their loss together.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use asperity_core::quantity::Power;
@@ -8,17 +7,19 @@ use asperity_gear::gear_train::{TrainShaft, TrainTorques};
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySpeeds};
 use serde::{Deserialize, Serialize};
 
-use crate::balance;
-use crate::case::gear_train::{LoadedMesh, LoadedTrain};
-use crate::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
-use crate::error::{Error, PositionError};
+use crate::contacts::Contacts;
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::{GearboxReport, Scope};
+use crate::result::loss_band::EvidenceRow;
 use crate::result::{LossDistribution, Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
 use crate::train_gearbox;
-use crate::train_heat::{self, HeatReport};
+use crate::train_heat::{self, FoundOil, HeatReport};
 use crate::uncertainty::{DrawnMesh, Predictive, Quantiles, losses_of_meshes, run_and_draw};
+use asperity_case::balance;
+use asperity_case::case::gear_train::{LoadedMesh, LoadedTrain};
+use asperity_case::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
+use asperity_case::error::{Error, PositionError};
 
 /// The result of a gear train, in addition to the results of its meshes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -63,6 +64,9 @@ pub struct TrainResult {
     /// Planetary sets by the names of their stages.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sets: BTreeMap<String, PlanetaryReport>,
+    /// Measurements that would narrow the interval, the one that leaves the narrowest first; empty if they were not sought.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub evidence: Vec<EvidenceRow>,
 }
 
 /// Speeds and power of a planetary set.
@@ -210,6 +214,10 @@ pub struct TrainOutcome {
     pub meshes: Vec<Outcome>,
     /// Draws of each mesh; `None` of a formulation without uncertainty.
     pub drawn: Option<Vec<Predictive>>,
+    /// The train at the oil temperature and the torques that its losses cause.
+    pub settled: LoadedTrain,
+    /// Rough contacts of each mesh.
+    pub contacts: Vec<Contacts>,
 }
 
 impl TrainOutcome {
@@ -255,8 +263,8 @@ pub type LossesOfMesh<'a> = &'a dyn Fn(&LoadedCase) -> Result<(Losses, Option<Pr
 /// # Errors
 /// As [`run_train`].
 pub fn train_losses(loaded: &LoadedTrain, of_mesh: LossesOfMesh<'_>) -> Result<TrainResult, Error> {
-    let (warmed, oil) = train_heat::warmed(loaded)?;
-    let loaded = &*loaded_by_losses(&warmed)?;
+    let (settled, oil) = with_oil(loaded)?;
+    let loaded = &settled;
     let meshes = loaded.meshes().map(|mesh| of_mesh(&mesh.case));
     let meshes = meshes.collect::<Result<Vec<_>, Error>>()?;
     let runs = meshes.iter().map(|(losses, _)| MeshLosses {
@@ -295,9 +303,9 @@ pub fn run_train(
     band: bool,
     progress: Progress<'_>,
 ) -> Result<TrainOutcome, Error> {
-    let (warmed, oil) = train_heat::warmed(loaded)?;
-    let loaded = &*loaded_by_losses(&warmed)?;
-    let mut contacts = Vec::new();
+    let (settled, oil) = with_oil(loaded)?;
+    let loaded = &settled;
+    let mut contacts: Vec<Contacts> = Vec::new();
     let mut meshes = Vec::new();
     let mut drawn = Vec::new();
     for mesh in loaded.meshes() {
@@ -322,6 +330,8 @@ pub fn run_train(
         result,
         meshes,
         drawn: drawn.into_iter().collect(),
+        settled: settled.clone(),
+        contacts,
     };
     // Oil and constants are drawn once for all meshes; error of the model and sampling once for equal flanks.
     let total = outcome
@@ -331,16 +341,36 @@ pub fn run_train(
     Ok(outcome)
 }
 
+/// The train at the oil temperature and the torques that its losses cause.
+///
+/// # Errors
+/// When a mesh has no solution, or temperature or torques do not settle.
+pub fn settled(loaded: &LoadedTrain) -> Result<LoadedTrain, Error> {
+    Ok(with_oil(loaded)?.0)
+}
+
+/// The settled train, and how the temperature of its oil was found.
+fn with_oil(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundOil>), Error> {
+    let (warmed, oil) = train_heat::warmed(loaded)?;
+    let settled = loaded_by_losses(warmed)?;
+    if loaded.heat.is_none() || !loaded.train.passes_losses {
+        return Ok((settled, oil));
+    }
+    // Losses at the torques that they leave change the oil by tenths of a kelvin, and the torques then by less than 1e-5.
+    let (warmed, oil) = train_heat::warmed(&settled)?;
+    Ok((loaded_by_losses(warmed)?, oil))
+}
+
 /// The train with the torques that the losses leave, where the case passes them on.
-fn loaded_by_losses(loaded: &LoadedTrain) -> Result<Cow<'_, LoadedTrain>, Error> {
+fn loaded_by_losses(loaded: LoadedTrain) -> Result<LoadedTrain, Error> {
     /// Change of a torque, relative to it, at which the torques have settled.
     const SETTLED: f64 = 1e-9;
     const MOST: usize = 30;
     if !loaded.train.passes_losses {
-        return Ok(Cow::Borrowed(loaded));
+        return Ok(loaded);
     }
     let whole = |error| Error::Whole(Box::new(PositionError::Gear(error)));
-    let mut settled = loaded.clone();
+    let mut settled = loaded;
     let mut known: Vec<Vec<(MeshLoad, Power)>> = vec![Vec::new(); settled.stages.len()];
     let mut change = f64::INFINITY;
     for _ in 0..MOST {
@@ -372,7 +402,7 @@ fn loaded_by_losses(loaded: &LoadedTrain) -> Result<Cow<'_, LoadedTrain>, Error>
             }
         }
         if change < SETTLED {
-            return Ok(Cow::Owned(settled));
+            return Ok(settled);
         }
     }
     Err(Error::Whole(Box::new(PositionError::TorquesNotSettled {
@@ -448,6 +478,7 @@ fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, 
         shafts,
         meshes,
         sets,
+        evidence: Vec::new(),
     })
 }
 

@@ -34,22 +34,13 @@
 //! ```
 
 mod assembly;
-pub mod balance;
-pub mod case;
 pub mod contacts;
 pub mod equations;
-pub mod error;
-pub mod fingerprint;
-pub mod flanks;
 pub mod gear_train;
-pub mod key_words;
-pub mod loss_table;
 pub mod lubrication;
 pub mod mesh;
-pub mod message;
 pub mod paper;
 mod parameters;
-mod physical_limits;
 mod pictures;
 pub mod pipeline;
 pub mod prelude;
@@ -62,6 +53,9 @@ pub mod train_gearbox;
 pub mod train_heat;
 pub mod uncertainty;
 
+pub use asperity_case::{
+    balance, case, error, fingerprint, flanks, key_words, loss_table, message,
+};
 pub use assembly::Reversed;
 pub use case::{Case, CaseInput, LoadedCase};
 pub use contacts::Contacts;

@@ -13,8 +13,8 @@
 //! | error of the stated temperature, where the case states its deviation s | -1.645 s | 0 | 1.645 s | normal |
 //!
 //! The medians are the defaults of a run. Constants that the case calibrates
-//! ([`CalibrationInput`](crate::case::CalibrationInput)) have the bands of the calibration instead: 95 % of a normal
-//! distribution of the logarithms, with its correlations. Constants of an [oil file](crate::case::OilFile) likewise, except
+//! ([`CalibrationInput`](asperity_case::case::CalibrationInput)) have the bands of the calibration instead: 95 % of a normal
+//! distribution of the logarithms, with its correlations. Constants of an [oil file](asperity_case::case::OilFile) likewise, except
 //! those that the case states or calibrates; if f is drawn from it, α is drawn in the film thickness only, as the curves
 //! state f times its estimate.
 //!
@@ -32,9 +32,9 @@ use asperity_oil::{
 };
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER_BAND};
 
-use crate::case::{Calibrated, CalibratedName, Case, FittedName, LoadedCase};
-use crate::error::{Error, PositionError};
-use crate::flanks::flank_lay::{FlankLay, mean_at, with_mean};
+use asperity_case::case::{Calibrated, CalibratedName, Case, FittedName, LoadedCase};
+use asperity_case::error::{Error, PositionError};
+use asperity_case::flanks::flank_lay::{FlankLay, mean_at, with_mean};
 use asperity_mixed_film::InletSupply;
 use serde::{Deserialize, Serialize};
 

@@ -7,15 +7,15 @@ use asperity_contact::ContactWarning;
 use asperity_contact::subsurface::{graded_depths, subsurface_stress};
 use asperity_core::quantity::{Length, Pressure};
 
-use crate::case::{Case, Formulation};
 use crate::contacts::{
     Displacements, LoadStep, Pressed, Pressing, WindowContact, pressing_history,
 };
-use crate::error::PositionError;
-use crate::flanks::WindowPair;
 use crate::lubrication::{LubricatedPosition, Lubrication, doubts};
 use crate::mesh::MeshPosition;
 use crate::result::{ContactView, HistoryRow, PositionFields, SubsurfaceFields};
+use asperity_case::case::{Case, Formulation};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::WindowPair;
 
 /// The contact of one position at its first offset.
 #[derive(Debug, Clone)]

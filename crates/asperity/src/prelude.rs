@@ -1,12 +1,12 @@
 //! Items that most programs that embed the orchestrator use.
 
-pub use crate::case::{
+pub use crate::result::{Outcome, RunResult};
+pub use crate::run::Run;
+pub use asperity_case::case::{
     BodyInput, Case, CaseBuilder, CaseInput, FlankInput, Formulation, GearsInput, LoadedCase,
     MaterialInput, ModelInput, OneOrTwo, OperationInput, SurfaceInput, Trace,
 };
-pub use crate::error::Error;
-pub use crate::result::{Outcome, RunResult};
-pub use crate::run::Run;
+pub use asperity_case::error::Error;
 pub use asperity_core::material::Material;
 pub use asperity_core::quantity::{
     Angle, AngularSpeed, Density, DynamicViscosity, KinematicViscosity, Length, LineLoad,

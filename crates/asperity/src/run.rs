@@ -1,11 +1,11 @@
 //! The run of a case, with what it holds and what it draws.
 
-use crate::case::LoadedCase;
 use crate::contacts::Contacts;
-use crate::error::Error;
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::{Losses, Outcome};
 use crate::uncertainty::{self, Predictive};
+use asperity_case::case::LoadedCase;
+use asperity_case::error::Error;
 
 /// A run of a case, built by its options.
 ///

@@ -8,15 +8,17 @@ use asperity_gear::gear_train::TrainTorques;
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySet, PlanetarySpeeds};
 use asperity_gear::shaft_statics::{BearingLoad, ShaftForce, bearing_loads};
 
-use crate::case::gear_train::LoadedTrain;
-use crate::case::{Hand, MeshLoad, MeshPlace, StageKind, TrainFlow, TrainGearbox, TrainPartKind};
-use crate::error::PositionError;
 use crate::result::gearbox::{
     GearboxPart, GearboxReport, JET_LAW, OperatingPoint, TABLE_LAW, jet_torque, table_torque,
 };
+use asperity_case::case::gear_train::LoadedTrain;
+use asperity_case::case::{
+    Hand, MeshLoad, MeshPlace, StageKind, TrainFlow, TrainGearbox, TrainPartKind,
+};
+use asperity_case::error::PositionError;
 
-/// The losses of all parts at an operating point of the input shaft, at the torques by the tooth numbers and a temperature of
-/// the operation; none without parts.
+/// The losses of all parts at an operating point of the input shaft and a temperature of the operation, with the loss of one
+/// mesh of each kind in each stage, which matter if the train passes them on; none without parts.
 ///
 /// # Errors
 /// When a speed or torque does not follow, or the oil has no state at the temperature.
@@ -24,13 +26,14 @@ pub fn parts(
     train: &LoadedTrain,
     at: MeshLoad,
     temperature: Temperature,
+    losses: &[Vec<Power>],
 ) -> Result<Vec<GearboxPart>, PositionError> {
     let Some(gearbox) = &train.gearbox else {
         return Ok(Vec::new());
     };
-    let shafts = train.train.at(at).shafts;
-    let speeds = shafts.speeds()?;
-    let torques = shafts.torques(&speeds, &[])?;
+    let there = train.train.at(at);
+    let speeds = there.shafts.speeds()?;
+    let torques = there.loading_torques(&speeds, losses)?;
     let found = of_parts(
         train,
         gearbox,
@@ -229,16 +232,9 @@ pub(crate) fn report(
     };
     let first = train.meshes().next().ok_or(PositionError::NoProfile)?;
     let temperature = crate::result::gearbox::oil_temperature(&first.case.case);
-    let by_teeth;
-    let torques = match train.train.passes_losses {
-        true => &flow.torques,
-        false => {
-            by_teeth = train.train.shafts.torques(&flow.speeds, &[])?;
-            &by_teeth
-        }
-    };
+    let torques = train.train.loading_torques(&flow.speeds, losses)?;
     let operation = (train.train.operation().torque, temperature);
-    let found = of_parts(train, gearbox, (&flow.speeds, torques), operation)?;
+    let found = of_parts(train, gearbox, (&flow.speeds, &torques), operation)?;
     let mut drags = vec![Torque::from_si(0.0); flow.speeds.len()];
     for (of_part, part) in &found {
         for (shaft, sign) in of_part {

@@ -14,13 +14,13 @@ use asperity_core::quantity::{Power, Temperature};
 use asperity_efficiency::bulk_temperature::{BulkTemperature, fixed_point};
 use serde::{Deserialize, Serialize};
 
-use crate::case::LoadedCase;
-use crate::case::gear_train::{HeatInput, LoadedTrain};
 use crate::contacts::Contacts;
-use crate::error::Error;
 use crate::pipeline;
 use crate::result::RunResult;
 use crate::train_gearbox;
+use asperity_case::case::LoadedCase;
+use asperity_case::case::gear_train::{HeatInput, LoadedTrain};
+use asperity_case::error::Error;
 
 /// Temperatures at which the losses of a gear train leave through its housing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -114,10 +114,13 @@ pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundO
         };
         let cases = train.meshes().map(|mesh| &mesh.case);
         let of_meshes = cases.zip(&contacts).map(of_mesh);
-        let meshes = train.loss(&of_meshes.collect::<Result<Vec<Power>, Error>>()?);
+        let of_meshes = of_meshes.collect::<Result<Vec<Power>, Error>>()?;
+        let meshes = train.loss(&of_meshes);
         let oil = train.meshes().map(|mesh| mesh.case.case.temperature).next();
         let oil = oil.unwrap_or(heat.ambient);
-        let parts = train_gearbox::parts(train, train.train.operation(), oil).map_err(Box::new)?;
+        let operation = train.train.operation();
+        let of_meshes = train.by_stage(&of_meshes);
+        let parts = train_gearbox::parts(train, operation, oil, &of_meshes).map_err(Box::new)?;
         let parts = parts.iter().map(|part| Power::from_si(part.loss_w));
         Ok(parts.fold(meshes, |sum, part| sum + part))
     };

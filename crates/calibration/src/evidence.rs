@@ -3,9 +3,12 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use asperity::case::gear_train::LoadedTrain;
+use asperity::gear_train::{TrainOutcome, run_train};
+use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::EvidenceRow;
 use asperity::result::{Outcome, with_interval};
-use asperity::uncertainty::{Measurement, Predictive, Quantiles, has_band};
+use asperity::uncertainty::{Measurement, MeshDraws, Quantiles, expected_after, has_band};
 use asperity::{Contacts, LoadedCase, Run};
 use asperity_report::html::page;
 use asperity_report::{ReportError, StudyResult, tables, wrapped};
@@ -78,7 +81,7 @@ pub struct EvidenceTable {
     pub program: String,
     /// Title of the case.
     pub title: String,
-    /// Power into the mesh \[W\].
+    /// Power into the meshes \[W\].
     pub power_in_w: f64,
     /// Loss with its interval as known.
     pub loss: Quantiles,
@@ -93,39 +96,80 @@ pub struct EvidenceTable {
 }
 
 impl EvidenceTable {
-    /// The table of a case, with the hours of `efforts`.
+    /// The table of a gear train or of a pair of gears, with the hours of `efforts`.
     ///
-    /// Each row is the interval of the draws with the quantity of the measurement known as well as the measurement leaves
-    /// it ([`Predictive::expected_after`]). Quantities that the case states or has measured have no row.
+    /// Each row is the interval of the draws with the quantity of the measurement known in all meshes as well as the
+    /// measurement leaves it ([`expected_after`]). Quantities that the case states or has measured have no row.
     ///
     /// # Errors
     /// When the case has no loss or no interval.
-    pub fn of(case: &LoadedCase, efforts: &[Effort]) -> Result<Option<Self>, OilError> {
-        if !has_band(case) {
+    pub fn of(train: &LoadedTrain, efforts: &[Effort]) -> Result<Option<Self>, OilError> {
+        if !train.meshes().all(|mesh| has_band(&mesh.case)) {
             return Ok(None);
         }
         let named = |source: asperity::Error| {
             OilError::Fit(CalibrationError::Model {
-                place: case.case.title.clone(),
+                place: train.title.clone(),
                 source: Box::new(source),
             })
         };
-        let run = Run::new(case).without_pictures().band(true);
-        let (outcome, drawn, contacts) = run.draw_with_contacts().map_err(named)?;
-        let Some(drawn) = drawn else {
+        let outcome = run_train(train, &KeptFields::Highest, true, &|_, _| {}).map_err(named)?;
+        let (Some(loss), Some((rows, no_curves))) = (
+            outcome.result.loss_distribution,
+            rows_of_train(&outcome, efforts)?,
+        ) else {
             return Ok(None);
         };
-        let (rows, no_curves) = rows((case, &contacts), &drawn, efforts)?;
+        let operation =
+            |mesh: &LoadedCase| mesh.case.input.operation.temperature_deviation.is_some();
         Ok(Some(Self {
             program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
-            title: case.case.title.clone(),
-            power_in_w: outcome.result.summary.power_in_w,
-            loss: drawn.quantiles(),
+            title: train.title.clone(),
+            power_in_w: match &outcome.meshes[..] {
+                [only] => only.result.summary.power_in_w,
+                _ => outcome.result.meshes_power_in_w(),
+            },
+            loss,
             no_curves,
-            is_temperature_drawn: case.case.input.operation.temperature_deviation.is_some(),
+            is_temperature_drawn: train.meshes().any(|mesh| operation(&mesh.case)),
             rows,
         }))
     }
+}
+
+/// Runs a gear train as [`run_train`]; if its loss has an interval, its result has the measurements that would narrow it, with
+/// their usual hours.
+///
+/// # Errors
+/// As [`run_train`].
+pub fn execute_train(
+    train: &LoadedTrain,
+    kept: &KeptFields,
+    band: bool,
+    progress: Progress<'_>,
+) -> Result<TrainOutcome, asperity::Error> {
+    let mut outcome = run_train(train, kept, band, progress)?;
+    // Curves without a plan, as of an oil with one viscosity, leave the other rows.
+    let rows = rows_of_train(&outcome, &Effort::usual()).ok().flatten();
+    outcome.result.evidence = rows.map(|(rows, _)| rows).unwrap_or_default();
+    Ok(outcome)
+}
+
+/// Rows of a gear train, and why none is of traction curves; `None` without draws.
+fn rows_of_train(outcome: &TrainOutcome, efforts: &[Effort]) -> Result<Option<Rows>, OilError> {
+    let Some(drawn) = &outcome.drawn else {
+        return Ok(None);
+    };
+    let meshes = outcome.settled.meshes().map(|mesh| &mesh.case);
+    let cases: Vec<_> = meshes.zip(&outcome.contacts).collect();
+    let flanks = outcome.settled.first_with_flanks();
+    let of_meshes = drawn.iter().zip(outcome.settled.counts()).zip(flanks);
+    let drawn: Vec<MeshDraws<'_>> = of_meshes
+        .map(|((predictive, count), flanks)| (predictive, count, flanks))
+        .collect();
+    let loss = outcome.result.loss_distribution;
+    loss.map(|loss| rows(&cases, &drawn, loss, efforts))
+        .transpose()
 }
 
 /// Executes the run of `case`; if it has an interval, its result has the measurements that would narrow it, with their usual
@@ -137,45 +181,73 @@ pub fn execute(case: &LoadedCase, run: Run<'_>) -> Result<Outcome, asperity::Err
     let (mut outcome, drawn, contacts) = run.draw_with_contacts()?;
     if let Some((drawn, found)) = drawn.zip(outcome.result.uncertainty.as_mut()) {
         // Curves without a plan, as of an oil with one viscosity, leave the other rows.
-        let rows = rows((case, &contacts), &drawn, &Effort::usual());
+        let loss = drawn.quantiles();
+        let rows = rows(
+            &[(case, &contacts)],
+            &[(&drawn, 1, 0)],
+            loss,
+            &Effort::usual(),
+        );
         found.evidence = rows.map(|(rows, _)| rows).unwrap_or_default();
     }
     Ok(outcome)
 }
 
-/// Rows of a case, the one that leaves the narrowest interval first, and why none is of traction curves.
+/// Rows, and why none is of traction curves.
+type Rows = (Vec<EvidenceRow>, Option<String>);
+
+/// Rows of meshes with their draws and the loss of all, the row that leaves the narrowest interval first, and why none is of
+/// traction curves.
 fn rows(
-    case: (&LoadedCase, &Contacts),
-    drawn: &Predictive,
+    meshes: &[(&LoadedCase, &Contacts)],
+    drawn: &[MeshDraws<'_>],
+    loss: Quantiles,
     efforts: &[Effort],
-) -> Result<(Vec<EvidenceRow>, Option<String>), OilError> {
-    let loss = drawn.quantiles();
-    let mut measurements = of_case(case.0);
-    let base = OilBase::of_case(&case.0.case, ConstantsOf::Family);
-    let no_curves = base.as_ref().err().map(ToString::to_string);
-    if let Ok(oil) = base {
-        measurements.extend(of_film(case, &oil)?);
+) -> Result<Rows, OilError> {
+    let mut no_curves = None;
+    let mut of_meshes = Vec::with_capacity(meshes.len());
+    for mesh in meshes {
+        let mut measurements = of_case(mesh.0);
+        match OilBase::of_case(&mesh.0.case, ConstantsOf::Family) {
+            Ok(oil) => measurements.extend(of_film(*mesh, &oil)?),
+            Err(error) => no_curves = Some(error.to_string()),
+        }
+        of_meshes.push(measurements);
     }
-    let row = |(key, words, measurement): (&str, String, Measurement)| {
-        let effort = efforts.iter().find(|effort| effort.key == key)?;
-        let left = narrowed(drawn, loss, measurement)?;
-        Some(EvidenceRow::new((key, words, effort.hours), loss, left))
+    let row = |effort: &Effort| {
+        let is_known = |known: &&Known| known.0 == effort.key;
+        let of_mesh = |known: &Vec<Known>| known.iter().find(is_known).map(|known| known.2);
+        let words = of_meshes.iter().flatten().find(is_known)?.1.clone();
+        let measurements: Vec<Option<Measurement>> = of_meshes.iter().map(of_mesh).collect();
+        let left = narrowed(drawn, loss, &measurements)?;
+        Some(EvidenceRow::new(
+            (effort.key, words, effort.hours),
+            loss,
+            left,
+        ))
     };
-    let mut rows: Vec<EvidenceRow> = measurements.into_iter().filter_map(row).collect();
+    let mut rows: Vec<EvidenceRow> = efforts.iter().filter_map(row).collect();
     rows.sort_by(|a, b| a.width.total_cmp(&b.width));
     Ok((rows, no_curves))
 }
 
 /// The interval that a measurement is expected to leave, if it is narrower.
-fn narrowed(drawn: &Predictive, now: Quantiles, measurement: Measurement) -> Option<Quantiles> {
+fn narrowed(
+    drawn: &[MeshDraws<'_>],
+    now: Quantiles,
+    measurements: &[Option<Measurement>],
+) -> Option<Quantiles> {
     /// Least gain that is worth a row.
     const LEAST: f64 = 0.995;
-    let found = drawn.expected_after(measurement)?;
+    let found = expected_after(drawn, measurements)?;
     (found.sd_ln < LEAST * now.sd_ln).then_some(found)
 }
 
+/// A measurement: its key, its words, and what it leaves.
+type Known = (&'static str, String, Measurement);
+
 /// Measurements of flanks, gears and losses.
-fn of_case(case: &LoadedCase) -> Vec<(&'static str, String, Measurement)> {
+fn of_case(case: &LoadedCase) -> Vec<Known> {
     let teeth = case.surfaces.several_teeth().unwrap_or([1, 1]);
     let traces = teeth[0].min(teeth[1]);
     let times = (traces + MORE_TRACES) as f64 / traces as f64;
@@ -228,10 +300,7 @@ fn of_case(case: &LoadedCase) -> Vec<(&'static str, String, Measurement)> {
 }
 
 /// Measurements of the film friction of `oil`.
-fn of_film(
-    case: (&LoadedCase, &Contacts),
-    oil: &OilBase,
-) -> Result<Vec<(&'static str, String, Measurement)>, OilError> {
+fn of_film(case: (&LoadedCase, &Contacts), oil: &OilBase) -> Result<Vec<Known>, OilError> {
     let settings = PlanSettings {
         machine: Machine::USUAL,
         is_wide: false,

@@ -3,11 +3,13 @@
 use asperity::message::Warning;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
+use asperity_report::wrapped;
 use maud::{Markup, html};
 
 use crate::birge::Scatter;
 use crate::design::Design;
 use crate::result::{Calibration, FittedParameter, FittedPoint, Verdict};
+use crate::rig_table::SIMULATED;
 use crate::summary::{percent, range, scatter, shown, tenths};
 
 /// Table of the points.
@@ -93,6 +95,23 @@ fn with_unit(key: &str, band: [f64; 2]) -> String {
     let value = shown(key, band[0]);
     let unit = value.split_once(' ').map_or("", |(_, unit)| unit);
     format!("{} {unit}", range(key, band)).trim_end().to_owned()
+}
+
+/// Last lines of the summary of a fit to curves: sentences, note on simulated sources, warnings.
+pub(crate) fn notes(sentences: &[String], sources: &[[String; 2]], warnings: &[Warning]) -> String {
+    let mut text = String::new();
+    for line in sentences {
+        text += &wrapped(line, "  ");
+        text.push('\n');
+    }
+    if sources.iter().any(|[file, _]| file.contains(SIMULATED)) {
+        text += &format!("{SIMULATED} curves: a rehearsal, not a measurement\n");
+    }
+    for warning in warnings {
+        text += &wrapped(&warning.to_string(), "     ");
+        text.push('\n');
+    }
+    text
 }
 
 pub(crate) fn warnings(warnings: &[Warning]) -> Markup {

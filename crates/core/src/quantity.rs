@@ -34,9 +34,11 @@ macro_rules! quantities {
     ($($(#[$doc:meta])* $type:ident, $name:literal, $si:literal: [$($unit:expr),+ $(,)?];)+) => {
     /// Every quantity, for the page of units.
     pub const QUANTITIES: &[Description] = &[$(Description {
+        type_name: stringify!($type),
         name: $name,
         si_unit: $si,
         units: $type::UNITS,
+        read: |text| Ok(text.parse::<$type>()?.si()),
     }),+];
 
     $(

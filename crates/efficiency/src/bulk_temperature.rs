@@ -28,7 +28,7 @@ pub const HOTTER_START: f64 = 60.0;
 /// Factor of Oster's rise (unconfirmed) \[K\] for P in kW, a and b in mm.
 const OSTER: f64 = 7400.0;
 /// Exponent of Oster's rise (unconfirmed).
-const OSTER_EXPONENT: f64 = 0.72;
+pub const OSTER_EXPONENT: f64 = 0.72;
 /// Lubrication factor of the jet lubrication of Oster's tests (unconfirmed).
 const OSTER_JET: f64 = 1.2;
 

@@ -4,6 +4,7 @@
 //! not extrapolated.
 
 use asperity_core::cite;
+use asperity_core::numerics::NodeInterval;
 
 use crate::error::EfficiencyError;
 
@@ -119,15 +120,16 @@ impl LossTable {
         if self.temperatures.is_empty() {
             return self.grids.first().and_then(at).ok_or_else(missing);
         }
-        let (i, a) = cell(&self.temperatures, temperature_c).ok_or_else(missing)?;
-        let low = at(&self.grids[i]).ok_or_else(missing)?;
-        match a > 0.0 {
-            false => Ok(low),
-            true => {
-                let high = at(&self.grids[i + 1]).ok_or_else(missing)?;
-                Ok(low + a * (high - low))
-            }
-        }
+        let interval = interval(&self.temperatures, temperature_c).ok_or_else(missing)?;
+        // A node needs no value of its neighbour.
+        let weights = [
+            (interval.low, 1.0 - interval.part),
+            (interval.high, interval.part),
+        ];
+        let parts = weights.into_iter().filter(|(_, weight)| *weight > 0.0);
+        parts
+            .map(|(k, weight)| Ok(weight * at(&self.grids[k]).ok_or_else(missing)?))
+            .sum()
     }
 }
 
@@ -159,22 +161,12 @@ impl Grid {
     }
 
     fn at(&self, torque_nm: f64, speed_rpm: f64) -> Option<f64> {
-        let (j, b) = cell(&self.speeds, speed_rpm)?;
-        let along = |i: usize| {
-            let row = &self.values[i * self.speeds.len()..][..self.speeds.len()];
-            match b > 0.0 {
-                true => (1.0 - b) * row[j] + b * row[j + 1],
-                false => row[j],
-            }
-        };
+        let between_speeds = interval(&self.speeds, speed_rpm)?;
+        let along = |i: usize| between_speeds.mean(|j| self.values[i * self.speeds.len() + j]);
         if self.torques.is_empty() {
             return Some(along(0));
         }
-        let (i, a) = cell(&self.torques, torque_nm)?;
-        Some(match a > 0.0 {
-            true => (1.0 - a) * along(i) + a * along(i + 1),
-            false => along(i),
-        })
+        Some(interval(&self.torques, torque_nm)?.mean(along))
     }
 }
 
@@ -193,15 +185,9 @@ fn rising(values: impl Iterator<Item = f64>) -> Vec<f64> {
     values
 }
 
-/// Index of the node at or below `value`, and the fraction of the interval to the next; `None` beyond the nodes.
-fn cell(nodes: &[f64], value: f64) -> Option<(usize, f64)> {
-    let i = nodes
-        .partition_point(|node| *node <= value)
-        .checked_sub(1)?;
-    match nodes.get(i + 1) {
-        Some(next) => Some((i, (value - nodes[i]) / (next - nodes[i]))),
-        None => (nodes[i] == value).then_some((i, 0.0)),
-    }
+/// Interval of the nodes that holds `value`; `None` beyond the nodes.
+fn interval(nodes: &[f64], value: f64) -> Option<NodeInterval> {
+    NodeInterval::of(nodes, |node| *node, value).inside()
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Grids of the film: nodes, faces between them, weights of integrals, interpolation to the faces.
 
+use asperity_core::numerics::NodeInterval;
+
 /// Nodes 0..=n with a face after each but the last.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Grid {
@@ -55,15 +57,8 @@ impl Grid {
 
     /// Piecewise linear value at `x` of `values` on the nodes, constant beyond the ends.
     pub(crate) fn interpolate(&self, values: &[f64], x: f64) -> f64 {
-        let after = self.x.partition_point(|&node| node <= x);
-        if after == 0 {
-            return values[0];
-        }
-        if after == self.x.len() {
-            return values[after - 1];
-        }
-        let part = (x - self.x[after - 1]) / self.spacing[after - 1];
-        values[after - 1] * (1.0 - part) + values[after] * part
+        let interval = NodeInterval::of(&self.x, |node| *node, x);
+        interval.held().mean(|node| values[node])
     }
 }
 

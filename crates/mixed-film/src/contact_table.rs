@@ -6,7 +6,8 @@ use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 
 use crate::error::LoadShareError;
-use crate::rough_contact::{ContactState, RoughContact, Spot};
+use crate::rough_contact::{ContactState, RoughContact};
+use crate::spot_tree::Spot;
 
 /// Asperity shares of the table, the largest last.
 pub const TABLE_SHARES: [f64; 12] = [

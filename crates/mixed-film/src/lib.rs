@@ -46,6 +46,7 @@ mod point_contact;
 mod position_film;
 mod rough_contact;
 mod solution;
+mod spot_tree;
 mod spots;
 mod trace_spectra;
 
@@ -56,6 +57,7 @@ pub use film_alone::FilmAlone;
 pub use point_contact::{PointContact, PointFilm};
 pub use position_film::gradient::ShareGradient;
 pub use position_film::{InletSupply, LoadShareSettings, PositionFilm, SmoothFilm, SpotSpeed};
-pub use rough_contact::{ContactState, RoughContact, RoughWindow, Spot};
+pub use rough_contact::{ContactState, RoughContact, RoughWindow};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};
+pub use spot_tree::Spot;
 pub use trace_spectra::TraceSpectra;

@@ -22,8 +22,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::contact_table::{ContactTable, end_share};
 use crate::error::LoadShareError;
-use crate::rough_contact::{ContactState, RoughContact, Spot};
+use crate::rough_contact::{ContactState, RoughContact};
 use crate::solution::{LineLosses, LoadShareSolution, ShareEvidence};
+use crate::spot_tree::Spot;
 use crate::spots::{SpotConditions, SpotFriction};
 
 /// Relative step at which the secant iteration for friction ends: it leaves some 1e-12.

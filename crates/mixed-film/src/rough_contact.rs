@@ -3,8 +3,6 @@
 //! The film carries 1 − φ of the load as that share of the Hertz pressure and deforms both flanks; the
 //! asperities carry φ on the roughness as it is outside the contact, up to the flow pressure.
 
-use std::f64::consts::PI;
-
 use asperity_contact::dense_reference::FixedSets;
 use asperity_contact::hertz_line::HertzLine;
 use asperity_contact::{
@@ -12,16 +10,14 @@ use asperity_contact::{
 };
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
 use asperity_core::{DomainError, cite};
-use serde::Serialize;
 
 use crate::error::LoadShareError;
+use crate::spot_tree::{BySpot, Spot, pressure_gradient, push_spots};
 
 /// Share of the Hertz half width over which the gap is averaged.
 const CORE: f64 = 0.8;
 /// Least flow pressure over the Hertz pressure.
 const LEAST_FLOW_PRESSURE: f64 = 1.5;
-/// Width of a Hertz contact times ∫ p² dx over (∫ p dx)²: 2a · (4/3) a p₀²/(π a p₀/2)².
-const HERTZ_WIDTH: f64 = 32.0 / (3.0 * PI * PI);
 /// Starts are kept this far below the pressure limit, so that no cell begins fixed.
 const BELOW_LIMIT: f64 = 0.999;
 
@@ -42,36 +38,6 @@ pub struct RoughWindow<'a> {
     pub flow_pressure: Pressure,
     /// Settings of the contact solver.
     pub settings: SolverSettings,
-}
-
-/// A touching spot: neighbouring cells under pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Spot {
-    /// Load f_k per metre of face.
-    pub load: LineLoad,
-    /// Width b_k of the Hertz contact with the same load and the same ∫ p² dx.
-    pub width: Length,
-}
-
-impl Spot {
-    /// The spot under the pressures `cells` \[Pa\], `spacing` apart.
-    ///
-    /// ```text
-    /// f_k = ∫ p dx,  b_k = 32 f_k²/(3 π² ∫ p² dx)                              [Spot-width]
-    /// ```
-    ///
-    /// In a Hertz contact of half width a, f = π a p₀/2 and ∫ p² dx = 4 a p₀²/3: b = 2a. Unlike the number of loaded
-    /// cells, the width is a continuous function of the pressures, also where a cell enters or leaves at an end.
-    fn of(cells: &[f64], spacing: Length) -> Self {
-        cite!("Spot-width");
-        let dx = spacing.si();
-        let load = cells.iter().sum::<f64>() * dx;
-        let squares = cells.iter().map(|p| p * p).sum::<f64>() * dx;
-        Self {
-            load: LineLoad::from_si(load),
-            width: Length::from_si(HERTZ_WIDTH * load * load / squares),
-        }
-    }
 }
 
 /// The contact at one asperity share.
@@ -260,12 +226,14 @@ impl RoughContact {
         let touching = self.inside.clone().filter(|&i| solution.pressure[i] > 0.0);
         let both = solution.pressure.iter().zip(&self.hertz);
         let highest = both.fold(0.0, |m: f64, (p, h)| m.max(p + (1.0 - phi) * h));
+        let mut spots = Vec::new();
+        for cells in runs(&solution.pressure) {
+            push_spots(&solution.pressure[cells], self.spacing, &mut spots);
+        }
         ContactState {
             asperity_share: phi,
             mean_gap: Length::from_si(core / self.core.len() as f64),
-            spots: (runs(&solution.pressure))
-                .map(|cells| Spot::of(&solution.pressure[cells], self.spacing))
-                .collect(),
+            spots,
             area: touching.count() as f64 / self.inside.len() as f64,
             max_pressure: Pressure::from_si(highest),
             dissipated: solution.dissipated,
@@ -280,10 +248,10 @@ impl RoughContact {
     }
 
     /// Derivative of a number J over the heights of the composite window, with the sets of the contact `state` held.
-    /// `by_gap` is ∂J/∂(mean gap) and `by_spots` ∂J/∂f_k and ∂J/∂b_k of every spot.
+    /// `by_gap` is ∂J/∂(mean gap), `by_spots` those over the spots.
     ///
     /// ```text
-    /// ∂J/∂p_i = ∂J/∂f_k dx + ∂J/∂b_k (2 b_k/f_k) (1 − p_i f_k/∫ p² dx) dx + ∂J/∂g Σ_j A_ji/N
+    /// ∂J/∂p_i = Σ_k (∂J/∂f_k ∂f_k/∂p_i + ∂J/∂F_k ∂F_k/∂p_i + ∂J/∂b_k ∂b_k/∂p_i) + ∂J/∂g Σ_j A_ji/N
     /// ∂J/∂z = −∂J/∂h,  ∂J/∂h_j = ∂J/∂g/N outside of the contact              [Share-contact-gradient]
     /// ```
     ///
@@ -295,7 +263,7 @@ impl RoughContact {
         &mut self,
         state: &ContactState,
         by_gap: f64,
-        by_spots: &[[f64; 2]],
+        by_spots: &[BySpot],
     ) -> Result<Vec<f64>, LoadShareError> {
         cite!("Share-contact-gradient");
         let pressure = &state.solution.pressure;
@@ -323,14 +291,11 @@ impl RoughContact {
         let mut by_pressure = vec![0.0; pressure.len()];
         let cell = (self.spacing, self.modulus);
         self.solver.displacement(cell, &apart, &mut by_pressure)?;
-        let dx = self.spacing.si();
-        for ((cells, spot), [by_load, by_width]) in runs(pressure).zip(&state.spots).zip(by_spots) {
-            let (f, b) = (spot.load.si(), spot.width.si());
-            let of_width = by_width * 2.0 * b / f;
-            // f_k/∫ p² dx
-            let inverse = b / (HERTZ_WIDTH * f);
-            for i in cells {
-                by_pressure[i] += dx * (by_load + of_width * (1.0 - pressure[i] * inverse));
+        let mut by_spots = by_spots.iter();
+        for cells in runs(pressure) {
+            let of_spots = pressure_gradient(&pressure[cells.clone()], self.spacing, &mut by_spots);
+            for (sum, of_cell) in by_pressure[cells].iter_mut().zip(of_spots) {
+                *sum += of_cell;
             }
         }
         let through_contact = sets.gap_gradient(&by_pressure, by_approach);
@@ -368,36 +333,4 @@ fn runs(pressure: &[f64]) -> impl Iterator<Item = std::ops::Range<usize>> {
         end - cells.len()..end
     });
     cells.filter(|cells| pressure[cells.start] > 0.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_spot_with_hertz_pressure_has_the_width_of_the_hertz_contact() {
-        let [half, peak, spacing] = [12e-6, 1.3e9, 0.05e-6];
-        let places = (-260..=260).map(|i| f64::from(i) * spacing / half);
-        let cells: Vec<f64> = places
-            .map(|x| peak * (1.0 - x * x).max(0.0).sqrt())
-            .filter(|p| *p > 0.0)
-            .collect();
-        let spot = Spot::of(&cells, Length::from_si(spacing));
-        // The sum over cells misses the integral of the root at its ends by (dx/a)^1.5.
-        let error = (spacing / half).powf(1.5);
-        assert!((spot.load.si() / (0.5 * PI * half * peak) - 1.0).abs() < error);
-        assert!((spot.width.si() / (2.0 * half) - 1.0).abs() < error);
-    }
-
-    #[test]
-    fn the_width_of_a_spot_is_continuous_where_a_cell_enters_and_does_not_depend_on_the_pressure_scale()
-     {
-        let spacing = Length::from_si(0.5e-6);
-        let width = |cells: &[f64]| Spot::of(cells, spacing).width.si();
-        let before = width(&[1e9, 2e9, 1e9]);
-        assert!((width(&[1e9, 2e9, 1e9, 1.0]) / before - 1.0).abs() < 1e-8);
-        assert!((width(&[1e3, 2e3, 1e3]) / before - 1.0).abs() < 1e-14);
-        // Even pressure over a strip: 32/(3 π²) = 1.081 of its width.
-        assert!((width(&[1e9; 4]) / 2e-6 - 1.080_759_1).abs() < 1e-6);
-    }
 }

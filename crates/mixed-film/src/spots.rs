@@ -2,10 +2,11 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | f_k, b_k | load and width of a spot | N/m, m |
+//! | f_k | load of a spot | N/m |
+//! | F_k, b_k | load and width of the contact that it is part of | N/m, m |
 //! | R_k | radius of the Hertz contact with that load and width | m |
 //! | h_k | Moes' film of it, at the surface temperature of the whole contact | m |
-//! | p_k | mean asperity pressure f_k/b_k | Pa |
+//! | p_k | mean asperity pressure F_k/b_k | Pa |
 //! | τ_k | shear stress of the film there | Pa |
 
 use std::f64::consts::PI;
@@ -18,7 +19,7 @@ use asperity_oil::{FilmOilState, FilmRheology};
 use asperity_tribo_friction::boundary::boundary_share;
 
 use crate::error::LoadShareError;
-use crate::rough_contact::Spot;
+use crate::spot_tree::{BySpot, Spot};
 
 /// Thinnest film that the shear rate of a spot is taken of.
 const THINNEST: f64 = 1e-9;
@@ -77,7 +78,7 @@ impl SpotConditions<'_> {
     /// Boundary share, friction and film of touching spots.
     ///
     /// ```text
-    /// R_k = π E* (b_k/2)²/(4 f_k),  β = Σ f_k β_k/Σ f_k,
+    /// R_k = π E* (b_k/2)²/(4 F_k),  β = Σ f_k β_k/Σ f_k,
     /// μ_a = Σ f_k (1 − β_k) τ_k/p_k / Σ f_k (1 − β_k)                          [Spot-friction]
     /// ```
     ///
@@ -89,7 +90,8 @@ impl SpotConditions<'_> {
         let (mut total, mut sum) = (0.0, SpotFriction::default());
         for spot in spots {
             let f = spot.load.si();
-            sum.add(&self.of_spot(&state, [f, spot.width.si()])?, f);
+            let contact = [spot.joint_load.si(), spot.width.si()];
+            sum.add(&self.of_spot(&state, contact)?, f);
             total += f;
         }
         let mut mean = SpotFriction::default();
@@ -100,13 +102,13 @@ impl SpotConditions<'_> {
     }
 
     /// Derivatives of the mean friction coefficient of `spots`, with the coefficient `boundary` of the boundary layer, over
-    /// load and width of each spot \[m/N, 1/m\].
+    /// load, joint load and width of each spot \[m/N, m/N, 1/m\].
     ///
     /// ```text
-    /// B = Σ f_k e_k/Σ f_k:  ∂B/∂f_k = (e_k + f_k ∂e/∂f − B)/Σ f,  ∂B/∂b_k = f_k ∂e/∂b/Σ f      [Spot-gradient]
+    /// B = Σ f_k e_k/Σ f:  ∂B/∂f_k = (e_k − B)/Σ f,  ∂B/∂F_k = f_k ∂e/∂F/Σ f,  ∂B/∂b_k = f_k ∂e/∂b/Σ f   [Spot-gradient]
     /// ```
     ///
-    /// The friction e(f, b) of one spot is smooth; its slopes are central difference quotients.
+    /// The friction e(F, b) of one spot is smooth; its slopes are central difference quotients.
     ///
     /// # Errors
     /// When a spot has no film.
@@ -114,7 +116,7 @@ impl SpotConditions<'_> {
         &self,
         spots: &[Spot],
         boundary: f64,
-    ) -> Result<Vec<[f64; 2]>, LoadShareError> {
+    ) -> Result<Vec<BySpot>, LoadShareError> {
         cite!("Spot-gradient");
         let state = self.rheology.state(self.wall)?;
         let at = |f: f64, b: f64| -> Result<f64, LoadShareError> {
@@ -123,15 +125,18 @@ impl SpotConditions<'_> {
         let total: f64 = spots.iter().map(|spot| spot.load.si()).sum();
         let mean = self.friction(spots)?.total(boundary);
         let slopes = |spot: &Spot| {
-            let (f, b, h) = (spot.load.si(), spot.width.si(), SLOPE_STEP);
-            let by_load = (at(f * (1.0 + h), b)? - at(f * (1.0 - h), b)?) / (2.0 * h);
-            let by_width = f * (at(f, b * (1.0 + h))? - at(f, b * (1.0 - h))?) / (2.0 * h * b);
-            Ok([at(f, b)? + by_load - mean, by_width].map(|slope| slope / total))
+            let (f, h) = (spot.load.si(), SLOPE_STEP);
+            let (joint, b) = (spot.joint_load.si(), spot.width.si());
+            let by_joint_load = (at(joint * (1.0 + h), b)? - at(joint * (1.0 - h), b)?) / joint;
+            let by_width = (at(joint, b * (1.0 + h))? - at(joint, b * (1.0 - h))?) / b;
+            let of_contact = [by_joint_load, by_width].map(|slope| f * slope / (2.0 * h * total));
+            let by_load = (at(joint, b)? - mean) / total;
+            Ok([by_load, of_contact[0], of_contact[1]])
         };
         spots.iter().map(slopes).collect()
     }
 
-    /// Friction and film of a spot with load and width `[f, b]`.
+    /// Friction and film of a contact with load and width `[f, b]`.
     fn of_spot(
         &self,
         state: &FilmOilState,

@@ -233,7 +233,7 @@ impl LubricantInput {
             },
             thermal_expansion: self.thermal_expansion.or(base.thermal_expansion),
             base_oil: self.base_oil.or(base.base_oil),
-            assume_base_oil: self.assume_base_oil,
+            assume_base_oil: self.assume_base_oil.or(base.assume_base_oil),
             pressure_viscosity: self.pressure_viscosity.or(base.pressure_viscosity),
             pressure_viscosity_factor: self
                 .pressure_viscosity_factor

@@ -170,9 +170,9 @@ pub fn evidence(
             return Err(Failure::new("E209", message).into());
         }
     }
-    let case = case.pair()?;
+    let case = case.train();
     in_parallel(py, threads, None, |_| {
-        let table = EvidenceTable::of(case, &efforts)?;
+        let table = EvidenceTable::of(&case, &efforts)?;
         let none = || Failure::new("E205", "the loss of this case has no interval");
         Study::of(table.ok_or_else(none)?)
     })

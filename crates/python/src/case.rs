@@ -8,12 +8,11 @@ use asperity::case::gear_train::{self, LoadedMesh, LoadedTrain};
 use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_source};
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
-use asperity::gear_train::run_train;
 use asperity::message::Warning;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
 use asperity::result::gear_report;
-use asperity_calibration::evidence::execute;
+use asperity_calibration::evidence::{execute, execute_train};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
@@ -365,7 +364,8 @@ impl Case {
             let shown = |done, total| told.tell(done, total);
             let found = match (&self.kind, detail) {
                 (Kind::Train(train), Detail::Fields) => {
-                    Found::Train(run_train(&train.loaded, &KeptFields::All, band, &shown)?.into())
+                    let train = &train.loaded;
+                    Found::Train(execute_train(train, &KeptFields::All, band, &shown)?.into())
                 }
                 (Kind::Train(_), _) => {
                     let message = "a case of several meshes is run only with detail = \"fields\"";

@@ -13,6 +13,7 @@ use asperity::roughness::gaussian_filter::Ends;
 use asperity::roughness::generate::{Amplitudes, Surface};
 use asperity::roughness::height_parameters::Mode;
 use asperity::tribo_friction::friction_law::FrictionLaw;
+use asperity_studies::callout::Parameter;
 use asperity_studies::export::Format;
 use pyo3::prelude::*;
 use serde::de::value::Error;
@@ -121,6 +122,7 @@ pub fn choices() -> Vec<Listed> {
         ("Zero", names::<ZeroOfCurves>()),
         ("TemperatureColumn", names::<ProbeOfOil>()),
         ("CalibratedParameter", names::<CalibratedName>()),
+        ("RoughnessParameter", names::<Parameter>()),
         ("SurfaceKind", names::<Surface>()),
         ("Amplitudes", names::<Amplitudes>()),
         ("LengthUnit", names::<LengthUnit>()),

@@ -1,11 +1,13 @@
 //! Rough line contacts: over a gap, of two flanks, and the stress below.
 
+use std::sync::Mutex;
+
 use asperity::contact::running_in::RunningIn;
 use asperity::contact::subsurface::subsurface_stress as stress_below;
 use asperity::contact::two_flanks::TwoFlanks;
 use asperity::contact::{
-    Boundary, ContactProblem, ContactSolution, ContactWarning, Control, PeriodicKernel,
-    SolverSettings, solve,
+    Boundary, ContactError, ContactProblem, ContactSolution, ContactWarning, Control,
+    PeriodicKernel, Solver, SolverSettings,
 };
 use asperity::quantity::{Length, LineLoad, Pressure};
 use asperity::remedy::Remedy;
@@ -61,6 +63,32 @@ impl Asked {
             }
         }
     }
+}
+
+/// Solver of the last contact over a gap, whose operators and buffers the next contact of its shape uses.
+static LAST: Mutex<Option<Solver>> = Mutex::new(None);
+/// Largest number of points of a stored solver, which then holds some 20 MB.
+const MOST_STORED: usize = 1 << 18;
+
+/// Solves a problem by the last solver if it has the shape of the problem. Does not wait for another thread.
+fn solve(
+    problem: &ContactProblem,
+    settings: &SolverSettings,
+) -> Result<ContactSolution, ContactError> {
+    let (points, boundary) = (problem.gap.len(), problem.boundary);
+    let last = LAST.try_lock().ok().and_then(|mut last| last.take());
+    let fits = |last: &Solver| last.shape().points == points && last.shape().boundary == boundary;
+    let mut solver = match last.filter(fits) {
+        Some(last) => last,
+        None => Solver::new(points, boundary)?,
+    };
+    let solution = solver.solve(problem, settings)?;
+    if points <= MOST_STORED
+        && let Ok(mut last) = LAST.try_lock()
+    {
+        *last = Some(solver);
+    }
+    Ok(solution)
 }
 
 /// The contact over a gap in m; numbers and settings in JSON.

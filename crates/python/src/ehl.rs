@@ -2,12 +2,13 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use asperity::ehl::RecordSettings;
 use asperity::ehl::several_records::{mean_of, record_several};
-use asperity::ehl::transient::{HeatedFriction, MeanFriction};
-use asperity::ehl::{Estimate, Record, RecordSettings};
 use asperity::lubrication::{HIGHEST_PRESSURE, shares};
 use asperity::quantity::Pressure;
-use asperity::reference_solution::{ReferenceContact, ReferenceSettings, record_warnings};
+use asperity::reference_solution::{
+    ReferenceContact, ReferenceSettings, record_json, record_warnings,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
@@ -82,7 +83,7 @@ pub fn ehl<'py>(
             );
             return Err(Failure::new("E308", message));
         }
-        let mut numbers = numbers(&solved.value);
+        let mut numbers = Value::Object(record_json(&solved.value));
         let roughness = Some(contact.attenuated_roughness);
         let warnings =
             record_warnings(&solved.value, roughness, contact.record.ceiling).into_iter();
@@ -114,62 +115,4 @@ pub fn ehl<'py>(
     )?;
     arrays.set_item("mean_film", owned(py, film))?;
     Ok((failure::json(&numbers)?, arrays))
-}
-
-fn estimate(found: &Estimate) -> Value {
-    json!({ "mean": found.mean, "standard_error": Some(found.standard_error).filter(|error| error.is_finite()) })
-}
-
-fn with_heat(heated: &HeatedFriction) -> Value {
-    json!({
-        "friction": friction(&heated.friction),
-        "film_rise_k": estimate(&heated.film_rise),
-        "surface_rise_k": estimate(&heated.surface_rise),
-    })
-}
-
-fn friction(friction: &MeanFriction) -> Value {
-    json!({
-        "shifted": estimate(&friction.shifted),
-        "graded": estimate(&friction.graded),
-        "stepped": estimate(&friction.stepped),
-        "film_alone": estimate(&friction.film),
-    })
-}
-
-fn numbers(record: &Record) -> Value {
-    let scales = &record.scales;
-    let finite =
-        |estimate: &Estimate| Some(estimate.standard_error).filter(|error| error.is_finite());
-    let below: Vec<Value> = record
-        .load_below
-        .iter()
-        .map(|below| {
-            json!({
-                "film_nm": (below.film.si() * 1e9 * 1e6).round() / 1e6,
-                "share": below.share.mean,
-                "standard_error": finite(&below.share),
-            })
-        })
-        .collect();
-    json!({
-        "half_width_um": scales.half_width.si() * 1e6,
-        "hertz_pressure_pa": scales.max_pressure.si(),
-        "moes_load": scales.moes_load,
-        "moes_lubricant": scales.moes_lubricant,
-        "slide_to_roll": scales.slide_to_roll,
-        "travel_half_widths": record.travel,
-        "solid_share": record.solid_share.mean,
-        "solid_share_standard_error": finite(&record.solid_share),
-        "load_below": below,
-        "central_film_um": record.smooth_film.si() * 1e6,
-        "mean_film_um": record.mean_film.mean * 1e6,
-        "mean_film_standard_error_um": finite(&record.mean_film).map(|error| error * 1e6),
-        "film_spread_um": record.film_spread.si() * 1e6,
-        "mean_max_pressure_pa": record.mean_max_pressure.mean,
-        "max_pressure_pa": record.max_pressure.si(),
-        "plastic_share": record.plastic_share.mean,
-        "friction": record.friction.as_ref().map(friction),
-        "with_heat": record.heated.as_ref().map(with_heat),
-    })
 }

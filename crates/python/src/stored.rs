@@ -8,21 +8,20 @@ use pyo3::prelude::*;
 use crate::failure::{self, Failure};
 use crate::work::alone;
 
+fn parsed(result: &str) -> Result<RunResult, Failure> {
+    asperity_report::parse_result(result).map_err(|error| Failure::new("E402", error.to_string()))
+}
+
 /// The summary of a result in JSON, as the command prints it.
 #[pyfunction]
 pub fn summary(result: &str) -> PyResult<String> {
-    let result: RunResult =
-        serde_json::from_str(result).map_err(|error| Failure::new("E402", error.to_string()))?;
-    Ok(asperity_report::summary(&result))
+    Ok(asperity_report::summary(&parsed(result)?))
 }
 
 /// Differences of two results in JSON, as JSON.
 #[pyfunction]
 pub fn diff(first: &str, second: &str) -> PyResult<String> {
-    let read = |text: &str| -> Result<RunResult, Failure> {
-        serde_json::from_str(text).map_err(|error| Failure::new("E402", error.to_string()))
-    };
-    let found = asperity_studies::diff::diff(&read(first)?, &read(second)?);
+    let found = asperity_studies::diff::diff(&parsed(first)?, &parsed(second)?);
     let found = found.map_err(|error| Failure::new("E501", error.to_string()))?;
     Ok(failure::json(&found)?)
 }

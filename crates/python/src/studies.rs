@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use asperity::case::gear_train::LoadedTrain;
+use asperity::core::quantity::Power;
 use asperity_report::StudyResult;
 use asperity_storage::whole_text;
+use asperity_studies::callout::{self as limits, CallOutError, CallOutSettings};
 use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle::{self as driving, EnergyError};
 use asperity_studies::export::{AddedLoss, Format, With, export};
@@ -79,6 +81,40 @@ pub fn ridges(
     in_parallel(py, threads, progress.as_ref(), |told| {
         let shown = |done, total| told.tell(done, total);
         Study::of(dearest::ridges(case, &shown)?)
+    })
+}
+
+/// Limit of a roughness parameter for a loss in W; `shares` are confidence and scatter, `counts` traces, lots and seed.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "those of the function in Python")]
+pub fn callout(
+    py: Python<'_>,
+    case: PyRef<'_, Case>,
+    loss: f64,
+    (confidence, scatter): (f64, f64),
+    parameter: Option<String>,
+    (traces, lots, seed): (Option<usize>, usize, u64),
+    threads: Option<isize>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Study> {
+    let parameter = parameter.map(|name| named("parameter", &name)).transpose()?;
+    let settings = CallOutSettings {
+        loss: Power::from_si(loss),
+        confidence,
+        scatter,
+        parameter,
+        traces,
+        lots,
+        seed,
+    };
+    let case = case.pair()?;
+    in_parallel(py, threads, progress.as_ref(), |told| {
+        let shown = |done, total| told.tell(done, total);
+        let found = limits::callout(case, &settings, &shown).map_err(|error| match error {
+            CallOutError::Case(error) => Failure::from(error),
+            error => Failure::new(error.code(), error.to_string()),
+        })?;
+        Study::of(found)
     })
 }
 

@@ -24,6 +24,17 @@ def test_a_smooth_contact_is_that_of_hertz():
     assert found.pressure.shape == found.gap.shape == found.x.shape == (4001,)
 
 
+def test_a_contact_does_not_depend_on_those_solved_before():
+    rough = parabola() + 2e-8 * np.random.default_rng(1).standard_normal(4001)
+    asperity.solve_contact(parabola(2001), 0.25e-6, MODULUS, LOAD)
+    first = asperity.solve_contact(rough, 0.25e-6, MODULUS, LOAD)
+    # The stored solver has this shape from here on.
+    asperity.solve_contact(parabola(), 0.25e-6, MODULUS, 0.2 * LOAD)
+    again = asperity.solve_contact(rough, 0.25e-6, MODULUS, LOAD)
+    assert np.array_equal(first.pressure, again.pressure) and np.array_equal(first.gap, again.gap)
+    assert first.approach == again.approach
+
+
 def test_a_load_gives_the_approach_that_gives_the_load():
     by_load = asperity.solve_contact(parabola(), 0.25e-6, MODULUS, LOAD)
     by_approach = asperity.solve_contact(

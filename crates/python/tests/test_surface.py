@@ -17,7 +17,7 @@ KEYS = [f"--set=model.{name}={value}" for name, value in FEW.items()]
 TWINS = {
     "run": "Case", "report": "read_result", "check": "Case", "diff": "RunResult", "oil": "oil_fit", "oils": "oils",
     "steels": "steels", "gears": "gears", "case": "from_rexs", "compare": "compare", "map": "map", "cycle": "cycle",
-    "sensitivity": "sensitivity", "evidence": "evidence", "ridges": "ridges", "sweep": "sweep", "calibrate": "calibrate", "regime": "Case",
+    "sensitivity": "sensitivity", "evidence": "evidence", "ridges": "ridges", "callout": "callout", "sweep": "sweep", "calibrate": "calibrate", "regime": "Case",
     "gear": "Case", "contact": "solve_contact", "ehl": "ehl", "film": "Case", "profile": "read_profile",
     "explain": "explain", "demo": "demo", "schema": "keys",
 }
@@ -104,11 +104,23 @@ def test_measurements_and_designs_are_those_of_the_command(command, tmp_path):
     assert refused.value.code == "E205"
     found = asperity.ridges(case)
     assert found.to_dict() == json_of(command, "ridges", file, *KEYS, "-o", tmp_path / "ridges")
+    assert found.rows[0]["low_w"] < found.rows[0]["mean_gradient_w"] < found.rows[0]["high_w"]
     assert found.rows[0]["first_order_w"] >= found.rows[1]["first_order_w"] and len(found.octaves) > 5
     assert pickle.loads(pickle.dumps(found)) == found
     with pytest.raises(AsperityError) as refused:
         asperity.ridges(asperity.Case(file, formulation="paper"))
     assert refused.value.code == "E205"
+    given = {"lots": 20, "parameter": "rq", "traces": 3, "confidence": 0.8}
+    stated = [f"--{name}={value}" for name, value in given.items()]
+    few = asperity.Case(file, model={"positions": 2})
+    found = asperity.callout(few, "600 W", **given)
+    output = ["-o", tmp_path / "callout"]
+    assert found.to_dict() == json_of(command, "callout", file, "--set=model.positions=2", "--loss", "600 W", *stated, *output)
+    assert found.traces == 3 and found.limits[0]["limit"] < found.limits[0]["recipe"]
+    for loss, wrong, code in ("300 W", {}, "E323"), ("3 kW", {}, "E323"), ("600 W", {"scatter": 0.9}, "E209"):
+        with pytest.raises(AsperityError) as refused:
+            asperity.callout(few, loss, **wrong)
+        assert refused.value.code == code
     limits = ["--hours", "4", "--torque-max", "180", "--speed-max", "3000", "--temperature", "40,90"]
     expected = json_of(command, "calibrate", "--design", file, *KEYS, *limits, "-o", tmp_path / "design")
     plan = asperity.design(case, hours=4, torque_max_nm=180, speed_max_rpm=3000, temperature_c=[40, 90])

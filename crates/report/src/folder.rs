@@ -233,7 +233,7 @@ pub fn write_json<T: Serialize>(file: &Path, value: &T) -> Result<(), ReportErro
 }
 
 /// Value as JSON that ends with a line feed; `file` is the name in messages.
-fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, ReportError> {
+pub(crate) fn json_text<T: Serialize>(file: &Path, value: &T) -> Result<String, ReportError> {
     check_finite(value).map_err(ReportError::not_finite(file))?;
     let mut text = serde_json::to_string_pretty(value)?;
     text.push('\n');
@@ -272,6 +272,14 @@ pub(crate) fn make_subfolder(folder: &Path) -> Result<(), ReportError> {
     fs::create_dir(folder).map_err(ReportError::io(folder))
 }
 
+/// Reads a result from its JSON. Not generic, so that other crates do not compile the reader anew.
+///
+/// # Errors
+/// When a value is missing or damaged.
+pub fn parse_result(json: &str) -> Result<RunResult, serde_json::Error> {
+    serde_json::from_slice(json.as_bytes())
+}
+
 /// Reads a result from its folder or its `result.json`, and returns the folder and the result.
 ///
 /// # Errors
@@ -298,20 +306,76 @@ fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, ReportError> {
         std::io::ErrorKind::Other => refused("it is no file, or too large for a result"),
         _ => refused("there is no such file"),
     })?;
-    let mut reader = serde_json::Deserializer::from_slice(&bytes);
-    let value = serde_path_to_error::deserialize(&mut reader);
-    let value = value.map_err(|error| {
-        if error.inner().is_syntax() || error.inner().is_eof() {
-            return refused("it is not JSON");
-        }
-        ReportError::Damaged {
+    serde_json::from_slice(&bytes).map_err(|error| match error.is_data() {
+        true => ReportError::Damaged {
             path: file.to_owned(),
-            key: error.path().to_string(),
-            source: error.into_inner(),
+            key: value_path(&bytes, &error),
+            source: error,
+        },
+        false => refused("it is not JSON"),
+    })
+}
+
+/// Path of the value at which reading JSON failed, `path[0].s_mm`; empty for the whole.
+///
+/// A reader that tracks the path is compiled anew for every type, and was a third of this crate.
+fn value_path(json: &[u8], error: &serde_json::Error) -> String {
+    let lines = json.split_inclusive(|byte| *byte == b'\n');
+    let before: usize = lines
+        .take(error.line().saturating_sub(1))
+        .map(<[u8]>::len)
+        .sum();
+    let end = (before + error.column()).min(json.len());
+    // The containers that are open at the error: the last key of an object, the index in an array.
+    let mut open: Vec<Step> = Vec::new();
+    let mut rest = &json[..end];
+    while let [byte, after @ ..] = rest {
+        rest = after;
+        match byte {
+            b'{' => open.push(Step::Key(String::new())),
+            b'[' => open.push(Step::Index(0)),
+            b'}' | b']' => drop(open.pop()),
+            b',' => {
+                if let Some(Step::Index(index)) = open.last_mut() {
+                    *index += 1;
+                }
+            }
+            b'"' => {
+                let is_escape =
+                    |k: usize| rest[..k].iter().rev().take_while(|b| **b == b'\\').count() % 2 == 1;
+                let length = (0..rest.len()).find(|k| rest[*k] == b'"' && !is_escape(*k));
+                let (text, after) = rest.split_at(length.unwrap_or(rest.len()));
+                rest = after.get(1..).unwrap_or_default();
+                // Text before a colon is a key.
+                if let (Some(Step::Key(key)), b':') = (open.last_mut(), next_byte(rest)) {
+                    *key = String::from_utf8_lossy(text).into_owned();
+                }
+            }
+            _ => {}
         }
-    })?;
-    reader.end().map_err(|_| refused("it is not JSON"))?;
-    Ok(value)
+    }
+    let mut path = String::new();
+    for step in open {
+        match step {
+            Step::Key(key) if key.is_empty() => {}
+            Step::Key(key) if path.is_empty() => path = key,
+            Step::Key(key) => path.extend([".", &key]),
+            Step::Index(index) => path += &format!("[{index}]"),
+        }
+    }
+    path
+}
+
+/// Place of a value in the object or array that holds it.
+enum Step {
+    Key(String),
+    Index(usize),
+}
+
+/// The next byte that is not white space; a space at the end.
+fn next_byte(text: &[u8]) -> u8 {
+    let next = text.iter().find(|byte| !byte.is_ascii_whitespace());
+    next.copied().unwrap_or(b' ')
 }
 
 /// Redraws `report.html` next to the `result.json` at `path` (or in the folder `path`) and returns its path. The page

@@ -1,4 +1,4 @@
-//! Result folder of a gear train: a table of its meshes, and a result folder for each.
+//! Result of a gear train: its folder with a table of its meshes and a result folder for each, its summary and its headline.
 
 use std::path::Path;
 
@@ -8,12 +8,17 @@ use maud::{Markup, html};
 
 use crate::error::ReportError;
 use crate::folder::{
-    Fields, PAGE, PLANETARY_MARK, TRAIN_MARK, check_fields, fill, make_subfolder, write_json,
-    write_text,
+    Fields, FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, check_fields, fill, json_text,
+    make_subfolder, texts, write_bytes,
 };
+use crate::html::band::evidence;
 use crate::html::gearbox::section;
 use crate::html::page;
+use crate::printed::stated;
+use crate::summary::besides_the_mesh;
 use crate::tables;
+use crate::tiles::Tile;
+use crate::wrap::wrapped;
 
 /// Kind of the folder in messages.
 const KIND: &str = "gear train result";
@@ -45,44 +50,218 @@ pub fn write_train(
         check_fields(mesh, fields)?;
     }
     replace_folder(target, KIND, |folder| {
-        let result = &outcome.result;
-        let mark = match result.set {
-            Some(_) => PLANETARY_MARK,
-            None => TRAIN_MARK,
-        };
-        write_json(&folder.join(mark), result)?;
-        tables::write(&folder.join("meshes.csv"), &result.meshes)?;
-        tables::write(&folder.join("shafts.csv"), &result.shafts)?;
-        for (mesh, row) in outcome.meshes.iter().zip(&result.meshes) {
+        for (name, text) in texts_of_whole(outcome)? {
+            write_bytes(&folder.join(name), &text)?;
+        }
+        for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
             let place = folder.join(folder_of(&row.mesh));
             make_subfolder(&place)?;
             fill(mesh, &place, fields)?;
         }
-        write_text(&folder.join(PAGE), &summary_page(result))
+        Ok(())
     })
+}
+
+/// The files of [`write_train`] without fields, in memory, with the folders of the meshes in their names.
+///
+/// # Errors
+/// When a number is not finite.
+pub fn texts_of_train(outcome: &TrainOutcome) -> Result<Vec<(String, Vec<u8>)>, ReportError> {
+    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+    let whole = texts_of_whole(outcome)?.into_iter();
+    files.extend(whole.map(|(name, text)| (name.to_owned(), text)));
+    for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
+        let folder = folder_of(&row.mesh);
+        let of_mesh = texts(mesh)?.into_iter();
+        files.extend(of_mesh.map(|(name, text)| (format!("{folder}/{name}"), text)));
+    }
+    Ok(files)
+}
+
+/// The files of the train without the folders of its meshes.
+fn texts_of_whole(outcome: &TrainOutcome) -> Result<Vec<FileText>, ReportError> {
+    let result = &outcome.result;
+    let mark = match result.set {
+        Some(_) => PLANETARY_MARK,
+        None => TRAIN_MARK,
+    };
+    let meshes = tables::text(Path::new("meshes.csv"), &result.meshes)?;
+    let shafts = tables::text(Path::new("shafts.csv"), &result.shafts)?;
+    Ok(vec![
+        (mark, json_text(Path::new(mark), result)?.into_bytes()),
+        ("meshes.csv", meshes),
+        ("shafts.csv", shafts),
+        (PAGE, summary_page(result).into_bytes()),
+    ])
+}
+
+/// The result of a gear train for the terminal.
+#[must_use]
+pub fn summary_of_train(result: &TrainResult) -> String {
+    let [loss, efficiency] = result.with_bands();
+    let mut text = format!(
+        "{}\nefficiency (meshes only)  {efficiency} %   loss {loss} W\n  power in {:.2} kW\n",
+        asperity_storage::one_line(&result.title),
+        1e-3 * result.power_in_w,
+    );
+    if let (Some([loss, efficiency]), Some(gearbox)) =
+        (result.gearbox_with_bands(), &result.gearbox)
+    {
+        text.push_str(&format!(
+            "efficiency (gearbox)      {efficiency} %   loss {loss} W\n"
+        ));
+        text.push_str(&format!("{}\n", wrapped(&besides_the_mesh(gearbox), "  ")));
+        for part in &gearbox.parts {
+            for outside in &part.outside {
+                let text_of_part = format!("W401 {}: {outside}", part.name);
+                text.push_str(&format!("{}\n", wrapped(&text_of_part, "     ")));
+            }
+        }
+    }
+    for (name, set) in result.planetary_sets() {
+        let name = if name.is_empty() {
+            String::new()
+        } else {
+            format!("{name}: ")
+        };
+        text.push_str(&format!(
+            "{name}{} planets   carrier {} 1/min   power through the meshes {:.2} kW\n",
+            set.planets,
+            rpm(set.carrier_rad_per_s),
+            1e-3 * set.rolling_power_w,
+        ));
+    }
+    let width = |names: &mut dyn Iterator<Item = &String>| {
+        names
+            .map(|name| name.chars().count())
+            .max()
+            .unwrap_or(0)
+            .max(16)
+    };
+    if let Some(heat) = &result.heat {
+        text.push_str(&format!("{}\n", heat.line()));
+    }
+    let wide = width(&mut result.meshes.iter().map(|row| &row.mesh));
+    text.push_str(&format!(
+        "{:<wide$} {:>2} {:>10} {:>8} {:>9} {:>8} {:>8} {:>12} {:>7} {:>8} {:>7}\n",
+        "mesh",
+        "n",
+        "T N m",
+        "1/min",
+        "loss W",
+        "sliding",
+        "rolling",
+        "efficiency",
+        "H_V",
+        "mu_eq",
+        "p0 MPa",
+    ));
+    for row in &result.meshes {
+        let [loss, efficiency, mu] = row.with_digits();
+        let [sliding, rolling] = row.parts_with_digits();
+        text.push_str(&format!(
+            "{:<wide$} {:>2} {:>10.3} {:>8} {loss:>9} {sliding:>8} {rolling:>8} {efficiency:>10} % {:>7.4} {mu:>8} {:>7.0}\n",
+            row.mesh, row.count, row.torque_nm, rpm(row.speed_rad_per_s), row.loss_factor, row.hertz_pressure_mpa,
+        ));
+    }
+    let wide = width(&mut result.shafts.iter().map(|row| &row.shaft));
+    text.push_str(&format!(
+        "{:<wide$} {:>13} {:>8} {:>13} {:>9}\n",
+        "shaft", "T N m", "1/min", "T into N m", "kW",
+    ));
+    for row in &result.shafts {
+        let [carried, torque, power] = result.shaft_with_digits(row);
+        text.push_str(&format!(
+            "{:<wide$} {carried:>13} {:>8} {torque:>13} {power:>9}\n",
+            row.shaft,
+            rpm(row.speed_rad_per_s),
+        ));
+    }
+    if result
+        .planetary_sets()
+        .any(|(_, set)| !set.can_be_equally_spaced)
+    {
+        text.push_str("equally spaced planets cannot be assembled with these tooth numbers\n");
+    }
+    text
 }
 
 fn rpm(speed: f64) -> String {
     format!("{:.1}", speed * 30.0 / std::f64::consts::PI)
 }
 
-fn summary_page(result: &TrainResult) -> String {
+/// Names and values of the headline.
+fn headline(result: &TrainResult) -> Vec<[String; 2]> {
     let [loss, efficiency] = result.with_bands();
+    let row = |name: &str, value: String| [name.to_owned(), value];
+    let mut rows = vec![
+        row("efficiency (meshes only)", format!("{efficiency} %")),
+        row("loss of all meshes", format!("{loss} W")),
+    ];
+    if let Some([loss, efficiency]) = result.gearbox_with_bands() {
+        rows.push(row("efficiency (gearbox)", format!("{efficiency} %")));
+        rows.push(row("loss of the gearbox", format!("{loss} W")));
+    }
+    let kw = |power_w: f64| format!("{:.3} kW", 1e-3 * power_w);
+    rows.push(row("power in", kw(result.power_in_w)));
+    for (name, set) in result.planetary_sets() {
+        let of = if name.is_empty() {
+            String::new()
+        } else {
+            format!(" of {name}")
+        };
+        rows.push([format!("planets{of}"), set.planets.to_string()]);
+        rows.push([
+            format!("power through the meshes{of}"),
+            kw(set.rolling_power_w),
+        ]);
+    }
+    rows
+}
+
+/// The headline of a gear train: loss and efficiency, then the losses of meshes, other parts, and their kinds.
+#[must_use]
+pub fn tiles_of_train(result: &TrainResult) -> Vec<Tile> {
+    let mut tiles: Vec<Tile> = headline(result).into_iter().map(Tile::of).collect();
+    if result.loss_distribution.is_some() {
+        tiles[0].note = "median, in brackets 5 to 95 %".to_owned();
+    }
+    let meshes = result.meshes.iter().map(|row| {
+        let times = if row.count == 1 {
+            String::new()
+        } else {
+            format!("{} × ", row.count)
+        };
+        [
+            row.mesh.clone(),
+            format!("{times}{} W", row.with_digits()[0]),
+        ]
+    });
+    let parts = result.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
+    let parts = parts.map(|part| [part.name.clone(), stated(part.loss_w)]);
+    let kinds = result
+        .kinds
+        .rows()
+        .into_iter()
+        .filter(|(_, loss)| *loss > 0.0);
+    let kinds = kinds.map(|(name, loss)| {
+        [
+            name.to_owned(),
+            format!("{} W", result.part_with_digits(loss)),
+        ]
+    });
+    tiles.push(Tile::rows(
+        "meshes and parts",
+        meshes.chain(parts).collect(),
+    ));
+    tiles.push(Tile::rows("losses of the meshes by kind", kinds.collect()));
+    tiles
+}
+
+fn summary_page(result: &TrainResult) -> String {
     let summary = html! {
-        dl.tiles {
-            div { dt { "efficiency (meshes only)" } dd { (efficiency) " %" } }
-            div { dt { "loss of all meshes" } dd { (loss) " W" } }
-            @if let Some([loss, efficiency]) = result.gearbox_with_bands() {
-                div { dt { "efficiency (gearbox)" } dd { (efficiency) " %" } }
-                div { dt { "loss of the gearbox" } dd { (loss) " W" } }
-            }
-            div { dt { "power in" } dd { (format!("{:.3} kW", 1e-3 * result.power_in_w)) } }
-            @for (name, set) in result.planetary_sets() {
-                @let of = if name.is_empty() { String::new() } else { format!(" of {name}") };
-                div { dt { "planets" (of) } dd { (set.planets) } }
-                div { dt { "power through the meshes" (of) } dd { (format!("{:.3} kW", 1e-3 * set.rolling_power_w)) } }
-            }
-        }
+        dl.tiles { @for [name, value] in headline(result) { div { dt { (name) } dd { (value) } } } }
+        (evidence(&result.evidence, &|loss| result.part_with_digits(loss)))
         @if let Some(heat) = &result.heat { p { (heat.line()) "." } }
         @if let Some(gearbox) = &result.gearbox { (section(gearbox, result.loss_distribution.is_some())) }
         @for (name, _) in result.planetary_sets().filter(|(_, set)| !set.can_be_equally_spaced) {

@@ -29,10 +29,12 @@ mod wrap;
 
 pub use error::{ReportError, TableFault};
 pub use folder::{
-    Fields, FileText, PAGE, check_place, make_folder, read_result, redraw, texts, title_of,
-    write_bytes, write_folder, write_json, write_load_points, write_text, write_unsolved,
+    Fields, FileText, PAGE, check_place, make_folder, parse_result, read_result, redraw, texts,
+    title_of, write_bytes, write_folder, write_json, write_load_points, write_text, write_unsolved,
 };
-pub use gear_train::{check_train_place, write_train};
+pub use gear_train::{
+    check_train_place, summary_of_train, texts_of_train, tiles_of_train, write_train,
+};
 pub use page_tables::PageTables;
 pub use printed::{stated, stated_parts};
 pub use study::StudyResult;

@@ -13,13 +13,33 @@ const LARGEST_PARTS: usize = 3;
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Tile {
     /// Its name.
-    pub name: &'static str,
+    pub name: String,
     /// Its value with unit; empty if it has rows.
     pub value: String,
     /// Names and values.
     pub rows: Vec<[String; 2]>,
     /// Explanation of the value; may be empty.
     pub note: String,
+}
+
+impl Tile {
+    /// A name with its value.
+    pub(crate) fn of([name, value]: [String; 2]) -> Self {
+        Self {
+            name,
+            value,
+            ..Self::default()
+        }
+    }
+
+    /// Names with values under a name.
+    pub(crate) fn rows(name: &str, rows: Vec<[String; 2]>) -> Self {
+        Self {
+            name: name.to_owned(),
+            rows,
+            ..Self::default()
+        }
+    }
 }
 
 /// The headline of `result`, the loss first.
@@ -32,11 +52,9 @@ pub fn tiles(result: &RunResult) -> Vec<Tile> {
         Some(_) => "median, in brackets 5 to 95 %",
         None => "",
     };
-    let tile = |name, value, note: String| Tile {
-        name,
-        value,
+    let tile = |name: &str, value, note: String| Tile {
         note,
-        ..Tile::default()
+        ..Tile::of([name.to_owned(), value])
     };
     let mut tiles = vec![
         tile("loss of the mesh", loss, interval.to_owned()),
@@ -63,23 +81,18 @@ pub fn tiles(result: &RunResult) -> Vec<Tile> {
 /// The parts of the loss, as printed they add up to it.
 fn parts(printed: PrintedLoss) -> Tile {
     let rows = printed.parts.into_iter();
-    Tile {
-        name: "parts of the loss",
-        rows: rows.map(|part| [part.name.to_owned(), part.text]).collect(),
-        ..Tile::default()
-    }
+    let rows = rows.map(|part| [part.name.to_owned(), part.text]);
+    Tile::rows("parts of the loss", rows.collect())
 }
 
 /// The regime, with the share of the load on the boundary layer.
 fn lubrication(s: &Summary) -> Tile {
     Tile {
-        name: "lubrication",
-        value: regime(s),
         note: format!(
             "{:.0} % of the load on the boundary layer",
             100.0 * s.boundary_share
         ),
-        ..Tile::default()
+        ..Tile::of(["lubrication".to_owned(), regime(s)])
     }
 }
 
@@ -95,9 +108,7 @@ fn contributions(result: &RunResult) -> Option<Tile> {
             [part.name.clone(), format!("{} W", ends.join(".."))]
         });
     Some(Tile {
-        name: "sources of the interval",
-        rows: rows.collect(),
         note: "5 to 95 % of the loss, each drawn alone".to_owned(),
-        ..Tile::default()
+        ..Tile::rows("sources of the interval", rows.collect())
     })
 }

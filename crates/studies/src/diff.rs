@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use asperity::case::DefaultUsed;
 use asperity::result::RunResult;
 use serde::Serialize;
 use serde_json::Value;
@@ -64,21 +65,32 @@ impl ResultDiff {
     }
 }
 
+/// Changed keys between two cases, each with its input and its defaults.
+///
+/// # Errors
+/// When an input cannot be written as JSON.
+pub fn changed_keys<I: Serialize>(
+    first: (&I, &[DefaultUsed]),
+    second: (&I, &[DefaultUsed]),
+) -> Result<Vec<Change>, serde_json::Error> {
+    let inputs = |(input, defaults): (&I, &[DefaultUsed])| {
+        let mut values = BTreeMap::new();
+        flatten("", &serde_json::to_value(input)?, &mut values);
+        for default in defaults {
+            let value = serde_json::from_str(&default.value);
+            let value = value.unwrap_or_else(|_| Value::from(default.value.clone()));
+            values.insert(default.key.to_string(), value);
+        }
+        Ok::<_, serde_json::Error>(values)
+    };
+    Ok(changes(&inputs(first)?, &inputs(second)?))
+}
+
 /// Computes the differences between `first` and `second`, without program and version.
 ///
 /// # Errors
 /// When a result cannot be written as JSON.
 pub fn diff(first: &RunResult, second: &RunResult) -> Result<ResultDiff, serde_json::Error> {
-    let inputs = |result: &RunResult| -> Result<BTreeMap<String, Value>, serde_json::Error> {
-        let mut values = BTreeMap::new();
-        flatten("", &serde_json::to_value(&result.inputs)?, &mut values);
-        for default in &result.defaults {
-            let value = serde_json::from_str(&default.value);
-            let value = value.unwrap_or_else(|_| Value::from(default.value.clone()));
-            values.insert(default.key.to_string(), value);
-        }
-        Ok(values)
-    };
     let summary = |result: &RunResult| -> Result<BTreeMap<String, Value>, serde_json::Error> {
         let mut values = BTreeMap::new();
         flatten("", &serde_json::to_value(&result.summary)?, &mut values);
@@ -92,7 +104,10 @@ pub fn diff(first: &RunResult, second: &RunResult) -> Result<ResultDiff, serde_j
         tags.map(|equation| equation.tag.to_string()).collect()
     };
     Ok(ResultDiff {
-        inputs: changes(&inputs(first)?, &inputs(second)?),
+        inputs: changed_keys(
+            (&first.inputs, &first.defaults),
+            (&second.inputs, &second.defaults),
+        )?,
         summary: changes(&summary(first)?, &summary(second)?),
         path: path(first, second)?,
         warnings: only_in_each(&warnings(first), &warnings(second)),

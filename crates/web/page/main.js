@@ -1,7 +1,7 @@
 // The page: files and form in, the case as text, the run, its result.
 import { questions, runs } from "./engine.js";
 import { asLink, forget, fromLink, keep, kept } from "./draft.js";
-import { caseText, completed, fieldOf, fill, fillGears, gearsText, list, missing, rest, shown, stated } from "./form.js";
+import { caseText, completed, fieldOf, filesOf, fill, fillGears, gearsText, list, missing, rest, shown, stated } from "./form.js";
 import { clearError, setStale, showError, showResult } from "./result.js";
 
 const element = (id) => document.getElementById(id);
@@ -31,6 +31,10 @@ const state = {
   held: new Map(),
   // Names of the traces as the case has them.
   files: { pinion: "", wheel: "" },
+  // Names of all files in a text that the form does not show.
+  named: [],
+  // The gearbox file that the case was made of, its content, and the names of its stages.
+  gearbox: null,
   // Whether the form is at rest, since the text says more.
   apart: false,
   // Whether a profile was chosen by the user.
@@ -57,7 +61,7 @@ function write() {
 
 // The files that the case names and that are at hand.
 const used = () => {
-  const names = new Set(Object.values(state.files).filter(Boolean).map(bare));
+  const names = new Set([...Object.values(state.files), ...(state.apart ? state.named : [])].filter(Boolean).map(bare));
   return [...state.held].filter(([name]) => names.has(bare(name))).map(([name, bytes]) => ({ name, bytes }));
 };
 
@@ -81,6 +85,9 @@ async function drawPair() {
   const figure = element("pair");
   const drawing = figure.querySelector(".drawing"), caption = figure.querySelector("[role=status]");
   const given = state.apart ? text.value : gearsText();
+  // The gears of a train are drawn in the reports of its meshes.
+  figure.hidden = form.classList.contains("train");
+  if (figure.hidden) return;
   try {
     const { svg, facts } = await questions.ask("pair", { text: given });
     drawing.innerHTML = svg;
@@ -157,6 +164,8 @@ async function adopt(whole) {
   const input = await questions.ask("keys", { name: state.name, text: given });
   if (text.value !== given) return;
   fill(input);
+  state.named = filesOf(input);
+  form.classList.toggle("train", Boolean(input.mesh ?? input.planetary));
   for (const body of ["pinion", "wheel"]) state.files[body] = input.surface?.[body]?.file ?? "";
   const shows = { name: "form.toml", text: caseText(state.files) };
   const back = await questions.ask("keys", shows).catch(() => null);
@@ -166,9 +175,19 @@ async function adopt(whole) {
   await Promise.all(["pinion", "wheel"].map(look));
 }
 
+// The files that a text names beyond the two of the form, and whether they are at hand.
+function showNamed() {
+  const beyond = state.apart ? state.named.filter((name) => !Object.values(state.files).includes(name)) : [];
+  const parts = beyond.map((name) => `${bare(name)} ${state.held.has(bare(name)) || state.held.has(name) ? "(chosen)" : "(not chosen yet: drop it on the page)"}`);
+  element("named").hidden = !beyond.length;
+  element("named").textContent = `The case also names ${parts.join(", ")}.`;
+}
+
 function setApart(apart) {
   state.apart = apart;
+  if (!apart) form.classList.remove("train");
   rest(apart);
+  showNamed();
   element("apart").hidden = !apart;
   if (apart) element("text-part").open = true;
 }
@@ -243,6 +262,7 @@ function hold(file, body) {
   const isTaken = body && bare(state.files[other]) === file.name;
   const name = isTaken && !same(state.held.get(file.name), file.bytes) ? `${body}-${file.name}` : file.name;
   state.held.set(name, file.bytes);
+  showNamed();
   return name;
 }
 
@@ -252,7 +272,11 @@ async function setFlank(body, file) {
   clearError();
   const name = hold(file, body);
   [state.own, state.touched] = [true, true];
-  // A text of its own names its files itself; one of this name is now at hand.
+  const { gearbox } = state;
+  if (gearbox) gearbox.flanks = { ...gearbox.flanks, [body]: name };
+  // The case of a gearbox that is as it was made takes the trace; a text of its own names its files itself, and one of this
+  // name is now at hand.
+  if (state.apart && gearbox?.made === text.value) return takeGearbox(gearbox, Number(element("stage").value));
   if (!state.apart) state.files[body] = name;
   write();
   await look(body);
@@ -267,20 +291,35 @@ for (const body of ["pinion", "wheel"]) {
   });
 }
 
-// A case of the first pair of a gearbox file, with the flanks that are chosen.
-async function takeGearbox({ name, bytes }) {
-  const { pinion, wheel } = state.files;
-  const { stage, stages, case: made, notes } = await questions.ask("gearbox", { name, bytes, stage: 0, pinion, wheel });
+// A case of a gearbox file, of the whole or of a stage, with the flanks that are chosen.
+async function takeGearbox({ name, bytes, flanks = state.own ? state.files : { pinion: "", wheel: "" } }, wanted = 0) {
+  const { stage, stages, case: made, notes } = await questions.ask("gearbox", { name, bytes, stage: wanted, ...flanks });
   state.name = `${name.replace(/\.[^.]*$/, "")}.toml`;
-  await adopt(made);
-  const others = stages.length > 1 ? [`Of ${stages.length} stages this is ${stages[stage - 1]}; the command reads the others.`] : [];
-  status.textContent = [`${name} is read.`, ...others, ...notes].join(" ");
+  const adopted = adopt(made);
+  state.gearbox = { name, bytes, flanks, made: text.value };
+  element("stage-part").hidden = stages.length < 2;
+  element("stage").replaceChildren(new Option("the whole gearbox", 0), ...stages.map((each, at) => new Option(each, at + 1)));
+  element("stage").value = String(stage);
+  status.textContent = [`${name} is read.`, ...notes].join(" ");
+  // A stage without roughness has no flanks before its profiles are chosen.
+  await adopted.catch(() => setApart(true));
 }
+
+function leaveGearbox() {
+  state.gearbox = null;
+  element("stage-part").hidden = true;
+}
+
+element("stage").addEventListener("change", ({ target }) => {
+  clearError();
+  takeGearbox(state.gearbox, Number(target.value)).catch(refuse);
+});
 
 // Files as they come: a case, a gearbox, or traces for the flanks that have none, the wheel's by its name.
 async function take(files, body) {
   clearError();
   try {
+    if (files.some(({ name }) => CASE_ENDINGS.test(name))) leaveGearbox();
     const cases = files.filter(({ name }) => CASE_ENDINGS.test(name));
     const beside = files.filter(({ name }) => BESIDE.test(name));
     const gearboxes = files.filter(({ name }) => GEARBOX_ENDINGS.test(name));
@@ -336,6 +375,7 @@ async function fetched(name) {
 
 // A worked case with its synthetic profiles, or without, on the flanks that have been chosen.
 async function start(name, withProfiles) {
+  leaveGearbox();
   const { ...mine } = state.files;
   state.name = `${name}.toml`;
   const given = new TextDecoder().decode(await fetched(state.name));

@@ -1,5 +1,5 @@
 // The result of a run or the reason why there is none.
-import { labelOf } from "./form.js";
+import { filesOf, labelOf } from "./form.js";
 
 const element = (id) => document.getElementById(id);
 const KINDS = { html: "text/html", json: "application/json", csv: "text/csv", toml: "application/toml" };
@@ -14,7 +14,8 @@ function link(name, content) {
   shown.push(place);
   const a = document.createElement("a");
   a.href = place;
-  a.download = name;
+  a.download = name.replaceAll("/", "_");
+  a.dataset.name = name;
   a.textContent = name;
   return a;
 }
@@ -54,10 +55,8 @@ function tile({ name, value, rows, note }) {
 }
 
 // What the result was computed of, in words.
-function inputsOf(result) {
-  const { operation, surface } = result.inputs;
-  const bare = (name) => name?.split(/[/\\]/).pop();
-  const files = [bare(surface.pinion?.file), bare(surface.wheel?.file)].filter(Boolean);
+function inputsOf({ operation, mesh, surface }) {
+  const files = filesOf([surface, mesh]).map((name) => name.split(/[/\\]/).pop());
   const traces = files.length ? `, ${files.join(" and ")}` : "";
   const temperature = operation.bulk_temperature ?? operation.oil_temperature ?? operation.temperature;
   return `${operation.torque}, ${operation.speed}, ${temperature}${traces}`;
@@ -81,6 +80,42 @@ function showBoth(versus) {
   }
 }
 
+const REPORT = "report.html";
+
+// The report in its frame; a gear train has one of the whole and one of each mesh.
+function showReports(files) {
+  const reports = Object.keys(files).filter((name) => name.endsWith(REPORT));
+  const frame = element("report");
+  const choice = element("reports");
+  const folder = (name) => name.slice(0, name.lastIndexOf("/") + 1);
+  const title = (name) => JSON.parse(new TextDecoder().decode(files[`${folder(name)}result.json`])).title.split(": ").pop();
+  const show = (name) => {
+    for (const each of choice.children) each.setAttribute("aria-pressed", each.dataset.name === name);
+    for (const each of element("files").children) each.hidden = files[each.dataset.name] && folder(each.dataset.name) !== folder(name);
+    frame.onload = () => {
+      grow(frame);
+      // Links of a report are files of its folder, which are in memory.
+      for (const a of frame.contentDocument.querySelectorAll("a[href]")) {
+        const target = folder(name) + a.getAttribute("href");
+        if (!files[target]) continue;
+        a.addEventListener("click", (event) => {
+          event.preventDefault();
+          if (target.endsWith(REPORT)) show(target);
+          else [...element("files").children].find((each) => each.dataset.name === target)?.click();
+        });
+      }
+    };
+    frame.srcdoc = new TextDecoder().decode(files[name]);
+  };
+  choice.hidden = reports.length < 2;
+  choice.replaceChildren(...reports.map((name) => {
+    const each = button(name === REPORT ? "Whole gearbox" : `Mesh ${title(name)}`, () => show(name));
+    each.dataset.name = name;
+    return each;
+  }));
+  show(REPORT);
+}
+
 // Marks the result as one of other inputs.
 export function setStale(is) {
   element("stale").hidden = !is;
@@ -95,17 +130,14 @@ export function showResult(found, given) {
   element("welcome").hidden = true;
   element("result").hidden = false;
   element("title").textContent = found.title;
-  const result = JSON.parse(new TextDecoder().decode(found.files["result.json"]));
-  element("time").textContent = `Computed in ${found.seconds.toFixed(2)} s on this machine for ${inputsOf(result)}.`;
+  element("time").textContent = `Computed in ${found.seconds.toFixed(2)} s on this machine for ${inputsOf(found.inputs)}.`;
   element("tiles").replaceChildren(...found.tiles.map(tile));
   showBoth(found.versus);
   element("summary").textContent = found.summary;
   const names = Object.keys(found.files);
   const links = [link(given.name, given.text), ...names.map((name) => link(name, found.files[name]))];
   element("files").replaceChildren("Save: ", ...links);
-  const report = element("report");
-  report.onload = () => grow(report);
-  report.srcdoc = new TextDecoder().decode(found.files["report.html"]);
+  showReports(found.files);
   const { top } = element("main").getBoundingClientRect();
   if (top < 0 || top > innerHeight / 2) element("main").scrollIntoView({ block: "start" });
 }

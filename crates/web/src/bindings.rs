@@ -65,7 +65,7 @@ impl Finished {
     /// Title of the case.
     #[wasm_bindgen(getter)]
     pub fn title(&self) -> String {
-        self.0.result.title.clone()
+        self.0.train.title.clone()
     }
 
     /// The summary as the command prints it.
@@ -77,9 +77,17 @@ impl Finished {
     /// The headline as JSON.
     ///
     /// # Errors
-    /// As [`crate::Finished::tiles`]: the failure as JSON.
+    /// When it cannot be written: the failure as JSON.
     pub fn tiles(&self) -> Result<String, JsValue> {
-        self.0.tiles().map_err(thrown)
+        written(Ok(self.0.tiles()))
+    }
+
+    /// The keys of the case as JSON.
+    ///
+    /// # Errors
+    /// When they cannot be written: the failure as JSON.
+    pub fn inputs(&self) -> Result<String, JsValue> {
+        written(Ok(self.0.inputs()))
     }
 
     /// This result (A) and `other` (B) side by side, as JSON.
@@ -94,13 +102,13 @@ impl Finished {
     #[wasm_bindgen(getter)]
     pub fn names(&self) -> Vec<String> {
         let files = self.0.files.iter();
-        files.map(|(name, _)| (*name).to_owned()).collect()
+        files.map(|(name, _)| name.clone()).collect()
     }
 
     /// Content of the file `name` of the result; none where there is none of that name.
     pub fn file(&self, name: &str) -> Option<Vec<u8>> {
         let mut files = self.0.files.iter();
-        let (_, content) = files.find(|(known, _)| *known == name)?;
+        let (_, content) = files.find(|(known, _)| known == name)?;
         Some(content.clone())
     }
 }
@@ -163,7 +171,7 @@ pub fn pair(name: &str, text: &str) -> Result<String, JsValue> {
     written(crate::pair::pair(name, text))
 }
 
-/// The case of a stage of the REXS file `name`, as JSON; of the first pair where `stage` is 0.
+/// The case of a stage of the REXS file `name`, as JSON; of the whole gearbox where `stage` is 0.
 ///
 /// # Errors
 /// As [`crate::gearbox_stage`]: the failure as JSON.

@@ -1,14 +1,14 @@
 //! A case from a REXS gearbox file.
 
-use asperity_rexs::{Flanks, Model, RexsError, StageKind, case_text, stages};
+use asperity_rexs::{Flanks, Model, RexsError, StageKind, case_text, stages, train_text};
 use serde::Serialize;
 
 use crate::failure::Failure;
 
-/// The case of a stage of a gearbox file, and the stages there are.
+/// The case of a gearbox file or of one of its stages, and the stages there are.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct GearboxStage {
-    /// Number of the stage, from 1.
+    /// Number of the stage, from 1; 0 for the whole gearbox.
     pub stage: usize,
     /// Names of all stages in the order of the file.
     pub stages: Vec<String>,
@@ -18,8 +18,9 @@ pub struct GearboxStage {
     pub notes: Vec<String>,
 }
 
-/// Reads `bytes`, the content of the REXS file `name`, and makes the case of stage `number`, of the first pair of
-/// cylindrical gears where that is 0; its flanks are the files of these names.
+/// Reads `bytes`, the content of the REXS file `name`, and makes the case of stage `number`; where that is 0, of the whole
+/// gearbox if it has several stages, and of the first pair of cylindrical gears if the whole cannot be made. Its flanks are the
+/// files of these names.
 ///
 /// # Errors
 /// When the file is not REXS, or has no such stage.
@@ -35,22 +36,35 @@ pub fn gearbox_stage(
     let mut pairs = all
         .iter()
         .filter(|stage| matches!(stage.kind, StageKind::Pair { .. }));
-    let number = match number {
-        0 => pairs.next().map_or(1, |stage| stage.number),
-        chosen => chosen,
-    };
     let file = |name: &str| (!name.is_empty()).then(|| name.to_owned());
     let flanks = Flanks {
         pinion: file(pinion),
         wheel: file(wheel),
     };
-    let case = case_text(&model, name, number, 1, &flanks).map_err(refused)?;
+    let of_stage = |number: usize| {
+        let case = case_text(&model, name, number, 1, &flanks);
+        case.map(|case| (number, case))
+    };
+    let first = pairs.next().map_or(1, |stage| stage.number);
+    let made = match number {
+        0 if all.len() > 1 => match train_text(&model, name, 1, &flanks) {
+            Ok(case) => Ok((0, case)),
+            Err(error) => of_stage(first).map(|(number, mut case)| {
+                let refusal = format!("the whole gearbox cannot be taken: {error}");
+                case.notes.push(refusal);
+                (number, case)
+            }),
+        },
+        0 => of_stage(first),
+        chosen => of_stage(chosen),
+    };
+    let (stage, case) = made.map_err(refused)?;
     let named = all.iter().map(|stage| match stage.name.trim() {
         "" => format!("stage {}", stage.number),
         name => format!("stage {}: {name}", stage.number),
     });
     Ok(GearboxStage {
-        stage: number,
+        stage,
         stages: named.collect(),
         case: case.toml,
         notes: case.notes,

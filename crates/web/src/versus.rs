@@ -1,9 +1,8 @@
 //! Two results side by side.
 
-use asperity::uncertainty;
-use asperity_report::tiles;
-use asperity_studies::compare::{difference_with_interval, verdict};
-use asperity_studies::diff::diff;
+use asperity::uncertainty::difference_of_meshes;
+use asperity_studies::compare::{difference_with_interval, drawn_together, verdict};
+use asperity_studies::diff::changed_keys;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -29,23 +28,24 @@ pub struct Versus {
 /// # Errors
 /// When a result cannot be written as JSON.
 pub fn versus(first: &Finished, other: &Finished) -> Result<Versus, Failure> {
-    let drawn = |of: &Finished| {
-        let uncertainty = of.result.uncertainty.clone()?;
-        Some((of.predictive.clone()?, uncertainty))
-    };
-    let same_flanks = first.surfaces.has_flanks_of(&other.surfaces);
-    let difference = drawn(first)
-        .zip(drawn(other))
-        .map(|(a, b)| uncertainty::difference((&a.0, &a.1), (&b.0, &b.1), same_flanks));
-    let [a, b] = [first, other].map(|of| tiles(&of.result));
+    let drawn = drawn_together(
+        (&first.train, &first.outcome),
+        (&other.train, &other.outcome),
+    );
+    let difference = drawn.map(|[a, b]| difference_of_meshes(&a, &b));
+    let [a, b] = [first, other].map(Finished::tiles);
     let mut rows = Vec::new();
+    let mut of_loss = None;
     for tile in &a {
         let theirs = b.iter().find(|other| other.name == tile.name);
         let Some(theirs) = theirs else { continue };
         if !tile.value.is_empty() {
+            if tile.name.starts_with("loss of the mesh") || tile.name == "loss of all meshes" {
+                of_loss = Some(rows.len());
+            }
             let own = [tile, theirs].map(|tile| tile.value.clone());
-            rows.push(row(tile.name, own, String::new()));
-        } else if tile.name.starts_with("parts") {
+            rows.push(row(&tile.name, own, String::new()));
+        } else if tile.name != "sources of the interval" {
             for [name, loss] in &tile.rows {
                 let other = theirs.rows.iter().find(|[other, _]| other == name);
                 let other = other.map_or("-".to_owned(), |[_, loss]| loss.clone());
@@ -53,9 +53,9 @@ pub fn versus(first: &Finished, other: &Finished) -> Result<Versus, Failure> {
             }
         }
     }
-    if let (Some(difference), Some(loss)) = (&difference, rows.first_mut()) {
+    if let (Some(difference), Some(loss)) = (&difference, of_loss) {
         let [watts, percent] = difference_with_interval(difference);
-        loss[3] = format!("{watts} W, {percent} %");
+        rows[loss][3] = format!("{watts} W, {percent} %");
     }
     Ok(Versus {
         verdict: difference.map_or(String::new(), |difference| verdict(NAMES, &difference)),
@@ -76,10 +76,13 @@ fn inputs(first: &Finished, other: &Finished) -> Result<Vec<[String; 3]>, Failur
         Some(value) => value.to_string(),
     };
     let is_default = |of: &Finished, key: &str| {
-        let mut defaults = of.result.defaults.iter();
+        let mut defaults = of.defaults().iter();
         defaults.any(|default| default.key == key)
     };
-    let changes = diff(&first.result, &other.result)?.inputs;
+    let changes = changed_keys(
+        (first.inputs(), first.defaults()),
+        (other.inputs(), other.defaults()),
+    )?;
     let stated = |key: &str| ![first, other].iter().all(|of| is_default(of, key));
     let rows = changes
         .iter()

@@ -8,8 +8,10 @@ use std::path::PathBuf;
 
 use asperity::Run;
 use asperity::case;
+use asperity::case::gear_train;
+use asperity::gear_train::run_train;
 use asperity::pipeline::KeptFields;
-use asperity_report::texts;
+use asperity_report::{summary_of_train, texts, texts_of_train};
 use asperity_web::{Files, gearbox_stage, keys, library, run, versus};
 
 fn fixtures() -> PathBuf {
@@ -49,8 +51,10 @@ fn the_files_of_a_run_are_those_of_the_library_on_the_files_on_disk() {
         .progress(&told())
         .execute()
         .unwrap();
-    assert_eq!(found.files, texts(&outcome).unwrap());
-    assert_eq!(found.result, outcome.result);
+    let files = texts(&outcome).unwrap().into_iter();
+    let files: Vec<(String, Vec<u8>)> = files.map(|(name, text)| (name.to_owned(), text)).collect();
+    assert_eq!(found.files, files);
+    assert_eq!(found.pair(), Some(&outcome.result));
     assert!(
         found
             .summary()
@@ -75,7 +79,7 @@ fn what_cannot_be_run_is_refused_with_code_place_and_help() {
         missing.message
     );
     let set = refused("[planetary]\nteeth = [27, 24, -75]\n", &files);
-    assert_eq!(set.code, "E205");
+    assert_eq!(set.code, "E204", "{}", set.message);
     let huge = text.replace("offsets = 2", "offsets = 2\ndepths = 4000000");
     let huge = refused(&huge, &files);
     assert!(
@@ -118,7 +122,7 @@ fn the_headline_adds_up_and_two_results_differ_by_the_torque_that_was_changed() 
         &told(),
     )
     .unwrap();
-    let tiles: serde_json::Value = serde_json::from_str(&a.tiles().unwrap()).unwrap();
+    let tiles = serde_json::to_value(a.tiles()).unwrap();
     let watts = |text: &serde_json::Value| -> f64 {
         let text = text.as_str().unwrap().trim_start_matches("< ");
         text.split(' ').next().unwrap().parse().unwrap()
@@ -161,6 +165,113 @@ fn a_stage_of_a_gearbox_file_becomes_a_case_with_the_chosen_flanks() {
         let made = gearbox_stage("chain.rexs", bytes, stage, ["", ""]);
         made.unwrap_err().code
     };
+    // A bevel stage cannot be a mesh of a train.
+    assert!(
+        made.notes.iter().any(|note| note.contains("bevel")),
+        "{:?}",
+        made.notes
+    );
+    let second = gearbox_stage("chain.rexs", &bytes, 2, ["", ""]).unwrap();
+    assert_eq!((second.stage, second.stages.len()), (2, 3));
     assert_eq!(refused(&bytes, 99), "E133");
     assert_eq!(refused(b"heights\n", 0), "E132");
+}
+
+/// Two stages on the profiles of the e-drive, a clutch by its table, and a seal.
+const TRAIN: &str = r#"
+title = "two stages"
+train.input = "motor"
+mesh.first = { shafts = ["motor", "counter"], gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" } }
+mesh.second = { shafts = ["counter", "output"], gears = { teeth = [25, 61], module = "2.5 mm", face_width = "40 mm" } }
+operation = { torque = "60 N m", speed = "4000 1/min", bulk_temperature = "90 °C" }
+lubricant.oil = "m100"
+surface = { pinion.file = "ground_pinion.csv", wheel = { file = "ground_wheel.csv", mirrored = true }, cutoff = "0.25 mm" }
+gearbox.seals = [{ shaft = "output", diameter = "50 mm" }]
+gearbox.tables = [{ shaft = "output", file = "idle.csv" }]
+model = { positions = 3, offsets = 2 }
+"#;
+const IDLE: &[u8] = b"speed_rpm,loss_torque_nm\n0,0.1\n5000,0.2\n";
+
+#[test]
+fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
+    let (_, mut files) = small();
+    files.hold("idle.csv", IDLE.to_vec());
+    let found = run("train.toml", TRAIN, &files, &told()).unwrap();
+    assert!(found.pair().is_none());
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("train");
+    fs::create_dir_all(&folder).unwrap();
+    for name in ["ground_pinion.csv", "ground_wheel.csv"] {
+        fs::copy(fixtures().join("profiles").join(name), folder.join(name)).unwrap();
+    }
+    fs::write(folder.join("idle.csv"), IDLE).unwrap();
+    fs::write(folder.join("train.toml"), TRAIN).unwrap();
+    let train = gear_train::load(&folder.join("train.toml"))
+        .unwrap()
+        .unwrap();
+    let outcome = run_train(&train, &KeptFields::Highest, true, &told()).unwrap();
+    assert_eq!(found.outcome.result, outcome.result);
+    assert_eq!(found.summary(), summary_of_train(&outcome.result));
+    // Each mesh names its case by the place of the file.
+    let names = |files: &[(String, Vec<u8>)]| {
+        files
+            .iter()
+            .map(|(name, _)| name.clone())
+            .collect::<Vec<_>>()
+    };
+    let of_disk = texts_of_train(&outcome).unwrap();
+    assert_eq!(names(&found.files), names(&of_disk));
+    assert_eq!(found.files[..4], of_disk[..4]);
+    for name in [
+        "train.json",
+        "report.html",
+        "first/report.html",
+        "second/result.json",
+    ] {
+        assert!(found.files.iter().any(|(known, _)| known == name), "{name}");
+    }
+    let tiles = found.tiles();
+    assert_eq!(tiles[1].name, "loss of all meshes");
+    let parts = tiles
+        .iter()
+        .find(|tile| tile.name == "meshes and parts")
+        .unwrap();
+    assert_eq!(parts.rows.len(), 4, "{parts:?}");
+    // Side by side with the same train at another torque, and with a pair of gears.
+    let other = run(
+        "train.toml",
+        &TRAIN.replace("60 N m", "30 N m"),
+        &files,
+        &told(),
+    )
+    .unwrap();
+    let both = versus(&found, &other).unwrap();
+    assert!(both.verdict.starts_with("B loses "), "{}", both.verdict);
+    let loss = both
+        .rows
+        .iter()
+        .find(|row| row[0] == "loss of all meshes")
+        .unwrap();
+    assert!(loss[3].starts_with('-'), "{loss:?}");
+    assert!(
+        both.inputs.iter().any(|row| row[0] == "operation.torque"),
+        "{:?}",
+        both.inputs
+    );
+    let (text, files) = small();
+    let pair = run("e-drive.toml", &text, &files, &told()).unwrap();
+    assert!(!versus(&found, &pair).unwrap().verdict.is_empty());
+    // A file that is not chosen is named with its key.
+    let missing = run("train.toml", TRAIN, &files, &told()).unwrap_err();
+    assert_eq!(missing.code, "E103");
+    assert!(missing.message.contains("idle.csv"), "{}", missing.message);
+}
+
+#[test]
+fn a_gearbox_of_several_stages_becomes_one_case() {
+    let bytes = fs::read(fixtures().join("../crates/rexs/tests/gearboxes/planetary.rexs")).unwrap();
+    let made = gearbox_stage("planetary.rexs", &bytes, 0, ["", ""]).unwrap();
+    let text = keys("planetary.toml", &made.case).unwrap();
+    let case: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let has_train = case.get("mesh").is_some() || case.get("planetary").is_some();
+    assert!(has_train, "{}", made.case);
 }

@@ -3,12 +3,12 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use asperity::ehl::several_records::{mean_of, record_several};
-use asperity::ehl::transient::{HeatedFriction, MeanFriction};
+use asperity::ehl::transient::MeanFriction;
 use asperity::ehl::{
     Estimate, NodeState, PlasticCeiling, Record, RecordSettings, RoughContact, Solved, Window,
 };
 use asperity::lubrication::{HIGHEST_PRESSURE, ShareComparison};
-use asperity::reference_solution::record_warnings;
+use asperity::reference_solution::{estimate_json, nanometres, record_json, record_warnings};
 use asperity_core::quantity::Length;
 use asperity_storage::one_line;
 use serde_json::{Value, json};
@@ -94,50 +94,20 @@ impl Recorded {
     /// Record as JSON.
     pub fn json(&self, comparison: Option<&ShareComparison>) -> Value {
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
-        let scales = &record.scales;
-        let below: Vec<Value> = record
-            .load_below
-            .iter()
-            .map(|below| {
-                json!({
-                    "film_nm": nanometres(below.film),
-                    "share": below.share.mean,
-                    "standard_error": finite(below.share.standard_error),
-                })
-            })
-            .collect();
         let warnings: Vec<Value> = self
             .warnings()
             .into_iter()
             .map(|(code, text)| json!({ "code": code, "text": text }))
             .collect();
-        json!({
+        let more = json!({
             "title": self.title,
             "kind": "rough",
             "cells": self.cells,
-            "half_width_um": scales.half_width.si() * 1e6,
-            "hertz_pressure_pa": scales.max_pressure.si(),
-            "moes_load": scales.moes_load,
-            "moes_lubricant": scales.moes_lubricant,
-            "slide_to_roll": scales.slide_to_roll,
-            "travel_half_widths": record.travel,
             "blocks": record.blocks,
-            "records": self.shares.iter().map(estimate).collect::<Vec<_>>(),
+            "records": self.shares.iter().map(estimate_json).collect::<Vec<_>>(),
             "solid_film_nm": nanometres(self.solid_film),
-            "solid_share": record.solid_share.mean,
-            "solid_share_standard_error": finite(record.solid_share.standard_error),
-            "load_below": below,
-            "central_film_um": record.smooth_film.si() * 1e6,
-            "mean_film_um": record.mean_film.mean * 1e6,
-            "mean_film_standard_error_um": finite(record.mean_film.standard_error * 1e6),
-            "film_spread_um": record.film_spread.si() * 1e6,
             "attenuated_roughness_um": self.attenuated_roughness.map(|s| s.si() * 1e6),
             "roughness_over_film": self.roughness_over_film(),
-            "mean_max_pressure_pa": record.mean_max_pressure.mean,
-            "max_pressure_pa": record.max_pressure.si(),
-            "plastic_share": record.plastic_share.mean,
-            "friction": record.friction.as_ref().map(friction),
-            "with_heat": record.heated.as_ref().map(with_heat),
             "steps": evidence.steps,
             "steps_cut": evidence.steps_cut,
             "loose_steps": evidence.loose_steps,
@@ -152,7 +122,12 @@ impl Recorded {
             "mean_boundary_supply": evidence.mean_boundary_supply,
             "comparison": comparison,
             "warnings": warnings,
-        })
+        });
+        let mut numbers = record_json(record);
+        if let Value::Object(more) = more {
+            numbers.extend(more);
+        }
+        Value::Object(numbers)
     }
 
     /// Record as text.
@@ -266,35 +241,4 @@ pub(super) fn with_error(mean: f64, standard_error: f64) -> String {
         true => format!("{mean:.4} (standard error {standard_error:.4})"),
         false => format!("{mean:.4} (record too short for a standard error)"),
     }
-}
-
-fn nanometres(film: Length) -> f64 {
-    // Film thicknesses on the command line have few digits in nanometres.
-    (film.si() * 1e15).round() * 1e-6
-}
-
-fn with_heat(heated: &HeatedFriction) -> Value {
-    json!({
-        "friction": friction(&heated.friction),
-        "film_rise_k": estimate(&heated.film_rise),
-        "surface_rise_k": estimate(&heated.surface_rise),
-    })
-}
-
-fn friction(friction: &MeanFriction) -> Value {
-    json!({
-        "shifted": estimate(&friction.shifted),
-        "graded": estimate(&friction.graded),
-        "stepped": estimate(&friction.stepped),
-        "film_alone": estimate(&friction.film),
-    })
-}
-
-fn estimate(estimate: &Estimate) -> Value {
-    json!({ "mean": estimate.mean, "standard_error": finite(estimate.standard_error) })
-}
-
-/// Finite value or `None`: a record of one block has no standard error.
-fn finite(value: f64) -> Option<f64> {
-    value.is_finite().then_some(value)
 }

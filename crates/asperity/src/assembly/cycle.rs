@@ -6,9 +6,9 @@ use asperity_efficiency::{
 };
 
 use super::deformation_losses::deformation_losses;
-use crate::case::Case;
-use crate::error::PositionError;
 use crate::lubrication::{LubricatedPosition, rolling_surfaces};
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
 
 /// Efficiency of the mesh with all flanks at one offset.
 pub(crate) fn efficiency_at(

@@ -4,9 +4,9 @@ use asperity_core::quantity::{Length, LineEnergy, Power};
 use asperity_efficiency::LossKind;
 use asperity_efficiency::swept::{SweptDeformation, SweptPosition, swept_deformation};
 
-use crate::case::{Case, Formulation};
-use crate::error::PositionError;
 use crate::lubrication::{LubricatedPosition, LubricatedWindow};
+use asperity_case::case::{Case, Formulation};
+use asperity_case::error::PositionError;
 
 /// Losses by deformation of the mesh at one offset. The paper counts what is left after contact, as the elastic part
 /// in contact is given back.

@@ -11,13 +11,13 @@ use asperity_ehl_regime::micropitting::{OilAt, RatedContact, specific_film};
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 
 use super::statistics::mean;
-use crate::case::{Case, LoadedCase, MicropittingInput};
-use crate::error::PositionError;
-use crate::flanks::Surfaces;
 use crate::lubrication::LubricatedPosition;
 use crate::mesh::MeshPosition;
 use crate::result::ContactView;
 use crate::result::{MicropittingCell, MicropittingReport};
+use asperity_case::case::{Case, LoadedCase, MicropittingInput};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::Surfaces;
 
 /// Cut-off of the roughness that is shorter than most contacts.
 const SHORT: Length = Length::from_si(80e-6);

@@ -23,10 +23,7 @@ use asperity_efficiency::{LossKind, MeshEfficiency, MeshOperation, equivalent_fr
 
 use self::deformation_losses::of_all_offsets;
 use self::published_laws::published_laws;
-use crate::balance::{Unbalanced, efficiency, finite, sum};
-use crate::case::{BulkReport, Case, CaseInput};
 use crate::contacts::running_in::RanIn;
-use crate::error::PositionError;
 use crate::lubrication::{
     ContactNumbers, LubricatedPosition, LubricatedWindow, rolling, rolling_surfaces,
 };
@@ -40,6 +37,9 @@ use crate::result::{
     Summary, ToothTrace, TracePairs,
 };
 use crate::sampling::{means_of_pairs, pair_sampling};
+use asperity_case::balance::{Unbalanced, efficiency, finite, sum};
+use asperity_case::case::{BulkReport, Case, CaseInput};
+use asperity_case::error::PositionError;
 
 impl Solved<'_> {
     /// Losses, without the other parts of a result.
@@ -594,7 +594,7 @@ mod tests {
     #[test]
     fn a_fault_in_the_balance_of_a_run_has_its_code() {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-        let case = crate::case::load_with(file, &|input| {
+        let case = asperity_case::case::load_with(file, &|input| {
             input.model.positions = Some(3);
             input.model.offsets = Some(1);
         });

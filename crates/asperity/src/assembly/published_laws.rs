@@ -12,9 +12,9 @@ use asperity_tribo_friction::{FilmFriction, FrictionLaw, NamedFriction};
 use super::cycle::{efficiency_at, operation};
 use super::solved::Solved;
 use super::statistics::mean;
-use crate::error::PositionError;
 use crate::lubrication::{LubricatedPosition, film_contact};
 use crate::result::{PublishedLawRow, PublishedOutcome};
+use asperity_case::error::PositionError;
 
 /// Rows of the published laws. Their equations are not those that the result rests on and are left out of its
 /// list.

@@ -6,9 +6,9 @@ use asperity_efficiency::output_torque::{MeshOperation, power_flow};
 
 use super::cycle::operation;
 use super::statistics::deviation;
-use crate::case::Case;
-use crate::error::{Error, PositionError};
 use crate::result::Losses;
+use asperity_case::case::Case;
+use asperity_case::error::{Error, PositionError};
 
 /// Numbers that the direction of the power changes; all others are those in [`Losses`].
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,10 +4,10 @@ use asperity_efficiency::MeshEfficiency;
 use asperity_gear::LoadMap;
 
 use super::cycle::efficiency_at;
-use crate::case::LoadedCase;
-use crate::error::PositionError;
 use crate::lubrication::{LubricatedPosition, rolling};
 use crate::records::PathRecords;
+use asperity_case::case::LoadedCase;
+use asperity_case::error::PositionError;
 
 /// Solved positions with the rolling force at each and the mesh at each offset.
 pub(crate) struct Solved<'a> {

@@ -10,18 +10,18 @@ use asperity_efficiency::equivalent_friction;
 use asperity_ehl::PlasticCeiling;
 use asperity_gear::{Gear, StiffnessSource};
 
-use crate::case::{Case, Formulation, LoadedCase};
-use crate::error::PositionError;
-use crate::flanks::is_substituted;
-use crate::flanks::local_roughness::FEW_ASPERITIES;
-use crate::flanks::placement::FULL_COVERAGE;
 use crate::lubrication::{LubricatedPosition, LubricatedWindow, NOTED_DEVIATION};
-use crate::message::Warning;
 use crate::pictures::Picture;
 use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
 use crate::result::LoadReport;
 use crate::result::{FullFilmRow, GearboxReport, MicropittingReport, RecordRow, Regime, Summary};
 use crate::sampling::{length_for, windows_of_traces};
+use asperity_case::case::{Case, Formulation, LoadedCase};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::is_substituted;
+use asperity_case::flanks::local_roughness::FEW_ASPERITIES;
+use asperity_case::flanks::placement::FULL_COVERAGE;
+use asperity_case::message::Warning;
 
 /// Least part of the loss at untested pressures that is worth a warning.
 const LEAST_SHARE: f64 = 0.005;

@@ -5,9 +5,9 @@ use asperity_contact::plasticity::{elastic_shares, plastic_shares};
 use asperity_core::material::Material;
 use asperity_core::quantity::Length;
 
-use crate::case::Case;
-use crate::error::PositionError;
 use crate::mesh::MeshPosition;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
 
 /// Elastic displacement and plastic displacement of pinion and wheel \[m\].
 #[derive(Debug, Clone, PartialEq)]

@@ -4,10 +4,10 @@ use asperity_contact::ContactSolution;
 use asperity_contact::hertz_line::HertzLine;
 
 use super::pressed::Pressing;
-use crate::case::LoadedCase;
-use crate::error::{Error, PositionError};
-use crate::flanks::WindowPair;
 use crate::mesh::position_at;
+use asperity_case::case::LoadedCase;
+use asperity_case::error::{Error, PositionError};
+use asperity_case::flanks::WindowPair;
 
 /// A dry rough contact.
 #[derive(Debug, Clone)]

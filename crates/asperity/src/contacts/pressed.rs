@@ -7,10 +7,10 @@ use asperity_contact::{
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 
-use crate::case::Case;
-use crate::error::PositionError;
-use crate::flanks::WindowPair;
 use crate::mesh::MeshPosition;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
+use asperity_case::flanks::WindowPair;
 
 /// Points at which the loading history is recorded, in addition to the full load.
 const HISTORY_POINTS: usize = 8;

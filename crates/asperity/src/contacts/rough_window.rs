@@ -5,8 +5,8 @@ use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_mixed_film::{RoughContact, RoughWindow};
 
-use crate::case::Case;
-use crate::error::PositionError;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
 
 /// Loosest tolerance of the contacts that decide the loss: at 1e-4 it would move by 3e-5.
 const LOOSEST_TOLERANCE: f64 = 1e-8;

@@ -31,11 +31,11 @@ use rayon::prelude::*;
 
 use super::displacements::flow_shares;
 use super::pressed::softer;
-use crate::case::Case;
-use crate::error::PositionError;
-use crate::flanks::{LEAST_POINTS_PER_HALF_WIDTH, Surfaces, Texture};
 use crate::mesh::MeshPosition;
 use crate::result::{FlankHeights, RunInCycle};
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{LEAST_POINTS_PER_HALF_WIDTH, Surfaces, Texture};
 
 /// Most cycles.
 pub(crate) const MAX_CYCLES: usize = 12;

@@ -9,10 +9,10 @@ use asperity_core::quantity::{Length, Torque};
 use asperity_gear::{GearPair, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
 use asperity_mixed_film::ContactTable;
 
-use crate::case::{Case, Formulation, LoadedCase};
-use crate::error::PositionError;
-use crate::flanks::{Roughness, Surfaces, Window};
 use crate::mesh::{Mesh, MeshPosition};
+use asperity_case::case::{Case, Formulation, LoadedCase};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{Roughness, Surfaces, Window};
 
 /// Rough contact of every window of a mesh.
 ///
@@ -316,8 +316,8 @@ fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case;
     use crate::pipeline::outcome;
+    use asperity_case::case;
 
     fn at(settings: &[(&str, &str)]) -> LoadedCase {
         let file = concat!(

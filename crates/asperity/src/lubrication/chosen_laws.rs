@@ -5,8 +5,8 @@ use std::sync::Arc;
 use asperity_ehl_regime::FilmThicknessLaw;
 use asperity_tribo_friction::FilmFriction;
 
-use crate::case::Case;
-use crate::lubrication::load_share_law::LoadShare;
+use asperity_case::case::Case;
+use asperity_case::load_share_law::LoadShare;
 
 /// Every law of a run.
 #[derive(Debug, Clone)]

@@ -7,14 +7,14 @@ use asperity_ehl_regime::{
 use asperity_tribo_friction::FilmContact;
 
 use super::chosen_laws::ChosenLaws;
-use super::formula_film::FormulaFilm;
 use super::friction;
-use super::load_share_law::{ShareConditions, SharedLoad};
-use crate::case::Case;
-use crate::error::PositionError;
-use crate::flanks::{Roughness, WindowPair};
 use crate::mesh::MeshPosition;
 use crate::records::RecordedShare;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{Roughness, WindowPair};
+use asperity_case::formula_film::FormulaFilm;
+use asperity_case::load_share_law::{ShareConditions, SharedLoad};
 use asperity_mixed_film::LoadShareSolution;
 
 /// The regime, what decides it, and how film and asperities share the load.

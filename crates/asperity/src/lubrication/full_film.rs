@@ -1,10 +1,11 @@
 //! A film that carries the whole load, from the elastohydrodynamic solution instead of formulas.
 
+use asperity_core::numerics::NodeInterval;
 use asperity_core::quantity::Length;
 
-use super::formula_film::FormulaFilm;
 use crate::mesh::MeshPosition;
 use crate::result::FullFilmRow;
+use asperity_case::formula_film::FormulaFilm;
 
 /// Deviation from the formulas that a run warns about.
 pub(crate) const NOTED_DEVIATION: f64 = 0.1;
@@ -56,8 +57,8 @@ impl FullFilm {
 
     /// Pressures at the points `x` \[m\]; zero outside the solution.
     pub(crate) fn pressure_at(&self, x: &[f64]) -> Vec<f64> {
-        let value = |x: &f64| match self.cell(*x) {
-            Some((k, part)) => self.pressure[k] + part * (self.pressure[k + 1] - self.pressure[k]),
+        let value = |x: &f64| match self.interval(*x) {
+            Some(interval) => interval.mean(|k| self.pressure[k]),
             None => 0.0,
         };
         x.iter().map(value).collect()
@@ -66,8 +67,8 @@ impl FullFilm {
     /// Films at the points `x` \[m\]; outside the solution the film of its end and the parabola beyond.
     pub(crate) fn gap_at(&self, x: &[f64], radius: Length) -> Vec<f64> {
         let last = self.x.len() - 1;
-        let value = |x: &f64| match self.cell(*x) {
-            Some((k, part)) => self.film[k] + part * (self.film[k + 1] - self.film[k]),
+        let value = |x: &f64| match self.interval(*x) {
+            Some(interval) => interval.mean(|k| self.film[k]),
             None => {
                 let end = if *x < 0.0 { 0 } else { last };
                 let edge = self.x[end] * self.half_width;
@@ -77,15 +78,9 @@ impl FullFilm {
         x.iter().map(value).collect()
     }
 
-    /// Cell of the solution that holds `x` \[m\], and the place in it.
-    fn cell(&self, x: f64) -> Option<(usize, f64)> {
-        let x = x / self.half_width;
-        let after = self.x.partition_point(|node| *node <= x);
-        if after == 0 || after >= self.x.len() {
-            return None;
-        }
-        let (low, high) = (self.x[after - 1], self.x[after]);
-        Some((after - 1, (x - low) / (high - low)))
+    /// Interval of the solution's grid that holds `x` \[m\].
+    fn interval(&self, x: f64) -> Option<NodeInterval> {
+        NodeInterval::of(&self.x, |node| *node, x / self.half_width).inside()
     }
 }
 

@@ -6,13 +6,13 @@ use asperity_ehl::{Oil, SteadySettings, steady};
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_oil::{PressureLaw, PressureViscosityLaw};
 
-use super::formula_film::FormulaFilm;
 use super::full_film::{Fields, FullFilm};
-use crate::case::{Case, FullFilmName};
-use crate::error::PositionError;
 use crate::mesh::MeshPosition;
 use crate::records::PathRecords;
 use crate::reference_solution::smooth_contact;
+use asperity_case::case::{Case, FullFilmName};
+use asperity_case::error::PositionError;
+use asperity_case::formula_film::FormulaFilm;
 
 /// The full film of `position` by the choice of the case; none for formulas, and where records were asked
 /// for and there are none. `law` is the friction of the film by the case's law, none for a published one.

@@ -3,12 +3,9 @@
 mod chosen_laws;
 mod decision;
 mod film_of_case;
-mod formula_film;
 mod friction;
 mod full_film;
 mod full_film_solution;
-pub mod laws;
-pub mod load_share_law;
 mod plausibility;
 mod position;
 mod records;
@@ -17,9 +14,11 @@ mod rough_film;
 mod share_comparison;
 mod solve;
 
-pub use crate::physical_limits::HIGHEST_PRESSURE;
-pub use formula_film::FormulaFilm;
-pub use load_share_law::{LoadShare, ShareConditions, SharedLoad};
+pub use asperity_case::formula_film::FormulaFilm;
+pub use asperity_case::load_share_law::{LoadShare, ShareConditions, SharedLoad};
+pub use asperity_case::physical_limits::HIGHEST_PRESSURE;
+pub use asperity_case::{laws, load_share_law};
+pub use film_of_case::formula_film;
 
 pub(crate) use chosen_laws::ChosenLaws;
 pub(crate) use decision::Decision;

@@ -3,12 +3,13 @@
 //! The limits are own choices, some powers of ten beyond what was ever measured on gears, where the model says
 //! nothing any more whatever its laws return.
 
-use super::formula_film::FormulaFilm;
+use super::film_of_case::formula_film;
 use super::position::LubricatedPosition;
-use crate::case::Case;
-use crate::error::PositionError;
 use crate::mesh::MeshPosition;
-use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
+use asperity_case::formula_film::FormulaFilm;
+use asperity_case::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 
 /// Film \[m\]: gear films are below 10 um.
 const FILM: f64 = 1e-3;
@@ -33,7 +34,7 @@ pub(crate) fn plausible_film(
     case: &Case,
     position: &MeshPosition,
 ) -> Result<FormulaFilm, PositionError> {
-    let film = FormulaFilm::of(case, position)?;
+    let film = formula_film(case, position)?;
     below("central film", film.film.central.si(), "m", FILM)?;
     let minimum = film.film.minimum.si();
     if minimum > 0.0 {

@@ -3,16 +3,16 @@
 use asperity_contact::ContactWarning;
 use asperity_ehl_regime::Regime;
 
-use super::formula_film::FormulaFilm;
 use super::friction::{InFilm, Rubbing};
 use super::full_film::FullFilm;
-use crate::case::Case;
 use crate::contacts::Pressed;
-use crate::error::PositionError;
-use crate::flanks::Roughness;
 use crate::mesh::MeshPosition;
 use crate::paper::PrintedDeformation;
 use crate::records::RecordedShare;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
+use asperity_case::flanks::Roughness;
+use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::LoadShareSolution;
 
 /// A mesh position with everything that varies over the offsets.

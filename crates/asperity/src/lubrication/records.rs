@@ -1,12 +1,12 @@
 //! The records that a case requires.
 
 use super::chosen_laws::ChosenLaws;
-use super::formula_film::FormulaFilm;
+use super::film_of_case::formula_film;
 use super::friction;
-use crate::case::{FullFilmName, LoadedCase};
-use crate::error::PositionError;
 use crate::mesh::MeshPosition;
 use crate::records::PathRecords;
+use asperity_case::case::{FullFilmName, LoadedCase};
+use asperity_case::error::PositionError;
 
 /// Records of mixed lubrication along `positions`, if the load share or the full film requires them, and how
 /// many of them `progress` counts before the positions.
@@ -26,7 +26,7 @@ pub(crate) fn records_of(
     }
     let smooth = |position: &MeshPosition| match case.model.film_friction.shear_law() {
         Some(_) if case.laws.friction.is_none() => {
-            let film = FormulaFilm::of(case, position)?;
+            let film = formula_film(case, position)?;
             friction::smooth(case, laws, &loaded.surfaces, (position, &film)).map(Some)
         }
         _ => Ok(None),

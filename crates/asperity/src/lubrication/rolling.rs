@@ -3,11 +3,11 @@
 use asperity_efficiency::RollingSurfaces;
 use asperity_tribo_friction::rolling_force;
 
-use super::formula_film::FormulaFilm;
 use super::friction::hysteresis_force;
-use crate::case::{Case, Formulation};
-use crate::error::PositionError;
 use crate::mesh::MeshPosition;
+use asperity_case::case::{Case, Formulation};
+use asperity_case::error::PositionError;
+use asperity_case::formula_film::FormulaFilm;
 
 /// Rolling friction force per metre of contact line on one surface \[N/m\], hysteresis of the steel included.
 pub(crate) fn rolling(

@@ -4,15 +4,15 @@ use asperity_core::Checked;
 use asperity_core::line_contact::LineContact;
 use asperity_core::profile::mirrored_indices;
 use asperity_core::quantity::Length;
-use asperity_ehl_regime::{Attenuation, Lay};
+use asperity_ehl_regime::Attenuation;
 
 use super::chosen_laws::ChosenLaws;
-use super::formula_film::FormulaFilm;
-use crate::case::{Case, Formulation};
 use crate::contacts::{WindowContact, rough_window};
-use crate::error::PositionError;
-use crate::flanks::{Surfaces, Texture, Window};
 use crate::mesh::MeshPosition;
+use asperity_case::case::{Case, Formulation};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{Surfaces, Window};
+use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, LoadShareSettings, LoadShareSolution, PositionFilm, SmoothFilm,
 };
@@ -130,7 +130,7 @@ impl<'a> RoughFilm<'a> {
     }
 }
 
-/// Gradient of a number over the heights of both traces, summed over the windows of a position.
+/// Gradient of a number over the heights of both traces.
 pub(crate) struct HeightGradient {
     /// Over the heights in the rough contacts.
     direct: [Vec<f64>; 2],
@@ -210,25 +210,4 @@ pub(crate) fn is_asked_for(case: &Case, laws: &ChosenLaws, surfaces: &Surfaces) 
         && case.rheology.is_some()
         && surfaces.are_measured()
         && case.formulation != Formulation::Paper
-}
-
-impl Surfaces {
-    /// Lay of both flanks together.
-    fn lay(&self, lays: [Lay; 2]) -> Result<Lay, PositionError> {
-        let rq = |texture: &Texture| match texture {
-            Texture::Trace(profile) => {
-                let z = profile.heights();
-                let n = z.len() as f64;
-                let mean = z.iter().sum::<f64>() / n;
-                let square = z.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / n;
-                Length::from_si(square.sqrt())
-            }
-            Texture::Values { rq, .. } => Length::from_si(*rq),
-        };
-        if lays[0] == lays[1] {
-            return Ok(lays[0]);
-        }
-        let [first, second] = self.textures();
-        Ok(Lay::of_pair(lays, [rq(first), rq(second)])?)
-    }
 }

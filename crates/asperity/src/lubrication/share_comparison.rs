@@ -11,10 +11,10 @@ use serde::Serialize;
 
 use super::chosen_laws::ChosenLaws;
 use super::decision::lambda_star_of;
-use super::formula_film::FormulaFilm;
-use crate::case::LoadedCase;
-use crate::flanks::{Roughness, Surfaces, Texture};
+use super::film_of_case::formula_film;
 use crate::reference_solution::{ReferenceContact, ReferenceError, rheology};
+use asperity_case::case::LoadedCase;
+use asperity_case::flanks::{Roughness, Surfaces, Texture};
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, InletSupply, LoadShareSettings, LoadShareSolution,
     PositionFilm, RoughContact, RoughWindow, SmoothFilm,
@@ -177,7 +177,7 @@ fn solved(
     let case = &loaded.case;
     let line = contact.position.line_contact(case.modulus, case.materials);
     let rheology = rheology(case)?;
-    let formula = FormulaFilm::of(case, &contact.position)?;
+    let formula = formula_film(case, &contact.position)?;
     let smooth = SmoothFilm {
         central: formula.film.central,
         thermal_factor: formula.thermal_reduction,
@@ -264,7 +264,7 @@ fn mean_share(
 ) -> Result<Option<f64>, ReferenceError> {
     let laws = ChosenLaws::of(&loaded.case);
     let position = &contact.position;
-    let film = FormulaFilm::of(&loaded.case, position)?.film;
+    let film = formula_film(&loaded.case, position)?.film;
     let mut sum = 0.0;
     for window in windows {
         let combined = window.roughness.combined_rq()?;
@@ -284,7 +284,7 @@ fn regression(
 ) -> Result<f64, ReferenceError> {
     let case = &loaded.case;
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
-    let film = FormulaFilm::of(case, &contact.position)?.conditions;
+    let film = formula_film(case, &contact.position)?.conditions;
     let mut sum = 0.0;
     for window in windows {
         sum += masjedi_khonsari(

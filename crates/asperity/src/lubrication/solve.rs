@@ -11,20 +11,20 @@ use asperity_mixed_film::LoadShareSolution;
 
 use super::chosen_laws::ChosenLaws;
 use super::decision::{Decision, Undecided};
-use super::formula_film::FormulaFilm;
 use super::friction::{self, InFilm, Rubbing};
 use super::full_film::FullFilm;
 use super::full_film_solution::full_film_at;
 use super::plausibility::{check_position, plausible_film};
 use super::position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 use super::rough_film::{HeightGradient, RoughFilm};
-use crate::case::{Case, Formulation, FullFilmName};
 use crate::contacts::{Pressed, Pressing, WindowContact, full_film};
-use crate::error::PositionError;
-use crate::flanks::{Roughness, Surfaces, Window, WindowPair};
 use crate::mesh::MeshPosition;
 use crate::paper::{self, PrintedDeformation};
 use crate::records::{PathRecords, RecordedShare};
+use asperity_case::case::{Case, Formulation, FullFilmName};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{Roughness, Surfaces, Window, WindowPair};
+use asperity_case::formula_film::FormulaFilm;
 
 /// Regime and load share in one window.
 struct Decided {
@@ -221,8 +221,8 @@ impl Lubrication<'_> {
         Ok((film, decisions.collect()))
     }
 
-    /// Gradient \[W/m\] of the sliding loss at `at` over the heights of both traces, its rough contacts stored and their sets
-    /// held.
+    /// Gradient \[W/m\] of the sliding loss at `at` over the heights of both traces at each offset, its rough contacts stored and
+    /// their sets held.
     ///
     /// # Errors
     /// When a contact has no solution, or the load share does not follow from one.
@@ -230,22 +230,24 @@ impl Lubrication<'_> {
         &self,
         at: &MeshPosition,
         contacts: &[Arc<WindowContact>],
-    ) -> Result<[Vec<f64>; 2], PositionError> {
+    ) -> Result<Vec<[Vec<f64>; 2]>, PositionError> {
         checkpoint()?;
         let film = plausible_film(self.case, at)?;
-        let mut sums = HeightGradient::none(self.surfaces)?;
         let of_position = (at, &film);
         let rough = RoughFilm::at(self.case, self.laws, self.surfaces, of_position)?;
         let mut rough = rough.ok_or(PositionError::NoProfile)?;
         let count = contacts.len();
-        let force = at.weight * at.mean_sliding() * at.load.si() / count as f64;
+        let force = at.weight * at.mean_sliding() * at.load.si();
+        let mut by_offset = Vec::with_capacity(count);
         for (k, contact) in contacts.iter().enumerate() {
+            let mut sums = HeightGradient::none(self.surfaces)?;
             if let Some(window) = contact.window {
                 let heights = || self.composite(at, window, (k, count));
                 rough.add_gradient((contact, window), heights, force, &mut sums)?;
             }
+            by_offset.push(rough.gradient(sums)?);
         }
-        rough.gradient(sums)
+        Ok(by_offset)
     }
 
     /// Solves the rough contact of every window whose load share did not: its numbers, for the result and for the

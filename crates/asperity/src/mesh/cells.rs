@@ -7,9 +7,9 @@
 use asperity_core::quantity::{Length, LineLoad};
 use asperity_gear::{LoadCell, LoadMap};
 
-use super::mesh_position::Resolution;
-use crate::case::{Case, Formulation};
-use crate::error::PositionError;
+use asperity_case::case::{Case, Formulation};
+use asperity_case::error::PositionError;
+use asperity_case::mesh_position::Resolution;
 
 /// A place on the path of contact that represents a part of the mesh.
 #[derive(Debug, Clone, Copy)]

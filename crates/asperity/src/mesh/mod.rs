@@ -1,17 +1,16 @@
 //! The mesh without roughness and oil: positions along the path of contact with load, speeds and Hertz contact.
 
 mod cells;
-mod mesh_position;
 
-pub use mesh_position::{MeshPosition, Resolution};
+pub use asperity_case::mesh_position::{MeshPosition, Resolution};
 
 use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::Length;
 use asperity_gear::LoadMap;
 
 use self::cells::Place;
-use crate::case::Case;
-use crate::error::PositionError;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
 
 /// Load over the flanks and the mesh positions that follow from it.
 #[derive(Debug, Clone)]

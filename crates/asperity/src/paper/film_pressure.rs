@@ -5,9 +5,9 @@ use asperity_ns_film::film_pressure::{Rupture, film_pressure};
 use asperity_ns_film::gap::GapShape;
 use asperity_ns_film::{FilmConditions, FluidModel};
 
-use crate::case::Case;
-use crate::error::PositionError;
 use crate::mesh::MeshPosition;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
 
 /// Pressure of the fluid \[Pa\] at the points `x` \[m\] where the current gap is `gap` \[m\].
 ///

@@ -5,11 +5,11 @@ use asperity_contact::{Boundary, ContactProblem, ContactSolution, Control, Solve
 use asperity_core::quantity::Length;
 
 use super::film_pressure::pressure_at_gap;
-use crate::case::Case;
 use crate::contacts::{LoadStep, Pressed, settings, softer};
-use crate::error::PositionError;
-use crate::flanks::WindowPair;
 use crate::mesh::MeshPosition;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
+use asperity_case::flanks::WindowPair;
 
 /// Steps made while the surfaces are still apart, so that the history shows where they touch.
 const STEPS_APART: usize = 5;

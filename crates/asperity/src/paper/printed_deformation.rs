@@ -4,11 +4,11 @@ use asperity_contact::subsurface::subsurface_stress;
 use asperity_core::quantity::{Length, Pressure, Time};
 use asperity_efficiency::deformation::{SurfaceDeformation, printed_deformation};
 
-use crate::case::Case;
 use crate::contacts::{Displacements, Pressed};
-use crate::error::PositionError;
-use crate::flanks::WindowPair;
 use crate::mesh::MeshPosition;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
+use asperity_case::flanks::WindowPair;
 
 /// Deformation loss of one position in the paper's formulation \[W\], each of pinion and wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

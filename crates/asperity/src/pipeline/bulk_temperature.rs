@@ -9,11 +9,11 @@ use asperity_core::quantity::{Length, Power, Speed, Temperature};
 use asperity_efficiency::bulk_temperature::{self, BulkTemperature, iso_rise};
 use asperity_tribo_friction::flash::heat_share;
 
-use crate::case::{BulkModel, BulkReport, FoundBulk, LoadedCase, Lubrication};
-use crate::error::{Error, PositionError};
 use crate::mesh::Mesh;
 use crate::parameters::at_temperature;
 use crate::result::Losses;
+use asperity_case::case::{BulkModel, BulkReport, FoundBulk, LoadedCase, Lubrication};
+use asperity_case::error::{Error, PositionError};
 
 /// The case at the bulk temperature of `model`; `losses` computes a case whose bulk temperature is stated.
 pub(crate) fn settle(
@@ -39,6 +39,14 @@ pub(crate) fn settle(
         report: law.report(oil, &found),
     });
     Ok(settled)
+}
+
+/// Power of the loss to which the rise of a law is proportional.
+pub(super) const fn rise_exponent(model: BulkModel) -> f64 {
+    match model {
+        BulkModel::Iso(_) => bulk_temperature::OSTER_EXPONENT,
+        BulkModel::Network(_) => 1.0,
+    }
 }
 
 /// A law with what it needs of the case.

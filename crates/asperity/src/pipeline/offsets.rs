@@ -13,9 +13,9 @@ use asperity_core::cite;
 use asperity_core::quantity::Length;
 
 use crate::assembly::{deviation, mean};
-use crate::case::{Formulation, LoadedCase};
 use crate::lubrication::LubricatedPosition;
 use crate::sampling::{Scatter, windows_of_traces};
+use asperity_case::case::{Formulation, LoadedCase};
 
 /// Standard error of the mean over the offsets that is sought, over the mean.
 const SOUGHT: f64 = 0.01;

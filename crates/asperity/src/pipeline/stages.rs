@@ -12,11 +12,7 @@ use super::kept_fields::KeptFields;
 use super::offsets::{chooses_offsets, offsets_needed, with_offsets};
 
 use crate::assembly::{Solved, equations_used};
-use crate::case::{Case, Formulation, LoadedCase};
 use crate::contacts::{Contacts, WindowContact, running_in};
-use crate::error::{Error, PositionError};
-use crate::flanks::is_substituted;
-use crate::flanks::placement::check_coverage;
 use crate::lubrication::{
     ChosenLaws, LubricatedPosition, Lubrication, check_mesh_position, plausible_film, records_of,
 };
@@ -24,6 +20,10 @@ use crate::mesh::{Mesh, MeshPosition};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
 use crate::result::{Losses, Outcome, RunInFlanks};
+use asperity_case::case::{Case, Formulation, LoadedCase};
+use asperity_case::error::{Error, PositionError};
+use asperity_case::flanks::is_substituted;
+use asperity_case::flanks::placement::check_coverage;
 
 /// Progress callback, called with (done, total).
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
@@ -499,8 +499,8 @@ mod tests {
     use asperity_ehl_regime::{FilmConditions, FilmThickness, FilmThicknessLaw, RegimeError};
 
     use super::{check, losses};
-    use crate::case::load_with;
     use crate::pipeline::film;
+    use asperity_case::case::load_with;
 
     /// A film without thickness.
     #[derive(Debug)]

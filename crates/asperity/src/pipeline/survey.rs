@@ -8,12 +8,12 @@ use asperity_core::provenance::Provenance;
 
 use super::stages::{Stages, sampled, settled, warmed};
 use crate::assembly::{mean, median};
-use crate::case::{Case, LoadedCase};
-use crate::error::{Error, PositionError};
 use crate::lubrication::{Decision, FormulaFilm, check_mesh_position, plausible_film};
 use crate::mesh::{MeshPosition, position_at};
 use crate::paper::film_at;
 use crate::result::Regime;
+use asperity_case::case::{Case, LoadedCase};
+use asperity_case::error::{Error, PositionError};
 
 /// Film and regime at one mesh position, mean over the offsets, Λ* their median.
 #[derive(Debug, Clone, PartialEq, Serialize)]

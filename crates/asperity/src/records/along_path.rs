@@ -2,20 +2,21 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use asperity_core::numerics::NodeInterval;
 use asperity_core::provenance::{Provenance, note};
 use asperity_core::quantity::Length;
 use asperity_ehl::{Estimate, RecordSettings, transient};
 use rayon::prelude::*;
 
 use super::path_record::PathRecord;
-use super::share::RecordedShare;
 use super::store::RecordStore;
-use crate::case::{Formulation, LoadedCase};
 use crate::equations::find;
-use crate::error::PositionError;
-use crate::flanks::is_substituted;
 use crate::mesh::{MeshPosition, Resolution};
 use crate::reference_solution::{ReferenceContact, ReferenceError, ReferenceSettings};
+use asperity_case::case::{Formulation, LoadedCase};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::is_substituted;
+use asperity_case::recorded_share::RecordedShare;
 
 /// A record at its place on the path.
 #[derive(Debug, Clone)]
@@ -30,13 +31,6 @@ pub(crate) struct PlacedRecord {
 #[derive(Debug, Clone)]
 pub(crate) struct PathRecords {
     pub places: Vec<PlacedRecord>,
-}
-
-/// Weights of the records on both sides of a place.
-struct Between {
-    low: usize,
-    high: usize,
-    part: f64,
 }
 
 impl PathRecords {
@@ -117,8 +111,15 @@ impl PathRecords {
     /// last record those hold.
     pub(crate) fn at(&self, s: Length, smooth: Option<f64>) -> RecordedShare {
         let between = self.between(s);
-        let mean = |of: &dyn Fn(&PlacedRecord) -> f64| between.mean(&self.places, of);
-        let estimate = |of: fn(&PathRecord) -> Estimate| between.estimate(&self.places, of);
+        let mean = |of: &dyn Fn(&PlacedRecord) -> f64| between.mean(|k| of(&self.places[k]));
+        let estimate = |of: fn(&PathRecord) -> Estimate| {
+            let [low, high] = [between.low, between.high].map(|k| of(&self.places[k].record));
+            let [a, b] = [1.0 - between.part, between.part];
+            Estimate {
+                mean: a * low.mean + b * high.mean,
+                standard_error: (a * low.standard_error).hypot(b * high.standard_error),
+            }
+        };
         RecordedShare {
             solid_share: estimate(|record| record.solid_share),
             boundary_part: mean(&|place| place.record.boundary_part()),
@@ -163,36 +164,9 @@ impl PathRecords {
         squares.sum::<f64>().sqrt()
     }
 
-    fn between(&self, s: Length) -> Between {
-        let s = s.si();
-        let place = |k: usize| self.places[k].position.s.si();
-        let last = self.places.len() - 1;
-        let high = self
-            .places
-            .partition_point(|place| place.position.s.si() <= s)
-            .clamp(1.min(last), last);
-        let low = high.saturating_sub(1);
-        let part = if low == high {
-            0.0
-        } else {
-            ((s - place(low)) / (place(high) - place(low))).clamp(0.0, 1.0)
-        };
-        Between { low, high, part }
-    }
-}
-
-impl Between {
-    fn mean(&self, places: &[PlacedRecord], of: &dyn Fn(&PlacedRecord) -> f64) -> f64 {
-        (1.0 - self.part) * of(&places[self.low]) + self.part * of(&places[self.high])
-    }
-
-    fn estimate(&self, places: &[PlacedRecord], of: fn(&PathRecord) -> Estimate) -> Estimate {
-        let [low, high] = [self.low, self.high].map(|k| of(&places[k].record));
-        let [a, b] = [1.0 - self.part, self.part];
-        Estimate {
-            mean: a * low.mean + b * high.mean,
-            standard_error: (a * low.standard_error).hypot(b * high.standard_error),
-        }
+    fn between(&self, s: Length) -> NodeInterval {
+        let position = |place: &PlacedRecord| place.position.s.si();
+        NodeInterval::of(&self.places, position, s.si()).held()
     }
 }
 

@@ -6,10 +6,9 @@
 
 mod along_path;
 mod path_record;
-mod share;
 mod store;
 
 pub(crate) use along_path::{PathRecords, PlacedRecord};
+pub use asperity_case::recorded_share::RecordedShare;
 pub use path_record::PathRecord;
-pub use share::RecordedShare;
 pub use store::RecordStore;

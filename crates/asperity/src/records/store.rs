@@ -8,8 +8,8 @@ use asperity_storage::whole_file;
 use serde_json::{from_slice, to_vec};
 
 use super::path_record::PathRecord;
-use crate::fingerprint::Fingerprint;
 use crate::reference_solution::ReferenceContact;
+use asperity_case::fingerprint::Fingerprint;
 
 /// Raised whenever the solver gives other numbers for the same contact, so that older records are not used.
 const REVISION: u32 = 2;

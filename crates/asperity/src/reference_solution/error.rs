@@ -3,7 +3,7 @@
 use asperity_ehl::EhlError;
 use asperity_oil::LubricantError;
 
-use crate::error::PositionError;
+use asperity_case::error::PositionError;
 use asperity_mixed_film::LoadShareError;
 
 /// Errors of the transient reference solution.

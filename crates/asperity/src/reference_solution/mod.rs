@@ -7,10 +7,12 @@
 //! [`LARGEST_ROUGHNESS`] smooth films it is not a reference: measurement decides.
 
 mod error;
+mod record_json;
 mod settings;
 mod yielding;
 
 pub use error::ReferenceError;
+pub use record_json::{estimate_json, nanometres, record_json};
 pub use settings::{
     LARGEST_ROUGHNESS, ReferenceContact, ReferenceSettings, attenuated_roughness, formula_film,
 };

@@ -15,11 +15,11 @@ use asperity_oil::{DensityLaw, FilmRheology, PressureViscosityLaw, ShearLaw, Tra
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 
 use super::error::ReferenceError;
-use crate::case::{Case, LoadedCase};
 use crate::contacts::running_in::run_in;
-use crate::error::PositionError;
-use crate::flanks::Texture;
 use crate::mesh::{Mesh, MeshPosition, position_at};
+use asperity_case::case::{Case, LoadedCase};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::Texture;
 
 /// Attenuated roughness over the smooth film beyond which the contact is not a reference, because oil cannot leak along the ridges:
 /// compared with gear tests, gap and friction are off from about 3 on.

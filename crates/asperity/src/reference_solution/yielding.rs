@@ -4,7 +4,7 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl::{PlasticCeiling, Record};
 
 use super::settings::LARGEST_ROUGHNESS;
-use crate::case::STEEL_FLOW_PRESSURE;
+use asperity_case::case::STEEL_FLOW_PRESSURE;
 
 /// Flow pressure of the hardest steel of the conversion table, 68 HRC or 940 HV `[Hardness-1]`: a ceiling above it
 /// stands for elastic surfaces.

@@ -9,7 +9,7 @@ use asperity_tribo_friction::boundary::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::case::{Calibrated, CalibratedName, Case, FittedName};
+use asperity_case::case::{Calibrated, CalibratedName, Case, FittedName};
 
 /// A constant of the oil's family, with what is known of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

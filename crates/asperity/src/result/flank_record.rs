@@ -10,9 +10,9 @@ use asperity_roughness::outliers::OutlierRecord;
 use asperity_roughness::preparation::PreparationRecord;
 use serde::{Deserialize, Serialize};
 
-use crate::flanks::flank_form::FlankForm;
-use crate::flanks::surfaces::FlankReport;
-use crate::flanks::surrogate_record::SurrogateRecord;
+use asperity_case::flanks::flank_form::FlankForm;
+use asperity_case::flanks::surfaces::FlankReport;
+use asperity_case::flanks::surrogate_record::SurrogateRecord;
 
 /// One flank of a result.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

@@ -6,8 +6,8 @@ use asperity_gear::{
 };
 use serde::Serialize;
 
-use crate::case::Case;
-use crate::error::{Error, PositionError};
+use asperity_case::case::Case;
+use asperity_case::error::{Error, PositionError};
 
 /// The gears of a case.
 #[derive(Debug, Clone, PartialEq, Serialize)]

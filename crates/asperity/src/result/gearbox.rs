@@ -12,9 +12,9 @@ use asperity_efficiency::shaft_seal::seal_torque;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::case::{Case, OperationInput, Part, PartKind, Shaft};
-use crate::error::PositionError;
 use crate::result::Uncertainty;
+use asperity_case::case::{Case, OperationInput, Part, PartKind, Shaft};
+use asperity_case::error::PositionError;
 
 /// Scope of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]

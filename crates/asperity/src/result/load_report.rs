@@ -3,8 +3,8 @@
 use asperity_gear::{EdgeContactNote, LoadMap, LoadMapEvidence, LossFactorBand};
 use serde::{Deserialize, Serialize};
 
-use crate::case::Case;
-use crate::error::PositionError;
+use asperity_case::case::Case;
+use asperity_case::error::PositionError;
 
 /// Strips of the path in which the load is shown.
 const STRIPS: usize = 96;

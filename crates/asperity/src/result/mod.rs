@@ -20,9 +20,9 @@ use asperity_gear::{GearPair, LoadMap};
 use asperity_oil::LubricantState;
 use serde::{Deserialize, Serialize};
 
-pub use crate::case::BulkReport;
-use crate::case::{CaseInput, DefaultUsed, Formulation};
-use crate::message::Warning;
+pub use asperity_case::case::BulkReport;
+use asperity_case::case::{CaseInput, DefaultUsed, Formulation};
+use asperity_case::message::Warning;
 pub use contact_view::ContactView;
 pub use film_constants::FilmConstant;
 pub use flank_record::{FlankRecord, ReadingRecord};

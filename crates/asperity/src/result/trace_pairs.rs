@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::flanks::trace_pairs::SampledTrace;
 use crate::result::FlankRecord;
 use crate::result::PairSampling;
+use asperity_case::flanks::trace_pairs::SampledTrace;
 
 /// All pairs of several traces.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

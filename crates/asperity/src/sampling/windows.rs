@@ -18,9 +18,9 @@
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 
-use crate::case::LoadedCase;
-use crate::flanks::{AVERAGING_WIDTH, Surfaces, Texture};
 use crate::result::loss_band::WindowSampling;
+use asperity_case::case::LoadedCase;
+use asperity_case::flanks::{AVERAGING_WIDTH, Surfaces};
 
 /// Scatter of the whole loss over the sum of the scatters of its positions, which share places of the flank: 0.68 to
 /// 0.77 measured.
@@ -61,12 +61,8 @@ impl Scatter {
 /// Way that a window of `window` half-widths to each side can take along the shorter trace; negative where it does
 /// not fit. None where a flank was not measured.
 fn free_way(surfaces: &Surfaces, window: f64, half_width: Length) -> Option<Length> {
-    let lengths = surfaces.textures().iter().map(|texture| match texture {
-        Texture::Trace(profile) => Some(profile.length().si()),
-        Texture::Values { .. } => None,
-    });
-    let lengths = lengths.collect::<Option<Vec<f64>>>()?;
-    let shortest = lengths.into_iter().fold(f64::INFINITY, f64::min);
+    let lengths = surfaces.traces().ok()?.map(|trace| trace.length().si());
+    let shortest = lengths[0].min(lengths[1]);
     Some(Length::from_si(shortest - 2.0 * window * half_width.si()))
 }
 

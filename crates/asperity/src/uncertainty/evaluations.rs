@@ -11,15 +11,15 @@ use super::predictive::{FilmLaw, OtherLaw, Predictive, Structure};
 use super::relief::ReliefFactors;
 use super::surface::QuadraticSurface;
 use crate::assembly::deviation;
-use crate::case::{LoadedCase, cholesky};
 use crate::contacts::Contacts;
-use crate::error::Error;
 use crate::parameters::{Ranged, UncertainParameter, parameters};
 use crate::pipeline::{losses, losses_with};
 use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summary};
 use crate::sampling::{
     SamplingError, means_of_pairs, pair_sampling, window_sampling, windows_of_traces,
 };
+use asperity_case::case::{LoadedCase, cholesky};
+use asperity_case::error::Error;
 use asperity_mixed_film::SpotSpeed;
 
 /// Offsets of the evaluations: a ratio of losses needs fewer than a loss.

@@ -3,15 +3,18 @@
 //! The draws of the case are narrowed about their medians by what the measurement leaves of its own quantity; all other
 //! parts are drawn as before.
 
+use std::collections::BTreeMap;
+
 use asperity_core::cite;
 use asperity_core::numerics::standard_normal_quantile;
 
 use super::draw::Draw;
 use super::predictive::{FilmLaw, Predictive};
 use super::quantiles::{PROBABILITIES, Quantiles};
-use crate::case::law_error;
 use crate::parameters::{AXES, UncertainParameter};
 use crate::result::loss_band::EvidenceRow;
+use crate::sampling::SamplingError;
+use asperity_case::case::law_error;
 
 /// Simulated results of a measurement of losses.
 const TRUTHS: usize = 64;
@@ -77,9 +80,107 @@ impl EvidenceRow {
     }
 }
 
+/// Draws of a mesh, the number of its equal meshes, and the number of its flanks: equal flanks have the same errors of model
+/// and sampling.
+pub type MeshDraws<'a> = (&'a Predictive, u32, usize);
+
+/// Median, interval and spread of the loss of all meshes as a measurement is expected to leave them, with what it leaves of each
+/// mesh; `None` if its quantity is drawn in no mesh: it is stated, measured already, or without effect. Constants of the oil and
+/// the boundary layer are drawn once for all meshes.
+#[must_use]
+pub fn expected_after(
+    meshes: &[MeshDraws<'_>],
+    measurements: &[Option<Measurement>],
+) -> Option<Quantiles> {
+    let of_losses = measurements.iter().flatten().find_map(|known| match known {
+        Measurement::Losses { deviation } => Some(*deviation),
+        _ => None,
+    });
+    if let Some(deviation) = of_losses {
+        return Some(after_losses(meshes, deviation));
+    }
+    let mut is_known = false;
+    let found = total(meshes, |k, predictive, flanks| {
+        let after = measurements.get(k).copied().flatten();
+        let after = after.and_then(|measurement| predictive.losses_after(measurement, flanks));
+        is_known |= after.is_some();
+        after.unwrap_or_else(|| predictive.losses(flanks))
+    });
+    is_known.then(|| Quantiles::of(&found))
+}
+
+/// Sum of the losses `of` all meshes, by the number of the mesh, its draws and its flanks.
+fn total(
+    meshes: &[MeshDraws<'_>],
+    mut of: impl FnMut(usize, &Predictive, usize) -> Vec<f64>,
+) -> Vec<f64> {
+    let mut total = vec![0.0; Predictive::count()];
+    for (k, (predictive, count, flanks)) in meshes.iter().enumerate() {
+        for (total, loss) in total.iter_mut().zip(of(k, predictive, *flanks)) {
+            *total += f64::from(*count) * loss;
+        }
+    }
+    total
+}
+
+/// The mean interval after losses with this error were measured on other flanks, over simulated results.
+///
+/// ```text
+/// w_j ∝ exp(−(ln P_j' − y)²/2s²),  s² = s_m² + s_e²                                   [Expected-losses]
+/// ```
+///
+/// P_j': loss of a draw with the constants, structure, weight of the bias and rolling loss that all flanks share, at the
+/// medians of the rest; y: the simulated result; s_m, s_e: errors of the measurement and of the model. Errors of the model of
+/// different flanks are independent.
+fn after_losses(meshes: &[MeshDraws<'_>], deviation: f64) -> Quantiles {
+    cite!("Expected-losses");
+    let shared = total(meshes, |_, predictive, _| {
+        predictive.losses_by(0, |draw| {
+            hold_relief(draw);
+            draw.of_flanks = Draw::medians().of_flanks;
+        })
+    });
+    let shared: Vec<f64> = shared.into_iter().map(f64::ln).collect();
+    let drawn_w = total(meshes, |_, predictive, flanks| predictive.losses(flanks));
+    let median_w = Quantiles::of(&drawn_w).median_w;
+    let own: Vec<f64> = drawn_w.into_iter().map(f64::ln).collect();
+    let order = sorted(&own);
+    let by_truth = sorted(&shared);
+    let error = deviation.hypot(model_error(meshes));
+    let mut sums = [0.0; 3];
+    for k in 0..TRUTHS {
+        let place = |k: usize| (k as f64 + 0.5) / TRUTHS as f64;
+        // Errors in another order than the truths.
+        let noise = error * standard_normal_quantile(place((29 * k + 7) % TRUTHS));
+        let result = shared[by_truth[(place(k) * shared.len() as f64) as usize]] + noise;
+        let weight = |j: usize| (-0.5 * ((shared[j] - result) / error).powi(2)).exp();
+        let [low, median, high] = weighted_quantiles(&own, &order, weight);
+        sums[0] += low - median;
+        sums[1] += high - median;
+        sums[2] += weighted_variance(&own, weight);
+    }
+    let [low, high, variance] = sums.map(|sum| sum / TRUTHS as f64);
+    Quantiles {
+        median_w,
+        quantiles_w: [low, high].map(|end| median_w * end.exp()),
+        sd_ln: variance.sqrt(),
+    }
+}
+
+/// Standard deviation of ln of the loss of all meshes by the errors of the model, which equal flanks share.
+fn model_error(meshes: &[MeshDraws<'_>]) -> f64 {
+    let loss = |(predictive, count, _): &MeshDraws<'_>| f64::from(*count) * predictive.at_medians_w;
+    let all: f64 = meshes.iter().map(loss).sum();
+    let mut of_flanks: BTreeMap<usize, f64> = BTreeMap::new();
+    for mesh in meshes {
+        *of_flanks.entry(mesh.2).or_default() += loss(mesh) / all * mesh.0.model_error();
+    }
+    of_flanks.into_values().fold(0.0, f64::hypot)
+}
+
 impl Predictive {
-    /// Median, interval and spread of the loss as `measurement` is expected to leave them; `None` if its quantity is not
-    /// drawn: it is stated, measured already, or without effect.
+    /// The losses of all draws \[W\], as of flanks number `flanks`, as `measurement` is expected to leave them; `None` if its
+    /// quantity is not drawn.
     ///
     /// Constants, relief and lay are narrowed about their medians. Traction curves determine the pressure-viscosity coefficient
     /// of the friction and not the one of the film thickness: a normal error of ln of the sliding loss replaces the draws of
@@ -91,16 +192,15 @@ impl Predictive {
     ///
     /// s_c, f: standard deviation by the constants and slope over α in the friction, both of ln of the sliding loss; a: slope over
     /// α in film and friction; 0.02 the error of the law.
-    #[must_use]
-    pub fn expected_after(&self, measurement: Measurement) -> Option<Quantiles> {
+    fn losses_after(&self, measurement: Measurement, flanks: usize) -> Option<Vec<f64>> {
         use UncertainParameter as P;
         let mut left = self.clone();
         let narrowed = |scales: [f64; AXES.len()], left: &Self| {
-            Quantiles::of(&left.losses_by(0, |draw| {
+            left.losses_by(flanks, |draw| {
                 for (z, scale) in draw.constants.iter_mut().zip(scales) {
                     *z *= scale;
                 }
-            }))
+            })
         };
         let scaled = |kinds: &[P], scale: f64| {
             std::array::from_fn(|k| if kinds.contains(&AXES[k]) { scale } else { 1.0 })
@@ -147,56 +247,19 @@ impl Predictive {
                 .then(|| narrowed(scaled(&[P::Lay], 0.0), &left)),
             Measurement::TipRelief => {
                 self.relief.as_ref()?;
-                Some(Quantiles::of(&self.losses_by(0, hold_relief)))
+                Some(self.losses_by(flanks, hold_relief))
             }
             Measurement::Traces { times } => {
                 let known = self.sampling.standard_error > 0.0 && self.sampling.form == 0.0;
                 left.sampling.standard_error /= times.sqrt();
                 left.sampling.freedom *= times;
-                known.then(|| left.quantiles())
+                known.then(|| left.losses(flanks))
             }
-            Measurement::MeasuredFlanks => self.with_traces(),
-            Measurement::Losses { deviation } => Some(self.after_losses(deviation)),
-        }
-    }
-
-    /// The mean interval after losses with this error were measured on other flanks, over simulated results.
-    ///
-    /// ```text
-    /// w_j ∝ exp(−(ln P_j' − y)²/2s²),  s² = s_m² + s_e²                                   [Expected-losses]
-    /// ```
-    ///
-    /// P_j': loss of a draw with the constants, structure, weight of the bias and rolling loss that all flanks share, at the
-    /// medians of the rest; y: the simulated result; s_m, s_e: errors of the measurement and of the model.
-    fn after_losses(&self, deviation: f64) -> Quantiles {
-        cite!("Expected-losses");
-        let shared = self.losses_by(0, |draw| {
-            hold_relief(draw);
-            draw.of_flanks = Draw::medians().of_flanks;
-        });
-        let shared: Vec<f64> = shared.into_iter().map(f64::ln).collect();
-        let own: Vec<f64> = self.draws_w().into_iter().map(f64::ln).collect();
-        let order = sorted(&own);
-        let by_truth = sorted(&shared);
-        let error = deviation.hypot(self.model_error());
-        let mut sums = [0.0; 3];
-        for k in 0..TRUTHS {
-            let place = |k: usize| (k as f64 + 0.5) / TRUTHS as f64;
-            // Errors in another order than the truths.
-            let noise = error * standard_normal_quantile(place((29 * k + 7) % TRUTHS));
-            let result = shared[by_truth[(place(k) * shared.len() as f64) as usize]] + noise;
-            let weight = |j: usize| (-0.5 * ((shared[j] - result) / error).powi(2)).exp();
-            let [low, median, high] = weighted_quantiles(&own, &order, weight);
-            sums[0] += low - median;
-            sums[1] += high - median;
-            sums[2] += weighted_variance(&own, weight);
-        }
-        let [low, high, variance] = sums.map(|sum| sum / TRUTHS as f64);
-        let median_w = self.quantiles().median_w;
-        Quantiles {
-            median_w,
-            quantiles_w: [low, high].map(|end| median_w * end.exp()),
-            sd_ln: variance.sqrt(),
+            Measurement::MeasuredFlanks => {
+                left.sampling = SamplingError::NONE;
+                (self.sampling.form > 0.0).then(|| left.losses(flanks))
+            }
+            Measurement::Losses { .. } => None,
         }
     }
 

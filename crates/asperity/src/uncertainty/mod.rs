@@ -37,11 +37,7 @@ use asperity_core::numerics::{Z_95, student_t_quantile};
 use asperity_core::provenance::Provenance;
 
 use crate::assembly::{deviation, equations_used, mean};
-use crate::balance::Unbalanced;
-use crate::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use crate::contacts::Contacts;
-use crate::error::{Error, PositionError};
-use crate::message::Warning;
 use crate::parameters::{Measured, Ranged, UncertainParameter as Constant};
 use crate::pipeline::{self, KeptFields, Progress, outcome, settled};
 use crate::result::{
@@ -49,13 +45,17 @@ use crate::result::{
     RunResult, SamplingPart, Trust, Uncertainty, UncertaintyPart,
 };
 use crate::sampling::{length_for, means_of_pairs, windows_of_traces};
+use asperity_case::balance::Unbalanced;
+use asperity_case::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
+use asperity_case::error::{Error, PositionError};
+use asperity_case::message::Warning;
 
 pub use crate::parameters::UncertainParameter;
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use difference::{
     DrawnMesh, PairedDifference, Verdict, difference, difference_of_meshes, losses_of_meshes,
 };
-pub use expected::Measurement;
+pub use expected::{Measurement, MeshDraws, expected_after};
 pub use predictive::{Predictive, model_deviation};
 pub use quantiles::Quantiles;
 

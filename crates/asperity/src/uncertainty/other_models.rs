@@ -2,7 +2,7 @@
 
 use asperity_oil::PressureLaw;
 
-use crate::case::{LoadShareName, LoadedCase};
+use asperity_case::case::{LoadShareName, LoadedCase};
 
 /// A model: its name, the case changed to it, and the measurement that refutes it.
 pub(super) struct OtherModel {

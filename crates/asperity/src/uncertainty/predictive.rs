@@ -757,7 +757,7 @@ mod tests {
 
     #[test]
     fn losses_narrow_what_all_flanks_share() {
-        use super::super::expected::Measurement;
+        use super::super::expected::{Measurement, expected_after};
         // μ_b alone is shared, 0.3 of ln loss; error of the model 0.05, of the measurement 0.04.
         let friction = constant(UncertainParameter::BoundaryFriction, [0.066, 0.09, 0.123]);
         let points: Vec<Vec<f64>> = (-4..=4).map(|k| vec![0.5 * f64::from(k)]).collect();
@@ -768,9 +768,9 @@ mod tests {
             sliding: QuadraticSurface::fit(&points, &values),
             ..plain()
         };
-        let left = found
-            .expected_after(Measurement::Losses { deviation: 0.04 })
-            .unwrap();
+        let after = |measurement| expected_after(&[(&found, 1, 0)], &[Some(measurement)]);
+        let losses = Measurement::Losses { deviation: 0.04 };
+        let left = after(losses).unwrap();
         // Normal distributions: 1/(1/0.3² + 1/(0.04² + 0.05²)), and the error of the model of the own flanks.
         let error = 0.04_f64.hypot(0.05);
         let expected = (1.0 / (1.0 / 0.09 + 1.0 / error.powi(2)) + 0.05 * 0.05).sqrt();
@@ -786,10 +786,40 @@ mod tests {
         let third = Measurement::BoundaryFriction {
             deviation: sd / 3.0,
         };
-        let left = found.expected_after(third).unwrap();
+        let left = after(third).unwrap();
         assert!((left.sd_ln / 0.1_f64.hypot(0.05) - 1.0).abs() < 0.03);
-        assert_eq!(found.expected_after(Measurement::TipRelief), None);
-        assert_eq!(found.expected_after(Measurement::Lay), None);
+        assert_eq!(after(Measurement::TipRelief), None);
+        assert_eq!(after(Measurement::Lay), None);
+        // Two such meshes: the constant is common, the errors of the model are independent unless the flanks are equal.
+        let two = |flanks: usize, known: [Option<Measurement>; 2]| {
+            expected_after(&[(&found, 1, 0), (&found, 3, flanks)], &known)
+                .unwrap()
+                .sd_ln
+        };
+        let independent = 0.05 * 0.25_f64.hypot(0.75);
+        let of_both = two(1, [Some(third); 2]);
+        let common = (left.sd_ln.powi(2) - 0.05 * 0.05).sqrt();
+        let expected = common.hypot(independent);
+        assert!(
+            (of_both / expected - 1.0).abs() < 0.02,
+            "{of_both} {expected}"
+        );
+        let of_equal = two(0, [Some(third); 2]);
+        assert!((of_equal / left.sd_ln - 1.0).abs() < 1e-12, "{of_equal}");
+        // Known in the first only, a quarter of the loss: 3/4 of the constant remains, and 1/4 of a third of it.
+        let of_one = two(1, [Some(third), None]);
+        let constant = 0.3 * (0.75_f64 + 0.25 / 3.0);
+        assert!(
+            (of_one / constant.hypot(independent) - 1.0).abs() < 0.05,
+            "{of_one}"
+        );
+        let error = 0.04_f64.hypot(independent);
+        let expected = (1.0 / (1.0 / 0.09 + 1.0 / error.powi(2)) + independent.powi(2)).sqrt();
+        let of_losses = two(1, [Some(losses); 2]);
+        assert!(
+            (of_losses / expected - 1.0).abs() < 0.05,
+            "{of_losses} {expected}"
+        );
     }
 
     #[test]

@@ -10,9 +10,9 @@
 use asperity_core::cite;
 use serde::{Deserialize, Serialize};
 
-use crate::case::{AssumedRelief, Case};
-use crate::error::PositionError;
-use crate::message::Warning;
+use asperity_case::case::{AssumedRelief, Case};
+use asperity_case::error::PositionError;
+use asperity_case::message::Warning;
 
 /// Places c of the table.
 const AMOUNTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];

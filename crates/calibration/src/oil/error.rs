@@ -133,13 +133,15 @@ pub enum OilError {
     },
     /// A nuisance term of no calibrated machine.
     #[error(
-        "for the fit to hold, {text}: {deviations:+.1} standard deviations, at most 3 are accepted"
+        "for the fit to hold, {text}: {deviations:+.1} standard deviations, at most 3 are accepted; even so the largest residuals are {worst}"
     )]
     Nuisance {
         /// The term in words.
         text: String,
         /// Standard deviations of its prior.
         deviations: f64,
+        /// Points with the largest residuals.
+        worst: String,
     },
     /// A constant of no known oil.
     #[error("{name} = {value:.4} {unit} is the one of no known oil: {low} to {high} {unit}")]

@@ -5,14 +5,13 @@ use std::path::Path;
 
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{ReportError, StudyResult, tables, wrapped};
+use asperity_report::{ReportError, StudyResult, tables};
 use maud::{Markup, html};
 
 use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
 use super::selection::Dropped;
 use crate::block::digits;
-use crate::page::{files, warnings};
-use crate::rig_table::SIMULATED;
+use crate::page::{files, notes, warnings};
 
 /// The oil file.
 const FILE: &str = "oil.toml";
@@ -50,21 +49,7 @@ impl StudyResult for OilFit {
                 ));
             }
         }
-        for line in lines {
-            text.push_str(&wrapped(&line, "  "));
-            text.push('\n');
-        }
-        if self
-            .sources
-            .iter()
-            .any(|[file, _]| file.contains(SIMULATED))
-        {
-            let _ = writeln!(text, "{SIMULATED} curves: a rehearsal, not a measurement");
-        }
-        for warning in &self.warnings {
-            text.push_str(&wrapped(&warning.to_string(), "     "));
-            text.push('\n');
-        }
+        text += &notes(&lines, &self.sources, &self.warnings);
         let _ = writeln!(
             text,
             "{FILE}, which a case names by lubricant.oil_file:\n{}",
@@ -121,13 +106,13 @@ impl OilFit {
             true => "decided",
             false => "not decided",
         };
-        vec![
+        let mut lines = vec![
             format!(
                 "{readings} readings at {points} set points{films}, {kept} fitted{}",
                 counted.collect::<String>()
             ),
             format!(
-                "law of pressure {}: {decided}, sum of squares {best:.1} against {other:.1} of the other law",
+                "law of pressure {}: {decided}, sum of squares with the errors of the machine {best:.1} against {other:.1} of the other law",
                 self.pressure_law.name()
             ),
             format!(
@@ -135,7 +120,9 @@ impl OilFit {
                 self.squares_per_point,
                 100.0 * self.law_error
             ),
-        ]
+        ];
+        lines.extend(self.largest_deviation());
+        lines
     }
 
     /// The text of the oil file.

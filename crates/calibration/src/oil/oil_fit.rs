@@ -268,21 +268,40 @@ impl OilFit {
         Ok(Self { warnings, ..found })
     }
 
+    /// The fitted point that lies furthest from the fit, in words.
+    pub(super) fn largest_deviation(&self) -> Option<String> {
+        let fitted = self
+            .points
+            .iter()
+            .filter_map(|row| Some((row, row.fitted?, row.residual_sigma?.abs())));
+        let (row, fitted, _) = fitted.max_by(|a, b| a.2.total_cmp(&b.2))?;
+        Some(format!(
+            "furthest from the fit: {}:{} ({:.0} °C, {:.2} GPa), measured {:.4}, fitted {fitted:.4}",
+            row.file, row.line, row.temperature_c, row.pressure_gpa, row.traction
+        ))
+    }
+
+    /// The points with the largest residuals.
+    fn worst_points(&self, count: usize) -> String {
+        let mut worst: Vec<&TractionPointRow> = self.points.iter().collect();
+        let size = |row: &TractionPointRow| row.residual_sigma.map_or(0.0, f64::abs);
+        worst.sort_by(|a, b| size(b).total_cmp(&size(a)));
+        let worst = worst.iter().take(count).map(|row| {
+            let residual = row.residual_sigma.unwrap_or(0.0);
+            let slide = (100.0 * row.slide_roll_percent).round() / 100.0;
+            format!(
+                "{}:{} ({:.0} °C, {:.2} GPa, {slide} %) by {residual:+.1} sigma",
+                row.file, row.line, row.temperature_c, row.pressure_gpa
+            )
+        });
+        worst.collect::<Vec<String>>().join(", ")
+    }
+
     fn refuse(&self, fits: &[LawFit<'_>], is_forced: bool) -> Result<(), OilError> {
         if fits.iter().all(|fit| fit.squares_per_point() > UNEXPLAINED) {
-            let mut worst: Vec<&TractionPointRow> = self.points.iter().collect();
-            let size = |row: &TractionPointRow| row.residual_sigma.map_or(0.0, f64::abs);
-            worst.sort_by(|a, b| size(b).total_cmp(&size(a)));
-            let worst = worst.iter().take(5).map(|row| {
-                let residual = row.residual_sigma.unwrap_or(0.0);
-                format!(
-                    "{}:{} ({:.0} °C, {:.2} GPa, {:.0} %) by {residual:+.0} sigma",
-                    row.file, row.line, row.temperature_c, row.pressure_gpa, row.slide_roll_percent
-                )
-            });
             return Err(OilError::Unexplained {
                 per_point: self.squares_per_point,
-                worst: worst.collect::<Vec<String>>().join(", "),
+                worst: self.worst_points(5),
             });
         }
         if let Some(term) = self
@@ -293,6 +312,7 @@ impl OilFit {
             return Err(OilError::Nuisance {
                 text: term.text.clone(),
                 deviations: term.deviations,
+                worst: self.worst_points(5),
             });
         }
         match impossible(&self.constants) {

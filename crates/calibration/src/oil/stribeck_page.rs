@@ -6,14 +6,13 @@ use std::path::Path;
 use asperity::case::CalibratedName;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Mark, Series};
 use asperity_report::html::{figure, page};
-use asperity_report::{ReportError, StudyResult, tables, wrapped, write_text};
+use asperity_report::{ReportError, StudyResult, tables, write_text};
 use maud::{Markup, html};
 
 use super::stribeck::{BoundaryState, Stribeck};
 use super::traction::BOUNDARY_RATIO;
 use crate::block::{constant, digits, quoted};
-use crate::page::{files, warnings};
-use crate::rig_table::SIMULATED;
+use crate::page::{files, notes, warnings};
 
 const POINTS: &str = "points.csv";
 
@@ -28,21 +27,7 @@ impl StudyResult for Stribeck {
         for state in &self.states {
             let _ = writeln!(text, "{:<28} {}", named(state), values(state));
         }
-        for line in sentences(self) {
-            text.push_str(&wrapped(&line, "  "));
-            text.push('\n');
-        }
-        if self
-            .sources
-            .iter()
-            .any(|[file, _]| file.contains(SIMULATED))
-        {
-            let _ = writeln!(text, "{SIMULATED} curves: a rehearsal, not a measurement");
-        }
-        for warning in &self.warnings {
-            text.push_str(&wrapped(&warning.to_string(), "     "));
-            text.push('\n');
-        }
+        text += &notes(&sentences(self), &self.sources, &self.warnings);
         text.push_str("for the case (low and high are the 2.5 % and 97.5 % quantiles):\n");
         text.push_str(&self.block());
         text

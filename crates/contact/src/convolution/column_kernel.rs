@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use asperity_core::numerics::FourierNumber;
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 
@@ -106,7 +107,7 @@ impl EvenFilter<f64> {
         EvenFilter {
             points: self.points,
             length: self.length,
-            plan: planner.plan_fft_forward(self.plan.len()),
+            plan: f32::forward(planner, self.plan.len()),
             direct: single(&self.direct),
             crossed: single(&self.crossed),
             alternating,

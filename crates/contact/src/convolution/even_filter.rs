@@ -18,6 +18,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use asperity_core::numerics::FourierNumber;
 use rustfft::num_complex::Complex;
 use rustfft::num_traits::Zero;
 use rustfft::{Fft, FftNum, FftPlanner};
@@ -110,7 +111,7 @@ fn number<T: FftNum>(value: f64) -> T {
     T::from_f64(value).unwrap_or_else(T::zero)
 }
 
-impl<T: FftNum> EvenFilter<T> {
+impl<T: FourierNumber> EvenFilter<T> {
     /// Makes the filter of signals of `points` values that multiplies wave k of the period `length` by
     /// `symbol(k)`.
     pub(crate) fn from_symbol(
@@ -129,7 +130,7 @@ impl<T: FftNum> EvenFilter<T> {
         Self {
             points,
             length,
-            plan: planner.plan_fft_forward(if paired { length / 2 } else { length }),
+            plan: T::forward(planner, if paired { length / 2 } else { length }),
             direct: vec![],
             crossed: vec![],
             alternating: None,

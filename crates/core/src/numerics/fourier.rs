@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::{Fft, FftPlanner};
+use rustfft::{Fft, FftNum, FftPlanner};
 
 /// Transform of `points` real values, and its inverse without the factor 1/`points`.
 ///
@@ -24,6 +24,24 @@ pub fn real_transforms(
     let mut planner = RealFftPlanner::new();
     let forward = planner.plan_fft_forward(points);
     (forward, planner.plan_fft_inverse(points))
+}
+
+/// Number type whose transforms are compiled here.
+pub trait FourierNumber: FftNum {
+    /// Transform of `points` complex values.
+    fn forward(planner: &mut FftPlanner<Self>, points: usize) -> Arc<dyn Fft<Self>>;
+}
+
+impl FourierNumber for f64 {
+    fn forward(planner: &mut FftPlanner<Self>, points: usize) -> Arc<dyn Fft<Self>> {
+        planner.plan_fft_forward(points)
+    }
+}
+
+impl FourierNumber for f32 {
+    fn forward(planner: &mut FftPlanner<Self>, points: usize) -> Arc<dyn Fft<Self>> {
+        planner.plan_fft_forward(points)
+    }
 }
 
 /// Inverse transform of `points` complex values, without the factor 1/`points`.

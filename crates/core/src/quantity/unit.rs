@@ -1,5 +1,7 @@
 //! Units, and what a quantity is.
 
+use super::QuantityError;
+
 /// 0 °C \[K\].
 pub(super) const ICE: f64 = 273.15;
 
@@ -44,12 +46,16 @@ pub trait Quantity:
 }
 
 /// Name of a quantity and the units it reads.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Description {
+    /// Name of its type: "Torque".
+    pub type_name: &'static str,
     /// Name in messages: "torque".
     pub name: &'static str,
     /// SI unit.
     pub si_unit: &'static str,
     /// Accepted units.
     pub units: &'static [Unit],
+    /// Reads a number with a unit as its SI value.
+    pub read: fn(&str) -> Result<f64, QuantityError>,
 }

@@ -19,6 +19,7 @@ from ._asperity import __version__
 
 if TYPE_CHECKING:
     from ._calibration import Calibration, Design, Evidence, calibrate, design, evidence
+    from ._callout import CallOut, callout
     from ._case import Case
     from ._compare import Comparison, compare
     from ._contact import Contact, Stress, press_flanks, solve_contact, subsurface_stress
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
 else:
     _HOMES = {
         "_calibration": "Calibration Design Evidence calibrate design evidence",
+        "_callout": "CallOut callout",
         "_case": "Case",
         "_compare": "Comparison compare",
         "_contact": "Contact Stress press_flanks solve_contact subsurface_stress",
@@ -77,6 +79,7 @@ __all__ = [
     "AsperityError",
     "AsperityWarning",
     "Calibration",
+    "CallOut",
     "Case",
     "Chart",
     "Comparison",
@@ -109,6 +112,7 @@ __all__ = [
     "Traction",
     "__version__",
     "calibrate",
+    "callout",
     "compare",
     "cycle",
     "demo",

@@ -23,7 +23,7 @@ def read_result(folder: Union[str, PathLike[str]]) -> Union[RunResult, Map, Reco
     place = Path(folder)
     if (place / "map.json").is_file():
         return read_map(place)
-    for name in ("compare.json", "sensitivity.json", "ridges.json", "sweep.json", "calibration.json", "design.json"):
+    for name in ("compare.json", "sensitivity.json", "ridges.json", "callout.json", "sweep.json", "calibration.json", "design.json"):
         if (place / name).is_file():
             return Record(json.loads((place / name).read_text(encoding="utf-8")))
     text = _asperity.read_result(fspath(folder))

@@ -94,6 +94,11 @@ CalibratedParameter = Literal[
 ]
 
 
+RoughnessParameter = Literal[
+    "rpk", "rq", "rdq",
+]
+
+
 SurfaceKind = Literal[
     "self-affine", "non-gaussian", "plateau-honed", "ground", "fitted",
 ]
@@ -401,7 +406,7 @@ class BearingInput(TypedDict, total=False):
 class JetInput(TypedDict, total=False):
     """An oil jet."""
 
-    flow: Optional[str]
+    flow: Optional[Quantity]
     speed: Optional[Quantity]
 
 
@@ -774,7 +779,7 @@ class MeshBearingInput(TypedDict, total=False):
 class MeshJetInput(TypedDict, total=False):
     """An oil jet onto a pair of gears of a gear train."""
 
-    flow: Optional[str]
+    flow: Optional[Quantity]
     mesh: Optional[str]
     name: Optional[str]
     speed: Optional[Quantity]
@@ -943,7 +948,7 @@ CaseKeys = TypedDict(
         "calibration.source": "Optional[str]",
         "gearbox.bearings": "Optional[Union[Sequence[BearingInput], Sequence[MeshBearingInput]]]",
         "gearbox.jet": "Optional[JetInput]",
-        "gearbox.jet.flow": "Optional[str]",
+        "gearbox.jet.flow": "Optional[Quantity]",
         "gearbox.jet.speed": "Optional[Quantity]",
         "gearbox.loss_table": "Optional[str]",
         "gearbox.seals": "Optional[Union[Sequence[SealInput], Sequence[MeshSealInput]]]",

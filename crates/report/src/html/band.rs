@@ -1,6 +1,8 @@
 //! The uncertainty of the loss: its components, constants and structures, and the losses of other models.
 
-use asperity::result::loss_band::{AlternativeRow, DrawnConstant, SamplingPart, Uncertainty};
+use asperity::result::loss_band::{
+    AlternativeRow, DrawnConstant, EvidenceRow, SamplingPart, Uncertainty,
+};
 use maud::{Markup, html};
 
 use crate::chart::{Axis, Drawing, Interval, Tornado};
@@ -26,20 +28,19 @@ pub(super) fn remedies(uncertainty: &Uncertainty) -> Markup {
     }
 }
 
-/// The measurements that would narrow the interval most.
-pub(super) fn evidence(uncertainty: &Uncertainty) -> Markup {
+/// The measurements that would narrow the interval most, with each `loss` rounded.
+pub(crate) fn evidence(rows: &[EvidenceRow], loss: &dyn Fn(f64) -> String) -> Markup {
     const SHOWN: usize = 3;
-    let digits = uncertainty.digits();
-    html! { @if !uncertainty.evidence.is_empty() {
+    html! { @if !rows.is_empty() {
         h3 { "What would narrow the interval most" }
         div.scroll { table {
             thead { tr { th { "measurement" } th.number { "hours" } th.number { "width" } th.number { "loss" } } }
-            tbody { @for row in uncertainty.evidence.iter().take(SHOWN) {
+            tbody { @for row in rows.iter().take(SHOWN) {
                 @let [low, high] = row.interval();
                 tr {
                     th scope="row" { (row.measurement) }
                     td.number { (row.hours) } td.number { (row.width_percent()) }
-                    td.number { (digits.rounded(low)) " to " (digits.rounded(high)) " W" }
+                    td.number { (loss(low)) " to " (loss(high)) " W" }
                 }
             } }
         } }

@@ -4,7 +4,7 @@
 //! without scripts.
 
 mod along;
-mod band;
+pub(crate) mod band;
 mod checks;
 mod contact;
 mod facing;

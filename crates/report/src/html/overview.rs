@@ -26,7 +26,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
         div.verdict {
             div {
                 @if let Some(uncertainty) = &result.uncertainty {
-                    (figure(&super::band::tornado(uncertainty))) (super::band::remedies(uncertainty)) (super::band::evidence(uncertainty))
+                    (figure(&super::band::tornado(uncertainty))) (super::band::remedies(uncertainty)) (super::band::evidence(&uncertainty.evidence, &|loss| uncertainty.digits().rounded(loss)))
                 }
                 (figure(&super::losses::along_the_path(result)))
             }

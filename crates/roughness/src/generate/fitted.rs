@@ -18,7 +18,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::achieved::{Achieved, Generated};
-use super::non_gaussian::{Band, with_heights};
+use super::non_gaussian::{Band, Imposed, with_heights};
 use super::random::Random;
 use super::scaling::{check_points, scaled};
 use crate::error::RoughnessError;
@@ -110,6 +110,40 @@ impl Fitted {
     /// # Errors
     /// When a number is outside its domain, or a list is not in ascending order.
     pub fn generate(&self) -> Result<Generated, DomainError> {
+        let imposed = self.imposed()?;
+        let heights = imposed.heights.into_iter().take(self.points).collect();
+        let profile = Profile::new(self.spacing, heights)?;
+        let achieved = Achieved {
+            spectrum_error: Some(imposed.spectrum_error),
+            iterations: Some(imposed.iterations),
+            ..Achieved::of(&profile)
+        };
+        Ok(Generated { profile, achieved })
+    }
+
+    /// The whole periodic profile, several times as long as a trace; traces cut out of it at any place are of one kind.
+    ///
+    /// # Errors
+    /// As [`generate`](Self::generate).
+    ///
+    /// ```
+    /// use asperity_core::quantity::Length;
+    /// use asperity_roughness::generate::{Fitted, SelfAffine};
+    /// let measured = SelfAffine {
+    ///     points: 2048, spacing: Length::from_si(0.5e-6), rq: Length::from_si(0.3e-6), hurst: 0.8,
+    ///     roll_off: Length::from_si(50e-6), short_cut: Length::from_si(5e-6), seed: 7,
+    /// }.generate()?;
+    /// let fitted = Fitted::to(&measured, &[], 1)?;
+    /// let whole = fitted.generate_whole()?;
+    /// assert_eq!(whole.len(), 8 * 2048);
+    /// assert_eq!(whole.heights()[..2048], *fitted.generate()?.profile.heights());
+    /// # Ok::<(), asperity_roughness::RoughnessError>(())
+    /// ```
+    pub fn generate_whole(&self) -> Result<Profile, DomainError> {
+        Profile::new(self.spacing, self.imposed()?.heights)
+    }
+
+    fn imposed(&self) -> Result<Imposed, DomainError> {
         let n = check_points(self.points)?;
         DomainError::positive("spacing", self.spacing)?;
         check_list("spectrum", &self.spectrum)?;
@@ -132,18 +166,10 @@ impl Fitted {
             transmission: Some(transmission),
             targets,
         };
-        let imposed = with_heights(
+        Ok(with_heights(
             start,
             &[band(rest, &roughness), band(transmitted, &waviness)],
-        );
-        let heights = imposed.heights.into_iter().take(n).collect();
-        let profile = Profile::new(self.spacing, heights)?;
-        let achieved = Achieved {
-            spectrum_error: Some(imposed.spectrum_error),
-            iterations: Some(imposed.iterations),
-            ..Achieved::of(&profile)
-        };
-        Ok(Generated { profile, achieved })
+        ))
     }
 
     /// Gaussian profile of `n` points with the spectrum and this mean square height \[m²\].

@@ -240,33 +240,34 @@ pub(crate) fn files(case: &LoadedCase) -> Vec<[String; 2]> {
     names_and_sums.collect()
 }
 
+/// A case with its run.
+pub type CaseRun<'a> = (&'a LoadedTrain, &'a TrainOutcome);
+
+/// The drawn meshes of two runs, whose flanks are numbered together; `None` without draws.
+#[must_use]
+pub fn drawn_together<'a>(
+    (first, of_first): CaseRun<'a>,
+    (other, of_other): CaseRun<'a>,
+) -> Option<[Vec<DrawnMesh<'a>>; 2]> {
+    let meshes = first.meshes().chain(other.meshes());
+    let surfaces: Vec<&Surfaces> = meshes.map(|mesh| &mesh.case.surfaces).collect();
+    let numbers = Surfaces::first_equal(&surfaces);
+    let (of_case, of_own) = numbers.split_at(of_first.meshes.len());
+    Some([
+        of_first.drawn_meshes(of_case)?,
+        of_other.drawn_meshes(of_own)?,
+    ])
+}
+
 fn finish_result(
     name: &str,
-    (case, outcome): (&LoadedTrain, &TrainOutcome),
-    first: Option<(&LoadedTrain, &TrainOutcome)>,
+    (case, outcome): CaseRun<'_>,
+    first: Option<CaseRun<'_>>,
 ) -> Result<FinishResult, Error> {
-    let surfaces = |case: &LoadedTrain| -> Vec<Surfaces> {
-        case.meshes()
-            .map(|mesh| mesh.case.surfaces.clone())
-            .collect()
-    };
-    // Flanks of the first finish and of this one, numbered together.
-    let numbers = |first: &LoadedTrain| {
-        let (mut all, own) = (surfaces(first), surfaces(case));
-        all.extend(own);
-        Surfaces::first_equal(&all.iter().collect::<Vec<_>>())
-    };
-    let compared = first.and_then(|(first, of_first)| {
-        let numbers = numbers(first);
-        let (of_case, of_own) = numbers.split_at(of_first.meshes.len());
-        Some((
-            of_first.drawn_meshes(of_case)?,
-            outcome.drawn_meshes(of_own)?,
-        ))
-    });
+    let compared = first.and_then(|first| drawn_together(first, (case, outcome)));
     let difference = compared
         .as_ref()
-        .map(|(first, own)| difference_of_meshes(first, own));
+        .map(|[first, own]| difference_of_meshes(first, own));
     let mut files_read: Vec<[String; 2]> = Vec::new();
     for file in case.meshes().flat_map(|mesh| files(&mesh.case)) {
         if !files_read.contains(&file) {
@@ -301,7 +302,7 @@ fn finish_result(
             .map(|(k, (row, run))| {
                 let pair = compared
                     .as_ref()
-                    .and_then(|(first, own)| Some((first.get(k)?, own.get(k)?)));
+                    .and_then(|[first, own]| Some((first.get(k)?, own.get(k)?)));
                 let summary = &run.result.summary;
                 MeshOfFinish {
                     mesh: row.mesh.clone(),

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::PositionError;
 use asperity::case::LoadedCase;
-use asperity::lubrication::FormulaFilm;
+use asperity::lubrication::formula_film;
 use asperity::mesh::Mesh;
 use asperity::paper::film_at;
 use asperity_core::quantity::{Density, DynamicViscosity, KinematicViscosity};
@@ -124,7 +124,7 @@ fn row(case: &LoadedCase, density: f64, viscosity: f64) -> Result<OilRow, Figure
     oil.kinematic_viscosity = KinematicViscosity::from_si(viscosity / density);
     let outcome = asperity::Run::new(&case).execute()?;
     let station = Mesh::of(&case.case)?.positions.remove(0);
-    let central = FormulaFilm::of(&case.case, &station)?.film.central;
+    let central = formula_film(&case.case, &station)?.film.central;
     let film = film_at(&case.case, &station, central);
     let across = |model| {
         pressure_difference_across(model, &film)

@@ -8,6 +8,7 @@
 //! the constants, the structure and the tip relief of a draw hold for the whole map.
 
 use asperity::uncertainty::{Predictive, Quantiles};
+use asperity_core::numerics::NodeInterval;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -224,13 +225,10 @@ impl<'a> Drawn<'a> {
 
 /// Coordinate of `value` among ascending `nodes` in parts of an interval, held at the ends.
 fn coordinate(nodes: &[f64], value: f64) -> u32 {
-    let after = nodes.partition_point(|node| *node <= value);
-    let (Some(below), Some(above)) = (after.checked_sub(1), nodes.get(after)) else {
-        // Below the first node, NaN included, or from the last one on.
-        return PARTS * after.saturating_sub(1) as u32;
-    };
-    let share = (value - nodes[below]) / (above - nodes[below]);
-    PARTS * below as u32 + (share * f64::from(PARTS)).round() as u32
+    let interval = NodeInterval::of(nodes, |node| *node, value).held();
+    // NaN counts as the lower node.
+    let part = (interval.part * f64::from(PARTS)).round() as u32;
+    PARTS * interval.low as u32 + part * (interval.high - interval.low) as u32
 }
 
 #[cfg(test)]

@@ -15,11 +15,11 @@ use asperity::result::gearbox::{self, OperatingPoint};
 use asperity::train_gearbox;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{Contacts, Error, PositionError};
-use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
+use asperity_core::quantity::{AngularSpeed, Power, Temperature, Torque};
 use rayon::prelude::*;
 
 use super::axes::Axes;
-use super::point::MapGearbox;
+use super::point::{MapGearbox, MeshPart};
 
 /// Losses of all meshes at one operating point of the input shaft.
 #[derive(Debug, Clone)]
@@ -29,13 +29,29 @@ pub(super) struct Evaluated {
     pub omega: f64,
 }
 
-/// Losses of a mesh at one operating point, also for the other direction of power.
+/// Losses of a mesh at one operating point, at the torque by the tooth numbers; linear between two torques where the losses of
+/// the meshes lower its torque.
 #[derive(Debug, Clone)]
 pub(super) struct EvaluatedMesh {
     pub losses: Losses,
+    /// Efficiency for the other direction of power.
     pub reversed: Option<Reversed>,
     /// Draws of the loss, at a node.
     pub predictive: Option<Predictive>,
+    /// The mesh at another torque, and the share of the way to it.
+    pub lowered: Option<(f64, Box<EvaluatedMesh>)>,
+}
+
+impl EvaluatedMesh {
+    /// Loss of one mesh.
+    fn loss(&self) -> Power {
+        let of = |losses: &Losses| losses.summary.loss_w;
+        let here = of(&self.losses);
+        let lowered = self.lowered.as_ref();
+        Power::from_si(lowered.map_or(here, |(share, other)| {
+            here + share * (of(&other.losses) - here)
+        }))
+    }
 }
 
 /// Speed at which standstill is computed \[1/min\].
@@ -95,14 +111,18 @@ pub(super) fn evaluate(
         Ok(prepared) => prepared,
         Err(error) => return nodes.iter().map(|_| Err(code(error))).collect(),
     };
-    nodes
-        .into_par_iter()
-        .map(|(column, speed, temperature)| {
+    let evaluated = nodes
+        .par_iter()
+        .map(|&(column, speed, temperature)| {
             let losses = prepared.at((column, speed), temperature, is_node(speed, temperature));
             progress();
             losses.map_err(|error| code(&error))
         })
-        .collect()
+        .collect();
+    match train.train.passes_losses {
+        true => prepared.with_passed_losses(train, torque, &nodes, evaluated),
+        false => evaluated,
+    }
 }
 
 /// The meshes of a train at one torque of its input shaft.
@@ -118,7 +138,7 @@ impl Prepared {
     fn of(train: &LoadedTrain, torque: Torque, speeds: &[f64]) -> Result<Self, Error> {
         let loads = speeds.iter().map(|speed| {
             let speed = speed_of(*speed);
-            loads(train, MeshLoad { torque, speed })
+            loads(train, MeshLoad { torque, speed }, &[])
         });
         let loads: Vec<Vec<MeshLoad>> = loads.collect::<Result<_, Error>>()?;
         let mut known: Vec<Contacts> = Vec::new();
@@ -161,11 +181,159 @@ impl Prepared {
             omega: speed_of(speed).si(),
         })
     }
+
+    /// The points of one torque of the input shaft with the torques that the losses of the meshes leave.
+    ///
+    /// Every mesh is computed at a second torque, the farthest one that the losses of any point leave at first. Its losses are
+    /// linear between both torques, with which the torques of each point are iterated. Draws remain at the first torque.
+    fn with_passed_losses(
+        &self,
+        train: &LoadedTrain,
+        torque: Torque,
+        nodes: &[(usize, f64, f64)],
+        evaluated: Vec<Result<Evaluated, String>>,
+    ) -> Vec<Result<Evaluated, String>> {
+        let code = |error: Error| error.code().to_owned();
+        let farthest = match self.farthest(train, torque, nodes, &evaluated) {
+            Ok(farthest) => farthest,
+            Err(error) => {
+                let code = code(error);
+                return evaluated.into_iter().map(|_| Err(code.clone())).collect();
+            }
+        };
+        let points = nodes.par_iter().zip(evaluated);
+        let settled = points.map(|(&(column, _, temperature), evaluated)| {
+            let mut evaluated = evaluated?;
+            let loads = &self.loads[column];
+            for ((mesh, load), farthest) in evaluated.meshes.iter_mut().zip(loads).zip(&farthest) {
+                if let Some((_, case, tables)) = farthest.get(&load.torque.si().to_bits()) {
+                    let other = at(case, tables.as_ref(), (load.speed, temperature), false);
+                    mesh.lowered = Some((0.0, Box::new(other.map_err(code)?)));
+                }
+            }
+            settle(train, torque, (loads, &farthest), &mut evaluated).map_err(code)?;
+            Ok(evaluated)
+        });
+        settled.collect()
+    }
+
+    /// The farthest torque of each mesh that the losses of any point leave, with its contacts, by the bits of the torque that it
+    /// has without losses.
+    fn farthest(
+        &self,
+        train: &LoadedTrain,
+        torque: Torque,
+        nodes: &[(usize, f64, f64)],
+        evaluated: &[Result<Evaluated, String>],
+    ) -> Result<Vec<BTreeMap<u64, Lowered>>, Error> {
+        let mut ratios: Vec<BTreeMap<u64, f64>> = vec![BTreeMap::new(); self.meshes.len()];
+        for ((column, ..), evaluated) in nodes.iter().zip(evaluated) {
+            let Ok(evaluated) = evaluated else { continue };
+            let left = left(train, torque, evaluated)?;
+            for ((load, left), ratios) in self.loads[*column].iter().zip(left).zip(&mut ratios) {
+                let ratio = left.torque.si() / load.torque.si();
+                let most = ratios.entry(load.torque.si().to_bits()).or_insert(1.0);
+                if (ratio - 1.0).abs() > (*most - 1.0).abs()
+                    && (ratio - 1.0).abs() <= LARGEST_CHANGE
+                {
+                    *most = ratio;
+                }
+            }
+        }
+        let mut known: Vec<Contacts> = Vec::new();
+        let lowered = |(mesh, ratios): (&BTreeMap<u64, _>, BTreeMap<u64, f64>)| {
+            let mut found = BTreeMap::new();
+            for (bits, ratio) in ratios.into_iter().filter(|(_, ratio)| *ratio != 1.0) {
+                let prepared: Option<&(LoadedCase, Option<Contacts>)> = mesh.get(&bits);
+                let (case, tables) = prepared.ok_or(PositionError::NoProfile).map_err(Box::new)?;
+                let at_ratio = |ratio: f64| {
+                    case.with(|input| {
+                        input.operation.torque = input.operation.torque * ratio;
+                        // Both torques have the same samples of the traces.
+                        if let Some(tables) = tables {
+                            input.model.offsets = Some(tables.offsets());
+                        }
+                    })
+                };
+                let mut other = at_ratio(ratio)?;
+                if !resolves(&other).map_err(Box::new)? {
+                    other = at_ratio(2.0 - ratio)?;
+                }
+                let tables = match tables {
+                    Some(_) => Some(contacts_beside(&other, &known)?),
+                    None => None,
+                };
+                known.extend(tables.clone());
+                found.insert(bits, (other.case.torque.si(), other, tables));
+            }
+            Ok(found)
+        };
+        self.meshes.iter().zip(ratios).map(lowered).collect()
+    }
 }
 
-/// Loads of all meshes at an operating point of the input shaft.
-fn loads(train: &LoadedTrain, at: MeshLoad) -> Result<Vec<MeshLoad>, Error> {
-    let flow = train.train.at(at).flow(&[]);
+/// Largest change of the torque of a mesh by the losses before it, relative to the torque, that a map computes.
+const LARGEST_CHANGE: f64 = 0.5;
+
+/// Loads of all meshes that the losses of a point leave.
+fn left(
+    train: &LoadedTrain,
+    torque: Torque,
+    evaluated: &Evaluated,
+) -> Result<Vec<MeshLoad>, Error> {
+    let losses: Vec<Power> = evaluated.meshes.iter().map(EvaluatedMesh::loss).collect();
+    let speed = AngularSpeed::from_si(evaluated.omega);
+    loads(train, MeshLoad { torque, speed }, &train.by_stage(&losses))
+}
+
+/// Iterates the torques of a point, each mesh between the torque without losses and its farthest.
+fn settle(
+    train: &LoadedTrain,
+    torque: Torque,
+    (loads, farthest): (&[MeshLoad], &[BTreeMap<u64, Lowered>]),
+    evaluated: &mut Evaluated,
+) -> Result<(), Error> {
+    /// Change of the share at which it has settled.
+    const SETTLED: f64 = 1e-9;
+    const MOST: usize = 50;
+    let mut change = f64::INFINITY;
+    for _ in 0..MOST {
+        let left = left(train, torque, evaluated)?;
+        change = 0.0;
+        let meshes = evaluated
+            .meshes
+            .iter_mut()
+            .zip(loads)
+            .zip(left)
+            .zip(farthest);
+        for (((mesh, load), left), farthest) in meshes {
+            let of_mesh = farthest.get(&load.torque.si().to_bits());
+            let (Some((share, _)), Some((far, ..))) = (&mut mesh.lowered, of_mesh) else {
+                continue;
+            };
+            let here = load.torque.si();
+            let now = (left.torque.si() - here) / (far - here);
+            change = f64::max(change, (now - *share).abs());
+            *share = now;
+            if (left.torque.si() / here - 1.0).abs() > LARGEST_CHANGE {
+                change = f64::INFINITY;
+            }
+        }
+        if change < SETTLED {
+            return Ok(());
+        }
+    }
+    Err(Error::Whole(Box::new(PositionError::TorquesNotSettled {
+        change,
+    })))
+}
+
+/// A mesh at a lower torque: torque \[N m\], case and contacts.
+type Lowered = (f64, LoadedCase, Option<Contacts>);
+
+/// Loads of all meshes at an operating point of the input shaft, with the loss of one mesh of each kind in each stage.
+fn loads(train: &LoadedTrain, at: MeshLoad, losses: &[Vec<Power>]) -> Result<Vec<MeshLoad>, Error> {
+    let flow = train.train.at(at).flow(losses);
     let flow = flow.map_err(|error| Error::Whole(Box::new(PositionError::Gear(error))))?;
     Ok(flow.loads.into_iter().flatten().collect())
 }
@@ -193,6 +361,7 @@ fn at(
         predictive,
         reversed: losses.reversed(&case.case).ok(),
         losses,
+        lowered: None,
     })
 }
 
@@ -201,8 +370,13 @@ pub(super) fn torque_of(torque_nm: f64) -> Torque {
     Torque::from_si(torque_nm)
 }
 
-/// Losses of the gearbox besides the meshes at every node; `None` if the case states none.
-pub(super) fn gearbox_of(train: &LoadedTrain, axes: &Axes) -> Result<Option<MapGearbox>, Error> {
+/// Losses of the gearbox besides the meshes at every node, with the losses of the meshes there, which load the bearings if the
+/// train passes them on; `None` if the case states none.
+pub(super) fn gearbox_of(
+    train: &LoadedTrain,
+    axes: &Axes,
+    of_meshes: &[MeshPart],
+) -> Result<Option<MapGearbox>, Error> {
     let of_pair = train.pair().map(|pair| &pair.case);
     let names: Vec<String> = match (
         of_pair.and_then(|case| case.gearbox.as_ref()),
@@ -223,9 +397,17 @@ pub(super) fn gearbox_of(train: &LoadedTrain, axes: &Axes) -> Result<Option<MapG
                     speed,
                     temperature,
                 };
+                let lost = |mesh: &MeshPart| {
+                    let all = mesh.loss_torque_nm[loss_torque_nm.len()].unwrap_or(0.0) * speed.si();
+                    Power::from_si(all / f64::from(mesh.count))
+                };
+                let losses = train.by_stage(&of_meshes.iter().map(lost).collect::<Vec<_>>());
                 let parts = match of_pair {
                     Some(case) => gearbox::parts(case, &at),
-                    None => train_gearbox::parts(train, MeshLoad { torque, speed }, temperature),
+                    None => {
+                        let at = MeshLoad { torque, speed };
+                        train_gearbox::parts(train, at, temperature, &losses)
+                    }
                 };
                 let parts = parts.map_err(|error| Error::Whole(Box::new(error)))?;
                 let loss: f64 = parts.iter().map(|part| part.loss_w).sum();

@@ -46,11 +46,8 @@ pub fn map<C: Clone + Into<LoadedTrain>>(
     let Some(Finish { case, .. }) = finishes.first() else {
         return Err(Error::Whole(Box::new(PositionError::NoProfile)));
     };
-    if case.train.passes_losses {
-        return Err(Error::Whole(Box::new(PositionError::PassesLosses)));
-    }
     // A table that does not cover the map is an error before the computation.
-    let gearbox = gearbox_of(case, axes)?;
+    let mut gearbox = gearbox_of(case, axes, &[])?;
     let mut maps: Vec<FinishMap> = Vec::with_capacity(finishes.len());
     let mut flanks_of_first: Vec<Surfaces> = Vec::new();
     let sides = finishes
@@ -71,6 +68,9 @@ pub fn map<C: Clone + Into<LoadedTrain>>(
         map.has_flanks_of_first = flanks.len() == flanks_of_first.len()
             && pairs.all(|(own, first)| own.has_flanks_of(first));
         maps.push(map);
+    }
+    if let (Some(first), true) = (maps.first(), case.train.passes_losses) {
+        gearbox = gearbox_of(case, axes, &first.meshes)?;
     }
     Ok(Map {
         schema_version: SCHEMA_VERSION,
@@ -101,6 +101,8 @@ struct Sides {
     from: [f64; 2],
     /// Whether a mesh has separate coast flanks.
     has_coast: bool,
+    /// Whether negative torques are computed: the meshes have other flanks then, or other torques by the losses passed on.
+    differ: bool,
     torques: [Vec<f64>; 2],
 }
 
@@ -121,10 +123,11 @@ impl Sides {
             true => resolved(-1.0)?,
             false => drive,
         };
+        let differ = has_coast || train.train.passes_losses;
         let from = [drive, coast];
         let mut torques = [Vec::new(), Vec::new()];
         for &torque in &axes.torque_nm {
-            let side = usize::from(has_coast && torque < 0.0);
+            let side = usize::from(differ && torque < 0.0);
             torques[side].push(torque.abs().max(from[side]));
         }
         for torques in &mut torques {
@@ -134,6 +137,7 @@ impl Sides {
         Ok(Self {
             from,
             has_coast,
+            differ,
             torques,
         })
     }
@@ -210,7 +214,7 @@ fn of_finish(
         coast_files: files_of(&coasts),
         has_flanks_of_first: false,
         resolved_from_nm: sides.from,
-        draws: draws(train, &computed, drawn, sides.has_coast, (axes, speeds)),
+        draws: draws(train, &computed, drawn, sides.differ, (axes, speeds)),
         meshes: match train.pair() {
             Some(_) => Vec::new(),
             None => of_meshes(train, &parts),
@@ -249,7 +253,7 @@ fn draws(
     train: &LoadedTrain,
     computed: &Computed,
     nodes: [Nodes; 2],
-    has_coast: bool,
+    sides_differ: bool,
     (axes, speeds): (&Axes, &[f64]),
 ) -> Vec<DrawnNodes> {
     let of_mesh = |side: usize, nodes: &Nodes, mesh: usize| {
@@ -272,7 +276,7 @@ fn draws(
     };
     let meshes = train.counts().into_iter().zip(train.first_with_flanks());
     let meshes: Vec<(usize, (u32, usize))> = meshes.enumerate().collect();
-    let sides = nodes.iter().take(1 + usize::from(has_coast)).enumerate();
+    let sides = nodes.iter().take(1 + usize::from(sides_differ)).enumerate();
     let drawn = sides.flat_map(|(side, nodes)| {
         meshes.iter().map(move |(mesh, (count, flanks))| {
             Some(DrawnNodes {
@@ -314,7 +318,7 @@ fn point(
     row: usize,
     [torque_nm, speed_rpm, temperature_c]: [f64; 3],
 ) -> (Point, Option<Vec<f64>>) {
-    let side = usize::from(sides.has_coast && torque_nm < 0.0);
+    let side = usize::from(sides.differ && torque_nm < 0.0);
     let at = torque_nm.abs().max(sides.from[side]);
     let column = speeds.partition_point(|speed| *speed < computed_speed(speed_rpm));
     let evaluated = computed
@@ -345,13 +349,17 @@ fn point(
         point.outside.push(EXTENDED.to_owned());
     }
     let computed_at = if side == 1 { -at } else { at };
-    let of_mesh = |mesh: &EvaluatedMesh| match is_extended {
+    let at_torque = |mesh: &EvaluatedMesh| match is_extended {
         true => extended(mesh, evaluated.omega, torque_nm, at),
         false => numbers(
             mesh,
             evaluated.omega,
             (torque_nm < 0.0) != (computed_at < 0.0),
         ),
+    };
+    let of_mesh = |mesh: &EvaluatedMesh| match &mesh.lowered {
+        Some((share, other)) => at_torque(mesh).towards(&at_torque(other), *share),
+        None => at_torque(mesh),
     };
     let of_meshes: Vec<Numbers> = evaluated.meshes.iter().map(of_mesh).collect();
     let found = match &of_meshes[..] {
@@ -618,6 +626,7 @@ mod tests {
         let sides = Sides {
             from: [40.0; 2],
             has_coast: false,
+            differ: false,
             torques: [vec![40.0], Vec::new()],
         };
         let node = [torque_nm, 3000.0, 90.0];

@@ -158,6 +158,32 @@ pub struct Numbers {
 }
 
 impl Numbers {
+    /// The numbers a `share` of the way towards `other`.
+    pub(super) fn towards(&self, other: &Self, share: f64) -> Self {
+        let way = |from: f64, to: f64| from + share * (to - from);
+        let both = |from: Option<f64>, to: Option<f64>| Some(way(from?, to?));
+        Self {
+            loss_w: way(self.loss_w, other.loss_w),
+            loss_torque_nm: way(self.loss_torque_nm, other.loss_torque_nm),
+            loss_torque_deviation_nm: both(
+                self.loss_torque_deviation_nm,
+                other.loss_torque_deviation_nm,
+            ),
+            loss_median_w: both(self.loss_median_w, other.loss_median_w),
+            loss_quantiles_w: None,
+            efficiency: both(self.efficiency, other.efficiency),
+            efficiency_deviation: both(self.efficiency_deviation, other.efficiency_deviation),
+            sliding_w: way(self.sliding_w, other.sliding_w),
+            film_w: way(self.film_w, other.film_w),
+            lubricated_asperity_w: way(self.lubricated_asperity_w, other.lubricated_asperity_w),
+            boundary_w: way(self.boundary_w, other.boundary_w),
+            rolling_w: way(self.rolling_w, other.rolling_w),
+            deformation_w: way(self.deformation_w, other.deformation_w),
+            mu_equivalent: both(self.mu_equivalent, other.mu_equivalent),
+            mixed_share: way(self.mixed_share, other.mixed_share),
+        }
+    }
+
     /// Lubrication regime of the mesh.
     #[must_use]
     pub fn regime(&self) -> Regime {

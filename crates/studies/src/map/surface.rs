@@ -1,5 +1,7 @@
 //! Loss torque between the nodes of a map.
 
+use asperity_core::numerics::NodeInterval;
+
 /// Loss torque over torque and speed, bilinear between the nodes.
 ///
 /// Outside of the nodes the ratio of loss to torque is constant: the loss at the nearest edge times the ratio of the
@@ -29,17 +31,12 @@ impl Surface {
     #[must_use]
     pub fn loss_torque(&self, torque_nm: f64, speed_rpm: f64) -> Interpolated {
         let (at, factor) = held(&self.torque_nm, torque_nm);
-        let (i, a) = cell(&self.torque_nm, at);
-        let (j, b) = cell(&self.speed_rpm, speed_rpm.abs());
-        let across = self.speed_rpm.len();
-        let at = |i: usize, j: usize| {
-            let (i, j) = (i.min(self.torque_nm.len() - 1), j.min(across - 1));
-            self.loss_torque_nm[i * across + j]
-        };
-        let low = (1.0 - b) * at(i, j) + b * at(i, j + 1);
-        let high = (1.0 - b) * at(i + 1, j) + b * at(i + 1, j + 1);
+        let interval = |nodes: &[f64], at: f64| NodeInterval::of(nodes, |node| *node, at).held();
+        let across = interval(&self.speed_rpm, speed_rpm.abs());
+        let speeds = self.speed_rpm.len();
+        let loss = |i: usize| across.mean(|j| self.loss_torque_nm[i * speeds + j]);
         Interpolated {
-            value: factor * ((1.0 - a) * low + a * high),
+            value: factor * interval(&self.torque_nm, at).mean(loss),
             is_outside: !reaches(&self.torque_nm, torque_nm)
                 || !reaches(&self.speed_rpm, speed_rpm.abs()),
         }
@@ -65,16 +62,6 @@ fn held(nodes: &[f64], torque: f64) -> (f64, f64) {
     match edge == torque || edge == 0.0 {
         true => (edge, 1.0),
         false => (edge, (torque / edge).abs()),
-    }
-}
-
-/// Index of the node below `value`, and the fraction of the interval, 0 to 1; constant beyond the ends.
-fn cell(nodes: &[f64], value: f64) -> (usize, f64) {
-    let after = nodes.partition_point(|node| *node <= value);
-    let i = after.saturating_sub(1).min(nodes.len().saturating_sub(2));
-    match nodes.get(i + 1) {
-        Some(next) => (i, ((value - nodes[i]) / (next - nodes[i])).clamp(0.0, 1.0)),
-        None => (i, 0.0),
     }
 }
 

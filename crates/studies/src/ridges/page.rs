@@ -5,7 +5,7 @@ use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
 use super::study::{FLANKS, Ridges};
-use super::summary::{NOTE, headline, notes, saving, watts, wavelengths};
+use super::summary::{NOTE, headline, mean_saving, notes, saving, watts, wavelengths};
 
 pub(super) fn render(study: &Ridges) -> String {
     let dearest = html! {
@@ -102,7 +102,7 @@ fn table(study: &Ridges) -> Markup {
         tbody { @for row in &study.rows { tr {
             td { (row.flank) } td.number { (format!("{:.4}", row.place_mm)) } td.number { (format!("{:.1}", row.width_um)) }
             td.number { (format!("{:.3}", row.height_um)) } td.number { (watts(row.first_order_w)) }
-            td.number { (watts(row.mean_gradient_w)) }
+            td.number { (mean_saving(row)) }
         } } }
     } } }
 }

@@ -62,6 +62,10 @@ pub struct RidgeRow {
     /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before and
     /// after \[W\].
     pub mean_gradient_w: f64,
+    /// 5 % quantile of it by the sampling of the flanks \[W\].
+    pub low_w: Option<f64>,
+    /// 95 % quantile of it by the sampling of the flanks \[W\].
+    pub high_w: Option<f64>,
     /// First and last point.
     #[serde(skip)]
     pub(super) points: [usize; 2],
@@ -110,11 +114,17 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<Ridges, Error
     progress(RUNS, RUNS);
     for row in &mut rows {
         let body = usize::from(row.flank == FLANKS[1]);
-        let mean = |i: usize| 0.5 * (before.by_height[body][i] + after.by_height[body][i]);
         let fall = |i: usize| traces[body].heights()[i] - pressed[body].heights()[i];
-        row.mean_gradient_w = (row.points[0]..=row.points[1])
-            .map(|i| mean(i) * fall(i))
-            .sum();
+        let saving = |gradients: [&[Vec<f64>; 2]; 2]| {
+            let mean = |i: usize| 0.5 * (gradients[0][body][i] + gradients[1][body][i]);
+            let points = row.points[0]..=row.points[1];
+            points.map(|i| mean(i) * fall(i)).sum::<f64>()
+        };
+        let offsets = before.by_offset.iter().zip(&after.by_offset);
+        let by_window: Vec<f64> = offsets.map(|(a, b)| saving([a, b])).collect();
+        let quantiles = sampling_interval(&before.case, &before.losses, &by_window);
+        row.mean_gradient_w = saving([&before.by_height, &after.by_height]);
+        [row.low_w, row.high_w] = [0, 1].map(|k: usize| quantiles.map(|both| both[k]));
     }
     let pairs = before.losses.offsets.iter().zip(&after.losses.offsets);
     let by_window: Vec<f64> = pairs.map(|(a, b)| b.loss_w - a.loss_w).collect();
@@ -178,6 +188,8 @@ fn dearest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
                 height_um: 1e6 * (z[highest] - line),
                 first_order_w: (first..=last).map(|i| by_height[i] * (z[i] - line)).sum(),
                 mean_gradient_w: 0.0,
+                low_w: None,
+                high_w: None,
                 points: [first, last],
             });
         }

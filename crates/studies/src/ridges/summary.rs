@@ -4,12 +4,12 @@ use asperity::result::loss_band::rounded;
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
-use super::study::{OctaveRow, Ridges};
+use super::study::{OctaveRow, RidgeRow, Ridges};
 
 /// Explanation of the numbers.
 pub(super) const NOTE: &str = "A ridge is a part of a prepared trace above its mean line. \"first\" is what pressing it to the mean \
     line saves by the gradient of the loss; \"mean\" uses the mean of the gradients before and after all listed ridges are \
-    pressed. The saving of all of them together is a run of the model. Sets of the contacts, windows and relief are held in \
+    pressed, in brackets its 5 and 95 % quantiles by the sampling of the flanks, with the constants at their medians. The saving of all of them together is a run of the model. Sets of the contacts, windows and relief are held in \
     the gradient. Running-in, which presses ridges too, is not in it. These are answers of the model, not measurements.";
 
 /// Least uncertainty of printed watts.
@@ -20,18 +20,18 @@ pub(super) fn summary(study: &Ridges) -> String {
     let mut text = format!("{}\n{}\n", one_line(&study.title), headline(study));
     text.push_str(&format!("{}\n", saving(study)));
     text.push_str(&format!(
-        "{:6} {:>9} {:>9} {:>10} {:>8} {:>8}\n",
+        "{:6} {:>9} {:>9} {:>10} {:>8} {:>15}\n",
         "flank", "place mm", "width um", "height um", "first W", "mean W"
     ));
     for row in &study.rows {
         text.push_str(&format!(
-            "{:6} {:>9.4} {:>9.1} {:>10.3} {:>8} {:>8}\n",
+            "{:6} {:>9.4} {:>9.1} {:>10.3} {:>8} {:>15}\n",
             row.flank,
             row.place_mm,
             row.width_um,
             row.height_um,
             watts(row.first_order_w),
-            watts(row.mean_gradient_w),
+            mean_saving(row),
         ));
     }
     text.push_str("\nd(loss)/d ln(height) by wavelength, W\n");
@@ -60,15 +60,26 @@ pub(super) fn headline(study: &Ridges) -> String {
 /// The saving of all listed ridges together, by a run.
 pub(super) fn saving(study: &Ridges) -> String {
     let saved = study.loss_w - study.pressed_loss_w;
-    let interval = match study.sampling_quantiles_w {
-        Some([low, high]) if low < high => format!(" ({}..{})", watts(-high), watts(-low)),
-        _ => String::new(),
-    };
+    let quantiles = study.sampling_quantiles_w.map(|[low, high]| [-high, -low]);
+    let interval = interval(quantiles);
     format!(
         "pressing these {} ridges to the mean line saves {} W{interval}, by a run",
         study.rows.len(),
         watts(saved)
     )
+}
+
+/// Saving by a ridge with its interval, according to the mean of the gradients.
+pub(super) fn mean_saving(row: &RidgeRow) -> String {
+    let quantiles = row.low_w.zip(row.high_w).map(|(low, high)| [low, high]);
+    format!("{}{}", watts(row.mean_gradient_w), interval(quantiles))
+}
+
+fn interval(quantiles: Option<[f64; 2]>) -> String {
+    match quantiles {
+        Some([low, high]) if low < high => format!(" ({}..{})", watts(low), watts(high)),
+        _ => String::new(),
+    }
 }
 
 pub(super) fn notes(study: &Ridges) -> Vec<String> {

@@ -3,6 +3,7 @@
 use asperity::case::LoadedCase;
 use asperity::case::gear_train::LoadedTrain;
 use asperity::core::cancel::checkpoint;
+use asperity::gear_train::settled;
 use asperity::pipeline::{Progress, contacts, losses, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity::uncertainty::sampling_interval;
@@ -100,8 +101,7 @@ impl Effect {
 /// # Errors
 /// When the case itself has no result. The row of a change without a result holds its error.
 pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitivity, Error> {
-    let gearbox = case.case.gearbox.iter();
-    let parts = gearbox.flat_map(|gearbox| &gearbox.parts);
+    let parts = case.case.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
     let left_aside = parts.map(|part| part.name.clone()).collect();
     // The gearbox is removed: its loss table need not cover the temperatures of the changes.
     let mut mesh = case.clone();
@@ -134,7 +134,7 @@ pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitiv
 }
 
 /// Runs every mesh of a gear train and all its changes. A change that all meshes have is made in all of them, another one
-/// has the name of its mesh. The intervals by the sampling of the flanks add up, as for equal flanks.
+/// has the name of its mesh. Oil temperature and torques are held where they follow from the losses. The intervals by the sampling of the flanks add up, as for equal flanks.
 ///
 /// # Errors
 /// As [`sensitivity`], and when a shaft has no speed or torque.
@@ -145,6 +145,9 @@ pub fn sensitivity_of_train(
     if let Some(pair) = train.pair() {
         return sensitivity(pair, progress);
     }
+    let train = &settled(train)?;
+    let parts = train.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
+    let left_aside = parts.map(|part| part.name.clone()).collect();
     let counts = train.counts();
     let mut of_meshes: Vec<Sensitivity> = Vec::new();
     for (k, mesh) in train.meshes().enumerate() {
@@ -184,7 +187,7 @@ pub fn sensitivity_of_train(
         title: train.title.clone(),
         loss_w,
         efficiency: 1.0 - loss_w / power_in.si(),
-        left_aside: Vec::new(),
+        left_aside,
         rows,
     })
 }

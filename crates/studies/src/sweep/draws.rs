@@ -76,14 +76,14 @@ impl Draws {
 }
 
 /// Random stream of the seed: one per point, and separate ones for all points together.
-fn stream(seed: u64, number: u64, of_all: bool) -> ChaCha8Rng {
+pub(crate) fn stream(seed: u64, number: u64, of_all: bool) -> ChaCha8Rng {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(2 * number + u64::from(of_all));
     random
 }
 
 /// Uniform on 0 < u < 1, from the upper 53 bits.
-pub(super) fn uniform(random: &mut ChaCha8Rng) -> f64 {
+pub(crate) fn uniform(random: &mut ChaCha8Rng) -> f64 {
     const STEPS: f64 = (1_u64 << 53) as f64;
     ((random.next_u64() >> 11) as f64 + 0.5) / STEPS
 }

@@ -29,6 +29,7 @@ pub use asperity_core::numerics::standard_normal_quantile;
 pub use cases::Cases;
 pub use columns::{InputColumn, InputValues};
 pub use draws::Draws;
+pub(crate) use draws::{stream, uniform};
 pub use effects::{Effect, Indices, Regressor, effects, sobol_indices};
 pub use error::SweepError;
 pub use merge::merge;

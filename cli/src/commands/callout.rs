@@ -1,0 +1,41 @@
+//! `asperity callout`: limit of a roughness parameter for a stated loss.
+
+use asperity::pipeline::KeptFields;
+use asperity_studies::callout::{self, CallOut, CallOutError, CallOutSettings};
+
+use super::work::check_work;
+use super::{load_case, result_name, study};
+use crate::args::{CalloutArgs, Common};
+use crate::failure::Failure;
+use crate::output::{Progress, READING, WRITING};
+
+/// `asperity callout`
+pub fn callout(args: &CalloutArgs, common: &Common) -> Result<(), Failure> {
+    let progress = Progress::of(common.quiet, READING);
+    let loaded = load_case(&args.case, &args.set, None)?;
+    let settings = CallOutSettings {
+        loss: args.loss,
+        confidence: args.confidence.value(),
+        scatter: args.scatter.value(),
+        parameter: args.parameter,
+        traces: args.traces,
+        lots: args.lots,
+        seed: args.seed,
+    };
+    let [pairs, offsets] = settings.work();
+    let mut pair = loaded.first_pair();
+    pair.case.model.offsets = offsets;
+    check_work(&args.work, &pair, &KeptFields::Highest, pairs)?;
+    let (name, title) = (result_name(&args.case), &loaded.case.title);
+    let folder = study::folder::<CallOut>(args.output.as_deref(), &name, "callout", title)?;
+    progress.begin("lots");
+    let found = callout::callout(&loaded, &settings, &|done, total| progress.at(done, total));
+    let found = found.map_err(|error| match error {
+        CallOutError::Case(error) => Failure::about(&args.case, &error),
+        error => Failure::new(error.code(), format!("{}: {error}", args.case.display())),
+    })?;
+    progress.begin(WRITING);
+    study::write(&found, (), &folder)?;
+    drop(progress);
+    study::print(&found, (), Some(&folder), None, common)
+}

@@ -1,0 +1,182 @@
+//! Parameters calibrated on a rig, with their 95 % bands.
+
+use asperity_core::numerics::Cholesky;
+use asperity_core::quantity::{Length, Pressure};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Parameters calibrated on a rig, each with the 95 % band that the band of the loss is drawn from.
+///
+/// `asperity calibrate` writes this table. A parameter that is left out keeps its default and its range.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CalibrationInput {
+    /// Measurements from which the values come; printed with every result.
+    pub source: Option<String>,
+    /// Coefficient of boundary friction μ_b, in place of `model.boundary_friction`.
+    pub boundary_friction: Option<Calibrated<f64>>,
+    /// Thickness of the boundary layer h_b, in place of `model.boundary_layer`.
+    pub boundary_layer: Option<Calibrated<Length>>,
+    /// Limiting shear stress of the oil over its pressure, in place of that of its family.
+    pub limiting_shear: Option<Calibrated<f64>>,
+    /// Eyring stress of the oil, in place of that of its family.
+    pub eyring_stress: Option<Calibrated<Pressure>>,
+    /// Correlations of the logarithms, pair by pair: `[{ between = ["boundary_friction", "boundary_layer"],
+    /// value = -0.9 }]`; default none.
+    pub correlations: Option<Vec<CorrelationInput>>,
+}
+
+/// A calibrated value with its 95 % band.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Calibrated<T> {
+    /// The value.
+    pub value: T,
+    /// Lower end of the 95 % band.
+    pub low: T,
+    /// Upper end of the 95 % band.
+    pub high: T,
+}
+
+/// A parameter that can be calibrated.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
+#[serde(rename_all = "snake_case")]
+pub enum CalibratedName {
+    /// μ_b.
+    BoundaryFriction,
+    /// h_b.
+    BoundaryLayer,
+    /// Λ.
+    LimitingShear,
+    /// τ₀.
+    EyringStress,
+}
+
+/// Correlation of two parameters, of their logarithms where these are normal.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CorrelationInput<N = CalibratedName> {
+    /// The two parameters.
+    pub between: [N; 2],
+    /// Their correlation, between -1 and 1.
+    pub value: f64,
+}
+
+impl CalibratedName {
+    /// All, in the order of the case file.
+    pub const ALL: [Self; 4] = [
+        Self::BoundaryFriction,
+        Self::BoundaryLayer,
+        Self::LimitingShear,
+        Self::EyringStress,
+    ];
+
+    /// The key in the table `calibration`.
+    #[must_use]
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::BoundaryFriction => "boundary_friction",
+            Self::BoundaryLayer => "boundary_layer",
+            Self::LimitingShear => "limiting_shear",
+            Self::EyringStress => "eyring_stress",
+        }
+    }
+}
+
+impl CalibrationInput {
+    /// Value and band of a parameter in SI units.
+    #[must_use]
+    pub fn of(&self, name: CalibratedName) -> Option<Calibrated<f64>> {
+        fn si<T: Copy>(fitted: Option<Calibrated<T>>, si: fn(T) -> f64) -> Option<Calibrated<f64>> {
+            fitted.map(|fitted| Calibrated {
+                value: si(fitted.value),
+                low: si(fitted.low),
+                high: si(fitted.high),
+            })
+        }
+        match name {
+            CalibratedName::BoundaryFriction => self.boundary_friction,
+            CalibratedName::BoundaryLayer => si(self.boundary_layer, Length::si),
+            CalibratedName::LimitingShear => self.limiting_shear,
+            CalibratedName::EyringStress => si(self.eyring_stress, Pressure::si),
+        }
+    }
+
+    /// Correlations of all parameters by their numbers in [`CalibratedName::ALL`].
+    pub(super) fn correlations_of_all(&self) -> impl Fn(usize, usize) -> f64 + '_ {
+        |i, j| self.correlation(CalibratedName::ALL[i], CalibratedName::ALL[j])
+    }
+
+    /// Correlation of two parameters; 0 if it is not stated.
+    #[must_use]
+    pub fn correlation(&self, first: CalibratedName, other: CalibratedName) -> f64 {
+        correlation(self.correlations.as_deref().unwrap_or(&[]), first, other)
+    }
+}
+
+/// Correlation of two parameters among `pairs`; 0 if it is not stated.
+pub(super) fn correlation<N: Copy + PartialEq>(
+    pairs: &[CorrelationInput<N>],
+    first: N,
+    other: N,
+) -> f64 {
+    if first == other {
+        return 1.0;
+    }
+    let mut of_both = pairs
+        .iter()
+        .filter(|pair| pair.between == [first, other] || pair.between == [other, first]);
+    of_both.next().map_or(0.0, |pair| pair.value)
+}
+
+/// Rows of the lower triangle L, each up to its diagonal, with L Lᵀ = the correlations of `n` parameters, given by their
+/// numbers; `None` if no distribution has them.
+pub fn cholesky(n: usize, correlation: impl Fn(usize, usize) -> f64) -> Option<Vec<Vec<f64>>> {
+    /// Smallest square of a pivot: a correlation of 1 - 5e-7.
+    const LEAST: f64 = 1e-6;
+    Cholesky::new(n, correlation, LEAST).map(|factor| factor.lower().to_vec())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn with(pairs: &[(CalibratedName, CalibratedName, f64)]) -> CalibrationInput {
+        let pairs = pairs.iter().map(|&(a, b, value)| CorrelationInput {
+            between: [a, b],
+            value,
+        });
+        CalibrationInput {
+            correlations: Some(pairs.collect()),
+            ..CalibrationInput::default()
+        }
+    }
+
+    fn triangle(given: &CalibrationInput) -> Option<Vec<Vec<f64>>> {
+        cholesky(4, given.correlations_of_all())
+    }
+
+    #[test]
+    fn the_triangle_gives_the_correlations_back() {
+        let [a, b, c, _] = CalibratedName::ALL;
+        let given = with(&[(a, b, -0.9), (c, b, 0.3)]);
+        let lower = triangle(&given).unwrap();
+        for i in 0..4 {
+            for j in 0..4 {
+                let product: f64 = lower[i].iter().zip(&lower[j]).map(|(a, b)| a * b).sum();
+                let [first, other] = [i, j].map(|k| CalibratedName::ALL[k]);
+                assert!((product - given.correlation(first, other)).abs() < 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn correlations_of_no_distribution_have_no_triangle() {
+        let [a, b, c, _] = CalibratedName::ALL;
+        let pairs = [(a, b, 0.9), (b, c, 0.9), (a, c, -0.9)];
+        assert!(triangle(&with(&pairs)).is_none());
+        assert!(triangle(&with(&[(a, b, 1.0)])).is_none());
+    }
+}

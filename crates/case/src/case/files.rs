@@ -1,0 +1,334 @@
+//! Files that a case names: their keys, where they come from, and the sums of those that were read.
+
+use std::borrow::Cow;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsStr;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use asperity_core::Profile;
+use asperity_profile_io::read::conditions_of;
+use asperity_storage::whole_file;
+
+use super::error::CaseError;
+use super::input::CaseInput;
+use super::source::Source;
+use super::trace_list::{TraceEntry, TraceList, is_pattern, matches};
+use crate::fingerprint::sha256;
+
+pub(super) const LOSS_TABLE: &str = "gearbox.loss_table";
+pub(super) const OIL_FILE: &str = "lubricant.oil_file";
+pub(super) const XU_COEFFICIENTS: &str = "model.xu_coefficients";
+
+/// Every key of a pair of gears that names a file, or several.
+pub const FILE_KEYS: [&str; 11] = [
+    "surface.pinion.file",
+    "surface.wheel.file",
+    "surface.coast.pinion.file",
+    "surface.coast.wheel.file",
+    "surface.pinion.traces",
+    "surface.wheel.traces",
+    "surface.coast.pinion.traces",
+    "surface.coast.wheel.traces",
+    OIL_FILE,
+    LOSS_TABLE,
+    XU_COEFFICIENTS,
+];
+
+/// SHA-256 of the content of files, by the names that a case gives them.
+pub type FileSums = BTreeMap<PathBuf, String>;
+
+/// Bytes of the largest file that a case may name.
+const LARGEST: u64 = 1_000_000_000;
+
+/// Content of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Content {
+    /// The bytes of a file.
+    Bytes(Arc<[u8]>),
+    /// A trace in memory.
+    Heights(Arc<Profile>),
+}
+
+impl Content {
+    /// SHA-256 of the bytes, or of spacing and heights of a trace in memory.
+    fn sum(&self) -> String {
+        match self {
+            Self::Bytes(bytes) => sha256(bytes),
+            Self::Heights(profile) => {
+                let spacing = profile.spacing().si();
+                let numbers = std::iter::once(&spacing).chain(profile.heights());
+                sha256(
+                    &numbers
+                        .flat_map(|number| number.to_le_bytes())
+                        .collect::<Vec<u8>>(),
+                )
+            }
+        }
+    }
+}
+
+/// A file, or a pattern of files, that a case names.
+struct Named {
+    key: Cow<'static, str>,
+    name: PathBuf,
+    is_pattern: bool,
+}
+
+impl Named {
+    fn file(key: impl Into<Cow<'static, str>>, name: &Path) -> Self {
+        Self {
+            key: key.into(),
+            name: name.to_owned(),
+            is_pattern: false,
+        }
+    }
+}
+
+/// Files and patterns of files that `input` names.
+fn named(input: &CaseInput) -> Vec<Named> {
+    let surface = &input.surface;
+    let coast = surface.coast.as_ref();
+    let flanks = [
+        ("surface.pinion", Some(&surface.pinion)),
+        ("surface.wheel", surface.wheel.as_ref()),
+        ("surface.coast.pinion", coast.map(|coast| &coast.pinion)),
+        (
+            "surface.coast.wheel",
+            coast.and_then(|coast| coast.wheel.as_ref()),
+        ),
+    ];
+    let mut named: Vec<Named> = Vec::new();
+    for (table, flank) in flanks {
+        let Some(flank) = flank else { continue };
+        let file = flank.file.iter();
+        named.extend(file.map(|name| Named::file(format!("{table}.file"), name)));
+        let key = format!("{table}.traces");
+        let listed = flank.traces.iter().flat_map(TraceList::entries);
+        named.extend(listed.map(|entry| match entry {
+            TraceEntry::Table(trace) => Named::file(key.clone(), &trace.file),
+            TraceEntry::Pattern(text) => Named {
+                key: key.clone().into(),
+                is_pattern: is_pattern(&text),
+                name: text.into(),
+            },
+        }));
+    }
+    let oil = input.lubricant.oil_file.iter();
+    named.extend(oil.map(|name| Named::file(OIL_FILE, name)));
+    let xu = input.model.xu_coefficients.iter();
+    named.extend(xu.map(|name| Named::file(XU_COEFFICIENTS, name)));
+    let gearbox = input.gearbox.iter();
+    let tables = gearbox.filter_map(|gearbox| gearbox.loss_table.as_ref());
+    named.extend(tables.map(|name| Named::file(LOSS_TABLE, name)));
+    named
+}
+
+/// The files of a case by the names that the case gives them.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Files {
+    /// Folder that names are relative to; `None` if all files are in memory.
+    folder: Option<PathBuf>,
+    held: BTreeMap<PathBuf, Content>,
+}
+
+impl Files {
+    /// Files on disk, relative to `folder`.
+    pub(super) fn in_folder(folder: &Path) -> Self {
+        Self {
+            folder: Some(folder.to_owned()),
+            held: BTreeMap::new(),
+        }
+    }
+
+    /// Holds the files that `input` names, as `resolver` gives them.
+    pub(super) fn gather(
+        &mut self,
+        input: &CaseInput,
+        source: &Source,
+        resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
+    ) -> Result<(), CaseError> {
+        self.gather_named(&named(input), source, resolver)
+    }
+
+    /// Holds the tables of the gearbox of a train, as `resolver` gives them.
+    pub(super) fn gather_tables<'a>(
+        &mut self,
+        tables: impl Iterator<Item = &'a Path>,
+        source: &Source,
+        resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
+    ) -> Result<(), CaseError> {
+        let tables = tables.map(|name| Named::file("gearbox.tables", name));
+        self.gather_named(&tables.collect::<Vec<_>>(), source, resolver)
+    }
+
+    fn gather_named(
+        &mut self,
+        named: &[Named],
+        source: &Source,
+        resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
+    ) -> Result<(), CaseError> {
+        for Named {
+            key,
+            name,
+            is_pattern,
+        } in named
+        {
+            // Patterns are of files on disk.
+            if self.held.contains_key(name) || *is_pattern {
+                continue;
+            }
+            let file = name.display().to_string();
+            let bytes = resolver(&file).map_err(|reason| CaseError::OpenNamed {
+                file,
+                place: source.place_of(key),
+                key: key.clone(),
+                reason,
+            })?;
+            self.hold(name, Content::Bytes(bytes.into()));
+            // An optional file that the case does not name.
+            if let Some(conditions) = conditions_of(name)
+                && let Ok(bytes) = resolver(&conditions.display().to_string())
+            {
+                self.hold(&conditions, Content::Bytes(bytes.into()));
+            }
+        }
+        Ok(())
+    }
+
+    /// Folder that names are relative to; `None` if all files are in memory.
+    pub(super) fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
+    /// Path of the file `name`.
+    pub(super) fn path_of(&self, name: &Path) -> PathBuf {
+        self.folder().unwrap_or(Path::new("")).join(name)
+    }
+
+    /// Files below the folder and traces in memory whose names match `pattern`, sorted by name. Empty if the folder of
+    /// the pattern is itself a pattern.
+    pub(super) fn matching(&self, pattern: &Path) -> Vec<PathBuf> {
+        let parent = pattern.parent().unwrap_or(Path::new(""));
+        let Some(wanted) = pattern.file_name().map(OsStr::to_string_lossy) else {
+            return Vec::new();
+        };
+        if is_pattern(&parent.to_string_lossy()) {
+            return Vec::new();
+        }
+        let is_meant = |name: &OsStr| matches(&wanted, &name.to_string_lossy());
+        let entries = self.folder.as_ref().and_then(|folder| {
+            let path = folder.join(parent);
+            let is_here = path.as_os_str().is_empty();
+            let path = if is_here { Path::new(".") } else { &path };
+            path.read_dir().ok()
+        });
+        let on_disk = entries.into_iter().flatten().flatten();
+        let on_disk = on_disk.filter(|entry| entry.path().is_file());
+        let on_disk = on_disk
+            .map(|entry| entry.file_name())
+            .filter(|name| is_meant(name));
+        let in_memory = self
+            .held
+            .keys()
+            .filter(|name| name.parent() == Some(parent) && name.file_name().is_some_and(is_meant));
+        let mut names: Vec<PathBuf> = on_disk.map(|name| parent.join(name)).collect();
+        names.extend(in_memory.cloned());
+        names.sort();
+        names.dedup();
+        names
+    }
+
+    /// Stores `content` under this name.
+    pub(super) fn hold(&mut self, name: &Path, content: Content) {
+        self.held.insert(name.to_owned(), content);
+    }
+
+    /// Content stored under this name.
+    pub(super) fn held(&self, name: &Path) -> Option<&Content> {
+        self.held.get(name)
+    }
+
+    /// Sums of the files that any of `inputs` names; those that cannot be read are left out.
+    pub(super) fn sums_of(&self, inputs: &[CaseInput]) -> FileSums {
+        let named = inputs.iter().flat_map(named);
+        self.sums_of_names(named.flat_map(|named| match named.is_pattern {
+            true => self.matching(&named.name),
+            false => vec![named.name],
+        }))
+    }
+
+    /// Sums of the files with these names; those that cannot be read are left out.
+    pub(super) fn sums_of_names(&self, names: impl Iterator<Item = PathBuf>) -> FileSums {
+        let reader = Reader::of(self);
+        for name in &names.collect::<BTreeSet<PathBuf>>() {
+            // A file that cannot be read is an error of the case that needs it.
+            let _ = reader.content(name);
+            reader.conditions(name);
+        }
+        reader.into_sums()
+    }
+}
+
+/// Reads files of a case and notes the sum of each.
+#[derive(Debug)]
+pub(super) struct Reader<'a> {
+    pub files: &'a Files,
+    sums: RefCell<FileSums>,
+}
+
+impl<'a> Reader<'a> {
+    pub(super) fn of(files: &'a Files) -> Self {
+        Self {
+            files,
+            sums: RefCell::default(),
+        }
+    }
+
+    /// Sums of what was read.
+    pub(super) fn into_sums(self) -> FileSums {
+        self.sums.into_inner()
+    }
+
+    /// Content of the file `name`, which is stated at `key` of the case, and its sum.
+    pub(super) fn open(
+        &self,
+        name: &Path,
+        source: &Source,
+        key: impl Into<Cow<'static, str>>,
+    ) -> Result<(Content, String), CaseError> {
+        self.content(name).map_err(|reason| {
+            let key = key.into();
+            CaseError::OpenNamed {
+                file: self.files.path_of(name).display().to_string(),
+                place: source.place_of(&key),
+                key,
+                reason,
+            }
+        })
+    }
+
+    /// The measuring conditions of the trace `name`, if there are any.
+    pub(super) fn conditions(&self, name: &Path) -> Option<Arc<[u8]>> {
+        match self.content(&conditions_of(name)?).ok()?.0 {
+            Content::Bytes(bytes) => Some(bytes),
+            Content::Heights(_) => None,
+        }
+    }
+
+    fn content(&self, name: &Path) -> io::Result<(Content, String)> {
+        let content = match (self.files.held.get(name), &self.files.folder) {
+            (Some(content), _) => content.clone(),
+            (None, Some(folder)) => Content::Bytes(whole_file(&folder.join(name), LARGEST)?.into()),
+            (None, None) => {
+                let reason = "no file of this name came with the case";
+                return Err(io::Error::new(io::ErrorKind::NotFound, reason));
+            }
+        };
+        let sum = content.sum();
+        self.sums.borrow_mut().insert(name.to_owned(), sum.clone());
+        Ok((content, sum))
+    }
+}

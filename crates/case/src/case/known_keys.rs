@@ -1,0 +1,138 @@
+//! Unknown keys with the nearest known key, from the schema of the case file.
+
+use serde_json::Value;
+
+use super::symbols::key_named;
+
+/// The first key of `paths` that is not in the schema, with the nearest key that is.
+pub(super) fn first_unknown<'a>(
+    schema: &Value,
+    paths: impl Iterator<Item = &'a str>,
+) -> Option<(&'a str, Option<String>)> {
+    paths.filter_map(|path| unknown_at(schema, path)).next()
+}
+
+fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<String>)> {
+    let mut nodes = vec![schema];
+    for segment in path.split('.') {
+        let candidates: Vec<&Value> = nodes
+            .iter()
+            .flat_map(|node| objects(schema, node))
+            .collect();
+        if candidates.is_empty() {
+            // The value is a table of a law with parameters, which serde checks.
+            return None;
+        }
+        let next: Vec<&Value> = candidates
+            .iter()
+            .filter_map(|object| value_of(object, segment))
+            .collect();
+        if next.is_empty() {
+            let known = candidates.iter().flat_map(|object| properties(object));
+            return Some((path, nearest(segment, known)));
+        }
+        nodes = next;
+    }
+    None
+}
+
+/// The schema of the value at `path`.
+pub(super) fn property<'a>(schema: &'a Value, path: &str) -> Option<&'a Value> {
+    path.split('.').try_fold(schema, |node, segment| {
+        objects(schema, node)
+            .into_iter()
+            .find_map(|object| value_of(object, segment))
+    })
+}
+
+/// The schema of the key `name` in an object; the keys of some objects are names of the user's choice.
+fn value_of<'a>(object: &'a Value, name: &str) -> Option<&'a Value> {
+    let of_properties = object.get("properties").and_then(|keys| keys.get(name));
+    of_properties.or_else(|| named_values(object))
+}
+
+/// The schema of all values in an object whose keys are names of the user's choice.
+fn named_values(object: &Value) -> Option<&Value> {
+    object
+        .get("additionalProperties")
+        .filter(|values| values.is_object())
+}
+
+/// The object schemas of `node`, with its references and alternatives resolved.
+fn objects<'a>(schema: &'a Value, node: &'a Value) -> Vec<&'a Value> {
+    if node.get("properties").is_some() || named_values(node).is_some() {
+        return vec![node];
+    }
+    if let Some(name) = node
+        .get("$ref")
+        .and_then(Value::as_str)
+        .and_then(|reference| reference.strip_prefix("#/$defs/"))
+    {
+        return schema["$defs"]
+            .get(name)
+            .map(|definition| objects(schema, definition))
+            .unwrap_or_default();
+    }
+    ["anyOf", "oneOf", "allOf"]
+        .iter()
+        .filter_map(|key| node.get(*key)?.as_array())
+        .flatten()
+        .flat_map(|alternative| objects(schema, alternative))
+        .collect()
+}
+
+fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
+    object
+        .get("properties")
+        .and_then(Value::as_object)
+        .into_iter()
+        .flat_map(|map| map.keys().map(String::as_str))
+}
+
+/// The name of `known` most similar to `seen`, ignoring case; `None` if no name is similar.
+///
+/// ```
+/// let known = ["18CrNiMo7-6", "42CrMo4"].map(str::to_owned);
+/// assert_eq!(asperity_case::case::nearest_name("18crnimo", &known).as_deref(), Some("18CrNiMo7-6"));
+/// assert_eq!(asperity_case::case::nearest_name("brass", &known), None);
+/// ```
+pub fn nearest_name(seen: &str, known: &[String]) -> Option<String> {
+    let lower: Vec<String> = known.iter().map(|name| name.to_lowercase()).collect();
+    let similar = nearest(&seen.to_lowercase(), lower.iter().map(String::as_str))?;
+    let index = lower.iter().position(|name| *name == similar)?;
+    known.get(index).cloned()
+}
+
+/// Names of a key in older versions and other programs, with the present name.
+const OTHER_NAMES: [(&str, &str); 7] = [
+    ("load_sharing", "load_distribution"),
+    ("friction", "film_friction"),
+    ("friction_law", "film_friction"),
+    ("film_share", "load_share"),
+    ("sump_temperature", "oil_temperature"),
+    ("flank_temperature", "bulk_temperature"),
+    ("width", "face_width"),
+];
+
+/// The known key for another name of it, else the key most similar to `seen`; `None` if no key is similar.
+pub(super) fn nearest<'a>(
+    seen: &str,
+    known: impl Iterator<Item = &'a str> + Clone,
+) -> Option<String> {
+    /// Jaro-Winkler similarity below which a suggestion confuses more than it helps.
+    const LIKE: f64 = 0.75;
+    if let Some(key) = key_named(seen, known.clone()) {
+        return Some(key.to_owned());
+    }
+    let ours = (OTHER_NAMES.iter()).find_map(|(other, ours)| (*other == seen).then_some(*ours));
+    if let Some(ours) = ours
+        && known.clone().any(|key| key == ours)
+    {
+        return Some(ours.to_owned());
+    }
+    known
+        .map(|key| (strsim::jaro_winkler(seen, key), key))
+        .filter(|(likeness, _)| *likeness >= LIKE)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, key)| key.to_owned())
+}

@@ -1,0 +1,620 @@
+//! A case with its traces: from a file, from a text with a resolver, from a value, or changed from another.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use asperity_core::Profile;
+use asperity_core::provenance::Provenance;
+use asperity_gear::LoadConditions;
+use asperity_storage::whole_file;
+use asperity_tribo_friction::XuCalibration;
+
+use super::case_file::CaseFile;
+use super::defaults::DefaultUsed;
+use super::error::CaseError;
+use super::files::{Content, FileSums, Files, Reader, XU_COEFFICIENTS};
+use super::flank_form::shortest_form;
+use super::flanks::{Flanks, flanks};
+use super::gearbox::gearbox;
+use super::gears::check_load;
+use super::input::CaseInput;
+use super::law_names::{FullFilmName, LoadShareName};
+use super::lay::Lays;
+use super::model::Formulation;
+use super::oil_file::oil_file;
+use super::plausibility::{SYMBOLS, at_pitch_point, divided_shifts, of_files, step_up, unusual};
+use super::resolve::{Case, resolve_checked};
+use super::section::Section;
+use super::source::{MeshKeys, Source};
+use super::surrogates::solves_contact;
+use crate::error::Error;
+use crate::fingerprint::Fingerprint;
+use crate::flanks::flank_lay::FlankLay;
+use crate::flanks::surfaces::{FlankReport, Surfaces};
+use crate::flanks::trace_pairs::SampledFlanks;
+use crate::message::Warning;
+
+/// A case with its traces, ready to run.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct LoadedCase {
+    /// The case.
+    pub case: Case,
+    /// The flanks.
+    pub surfaces: Surfaces,
+    /// Reading and preparation of each flank, of the first trace if it has several.
+    pub flanks: Arc<[FlankReport; 2]>,
+    /// All traces if a flank has several; `None` if each has one.
+    pub sampled: Option<Arc<SampledFlanks>>,
+    /// Warnings about the files.
+    pub warnings: Vec<Warning>,
+    /// Equations that the preparation of oil, gears and traces used.
+    pub provenance: Provenance,
+    /// Equations that the preparation of the traces used, reused if a change of the case does not affect the traces.
+    of_flanks: Provenance,
+    /// Lay of each flank.
+    lays: Arc<Lays>,
+    /// Values that follow from the flanks and their files.
+    assumed: Vec<DefaultUsed>,
+    /// Name of the case, for messages about what is changed.
+    name: Arc<str>,
+    files: Arc<Files>,
+    /// Sums of the files that flanks, gearbox, model and oil were read from.
+    sums: [Arc<FileSums>; 4],
+}
+
+/// Resolver of the files that a case text names: from the name in the text to the bytes.
+pub type Resolver<'a> = &'a dyn Fn(&str) -> std::io::Result<Vec<u8>>;
+
+/// Reads the case file `path` and the traces it names; `formulation` takes precedence over that of the file.
+///
+/// # Errors
+/// When a file cannot be read or holds impossible values. The error holds the source if it could be read, so that the
+/// place can be shown.
+pub fn load(path: &Path, formulation: Option<Formulation>) -> Result<LoadedCase, Error> {
+    load_with(path, &|input| {
+        if formulation.is_some() {
+            input.formulation = formulation;
+        }
+    })
+}
+
+/// Reads the case in `source`, whose files are in `folder`, with keys set by their paths as [`CaseInput::set`] takes them.
+///
+/// # Errors
+/// As for [`load`], or when a key is not known or its value cannot be read.
+pub fn load_set(
+    source: Source,
+    folder: &Path,
+    set: &[(String, String)],
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<LoadedCase, Error> {
+    load_holding(source, folder, &[], set, change)
+}
+
+/// Reads a case as [`load_set`] does, with traces in memory under the names that the text gives their files.
+///
+/// # Errors
+/// As for [`load_set`].
+///
+/// ```
+/// use asperity_case::case::{Source, load_holding};
+/// use asperity_core::{Profile, quantity::Length};
+/// let text = r#"
+///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
+///     operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
+///     lubricant = { oil = "m100" }
+///     surface = { pinion = { file = "measured just now" }, cutoff = "0.25 mm" }
+/// "#;
+/// let heights = (0..8000).map(|i| 2e-7 * (f64::from(i) * 0.7).sin()).collect();
+/// let trace = Profile::new(Length::from_si(0.5e-6), heights)?;
+/// let source = Source::from_bytes("case.toml", text.as_bytes()).map_err(asperity_case::error::Error::from)?;
+/// let held = [("measured just now".into(), trace)];
+/// let loaded = load_holding(source, ".".as_ref(), &held, &[], &|_| {})?;
+/// assert!(loaded.surfaces.are_measured());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn load_holding(
+    source: Source,
+    folder: &Path,
+    traces: &[(PathBuf, Profile)],
+    set: &[(String, String)],
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<LoadedCase, Error> {
+    let mut source = source;
+    let mut files = Files::in_folder(folder);
+    for (name, trace) in traces {
+        files.hold(name, Content::Heights(Arc::new(trace.clone())));
+    }
+    match changed(&mut source, files, set, change) {
+        Ok(case) => Ok(case),
+        Err(error) => Err(Error::in_text(error, source)),
+    }
+}
+
+/// Completes the case in `source` with keys set past the text and a change.
+fn changed(
+    source: &mut Source,
+    files: Files,
+    set: &[(String, String)],
+    change: &dyn Fn(&mut CaseInput),
+) -> Result<LoadedCase, CaseError> {
+    let stated = CaseInput::read(source)?;
+    let mut input = stated.clone();
+    for (key, value) in set {
+        input.set_in(source, key, value)?;
+    }
+    change(&mut input);
+    keep_oil(&stated, &mut input);
+    complete(input, source, files.into(), None)
+}
+
+/// Reads the case file `path`, and changes the case before its defaults are filled in.
+///
+/// # Errors
+/// As for [`load`].
+pub fn load_with(path: &Path, change: &dyn Fn(&mut CaseInput)) -> Result<LoadedCase, Error> {
+    let folder = path.parent().unwrap_or(Path::new("."));
+    load_holding(open(path)?, folder, &[], &[], change)
+}
+
+/// Reads a case from its `text`; the files it names come from `resolver`, so that no file system is needed.
+/// Messages use `name`; the text is JSON if it ends in `.json`, TOML otherwise.
+///
+/// # Errors
+/// As for [`load`], or when the resolver refuses a file.
+///
+/// ```
+/// use asperity_case::case;
+/// let text = r#"
+///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
+///     operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
+///     lubricant = { oil = "m100" }
+///     surface = { pinion = { file = "flank", dx = "0.5 um", z_unit = "um" }, cutoff = "0.25 mm" }
+/// "#;
+/// let trace: String = (0..8000).map(|i| format!("{:.6}\n", (f64::from(i) * 0.7).sin())).collect();
+/// let loaded = case::from_text("case.toml", text, &|name| match name {
+///     "flank" => Ok(trace.clone().into_bytes()),
+///     _ => Err(std::io::ErrorKind::NotFound.into()),
+/// })?;
+/// assert!(loaded.surfaces.are_measured());
+/// # Ok::<(), asperity_case::error::Error>(())
+/// ```
+pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<LoadedCase, Error> {
+    let source = Source::from_bytes(name, text.as_bytes())?;
+    let read = || {
+        let input = CaseInput::read(&source)?;
+        let mut files = Files::default();
+        files.gather(&input, &source, resolver)?;
+        complete(input, &source, files.into(), None)
+    };
+    read().map_err(|error| Error::in_text(error, source.clone()))
+}
+
+impl LoadedCase {
+    /// Reading and preparation of every trace, of the pinion first.
+    pub fn all_traces(&self) -> Vec<&FlankReport> {
+        match &self.sampled {
+            Some(sampled) => sampled.reports().collect(),
+            None => self.flanks.iter().collect(),
+        }
+    }
+
+    /// Distributions of the lay of both flanks.
+    pub fn flank_lays(&self) -> [FlankLay; 2] {
+        self.lays.of_flanks
+    }
+
+    /// Name of the case file without its folder.
+    pub fn file_name(&self) -> Option<String> {
+        let name = Path::new(&*self.name).file_name()?;
+        Some(name.to_string_lossy().into_owned())
+    }
+
+    /// Every file that was read for this case, and its SHA-256.
+    #[must_use]
+    pub fn files_read(&self) -> FileSums {
+        let of_all = self.sums.iter().flat_map(|sums| sums.iter());
+        of_all
+            .map(|(name, sum)| (name.clone(), sum.clone()))
+            .collect()
+    }
+
+    /// Files that the case would read with any of `inputs`, and their SHA-256; unreadable files are left out.
+    #[must_use]
+    pub fn files_of(&self, inputs: &[CaseInput]) -> FileSums {
+        self.files.sums_of(inputs)
+    }
+
+    /// SHA-256 of the files with these names; unreadable files are left out.
+    pub(super) fn sums_of_files<'a>(&self, names: impl Iterator<Item = &'a Path>) -> FileSums {
+        self.files.sums_of_names(names.map(Path::to_owned))
+    }
+
+    /// SHA-256 of everything that determines the result: every key of the case, every byte of the files read for it, the
+    /// version of the program, and every user-defined law by its `Debug` text, which must therefore show everything that
+    /// the law depends on. It does not include fields that were changed after the case was read, nor the code of a law.
+    ///
+    /// ```
+    /// use asperity_case::case;
+    /// let case = case::load("../../fixtures/cases/e-drive.toml".as_ref(), None)?;
+    /// let hotter = case.with_key("operation.bulk_temperature", "91 °C")?;
+    /// assert_ne!(case.fingerprint(), hotter.fingerprint());
+    /// assert_eq!(case.fingerprint(), hotter.with_key("operation.bulk_temperature", "90 °C")?.fingerprint());
+    /// # Ok::<(), asperity_case::error::Error>(())
+    /// ```
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        // Debug prints every digit of a number.
+        let mut input = format!("{:?}", self.case.input);
+        let laws = &self.case.laws;
+        if laws.is_any() {
+            input += &format!("{laws:?}");
+        }
+        let read = self.files_read().into_iter();
+        let sums = read.fold(
+            Fingerprint::default().with(input),
+            |sum, (name, of_file)| sum.with(name.as_os_str().as_encoded_bytes()).with(of_file),
+        );
+        sums.hex()
+    }
+
+    /// The case changed by `change`, checked again; traces are read again only if the change affects them.
+    ///
+    /// The change applies to [`Case::input`]; other changes of the public fields are lost.
+    ///
+    /// # Errors
+    /// When the changed case cannot be run.
+    pub fn with(&self, change: impl FnOnce(&mut CaseInput)) -> Result<Self, Error> {
+        let mut input = self.case.input.clone();
+        change(&mut input);
+        self.changed_to(input, None)
+    }
+
+    /// The case with the key at `path` set to `value`, as [`CaseInput::set`] takes them.
+    ///
+    /// # Errors
+    /// When the key is not known, the value cannot be read, or the changed case cannot be run.
+    pub fn with_key(&self, path: &str, value: &str) -> Result<Self, Error> {
+        let mut input = self.case.input.clone();
+        input.set(path, value)?;
+        self.changed_to(input, None)
+    }
+
+    /// The case on its first pair of traces, where several teeth or surrogates are in contact.
+    #[must_use]
+    pub fn first_pair(&self) -> Self {
+        Self {
+            surfaces: self.surfaces.first_pair(),
+            sampled: None,
+            ..self.clone()
+        }
+    }
+
+    /// The case with further traces in memory, under names that [`Self::with`] can state as files.
+    #[must_use]
+    pub fn holding(&self, traces: &[(PathBuf, Profile)]) -> Self {
+        let mut files = Files::clone(&self.files);
+        for (name, trace) in traces {
+            files.hold(name, Content::Heights(Arc::new(trace.clone())));
+        }
+        Self {
+            files: files.into(),
+            ..self.clone()
+        }
+    }
+
+    /// Cache folder of records of mixed lubrication; `None` if the case disables it, has no files, or the user has no cache
+    /// folder.
+    pub fn record_folder(&self) -> Option<PathBuf> {
+        let beside = self.files.folder()?;
+        match self.case.model.ehl.cache.as_str() {
+            "off" => None,
+            "user" => user_cache_folder(),
+            folder => Some(beside.join(folder)),
+        }
+    }
+
+    /// Whether traces have a place on the flanks, along the profile or across the face.
+    fn is_placed(&self) -> bool {
+        let is_rolled = |flank: &FlankReport| {
+            let reading = flank.reading.as_ref();
+            let arc = reading.and_then(|reading| reading.metadata.arc_from_base);
+            flank.roll_lengths.is_some() || arc.is_some()
+        };
+        !self.case.face_zones.is_empty() || self.all_traces().into_iter().any(is_rolled)
+    }
+
+    /// The case with another input, of the mesh with these keys if it is one of a gear train.
+    pub(super) fn changed_to(
+        &self,
+        mut input: CaseInput,
+        mesh: Option<&Arc<MeshKeys>>,
+    ) -> Result<Self, Error> {
+        keep_oil(&self.case.input, &mut input);
+        let source = match mesh {
+            Some(mesh) => self.source().of_mesh(mesh),
+            None => self.source(),
+        };
+        Ok(complete(
+            input,
+            &source,
+            Arc::clone(&self.files),
+            Some(self),
+        )?)
+    }
+
+    /// Source of changes of the case: the lines of the file hold the earlier values.
+    pub(super) fn source(&self) -> Source {
+        Source::without_text(&self.name)
+    }
+
+    /// Reader of the files of the case.
+    pub(super) fn reader(&self) -> Reader<'_> {
+        Reader::of(&self.files)
+    }
+
+    pub(super) fn built(input: CaseInput, files: Files) -> Result<Self, Error> {
+        Ok(complete(input, &Source::in_memory(), files.into(), None)?)
+    }
+}
+
+/// A case as a value; files it names are relative to the working directory.
+impl TryFrom<CaseInput> for LoadedCase {
+    type Error = Error;
+
+    fn try_from(input: CaseInput) -> Result<Self, Error> {
+        Self::built(input, Files::in_folder(Path::new("")))
+    }
+}
+
+/// The text of the case file `path`.
+///
+/// # Errors
+/// When it cannot be read, or is not a text in TOML (or JSON).
+pub fn open_source(path: &Path) -> Result<Source, Error> {
+    Ok(open(path)?)
+}
+
+/// Bytes of the largest case file.
+const LARGEST_CASE: u64 = 10_000_000;
+
+fn open(path: &Path) -> Result<Source, CaseError> {
+    let file = path.display().to_string();
+    if path.is_dir() {
+        return Err(CaseError::Folder { file });
+    }
+    match whole_file(path, LARGEST_CASE) {
+        Ok(bytes) => Source::from_bytes(&file, &bytes),
+        Err(reason) => Err(CaseError::Open { file, reason }),
+    }
+}
+
+/// States the temperature of a viscosity and a density that hold at the temperature of the case, if that is changed.
+fn keep_oil(stated: &CaseInput, input: &mut CaseInput) {
+    let Some(temperature) = stated.operation.stated_temperature() else {
+        return;
+    };
+    let is_kept = input.operation.stated_temperature() == Some(temperature);
+    if is_kept || input.lubricant != stated.lubricant {
+        return;
+    }
+    // An oil that is not in the library is reported with its place when the case is completed.
+    if let Ok(lubricant) = stated.lubricant.stated_at(temperature) {
+        input.lubricant = lubricant;
+    }
+}
+
+/// Completes the case and reads its traces, or takes them from `before` if they are the same.
+pub(super) fn complete(
+    input: CaseInput,
+    source: &Source,
+    files: Arc<Files>,
+    before: Option<&LoadedCase>,
+) -> Result<LoadedCase, CaseError> {
+    let provenance = Provenance::new();
+    // The load over the teeth was checked if only speed and temperature differ.
+    let is_checked = before.is_some_and(|before| loads_alike(&before.case.input, &input));
+    let (oil, oil_sums) = match before {
+        Some(before) if before.case.input.lubricant.oil_file == input.lubricant.oil_file => {
+            (before.case.oil_file.clone(), Arc::clone(&before.sums[3]))
+        }
+        _ => oil_file(&input, source, &files)?,
+    };
+    let mut case = provenance.collect(|| resolve_checked(input, oil, source, is_checked))?;
+    let model_sums = match (before, &case.input.model.xu_coefficients) {
+        (_, None) => Arc::default(),
+        (Some(before), file) if before.case.input.model.xu_coefficients == *file => {
+            let settings = &before.case.model.friction_settings;
+            case.model.friction_settings.xu.coefficients = settings.xu.coefficients;
+            Arc::clone(&before.sums[2])
+        }
+        (_, Some(file)) => {
+            let reader = Reader::of(&files);
+            let calibration = xu_calibration(file, source, &reader)?;
+            case.model.friction_settings.xu.coefficients = calibration.coefficients;
+            reader.into_sums().into()
+        }
+    };
+    let gearbox_sums;
+    (case.gearbox, gearbox_sums) = match (before, &case.input.gearbox) {
+        (Some(before), stated) if before.case.input.gearbox == *stated => {
+            (before.case.gearbox.clone(), Arc::clone(&before.sums[1]))
+        }
+        (_, Some(stated)) => {
+            let reader = Reader::of(&files);
+            let parts = gearbox(stated, source, &reader)?;
+            (Some(parts), reader.into_sums().into())
+        }
+        (_, None) => (None, Arc::default()),
+    };
+    if let Some(before) = before {
+        case.laws = before.case.laws.clone();
+        case.list_laws();
+    }
+    let Flanks {
+        surfaces,
+        reports,
+        sampled,
+        forms,
+        lays,
+        zones,
+        warnings,
+        assumed,
+        provenance: of_flanks,
+        sums: flank_sums,
+    } = match before {
+        Some(before) if same_flanks(before, &case) => Flanks {
+            surfaces: before.surfaces.clone(),
+            reports: before.flanks.clone(),
+            sampled: before.sampled.clone(),
+            forms: before.case.micro_geometry.measured.clone(),
+            lays: Arc::clone(&before.lays),
+            zones: before.case.face_zones.clone(),
+            warnings: of_files(&before.warnings),
+            assumed: before.assumed.clone(),
+            provenance: before.of_flanks.clone(),
+            sums: Arc::clone(&before.sums[0]),
+        },
+        _ => flanks(&case, source, &files)?,
+    };
+    // Values that a file states replace the defaults.
+    let is_default = |default: &DefaultUsed| assumed.iter().all(|stated| stated.key != default.key);
+    case.defaults.retain(is_default);
+    case.defaults.extend(assumed.iter().cloned());
+    lays.enter(&mut case);
+    if case.model.run_in && (!surfaces.are_measured() || surfaces.is_surrogate()) {
+        let section = Section::of(source, "model");
+        return Err(section.conflict("run_in", "needs the traces of both flanks"));
+    }
+    case.face_zones = zones;
+    if forms != [None, None] {
+        let of_before = before.map(|before| &before.case.micro_geometry.measured);
+        let is_checked = is_checked && of_before == Some(&forms);
+        case.micro_geometry.measured = forms;
+        if !is_checked {
+            check_load_of(&case, source)?;
+        }
+    }
+    if surfaces.teeth().is_some() || surfaces.is_surrogate() {
+        refuse_several(&case, source)?;
+    }
+    let mut warnings = warnings;
+    let loads = at_pitch_point(&case.gears, case.modulus, case.torque, case.speed);
+    let unusual = unusual(&case.input, &case.oil, &loads);
+    warnings.splice(
+        0..0,
+        unusual.into_iter().chain(step_up(&case.gears, source)),
+    );
+    warnings.extend(divided_shifts(&case.input.gears, &case.gears));
+    warnings.extend(read_as_keys(source));
+    let oil = case.oil_file.iter();
+    warnings.extend(oil.flat_map(|oil| oil.warnings(&case.input, case.temperature)));
+    provenance.include(&of_flanks);
+    Ok(LoadedCase {
+        case,
+        surfaces,
+        flanks: reports,
+        sampled,
+        warnings,
+        provenance,
+        of_flanks,
+        lays,
+        assumed,
+        name: source.name().into(),
+        files,
+        sums: [flank_sums, gearbox_sums, model_sums, oil_sums],
+    })
+}
+
+/// Refuses models of one pair of traces if there are several.
+fn refuse_several(case: &Case, source: &Source) -> Result<(), CaseError> {
+    let model = &case.model;
+    let of_one_pair = [
+        ("run_in", model.run_in),
+        ("load_share", model.load_share == LoadShareName::Ehl),
+        ("full_film", model.full_film == FullFilmName::EhlTransient),
+    ];
+    match of_one_pair.into_iter().find(|(_, is_chosen)| *is_chosen) {
+        None => Ok(()),
+        Some((key, _)) => {
+            let rule =
+                "is of one pair of traces: name one trace of each flank, as surface.pinion.file";
+            Err(Section::of(source, "model").conflict(key, rule))
+        }
+    }
+}
+
+/// Whether gears, steel, torque and the model are the same in both cases.
+fn loads_alike(before: &CaseInput, input: &CaseInput) -> bool {
+    before.gears == input.gears
+        && before.material == input.material
+        && before.model == input.model
+        && before.formulation == input.formulation
+        && before.operation.torque == input.operation.torque
+}
+
+/// Solves for the load once, so that a form that the model refuses is reported with its place.
+fn check_load_of(case: &Case, source: &Source) -> Result<(), CaseError> {
+    let mesh = LoadConditions {
+        pair: &case.gears,
+        torque: case.torque,
+        micro: &case.micro_geometry,
+        materials: &case.materials,
+        settings: &case.load_settings,
+    };
+    check_load(&mesh, &case.model, case.formulation, source)
+}
+
+/// Whether the same flanks carry the load in both cases, prepared alike.
+fn same_flanks(loaded: &LoadedCase, case: &Case) -> bool {
+    let before = &loaded.case;
+    let (old, new) = (&before.input.surface, &case.input.surface);
+    let shortest = |case| shortest_form(case).ok().flatten();
+    let forms = [shortest(before), shortest(case)];
+    // Place and form of a trace and the length of a surrogate depend on the gears.
+    let is_of_gears = loaded.is_placed() || loaded.surfaces.is_surrogate() || forms != [None, None];
+    old == new
+        // Flanks without a trace are surrogates only where their contact is solved.
+        && solves_contact(before) == solves_contact(case)
+        && old.loaded(before.torque).2 == new.loaded(case.torque).2
+        && (!is_of_gears || before.input.gears == case.input.gears)
+        && forms[0] == forms[1]
+}
+
+/// The cache folder of the user by the rules of the system.
+fn user_cache_folder() -> Option<PathBuf> {
+    let named = |name: &str| {
+        let folder = PathBuf::from(std::env::var_os(name)?);
+        folder.is_absolute().then_some(folder)
+    };
+    let root = named("XDG_CACHE_HOME")
+        .or_else(|| named("LOCALAPPDATA"))
+        .or_else(|| Some(named("HOME")?.join(".cache")))?;
+    Some(root.join("asperity"))
+}
+
+fn xu_calibration(
+    file: &Path,
+    source: &Source,
+    files: &Reader<'_>,
+) -> Result<XuCalibration, CaseError> {
+    let refused = |message: String| Section::of(source, XU_COEFFICIENTS).value("", message);
+    let bytes = match files.open(file, source, XU_COEFFICIENTS)? {
+        (Content::Bytes(bytes), _) => bytes,
+        (Content::Heights(_), _) => {
+            return Err(refused("names a trace, not coefficients".to_owned()));
+        }
+    };
+    let text = std::str::from_utf8(&bytes)
+        .map_err(|error| refused(format!("is not text in UTF-8: {error}")))?;
+    XuCalibration::from_json(text).map_err(|error| refused(error.to_string()))
+}
+
+/// Names the keys that symbols in the case file are read as.
+fn read_as_keys(source: &Source) -> Option<Warning> {
+    let pairs: Vec<String> = (source.symbols())
+        .map(|[symbol, key]| format!("{symbol} is {key}"))
+        .collect();
+    (!pairs.is_empty()).then(|| Warning::new(SYMBOLS, pairs.join(", ")))
+}

@@ -1,0 +1,126 @@
+//! The case: the inputs of a run, completed with defaults.
+//!
+//! [`CaseInput`] is the case as the user writes it; [`Case`] has every choice made and checked; [`LoadedCase`] adds
+//! the flanks and is ready for a run. All defaults in use are listed.
+//!
+//! | from | by |
+//! |---|---|
+//! | a file and the traces it names | [`load`] |
+//! | a text and a resolver of its files | [`from_text`] |
+//! | quantities and traces in memory | [`Case::builder`] |
+//! | a value | [`LoadedCase::try_from`] a [`CaseInput`] |
+//! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
+//!
+//! [`gear_train`] reads cases of several meshes.
+
+mod any_input;
+mod assumed_relief;
+mod builder;
+mod bulk;
+mod bulk_input;
+mod calibrated;
+mod calibration;
+mod case_file;
+mod check;
+mod defaults;
+mod error;
+mod files;
+mod finish;
+mod flank_form;
+mod flank_pairs;
+mod flank_place;
+mod flank_sample;
+mod flank_trace;
+mod flanks;
+mod gear_input;
+pub mod gear_train;
+mod gearbox;
+mod gearbox_input;
+mod gears;
+mod input;
+mod key_names;
+mod keyed;
+mod known_keys;
+mod law_names;
+mod lay;
+mod loaded;
+mod loaded_train;
+mod micropitting_input;
+mod model;
+mod oil_file;
+mod oil_file_text;
+mod one_or_two;
+mod own_laws;
+mod page;
+mod path_point;
+mod place;
+mod plain_words;
+pub mod planetary;
+mod plausibility;
+mod resolve;
+mod rows;
+mod section;
+mod set;
+mod source;
+mod steel;
+mod surrogates;
+mod symbols;
+mod trace;
+mod trace_filters;
+mod trace_list;
+mod train_flow;
+mod train_gearbox;
+mod train_heat_input;
+mod train_input;
+mod train_parts;
+
+pub use any_input::AnyInput;
+pub use assumed_relief::AssumedRelief;
+pub use builder::CaseBuilder;
+pub use bulk::{BulkModel, BulkReport, FoundBulk};
+pub use bulk_input::{BulkInput, BulkLaw, Lubrication};
+pub use calibration::cholesky;
+pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput};
+pub use check::{Findings, check};
+pub use defaults::DefaultUsed;
+pub use error::CaseError;
+pub use files::{FILE_KEYS, FileSums};
+pub use finish::FinishName;
+pub use flank_place::{FlankPlaceInput, TraceStart};
+pub use gear_input::{
+    EndReliefInput, GearFlankInput, NoRelief, ReliefInput, ReliefSource, TipRelief,
+};
+pub use gearbox::{Gearbox, Part, PartKind};
+pub use gearbox_input::{
+    BearingInput, BearingKind, GearboxInput, JetInput, MeshJetInput, SealInput, Shaft, TableInput,
+};
+pub use gears::gear_pair;
+pub use input::{
+    BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
+    OperationInput, SurfaceInput, VehicleInput, schema,
+};
+pub use known_keys::nearest_name;
+pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
+pub use loaded::{
+    LoadedCase, Resolver, from_text, load, load_holding, load_set, load_with, open_source,
+};
+pub use micropitting_input::MicropittingInput;
+pub use model::{EhlChoices, EhlInput, Formulation, Model, ModelInput};
+pub use oil_file::{
+    DECISIVE, FitQuality, FittedFriction, FittedName, OilConstant, OilFile, OilSchema,
+    POORLY_EXPLAINED, law_error,
+};
+pub use one_or_two::OneOrTwo;
+pub use page::markdown;
+pub use path_point::{NamedPoint, PathPoint};
+pub use place::Place;
+pub use plausibility::possible_range;
+pub use resolve::{Case, resolve};
+pub use source::{Source, Syntax};
+pub use steel::STEEL_FLOW_PRESSURE;
+pub use trace::{Flank, Trace};
+pub use trace_list::{TraceEntry, TraceInput, TraceList};
+pub use train_flow::{MeshLoad, StageKind, Train, TrainFlow};
+pub use train_gearbox::{
+    Hand, MeshPlace, TrainGearbox, TrainGearboxInput, TrainPart, TrainPartKind,
+};

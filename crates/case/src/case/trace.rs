@@ -1,0 +1,161 @@
+//! Traces in memory for a case: heights, bytes, or a file.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use asperity_core::Profile;
+use asperity_core::quantity::Length;
+use asperity_profile_io::read::{LengthUnit, ReadError, ReadOptions};
+
+use super::error::CaseError;
+use super::files::Content;
+use super::input::FlankInput;
+use super::source::Source;
+use crate::error::Error;
+
+/// Least number of points of a trace, as for one that is read from a file.
+const FEWEST_POINTS: usize = 100;
+/// Spacings of styluses and optical instruments \[m\]; others indicate a wrong unit.
+const SPACINGS: std::ops::RangeInclusive<f64> = 1e-11..=1e-2;
+
+/// The trace of a flank.
+///
+/// ```
+/// use asperity_case::case::Trace;
+/// use asperity_core::quantity::Length;
+/// let heights: Vec<f64> = (0..8000).map(|i| 1e-7 * (f64::from(i) * 0.7).sin()).collect();
+/// let trace = Trace::from_heights(&heights, Length::from_si(0.5e-6))?.mirrored();
+/// assert!(Trace::from_heights(&heights[..50], Length::from_si(0.5e-6)).is_err());
+/// # Ok::<(), asperity_case::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trace {
+    pub(super) content: Option<Content>,
+    pub(super) name: Option<PathBuf>,
+    options: ReadOptions,
+    mirrored: bool,
+}
+
+impl Trace {
+    /// A trace of heights \[m\], positive out of the material, with this spacing.
+    ///
+    /// # Errors
+    /// When there are fewer than 100 heights, one is not finite, or no instrument has the spacing.
+    pub fn from_heights(heights: &[f64], spacing: Length) -> Result<Self, Error> {
+        let impossible = |what, value| ReadError::Impossible {
+            file: "heights".to_owned(),
+            what,
+            value,
+            unit: LengthUnit::Metre,
+        };
+        if heights.len() < FEWEST_POINTS {
+            return Err(refused(ReadError::TooFewPoints {
+                file: "heights".to_owned(),
+                points: heights.len(),
+                needed: FEWEST_POINTS,
+            }));
+        }
+        if !SPACINGS.contains(&spacing.si()) {
+            return Err(refused(impossible("the spacing", spacing.si())));
+        }
+        let profile = Profile::new(spacing, heights.to_vec())
+            .map_err(|error| refused(impossible(error.name, error.value)))?;
+        Ok(Self::of(Some(Content::Heights(Arc::new(profile))), None))
+    }
+
+    /// A trace of a profile.
+    ///
+    /// # Errors
+    /// As for [`from_heights`](Self::from_heights).
+    pub fn from_profile(profile: &Profile) -> Result<Self, Error> {
+        Self::from_heights(profile.heights(), profile.spacing())
+    }
+
+    /// The content of the file `name`, read with `options` when the case is built.
+    pub fn from_bytes(
+        name: impl Into<PathBuf>,
+        bytes: impl Into<Vec<u8>>,
+        options: ReadOptions,
+    ) -> Self {
+        let bytes: Vec<u8> = bytes.into();
+        let trace = Self::of(Some(Content::Bytes(bytes.into())), Some(name.into()));
+        Self { options, ..trace }
+    }
+
+    /// A file, relative to the working directory, read with `options` when the case is built.
+    pub fn from_file(path: impl Into<PathBuf>, options: ReadOptions) -> Self {
+        let trace = Self::of(None, Some(path.into()));
+        Self { options, ..trace }
+    }
+
+    /// The trace from its other end, since flanks face each other.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        Self {
+            mirrored: !self.mirrored,
+            ..self
+        }
+    }
+
+    fn of(content: Option<Content>, name: Option<PathBuf>) -> Self {
+        Self {
+            content,
+            name,
+            options: ReadOptions::default(),
+            mirrored: false,
+        }
+    }
+
+    /// The keys of a flank with this trace under this name.
+    pub(super) fn into_input(self, name: PathBuf) -> FlankInput {
+        let options = self.options;
+        FlankInput {
+            file: Some(name),
+            mirrored: self.mirrored.then_some(true),
+            x_unit: options.x_unit,
+            z_unit: options.z_unit,
+            dx: options.dx,
+            columns: options.columns,
+            decimal: options.decimal,
+            separator: options.separator,
+            encoding: options.encoding,
+            gaps: Some(options.gaps).filter(|gaps| *gaps != Default::default()),
+            row: options.row,
+            line: Some(options.line).filter(|line| *line != Default::default()),
+            abscissa: options.abscissa,
+            base_radius: options.base_radius,
+            uneven: Some(options.uneven).filter(|uneven| *uneven != Default::default()),
+            ..FlankInput::default()
+        }
+    }
+}
+
+fn refused(error: ReadError) -> Error {
+    CaseError::Profile {
+        place: Source::in_memory().place_of("surface"),
+        source: Box::new(error),
+    }
+    .into()
+}
+
+/// A flank: measured, or known by roughness values.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Flank {
+    /// A trace.
+    Trace(Trace),
+    /// Keys of a flank, as `rq` and `rpk`.
+    Keys(FlankInput),
+}
+
+impl From<Trace> for Flank {
+    fn from(trace: Trace) -> Self {
+        Self::Trace(trace)
+    }
+}
+
+impl From<FlankInput> for Flank {
+    fn from(keys: FlankInput) -> Self {
+        Self::Keys(keys)
+    }
+}

@@ -1,0 +1,177 @@
+//! Errors and their remedies in keys of a case: the keys to write and their tables.
+//!
+//! A command uses them if a case file is to be changed, a page if it shows the text of the case.
+
+use asperity_core::remedy::{Action, Remedy, Setting, Value};
+
+use crate::error::Error;
+use crate::message::explain;
+
+impl Error {
+    /// The error with its remedy in keys of the case.
+    ///
+    /// ```
+    /// use asperity_case::case::from_text;
+    /// let text = r#"
+    ///     gears = { teeth = [23, 68], module = "1.8 mm", face_width = "32 mm" }
+    ///     operation = { torque = "145 N m", speed = "9000 1/min", bulk_temperature = "90 °C" }
+    ///     lubricant = { oil = "m100" }
+    ///     surface = { pinion = { file = "flank.txt", z_unit = "um" } }
+    /// "#;
+    /// let heights = "0.25\n0.5\n".repeat(100);
+    /// let error = from_text("case.toml", text, &|_| Ok(heights.clone().into_bytes())).unwrap_err();
+    /// assert!(error.in_keys().ends_with("Write dx = \"0.5 um\" in surface.pinion"), "{}", error.in_keys());
+    /// ```
+    pub fn in_keys(&self) -> String {
+        with_keys(&self.to_string(), &self.remedy(), self.flank())
+    }
+
+    /// The flank that the error is about, by its table in the case.
+    pub fn flank(&self) -> &'static str {
+        let key = self.place().and_then(|place| place.key.as_deref());
+        match key {
+            Some(key) if key.starts_with("surface.wheel") => "surface.wheel",
+            _ => "surface.pinion",
+        }
+    }
+}
+
+/// Table of a case with the key of `setting`, for the flank at `flank`; `None` for a key that includes its table.
+pub fn table(setting: Setting, flank: &str) -> Option<&str> {
+    match setting {
+        Setting::Key(_) => None,
+        Setting::Outliers | Setting::Form | Setting::Cutoff | Setting::NoiseCutoff => {
+            Some("surface")
+        }
+        _ => Some(flank),
+    }
+}
+
+/// `message` with its remedy in keys of the case file, for the flank at `flank`.
+pub fn with_keys(message: &str, remedy: &Remedy, flank: &str) -> String {
+    ended(message, &remedy.sentence(|action| in_keys(action, flank)))
+}
+
+/// Appends the advice, unless the message ends in a question that implies it.
+pub fn ended(message: &str, advice: &str) -> String {
+    if advice.is_empty() || message.ends_with('?') {
+        message.to_owned()
+    } else {
+        format!("{}. {advice}", message.trim_end_matches('.'))
+    }
+}
+
+fn in_keys(action: &Action, flank: &str) -> String {
+    match action {
+        Action::Do { what } => what.to_string(),
+        Action::Omit { setting } => match table(*setting, flank) {
+            Some(table) => format!("leave {} out of {table}", setting.key()),
+            None => format!("leave {} out", setting.key()),
+        },
+        Action::Set { settings, to, why } => {
+            let keys: Vec<&str> = settings.iter().map(|setting| setting.key()).collect();
+            let keys = keys.join(" and ");
+            let assignment = match to {
+                Value::This(value) | Value::Like(value) => {
+                    format!("{keys} = {}", written(settings, value))
+                }
+                Value::OneOf(values) => {
+                    let each: Vec<_> = values
+                        .split(" | ")
+                        .map(|value| written(settings, value))
+                        .collect();
+                    format!("{keys} = {}", each.join(", or "))
+                }
+                _ => keys,
+            };
+            let table = settings.first().and_then(|first| table(*first, flank));
+            let instruction = match table {
+                Some(table) => format!("write {assignment} in {table}"),
+                None => format!("set {assignment}"),
+            };
+            explained(instruction, why)
+        }
+        _ => String::new(),
+    }
+}
+
+/// A value as written in a case file.
+fn written(settings: &[Setting], value: &str) -> String {
+    match settings {
+        [Setting::Columns] => match value.split_once(',') {
+            Some((x, z)) => format!("{{ x = {x}, z = {z} }}"),
+            None => format!("{{ z = {value} }}"),
+        },
+        [Setting::Row | Setting::Outliers] => value.to_owned(),
+        _ => format!("\"{value}\""),
+    }
+}
+
+/// `instruction` with its purpose or condition, if any.
+pub fn explained(instruction: String, why: &str) -> String {
+    match why {
+        "" => instruction,
+        why => format!("{instruction} {why}"),
+    }
+}
+
+/// General advice for a code, with the keys that it is about; `None` for an unknown code or if its messages say it.
+///
+/// ```
+/// assert_eq!(
+///     asperity_case::key_words::advice("E110").as_deref(),
+///     Some("State the spacing of the points, e.g. 0.5 um (dx in surface.pinion).")
+/// );
+/// ```
+pub fn advice(code: &str) -> Option<String> {
+    let entry = explain(code).filter(|entry| !entry.remedy.is_empty())?;
+    let Some(first) = entry.settings.first() else {
+        return Some(entry.remedy.to_owned());
+    };
+    let keys: Vec<&str> = entry.settings.iter().map(|s| s.key()).collect();
+    let keys = keys.join(", ");
+    let general = entry.remedy.trim_end_matches('.');
+    Some(match table(*first, "surface.pinion") {
+        Some(table) => format!("{general} ({keys} in {table})."),
+        None => format!("{general} ({keys})."),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_remedy_names_keys() {
+        let unit = Remedy::set(Setting::ZUnit, Value::OneOf("um | nm | mm".into()));
+        assert_eq!(
+            with_keys("a.csv: no unit", &unit, "surface.wheel"),
+            "a.csv: no unit. Write z_unit = \"um\", or \"nm\", or \"mm\" in surface.wheel"
+        );
+        let columns = Remedy::set(Setting::Columns, Value::Like("1,2".into()));
+        assert_eq!(
+            with_keys("m", &columns, "surface.pinion"),
+            "m. Write columns = { x = 1, z = 2 } in surface.pinion"
+        );
+        let none = Remedy::set(Setting::Cutoff, Value::This("0 mm".into()));
+        assert_eq!(
+            with_keys("m", &none, "surface.wheel"),
+            "m. Write cutoff = \"0 mm\" in surface"
+        );
+        assert_eq!(with_keys("m?", &none, "surface.wheel"), "m?");
+    }
+
+    #[test]
+    fn advice_names_the_keys_of_a_code() {
+        assert_eq!(
+            advice("E121").as_deref(),
+            explain("E121").map(|entry| entry.remedy)
+        );
+        assert!(
+            advice("E120")
+                .unwrap()
+                .ends_with("(cutoff, noise_cutoff in surface).")
+        );
+        assert_eq!(advice("none of ours"), None);
+    }
+}

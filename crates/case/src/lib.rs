@@ -1,0 +1,25 @@
+//! The case of a gear mesh: the inputs of a run, checked and completed with defaults, with its measured flanks.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`case`] | keys, defaults, checks, oil files, gear trains; [`case::load`] reads a file |
+//! | [`flanks`] | traces on their flanks, and the windows in contact at a mesh position |
+//! | [`laws`], [`load_share_law`] | user-defined laws in place of those that a case names |
+//! | [`error`], [`message`] | errors and warnings with a code, the place in the case and a remedy |
+//!
+//! No rough contact, friction or loss is computed here: the crate `asperity` does that, and re-exports these modules.
+
+pub mod balance;
+pub mod case;
+pub mod error;
+pub mod fingerprint;
+pub mod flanks;
+pub mod formula_film;
+pub mod key_words;
+pub mod laws;
+pub mod load_share_law;
+pub mod loss_table;
+pub mod mesh_position;
+pub mod message;
+pub mod physical_limits;
+pub mod recorded_share;

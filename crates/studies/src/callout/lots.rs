@@ -1,0 +1,411 @@
+//! Lots of flanks of the recipe of a case, their inspection and their loss.
+
+use asperity::PositionError;
+use asperity::case::LoadedCase;
+use asperity::flanks::surfaces::PairsOfTeeth;
+use asperity::flanks::{Surfaces, Texture};
+use asperity::pipeline::losses;
+use asperity_core::numerics::standard_normal_quantile;
+use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
+use asperity_roughness::generate::Fitted;
+use asperity_roughness::height_parameters::Mode;
+use asperity_roughness::{Parameters, RoughnessError};
+use rand_chacha::ChaCha8Rng;
+use rand_core::Rng;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::error::CallOutError;
+use crate::sweep::{stream, uniform};
+
+/// Pairs of flanks whose mean loss is the loss of a lot.
+pub(super) const PAIRS: usize = 16;
+/// Offsets of each pair of traces; other windows of the same flanks would change the loss of a lot by half a percent.
+pub(super) const OFFSETS: usize = 2;
+/// Ratio of Rq of both flanks up to which they have one recipe.
+const ALIKE: f64 = 1.25;
+/// Points of all periodic profiles of a recipe by the number of lots: a million points, of 200 lots, have mean parameters
+/// with an error of a percent.
+const POINTS_OF_A_LOT: usize = 5000;
+/// Fewest traces in them.
+const FEWEST_TRACES: usize = 32;
+/// Streams of random numbers of lots whose shape is the recipe's, beyond those of the other lots.
+const NOMINAL_STREAM: u64 = 1 << 40;
+
+/// Roughness parameter of a call-out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Parameter {
+    /// Reduced peak height.
+    Rpk,
+    /// Root mean square height.
+    Rq,
+    /// Root mean square slope.
+    Rdq,
+}
+
+impl Parameter {
+    /// All parameters; the first is preferred.
+    pub const ALL: [Self; 3] = [Self::Rpk, Self::Rq, Self::Rdq];
+
+    /// Symbol on a drawing.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Rpk => "Rpk",
+            Self::Rq => "Rq",
+            Self::Rdq => "Rdq",
+        }
+    }
+
+    /// Unit; empty for a slope.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Rpk | Self::Rq => "um",
+            Self::Rdq => "",
+        }
+    }
+}
+
+/// Values of [`Parameter::ALL`] in their units.
+pub(super) type Values = [f64; 3];
+
+/// Factors on heights, wavelengths and peaks.
+#[derive(Clone, Copy)]
+struct Shape([f64; 3]);
+
+impl Shape {
+    const RECIPE: Self = Self([1.0; 3]);
+
+    /// This shape with all factors scattered by `scatter`, the standard deviation of their logarithms.
+    fn scattered(self, scatter: f64, random: &mut ChaCha8Rng) -> Self {
+        let factor = |_| (scatter * standard_normal_quantile(uniform(random))).exp();
+        let factors = [0, 1, 2].map(factor);
+        Self([0, 1, 2].map(|k| self.0[k] * factors[k]))
+    }
+}
+
+/// Recipe of one flank or both, with endless traces.
+struct Recipe {
+    /// Periodic profiles.
+    wholes: Vec<Profile>,
+    /// Points of a trace that is inspected.
+    points: usize,
+    /// Mean parameters of its traces.
+    values: Values,
+}
+
+/// A lot at the height of the recipe.
+pub(super) struct Lot {
+    /// Parameters of each inspected trace over those of the recipe, mean of both recipes if there are two.
+    pub inspected: Vec<Values>,
+    /// Its pairs of flanks.
+    pairs: Surfaces,
+}
+
+/// Manufacture of lots for a case.
+pub(super) struct Process {
+    pub case: LoadedCase,
+    /// Of both flanks, or of pinion and wheel.
+    recipes: Vec<Recipe>,
+    /// Points of the traces of pinion and wheel.
+    points: [usize; 2],
+    spacing: Length,
+    /// Length of a section of the height parameters.
+    section: Length,
+    scatter: f64,
+    seed: u64,
+    /// Mean Ra of the recipes \[m\].
+    pub ra: f64,
+}
+
+impl Process {
+    /// Fits the recipes to the traces of `loaded`, and makes periodic profiles for `lots` lots.
+    pub(super) fn of(
+        loaded: &LoadedCase,
+        (scatter, seed): (f64, u64),
+        lots: usize,
+    ) -> Result<Self, CallOutError> {
+        let mut case = loaded.clone();
+        case.case.gearbox = None;
+        case.case.model.run_in = false;
+        case.case.model.offsets = OFFSETS;
+        case.case.input.model.offsets = Some(OFFSETS);
+        let traces = [traces(&case.surfaces, 0)?, traces(&case.surfaces, 1)?];
+        let first = [&traces[0][0], &traces[1][0]];
+        let section = case.case.preparation.lambda_c;
+        let section = section.unwrap_or_else(|| first[0].length() / 5.0);
+        let rq = |body: usize| -> Result<f64, RoughnessError> {
+            let of = traces[body]
+                .iter()
+                .map(|trace| Ok(values(trace, section)?.0[1]));
+            Ok(of.sum::<Result<f64, RoughnessError>>()? / traces[body].len() as f64)
+        };
+        let ratio = rq(0)? / rq(1)?;
+        let all: Vec<Profile> = traces.concat();
+        let of_recipes: Vec<&[Profile]> = match (1.0 / ALIKE..=ALIKE).contains(&ratio) {
+            true => vec![&all],
+            false => traces.iter().map(Vec::as_slice).collect(),
+        };
+        let mut recipes = Vec::new();
+        let mut ra = 0.0;
+        for traces in &of_recipes {
+            let (recipe, own) = Recipe::of(traces, section, (seed, lots * POINTS_OF_A_LOT))?;
+            recipes.push(recipe);
+            ra += own / of_recipes.len() as f64;
+        }
+        Ok(Self {
+            points: first.map(Profile::len),
+            spacing: first[0].spacing(),
+            case,
+            recipes,
+            section,
+            scatter,
+            seed,
+            ra,
+        })
+    }
+
+    /// Values of each recipe.
+    pub(super) fn values(&self) -> Vec<Values> {
+        self.recipes.iter().map(|recipe| recipe.values).collect()
+    }
+
+    /// Lot `number`, of which `count` traces of each recipe are inspected, on flanks that are in none of its pairs.
+    pub(super) fn lot(&self, number: usize, count: usize) -> Result<Lot, CallOutError> {
+        let random = stream(self.seed, number as u64, false);
+        let of_height = |shape: Shape| Shape([1.0, shape.0[1], shape.0[2]]);
+        self.made(random, count, |random| {
+            of_height(Shape::RECIPE.scattered(self.scatter, random))
+        })
+    }
+
+    /// A lot whose medians are those of the recipe, without inspection.
+    pub(super) fn nominal(&self, number: usize) -> Result<Lot, CallOutError> {
+        let random = stream(self.seed, NOMINAL_STREAM + number as u64, false);
+        self.made(random, 0, |_| Shape::RECIPE)
+    }
+
+    fn made(
+        &self,
+        mut random: ChaCha8Rng,
+        count: usize,
+        of_lot: impl FnOnce(&mut ChaCha8Rng) -> Shape,
+    ) -> Result<Lot, CallOutError> {
+        let shape = of_lot(&mut random);
+        let mut flank = |recipe: &Recipe, points: usize| {
+            let own = shape.scattered(self.scatter, &mut random);
+            recipe.flank((self.spacing, points), own, &mut random)
+        };
+        let mut inspected = Vec::with_capacity(count);
+        for _ in 0..count {
+            let mut mean = [0.0; 3];
+            for recipe in &self.recipes {
+                let (found, _) = values(&flank(recipe, recipe.points)?, self.section)?;
+                for (mean, (value, of_recipe)) in
+                    mean.iter_mut().zip(found.iter().zip(recipe.values))
+                {
+                    *mean += value / of_recipe / self.recipes.len() as f64;
+                }
+            }
+            inspected.push(mean);
+        }
+        let mut met = Vec::with_capacity(PAIRS);
+        for _ in 0..PAIRS {
+            let mut of = |body: usize| {
+                let recipe = self.recipes.get(body).unwrap_or(&self.recipes[0]);
+                flank(recipe, self.points[body])
+            };
+            let traces = [of(0)?, of(1)?];
+            let mut rz = [None; 2];
+            for (rz, trace) in rz.iter_mut().zip(&traces) {
+                *rz = Some(parameters(trace, self.section)?.heights.rz);
+            }
+            met.push(vec![self.case.surfaces.with_traces(traces).with_rz(rz)]);
+        }
+        let pairs = Surfaces::of_pairs(PairsOfTeeth { teeth: None, met });
+        let pairs = pairs.ok_or_else(no_profile)?;
+        Ok(Lot { inspected, pairs })
+    }
+
+    /// Mean loss of the pairs of `lot` with all heights times `height` \[W\].
+    pub(super) fn loss(&self, lot: &Lot, height: f64) -> Result<f64, CallOutError> {
+        let mut case = self.case.clone();
+        case.surfaces = lot.pairs.with_heights_times(height)?;
+        Ok(losses(&case)?.summary.loss_w)
+    }
+}
+
+impl Recipe {
+    /// The recipe of `traces` and its mean Ra \[m\].
+    fn of(
+        traces: &[Profile],
+        section: Length,
+        (seed, size): (u64, usize),
+    ) -> Result<(Self, f64), CallOutError> {
+        let fitted = Fitted::to(&traces[0], &traces[1..], seed)?;
+        let points = fitted.points;
+        let whole = |k: usize| {
+            // Consecutive seeds would share profiles.
+            let seed = stream(seed, k as u64, true).next_u64();
+            let longer = Fitted {
+                seed,
+                // The transforms of a prime number of points take several times as long.
+                points: points.next_power_of_two(),
+                ..fitted.clone()
+            };
+            longer.generate_whole()
+        };
+        let mut wholes = vec![whole(0)?];
+        let count = size.max(FEWEST_TRACES * points).div_ceil(wholes[0].len());
+        let others: Result<Vec<Profile>, DomainError> =
+            (1..count).into_par_iter().map(whole).collect();
+        wholes.extend(others?);
+        let (mut sum, mut ra, mut number) = ([0.0; 3], 0.0, 0.0);
+        for whole in &wholes {
+            for part in whole.heights().chunks_exact(points) {
+                let (found, own) = values(&Profile::new(fitted.spacing, part.to_vec())?, section)?;
+                for (sum, value) in sum.iter_mut().zip(found) {
+                    *sum += value;
+                }
+                ra += own;
+                number += 1.0;
+            }
+        }
+        let recipe = Self {
+            wholes,
+            points,
+            values: sum.map(|sum| sum / number),
+        };
+        Ok((recipe, ra / number))
+    }
+
+    /// A trace of `points` points from a random place, with the factors of `shape`.
+    fn flank(
+        &self,
+        (spacing, points): (Length, usize),
+        Shape([height, wavelength, peak]): Shape,
+        random: &mut ChaCha8Rng,
+    ) -> Result<Profile, DomainError> {
+        let z = self.wholes[(uniform(random) * self.wholes.len() as f64) as usize].heights();
+        let begin = uniform(random) * z.len() as f64;
+        let at = |i: usize| {
+            let x = begin + i as f64 / wavelength;
+            let [a, b, c, d] = [0, 1, 2, 3].map(|k: usize| z[(x as usize + k) % z.len()]);
+            let value = between([a, b, c, d], x.fract());
+            height * if value > 0.0 { peak * value } else { value }
+        };
+        Profile::new(spacing, (0..points).map(at).collect())
+    }
+}
+
+/// The cubic of Catmull and Rom at `t` from the second to the third of four even values.
+fn between([a, b, c, d]: [f64; 4], t: f64) -> f64 {
+    let second = 2.0 * a - 5.0 * b + 4.0 * c - d;
+    let third = 3.0 * (b - c) + d - a;
+    b + 0.5 * t * (c - a + t * (second + t * third))
+}
+
+/// Parameters of a trace in their units, and Ra \[m\].
+fn values(trace: &Profile, section: Length) -> Result<(Values, f64), RoughnessError> {
+    const MICRO: f64 = 1e6;
+    let found = parameters(trace, section)?;
+    let heights = found.heights;
+    let values = [
+        found.material.rpk.si() * MICRO,
+        heights.rq.si() * MICRO,
+        heights.rdq,
+    ];
+    Ok((values, heights.ra.si()))
+}
+
+fn parameters(trace: &Profile, section: Length) -> Result<Parameters, RoughnessError> {
+    Parameters::of(trace, Mode::Iso4287, section)
+}
+
+/// Distinct traces of a flank.
+fn traces(surfaces: &Surfaces, body: usize) -> Result<Vec<Profile>, CallOutError> {
+    let mut found: Vec<Profile> = Vec::new();
+    for pair in surfaces.each() {
+        match &pair.textures()[body] {
+            Texture::Trace(trace) if !found.contains(trace) => found.push(trace.clone()),
+            Texture::Trace(_) => {}
+            _ => return Err(no_profile()),
+        }
+    }
+    Ok(found)
+}
+
+fn no_profile() -> CallOutError {
+    CallOutError::Case(Box::new(PositionError::NoProfile).into())
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::case::load_with;
+
+    use super::*;
+
+    /// The e-drive with all heights of the wheel times `factor`.
+    fn e_drive(factor: f64) -> LoadedCase {
+        let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+        let mut case = load_with(file, &|input| input.model.positions = Some(2)).unwrap();
+        let [pinion, wheel] = [0, 1].map(|body| traces(&case.surfaces, body).unwrap().remove(0));
+        let lower = wheel.heights().iter().map(|z| factor * z).collect();
+        let lower = Profile::new(wheel.spacing(), lower).unwrap();
+        case.surfaces = case.surfaces.with_traces([pinion, lower]);
+        case
+    }
+
+    /// Mean and standard deviation of Rq over the traces of 40 lots, over Rq of the recipe.
+    fn rq(process: &Process) -> [f64; 2] {
+        let lots = (0..40).map(|number| process.lot(number, 8).unwrap());
+        let all: Vec<f64> = lots
+            .flat_map(|lot| lot.inspected)
+            .map(|values| values[1])
+            .collect();
+        let mean = all.iter().sum::<f64>() / all.len() as f64;
+        let squares = all.iter().map(|value| (value - mean).powi(2)).sum::<f64>();
+        [mean, (squares / all.len() as f64).sqrt()]
+    }
+
+    #[test]
+    fn traces_of_lots_have_the_parameters_of_the_recipe_with_the_stated_scatter() {
+        let of = |scatter: f64| rq(&Process::of(&e_drive(1.0), (scatter, 1), 20).unwrap());
+        let [[even, sampled], [mean, scattered]] = [of(0.0), of(0.1)];
+        // 320 traces from 32 lengths: 6 % over the root of 32.
+        assert!(
+            (even - 1.0).abs() < 0.03 && (mean - even).abs() < 0.03,
+            "{even} {mean}"
+        );
+        // Heights scatter by 10 %, the upper halves of traces and lots by 10 % more: (1 + 2/4) of its square, and waves
+        // that the sections of the parameter cut off add a little.
+        let added = (scattered.powi(2) - sampled.powi(2)).sqrt();
+        assert!((0.10..0.15).contains(&added), "{added}");
+    }
+
+    #[test]
+    fn flanks_of_different_finishes_have_recipes_of_their_own() {
+        let process = |factor: f64| Process::of(&e_drive(factor), (0.1, 1), 20).unwrap();
+        assert_eq!(process(1.0).values().len(), 1);
+        let [pinion, wheel] = process(0.3).values()[..] else {
+            panic!("two recipes");
+        };
+        // The measured Rq of the flanks differ by 5 %, the recipes are of single traces.
+        assert!(
+            (wheel[1] / pinion[1] / 0.3 - 1.0).abs() < 0.2,
+            "{wheel:?} {pinion:?}"
+        );
+    }
+
+    #[test]
+    fn a_cubic_through_four_points_of_a_parabola_is_the_parabola() {
+        let z = |x: f64| 1.0 + 2.0 * x - 3.0 * x * x;
+        let points = [-1.0, 0.0, 1.0, 2.0].map(z);
+        for t in [0.0, 0.3, 0.9] {
+            assert!((between(points, t) - z(t)).abs() < 1e-14);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Page of a call-out: the limit, how it follows from the number of traces, and the loss by the height of the flanks.
+
+use asperity_report::chart::{Axis, Chart, Drawing, Level, Line, Series};
+use asperity_report::html::{figure, page};
+use maud::{Markup, html};
+
+use super::study::CallOut;
+use super::summary::{NOTE, cells, headline, inspection, limit_line, losses};
+
+pub(super) fn render(study: &CallOut) -> String {
+    let limit = html! {
+        @for limit in &study.limits { p { strong { (limit_line(limit)) "." } } }
+        p { (inspection(study)) "." }
+        p { (losses(study)) "." }
+        p { (NOTE) }
+        (table(study))
+    };
+    let traces = html! { div.charts { (figure(&traces_chart(study))) } };
+    let curve = html! { div.charts { (figure(&curve_chart(study))) } };
+    let sections = [
+        ("Limit", limit),
+        ("By the number of traces", traces),
+        ("By the height of the flanks", curve),
+    ];
+    page(
+        &study.title,
+        &format!("call-out · {}", headline(study)),
+        &sections,
+    )
+}
+
+fn traces_chart(study: &CallOut) -> Drawing {
+    let title = format!("Limit of the mean {}", study.parameter.symbol());
+    let (x, y) = (
+        Axis::new("inspected traces", ""),
+        Axis::new("limit over recipe", ""),
+    );
+    let mut chart = Chart::new("traces", &title, "traces.csv", x, y);
+    let points = study.by_traces.iter();
+    let points = points.map(|row| [row.traces as f64, row.limit_over_recipe]);
+    chart
+        .series
+        .push(Series::through("limit", Line::Dots, points));
+    Drawing::Curves(chart)
+}
+
+fn curve_chart(study: &CallOut) -> Drawing {
+    let (x, y) = (
+        Axis::new("height of the flanks over the recipe", ""),
+        Axis::new("mean loss of lots of the recipe", "W"),
+    );
+    let title = "Loss by the height of the flanks";
+    let mut chart = Chart::new("curve", title, "curve.csv", x, y);
+    let points = study.curve.iter().map(|point| [point.height, point.loss_w]);
+    chart
+        .series
+        .push(Series::through("loss", Line::Dots, points));
+    chart.levels.push(Level {
+        at: study.loss_w,
+        label: "stated loss".to_owned(),
+    });
+    Drawing::Curves(chart)
+}
+
+fn table(study: &CallOut) -> Markup {
+    html! { div.scroll { table {
+        thead { tr { th { "parameter" } th.number { "traces" } th.number { "limit over recipe" }
+            th.number { "sd of the limit" } th.number { "sd of single traces" } } }
+        tbody { @for row in &study.parameters {
+            @let [limit, deviation, of_traces] = cells(study, row);
+            tr { td { (row.parameter) } td.number { (row.traces) } td.number { (limit) } td.number { (deviation) }
+                td.number { (of_traces) } }
+        } }
+    } } }
+}

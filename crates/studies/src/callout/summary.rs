@@ -1,0 +1,121 @@
+//! Summary of a call-out for the terminal.
+
+use asperity::result::loss_band::rounded;
+use asperity_report::wrapped;
+use asperity_storage::one_line;
+
+use super::study::{CallOut, LimitRow, ParameterRow};
+
+/// Explanation of the numbers.
+pub(super) const NOTE: &str = "A lot is a set of flanks of the recipe of the traces; it meets the loss if the mean over 16 pairs of its \
+    flanks, constants at their medians, is at most the stated loss. Heights, wavelengths and peaks of a flank scatter about the \
+    median of its lot, wavelengths and peaks of a lot about the recipe. Nothing is assumed of the height of a lot before its \
+    inspection. Running-in and the uncertainty of the constants are not in it. These are answers of the model, not \
+    measurements.";
+
+/// Uncertainty of a printed loss over it: the lots of the curve.
+const CURVE_ERROR: f64 = 0.01;
+
+/// A loss with the digits that the number of simulated pairs leaves.
+pub(super) fn watts(loss_w: f64) -> String {
+    format!("{} W", rounded(loss_w, CURVE_ERROR * loss_w))
+}
+
+/// Summary of the study for the terminal.
+pub(super) fn summary(study: &CallOut) -> String {
+    let mut text = format!("{}\n{}\n", one_line(&study.title), headline(study));
+    for limit in &study.limits {
+        text.push_str(&format!("{}\n", limit_line(limit)));
+    }
+    text.push_str(&format!("{}\n", inspection(study)));
+    text.push_str(&format!("{}\n\n", losses(study)));
+    text.push_str(&format!(
+        "{:9} {:>6} {:>17} {:>16} {:>18}\n",
+        "parameter", "traces", "limit over recipe", "sd of the limit", "sd of single traces"
+    ));
+    for row in &study.parameters {
+        let [limit, deviation, of_traces] = cells(study, row);
+        text.push_str(&format!(
+            "{:9} {:>6} {limit:>17} {deviation:>16} {of_traces:>18}\n",
+            row.parameter, row.traces
+        ));
+    }
+    text.push_str(&format!("{}\n", wrapped(NOTE, "")));
+    text
+}
+
+pub(super) fn headline(study: &CallOut) -> String {
+    format!(
+        "{} in {:.0} % of the lots at the limit; scatter {:.0} %",
+        asperity_core::quantity::Power::from_si(study.loss_w),
+        100.0 * study.confidence,
+        100.0 * study.scatter
+    )
+}
+
+/// Limit of a flank with the digits that the simulated lots leave.
+pub(super) fn limit_line(row: &LimitRow) -> String {
+    let unit = match row.unit {
+        "" => String::new(),
+        unit => format!(" {unit}"),
+    };
+    let flank = match row.flank {
+        "both" => "both flanks".to_owned(),
+        flank => flank.to_owned(),
+    };
+    // The periodic profiles of a recipe leave a percent.
+    let recipe = rounded(row.recipe, 0.01 * row.recipe);
+    format!(
+        "{flank}: mean {} at most {}{unit} (the recipe has {recipe}{unit})",
+        row.parameter,
+        rounded(row.limit, row.standard_error),
+    )
+}
+
+/// Traces and wavelengths.
+pub(super) fn inspection(study: &CallOut) -> String {
+    let of_each = match study.limits.len() {
+        1 => "",
+        _ => " of each gear",
+    };
+    let plural = if study.traces == 1 { "" } else { "s" };
+    let um = |value: f64| {
+        let text = rounded(value, 0.05 * value);
+        let digits = match text.contains('.') {
+            true => text.trim_end_matches('0').trim_end_matches('.'),
+            false => &text,
+        };
+        format!("{digits} um")
+    };
+    let band = match study.wavelengths_um {
+        [Some(short), Some(long)] => format!("wavelengths {} to {}", um(short), um(long)),
+        [None, Some(long)] => format!("wavelengths up to {}", um(long)),
+        [Some(short), None] => format!("wavelengths from {}", um(short)),
+        [None, None] => "all wavelengths of the traces".to_owned(),
+    };
+    format!(
+        "inspect {} trace{plural}{of_each}, each on another flank; {band}",
+        study.traces
+    )
+}
+
+/// Losses at the limit, of the recipe and of smooth flanks.
+pub(super) fn losses(study: &CallOut) -> String {
+    format!(
+        "mean loss: {} at the limit, {} with the recipe, {} with smooth flanks",
+        watts(study.mean_loss_w),
+        watts(study.recipe_loss_w),
+        watts(study.smooth_loss_w)
+    )
+}
+
+/// Limit, deviation of ln(s* u), and relative deviation of single traces, in percent.
+pub(super) fn cells(study: &CallOut, row: &ParameterRow) -> [String; 3] {
+    let error = row.deviation / (study.lots as f64).sqrt();
+    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    [
+        rounded(row.limit_over_recipe, 1.4 * error),
+        percent(row.deviation),
+        percent(row.of_traces),
+    ]
+}

@@ -1,0 +1,104 @@
+//! `asperity callout`.
+
+use crate::bench::{Bench, E_DRIVE};
+
+/// A case with few positions, and few lots.
+const FEW: [&str; 4] = ["--set", "model.positions=2", "--lots", "20"];
+
+fn bench() -> Bench {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    bench
+}
+
+fn call(loss: &'static str, options: &[&'static str]) -> Vec<&'static str> {
+    [&["callout", "case.toml", "--loss", loss][..], &FEW, options].concat()
+}
+
+#[test]
+fn limits_are_printed_and_written_with_traces_and_wavelengths() {
+    let bench = bench();
+    let smooth = |bench: &Bench| {
+        let text = std::fs::read_to_string(bench.path("results/case-callout/callout.json"));
+        let json: serde_json::Value = serde_json::from_str(&text.unwrap()).unwrap();
+        json
+    };
+    let said = bench.run(&call("600 W", &[])).well().out;
+    for words in [
+        "both flanks: mean R",
+        "inspect ",
+        "wavelengths 2.5 um to 250 um",
+        "smooth flanks",
+    ] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let found = smooth(&bench);
+    let limit = |found: &serde_json::Value| found["limits"][0]["limit"].as_f64().unwrap();
+    let losses =
+        ["smooth_loss_w", "mean_loss_w", "loss_w"].map(|name| found[name].as_f64().unwrap());
+    assert!(losses.is_sorted(), "{losses:?}");
+    for table in [
+        "limits.csv",
+        "parameters.csv",
+        "traces.csv",
+        "curve.csv",
+        "callout.html",
+    ] {
+        assert!(
+            bench
+                .path(&format!("results/case-callout/{table}"))
+                .is_file()
+        );
+    }
+    // One trace says less than many, and a higher confidence takes a lower limit.
+    let of = |options| {
+        bench.run(&call("600 W", options)).well();
+        limit(&smooth(&bench))
+    };
+    let one = of(&["--parameter", "rpk", "--traces", "1"]);
+    let many = of(&["--parameter", "rpk", "--traces", "64"]);
+    let sure = of(&[
+        "--parameter",
+        "rpk",
+        "--traces",
+        "64",
+        "--confidence",
+        "98 %",
+    ]);
+    assert!(one < many && sure < many, "{one} {many} {sure}");
+}
+
+#[test]
+fn losses_that_no_finish_has_and_impossible_settings_are_refused() {
+    let bench = bench();
+    bench
+        .run(&call("200 W", &[]))
+        .refused(2, "E323", &["smooth flanks (Ra 0.01 um) lose "]);
+    bench
+        .run(&call("5 kW", &[]))
+        .refused(2, "E323", &["no limit is needed for 5", "Ra "]);
+    for (option, value, says) in [
+        ("--confidence", "100 %", "50 and 99 %"),
+        ("--scatter", "40 %", "0 and 30 %"),
+        ("--traces", "0", "1 to 64"),
+        ("--traces", "65", "1 to 64"),
+    ] {
+        bench
+            .run(&call("600 W", &[option, value]))
+            .refused(2, "E209", &[says]);
+    }
+    bench
+        .run(&call("0 W", &[]))
+        .refused(2, "E209", &["must be positive"]);
+    let paper = call(
+        "600 W",
+        &[
+            "--set",
+            "surface.pinion={ rq = \"0.3 um\" }",
+            "--set",
+            "formulation=paper",
+        ],
+    );
+    bench.run(&paper).refused(4, "E303", &["a flank has none"]);
+}
