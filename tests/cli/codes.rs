@@ -98,6 +98,7 @@ fn every_code_in_the_sources_is_explained_and_no_other() {
             "crates/case/src",
             "crates/asperity/src",
             "crates/calibration/src",
+            "crates/studies/src",
             "crates/rexs/src",
             "cli/src",
         ],

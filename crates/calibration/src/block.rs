@@ -71,7 +71,8 @@ pub(crate) fn rounded(numbers: &[usize], correlations: &[Vec<f64>]) -> DMatrix<f
     let scaled = |factor: f64| {
         DMatrix::from_fn(count, count, |i, j| match i == j {
             true => 1.0,
-            false => (STEPS * factor * correlations[numbers[i]][numbers[j]]).round() / STEPS,
+            // A zero is added so that no negative zero is written.
+            false => (STEPS * factor * correlations[numbers[i]][numbers[j]]).round() / STEPS + 0.0,
         })
     };
     let holds = |matrix: &DMatrix<f64>| {

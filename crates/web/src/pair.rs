@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
 
-/// The gears of a case; its other tables are not looked at.
+/// The gears of a case; its other tables are not read.
 #[derive(Deserialize)]
 struct Gears {
     gears: GearsInput,

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use asperity::result::loss_band::Digits;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use asperity_report::{ReportError, StudyResult, tables};
@@ -10,7 +11,6 @@ use maud::{Markup, html};
 
 use super::oil_fit::{FittedConstant, OilFit, TractionPointRow};
 use super::selection::Dropped;
-use crate::block::digits;
 use crate::page::{files, notes, warnings};
 
 /// The oil file.
@@ -142,7 +142,7 @@ fn row(constant: &FittedConstant) -> String {
     let text = format!(
         "{:<38} {:>10}   {:<20} {:<20}  {verdict}",
         named(constant),
-        digits(constant.value),
+        by_interval(constant.value, constant.range),
         range(constant.range),
         range(constant.prior_range)
     );
@@ -156,8 +156,14 @@ fn named(constant: &FittedConstant) -> String {
     }
 }
 
-pub(super) fn range([low, high]: [f64; 2]) -> String {
-    format!("({}..{})", digits(low), digits(high))
+/// The value with the digits that its interval leaves.
+fn by_interval(value: f64, interval: [f64; 2]) -> String {
+    Digits::of_interval(interval).rounded(value)
+}
+
+pub(super) fn range(ends: [f64; 2]) -> String {
+    let [low, high] = ends.map(|end| by_interval(end, ends));
+    format!("({low}..{high})")
 }
 
 fn constants(fit: &OilFit) -> Markup {
@@ -169,9 +175,9 @@ fn constants(fit: &OilFit) -> Markup {
                 th.number { "by the other law" } th.number { "error left, expected" } th.number { "error left" } th { "by the points" } } }
             tbody { @for (one, other) in fit.constants.iter().zip(&fit.other_law.constants) { tr {
                 th scope="row" { (named(one)) }
-                td.number { (digits(one.value)) } td.number { (range(one.range)) }
-                td.number { (digits(one.prior)) } td.number { (range(one.prior_range)) }
-                td.number { (digits(other.value)) }
+                td.number { (by_interval(one.value, one.range)) } td.number { (range(one.range)) }
+                td.number { (by_interval(one.prior, one.prior_range)) } td.number { (range(one.prior_range)) }
+                td.number { (by_interval(other.value, other.range)) }
                 td.number { (percent(one.expected)) } td.number { (percent(one.posterior)) }
                 td { @if one.is_identified { "identified" } @else { "not identified: the error of the family remains" }
                     @if let Some(further) = &one.would_help { "; ten readings would help most at " (further) } }

@@ -186,7 +186,7 @@ pub struct OilFit {
     pub other_law: OtherLaw,
     /// Nuisance terms, largest first.
     pub nuisance: Vec<NuisanceTerm>,
-    /// Kept and dropped points.
+    /// Fitted and dropped points.
     pub points: Vec<TractionPointRow>,
     /// Warnings.
     pub warnings: Vec<Warning>,

@@ -128,7 +128,7 @@ pub fn read_table(
         return Err(refuse(format!("{} ({unit})", renamed.join(", "))));
     }
     let mut missing: Vec<&str> = KNOWN[..NEEDED].to_vec();
-    missing.retain(|needed| !table.has(needed) && !(*needed == "load_n" && table.has(PRESSURE)));
+    missing.retain(|needed| !(table.has(needed) || *needed == "load_n" && table.has(PRESSURE)));
     match missing.as_slice() {
         [] => {}
         [one] => return Err(refuse(format!("column {one} is missing"))),

@@ -36,7 +36,7 @@ const LINES: usize = 4;
 const BAND: f64 = 1.15;
 /// Number of heights of the fitted distribution between its tails.
 const INNER: usize = 512;
-/// Number of heights at each end of the distribution that are kept one by one.
+/// Number of heights at each end of the distribution that are stored singly.
 const TAIL: usize = 64;
 /// Micrometres in a metre.
 const MICRO: f64 = 1e6;
@@ -62,7 +62,7 @@ pub struct Fitted {
 impl Fitted {
     /// The recipe of `first` and `others`, traces of one surface with equal spacings.
     ///
-    /// A straight line is removed from each; the number of points is that of `first`.
+    /// A straight line is removed from each; the recipe has as many points as `first`.
     ///
     /// # Errors
     /// When a trace has too few points, or the spacings differ.

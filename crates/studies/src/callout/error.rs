@@ -1,9 +1,16 @@
 //! Errors of a call-out.
 
+use asperity::result::loss_band::rounded;
 use asperity_core::DomainError;
 use asperity_roughness::RoughnessError;
 
-use super::summary::watts;
+/// Uncertainty of a printed loss over it: the lots of the curve.
+const CURVE_ERROR: f64 = 0.01;
+
+/// A loss with the digits that the number of simulated pairs leaves.
+pub(super) fn watts(loss_w: f64) -> String {
+    format!("{} W", rounded(loss_w, CURVE_ERROR * loss_w))
+}
 
 /// Error of a call-out.
 #[derive(Debug, thiserror::Error)]

@@ -30,7 +30,7 @@ const ALIKE: f64 = 1.25;
 const POINTS_OF_A_LOT: usize = 5000;
 /// Fewest traces in them.
 const FEWEST_TRACES: usize = 32;
-/// Streams of random numbers of lots whose shape is the recipe's, beyond those of the other lots.
+/// Streams of random numbers of lots whose shape is the recipe's, beyond the streams of the other lots.
 const NOMINAL_STREAM: u64 = 1 << 40;
 
 /// Roughness parameter of a call-out.
@@ -99,7 +99,7 @@ struct Recipe {
 
 /// A lot at the height of the recipe.
 pub(super) struct Lot {
-    /// Parameters of each inspected trace over those of the recipe, mean of both recipes if there are two.
+    /// Parameters of each inspected trace over the parameters of the recipe, mean of both recipes if there are two.
     pub inspected: Vec<Values>,
     /// Its pairs of flanks.
     pairs: Surfaces,
@@ -182,7 +182,7 @@ impl Process {
         })
     }
 
-    /// A lot whose medians are those of the recipe, without inspection.
+    /// A lot with the medians of the recipe, without inspection.
     pub(super) fn nominal(&self, number: usize) -> Result<Lot, CallOutError> {
         let random = stream(self.seed, NOMINAL_STREAM + number as u64, false);
         self.made(random, 0, |_| Shape::RECIPE)

@@ -32,9 +32,9 @@ const CURVE: usize = 10;
 /// Choices of a call-out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CallOutSettings {
-    /// Loss that the lots have to meet.
+    /// Largest permissible loss of a lot.
     pub loss: Power,
-    /// Share of the lots at the limit that meet it.
+    /// Share of the lots at the limit that lose at most this.
     pub confidence: f64,
     /// Standard deviation of the logarithms of heights, wavelengths and peaks.
     pub scatter: f64,
@@ -99,7 +99,7 @@ pub struct CallOut {
     pub title: String,
     /// Stated loss \[W\].
     pub loss_w: f64,
-    /// Share of the lots at the limit that meet it.
+    /// Share of the lots at the limit that lose at most this.
     pub confidence: f64,
     /// Standard deviation of the logarithms of heights, wavelengths and peaks.
     pub scatter: f64,
@@ -158,7 +158,7 @@ pub struct ParameterRow {
     pub traces: usize,
     /// Limit over the value of the recipe.
     pub limit_over_recipe: f64,
-    /// Standard deviation, over the lots, of the logarithm of the inspected mean at which a lot just meets the loss.
+    /// Standard deviation, over the lots, of the logarithm of the inspected mean at which the loss of a lot is the stated one.
     pub deviation: f64,
     /// Relative standard deviation of the parameter of single traces of a lot.
     pub of_traces: f64,
@@ -401,7 +401,7 @@ impl Curve {
     }
 }
 
-/// A lot with the height at which it just meets the stated loss.
+/// A lot with the height at which its loss is the stated one.
 struct MetLot {
     ln_height: f64,
     inspected: Vec<Values>,
@@ -498,7 +498,7 @@ impl Evaluated {
 ///
 /// S² = S_∞² + τ²/n,  n = ⌈τ²/((S_∞ + ln 1.02/t_c)² − S_∞²)⌉                      `[Call-out-traces]`
 ///
-/// τ is the relative standard deviation of single traces of a lot; `most` is of so many traces that S_∞ follows from it.
+/// τ is the relative standard deviation of single traces of a lot; S_∞ follows from `most`, the limit with the most traces.
 fn traces_needed(most: &Quantile, of_traces: f64) -> usize {
     cite!("Call-out-traces");
     let of_one = of_traces * of_traces;

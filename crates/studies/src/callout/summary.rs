@@ -4,6 +4,7 @@ use asperity::result::loss_band::rounded;
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
+use super::error::watts;
 use super::study::{CallOut, LimitRow, ParameterRow};
 
 /// Explanation of the numbers.
@@ -12,14 +13,6 @@ pub(super) const NOTE: &str = "A lot is a set of flanks of the recipe of the tra
     median of its lot, wavelengths and peaks of a lot about the recipe. Nothing is assumed of the height of a lot before its \
     inspection. Running-in and the uncertainty of the constants are not in it. These are answers of the model, not \
     measurements.";
-
-/// Uncertainty of a printed loss over it: the lots of the curve.
-const CURVE_ERROR: f64 = 0.01;
-
-/// A loss with the digits that the number of simulated pairs leaves.
-pub(super) fn watts(loss_w: f64) -> String {
-    format!("{} W", rounded(loss_w, CURVE_ERROR * loss_w))
-}
 
 /// Summary of the study for the terminal.
 pub(super) fn summary(study: &CallOut) -> String {
