@@ -91,13 +91,17 @@ pub fn callout(
     py: Python<'_>,
     case: PyRef<'_, Case>,
     loss: f64,
-    (confidence, scatter): (f64, f64),
+    shares: (f64, f64),
     parameter: Option<String>,
-    (traces, lots, seed): (Option<usize>, usize, u64),
+    counts: (Option<usize>, usize, u64),
     threads: Option<isize>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Study> {
-    let parameter = parameter.map(|name| named("parameter", &name)).transpose()?;
+    let parameter = parameter
+        .map(|name| named("parameter", &name))
+        .transpose()?;
+    let (confidence, scatter) = shares;
+    let (traces, lots, seed) = counts;
     let settings = CallOutSettings {
         loss: Power::from_si(loss),
         confidence,
