@@ -29,6 +29,7 @@ __all__ = [
     "__version__",
     "axis",
     "calibrate",
+    "callout",
     "choices",
     "command",
     "compare",

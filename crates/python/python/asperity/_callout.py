@@ -69,7 +69,7 @@ def callout(
         seed: of the random numbers.
         threads, progress: as in `Case.run`.
     """
-    watts = stated(loss, "power", "loss")
+    watts = stated(loss, "Power", "loss")
     with Told(progress, "lots") as told:
         return CallOut(
             _asperity.callout(as_case(case)._raw, watts, (confidence, scatter), parameter, (traces, lots, seed), threads, told)
