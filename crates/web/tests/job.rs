@@ -68,7 +68,7 @@ fn what_cannot_be_run_is_refused_with_code_place_and_help() {
     let refused = |text: &str, files: &Files| run("case.toml", text, files, &told()).unwrap_err();
     let unit = refused(&text.replace("145 N m", "145 furlongs"), &files);
     let place = unit.place.unwrap();
-    assert_eq!((unit.code, place.line), ("E204", Some(17)));
+    assert_eq!((unit.code, place.line), ("E204", Some(20)));
     assert_eq!(place.key.as_deref(), Some("operation.torque"));
     assert!(unit.help.is_some());
     let missing = refused(&text, &Files::default());
@@ -188,7 +188,7 @@ lubricant.oil = "m100"
 surface = { pinion.file = "ground_pinion.csv", wheel = { file = "ground_wheel.csv", mirrored = true }, cutoff = "0.25 mm" }
 gearbox.seals = [{ shaft = "output", diameter = "50 mm" }]
 gearbox.tables = [{ shaft = "output", file = "idle.csv" }]
-model = { positions = 3, offsets = 2 }
+model = { positions = 4, offsets = 2 }
 "#;
 const IDLE: &[u8] = b"speed_rpm,loss_torque_nm\n0,0.1\n5000,0.2\n";
 
