@@ -10,7 +10,8 @@ use std::path::Path;
 
 /// Crates of the workspace that each crate may use. The physics crates stand apart from each other.
 const ALLOWED: &[(&str, &[&str])] = &[
-    ("crates/core", &[]),
+    ("crates/fourier", &[]),
+    ("crates/core", &["asperity-fourier"]),
     ("crates/oil", &["asperity-core"]),
     ("crates/storage", &[]),
     ("crates/rexs", &[]),

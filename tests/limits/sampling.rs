@@ -10,12 +10,11 @@ use asperity::case::{load, load_with};
 use asperity::flanks::{Texture, window_places};
 use asperity::losses;
 use asperity::uncertainty::{independent_windows, window_sampling};
-use asperity_core::numerics::student_t_quantile;
+use asperity_core::numerics::{real_transforms, student_t_quantile};
 use asperity_core::quantity::Length;
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
 /// Half width of the contact \[m\].
@@ -36,7 +35,7 @@ impl Spectrum {
         let points = heights.len() & !1;
         let mean = heights[..points].iter().sum::<f64>() / points as f64;
         let mut input: Vec<f64> = heights[..points].iter().map(|z| z - mean).collect();
-        let forward = RealFftPlanner::new().plan_fft_forward(points);
+        let (forward, _) = real_transforms(points);
         let mut output = forward.make_output_vec();
         forward.process(&mut input, &mut output).unwrap();
         Self {
@@ -49,7 +48,7 @@ impl Spectrum {
     fn trace(&self, points: usize, random: &mut Random) -> Vec<f64> {
         let repeats = points.div_ceil(self.points);
         let length = repeats * self.points;
-        let inverse = RealFftPlanner::new().plan_fft_inverse(length);
+        let (_, inverse) = real_transforms(length);
         let mut bins = inverse.make_input_vec();
         let last = self.amplitudes.len() - 1;
         let count = bins.len();

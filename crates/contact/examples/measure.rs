@@ -17,10 +17,9 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use asperity_contact::{Boundary, ContactProblem, Control, Solver, SolverSettings, solve};
-use asperity_core::numerics::good_fft_length;
+use asperity_core::numerics::{FourierNumber, good_fft_length};
 use common::peers::Peer;
 use realfft::num_complex::Complex;
-use realfft::{FftNum, RealFftPlanner};
 
 /// Least time spent on a measurement, so that its best run is one without disturbance \[s\].
 const PATIENCE: f64 = 1.0;
@@ -112,12 +111,8 @@ fn transforms(points: usize, problem: &ContactProblem) -> f64 {
     pair::<f64>(padded) + pair::<f32>(good_fft_length(points))
 }
 
-fn pair<T: FftNum>(length: usize) -> f64 {
-    let mut planner = RealFftPlanner::<T>::new();
-    let (forward, inverse) = (
-        planner.plan_fft_forward(length),
-        planner.plan_fft_inverse(length),
-    );
+fn pair<T: FourierNumber>(length: usize) -> f64 {
+    let (forward, inverse) = T::real_transforms(length);
     let (mut signal, mut spectrum) = (forward.make_input_vec(), forward.make_output_vec());
     let mut scratch = forward.make_scratch_vec();
     let longest = scratch.len().max(inverse.get_scratch_len());

@@ -17,6 +17,7 @@
 
 use std::f64::consts::PI;
 
+use asperity_core::numerics::FourierNumber;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use asperity_core::{DomainError, cite};
 use rustfft::FftPlanner;
@@ -63,7 +64,7 @@ impl HalfPlane {
         }
         let compliance = cell_compliance(spacing, modulus)?;
         let mut buffers = Buffers::default();
-        let planner = &mut FftPlanner::new();
+        let planner = &mut f64::planner();
         let filter = displacement_filter(planner, points, boundary, &mut vec![], &mut buffers);
         buffers.reserve(&filter);
         Ok(Self {

@@ -1,6 +1,6 @@
 use std::f64::consts::TAU;
 
-use rustfft::FftPlanner;
+use asperity_core::numerics::FourierNumber;
 
 use super::*;
 
@@ -19,7 +19,7 @@ fn assert_close(found: &[f64], expected: &[f64], what: &str) {
 
 #[test]
 fn filtering_is_the_sum_over_all_pairs_of_points() {
-    let mut planner = FftPlanner::new();
+    let mut planner = f64::planner();
     for points in 2..60 {
         let (column, signal) = (values(points, 0.3), values(points, 7.1));
         let mut buffers = Buffers::default();
@@ -54,7 +54,7 @@ fn filtering_is_the_sum_over_all_pairs_of_points() {
 fn runs_are_filtered_as_among_zeros() {
     let points = 41;
     let (column, all) = (values(points, 0.3), values(points, 7.1));
-    let (mut planner, mut buffers) = (FftPlanner::new(), Buffers::default());
+    let (mut planner, mut buffers) = (f64::planner(), Buffers::default());
     let filter = EvenFilter::from_column(&mut planner, &column, &mut buffers);
     buffers.reserve(&filter);
     let runs = [
@@ -81,7 +81,7 @@ fn runs_are_filtered_as_among_zeros() {
 fn a_symbol_multiplies_each_wave() {
     for length in [2, 9, 12, 40] {
         let symbol = |k: usize| 1.0 / (1.0 + k as f64);
-        let (mut planner, mut buffers) = (FftPlanner::new(), Buffers::default());
+        let (mut planner, mut buffers) = (f64::planner(), Buffers::default());
         let filter = EvenFilter::from_symbol(&mut planner, length, length, symbol);
         buffers.reserve(&filter);
         for k in 0..=length / 2 {

@@ -10,6 +10,7 @@
 //! | h | cells between nodes |
 //! | t | position between two nodes, 0 ≤ t < 1 |
 
+use asperity_core::numerics::FourierNumber;
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 
@@ -149,7 +150,7 @@ fn inverse(
         })
         .collect();
     let floor = FLOOR * (row[0] - row[1]).re.abs();
-    planner.plan_fft_forward(length).process(&mut row);
+    f64::forward(planner, length).process(&mut row);
     EvenFilter::from_symbol(planner, length, length, |wave| {
         1.0 / row[wave.max(1)].re.max(floor)
     })

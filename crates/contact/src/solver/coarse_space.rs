@@ -19,6 +19,7 @@
 //! | f, y | forces of the patches, mean residuals of the patches |
 //! | h | cells between nodes |
 
+use asperity_core::numerics::FourierNumber;
 use rustfft::FftPlanner;
 
 use super::coarse_nodes::{Nodes, cubic_weights};
@@ -108,7 +109,7 @@ impl CoarseSpace {
                 && grid.count <= 16 * count
         };
         if !self.grid.as_ref().is_some_and(fits) {
-            let planner = self.planner.get_or_insert_with(FftPlanner::new);
+            let planner = self.planner.get_or_insert_with(f64::planner);
             let buffers = &mut self.solution.buffers;
             self.grid = Some(Nodes::new(
                 points,

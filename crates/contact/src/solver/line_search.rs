@@ -245,7 +245,7 @@ pub(crate) fn take_step(work: &mut Workspace, task: &Task, length: f64) {
 
 #[cfg(test)]
 mod tests {
-    use rustfft::FftPlanner;
+    use asperity_core::numerics::FourierNumber;
 
     use super::*;
     use crate::boundary::{Boundary, PeriodicKernel};
@@ -259,7 +259,7 @@ mod tests {
             Boundary::Periodic(PeriodicKernel::Strip),
         ] {
             for points in [50, 1_000, 30_000] {
-                let (mut planner, mut singles) = (FftPlanner::new(), FftPlanner::new());
+                let (mut planner, mut singles) = (f64::planner(), f32::planner());
                 let mut buffers = Buffers::default();
                 let filter =
                     displacement_filter(&mut planner, points, boundary, &mut vec![], &mut buffers);

@@ -25,6 +25,7 @@ mod workspace;
 use std::collections::BTreeMap;
 
 use asperity_core::cancel::Cancelled;
+use asperity_core::numerics::FourierNumber;
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use asperity_core::{DomainError, cite};
 use rustfft::FftPlanner;
@@ -107,8 +108,8 @@ impl Levels {
             self.displacements.clear();
             self.singles.clear();
             self.inverses.clear();
-            self.planner = FftPlanner::new();
-            self.inverse_planner = FftPlanner::new();
+            self.planner = f64::planner();
+            self.inverse_planner = f32::planner();
         }
     }
 
@@ -187,8 +188,8 @@ impl Solver {
             levels: Levels {
                 boundary,
                 column: vec![],
-                planner: FftPlanner::new(),
-                inverse_planner: FftPlanner::new(),
+                planner: f64::planner(),
+                inverse_planner: f32::planner(),
                 displacements: BTreeMap::new(),
                 singles: BTreeMap::new(),
                 inverses: BTreeMap::new(),

@@ -8,8 +8,8 @@
 use std::f64::consts::TAU;
 
 use asperity_contact::{Boundary, ContactProblem, Control, PeriodicKernel};
+use asperity_core::numerics::real_transforms;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
-use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
 use super::{CYLINDER, hertz_problem, random, rough_gap};
@@ -76,8 +76,7 @@ fn rough_period(points: usize, most: usize) -> Vec<f64> {
     let slope: f64 = (16..=512)
         .map(|k| 0.5 * (TAU * f64::from(k).powf(-0.3)).powi(2))
         .sum();
-    let mut planner = RealFftPlanner::<f64>::new();
-    let inverse = planner.plan_fft_inverse(points);
+    let (_, inverse) = real_transforms(points);
     let mut spectrum = inverse.make_input_vec();
     for (k, wave) in spectrum.iter_mut().enumerate().skip(16).take(most - 15) {
         let size = -0.5 * (k as f64).powf(-1.3) / slope.sqrt();
