@@ -181,7 +181,10 @@ pub fn abbott_curve(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
 
 /// Heights in descending order. They are sorted as integers of the same order, which takes half the time.
 fn falling(heights: &[f64]) -> Vec<f64> {
-    let mut keys: Vec<i64> = heights.iter().map(|z| ordered(z.to_bits() as i64)).collect();
+    let mut keys: Vec<i64> = heights
+        .iter()
+        .map(|z| ordered(z.to_bits() as i64))
+        .collect();
     keys.sort_unstable();
     let height = |key: i64| f64::from_bits(ordered(key) as u64);
     keys.into_iter().rev().map(height).collect()
