@@ -72,13 +72,13 @@ fn measured(losses: &[f64], sigma: f64) -> RigTable {
 }
 
 #[test]
-fn bands_of_eight_rigs_hold_their_truth() {
+fn bands_of_five_rigs_hold_their_truth() {
     let rig = rig();
     rig.check_share().unwrap();
     let first = rig.first_surfaces(&|_| {}).unwrap();
     let truth = [0.15, 0.3, -0.08, -0.2];
     let mut held = [0; 4];
-    for seed in 0..8 {
+    for seed in 0..5 {
         let rows = measured(&simulated(&truth, SIGMA, seed), SIGMA).rows;
         let fit = rig
             .fit(rig.observations(&rows), first.clone(), &|_| {})
@@ -92,8 +92,9 @@ fn bands_of_eight_rigs_hold_their_truth() {
             *count += u32::from((low..=high).contains(&truth[k]));
         }
     }
-    // Of eight bands of 95 % fewer than six hold once in 170 times; a hundred rigs are in docs/records/calibration.md.
-    assert!(held.iter().all(|count| *count >= 6), "{held:?}");
+    // Of five bands of 95 % fewer than four hold with a probability of 2.3 %; a hundred rigs are in
+    // docs/records/calibration.md.
+    assert!(held.iter().all(|count| *count >= 4), "{held:?}");
 }
 
 #[test]

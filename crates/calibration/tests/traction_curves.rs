@@ -411,7 +411,7 @@ fn check_coverage(oils: u64) {
 
 #[test]
 fn bands_hold_the_constants_of_oils_drawn_from_their_family() {
-    check_coverage(25);
+    check_coverage(17);
 }
 
 /// Expected standard deviations of an independent program with 2.5 % and 0.001 a point and one common zero, rounded as it

@@ -189,6 +189,10 @@ proptest! {
     ) {
         reads_or_refuses(name, &bytes, &options)?;
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2500))]
 
     #[test]
     fn any_text_is_read_or_refused_without_panic(

@@ -181,14 +181,28 @@ pub fn abbott_curve(heights: &[f64]) -> Result<Vec<f64>, DomainError> {
 
 /// Heights in descending order. They are sorted as integers of the same order, which takes half the time.
 fn falling(heights: &[f64]) -> Vec<f64> {
-    // Flipping the bits below the sign of negative numbers makes the integer order equal; the mapping is its own
-    // inverse.
-    let ordered = |bits: i64| bits ^ (((bits >> 63) as u64) >> 1) as i64;
-    let keys = heights.iter().map(|z| ordered(z.to_bits() as i64));
-    let mut keys: Vec<i64> = keys.collect();
+    let mut keys: Vec<i64> = heights
+        .iter()
+        .map(|z| ordered(z.to_bits() as i64))
+        .collect();
     keys.sort_unstable();
     let height = |key: i64| f64::from_bits(ordered(key) as u64);
     keys.into_iter().rev().map(height).collect()
+}
+
+/// Integer with the order of the number that has these bits; the mapping is its own inverse.
+fn ordered(bits: i64) -> i64 {
+    // The bits below the sign of negative numbers are flipped.
+    bits ^ (((bits >> 63) as u64) >> 1) as i64
+}
+
+/// Places of the values from the lowest to the highest. They are sorted with the values as integers, which takes a third of
+/// the time of a sort that looks each value up.
+pub(crate) fn ascending(values: impl Iterator<Item = f64>) -> Vec<usize> {
+    let key = |(place, z): (usize, f64)| (ordered(z.to_bits() as i64), place as u32);
+    let mut keys: Vec<(i64, u32)> = values.enumerate().map(key).collect();
+    keys.sort_unstable();
+    keys.into_iter().map(|(_, place)| place as usize).collect()
 }
 
 /// i* = argmin (s_i − s_i+m), the first of several that are equal within rounding errors.

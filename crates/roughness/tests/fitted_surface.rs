@@ -121,14 +121,12 @@ fn eighteen_of_twenty_parameters_are_those_of_surfaces_left_out() {
     let kept: Vec<_> = left_out.iter().map(|z| of(z)).collect();
     let column = |rows: &[[f64; 20]], k: usize| rows.iter().map(|row| row[k]).collect::<Vec<_>>();
     let mean = |rows: &[[f64; 20]], k| column(rows, k).iter().sum::<f64>() / rows.len() as f64;
-    let own: Vec<_> = fitted.iter().map(|z| of(z)).collect();
     let mut off = Vec::new();
     for (k, name) in NAMES.iter().enumerate() {
         let p = rank_sum(&column(&made, k), &column(&kept, k));
         let ratio = mean(&made, k) / mean(&kept, k);
         println!(
-            "{name}: p {p:.4}, ratio of the means {ratio:.3}, of the fitted {:.3}, {:.3e}",
-            mean(&own, k) / mean(&kept, k),
+            "{name}: p {p:.4}, ratio of the means {ratio:.3}, {:.3e}",
             mean(&kept, k)
         );
         if p <= 0.01 {
@@ -140,8 +138,10 @@ fn eighteen_of_twenty_parameters_are_those_of_surfaces_left_out() {
 
 #[test]
 fn seeds_differ_and_repeat_and_ridges_keep_their_direction() {
-    let z = crate::lay::waves(ROWS, [3.0, 30.0], 20.0, 9);
-    let columns = z.len() / ROWS;
+    let z = crate::lay::waves(100, [3.0, 30.0], 20.0, 9);
+    let columns = 500;
+    let left = |row: &[f64]| row[..columns].to_vec();
+    let z: Vec<f64> = z.chunks(2 * columns).flat_map(left).collect();
     let fit = FittedSurface::to(std::slice::from_ref(&z), columns, SPACINGS).unwrap();
     let made = fit.generate(3);
     assert_eq!(made, fit.generate(3));

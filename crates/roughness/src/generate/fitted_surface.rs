@@ -18,6 +18,7 @@ use super::fitted::{distribution, heights};
 use super::random::Random;
 use crate::areal::{Grid, transform};
 use crate::error::RoughnessError;
+use crate::material_ratio::ascending;
 
 /// Size of the area of which a part is cut out, in sizes of the surface.
 const PARENT: usize = 2;
@@ -144,7 +145,6 @@ impl FittedSurface {
             .map(|(k, cell)| cell.norm() * self.density_at(k, width, height).sqrt())
             .collect();
         let targets = heights("heights", &self.heights, width * height).unwrap_or_default();
-        let mut order: Vec<usize> = (0..width * height).collect();
         for round in 0..ROUNDS {
             if round > 0 {
                 transform(&mut cells, width, height);
@@ -159,9 +159,9 @@ impl FittedSurface {
                 *cell = (phase * amplitude).conj();
             }
             transform(&mut cells, width, height);
-            order.sort_unstable_by(|a, b| cells[*a].re.total_cmp(&cells[*b].re));
-            for (index, target) in order.iter().zip(&targets) {
-                cells[*index] = Complex::new(*target, 0.0);
+            let order = ascending(cells.iter().map(|cell| cell.re));
+            for (index, target) in order.into_iter().zip(&targets) {
+                cells[index] = Complex::new(*target, 0.0);
             }
         }
         let row = |y: usize| {

@@ -19,6 +19,7 @@ use serde::{Deserialize, Serialize};
 use super::achieved::{Achieved, Generated};
 use super::scaling::scaled;
 use super::self_affine::SelfAffine;
+use crate::material_ratio::ascending;
 
 /// Distribution of heights about their mean.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -170,15 +171,14 @@ pub(super) fn with_heights(start: Vec<f64>, bands: &[Band<'_>]) -> Imposed {
             None => start.clone(),
         })
         .collect();
-    let mut order: Vec<usize> = (0..n).collect();
     let (mut error, mut iterations) = (f64::INFINITY, 0);
     let mut heights = start;
     while iterations < MAX_ITERATIONS {
         iterations += 1;
         heights.fill(0.0);
         for (z, band) in parts.iter().zip(bands) {
-            order.sort_unstable_by(|&a, &b| z[a].total_cmp(&z[b]));
-            for (target, &at) in band.targets.iter().zip(&order) {
+            let order = ascending(z.iter().copied());
+            for (at, target) in order.into_iter().zip(band.targets) {
                 heights[at] += *target;
             }
         }

@@ -342,21 +342,29 @@ fn no_profile() -> CallOutError {
     CallOutError::Case(Box::new(PositionError::NoProfile).into())
 }
 
+/// The e-drive at two positions with the first `points` of its traces, whose heights are multiplied by `factors`.
+#[cfg(test)]
+pub(super) fn e_drive_of(points: usize, factors: [f64; 2]) -> LoadedCase {
+    let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
+    let load = asperity::case::load_with(file, &|input| input.model.positions = Some(2));
+    let mut case = load.unwrap();
+    let changed = [0, 1].map(|body: usize| {
+        let trace = traces(&case.surfaces, body).unwrap().remove(0);
+        let heights = trace.heights().iter().take(points);
+        let heights = heights.map(|z| factors[body] * z).collect();
+        Profile::new(trace.spacing(), heights).unwrap()
+    });
+    case.surfaces = case.surfaces.with_traces(changed);
+    case
+}
+
 #[cfg(test)]
 mod tests {
-    use asperity::case::load_with;
-
     use super::*;
 
     /// The e-drive with all heights of the wheel times `factor`.
     fn e_drive(factor: f64) -> LoadedCase {
-        let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-        let mut case = load_with(file, &|input| input.model.positions = Some(2)).unwrap();
-        let [pinion, wheel] = [0, 1].map(|body| traces(&case.surfaces, body).unwrap().remove(0));
-        let lower = wheel.heights().iter().map(|z| factor * z).collect();
-        let lower = Profile::new(wheel.spacing(), lower).unwrap();
-        case.surfaces = case.surfaces.with_traces([pinion, lower]);
-        case
+        e_drive_of(6000, [1.0, factor])
     }
 
     /// Mean and standard deviation of Rq over the traces of 40 lots, over Rq of the recipe.

@@ -568,11 +568,10 @@ mod tests {
         assert_eq!(Evaluated::of(&lots(100), 0, &settings).traces, 1);
     }
 
-    /// Lots of the e-drive at `positions` positions.
-    fn e_drive(positions: usize, seed: u64) -> Process {
-        let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
-        let case = load_with(file, &|input| input.model.positions = Some(positions)).unwrap();
-        Process::of(&case, (0.1, seed), 40).unwrap()
+    /// Lots of the e-drive at two positions, with traces of 1.8 mm.
+    fn e_drive(seed: u64) -> Process {
+        let case = super::super::lots::e_drive_of(3600, [1.0; 2]);
+        Process::of(&case, (0.1, seed), 24).unwrap()
     }
 
     /// Share of `count` lots of `process` with the inspected mean within a percent of the limit of `found` that meet its
@@ -599,7 +598,7 @@ mod tests {
 
     #[test]
     fn a_loss_that_no_finish_has_is_refused_with_the_losses_that_finishes_have() {
-        let process = e_drive(2, 1);
+        let process = e_drive(1);
         let of = |loss: &str| {
             let settings = CallOutSettings::of(loss.parse().unwrap());
             of_process(&process, &settings, &|_, _| {}).unwrap_err()
@@ -617,17 +616,17 @@ mod tests {
     #[test]
     fn most_lots_at_the_limit_meet_the_loss_and_few_of_those_above_it() {
         let mut settings = CallOutSettings::of("560 W".parse().unwrap());
-        settings.lots = 40;
-        let mut found = of_process(&e_drive(2, 1), &settings, &|_, _| {}).unwrap();
+        settings.lots = 24;
+        let mut found = of_process(&e_drive(1), &settings, &|_, _| {}).unwrap();
         assert!(found.limits.len() == 1 && found.limits[0].limit < found.limits[0].recipe);
         assert!(found.smooth_loss_w < found.mean_loss_w && found.mean_loss_w < 560.0);
-        let others = e_drive(2, 7);
-        // 40 lots of 90 % have a standard deviation of 5 %, the limit of 40 lots one of 5 %.
-        let at_limit = share(&others, &found, 40);
+        let others = e_drive(7);
+        // 30 lots of 90 % have a standard deviation of 5.5 %, the limit of 24 lots one of 6.5 %.
+        let at_limit = share(&others, &found, 30);
         assert!(at_limit > 0.68, "{at_limit}");
         // Hardly a lot meets the loss far above the limit.
         found.limits[0].limit *= 1.3;
-        let above = share(&others, &found, 40);
+        let above = share(&others, &found, 16);
         assert!(above < 0.25, "{above}");
     }
 
