@@ -118,7 +118,8 @@ pub fn charts(ridges: &Ridges, file: Option<&str>) -> Markup {
             at: row.place_mm,
             label: (k + 1).to_string(),
         });
-        let marks: Vec<Mark> = marks.collect();
+        let mut marks: Vec<Mark> = marks.collect();
+        marks.sort_by(|a, b| a.at.total_cmp(&b.at));
         let title = format!("Loss along the trace of the {body}, ridges numbered");
         chart(&format!("watts-{body}"), &title, body, strip, scale).marked(&marks)
     });
