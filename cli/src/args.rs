@@ -157,7 +157,7 @@ pub enum Command {
     /// Ridges of both flanks that cost most, and the loss by wavelength
     #[command(after_help = "Example:\n  asperity ridges demo/case.toml\n\n\
         The gradient of the loss over every height of both traces, by ridge and by octave of wavelength, and\n\
-        a run with the twenty dearest ridges pressed to the mean line.")]
+        a run with the twenty costliest ridges pressed to the mean line.")]
     Ridges(RidgesArgs),
     /// Limit of Rpk, Rq or Rdq on the drawing, and traces to inspect, for a stated loss
     #[command(
@@ -315,6 +315,9 @@ pub struct RunArgs {
     /// Also print the loss by other models, and what refutes them
     #[arg(long)]
     pub models: bool,
+    /// Also find the ridges of the traces that cost most, for the report; takes about six times the time of the contacts
+    #[arg(long)]
+    pub ridges: bool,
     /// Omit the uncertainty of the loss, which takes some 60 evaluations of the laws with the contacts of the run
     #[arg(long)]
     pub no_band: bool,

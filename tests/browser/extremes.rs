@@ -312,10 +312,8 @@ fn of_study(folder: &Path, page: &str, chart: &str, curve: &str) -> Option<Vec<f
             let octaves = table("octaves.csv");
             Some(octaves.map(["pinion_w", "wheel_w"], |[pinion, wheel]| pinion + wheel))
         }
-        ("pressed/ridges.html", flank) => {
-            let trace = || table(&format!("{flank}.csv")).column("height_um");
-            (curve == "trace").then(trace)
-        }
+        // Coloured cells of the traces: no curve is a whole column.
+        ("pressed/ridges.html", _) => None,
         ("limited/callout.html", "traces") => Some(table("traces.csv").column("limit_over_recipe")),
         ("limited/callout.html", _) => Some(table("curve.csv").column("loss_w")),
         ("swept/sweep.html", chart) if chart.contains("-over-") => {

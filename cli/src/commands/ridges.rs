@@ -1,7 +1,7 @@
 //! `asperity ridges`: ridges of both flanks that cost most.
 
 use asperity::pipeline::KeptFields;
-use asperity_studies::ridges::{self, Ridges};
+use asperity_studies::ridges::{self, RidgeStudy};
 
 use super::work::check_work;
 use super::{load_case, result_name, study};
@@ -10,7 +10,10 @@ use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
 
 /// Runs whose time a study takes: two with exact contacts, and the gradient of each.
-const RUNS: usize = 6;
+pub(super) const RUNS: usize = 6;
+
+/// Counted work of a study.
+pub(super) const GRADIENTS: &str = "gradients";
 
 /// `asperity ridges`
 pub fn ridges(args: &RidgesArgs, common: &Common) -> Result<(), Failure> {
@@ -18,8 +21,8 @@ pub fn ridges(args: &RidgesArgs, common: &Common) -> Result<(), Failure> {
     let loaded = load_case(&args.case, &args.set, None)?;
     check_work(&args.work, &loaded, &KeptFields::Highest, RUNS)?;
     let (name, title) = (result_name(&args.case), &loaded.case.title);
-    let folder = study::folder::<Ridges>(args.output.as_deref(), &name, "ridges", title)?;
-    progress.begin("gradients");
+    let folder = study::folder::<RidgeStudy>(args.output.as_deref(), &name, "ridges", title)?;
+    progress.begin(GRADIENTS);
     let found = ridges::ridges(&loaded, &|done, total| progress.at(done, total))
         .map_err(|error| Failure::about(&args.case, &error))?;
     progress.begin(WRITING);

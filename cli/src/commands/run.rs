@@ -7,8 +7,10 @@ use asperity::result::RunResult;
 use asperity::{Error, Run};
 use asperity_calibration::evidence::{execute, execute_train};
 use asperity_report::{self as report, Fields, ReportError};
+use asperity_studies::ridges::add_ridges;
 
 use super::bibtex::bibtex;
+use super::ridges::{GRADIENTS, RUNS};
 use super::work::{check_work, check_work_of_train};
 use super::{AnyCase, load_any, refuse_other, result_name};
 use crate::args::{Common, RunArgs};
@@ -20,6 +22,11 @@ use crate::output::{
 /// Counted work of a run.
 const POSITIONS: &str = "mesh positions";
 
+/// Runs whose time a run takes.
+fn runs(args: &RunArgs) -> usize {
+    if args.ridges { 1 + RUNS } else { 1 }
+}
+
 /// `asperity run`
 pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let fields = fields(args)?;
@@ -28,7 +35,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
         AnyCase::Pair(loaded) => loaded,
         AnyCase::Train(train) => return run_meshes(&train, args, common, &fields, progress),
     };
-    check_work(&args.work, &loaded, &fields.kept(), 1)?;
+    check_work(&args.work, &loaded, &fields.kept(), runs(args))?;
     let target = Target::of(args, &loaded.case.title, report::check_place)?;
     let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
@@ -36,7 +43,12 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
     let kept = fields.kept();
     let run = Run::new(&loaded).fields(&kept);
     let outcome = execute(&loaded, run.band(!args.no_band).progress(&at));
-    let outcome = outcome.map_err(|error| failed(&error, args, folder))?;
+    let mut outcome = outcome.map_err(|error| failed(&error, args, folder))?;
+    if args.ridges {
+        progress.begin(GRADIENTS);
+        add_ridges(&mut outcome.result, &loaded, &at)
+            .map_err(|error| Failure::about(&args.case, &error))?;
+    }
     if let Some(folder) = folder {
         progress.begin(WRITING);
         report::write_folder(&outcome, folder, &fields)?;
@@ -63,13 +75,20 @@ fn run_meshes(
     fields: &Fields,
     progress: Progress,
 ) -> Result<(), Failure> {
-    check_work_of_train(&args.work, train, &fields.kept(), 1)?;
+    check_work_of_train(&args.work, train, &fields.kept(), runs(args))?;
     let target = Target::of(args, &train.title, report::check_train_place)?;
     let folder = target.as_ref().map(|target| &*target.folder);
     progress.begin(POSITIONS);
     let at = |done, total| progress.at(done, total);
     let outcome = execute_train(train, &fields.kept(), !args.no_band, &at);
-    let outcome = outcome.map_err(|error| failed(&error, args, folder))?;
+    let mut outcome = outcome.map_err(|error| failed(&error, args, folder))?;
+    if args.ridges {
+        progress.begin(GRADIENTS);
+        for (mesh, case) in outcome.meshes.iter_mut().zip(outcome.settled.meshes()) {
+            add_ridges(&mut mesh.result, &case.case, &at)
+                .map_err(|error| Failure::about(&args.case, &error))?;
+        }
+    }
     if let Some(folder) = folder {
         progress.begin(WRITING);
         report::write_train(&outcome, folder, fields)?;
@@ -79,6 +98,14 @@ fn run_meshes(
         return print_json(&outcome.result);
     }
     let mut text = report::summary_of_train(&outcome.result);
+    for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
+        if let Some(line) = report::html::ridges::line(&mesh.result) {
+            text.push_str(&format!(
+                "{}\n",
+                report::wrapped(&format!("{}: {line}", row.mesh), "  ")
+            ));
+        }
+    }
     if let Some(target) = &target {
         text.push_str(&target.text(&outcome.result.title, ""));
     }

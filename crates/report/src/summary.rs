@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::html::ridges;
 use crate::printed::{PrintedLoss, gearbox_with_interval, of_mesh, stated, stated_parts, watts};
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped, wrapped_within};
@@ -36,6 +37,9 @@ pub fn summary_within(result: &RunResult, columns: usize) -> String {
 /// else the one that is worth most watts.
 pub fn brief(result: &RunResult, columns: usize) -> String {
     let mut text = verdict(result, columns);
+    if let Some(line) = ridges::line(result) {
+        text.push_str(&format!("{}\n", wrapped_within(&line, "  ", columns)));
+    }
     if let Some(line) = not_converged(result) {
         text.push_str(&line);
     }

@@ -111,6 +111,8 @@ impl Solved<'_> {
             micropitting,
             running_in,
             run_in: None,
+            ridges: None,
+            no_ridges: None,
             summary,
             warnings,
             flanks: [0, 1].map(|body| FlankRecord::from(&self.loaded.flanks[body])),

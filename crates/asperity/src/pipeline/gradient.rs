@@ -132,7 +132,10 @@ fn heat_balance(
 }
 
 /// Refuses a loss that is not from the solved load share with the friction of its film.
-fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
+///
+/// # Errors
+/// When [`gradient`] refuses the case.
+pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
     let (case, surfaces) = (&loaded.case, &loaded.surfaces);
     surfaces.check_one_pair()?;
     surfaces.traces()?;

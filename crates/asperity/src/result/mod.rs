@@ -9,6 +9,7 @@ pub mod gearbox;
 mod load_report;
 pub mod loss_band;
 mod micropitting_report;
+pub mod ridges;
 mod run_in;
 mod trace_pairs;
 
@@ -31,6 +32,7 @@ pub use gearbox::{GearboxPart, GearboxReport, Scope};
 pub use load_report::{LoadReport, LoadRow};
 pub use loss_band::*;
 pub use micropitting_report::{MicropittingCell, MicropittingReport};
+pub use ridges::Ridges;
 pub use run_in::{FlankHeights, RunInCycle};
 pub use trace_pairs::{ToothTrace, TracePairs};
 
@@ -84,6 +86,12 @@ pub struct RunResult {
     /// The mesh with flanks that have run in, if the case requests it; all else is of the flanks as measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub run_in: Option<RunInFlanks>,
+    /// The ridges that cost most; absent if they were not sought, or there is no gradient.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ridges: Option<Ridges>,
+    /// Why the ridges that cost most cannot be found, if they were sought.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub no_ridges: Option<String>,
     /// Warnings.
     pub warnings: Vec<Warning>,
     /// The flanks as read and prepared, each by its first trace.

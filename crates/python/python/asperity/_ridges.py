@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Ridges(Study):
-    """Dearest ridges: ``loss_w``, ``pressed_loss_w`` of a run with all of them pressed to the mean line, ``by_log_height_w``.
+    """Costliest ridges: ``loss_w``, ``pressed_loss_w`` of a run with all of them pressed to the mean line, ``by_log_height_w``.
 
     The gradient holds windows and sets of the contacts; running-in is not in it.
     """

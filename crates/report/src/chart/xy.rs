@@ -35,11 +35,16 @@ pub enum Line {
     Band,
     /// Shaded band in the colour of the curve with this index.
     BandOf(usize),
+    /// Filled area in a colour of a scale about zero: 0 is its middle, 1 to 3 above, -1 to -3 below.
+    Level(i8),
 }
 
 impl Line {
     fn is_filled(self) -> bool {
-        matches!(self, Self::Area | Self::Band | Self::BandOf(_))
+        matches!(
+            self,
+            Self::Area | Self::Band | Self::BandOf(_) | Self::Level(_)
+        )
     }
 }
 
@@ -54,6 +59,8 @@ pub struct Series {
     pub points: Vec<[f64; 2]>,
     /// Read-off values of an area, which differ from its outline; empty for other lines.
     pub readings: Vec<[f64; 2]>,
+    /// Unit of the readings, which are then printed without a name; empty for that of the axis.
+    pub unit: &'static str,
 }
 
 impl Series {
@@ -69,6 +76,7 @@ impl Series {
             line,
             points: points.into_iter().collect(),
             readings: Vec::new(),
+            unit: "",
         }
     }
 
@@ -104,6 +112,7 @@ impl Series {
             line,
             points: forward.chain(back).map(|(x, y)| [*x, *y]).collect(),
             readings: Vec::new(),
+            unit: "",
         }
     }
 }
@@ -372,6 +381,7 @@ impl Chart {
                 if series.line.is_filled() {
                     data["filled"] = json!(true);
                     data["told"] = json!(flat(&series.readings));
+                    data["unit"] = json!(series.unit);
                 }
                 data
             })
@@ -418,6 +428,9 @@ fn class(index: usize, line: Line) -> String {
         Line::Area => return format!("area c{}", index % COLOURS),
         Line::Band => return "area spread".to_owned(),
         Line::BandOf(index) => return format!("area about c{}", index % COLOURS),
+        Line::Level(0) => return "area l0".to_owned(),
+        Line::Level(level) if level < 0 => return format!("area m{}", -level),
+        Line::Level(level) => return format!("area l{level}"),
     };
     format!("curve c{} {kind}", index % COLOURS)
 }
@@ -425,9 +438,9 @@ fn class(index: usize, line: Line) -> String {
 /// SVG path of a curve, with a circle at each point of a line with dots.
 fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
     let radius = match line {
-        Line::Solid | Line::Dashed | Line::Ink | Line::Area | Line::Band | Line::BandOf(_) => None,
         Line::Dots => Some(2.0),
         Line::Scatter => Some(3.5),
+        _ => None,
     };
     let (mut d, mut dots) = (String::new(), String::new());
     // The previous point, in tenths of a unit of the drawing.

@@ -300,13 +300,13 @@
         }
         if (best < 0) continue;
         if (at === null) at = p[best];
-        found.push([series.name, p[best + 1], series.filled ? null : p[best + 1]]);
+        found.push([series.unit ? "" : series.name, p[best + 1], series.filled ? null : p[best + 1], series.unit]);
       }
       if (at === null) return;
       this.point(at, found.map((f) => f[2]).filter((y) => y !== null));
       const [across, unit] = [this.data.x.unit, this.data.y.unit].map((u) => (u ? " " + u : ""));
       this.read.textContent = `${digits(at)}${across}: ` +
-        found.map((f) => (found.length > 1 ? f[0] + " " : "") + digits(f[1]) + unit).join(", ");
+        found.map((f) => (found.length > 1 && f[0] ? f[0] + " " : "") + digits(f[1]) + (f[3] ? " " + f[3] : unit)).join(", ");
     }
     point(x, ys) {
       const px = this.px(x);

@@ -22,6 +22,7 @@ mod pairs;
 mod path;
 mod policy;
 mod relief;
+pub mod ridges;
 mod temperatures;
 
 pub use along::{along, on_flank, points};
@@ -58,6 +59,11 @@ pub fn render(result: &RunResult, tables: &PageTables) -> Result<String, ReportE
         section(
             "Along the path of contact",
             path::section(result, tables),
+            false,
+        ),
+        section(
+            "Ridges with the largest loss",
+            ridges::section(result),
             false,
         ),
         section("One contact", contact::section(result, tables)?, true),

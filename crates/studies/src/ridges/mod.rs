@@ -1,5 +1,5 @@
 //! The ridges of both flanks that cost most: the gradient of the loss over the heights, by ridge and by octave of
-//! wavelength, and a run with the dearest ridges pressed to the mean line.
+//! wavelength, and a run with the costliest ridges pressed to the mean line.
 //!
 //! ```
 //! use asperity::case;
@@ -8,7 +8,7 @@
 //! let case = case::load_with(file, &|input| {
 //!     (input.model.positions, input.model.offsets) = (Some(4), Some(2));
 //! })?;
-//! let found = ridges(&case, &|_, _| {})?;
+//! let found = ridges(&case, &|_, _| {})?.found;
 //! assert!(found.pressed_loss_w < found.loss_w);
 //! assert!(found.rows[0].first_order_w >= found.rows[1].first_order_w);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -19,4 +19,4 @@ mod study;
 mod summary;
 mod write;
 
-pub use study::{FlankWatts, OctaveRow, RidgeRow, Ridges, ridges};
+pub use study::{RidgeStudy, add_ridges, ridges};

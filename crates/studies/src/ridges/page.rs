@@ -1,26 +1,26 @@
-//! Page of a study of ridges: the dearest ridges, both traces with these marked, and the loss by wavelength.
+//! Page of a study of ridges: the costliest ridges, both traces coloured by the loss, and the loss by wavelength.
 
-use asperity_report::chart::{Axis, Bar, BarChart, Chart, Drawing, Line, Series};
+use asperity::result::ridges::Ridges;
+use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
+use asperity_report::html::ridges::{NOTE, charts, notes, saving, table, watts};
 use asperity_report::html::{figure, page};
-use maud::{Markup, html};
+use maud::html;
 
-use super::study::{FLANKS, Ridges};
-use super::summary::{NOTE, headline, mean_saving, notes, saving, watts, wavelengths};
+use super::summary::{headline, wavelengths};
 
 pub(super) fn render(study: &Ridges) -> String {
-    let dearest = html! {
+    let costliest = html! {
         p { strong { (saving(study)) "." } }
         p { (NOTE) }
         @for note in notes(study) { p { (note) } }
         div.charts { (figure(&ridge_chart(study))) }
-        (table(study))
+        (table(&study.rows))
     };
-    let traces =
-        html! { div.charts { @for body in [0, 1] { (figure(&trace_chart(study, body))) } } };
+    let traces = charts(study, None);
     let octaves = html! { div.charts { (figure(&octave_chart(study))) } };
     let sections = [
-        ("Dearest ridges", dearest),
-        ("Where they are", traces),
+        ("Ridges with the largest loss", costliest),
+        ("Where the loss is made", traces),
         ("By wavelength", octaves),
     ];
     page(
@@ -63,46 +63,4 @@ fn octave_chart(study: &Ridges) -> Drawing {
         axis: Axis::new("d(loss)/d ln(height)", "W"),
         bars: bars.collect(),
     })
-}
-
-fn trace_chart(study: &Ridges, body: usize) -> Drawing {
-    let trace = &study.flanks[body].trace;
-    let dx = trace.spacing().si();
-    let point = |i: usize| [1e3 * dx * i as f64, 1e6 * trace.heights()[i]];
-    let (x, y) = (Axis::new("place", "mm"), Axis::new("height", "µm"));
-    let name = FLANKS[body];
-    let mut chart = Chart::new(
-        name,
-        &format!("Trace of the {name}"),
-        &format!("{name}.csv"),
-        x,
-        y,
-    );
-    let whole = (0..trace.len()).map(point);
-    chart
-        .series
-        .push(Series::through("trace", Line::Solid, whole));
-    let mut dear: Vec<[f64; 2]> = (0..trace.len()).map(|i| [point(i)[0], f64::NAN]).collect();
-    for row in study.rows.iter().filter(|row| row.flank == name) {
-        let [first, last] = row.points;
-        for (i, place) in dear.iter_mut().enumerate().take(last + 1).skip(first) {
-            *place = point(i);
-        }
-    }
-    chart
-        .series
-        .push(Series::through("dearest ridges", Line::Ink, dear));
-    Drawing::Curves(chart)
-}
-
-fn table(study: &Ridges) -> Markup {
-    html! { div.scroll { table {
-        thead { tr { th { "flank" } th.number { "place [mm]" } th.number { "width [µm]" } th.number { "height [µm]" }
-            th.number { "first order [W]" } th.number { "mean gradient [W]" } } }
-        tbody { @for row in &study.rows { tr {
-            td { (row.flank) } td.number { (format!("{:.4}", row.place_mm)) } td.number { (format!("{:.1}", row.width_um)) }
-            td.number { (format!("{:.3}", row.height_um)) } td.number { (watts(row.first_order_w)) }
-            td.number { (mean_saving(row)) }
-        } } }
-    } } }
 }

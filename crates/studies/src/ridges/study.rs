@@ -3,121 +3,61 @@
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::flanks::Texture;
-use asperity::pipeline::{LossGradient, Progress, gradient};
+use asperity::pipeline::{LossGradient, Progress, check_gradient, gradient};
+use asperity::result::RunResult;
+use asperity::result::ridges::{FlankWatts, OctaveRow, RidgeRow, Ridges};
 use asperity::uncertainty::sampling_interval;
 use asperity::{Error, PositionError};
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_report::tables::BODIES;
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use serde::Serialize;
 
 /// Ridges listed and pressed.
-const DEAREST: usize = 20;
+const COSTLIEST: usize = 20;
+/// Ridges with a close-up.
+const NEAR: usize = 3;
 /// Shortest cut-off between two octaves \[m\].
 const SHORTEST: f64 = 2.5e-6;
 /// Runs of a study: the gradient before and after pressing, each with its losses.
 const RUNS: usize = 2;
 
-/// The ridges of both flanks that cost most.
+/// The costliest ridges, with the whole traces.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
-pub struct Ridges {
-    /// Title of the case.
-    pub title: String,
-    /// Loss of the mesh \[W\].
-    pub loss_w: f64,
-    /// Loss with the listed ridges pressed to the mean line, by a run \[W\].
-    pub pressed_loss_w: f64,
-    /// 5 % and 95 % quantiles of the change, by the sampling of the flanks.
-    pub sampling_quantiles_w: Option<[f64; 2]>,
-    /// d(loss)/d ln(height) of both flanks: the sum over the octaves \[W\].
-    pub by_log_height_w: f64,
-    /// Change of the loss with the equilibrium bulk temperature over its change at a held one; 1 with a stated temperature.
-    pub heat_balance: f64,
-    /// Sliding loss where the traces do not resolve the contact, which is left out of the gradient \[W\].
-    pub unresolved_w: f64,
-    /// The dearest ridges, the dearest first.
-    pub rows: Vec<RidgeRow>,
-    /// Loss by octave of wavelength, shortest first.
-    pub octaves: Vec<OctaveRow>,
+pub struct RidgeStudy {
+    /// The ridges.
+    #[serde(flatten)]
+    pub found: Ridges,
     /// Both traces with the gradient.
     #[serde(skip)]
     pub flanks: [FlankWatts; 2],
 }
 
-/// A part of a trace above its mean line.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct RidgeRow {
-    /// Flank: pinion or wheel.
-    pub flank: &'static str,
-    /// Place of its highest point from the first point of the prepared trace \[mm\].
-    pub place_mm: f64,
-    /// Width at the mean line \[µm\].
-    pub width_um: f64,
-    /// Height above the mean line \[µm\].
-    pub height_um: f64,
-    /// Saving by pressing it to the mean line, according to the gradient before \[W\].
-    pub first_order_w: f64,
-    /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before and
-    /// after \[W\].
-    pub mean_gradient_w: f64,
-    /// 5 % quantile of it by the sampling of the flanks \[W\].
-    pub low_w: Option<f64>,
-    /// 95 % quantile of it by the sampling of the flanks \[W\].
-    pub high_w: Option<f64>,
-    /// First and last point.
-    #[serde(skip)]
-    pub(super) points: [usize; 2],
-}
-
-/// Loss by wavelength: how it changes with the logarithm of the heights of these waves.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct OctaveRow {
-    /// Shortest wavelength \[µm\]; 0 of the first octave, which includes all shorter ones.
-    pub from_um: f64,
-    /// Longest wavelength \[µm\]; `None` of the last octave, which includes all longer ones.
-    pub to_um: Option<f64>,
-    /// d(loss)/d ln(height) of these waves of the pinion \[W\].
-    pub pinion_w: f64,
-    /// d(loss)/d ln(height) of these waves of the wheel \[W\].
-    pub wheel_w: f64,
-}
-
-/// A prepared trace with the gradient of the loss.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct FlankWatts {
-    /// The trace.
-    pub trace: Profile,
-    /// d(loss)/d(height) at each point \[W/m\].
-    pub by_height: Vec<f64>,
-}
-
-/// Computes the dearest ridges of `case`; `progress` is called with the number of completed runs.
+/// Computes the costliest ridges of `case`; `progress` is called with the number of completed runs.
 ///
 /// # Errors
 /// As [`gradient`].
-pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<Ridges, Error> {
+pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, Error> {
     let mut mesh = case.clone();
     mesh.case.gearbox = None;
     let before = gradient(&mesh)?;
     progress(1, RUNS);
     checkpoint()?;
     let traces = traces(&mesh)?;
-    let mut rows = dearest(&traces, &before);
+    let mut rows = costliest(&traces, &before);
     let pressed = pressed(&traces, &rows);
     let mut changed = before.case.clone();
     changed.surfaces = changed.surfaces.with_traces(pressed.clone());
     let after = gradient(&changed)?;
     progress(RUNS, RUNS);
     for row in &mut rows {
-        let body = usize::from(row.flank == FLANKS[1]);
+        let body = usize::from(row.flank == BODIES[1]);
         let fall = |i: usize| traces[body].heights()[i] - pressed[body].heights()[i];
         let saving = |gradients: [&[Vec<f64>; 2]; 2]| {
             let mean = |i: usize| 0.5 * (gradients[0][body][i] + gradients[1][body][i]);
-            let points = row.points[0]..=row.points[1];
+            let points = row.first_point..=row.last_point;
             points.map(|i| mean(i) * fall(i)).sum::<f64>()
         };
         let offsets = before.by_offset.iter().zip(&after.by_offset);
@@ -133,7 +73,9 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<Ridges, Error
         trace: traces[body].clone(),
         by_height: before.by_height[body].clone(),
     });
-    Ok(Ridges {
+    let near = rows.iter().take(NEAR);
+    let near = near.map(|row| flanks[usize::from(row.flank == BODIES[1])].near(row));
+    let found = Ridges {
         title: case.case.title.clone(),
         loss_w: before.losses.summary.loss_w,
         pressed_loss_w: after.losses.summary.loss_w,
@@ -144,14 +86,29 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<Ridges, Error
             .sum(),
         heat_balance: before.heat_balance,
         unresolved_w: before.unresolved_w,
+        near: near.collect(),
+        along: flanks.each_ref().map(FlankWatts::along),
         rows,
         octaves,
-        flanks,
-    })
+    };
+    Ok(RidgeStudy { found, flanks })
 }
 
-/// Names of the flanks.
-pub(super) const FLANKS: [&str; 2] = ["pinion", "wheel"];
+/// Adds the costliest ridges of `case` to its `result`, or why there are none.
+///
+/// # Errors
+/// As [`ridges`], except where the model has no gradient.
+pub fn add_ridges(
+    result: &mut RunResult,
+    case: &LoadedCase,
+    progress: Progress<'_>,
+) -> Result<(), Error> {
+    match check_gradient(case) {
+        Ok(()) => result.ridges = Some(ridges(case, progress)?.found),
+        Err(error) => result.no_ridges = Some(error.to_string()),
+    }
+    Ok(())
+}
 
 fn traces(case: &LoadedCase) -> Result<[Profile; 2], Error> {
     match case.surfaces.textures() {
@@ -165,7 +122,7 @@ fn mean(heights: &[f64]) -> f64 {
 }
 
 /// The parts of both traces above their mean line that cost most by the gradient.
-fn dearest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
+fn costliest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
     let mut rows = Vec::new();
     for (body, trace) in traces.iter().enumerate() {
         let (z, by_height) = (trace.heights(), &gradient.by_height[body]);
@@ -182,7 +139,7 @@ fn dearest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
                 .unwrap_or(first);
             let dx = trace.spacing().si();
             rows.push(RidgeRow {
-                flank: FLANKS[body],
+                flank: BODIES[body].to_owned(),
                 place_mm: 1e3 * dx * highest as f64,
                 width_um: 1e6 * dx * cells.len() as f64,
                 height_um: 1e6 * (z[highest] - line),
@@ -190,12 +147,13 @@ fn dearest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
                 mean_gradient_w: 0.0,
                 low_w: None,
                 high_w: None,
-                points: [first, last],
+                first_point: first,
+                last_point: last,
             });
         }
     }
     rows.sort_by(|a, b| b.first_order_w.total_cmp(&a.first_order_w));
-    rows.truncate(DEAREST);
+    rows.truncate(COSTLIEST);
     rows.retain(|row| row.first_order_w > 0.0);
     rows
 }
@@ -205,8 +163,8 @@ fn pressed(traces: &[Profile; 2], rows: &[RidgeRow]) -> [Profile; 2] {
     let mut heights = traces.each_ref().map(|trace| trace.heights().to_vec());
     for (body, z) in heights.iter_mut().enumerate() {
         let line = mean(traces[body].heights());
-        for row in rows.iter().filter(|row| row.flank == FLANKS[body]) {
-            z[row.points[0]..=row.points[1]].fill(line);
+        for row in rows.iter().filter(|row| row.flank == BODIES[body]) {
+            z[row.first_point..=row.last_point].fill(line);
         }
     }
     [0, 1].map(|body: usize| {

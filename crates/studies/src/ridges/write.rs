@@ -2,31 +2,32 @@
 
 use std::path::Path;
 
-use asperity_report::tables::write as write_table;
+use asperity::result::ridges::FlankWatts;
+use asperity_report::tables::{BODIES, write as write_table};
 use asperity_report::{ReportError, StudyResult};
 use serde::Serialize;
 
 use super::page;
-use super::study::{FLANKS, FlankWatts, Ridges};
+use super::study::RidgeStudy;
 use super::summary::summary;
 
-impl StudyResult for Ridges {
+impl StudyResult for RidgeStudy {
     const KIND: &'static str = "study of ridges";
     const NAME: &'static str = "ridges";
     type Context<'a> = ();
 
     fn summary(&self, (): ()) -> String {
-        summary(self)
+        summary(&self.found)
     }
 
     fn page(&self, (): ()) -> String {
-        page::render(self)
+        page::render(&self.found)
     }
 
     fn write_tables(&self, (): (), folder: &Path) -> Result<(), ReportError> {
-        write_table(&folder.join("ridges.csv"), &self.rows)?;
-        write_table(&folder.join("octaves.csv"), &self.octaves)?;
-        for (name, flank) in FLANKS.iter().zip(&self.flanks) {
+        write_table(&folder.join("ridges.csv"), &self.found.rows)?;
+        write_table(&folder.join("octaves.csv"), &self.found.octaves)?;
+        for (name, flank) in BODIES.iter().zip(&self.flanks) {
             write_table(&folder.join(format!("{name}.csv")), points(flank))?;
         }
         Ok(())
@@ -40,14 +41,18 @@ struct PointRow {
     height_um: f64,
     /// d(loss)/d(height) per length of the trace.
     loss_w_per_um_mm: f64,
+    /// Height above the mean line times it.
+    loss_w_per_mm: f64,
 }
 
 fn points(flank: &FlankWatts) -> impl Iterator<Item = PointRow> {
     let dx = flank.trace.spacing().si();
     let both = flank.trace.heights().iter().zip(&flank.by_height);
-    both.enumerate().map(move |(i, (z, by_height))| PointRow {
+    let both = both.zip(flank.watts_per_length()).enumerate();
+    both.map(move |(i, ((z, by_height), watts))| PointRow {
         x_mm: 1e3 * dx * i as f64,
         height_um: 1e6 * z,
         loss_w_per_um_mm: 1e-9 * by_height / dx,
+        loss_w_per_mm: 1e-3 * watts,
     })
 }

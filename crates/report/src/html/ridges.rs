@@ -1,0 +1,277 @@
+//! The ridges that cost most, in words and drawn: both traces coloured by the loss made there.
+
+use asperity::result::RunResult;
+use asperity::result::loss_band::rounded;
+use asperity::result::ridges::{RidgeRow, Ridges, WattsStrip};
+use maud::{Markup, html};
+
+use super::page::figure;
+use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
+use crate::tables::BODIES;
+
+/// Explanation of the numbers.
+pub const NOTE: &str = "A ridge is a part of a prepared trace above its mean line. \"first\" is what pressing it to the mean \
+    line saves by the gradient of the loss; \"mean\" uses the mean of the gradients before and after all listed ridges are \
+    pressed, in brackets its 5 and 95 % quantiles by the sampling of the flanks, with the constants at their medians. The saving of all of them together is a run of the model. Sets of the contacts, windows and relief are held in \
+    the gradient. Running-in, which presses ridges too, is not in it. These are answers of the model, not measurements.";
+
+/// Explanation of the colours.
+const COLOURS: &str = "Colours: height above the mean line times the gradient of the loss, per length of the trace; its integral \
+    over a ridge is its \"first\". Where it is negative, pressing the trace raises the loss. The number at the cursor is the \
+    value of the cell.";
+
+/// Least uncertainty of printed watts.
+const LEAST_W: f64 = 0.5;
+/// Ridges in the report of a run, and marked on the traces.
+const SHOWN: usize = 5;
+
+/// Watts with the digits that a scatter of a tenth over the windows leaves, and at most one decimal.
+pub fn watts(value: f64) -> String {
+    rounded(value, (0.1 * value.abs()).max(LEAST_W))
+}
+
+/// The saving of all listed ridges together, by a run.
+pub fn saving(ridges: &Ridges) -> String {
+    let saved = ridges.loss_w - ridges.pressed_loss_w;
+    let quantiles = ridges.sampling_quantiles_w.map(|[low, high]| [-high, -low]);
+    format!(
+        "pressing these {} ridges to the mean line saves {} W{}, by a run",
+        ridges.rows.len(),
+        watts(saved),
+        interval(quantiles)
+    )
+}
+
+/// Saving by a ridge with its interval, according to the mean of the gradients.
+pub fn saving_of(row: &RidgeRow) -> String {
+    let quantiles = row.low_w.zip(row.high_w).map(|(low, high)| [low, high]);
+    format!("{}{}", watts(row.mean_gradient_w), interval(quantiles))
+}
+
+fn interval(quantiles: Option<[f64; 2]>) -> String {
+    match quantiles {
+        Some([low, high]) if low < high => format!(" ({}..{})", watts(low), watts(high)),
+        _ => String::new(),
+    }
+}
+
+/// The part of the loss that the gradient leaves out, and its factor by the heat balance.
+pub fn notes(ridges: &Ridges) -> Vec<String> {
+    let mut notes = Vec::new();
+    if ridges.unresolved_w > 0.0 {
+        notes.push(format!(
+            "{} W of sliding loss are where the traces do not resolve the contact; the gradient leaves them out.",
+            watts(ridges.unresolved_w)
+        ));
+    }
+    if ridges.heat_balance != 1.0 {
+        notes.push(format!(
+            "The bulk temperature follows from the loss: it multiplies every change by {:.2}.",
+            ridges.heat_balance
+        ));
+    }
+    notes
+}
+
+/// The line of a run: the saving, or why there is none; `None` if the ridges were not sought.
+pub fn line(result: &RunResult) -> Option<String> {
+    let found = result.ridges.as_ref().map(saving);
+    let none = || Some(format!("not computed: {}", result.no_ridges.as_ref()?));
+    Some(format!("ridges: {}", found.or_else(none)?))
+}
+
+/// The section of a run: the first ridges, or why there are none; empty if they were not sought.
+pub(super) fn section(result: &RunResult) -> Markup {
+    html! {
+        @if let Some(why) = &result.no_ridges { p { "Not computed: " (why) "." } }
+        @if let Some(ridges) = &result.ridges {
+            p { strong { (saving(ridges)) "." } " The loss of " (watts(ridges.loss_w)) " W that this refers to is with every constant at its "
+                "median; " code { "asperity ridges" } " lists all of these ridges and the loss by wavelength." }
+            @for note in notes(ridges) { p { (note) } }
+            (charts(ridges, Some("result.json")))
+            (table(&ridges.rows[..ridges.rows.len().min(SHOWN)]))
+            p.note { (NOTE) }
+        }
+    }
+}
+
+/// Table of ridges, numbered from 1.
+pub fn table(rows: &[RidgeRow]) -> Markup {
+    html! { div.scroll { table {
+        thead { tr { th.number { "ridge" } th { "flank" } th.number { "place [mm]" } th.number { "width [µm]" } th.number { "height [µm]" }
+            th.number { "first [W]" } th.number { "mean [W]" } } }
+        tbody { @for (k, row) in rows.iter().enumerate() { tr {
+            td.number { (k + 1) } td { (row.flank) } td.number { (format!("{:.4}", row.place_mm)) }
+            td.number { (format!("{:.1}", row.width_um)) } td.number { (format!("{:.3}", row.height_um)) }
+            td.number { (watts(row.first_order_w)) } td.number { (saving_of(row)) }
+        } } }
+    } } }
+}
+
+/// Both traces and close-ups of the costliest ridges, coloured on one scale; `file` holds their data, or the table of each trace.
+pub fn charts(ridges: &Ridges, file: Option<&str>) -> Markup {
+    let scale = scale(ridges);
+    let traces = BODIES.iter().zip(&ridges.along).map(|(body, strip)| {
+        let rows = ridges.rows.iter().take(SHOWN).enumerate();
+        let own = rows.filter(|(_, row)| row.flank == *body);
+        let marks = own.map(|(k, row)| Mark {
+            at: row.place_mm,
+            label: (k + 1).to_string(),
+        });
+        let mut marks: Vec<Mark> = marks.collect();
+        marks.sort_by(|a, b| a.at.total_cmp(&b.at));
+        let title = format!("Loss along the trace of the {body}, ridges numbered");
+        chart(&format!("watts-{body}"), &title, body, strip, scale).marked(&marks)
+    });
+    let near = ridges.near.iter().zip(&ridges.rows).enumerate();
+    let near = near.map(|(k, (strip, row))| {
+        let title = format!("Ridge {}: {} at {:.4} mm", k + 1, row.flank, row.place_mm);
+        chart(
+            &format!("ridge-{}", k + 1),
+            &title,
+            &row.flank,
+            strip,
+            scale,
+        )
+    });
+    let named = |mut chart: Chart| {
+        chart.source = file.map_or(chart.source, str::to_owned);
+        Drawing::Curves(chart)
+    };
+    html! {
+        p { (COLOURS) }
+        div.charts { @for chart in traces.chain(near) { (figure(&named(chart))) } }
+    }
+}
+
+/// Edges of the colours \[W/mm\]: round numbers, each about a third of the next, up to a third of the largest value.
+fn scale(ridges: &Ridges) -> [f64; 3] {
+    let strips = ridges.along.iter().chain(&ridges.near);
+    let cells = strips.flat_map(|strip| &strip.cells);
+    let largest = cells.fold(f64::MIN_POSITIVE, |most, [.., w]| most.max(w.abs()));
+    // 1, 3, 10, 30, ...
+    let last = (2.0 * (largest / 3.0).log10()).floor() as i32;
+    [2, 1, 0].map(|down| {
+        let k = last - down;
+        let lead = if k.rem_euclid(2) == 0 { 1.0 } else { 3.0 };
+        lead * 10_f64.powi(k.div_euclid(2))
+    })
+}
+
+fn chart(id: &str, title: &str, body: &str, strip: &WattsStrip, scale: [f64; 3]) -> Chart {
+    let x = Axis::new("place on the prepared trace", "mm");
+    let y = Axis::new("height", "µm");
+    let mut chart = Chart::new(id, title, &format!("{body}.csv"), x, y);
+    let level = |w: f64| {
+        let level = scale.iter().filter(|edge| w.abs() >= **edge).count() as i8;
+        if w < 0.0 { -level } else { level }
+    };
+    let place = |cell: usize| strip.begin_mm + strip.cell_mm * cell as f64;
+    for (own, name) in names(scale) {
+        let cells = strip.cells.iter().enumerate();
+        let cells = cells.filter(|(_, [.., w])| level(*w) == own);
+        let corners = cells.flat_map(|(k, [low, high, _])| {
+            let [x1, x2] = [place(k), place(k + 1)];
+            [
+                [x1, *low],
+                [x1, *high],
+                [x2, *high],
+                [x2, *low],
+                [f64::NAN; 2],
+            ]
+        });
+        let mut series = Series::through(&name, Line::Level(own), corners);
+        if own == 0 {
+            let readings = strip.cells.iter().enumerate();
+            let middle = |k: usize| place(k) + 0.5 * strip.cell_mm;
+            series.readings = readings.map(|(k, [.., w])| [middle(k), *w]).collect();
+            series.unit = "W/mm";
+        }
+        if own == 0 || !series.points.is_empty() {
+            chart.series.push(series);
+        }
+    }
+    chart
+}
+
+/// The levels of the colours with their names.
+fn names([first, second, third]: [f64; 3]) -> [(i8, String); 7] {
+    [
+        (0, format!("below ±{first} W/mm")),
+        (1, format!("{first} to {second}")),
+        (2, format!("{second} to {third}")),
+        (3, format!("above {third}")),
+        (-1, format!("−{second} to −{first}")),
+        (-2, format!("−{third} to −{second}")),
+        (-3, format!("below −{third}")),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use asperity::result::ridges::FlankWatts;
+    use asperity_core::Profile;
+    use asperity_core::quantity::Length;
+
+    use super::*;
+
+    /// A ridge of 1 µm on flat traces of 2000 points, 1 µm apart, that makes 4 kW/mm where it is highest.
+    fn ridges() -> Ridges {
+        let z = |i: usize| if (900..950).contains(&i) { 1e-6 } else { 0.0 };
+        let trace = Profile::new(Length::from_si(1e-6), (0..2000).map(z).collect()).unwrap();
+        let flank = FlankWatts {
+            by_height: (0..2000)
+                .map(|i| if z(i) > 0.0 { 4e6 } else { 0.0 })
+                .collect(),
+            trace,
+        };
+        let row = RidgeRow {
+            flank: "wheel".to_owned(),
+            place_mm: 0.9,
+            width_um: 50.0,
+            height_um: 0.975,
+            first_order_w: 195.0,
+            mean_gradient_w: 100.0,
+            low_w: Some(50.0),
+            high_w: Some(150.0),
+            first_point: 900,
+            last_point: 949,
+        };
+        Ridges {
+            title: "one ridge".to_owned(),
+            loss_w: 500.0,
+            pressed_loss_w: 400.0,
+            sampling_quantiles_w: Some([-150.0, -50.0]),
+            by_log_height_w: 195.0,
+            heat_balance: 1.0,
+            unresolved_w: 0.0,
+            octaves: Vec::new(),
+            along: [flank.along(), flank.along()],
+            near: vec![flank.near(&row)],
+            rows: vec![row],
+        }
+    }
+
+    #[test]
+    fn the_watts_of_the_cells_add_up_to_those_of_the_ridge_and_their_heights_are_drawn() {
+        let ridges = ridges();
+        for strip in ridges.along.iter().chain(&ridges.near) {
+            let watts: f64 = strip.cells.iter().map(|[.., w]| strip.cell_mm * w).sum();
+            // Three digits in each cell.
+            assert!(
+                (watts / ridges.rows[0].first_order_w - 1.0).abs() < 5e-3,
+                "{watts}"
+            );
+            let high = strip.cells.iter().map(|[_, high, _]| *high);
+            assert_eq!(high.fold(0.0, f64::max), 1.0);
+        }
+        assert_eq!(ridges.near[0].begin_mm, 0.85);
+        assert_eq!(scale(&ridges), [100.0, 300.0, 1000.0]);
+        let page = charts(&ridges, None).into_string();
+        assert!(
+            page.contains("area l3") && !page.contains("area m"),
+            "{page}"
+        );
+        assert!(page.contains("above 1000") && page.contains("\"unit\":\"W/mm\""));
+    }
+}
