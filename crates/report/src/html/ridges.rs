@@ -197,7 +197,7 @@ fn chart(id: &str, title: &str, body: &str, strip: &WattsStrip, scale: [f64; 3])
 /// The levels of the colours with their names.
 fn names([first, second, third]: [f64; 3]) -> [(i8, String); 7] {
     [
-        (0, format!("below ±{first} W/mm")),
+        (0, format!("−{first} to {first} W/mm")),
         (1, format!("{first} to {second}")),
         (2, format!("{second} to {third}")),
         (3, format!("above {third}")),
