@@ -41,6 +41,7 @@ mod relief;
 mod result_messages;
 mod results;
 mod rexs;
+mod ridges;
 mod sensitivity;
 mod several_traces;
 mod single_modules;

@@ -461,6 +461,8 @@ fn what_several_traces_cannot_mean_is_refused() {
     }
     let dry = asperity::contacts::dry_contact::dry_contact(&several, 0.5).unwrap_err();
     assert_eq!(dry.code(), "E312");
+    let gradient = asperity::pipeline::gradient(&several).unwrap_err();
+    assert_eq!(gradient.code(), "E312");
 }
 
 #[test]

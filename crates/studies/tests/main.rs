@@ -3,4 +3,5 @@
 mod energies;
 mod estimate;
 mod exports;
+mod ridges;
 mod trains;

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use asperity_fourier::real_transforms;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealToComplex};
 
-use super::{good_fft_length, real_transforms};
+use super::fft_length::good_fft_length;
 
 /// y = T x for a symmetric Toeplitz matrix T, in O(n log n), without allocation per product.
 ///

@@ -1,0 +1,48 @@
+//! The ridges of the flanks in the report of a run.
+
+use std::fs;
+
+use crate::bench::{Bench, E_DRIVE};
+
+#[test]
+fn the_ridges_are_in_the_report_on_request_or_the_reason_why_not() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let run = ["run", "case.toml", "--no-band", "--ridges", "-o"];
+    let said = bench.run(&[&run[..], &["found"]].concat()).well().out;
+    let result = |folder: &str| -> serde_json::Value {
+        let text = fs::read(bench.path(&format!("{folder}/result.json"))).unwrap();
+        serde_json::from_slice(&text).unwrap()
+    };
+    let found = result("found");
+    let ridges = &found["ridges"];
+    let number = |key: &str| ridges[key].as_f64().unwrap();
+    let saving = number("loss_w") - number("pressed_loss_w");
+    assert!(saving > 5.0, "{ridges}");
+    let line = said.lines().find(|line| line.contains("ridges")).unwrap();
+    assert!(line.contains(&format!("{saving:.0} W")), "{line}");
+    assert!(!ridges["rows"].as_array().unwrap().is_empty());
+    let page = fs::read_to_string(bench.path("found/report.html")).unwrap();
+    assert!(page.contains("Ridges with the largest loss"));
+    bench.run(&["report", "found", "-o", "again.html"]).well();
+    let again = fs::read_to_string(bench.path("again.html")).unwrap();
+    assert!(again.contains("Ridges with the largest loss"));
+
+    let paper = ["none", "--formulation", "paper"];
+    bench.run(&[&run[..], &paper[..]].concat());
+    let none = result("none");
+    assert!(none.get("ridges").is_none_or(serde_json::Value::is_null));
+    let why = none["no_ridges"].as_str().unwrap();
+    assert!(why.contains("formulation"), "{why}");
+    let page = fs::read_to_string(bench.path("none/report.html")).unwrap();
+    assert!(
+        page.contains("formulation = &quot;paper&quot;") || page.contains(why),
+        "{why}"
+    );
+
+    let plain = ["run", "case.toml", "--no-band", "-o", "plain"];
+    bench.run(&plain).well();
+    let page = fs::read_to_string(bench.path("plain/report.html")).unwrap();
+    assert!(!page.contains("Ridges with the largest loss"));
+}
