@@ -187,7 +187,7 @@ impl<'a> Text<'a> {
             self.addendum(gears)?;
         }
         if shifts.is_none() && !has_tips {
-            self.default_shifts(mesh, gears, z)?;
+            self.zero_shifts(mesh, gears, z)?;
         }
         Ok(shifts)
     }
@@ -377,49 +377,39 @@ impl<'a> Text<'a> {
         Ok(tips.len() == gears.len())
     }
 
-    /// Writes default profile shifts from the centre distance if the file has neither shifts nor tip diameters. Their
-    /// sum is split evenly between the gears of an external pair; with a ring they are zero if the centre distance is
-    /// the reference centre distance, and otherwise unknown.
-    fn default_shifts(
+    /// Writes profile shifts of zero for a stage with a ring at its reference centre distance, if the file has neither
+    /// shifts nor tip diameters. A case of an external pair divides the sum of its centre distance itself.
+    fn zero_shifts(
         &mut self,
         mesh: &Component,
         gears: &[&Component],
         z: &[f64],
     ) -> Result<(), RexsError> {
+        if gears.iter().all(|gear| gear.kind != "ring_gear") {
+            return Ok(());
+        }
         let distance = mesh.required("center_distance", Unit::Millimetre)?;
         let module = gears[0].required("normal_module", Unit::Millimetre)?;
         let helix = gears[0].required("helix_angle_reference_diameter", Unit::Degree)?;
-        let flank = self.flank(gears[0]);
-        let angle = flank.map_or(Ok(None), |flank| {
-            flank.number("normal_pressure_angle", Unit::Degree)
-        })?;
-        let (helix, angle) = (helix.to_radians(), angle.unwrap_or(20.0).to_radians());
-        let scale = 0.5 * module / helix.cos();
-        let shifts = if gears.iter().any(|gear| gear.kind == "ring_gear") {
-            let last = z.len() - 1;
-            let ring_offset = (scale * (z[last] - z[last - 1]) - distance).abs();
-            let sun_offset = match z {
-                [sun, planet, _] => (scale * (sun + planet) - distance).abs(),
-                _ => 0.0,
-            };
-            (ring_offset.max(sun_offset) < DISTANCE_TOLERANCE).then(|| vec![0.0; z.len()])
-        } else {
-            let sum = shift_sum(z.iter().sum(), distance / scale, helix, angle);
-            sum.map(|sum| vec![0.5 * sum; 2])
+        let scale = 0.5 * module / helix.to_radians().cos();
+        let last = z.len() - 1;
+        let ring_offset = (scale * (z[last] - z[last - 1]) - distance).abs();
+        let sun_offset = match z {
+            [sun, planet, _] => (scale * (sun + planet) - distance).abs(),
+            _ => 0.0,
         };
-        let Some(shifts) = shifts else {
+        if ring_offset.max(sun_offset) >= DISTANCE_TOLERANCE {
             self.note(
                 "the profile shifts do not follow from the centre distance: write profile_shift"
                     .into(),
             );
             return Ok(());
-        };
-        let texts: Vec<String> = shifts.iter().map(|x| rounded(*x)).collect();
+        }
         self.sourced_line(
-            &format!("profile_shift = [{}]", texts.join(", ")),
-            "default: from the centre distance, split evenly",
+            &format!("profile_shift = [{}]", vec!["0"; z.len()].join(", ")),
+            "default: the centre distance is the reference centre distance",
         );
-        self.note("the profile shifts are taken from the centre distance, split evenly".into());
+        self.note("the profile shifts are zero by the centre distance".into());
         Ok(())
     }
 
@@ -663,16 +653,6 @@ fn summary(point: &OperatingPoint) -> String {
         }
     }
     text
-}
-
-/// Sum of the profile shift coefficients of an external pair from its working centre distance in units of half the
-/// transverse module; `None` if the base circles are further apart than the distance.
-fn shift_sum(teeth: f64, distance: f64, helix: f64, pressure_angle: f64) -> Option<f64> {
-    let transverse = (pressure_angle.tan() / helix.cos()).atan();
-    let involute = |angle: f64| angle.tan() - angle;
-    let cosine = teeth * transverse.cos() / distance;
-    let working = (0.0..1.0).contains(&cosine).then(|| cosine.acos())?;
-    Some(teeth * (involute(working) - involute(transverse)) / (2.0 * pressure_angle.tan()))
 }
 
 /// A converted number without its rounding errors.

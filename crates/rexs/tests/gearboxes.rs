@@ -86,6 +86,18 @@ fn each_number_of_a_case_names_its_attribute() {
 }
 
 #[test]
+fn an_external_pair_without_shifts_leaves_their_division_to_the_case() {
+    let text = CHAIN.replace("addendum_modification_coefficient", "unknown_attribute");
+    let case = text_of(&Model::read(text.as_bytes()).unwrap(), 1);
+    assert!(
+        case.toml.contains("\ncentre_distance = \""),
+        "{}",
+        case.toml
+    );
+    assert!(!case.toml.contains("profile_shift"), "{}", case.toml);
+}
+
+#[test]
 fn speed_and_torque_pass_through_the_ratios() {
     let model = chain();
     let stages = stages(&model).unwrap();
