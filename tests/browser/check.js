@@ -144,7 +144,7 @@
   const colour = (value) => { probe.style.color = value; return getComputedStyle(probe).color; };
   const variable = (element, name) => colour(getComputedStyle(element).getPropertyValue(name));
   function shades(path) {
-    const classes = [...path.classList], own = classes.find((c) => /^c\d$/.test(c));
+    const classes = [...path.classList], own = classes.find((c) => /^[clm]\d$/.test(c));
     const is = (name) => classes.includes(name);
     const of = own && variable(path, `--${own}`);
     if (is("scatter")) return { fill: of, stroke: of };
