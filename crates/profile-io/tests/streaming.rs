@@ -6,7 +6,7 @@ use std::io::{Cursor, Error, Read, Result, Seek, SeekFrom};
 
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{
-    Encoding, Gaps, ReadError, ReadOptions, read, read_bytes, read_stream,
+    Encoding, Gaps, ReadError, ReadFault, ReadOptions, read, read_bytes, read_stream,
 };
 
 /// Rows of some fifteen bytes: beyond the 256 KiB that are looked at first.
@@ -103,12 +103,12 @@ fn what_is_wrong_far_down_is_named_by_its_line() {
     );
     let turned = refused(&lines(&cell, &row(10)));
     assert!(
-        matches!(turned, ReadError::NotMonotone { line: 20_002, .. }),
+        matches!(turned.fault, ReadFault::NotMonotone { line: 20_002, .. }),
         "{turned}"
     );
     let lost = refused(&table((0..POINTS).filter(|i| *i != 20_000)));
     assert!(
-        matches!(lost, ReadError::UnevenSpacing { line: 20_002, .. }),
+        matches!(lost.fault, ReadFault::UnevenSpacing { line: 20_002, .. }),
         "{lost}"
     );
 }

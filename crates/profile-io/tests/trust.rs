@@ -8,8 +8,8 @@ use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::steepness::Suspicion;
 use asperity_profile_io::read::{
-    Format, Gaps, LengthUnit, ReadError, ReadOptions, Reading, SpacingHint, Uneven, read,
-    read_bytes,
+    Format, Gaps, LengthUnit, ReadError, ReadFault, ReadOptions, Reading, SpacingHint, Uneven,
+    read, read_bytes,
 };
 
 const POINTS: usize = 2000;
@@ -107,7 +107,13 @@ fn heights_without_a_unit_that_may_be_nanometres_are_not_taken_as_micrometres() 
     );
     let refused = opened(&text, &ReadOptions::default());
     assert!(
-        matches!(refused, Err(ReadError::NoUnit { .. })),
+        matches!(
+            refused,
+            Err(ReadError {
+                fault: ReadFault::NoUnit { .. },
+                ..
+            })
+        ),
         "{refused:?}"
     );
     let text = table(
@@ -156,7 +162,10 @@ fn an_uneven_x_is_told_from_two_per_cent() {
     );
     assert!(matches!(
         read(0.45, Uneven::Refuse),
-        Err(ReadError::UnevenSpacing { .. })
+        Err(ReadError {
+            fault: ReadFault::UnevenSpacing { .. },
+            ..
+        })
     ));
     for share in [0.15, 0.45] {
         let reading = read(share, Uneven::Resample).unwrap();
@@ -345,7 +354,13 @@ fn inches_and_their_parts_are_read() {
     }
     let text = um("x [um];z [furlong]", |i| flank(DX_UM * i as f64));
     let refused = opened(&text, &ReadOptions::default());
-    assert!(matches!(refused, Err(ReadError::UnknownUnit { .. })));
+    assert!(matches!(
+        refused,
+        Err(ReadError {
+            fault: ReadFault::UnknownUnit { .. },
+            ..
+        })
+    ));
 }
 
 #[test]
@@ -364,10 +379,14 @@ fn a_row_of_a_matrix_of_heights_is_read() {
     };
     let dx = Some(Length::from_si(0.5e-6));
     let refused = opened(&text, &asked(None, dx));
-    let Err(ReadError::SeveralProfiles {
-        rows,
-        points,
-        asked: 0,
+    let Err(ReadError {
+        fault:
+            ReadFault::SeveralProfiles {
+                rows,
+                points,
+                asked: 0,
+                ..
+            },
         ..
     }) = refused
     else {
@@ -376,12 +395,18 @@ fn a_row_of_a_matrix_of_heights_is_read() {
     assert_eq!((rows, points), (20, 300));
     assert!(matches!(
         opened(&text, &asked(Some(21), dx)),
-        Err(ReadError::SeveralProfiles { asked: 21, .. })
+        Err(ReadError {
+            fault: ReadFault::SeveralProfiles { asked: 21, .. },
+            ..
+        })
     ));
     assert!(matches!(
         opened(&text, &asked(Some(3), None)),
-        Err(ReadError::NoSpacing {
-            hint: SpacingHint::None,
+        Err(ReadError {
+            fault: ReadFault::NoSpacing {
+                hint: SpacingHint::None,
+                ..
+            },
             ..
         })
     ));

@@ -7,7 +7,7 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{
-    Format, Gaps, Metadata, Positions, ReadError, ReadOptions, Trace, Uneven, read_bytes,
+    Format, Gaps, Metadata, Positions, ReadFault, ReadOptions, Trace, Uneven, read_bytes,
     read_trace_bytes,
 };
 use asperity_profile_io::write::{WrittenFormat, write, write_trace};
@@ -162,7 +162,7 @@ fn uneven_points_are_told_by_the_worst_line_and_a_gap_by_its_ends() {
     let options = ReadOptions::default();
     let refused = read_bytes("a.csv", text.as_bytes(), &options).unwrap_err();
     assert!(
-        matches!(refused, ReadError::UnevenSpacing { x: 50.45, .. })
+        matches!(refused.fault, ReadFault::UnevenSpacing { x: 50.45, .. })
             && refused.place().1 == Some(102),
         "{refused}"
     );

@@ -10,7 +10,7 @@ use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::steepness::implausible;
 use asperity_profile_io::read::{
-    LengthUnit, ReadError, ReadOptions, Reading, read_surface_bytes, read_with_conditions,
+    LengthUnit, ReadFault, ReadOptions, Reading, read_surface_bytes, read_with_conditions,
 };
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::outliers::{OutlierRecord, Outliers, replace};
@@ -389,10 +389,10 @@ fn read_trace(
                 None => (profile.as_ref().clone(), None),
             };
             if let Some(steepness) = implausible(&profile, LengthUnit::Metre) {
-                let file = file.display().to_string();
+                let fault = ReadFault::ImplausibleHeights { steepness };
                 return Err(CaseError::Profile {
                     place: source.place_of(&keys.file),
-                    source: Box::new(ReadError::ImplausibleHeights { file, steepness }),
+                    source: Box::new(fault.in_file(&file.display().to_string())),
                 });
             }
             return Ok(ReadTrace {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use asperity_profile_io::read::{LengthUnit, ReadError, ReadOptions};
+use asperity_profile_io::read::{LengthUnit, ReadFault, ReadOptions};
 
 use super::error::CaseError;
 use super::files::Content;
@@ -42,15 +42,13 @@ impl Trace {
     /// # Errors
     /// When there are fewer than 100 heights, one is not finite, or no instrument has the spacing.
     pub fn from_heights(heights: &[f64], spacing: Length) -> Result<Self, Error> {
-        let impossible = |what, value| ReadError::Impossible {
-            file: "heights".to_owned(),
+        let impossible = |what, value| ReadFault::Impossible {
             what,
             value,
             unit: LengthUnit::Metre,
         };
         if heights.len() < FEWEST_POINTS {
-            return Err(refused(ReadError::TooFewPoints {
-                file: "heights".to_owned(),
+            return Err(refused(ReadFault::TooFewPoints {
                 points: heights.len(),
                 needed: FEWEST_POINTS,
             }));
@@ -130,10 +128,10 @@ impl Trace {
     }
 }
 
-fn refused(error: ReadError) -> Error {
+fn refused(fault: ReadFault) -> Error {
     CaseError::Profile {
         place: Source::in_memory().place_of("surface"),
-        source: Box::new(error),
+        source: Box::new(fault.in_file("heights")),
     }
     .into()
 }

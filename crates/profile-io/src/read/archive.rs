@@ -7,7 +7,7 @@ use std::io::{BufReader, Read};
 
 use zip::ZipArchive;
 
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::text::Stream;
 
@@ -27,7 +27,6 @@ pub(super) fn most_unpacked(packed: u64) -> u64 {
 
 /// An opened zip file.
 pub(super) struct Archive<'a> {
-    file: &'a str,
     format: Format,
     zip: ZipArchive<BufReader<&'a mut dyn Stream>>,
     names: Vec<String>,
@@ -37,12 +36,11 @@ pub(super) struct Archive<'a> {
 impl<'a> Archive<'a> {
     /// Opens the archive of `size` bytes in `stream`.
     pub(super) fn open(
-        file: &'a str,
         format: Format,
         stream: &'a mut dyn Stream,
         size: u64,
-    ) -> Result<Self, ReadError> {
-        let damaged = || damaged(file, format, "the zip directory cannot be read", "");
+    ) -> Result<Self, ReadFault> {
+        let damaged = || damaged(format, "the zip directory cannot be read", "");
         let zip = ZipArchive::new(BufReader::new(stream)).map_err(|_| damaged())?;
         if zip.len() > MOST_MEMBERS {
             return Err(damaged());
@@ -52,7 +50,6 @@ impl<'a> Archive<'a> {
             .map(|name| name.map_or_else(|_| String::new(), |name| name.replace('\\', "/")))
             .collect();
         Ok(Self {
-            file,
             format,
             zip,
             names,
@@ -81,18 +78,17 @@ impl<'a> Archive<'a> {
     pub(super) fn read<T>(
         &mut self,
         full: &str,
-        read: impl FnOnce(&mut Bounded<'_>) -> Result<T, ReadError>,
-    ) -> Result<T, ReadError> {
-        let missing = || damaged(self.file, self.format, "a member is missing", full);
+        read: impl FnOnce(&mut Bounded<'_>) -> Result<T, ReadFault>,
+    ) -> Result<T, ReadFault> {
+        let missing = || damaged(self.format, "a member is missing", full);
         let at = self.names.iter().position(|name| name == full);
         let at = at.ok_or_else(missing)?;
-        let unreadable = |_| damaged(self.file, self.format, "a member cannot be unpacked", full);
+        let unreadable = |_| damaged(self.format, "a member cannot be unpacked", full);
         let member = self.zip.by_index(at).map_err(unreadable)?;
         let packed = member.compressed_size().min(self.size);
         let limit = most_unpacked(packed);
         if member.size() > limit {
-            return Err(ReadError::TooLarge {
-                file: self.file.to_owned(),
+            return Err(ReadFault::TooLarge {
                 what: "an unpacked member",
                 bytes: member.size(),
                 most: limit,
@@ -105,8 +101,7 @@ impl<'a> Archive<'a> {
         };
         let result = read(&mut bounded);
         if bounded.over {
-            return Err(ReadError::TooLarge {
-                file: self.file.to_owned(),
+            return Err(ReadFault::TooLarge {
                 what: "an unpacked member",
                 bytes: limit + 1,
                 most: limit,
@@ -137,8 +132,8 @@ impl Read for Bounded<'_> {
 
 /// Format of a zip file by its members: an X3P contains a main.xml, a workbook a folder xl, a PLUX an index.xml and its
 /// heights.
-pub(super) fn content(file: &str, stream: &mut dyn Stream, size: u64) -> Format {
-    match Archive::open(file, Format::Archive, stream, size) {
+pub(super) fn content(stream: &mut dyn Stream, size: u64) -> Format {
+    match Archive::open(Format::Archive, stream, size) {
         Ok(archive) if archive.holds("xl/workbook.xml") => Format::Excel,
         Ok(archive) if archive.holds("content.xml") && archive.holds("mimetype") => Format::Excel,
         Ok(archive) if archive.holds("index.xml") && archive.find("LAYER_0.raw").is_some() => {
@@ -150,9 +145,8 @@ pub(super) fn content(file: &str, stream: &mut dyn Stream, size: u64) -> Format 
 }
 
 /// The error for a file that breaks the rules of its format.
-pub(super) fn damaged(file: &str, format: Format, what: &'static str, seen: &str) -> ReadError {
-    ReadError::Damaged {
-        file: file.to_owned(),
+pub(super) fn damaged(format: Format, what: &'static str, seen: &str) -> ReadFault {
+    ReadFault::Damaged {
         format,
         what,
         seen: super::table::shortened(seen),

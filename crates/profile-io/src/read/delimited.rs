@@ -6,7 +6,7 @@ use asperity_core::quantity::Length;
 
 use super::areal::trace::Areal;
 use super::dialect::Sniffed;
-use super::error::{ReadError, SpacingHint};
+use super::error::{ReadFault, SpacingHint};
 use super::first_look::{no_data, sniff};
 use super::format::{Format, extension};
 use super::grid::{Spacing, SpacingSource};
@@ -31,25 +31,25 @@ pub(super) fn read(
     head: &Head,
     text: &mut Text<'_>,
     options: &ReadOptions,
-) -> Result<Trace, ReadError> {
+) -> Result<Trace, ReadFault> {
     let name = text.file;
     let lines: Vec<Line<'_>> = head.lines().filter(|line| !line.is_blank()).collect();
-    let Some(sniffed) = sniff(name, &lines, options)? else {
+    let Some(sniffed) = sniff(&lines, options)? else {
         return Err(no_data(text)?);
     };
-    table::check_line_above(name, &lines, &sniffed)?;
+    table::check_line_above(&lines, &sniffed)?;
     let (header, table) = lines.split_at(sniffed.first);
     if options.separator.is_none() && options.columns.is_none() {
-        table::check_commas(name, table, &sniffed)?;
+        table::check_commas(table, &sniffed)?;
     }
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     let values = HeaderValues::of(header);
     if matrix::is_matrix(&labels, &values, options) {
-        let fewer = stated_count::check(name, Format::TextMatrix, header, sniffed.columns)?;
+        let fewer = stated_count::check(Format::TextMatrix, header, sniffed.columns)?;
         let first = table.first().map_or(1, |line| line.number);
         let found = match options.line {
             TraceLine::Row => matrix::read(text, first, &lines, &sniffed, &values, options)?,
-            _ => matrix::surface(text, first, &lines, &sniffed, &values)?.trace(name, options)?,
+            _ => matrix::surface(text, first, &lines, &sniffed, &values)?.trace(options)?,
         };
         let mut trace = found.finish(name, options)?;
         trace.warnings.extend(fewer);
@@ -62,7 +62,7 @@ pub(super) fn read(
     };
     let (chosen, rows, before, format) = match &points {
         Some((points, [x, y, z])) => {
-            let trace = points.trace(name, options)?;
+            let trace = points.trace(options)?;
             let along = if points.runs_along_y(options) { y } else { x };
             let chosen = Chosen {
                 x: Some(*along),
@@ -73,7 +73,7 @@ pub(super) fn read(
             (chosen, trace.rows, trace.before, Format::PointText)
         }
         None => {
-            let chosen = table::choose(name, sniffed.columns, &labels, options)?;
+            let chosen = table::choose(sniffed.columns, &labels, options)?;
             let rows = rows::read(text, first, &lines, &sniffed, chosen)?;
             (chosen, rows, 0, Format::DelimitedText)
         }
@@ -99,15 +99,14 @@ pub(super) fn surface(
     head: &Head,
     text: &mut Text<'_>,
     options: &ReadOptions,
-) -> Result<Areal, ReadError> {
+) -> Result<Areal, ReadFault> {
     /// Minimum number of columns of a matrix.
     const FEWEST: usize = 3;
-    let name = text.file;
     let lines: Vec<Line<'_>> = head.lines().filter(|line| !line.is_blank()).collect();
-    let Some(sniffed) = sniff(name, &lines, options)? else {
+    let Some(sniffed) = sniff(&lines, options)? else {
         return Err(no_data(text)?);
     };
-    table::check_line_above(name, &lines, &sniffed)?;
+    table::check_line_above(&lines, &sniffed)?;
     let (header, table) = lines.split_at(sniffed.first);
     let labels = header::labels(header, sniffed.dialect, sniffed.columns);
     let first = table.first().map_or(1, |line| line.number);
@@ -123,8 +122,7 @@ pub(super) fn surface(
         return Ok(points.surface(unit(options.x_unit, x), unit(options.z_unit, z)));
     }
     if sniffed.columns < FEWEST || labels.iter().any(|label| label.role.is_some()) {
-        return Err(ReadError::NotHeights {
-            file: name.to_owned(),
+        return Err(ReadFault::NotHeights {
             format: Format::DelimitedText,
             content: "no matrix of heights",
         });
@@ -169,7 +167,7 @@ struct Measured {
 }
 
 impl Parsed<'_> {
-    fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Trace, ReadError> {
+    fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Trace, ReadFault> {
         let name = self.name;
         let mut warnings = Vec::new();
         let Rows {
@@ -195,10 +193,7 @@ impl Parsed<'_> {
             }
             (_, None) if self.values.base_radius.is_some() => self.values.base_radius,
             (_, None) => {
-                return Err(ReadError::RollLength {
-                    file: name.to_owned(),
-                    abscissa,
-                });
+                return Err(ReadFault::RollLength { abscissa });
             }
         };
         if let (Some(x), Some(radius)) = (&mut x, base_radius) {
@@ -218,19 +213,14 @@ impl Parsed<'_> {
             Some(_) => Special::delimited(),
         };
         let header_numbers = count - z.len();
-        warnings.extend(stated_count::check(
-            name,
-            special.format,
-            self.header,
-            z.len(),
-        )?);
+        warnings.extend(stated_count::check(special.format, self.header, z.len())?);
         let mut place =
             |row: usize| rows::place(text, self.first, self.before + row + header_numbers);
-        grid::enough(name, z.len())?;
+        grid::enough(z.len())?;
         let mut column = None;
         // With a stated spacing x is not required and not checked.
         if let (Some(x), None) = (&mut x, self.options.dx) {
-            let spacing = grid::spacing(name, x, &mut place)?;
+            let spacing = grid::spacing(x, &mut place)?;
             if spacing.falls {
                 z.reverse();
                 warnings.push(Warning::Reversed);
@@ -243,20 +233,20 @@ impl Parsed<'_> {
         let unevenness = column.as_ref().and_then(|spacing| spacing.unevenness);
         let mut left_out = 0;
         if let (Some(x), true) = (&mut x, unevenness.is_some() || base_radius.is_some()) {
-            left_out = grid::leave_out(name, x, &mut z, gaps, &mut warnings)?;
+            left_out = grid::leave_out(x, &mut z, gaps, &mut warnings)?;
         }
-        let (heights, filled) = grid::heights(name, z, gaps, &mut place, &mut warnings)?;
+        let (heights, filled) = grid::heights(z, gaps, &mut place, &mut warnings)?;
         let measured = self.measure(x.as_deref(), &heights, column, &special, &mut warnings)?;
         let mut metadata = self.metadata();
         let positions = match (x, measured.x_unit, base_radius, unevenness) {
             (Some(x), Some(unit), Some(base_radius), _) => {
-                let x = found::metres(name, x, unit)?;
-                let x = roll_length::along_involute(name, x, base_radius)?;
+                let x = found::metres(x, unit)?;
+                let x = roll_length::along_involute(x, base_radius)?;
                 metadata.arc_from_base = x.first().copied().map(Length::from_si);
                 found::own(x, unevenness.unwrap_or_default())
             }
             (Some(x), Some(unit), None, Some(unevenness)) => {
-                found::own(found::metres(name, x, unit)?, unevenness)
+                found::own(found::metres(x, unit)?, unevenness)
             }
             _ => Positions::Even {
                 spacing: Length::from_si(measured.spacing),
@@ -275,7 +265,7 @@ impl Parsed<'_> {
         Ok(Trace {
             name: name.to_owned(),
             positions,
-            heights: found::metres(name, heights, measured.z_unit)?,
+            heights: found::metres(heights, measured.z_unit)?,
             format: self.format(special.format),
             encoding: Some(self.encoding),
             table: Some(TableLayout {
@@ -307,7 +297,7 @@ impl Parsed<'_> {
     }
 
     /// The unit of a column: as stated, or from the header.
-    fn unit(&self, axis: Axis, column: usize) -> Result<Option<LengthUnit>, ReadError> {
+    fn unit(&self, axis: Axis, column: usize) -> Result<Option<LengthUnit>, ReadFault> {
         let stated = match axis {
             // Roll angles have been converted to roll lengths in metres.
             Axis::Trace
@@ -331,8 +321,7 @@ impl Parsed<'_> {
             label.and_then(|label| label.unit.as_ref()).or(of_header),
         ) {
             (Some(unit), _) | (None, Some(&header::Stated::Length(unit))) => Ok(Some(unit)),
-            (None, Some(header::Stated::Other(unit))) => Err(ReadError::UnknownUnit {
-                file: self.name.to_owned(),
+            (None, Some(header::Stated::Other(unit))) => Err(ReadFault::UnknownUnit {
                 axis,
                 unit: table::shortened(unit),
             }),
@@ -359,19 +348,12 @@ impl Parsed<'_> {
         found::unit_overridden(axis, stated, found?)
     }
 
-    fn no_spacing(&self, hint: SpacingHint) -> ReadError {
-        ReadError::NoSpacing {
-            file: self.name.to_owned(),
-            hint,
-        }
+    fn no_spacing(&self, hint: SpacingHint) -> ReadFault {
+        ReadFault::NoSpacing { hint }
     }
 
-    fn no_unit(&self, axis: Axis, span: f64) -> ReadError {
-        ReadError::NoUnit {
-            file: self.name.to_owned(),
-            axis,
-            span,
-        }
+    fn no_unit(&self, axis: Axis, span: f64) -> ReadFault {
+        ReadFault::NoUnit { axis, span }
     }
 
     /// Spacing and units: as stated, from the header, or the only possible ones.
@@ -382,7 +364,7 @@ impl Parsed<'_> {
         column: Option<Spacing>,
         special: &Special,
         warnings: &mut Vec<Warning>,
-    ) -> Result<Measured, ReadError> {
+    ) -> Result<Measured, ReadFault> {
         let (low, high) = extremes(heights);
         let span = high - low;
         let z_stated = self.unit(Axis::Height, self.chosen.z)?.or(special.unit);
@@ -479,7 +461,7 @@ impl Parsed<'_> {
         z_stated: Option<LengthUnit>,
         extent: Extent,
         warnings: &mut Vec<Warning>,
-    ) -> Result<Measured, ReadError> {
+    ) -> Result<Measured, ReadFault> {
         let z_unit = z_stated.or_else(|| units::heights_only(extent));
         let z_unit = z_unit.ok_or_else(|| self.no_unit(Axis::Height, extent.span))?;
         if z_stated.is_none() {

@@ -11,303 +11,18 @@ use super::steepness::Steepness;
 /// Error of reading a file. The text states file, line, and the actual and expected content; [`code`](Self::code) is
 /// stable; [`remedy`](Self::remedy) is the remedy as data.
 #[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ReadError {
-    /// A cell that is not a number.
-    #[error("{file}:{line}: cannot read \"{text}\" as a number; the file looks like {dialect}")]
-    UnreadableNumber {
-        /// Name of the file.
-        file: String,
-        /// Line, from 1.
-        line: usize,
-        /// The cell.
-        text: String,
-        /// Detected dialect of the file.
-        dialect: Dialect,
-        /// Advice.
-        remedy: CellRemedy,
-    },
-    /// No line holds a row of numbers.
-    #[error("{file}: no rows of numbers found in {lines} lines{first}")]
-    NoData {
-        /// Name of the file.
-        file: String,
-        /// Number of lines.
-        lines: usize,
-        /// The first line, as `, which start with "..."`; empty for an empty file.
-        first: FirstLine,
-    },
-    /// The file could not be opened or read.
-    #[error("{file}: the file cannot be read ({source})")]
-    NotReadable {
-        /// Name of the file.
-        file: String,
-        /// Reason given by the system.
-        source: std::io::Error,
-    },
-    /// No unit is stated, and the values do not determine it.
-    #[error("{file}: no unit found and {axis} span {span}")]
-    NoUnit {
-        /// Name of the file.
-        file: String,
-        /// Column.
-        axis: Axis,
-        /// Largest minus smallest value, in the unit of the file.
-        span: f64,
-    },
-    /// x changes its direction.
-    #[error("{file}:{line}: {}", if previous == next { format!("x repeats {next}: two points at one place") } else { format!("x goes from {previous} to {next}, against the direction of the trace") })]
-    NotMonotone {
-        /// Name of the file.
-        file: String,
-        /// Line, from 1.
-        line: usize,
-        /// x before, in the unit of the file.
-        previous: f64,
-        /// x on this line.
-        next: f64,
-    },
-    /// Too few points for any roughness parameter.
-    #[error("{file}: {points} points; a roughness profile needs at least {needed}")]
-    TooFewPoints {
-        /// Name of the file.
-        file: String,
-        /// Number of points.
-        points: usize,
-        /// Minimum number.
-        needed: usize,
-    },
-    /// Points without a height.
-    #[error("{file}:{line}: {missing} of {points} points have no height, the first reads \"{text}\"{}", if *fillable { "" } else { ": too many to interpolate" })]
-    MissingPoints {
-        /// Name of the file.
-        file: String,
-        /// Line of the first missing point.
-        line: usize,
-        /// Text of the first missing point.
-        text: String,
-        /// Number of missing points.
-        missing: usize,
-        /// Number of rows.
-        points: usize,
-        /// Whether [`Gaps::Interpolate`](super::Gaps::Interpolate) would fill them.
-        fillable: bool,
-    },
-    /// A known format that is not supported.
-    #[error("{file}: {format} is not read by this version")]
-    FormatNotRead {
-        /// Name of the file.
-        file: String,
-        /// The format.
-        format: Format,
-    },
-    /// The points are not on an even grid.
-    #[error(
-        "{file}:{line}: uneven spacing, x = {x} (unit of the file) is {off:.3} spacings away from an even grid of {spacing:.4}"
-    )]
-    UnevenSpacing {
-        /// Name of the file.
-        file: String,
-        /// Line of the point farthest from the grid.
-        line: usize,
-        /// Its x, in the unit of the file.
-        x: f64,
-        /// Its distance from the grid in spacings.
-        off: f64,
-        /// Mean spacing.
-        spacing: Length,
-    },
-    /// A gap between points: some must be missing.
-    #[error(
-        "{file}: no points between x = {from:.6} and {to:.6}, {steps:.1} mean steps: they are missing, and resampling would draw a straight line there"
-    )]
-    GapInPositions {
-        /// Name of the file.
-        file: String,
-        /// Position before the gap.
-        from: Length,
-        /// Position after the gap.
-        to: Length,
-        /// Width of the gap in mean steps.
-        steps: f64,
-    },
-    /// There is no x and no stated spacing.
-    #[error("{file}: the heights have no x column to give the spacing{hint}")]
-    NoSpacing {
-        /// Name of the file.
-        file: String,
-        /// Hint in the file on the spacing.
-        hint: SpacingHint,
-    },
-    /// A row with too few or too many columns.
-    #[error("{file}:{line}: {found} columns where other rows have {expected}: \"{text}\"")]
-    RaggedRow {
-        /// Name of the file.
-        file: String,
-        /// Line, from 1.
-        line: usize,
-        /// The line.
-        text: String,
-        /// Number of columns.
-        found: usize,
-        /// Expected number of columns.
-        expected: usize,
-    },
-    /// The columns of x and height are unclear.
-    #[error(
-        "{file}: {columns} columns and no header that names x and height (or columns that do not exist)"
-    )]
-    ColumnsUnclear {
-        /// Name of the file.
-        file: String,
-        /// Number of columns.
-        columns: usize,
-    },
-    /// Commas may be separators or decimal signs.
-    #[error("{file}:{line}: \"{text}\": commas may separate columns or be decimal signs")]
-    AmbiguousComma {
-        /// Name of the file.
-        file: String,
-        /// Line, from 1.
-        line: usize,
-        /// The line.
-        text: String,
-    },
-    /// An unknown unit of length.
-    #[error(
-        "{file}: the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm, angstrom, inch, mil, uin"
-    )]
-    UnknownUnit {
-        /// Name of the file.
-        file: String,
-        /// Column.
-        axis: Axis,
-        /// The unit.
-        unit: String,
-    },
-    /// The stated separator, decimal sign or encoding does not fit.
-    #[error("{file}: the file cannot be read with separator {separator}")]
-    SeparatorDoesNotFit {
-        /// Name of the file.
-        file: String,
-        /// As stated.
-        separator: Separator,
-    },
-    /// An invalid file of a known format.
-    #[error("{file}: not a valid {format} file: {what}{}", if seen.is_empty() { String::new() } else { format!(" (\"{seen}\")") })]
-    Damaged {
-        /// Name of the file.
-        file: String,
-        /// Its format.
-        format: Format,
-        /// Fault.
-        what: &'static str,
-        /// The invalid content; may be empty.
-        seen: String,
-    },
-    /// A file, or a part of it, is too large.
-    #[error("{file}: {what} has {bytes} bytes, more than the {most} allowed")]
-    TooLarge {
-        /// Name of the file.
-        file: String,
-        /// Part that is too large.
-        what: &'static str,
-        /// Its size.
-        bytes: u64,
-        /// Maximum size.
-        most: u64,
-    },
-    /// Several profiles in one file.
-    #[error("{file}: the file holds {rows} profiles of {points} points{}", if *asked == 0 { String::new() } else { format!(", row {asked} is not among them") })]
-    SeveralProfiles {
-        /// Name of the file.
-        file: String,
-        /// Number of profiles.
-        rows: usize,
-        /// Number of points of each.
-        points: usize,
-        /// The requested row; 0 if none was requested.
-        asked: usize,
-    },
-    /// A file of a known format without heights.
-    #[error("{file}: the file ({format}) holds {content}")]
-    NotHeights {
-        /// Name of the file.
-        file: String,
-        /// Its format.
-        format: Format,
-        /// Content of the file.
-        content: &'static str,
-    },
-    /// Several arrays without the name of an array of heights.
-    #[error("{file}: the file holds several arrays and none is named z: {names}")]
-    SeveralArrays {
-        /// Name of the file.
-        file: String,
-        /// Their names.
-        names: String,
-    },
-    /// An x column of an involute checker without the base radius for its conversion.
-    #[error(
-        "{file}: x is a {abscissa} from a gear inspection machine, not the distance along the flank, and the base radius needed to convert it is not known"
-    )]
-    RollLength {
-        /// Name of the file.
-        file: String,
-        /// Meaning of x.
-        abscissa: Abscissa,
-    },
-    /// Implausible heights.
-    #[error("{file}: {steepness}")]
-    ImplausibleHeights {
-        /// Name of the file.
-        file: String,
-        /// Slopes with their likely cause.
-        steepness: Steepness,
-    },
-    /// An impossible value, for example of a length or spacing.
-    #[error("{file}: {what} is {value} {unit}, which no profile has")]
-    Impossible {
-        /// Name of the file.
-        file: String,
-        /// Title.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-        /// Unit it was read in.
-        unit: LengthUnit,
-    },
+#[error("{file}{}: {fault}", fault.line().map_or(String::new(), |line| format!(":{line}")))]
+pub struct ReadError {
+    /// Name of the file.
+    pub file: String,
+    /// Why it cannot be read.
+    pub fault: ReadFault,
 }
 
 impl ReadError {
     /// Name of the file, and the line of the error, from 1, if there is one.
     pub fn place(&self) -> (&str, Option<usize>) {
-        match self {
-            Self::UnreadableNumber { file, line, .. }
-            | Self::NotMonotone { file, line, .. }
-            | Self::MissingPoints { file, line, .. }
-            | Self::UnevenSpacing { file, line, .. }
-            | Self::RaggedRow { file, line, .. }
-            | Self::AmbiguousComma { file, line, .. } => (file, Some(*line)),
-            Self::NoData { file, .. }
-            | Self::NotReadable { file, .. }
-            | Self::NoUnit { file, .. }
-            | Self::TooFewPoints { file, .. }
-            | Self::FormatNotRead { file, .. }
-            | Self::GapInPositions { file, .. }
-            | Self::NoSpacing { file, .. }
-            | Self::ColumnsUnclear { file, .. }
-            | Self::UnknownUnit { file, .. }
-            | Self::SeparatorDoesNotFit { file, .. }
-            | Self::Damaged { file, .. }
-            | Self::TooLarge { file, .. }
-            | Self::SeveralProfiles { file, .. }
-            | Self::NotHeights { file, .. }
-            | Self::SeveralArrays { file, .. }
-            | Self::RollLength { file, .. }
-            | Self::ImplausibleHeights { file, .. }
-            | Self::Impossible { file, .. } => (file, None),
-        }
+        (&self.file, self.fault.line())
     }
 
     /// Remedy.
@@ -325,6 +40,262 @@ impl ReadError {
     /// ));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    pub fn remedy(&self) -> Remedy {
+        self.fault.remedy()
+    }
+
+    /// Code of the explanation of the message.
+    pub fn code(&self) -> &'static str {
+        self.fault.code()
+    }
+}
+
+/// Reason why a file cannot be read, without its name.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReadFault {
+    /// A cell that is not a number.
+    #[error("cannot read \"{text}\" as a number; the file looks like {dialect}")]
+    UnreadableNumber {
+        /// Line, from 1.
+        line: usize,
+        /// The cell.
+        text: String,
+        /// Detected dialect of the file.
+        dialect: Dialect,
+        /// Advice.
+        remedy: CellRemedy,
+    },
+    /// No line holds a row of numbers.
+    #[error("no rows of numbers found in {lines} lines{first}")]
+    NoData {
+        /// Number of lines.
+        lines: usize,
+        /// The first line, as `, which start with "..."`; empty for an empty file.
+        first: FirstLine,
+    },
+    /// The file could not be opened or read.
+    #[error("the file cannot be read ({source})")]
+    NotReadable {
+        /// Reason given by the system.
+        #[from]
+        source: std::io::Error,
+    },
+    /// No unit is stated, and the values do not determine it.
+    #[error("no unit found and {axis} span {span}")]
+    NoUnit {
+        /// Column.
+        axis: Axis,
+        /// Largest minus smallest value, in the unit of the file.
+        span: f64,
+    },
+    /// x changes its direction.
+    #[error("{}", if previous == next { format!("x repeats {next}: two points at one place") } else { format!("x goes from {previous} to {next}, against the direction of the trace") })]
+    NotMonotone {
+        /// Line, from 1.
+        line: usize,
+        /// x before, in the unit of the file.
+        previous: f64,
+        /// x on this line.
+        next: f64,
+    },
+    /// Too few points for any roughness parameter.
+    #[error("{points} points; a roughness profile needs at least {needed}")]
+    TooFewPoints {
+        /// Number of points.
+        points: usize,
+        /// Minimum number.
+        needed: usize,
+    },
+    /// Points without a height.
+    #[error("{missing} of {points} points have no height, the first reads \"{text}\"{}", if *fillable { "" } else { ": too many to interpolate" })]
+    MissingPoints {
+        /// Line of the first missing point.
+        line: usize,
+        /// Text of the first missing point.
+        text: String,
+        /// Number of missing points.
+        missing: usize,
+        /// Number of rows.
+        points: usize,
+        /// Whether [`Gaps::Interpolate`](super::Gaps::Interpolate) would fill them.
+        fillable: bool,
+    },
+    /// A known format that is not supported.
+    #[error("{format} is not read by this version")]
+    FormatNotRead {
+        /// The format.
+        format: Format,
+    },
+    /// The points are not on an even grid.
+    #[error(
+        "uneven spacing, x = {x} (unit of the file) is {off:.3} spacings away from an even grid of {spacing:.4}"
+    )]
+    UnevenSpacing {
+        /// Line of the point farthest from the grid.
+        line: usize,
+        /// Its x, in the unit of the file.
+        x: f64,
+        /// Its distance from the grid in spacings.
+        off: f64,
+        /// Mean spacing.
+        spacing: Length,
+    },
+    /// A gap between points: some must be missing.
+    #[error(
+        "no points between x = {from:.6} and {to:.6}, {steps:.1} mean steps: they are missing, and resampling would draw a straight line there"
+    )]
+    GapInPositions {
+        /// Position before the gap.
+        from: Length,
+        /// Position after the gap.
+        to: Length,
+        /// Width of the gap in mean steps.
+        steps: f64,
+    },
+    /// There is no x and no stated spacing.
+    #[error("the heights have no x column to give the spacing{hint}")]
+    NoSpacing {
+        /// Hint in the file on the spacing.
+        hint: SpacingHint,
+    },
+    /// A row with too few or too many columns.
+    #[error("{found} columns where other rows have {expected}: \"{text}\"")]
+    RaggedRow {
+        /// Line, from 1.
+        line: usize,
+        /// The line.
+        text: String,
+        /// Number of columns.
+        found: usize,
+        /// Expected number of columns.
+        expected: usize,
+    },
+    /// The columns of x and height are unclear.
+    #[error(
+        "{columns} columns and no header that names x and height (or columns that do not exist)"
+    )]
+    ColumnsUnclear {
+        /// Number of columns.
+        columns: usize,
+    },
+    /// Commas may be separators or decimal signs.
+    #[error("\"{text}\": commas may separate columns or be decimal signs")]
+    AmbiguousComma {
+        /// Line, from 1.
+        line: usize,
+        /// The line.
+        text: String,
+    },
+    /// An unknown unit of length.
+    #[error(
+        "the header gives the {axis} in \"{unit}\", which is not one of m, mm, um, nm, angstrom, inch, mil, uin"
+    )]
+    UnknownUnit {
+        /// Column.
+        axis: Axis,
+        /// The unit.
+        unit: String,
+    },
+    /// The stated separator, decimal sign or encoding does not fit.
+    #[error("the file cannot be read with separator {separator}")]
+    SeparatorDoesNotFit {
+        /// As stated.
+        separator: Separator,
+    },
+    /// An invalid file of a known format.
+    #[error("not a valid {format} file: {what}{}", if seen.is_empty() { String::new() } else { format!(" (\"{seen}\")") })]
+    Damaged {
+        /// Its format.
+        format: Format,
+        /// Fault.
+        what: &'static str,
+        /// The invalid content; may be empty.
+        seen: String,
+    },
+    /// A file, or a part of it, is too large.
+    #[error("{what} has {bytes} bytes, more than the {most} allowed")]
+    TooLarge {
+        /// Part that is too large.
+        what: &'static str,
+        /// Its size.
+        bytes: u64,
+        /// Maximum size.
+        most: u64,
+    },
+    /// Several profiles in one file.
+    #[error("the file holds {rows} profiles of {points} points{}", if *asked == 0 { String::new() } else { format!(", row {asked} is not among them") })]
+    SeveralProfiles {
+        /// Number of profiles.
+        rows: usize,
+        /// Number of points of each.
+        points: usize,
+        /// The requested row; 0 if none was requested.
+        asked: usize,
+    },
+    /// A file of a known format without heights.
+    #[error("the file ({format}) holds {content}")]
+    NotHeights {
+        /// Its format.
+        format: Format,
+        /// Content of the file.
+        content: &'static str,
+    },
+    /// Several arrays without the name of an array of heights.
+    #[error("the file holds several arrays and none is named z: {names}")]
+    SeveralArrays {
+        /// Their names.
+        names: String,
+    },
+    /// An x column of an involute checker without the base radius for its conversion.
+    #[error(
+        "x is a {abscissa} from a gear inspection machine, not the distance along the flank, and the base radius needed to convert it is not known"
+    )]
+    RollLength {
+        /// Meaning of x.
+        abscissa: Abscissa,
+    },
+    /// Implausible heights.
+    #[error("{steepness}")]
+    ImplausibleHeights {
+        /// Slopes with their likely cause.
+        steepness: Steepness,
+    },
+    /// An impossible value, for example of a length or spacing.
+    #[error("{what} is {value} {unit}, which no profile has")]
+    Impossible {
+        /// Title.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// Unit it was read in.
+        unit: LengthUnit,
+    },
+}
+
+impl ReadFault {
+    /// The error of `file`.
+    pub fn in_file(self, file: &str) -> ReadError {
+        ReadError {
+            file: file.to_owned(),
+            fault: self,
+        }
+    }
+
+    /// Line of the fault, from 1, if there is one.
+    pub fn line(&self) -> Option<usize> {
+        match self {
+            Self::UnreadableNumber { line, .. }
+            | Self::NotMonotone { line, .. }
+            | Self::MissingPoints { line, .. }
+            | Self::UnevenSpacing { line, .. }
+            | Self::RaggedRow { line, .. }
+            | Self::AmbiguousComma { line, .. } => Some(*line),
+            _ => None,
+        }
+    }
+
+    /// Remedy.
     pub fn remedy(&self) -> Remedy {
         match self {
             Self::UnreadableNumber { remedy, .. } => remedy.remedy(),

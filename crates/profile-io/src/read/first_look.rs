@@ -1,14 +1,14 @@
 //! Detection of the dialect of a table, and errors of texts without a table.
 
 use super::dialect::{self, Sniffed};
-use super::error::{FirstLine, ReadError};
+use super::error::{FirstLine, ReadFault};
 use super::layout::Dialect;
 use super::options::ReadOptions;
 use super::table;
 use super::text::{Line, Text};
 
 /// The error for a file without a row of numbers.
-pub(super) fn no_data(text: &mut Text<'_>) -> Result<ReadError, ReadError> {
+pub(super) fn no_data(text: &mut Text<'_>) -> Result<ReadFault, ReadFault> {
     let (mut count, mut first) = (0, None);
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
@@ -17,8 +17,7 @@ pub(super) fn no_data(text: &mut Text<'_>) -> Result<ReadError, ReadError> {
             first.get_or_insert_with(|| table::shortened(line.text));
         }
     }
-    Ok(ReadError::NoData {
-        file: text.file.to_owned(),
+    Ok(ReadFault::NoData {
         lines: count,
         first: FirstLine(first),
     })
@@ -26,10 +25,9 @@ pub(super) fn no_data(text: &mut Text<'_>) -> Result<ReadError, ReadError> {
 
 /// The dialect; `None` if no line is a row of numbers in any dialect.
 pub(super) fn sniff(
-    name: &str,
     lines: &[Line<'_>],
     options: &ReadOptions,
-) -> Result<Option<Sniffed>, ReadError> {
+) -> Result<Option<Sniffed>, ReadFault> {
     let stated = dialect::Stated {
         separator: options.separator,
         decimal: options.decimal,
@@ -56,9 +54,8 @@ pub(super) fn sniff(
     let line = &lines[free.first];
     let mut cells = used.cells(line.text);
     match cells.find(|cell| used.cell(cell) == dialect::Cell::Other) {
-        Some(cell) => Err(table::unreadable(name, lines, line, cell, used)),
-        None => Err(ReadError::SeparatorDoesNotFit {
-            file: name.to_owned(),
+        Some(cell) => Err(table::unreadable(lines, line, cell, used)),
+        None => Err(ReadFault::SeparatorDoesNotFit {
             separator: used.separator,
         }),
     }

@@ -2,7 +2,7 @@
 
 use asperity_core::quantity::Length;
 
-use super::error::{ReadError, SpacingHint};
+use super::error::{ReadFault, SpacingHint};
 use super::format::Format;
 use super::grid::{self, SpacingSource, Unevenness};
 use super::header::FilterState;
@@ -55,8 +55,8 @@ impl Found {
     }
 
     /// The trace; statements of the user override statements of the file.
-    pub(super) fn finish(self, file: &str, options: &ReadOptions) -> Result<Trace, ReadError> {
-        grid::enough(file, self.heights.len())?;
+    pub(super) fn finish(self, file: &str, options: &ReadOptions) -> Result<Trace, ReadFault> {
+        grid::enough(self.heights.len())?;
         let mut warnings = self.warnings;
         let (stated, mut heights) = (options.dx, self.heights);
         if !self.scaled {
@@ -66,7 +66,7 @@ impl Found {
         let count = heights.len();
         let mut x = self.x.filter(|_| stated.is_none());
         let column = match &mut x {
-            Some(x) => Some(grid::spacing(file, x, &mut |row| {
+            Some(x) => Some(grid::spacing(x, &mut |row| {
                 Ok((first_line + row, String::new()))
             })?),
             None => None,
@@ -104,26 +104,24 @@ impl Found {
             }
             (None, Some((dx, source))) => (Length::from_si(x_unit.metres(dx)), source),
             (None, None) => {
-                return Err(ReadError::NoSpacing {
-                    file: file.to_owned(),
+                return Err(ReadFault::NoSpacing {
                     hint: SpacingHint::None,
                 });
             }
         };
-        check_spacing(file, spacing)?;
+        check_spacing(spacing)?;
         let unevenness = column.and_then(|column| column.unevenness);
         let mut left_out = 0;
         if let (Some(x), Some(_)) = (&mut x, unevenness) {
-            left_out = grid::leave_out(file, x, &mut heights, options.gaps, &mut warnings)?;
+            left_out = grid::leave_out(x, &mut heights, options.gaps, &mut warnings)?;
         }
         let mut place = |row: usize| {
             let row = if falls { count - 1 - row } else { row };
             Ok((first_line + row, "missing".to_owned()))
         };
-        let (heights, filled) =
-            grid::heights(file, heights, options.gaps, &mut place, &mut warnings)?;
+        let (heights, filled) = grid::heights(heights, options.gaps, &mut place, &mut warnings)?;
         let positions = match (x, unevenness) {
-            (Some(x), Some(unevenness)) => own(metres(file, x, x_unit)?, unevenness),
+            (Some(x), Some(unevenness)) => own(metres(x, x_unit)?, unevenness),
             _ => Positions::Even { spacing },
         };
         if self.filter_state == FilterState::Roughness {
@@ -132,7 +130,7 @@ impl Found {
         Ok(Trace {
             name: file.to_owned(),
             positions,
-            heights: metres(file, heights, z_unit)?,
+            heights: metres(heights, z_unit)?,
             format: self.format,
             encoding: self.encoding,
             table: self.table,
@@ -184,14 +182,13 @@ pub(super) fn overridden(stated: Length, column: Length) -> Option<Warning> {
 }
 
 /// Returns an error for impossible spacings, which indicate a wrong unit.
-fn check_spacing(file: &str, spacing: Length) -> Result<(), ReadError> {
+fn check_spacing(spacing: Length) -> Result<(), ReadFault> {
     const FINEST: f64 = 1e-11;
     const COARSEST: f64 = 1e-2;
     if (FINEST..=COARSEST).contains(&spacing.si()) {
         return Ok(());
     }
-    Err(ReadError::Impossible {
-        file: file.to_owned(),
+    Err(ReadFault::Impossible {
         what: "the spacing",
         value: spacing.si(),
         unit: LengthUnit::Metre,
@@ -199,18 +196,13 @@ fn check_spacing(file: &str, spacing: Length) -> Result<(), ReadError> {
 }
 
 /// `values` of `unit` in metres.
-pub(super) fn metres(
-    file: &str,
-    mut values: Vec<f64>,
-    unit: LengthUnit,
-) -> Result<Vec<f64>, ReadError> {
+pub(super) fn metres(mut values: Vec<f64>, unit: LengthUnit) -> Result<Vec<f64>, ReadFault> {
     values
         .iter_mut()
         .for_each(|value| *value = unit.metres(*value));
     match values.iter().find(|value| !value.is_finite()) {
         None => Ok(values),
-        Some(&value) => Err(ReadError::Impossible {
-            file: file.to_owned(),
+        Some(&value) => Err(ReadFault::Impossible {
             what: "a position or height",
             value,
             unit: LengthUnit::Metre,

@@ -5,7 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::options::Gaps;
 use crate::warning::Warning;
 
@@ -69,26 +69,21 @@ impl Unevenness {
 }
 
 /// Returns the line number and text of a row, counted from 0 in the order of the file.
-pub(super) type Place<'a> = dyn FnMut(usize) -> Result<(usize, String), ReadError> + 'a;
+pub(super) type Place<'a> = dyn FnMut(usize) -> Result<(usize, String), ReadFault> + 'a;
 
 /// Returns an error for fewer points than a profile requires.
-pub(super) fn enough(file: &str, points: usize) -> Result<(), ReadError> {
+pub(super) fn enough(points: usize) -> Result<(), ReadFault> {
     if points >= FEWEST_POINTS {
         return Ok(());
     }
-    Err(ReadError::TooFewPoints {
-        file: file.to_owned(),
+    Err(ReadFault::TooFewPoints {
         points,
         needed: FEWEST_POINTS,
     })
 }
 
 /// Checks order and evenness of x and returns its spacing. A descending x is reversed.
-pub(super) fn spacing(
-    file: &str,
-    x: &mut [f64],
-    place: &mut Place<'_>,
-) -> Result<Spacing, ReadError> {
+pub(super) fn spacing(x: &mut [f64], place: &mut Place<'_>) -> Result<Spacing, ReadFault> {
     let (first, last) = (x[0], x[x.len() - 1]);
     let falls = last < first;
     let mut pairs = x.windows(2);
@@ -99,7 +94,7 @@ pub(super) fn spacing(
     // A trace that ends at its start must change its direction.
     let is_closed = (last == first).then_some(0);
     if let Some(at) = turn.or(is_closed) {
-        return Err(not_monotone(file, x, at, place(at + 1)?.0));
+        return Err(not_monotone(x, at, place(at + 1)?.0));
     }
     if falls {
         x.reverse();
@@ -109,7 +104,7 @@ pub(super) fn spacing(
         Some((at, found)) => {
             // Equal neighbours are permitted only due to rounding, not in an uneven trace.
             if let Some(at) = x.windows(2).position(|pair| pair[0] == pair[1]) {
-                return Err(not_monotone(file, x, at, place(row(at + 1))?.0));
+                return Err(not_monotone(x, at, place(row(at + 1))?.0));
             }
             let line = place(row(at))?.0;
             Some(Unevenness { line, ..found })
@@ -123,9 +118,8 @@ pub(super) fn spacing(
     })
 }
 
-fn not_monotone(file: &str, x: &[f64], at: usize, line: usize) -> ReadError {
-    ReadError::NotMonotone {
-        file: file.to_owned(),
+fn not_monotone(x: &[f64], at: usize, line: usize) -> ReadFault {
+    ReadFault::NotMonotone {
         line,
         previous: x[at],
         next: x[at + 1],
@@ -233,12 +227,11 @@ pub(super) fn counts_points(x: &[f64]) -> bool {
 
 /// Fills gaps in heights, where missing heights are not finite; returns the heights and the number of filled points.
 pub(super) fn heights(
-    file: &str,
     z: Vec<f64>,
     gaps: Gaps,
     place: &mut Place<'_>,
     warnings: &mut Vec<Warning>,
-) -> Result<(Vec<f64>, usize), ReadError> {
+) -> Result<(Vec<f64>, usize), ReadFault> {
     let Some(gap) = z.iter().position(|z| !z.is_finite()) else {
         return Ok((z, 0));
     };
@@ -253,8 +246,7 @@ pub(super) fn heights(
     let fillable = known < end && fillable(inner, end - known);
     if gaps == Gaps::Refuse || !fillable {
         let (line, text) = place(gap)?;
-        return Err(ReadError::MissingPoints {
-            file: file.to_owned(),
+        return Err(ReadFault::MissingPoints {
             line,
             text,
             missing,
@@ -263,7 +255,7 @@ pub(super) fn heights(
         });
     }
     let (filled, longest, heights) = interpolate(&z);
-    enough(file, heights.len())?;
+    enough(heights.len())?;
     warnings.push(Warning::GapsFilled {
         filled,
         longest,
@@ -274,12 +266,11 @@ pub(super) fn heights(
 
 /// Removes missing points from a trace with individual positions, if they may be interpolated; returns their number.
 pub(super) fn leave_out(
-    file: &str,
     x: &mut Vec<f64>,
     z: &mut Vec<f64>,
     gaps: Gaps,
     warnings: &mut Vec<Warning>,
-) -> Result<usize, ReadError> {
+) -> Result<usize, ReadFault> {
     let known: Vec<bool> = z.iter().map(|z| z.is_finite()).collect();
     let missing = known.iter().filter(|known| !**known).count();
     if missing == 0 || gaps == Gaps::Refuse || !fillable(missing, z.len()) {
@@ -288,7 +279,7 @@ pub(super) fn leave_out(
     let mut keep = known.iter();
     x.retain(|_| keep.next().copied().unwrap_or(false));
     z.retain(|z| z.is_finite());
-    enough(file, z.len())?;
+    enough(z.len())?;
     let runs = known.split(|known| *known).map(<[bool]>::len);
     warnings.push(Warning::GapsFilled {
         filled: missing,

@@ -5,7 +5,7 @@
 
 use super::archive::damaged;
 use super::decimal;
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -19,8 +19,7 @@ use asperity_core::quantity::Length;
 const FORMAT: Format = Format::MahrText;
 
 /// Reads a Mahr text profile.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
-    let file = text.file;
+pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let mut header = Header::default();
     let (mut x, mut heights) = (Vec::new(), Vec::new());
     let mut first_line = None;
@@ -33,7 +32,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
         } else if !values {
             header.take(line);
         } else if !line.is_empty() && !line.starts_with("//") {
-            let (place, z) = point(file, line)?;
+            let (place, z) = point(line)?;
             first_line.get_or_insert(number);
             x.push(place);
             heights.push(z);
@@ -53,7 +52,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
     if let Some(stated) = header.points.filter(|stated| *stated != heights.len()) {
         let seen = format!("{} of {stated}", heights.len());
         let what = "the number of heights is not that of the header";
-        return Err(damaged(file, FORMAT, what, &seen));
+        return Err(damaged(FORMAT, what, &seen));
     }
     // Some programs write only zeros for X.
     let is_constant = x.iter().all(|place| Some(place) == x.first());
@@ -131,11 +130,11 @@ fn plain_point(bytes: &[u8]) -> Option<(f64, f64, &[u8])> {
 }
 
 /// X and Z of "index=X Y Z C Lock"; Z is NaN for a locked point.
-fn point(file: &str, line: &str) -> Result<(f64, f64), ReadError> {
+fn point(line: &str) -> Result<(f64, f64), ReadFault> {
     if let Some((x, z, [])) = plain_point(line.as_bytes()) {
         return Ok((x, z));
     }
-    let broken = || damaged(file, FORMAT, "a point cannot be read", line);
+    let broken = || damaged(FORMAT, "a point cannot be read", line);
     let (_, values) = line.split_once('=').ok_or_else(broken)?;
     let mut fields = values.split_whitespace();
     let x = fields.next().and_then(number).ok_or_else(broken)?;
@@ -162,7 +161,7 @@ mod tests {
             Some((x, z, [])) => Some((x, z)),
             _ => None,
         };
-        let both = |line: &str| (plain(line), point("a", line).ok());
+        let both = |line: &str| (plain(line), point(line).ok());
         let found = Some((12.5, -0.93));
         assert_eq!(both("7=12.5 0.0 -0.93 0.0 0"), (found, found));
         for spaced in [
@@ -175,10 +174,10 @@ mod tests {
         for other in ["[7=12.5 0.0 1 0.0 0", "//7=1 0.0 1 0.0 0", "7\n=1 0 1 0 0"] {
             assert_eq!(plain(other), None, "{other}");
         }
-        let locked = point("a", "7=12.5 0.0 -0.93 0.0 1").unwrap();
+        let locked = point("7=12.5 0.0 -0.93 0.0 1").unwrap();
         assert!(locked.0 == 12.5 && locked.1.is_nan());
         for broken in ["", "=", "7=", "7=1", "7=1 ", "7=1 2", "7=1 2 x 3 0"] {
-            assert!(point("a", broken).is_err(), "{broken}");
+            assert!(point(broken).is_err(), "{broken}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::areal::trace::{Areal, HeightUnit, Heights};
 use super::dialect::{Cell, Sniffed};
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -32,18 +32,17 @@ pub(super) fn surface(
     head: &[Line<'_>],
     sniffed: &Sniffed,
     header: &HeaderValues,
-) -> Result<Areal, ReadError> {
+) -> Result<Areal, ReadFault> {
     let columns = sniffed.columns;
     let mut values = Vec::new();
-    let file = text.file;
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
         if line.number >= first && !line.is_blank() {
-            values.extend(cells(file, head, sniffed, &line)?);
+            values.extend(cells(head, sniffed, &line)?);
         }
     }
     grid::unmark(&mut values);
-    let unit = unit(file, header)?;
+    let unit = unit(header)?;
     if let Some(unit) = unit {
         values.iter_mut().for_each(|z| *z = unit.metres(*z));
     }
@@ -58,12 +57,11 @@ pub(super) fn surface(
 }
 
 /// The unit of the heights in the header.
-fn unit(file: &str, header: &HeaderValues) -> Result<Option<LengthUnit>, ReadError> {
+fn unit(header: &HeaderValues) -> Result<Option<LengthUnit>, ReadFault> {
     match &header.z_unit {
         None => Ok(None),
         Some(Stated::Length(unit)) => Ok(Some(*unit)),
-        Some(Stated::Other(unit)) => Err(ReadError::UnknownUnit {
-            file: file.to_owned(),
+        Some(Stated::Other(unit)) => Err(ReadFault::UnknownUnit {
             axis: options::Axis::Height,
             unit: table::shortened(unit),
         }),
@@ -71,19 +69,14 @@ fn unit(file: &str, header: &HeaderValues) -> Result<Option<LengthUnit>, ReadErr
 }
 
 /// The heights of a line.
-fn cells(
-    file: &str,
-    head: &[Line<'_>],
-    sniffed: &Sniffed,
-    line: &Line<'_>,
-) -> Result<Vec<f64>, ReadError> {
+fn cells(head: &[Line<'_>], sniffed: &Sniffed, line: &Line<'_>) -> Result<Vec<f64>, ReadFault> {
     let (columns, dialect) = (sniffed.columns, sniffed.dialect);
     let mut heights = Vec::with_capacity(columns);
     for cell in dialect.cells(line.text) {
         heights.push(match dialect.cell(cell) {
             Cell::Number(value) => value,
             Cell::Missing => f64::NAN,
-            Cell::Other => return Err(table::unreadable(file, head, line, cell, dialect)),
+            Cell::Other => return Err(table::unreadable(head, line, cell, dialect)),
         });
     }
     // A separator at the end of each line creates an empty last cell.
@@ -92,7 +85,7 @@ fn cells(
     }
     match heights.len() == columns {
         true => Ok(heights),
-        false => Err(table::ragged(file, line, heights.len(), columns)),
+        false => Err(table::ragged(line, heights.len(), columns)),
     }
 }
 
@@ -104,8 +97,7 @@ pub(super) fn read(
     sniffed: &Sniffed,
     header: &HeaderValues,
     options: &ReadOptions,
-) -> Result<Found, ReadError> {
-    let file = text.file;
+) -> Result<Found, ReadFault> {
     let (columns, dialect) = (sniffed.columns, sniffed.dialect);
     let (mut rows, mut chosen) = (0, None);
     let mut lines = text.lines()?;
@@ -117,11 +109,10 @@ pub(super) fn read(
         if options.row != Some(rows) {
             continue;
         }
-        chosen = Some((line.number, cells(file, head, sniffed, &line)?));
+        chosen = Some((line.number, cells(head, sniffed, &line)?));
     }
     let Some((first_line, mut heights)) = chosen else {
-        return Err(ReadError::SeveralProfiles {
-            file: file.to_owned(),
+        return Err(ReadFault::SeveralProfiles {
             rows,
             points: columns,
             asked: options.row.unwrap_or(0),
@@ -129,12 +120,12 @@ pub(super) fn read(
     };
     grid::unmark(&mut heights);
     let stated = match options.z_unit {
-        None => unit(file, header)?,
+        None => unit(header)?,
         stated => stated,
     };
     let z_unit = match stated {
         Some(unit) => unit,
-        None => units::of_heights(file, FORMAT, &heights, options)?,
+        None => units::of_heights(FORMAT, &heights, options)?,
     };
     let assumed = stated.is_none().then_some(Warning::UnitAssumed {
         axis: options::Axis::Height,

@@ -66,7 +66,7 @@ use std::io::{Cursor, Read, Seek};
 use std::path::Path;
 
 pub use conditions::conditions_of;
-pub use error::{CellRemedy, FirstLine, ReadError, SpacingHint};
+pub use error::{CellRemedy, FirstLine, ReadError, ReadFault, SpacingHint};
 pub use format::Format;
 pub use grid::{SpacingSource, Unevenness};
 pub use header::FilterState;
@@ -98,7 +98,7 @@ const STANDARD_INPUT: &str = "-";
 /// Reads the profile in the file at `path`; `-` is standard input, of which at most a gigabyte is held.
 ///
 /// # Errors
-/// When the file cannot be opened, its format is not supported, or it has no usable profile; [`ReadError`] lists the
+/// When the file cannot be opened, its format is not supported, or it has no usable profile; [`ReadFault`] lists the
 /// reasons.
 ///
 /// ```
@@ -116,9 +116,9 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Reading, ReadError> {
 /// As [`read`], except that uneven points are not an error.
 pub fn read_trace(path: &Path, options: &ReadOptions) -> Result<Trace, ReadError> {
     let name = path.display().to_string();
-    let mut stream = open(path, &name)?;
+    let mut stream = open(path).map_err(|fault| fault.in_file(&name))?;
     let conditions = surfcom::conditions_beside(path);
-    trace_of(&name, &mut *stream, conditions.as_deref(), options)
+    trace_in(&name, &mut *stream, conditions.as_deref(), options)
 }
 
 /// Reads the trace in `bytes`, the content of a file called `name`, with points that may be uneven.
@@ -130,7 +130,7 @@ pub fn read_trace_bytes(
     bytes: &[u8],
     options: &ReadOptions,
 ) -> Result<Trace, ReadError> {
-    trace_of(name, &mut Cursor::new(bytes), None, options)
+    trace_in(name, &mut Cursor::new(bytes), None, options)
 }
 
 /// Reads the surface in the file at `path`; `-` is standard input. A profile is a surface of one row.
@@ -139,8 +139,8 @@ pub fn read_trace_bytes(
 /// As [`read`], and for formats without surfaces. Missing points and few points are not errors.
 pub fn read_surface(path: &Path, options: &ReadOptions) -> Result<Surface, ReadError> {
     let name = path.display().to_string();
-    let mut stream = open(path, &name)?;
-    surface_of(&name, &mut *stream, options)
+    let surface = open(path).and_then(|mut stream| surface_of(&name, &mut *stream, options));
+    surface.map_err(|fault| fault.in_file(&name))
 }
 
 /// Reads the surface in `bytes`, the content of a file called `name`.
@@ -152,7 +152,7 @@ pub fn read_surface_bytes(
     bytes: &[u8],
     options: &ReadOptions,
 ) -> Result<Surface, ReadError> {
-    surface_of(name, &mut Cursor::new(bytes), options)
+    surface_of(name, &mut Cursor::new(bytes), options).map_err(|fault| fault.in_file(name))
 }
 
 /// Reads the surface in `stream`, in any format.
@@ -160,17 +160,17 @@ fn surface_of(
     name: &str,
     stream: &mut dyn Stream,
     options: &ReadOptions,
-) -> Result<Surface, ReadError> {
-    let start = Start::of(name, stream)?;
-    not_larger(name, start.size, MOST_BYTES)?;
+) -> Result<Surface, ReadFault> {
+    let start = Start::of(stream)?;
+    not_larger(start.size, MOST_BYTES)?;
     let format = format_of(name, stream, &start);
     let zipped = start.bytes.starts_with(recognise::ZIP);
     let found = match format {
-        Some(Format::X3p) => x3p::surface(name, stream, start.size)?,
+        Some(Format::X3p) => x3p::surface(stream, start.size)?,
         Some(format) if is_workbook(format, zipped) => {
-            let table = workbook::read(name, format, stream, start.size, options)?;
+            let table = workbook::read(format, stream, start.size, options)?;
             let mut bytes = Cursor::new(table.text);
-            let start = Start::of(name, &mut bytes)?;
+            let start = Start::of(&mut bytes)?;
             let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
             delimited::surface(&head, &mut text, options)?
         }
@@ -178,17 +178,15 @@ fn surface_of(
             let (head, mut text) = Text::new(name, stream, &start, options.encoding);
             match recognise::of_text(name, &head) {
                 Some(Format::SdfAscii) => sdf::surface(&mut text)?,
-                Some(format) => return Err(refused(name, format)),
+                Some(format) => return Err(refused(format)),
                 None if !encoding::is_text(&head.text) => {
                     let format = Format::named(name).unwrap_or(Format::UnknownBinary);
-                    return Err(refused(name, format));
+                    return Err(refused(format));
                 }
                 None => delimited::surface(&head, &mut text, options)?,
             }
         }
-        Some(format) => {
-            areal::read(name, format, stream, start.size)?.ok_or_else(|| refused(name, format))?
-        }
+        Some(format) => areal::read(format, stream, start.size)?.ok_or_else(|| refused(format))?,
     };
     found.surface(name, options)
 }
@@ -197,7 +195,7 @@ fn surface_of(
 fn format_of(name: &str, stream: &mut dyn Stream, start: &Start) -> Option<Format> {
     let zipped = start.bytes.starts_with(recognise::ZIP);
     match recognise::by_magic(name, &start.bytes) {
-        Some(Format::Archive) if zipped => Some(archive::content(name, stream, start.size)),
+        Some(Format::Archive) if zipped => Some(archive::content(stream, start.size)),
         None if areal::is_plu(&start.bytes) => Some(Format::SensofarPlu),
         format => format,
     }
@@ -208,43 +206,34 @@ fn is_workbook(format: Format, zipped: bool) -> bool {
 }
 
 /// Opens a file for repeated reading; standard input is stored in memory.
-fn open(path: &Path, name: &str) -> Result<Box<dyn Stream>, ReadError> {
-    let unreadable = |source| ReadError::NotReadable {
-        file: name.to_owned(),
-        source,
-    };
+fn open(path: &Path) -> Result<Box<dyn Stream>, ReadFault> {
     if path == Path::new(STANDARD_INPUT) {
-        return held(name, std::io::stdin().lock());
+        return held(std::io::stdin().lock());
     }
     let file = regular_file(path).map_err(|source| {
         let is_odd = source.kind() == std::io::ErrorKind::Other;
         let advised = |source| format!("{source}; pass - and pipe it into standard input");
-        unreadable(match is_odd {
+        match is_odd {
             true => std::io::Error::other(advised(source)),
             false => source,
-        })
+        }
     })?;
     Ok(Box::new(file))
 }
 
 /// Stores a stream in memory so that it can be read again.
-fn held(name: &str, from: impl Read) -> Result<Box<dyn Stream>, ReadError> {
+fn held(from: impl Read) -> Result<Box<dyn Stream>, ReadFault> {
     let mut bytes = Vec::new();
-    let taken = from.take(MOST_HELD + 1).read_to_end(&mut bytes);
-    taken.map_err(|source| ReadError::NotReadable {
-        file: name.to_owned(),
-        source,
-    })?;
-    not_larger(name, bytes.len() as u64, MOST_HELD)?;
+    from.take(MOST_HELD + 1).read_to_end(&mut bytes)?;
+    not_larger(bytes.len() as u64, MOST_HELD)?;
     Ok(Box::new(Cursor::new(bytes)))
 }
 
-fn not_larger(name: &str, bytes: u64, most: u64) -> Result<(), ReadError> {
+fn not_larger(bytes: u64, most: u64) -> Result<(), ReadFault> {
     if bytes <= most {
         return Ok(());
     }
-    Err(ReadError::TooLarge {
-        file: name.to_owned(),
+    Err(ReadFault::TooLarge {
         what: "the file",
         bytes,
         most,
@@ -293,7 +282,7 @@ pub fn read_stream(
     mut stream: impl Read + Seek,
     options: &ReadOptions,
 ) -> Result<Reading, ReadError> {
-    trace_of(name, &mut stream, None, options)?.reading(options.uneven)
+    trace_in(name, &mut stream, None, options)?.reading(options.uneven)
 }
 
 /// Reads the profile in `bytes` with the content of its file of measuring conditions (Surfcom `.tx3`).
@@ -317,7 +306,16 @@ pub fn read_with_conditions(
     conditions: Option<&[u8]>,
     options: &ReadOptions,
 ) -> Result<Reading, ReadError> {
-    trace_of(name, &mut Cursor::new(bytes), conditions, options)?.reading(options.uneven)
+    trace_in(name, &mut Cursor::new(bytes), conditions, options)?.reading(options.uneven)
+}
+
+fn trace_in(
+    name: &str,
+    stream: &mut dyn Stream,
+    conditions: Option<&[u8]>,
+    options: &ReadOptions,
+) -> Result<Trace, ReadError> {
+    trace_of(name, stream, conditions, options).map_err(|fault| fault.in_file(name))
 }
 
 /// Reads the trace in `stream`, in any format.
@@ -326,28 +324,28 @@ fn trace_of(
     stream: &mut dyn Stream,
     conditions: Option<&[u8]>,
     options: &ReadOptions,
-) -> Result<Trace, ReadError> {
-    let start = Start::of(name, stream)?;
-    not_larger(name, start.size, MOST_BYTES)?;
+) -> Result<Trace, ReadFault> {
+    let start = Start::of(stream)?;
+    not_larger(start.size, MOST_BYTES)?;
     let zipped = start.bytes.starts_with(recognise::ZIP);
     match format_of(name, stream, &start) {
         Some(Format::X3p) if options.line != TraceLine::Row => {
-            let found: Areal = x3p::surface(name, stream, start.size)?;
-            return found.trace(name, options)?.finish(name, options);
+            let found: Areal = x3p::surface(stream, start.size)?;
+            return found.trace(options)?.finish(name, options);
         }
         Some(Format::X3p) => {
-            return x3p::read(name, stream, start.size, options)?.finish(name, options);
+            return x3p::read(stream, start.size, options)?.finish(name, options);
         }
         Some(format) if is_workbook(format, zipped) => {
-            let table = workbook::read(name, format, stream, start.size, options)?;
+            let table = workbook::read(format, stream, start.size, options)?;
             return trace_of_table(name, table, options);
         }
-        Some(Format::NplXml) => return npl_xml::read(name, stream)?.finish(name, options),
+        Some(Format::NplXml) => return npl_xml::read(stream)?.finish(name, options),
         None | Some(Format::SdfAscii | Format::SigmaSurf) => {}
         Some(format) => {
-            let found = areal::read(name, format, stream, start.size)?;
-            let found = found.ok_or_else(|| refused(name, format))?;
-            return found.trace(name, options)?.finish(name, options);
+            let found = areal::read(format, stream, start.size)?;
+            let found = found.ok_or_else(|| refused(format))?;
+            return found.trace(options)?.finish(name, options);
         }
     }
     let (head, mut text) = Text::new(name, stream, &start, options.encoding);
@@ -365,20 +363,19 @@ fn trace_of_table(
     name: &str,
     table: workbook::Table,
     options: &ReadOptions,
-) -> Result<Trace, ReadError> {
+) -> Result<Trace, ReadFault> {
     let mut options = options.clone();
     if table.is_chosen {
         options.row = None;
     }
     let mut bytes = Cursor::new(table.text);
-    let start = Start::of(name, &mut bytes)?;
+    let start = Start::of(&mut bytes)?;
     let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
     let mut trace = delimited::read(&head, &mut text, &options)?;
     if let Some(asked) = options.row.filter(|row| *row != 1)
         && !trace.format.may_hold_several()
     {
-        return Err(ReadError::SeveralProfiles {
-            file: name.to_owned(),
+        return Err(ReadFault::SeveralProfiles {
             rows: 1,
             points: trace.heights.len(),
             asked,
@@ -403,12 +400,12 @@ fn read_text(
     text: &mut Text<'_>,
     conditions: Option<&[u8]>,
     options: &ReadOptions,
-) -> Result<Trace, ReadError> {
+) -> Result<Trace, ReadFault> {
     let name = text.file;
     let smd = smd::recognised(&start.bytes);
     if !smd && !encoding::is_text(&head.text) {
         let format = Format::named(name).unwrap_or(Format::UnknownBinary);
-        return Err(refused(name, format));
+        return Err(refused(format));
     }
     let format = if smd {
         Some(Format::Smd)
@@ -418,14 +415,14 @@ fn read_text(
     let found = match format {
         Some(Format::Smd) => smd::read(head, text)?,
         Some(Format::SdfAscii) if options.line != TraceLine::Row => {
-            sdf::surface(text)?.trace(name, options)?
+            sdf::surface(text)?.trace(options)?
         }
         Some(Format::SdfAscii) => sdf::read(text, options)?,
         Some(Format::SigmaSurf) => sigmasurf::read(text)?,
         Some(Format::MahrText) => mahr::read(text)?,
         Some(Format::TaylorHobsonPrf) => taylor_hobson::read(text)?,
         Some(Format::PtbPr) => ptb::read(text)?,
-        Some(format) => return Err(refused(name, format)),
+        Some(format) => return Err(refused(format)),
         None if surfcom::recognised(head, text)? => surfcom::read(text, conditions, options)?,
         None => return delimited::read(head, text, options),
     };
@@ -436,13 +433,10 @@ fn read_text(
     found.finish(name, options)
 }
 
-fn refused(name: &str, format: Format) -> ReadError {
+fn refused(format: Format) -> ReadFault {
     // The format follows only from the name: the content does not start with its mark.
     if format.may_hold_several() {
-        return archive::damaged(name, format, "it does not start as such a file", "");
+        return archive::damaged(format, "it does not start as such a file", "");
     }
-    ReadError::FormatNotRead {
-        file: name.to_owned(),
-        format,
-    }
+    ReadFault::FormatNotRead { format }
 }

@@ -4,7 +4,7 @@
 //! spacing is in the unit of the heights: a softgauge of 8000 points in 4 mm states the spacing 0.5 and the unit um.
 
 use super::archive::damaged;
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -17,12 +17,9 @@ use super::xml::walk;
 const FORMAT: Format = Format::NplXml;
 
 /// Reads the profile.
-pub(super) fn read(file: &str, stream: &mut dyn Stream) -> Result<Found, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
-    stream.rewind().map_err(|source| ReadError::NotReadable {
-        file: file.to_owned(),
-        source,
-    })?;
+pub(super) fn read(stream: &mut dyn Stream) -> Result<Found, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
+    stream.rewind()?;
     let mut metadata = Metadata::default();
     let (mut unit, mut points, mut spacing) = (String::new(), None, None);
     let mut values: Option<String> = None;
@@ -45,8 +42,7 @@ pub(super) fn read(file: &str, stream: &mut dyn Stream) -> Result<Found, ReadErr
         Some(values) if sound => values,
         _ => return Err(fault("there is no DATA_POINT_VALUES in its DATAFILE", "")),
     };
-    let unit: LengthUnit = header::unit(&unit).ok_or_else(|| ReadError::UnknownUnit {
-        file: file.to_owned(),
+    let unit: LengthUnit = header::unit(&unit).ok_or(ReadFault::UnknownUnit {
         axis: Axis::Height,
         unit,
     })?;

@@ -2,7 +2,7 @@
 
 use super::areal::trace::{Areal, HeightUnit, Heights};
 use super::dialect::Sniffed;
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::header::{Label, Role};
 use super::options::{LengthUnit, ReadOptions, TraceLine};
@@ -50,7 +50,7 @@ pub(super) fn read(
     head: &[Line<'_>],
     sniffed: &Sniffed,
     [x, y, z]: [usize; 3],
-) -> Result<Option<Points>, ReadError> {
+) -> Result<Option<Points>, ReadFault> {
     let chosen = |x, z| Chosen {
         x: Some(x),
         z,
@@ -113,7 +113,7 @@ impl Points {
     }
 
     /// The trace requested by `options`: rows run along x.
-    pub(super) fn trace(&self, file: &str, options: &ReadOptions) -> Result<PointTrace, ReadError> {
+    pub(super) fn trace(&self, options: &ReadOptions) -> Result<PointTrace, ReadFault> {
         let as_stored = self.runs_along_y(options) != self.along_x;
         let (x, count) = match as_stored {
             true => (&self.along, self.lines()),
@@ -129,8 +129,7 @@ impl Points {
         } else {
             let asked = options.row.unwrap_or(usize::from(count == 1));
             if asked == 0 || asked > count {
-                return Err(ReadError::SeveralProfiles {
-                    file: file.to_owned(),
+                return Err(ReadFault::SeveralProfiles {
                     rows: count,
                     points: x.len(),
                     asked,
@@ -204,14 +203,14 @@ mod tests {
             row: Some(2),
             ..ReadOptions::default()
         };
-        let trace = rows.trace("a", &second).unwrap();
+        let trace = rows.trace(&second).unwrap();
         assert_eq!((trace.rows.z, trace.before), (vec![4.0, 5.0, 6.0], 3));
         let column = ReadOptions {
             line: TraceLine::Column,
             ..second
         };
-        assert_eq!(rows.trace("a", &column).unwrap().rows.z, [2.0, 5.0]);
-        assert!(rows.trace("a", &ReadOptions::default()).is_err());
+        assert_eq!(rows.trace(&column).unwrap().rows.z, [2.0, 5.0]);
+        assert!(rows.trace(&ReadOptions::default()).is_err());
         let scattered = [5.0, 5.0, 5.0, 7.0, 7.0, 8.0];
         assert!(Points::of(&x, &scattered, &z, true).is_none());
     }

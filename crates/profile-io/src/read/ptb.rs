@@ -6,7 +6,7 @@
 //! file was available. The length is not used, because writers state it in millimetres or micrometres.
 
 use super::archive::damaged;
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -24,8 +24,7 @@ pub(super) fn recognised(line: &str) -> bool {
 }
 
 /// Reads a `.pr` profile.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
-    let file = text.file;
+pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let mut lines = text.lines()?;
     let title = lines.next()?.map_or("", |line| line.text.trim()).to_owned();
     let header = lines.next()?.map_or("", |line| line.text);
@@ -35,7 +34,6 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
         .collect();
     let &[_, per_millimetre, points] = numbers.as_slice() else {
         return Err(damaged(
-            file,
             FORMAT,
             "line 2 gives no length, resolution and number",
             header,
@@ -44,7 +42,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
     let mut heights = Vec::new();
     while let Some(line) = lines.next()? {
         if !line.is_blank() {
-            let broken = || damaged(file, FORMAT, "a height is not a number", line.text);
+            let broken = || damaged(FORMAT, "a height is not a number", line.text);
             heights.push(number(line.text).ok_or_else(broken)?);
             take_numbers(&mut lines, usize::MAX, &mut heights);
         }
@@ -52,7 +50,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
     if heights.len() as f64 != points {
         let seen = format!("{} of {points}", heights.len());
         let what = "the number of heights is not that of the header";
-        return Err(damaged(file, FORMAT, what, &seen));
+        return Err(damaged(FORMAT, what, &seen));
     }
     let dx = Some(1.0 / per_millimetre).filter(|dx| dx.is_finite() && *dx > 0.0);
     Ok(Found {

@@ -4,7 +4,7 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
-use super::error::ReadError;
+use super::error::{ReadError, ReadFault};
 use super::format::Format;
 use super::grid::SpacingSource;
 use super::header::FilterState;
@@ -82,10 +82,7 @@ impl Reading {
             _ => None,
         });
         steep.map_or(Ok(()), |steepness| {
-            Err(ReadError::ImplausibleHeights {
-                file: self.name.clone(),
-                steepness,
-            })
+            Err(ReadFault::ImplausibleHeights { steepness }.in_file(&self.name))
         })
     }
 

@@ -14,7 +14,7 @@
 
 use asperity_core::quantity::Length;
 
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::options::Abscissa;
 
 /// Converts the x column of roll angles to roll lengths L `[m]`; roll lengths are unchanged.
@@ -33,14 +33,9 @@ pub(super) fn roll_lengths(x: &mut [f64], abscissa: Abscissa, base_radius: Lengt
 ///
 /// # Errors
 /// When a roll length is negative, or the roll lengths are not ascending.
-pub(super) fn along_involute(
-    file: &str,
-    rolls: Vec<f64>,
-    base_radius: Length,
-) -> Result<Vec<f64>, ReadError> {
+pub(super) fn along_involute(rolls: Vec<f64>, base_radius: Length) -> Result<Vec<f64>, ReadFault> {
     asperity_core::cite!("Roll-1");
-    let impossible = |value| ReadError::Impossible {
-        file: file.to_owned(),
+    let impossible = |value| ReadFault::Impossible {
         what: "the roll length or base radius",
         value,
         unit: super::options::LengthUnit::Metre,
@@ -68,7 +63,7 @@ mod tests {
         let base_radius = Length::from_si(50e-3);
         let roll = |i: usize| 10e-3 + 10e-3 * i as f64 / 3999.0;
         let rolls: Vec<f64> = (0..4000).map(roll).collect();
-        let s = along_involute("a", rolls, base_radius).unwrap();
+        let s = along_involute(rolls, base_radius).unwrap();
         let wave = |s: f64| 1e-6 * (s / 50e-6 * std::f64::consts::TAU).sin();
         let z: Vec<f64> = s.iter().map(|s| wave(*s)).collect();
         let length = (20e-3_f64.powi(2) - 10e-3_f64.powi(2)) / 0.1;
@@ -88,7 +83,7 @@ mod tests {
     fn roll_lengths_below_the_base_circle_are_refused() {
         let radius = Length::from_si(50e-3);
         let rolls: Vec<f64> = (0..200).map(|i| -1e-3 + 1e-5 * f64::from(i)).collect();
-        assert!(along_involute("a", rolls, radius).is_err());
+        assert!(along_involute(rolls, radius).is_err());
         let angles = &mut [1.0, 2.0];
         roll_lengths(angles, Abscissa::RollDegrees, radius);
         assert!((angles[1] - 50e-3 * 2.0_f64.to_radians()).abs() < 1e-15);

@@ -4,7 +4,7 @@
 //! by cell, with the same results.
 
 use super::dialect::{Cell, Sniffed};
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::layout::Dialect;
 use super::plain_row::Plain;
 use super::table::{self, Chosen};
@@ -27,8 +27,7 @@ pub(super) fn read(
     head: &[Line<'_>],
     sniffed: &Sniffed,
     chosen: Chosen,
-) -> Result<Rows, ReadError> {
-    let file = text.file;
+) -> Result<Rows, ReadFault> {
     let plain = Plain::new(sniffed.dialect, chosen, text.line_end());
     let mut rows = Rows {
         x: chosen.x.map(|_| Vec::new()),
@@ -40,7 +39,7 @@ pub(super) fn read(
         if line.number < first || line.is_blank() {
             continue;
         }
-        let (x, z) = row(file, head, &line, sniffed.dialect, chosen)?;
+        let (x, z) = row(head, &line, sniffed.dialect, chosen)?;
         match chosen.x.is_some() && x.is_nan() {
             true => rows.empty += 1,
             false => rows.push(x, z),
@@ -62,7 +61,7 @@ pub(super) fn place(
     text: &mut Text<'_>,
     first: usize,
     row: usize,
-) -> Result<(usize, String), ReadError> {
+) -> Result<(usize, String), ReadFault> {
     let mut before = row;
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
@@ -90,12 +89,11 @@ impl Rows {
 /// x and height of any row; x is NaN without an x column and in a row without x and height, the height is NaN if it is
 /// missing.
 pub(super) fn row(
-    file: &str,
     head: &[Line<'_>],
     line: &Line<'_>,
     dialect: Dialect,
     chosen: Chosen,
-) -> Result<(f64, f64), ReadError> {
+) -> Result<(f64, f64), ReadFault> {
     let (mut x_cell, mut z_cell, mut valid_cell) = ("", "", "");
     let (mut count, mut filled) = (0, 0);
     for cell in dialect.cells(line.text) {
@@ -110,7 +108,7 @@ pub(super) fn row(
             filled = count;
         }
     }
-    let unreadable = |cell| table::unreadable(file, head, line, cell, dialect);
+    let unreadable = |cell| table::unreadable(head, line, cell, dialect);
     let number = |cell| match dialect.cell(cell) {
         Cell::Number(value) => Ok(value),
         Cell::Missing => Ok(f64::NAN),
@@ -123,7 +121,7 @@ pub(super) fn row(
     };
     let z = number(z_cell)?;
     if count < chosen.count || filled > chosen.count {
-        return Err(table::ragged(file, line, count.max(filled), chosen.count));
+        return Err(table::ragged(line, count.max(filled), chosen.count));
     }
     // A height without x has no position.
     if x.is_some_and(f64::is_nan) && !z.is_nan() {

@@ -5,7 +5,7 @@
 
 use super::archive::damaged;
 use super::areal::trace::{Areal, Heights};
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -48,7 +48,7 @@ impl Header {
 }
 
 /// Reads a profile of an SDF text file.
-pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Found, ReadError> {
+pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Found, ReadFault> {
     let (header, first_line, heights) = matrix(text, Some(options.row))?;
     Ok(Found {
         spacing: header.x_scale.map(|dx| (dx, SpacingSource::Header)),
@@ -60,7 +60,7 @@ pub(super) fn read(text: &mut Text<'_>, options: &ReadOptions) -> Result<Found, 
 }
 
 /// Reads all profiles of an SDF text file.
-pub(super) fn surface(text: &mut Text<'_>) -> Result<Areal, ReadError> {
+pub(super) fn surface(text: &mut Text<'_>) -> Result<Areal, ReadFault> {
     let (header, _, values) = matrix(text, None)?;
     let columns = header.points.unwrap_or(0) as usize;
     Ok(Areal {
@@ -74,8 +74,7 @@ pub(super) fn surface(text: &mut Text<'_>) -> Result<Areal, ReadError> {
 fn matrix(
     text: &mut Text<'_>,
     row: Option<Option<usize>>,
-) -> Result<(Header, usize, Vec<f64>), ReadError> {
-    let file = text.file;
+) -> Result<(Header, usize, Vec<f64>), ReadFault> {
     let mut header = Header::default();
     let mut lines = text.lines()?;
     let mut first_line = 1;
@@ -86,7 +85,7 @@ fn matrix(
         }
         header.take(line.text);
     }
-    let missing = |what| damaged(file, FORMAT, what, "");
+    let missing = |what| damaged(FORMAT, what, "");
     let points = header.points.filter(|n| *n > 0);
     let points = points.ok_or_else(|| missing("NumPoints is missing"))?;
     let z_scale = header.z_scale.ok_or_else(|| missing("Zscale is missing"))?;
@@ -96,8 +95,7 @@ fn matrix(
     let rows = header.profiles.unwrap_or(1).max(1);
     let single = row.map(|row| row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64);
     if let Some(asked) = single.filter(|asked| *asked == 0 || *asked > rows) {
-        return Err(ReadError::SeveralProfiles {
-            file: file.to_owned(),
+        return Err(ReadFault::SeveralProfiles {
             rows: rows as usize,
             points: points as usize,
             asked: asked as usize,
@@ -115,7 +113,7 @@ fn matrix(
                 break 'data;
             }
             if passed >= first {
-                heights.push(value(file, field)?);
+                heights.push(value(field)?);
             }
             passed += 1;
         }
@@ -129,18 +127,18 @@ fn matrix(
     if heights.len() as u64 != wanted {
         let seen = format!("{} of {wanted}", heights.len());
         let what = "the number of heights is not that of the header";
-        return Err(damaged(file, FORMAT, what, &seen));
+        return Err(damaged(FORMAT, what, &seen));
     }
     heights.iter_mut().for_each(|z| *z *= z_scale);
     Ok((header, first_line, heights))
 }
 
-fn value(file: &str, field: &str) -> Result<f64, ReadError> {
+fn value(field: &str) -> Result<f64, ReadFault> {
     match number(field) {
         Some(value) => Ok(value),
         None if field.eq_ignore_ascii_case("bad") || field.eq_ignore_ascii_case("nan") => {
             Ok(f64::NAN)
         }
-        None => Err(damaged(file, FORMAT, "a height is not a number", field)),
+        None => Err(damaged(FORMAT, "a height is not a number", field)),
     }
 }

@@ -1,7 +1,7 @@
 //! SigmaSurf text (`.sig`): `NAME: value` lines, then the heights in micrometres under `PROFILE_UM:`.
 
 use super::archive::damaged;
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -13,8 +13,7 @@ use super::text::Text;
 const FORMAT: Format = Format::SigmaSurf;
 
 /// Reads a SigmaSurf profile.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
-    let file = text.file;
+pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let mut metadata = Metadata::default();
     let (mut spacing, mut points, mut first_line) = (None, None, 1);
     let mut heights: Option<Vec<f64>> = None;
@@ -24,9 +23,8 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
         if let Some(heights) = &mut heights {
             if !line.is_empty() {
                 let value = number(line);
-                heights.push(
-                    value.ok_or_else(|| damaged(file, FORMAT, "a height is not a number", line))?,
-                );
+                heights
+                    .push(value.ok_or_else(|| damaged(FORMAT, "a height is not a number", line))?);
                 take_numbers(&mut lines, usize::MAX, heights);
             }
             continue;
@@ -44,11 +42,11 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
             _ => {}
         }
     }
-    let heights = heights.ok_or_else(|| damaged(file, FORMAT, "there is no PROFILE_UM", ""))?;
+    let heights = heights.ok_or_else(|| damaged(FORMAT, "there is no PROFILE_UM", ""))?;
     if let Some(stated) = points.filter(|stated| *stated != heights.len()) {
         let seen = format!("{} of {stated}", heights.len());
         let what = "the number of heights is not that of the header";
-        return Err(damaged(file, FORMAT, what, &seen));
+        return Err(damaged(FORMAT, what, &seen));
     }
     Ok(Found {
         z_unit: LengthUnit::Micrometre,

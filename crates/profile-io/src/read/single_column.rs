@@ -6,7 +6,7 @@
 use asperity_core::numerics::extremes;
 
 use super::archive::damaged;
-use super::error::{ReadError, SpacingHint};
+use super::error::{ReadFault, SpacingHint};
 use super::format::Format;
 use super::grid;
 use super::options::{LengthUnit, ReadOptions};
@@ -41,12 +41,8 @@ pub(super) fn interpret(
     heights: &mut Vec<f64>,
     options: &ReadOptions,
     warnings: &mut Vec<Warning>,
-) -> Result<Special, ReadError> {
-    let file = text.file;
-    let no_spacing = |hint| ReadError::NoSpacing {
-        file: file.to_owned(),
-        hint,
-    };
+) -> Result<Special, ReadFault> {
+    let no_spacing = |hint| ReadFault::NoSpacing { hint };
     if heights.len() < grid::FEWEST_POINTS {
         return Ok(Special::delimited());
     }
@@ -60,7 +56,6 @@ pub(super) fn interpret(
         return match options.dx {
             Some(_) if is_height => Ok(Special::delimited()),
             Some(_) => Err(damaged(
-                file,
                 Format::DelimitedText,
                 "its first number is written unlike the heights and is outside of their range",
                 &value.to_string(),
@@ -107,7 +102,7 @@ fn agrees(value: f64, expected: f64) -> bool {
 
 /// Whether the number of decimals of the first number differs from the next ten thousand numbers, which all have the
 /// same.
-fn first_is_written_unlike_the_rest(text: &mut Text<'_>, first: usize) -> Result<bool, ReadError> {
+fn first_is_written_unlike_the_rest(text: &mut Text<'_>, first: usize) -> Result<bool, ReadFault> {
     const LOOKED_AT: usize = 10_000;
     let (mut header, mut usual) = (None, None);
     let mut lines = text.lines()?;

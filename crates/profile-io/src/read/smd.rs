@@ -11,7 +11,7 @@
 
 use super::archive::damaged;
 use super::decimal;
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -44,8 +44,7 @@ pub(super) fn recognised(bytes: &[u8]) -> bool {
 }
 
 /// Reads an SMD file.
-pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadError> {
-    let file = text.file;
+pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let marked = head.text.contains(END_OF_RECORD);
     let mut record = 1;
     let (mut x, mut z) = (None, None);
@@ -89,10 +88,10 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadError>
             .collect();
         match (record, fields.first()) {
             (_, None) => {}
-            (1, Some(&"CX")) => x = Some(axis(file, &fields)?),
-            (1, Some(&"CZ")) => z = Some(axis(file, &fields)?),
+            (1, Some(&"CX")) => x = Some(axis(&fields)?),
+            (1, Some(&"CZ")) => z = Some(axis(&fields)?),
             (1, Some(&"CY")) => {
-                return Err(damaged(file, FORMAT, "it holds an areal topography", "CY"));
+                return Err(damaged(FORMAT, "it holds an areal topography", "CY"));
             }
             (1, Some(&"ISO")) => metadata.title = fields.get(4..).and_then(|f| short(&f.join(" "))),
             (1, Some(_)) => {}
@@ -106,7 +105,7 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadError>
                 if heights.len() > stated {
                     break;
                 }
-                heights.push(value(file, first)?);
+                heights.push(value(first)?);
             }
             (_, Some(first)) => checksum = checksum.or_else(|| Some(check(first, sum_before))),
         }
@@ -115,11 +114,11 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadError>
         }
     }
     let axes = x.zip(z);
-    let (x, z) = axes.ok_or_else(|| damaged(file, FORMAT, "an axis CX or CZ is missing", ""))?;
+    let (x, z) = axes.ok_or_else(|| damaged(FORMAT, "an axis CX or CZ is missing", ""))?;
     if heights.len() != z.points || x.points != z.points {
         let seen = format!("{} of {}", heights.len(), z.points);
         let what = "the number of heights is not that of the header";
-        return Err(damaged(file, FORMAT, what, &seen));
+        return Err(damaged(FORMAT, what, &seen));
     }
     heights.iter_mut().for_each(|h| *h *= z.factor);
     Ok(Found {
@@ -134,25 +133,25 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadError>
     })
 }
 
-fn value(file: &str, text: &str) -> Result<f64, ReadError> {
+fn value(text: &str) -> Result<f64, ReadFault> {
     if let Some(value) = number(text) {
         return Ok(value);
     }
     match text.to_ascii_lowercase().as_str() {
         "nan" | "bad" => Ok(f64::NAN),
-        _ => Err(damaged(file, FORMAT, "a height is not a number", text)),
+        _ => Err(damaged(FORMAT, "a height is not a number", text)),
     }
 }
 
-fn axis(file: &str, fields: &[&str]) -> Result<AxisRecord, ReadError> {
+fn axis(fields: &[&str]) -> Result<AxisRecord, ReadFault> {
     let line = || fields.join(" ");
-    let broken = || damaged(file, FORMAT, "an axis line cannot be read", &line());
+    let broken = || damaged(FORMAT, "an axis line cannot be read", &line());
     let field = |at: usize| fields.get(at).copied().unwrap_or_default();
     let points = number(field(2)).filter(|n| *n >= 1.0 && *n < 1e9);
     let increment = number(field(6)).filter(|dx| *dx > 0.0);
     if field(0) == "CX" && field(1) != "I" {
         let what = "the points have individual x, which is not supported";
-        return Err(damaged(file, FORMAT, what, &line()));
+        return Err(damaged(FORMAT, what, &line()));
     }
     Ok(AxisRecord {
         points: points.ok_or_else(broken)? as usize,

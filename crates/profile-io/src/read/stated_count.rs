@@ -3,7 +3,7 @@
 //! If there are more heights than stated, another number was read as a height, for example the number of a trace before
 //! its heights. If there are fewer, the trace was aborted or the file is truncated.
 
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::metadata::short;
 use super::text::Line;
@@ -38,17 +38,15 @@ const LABELS: [&str; 20] = [
 /// # Errors
 /// When there are more heights than stated.
 pub(super) fn check(
-    file: &str,
     format: Format,
     header: &[Line<'_>],
     heights: usize,
-) -> Result<Option<Warning>, ReadError> {
+) -> Result<Option<Warning>, ReadFault> {
     let Some((line, stated)) = header.iter().find_map(stated) else {
         return Ok(None);
     };
     if heights > stated {
-        return Err(ReadError::Damaged {
-            file: file.to_owned(),
+        return Err(ReadFault::Damaged {
             format,
             what: "more heights than its header states, so that a number is none of them",
             seen: format!(

@@ -15,7 +15,7 @@ use super::archive::damaged;
 use asperity_storage::whole_file;
 
 use super::conditions::conditions_of;
-use super::error::{ReadError, SpacingHint};
+use super::error::{ReadFault, SpacingHint};
 use super::format::{Format, extension};
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -36,7 +36,7 @@ pub(super) fn conditions_beside(path: &Path) -> Option<Vec<u8>> {
 }
 
 /// Whether the first two lines are a length and the number of remaining lines.
-pub(super) fn recognised(head: &Head, text: &mut Text<'_>) -> Result<bool, ReadError> {
+pub(super) fn recognised(head: &Head, text: &mut Text<'_>) -> Result<bool, ReadFault> {
     let mut lines = head.lines().map(|line| line.text.trim());
     let length = lines.next().and_then(number);
     let points = lines.next().and_then(|line| line.parse::<usize>().ok());
@@ -57,7 +57,7 @@ pub(super) fn read(
     text: &mut Text<'_>,
     conditions: Option<&[u8]>,
     options: &ReadOptions,
-) -> Result<Found, ReadError> {
+) -> Result<Found, ReadFault> {
     let file = text.file;
     let mut lines = text.lines()?;
     let nominal = lines.next()?.and_then(|line| number(line.text));
@@ -66,7 +66,7 @@ pub(super) fn read(
     let mut heights = Vec::new();
     while let Some(line) = lines.next()? {
         if !line.is_blank() {
-            let broken = || damaged(file, FORMAT, "a height is not a number", line.text);
+            let broken = || damaged(FORMAT, "a height is not a number", line.text);
             heights.push(number(line.text).ok_or_else(broken)?);
         }
     }
@@ -83,8 +83,7 @@ pub(super) fn read(
         (dx, SpacingSource::EvaluationLength)
     });
     if spacing.is_none() && options.dx.is_none() {
-        return Err(ReadError::NoSpacing {
-            file: file.to_owned(),
+        return Err(ReadFault::NoSpacing {
             hint: SpacingHint::NominalLength {
                 length: nominal,
                 points,
@@ -145,9 +144,9 @@ struct Conditions {
 }
 
 impl Conditions {
-    fn of(file: &str, bytes: &[u8], options: &ReadOptions) -> Result<Self, ReadError> {
+    fn of(file: &str, bytes: &[u8], options: &ReadOptions) -> Result<Self, ReadFault> {
         let mut stream = Cursor::new(bytes);
-        let start = Start::of(file, &mut stream)?;
+        let start = Start::of(&mut stream)?;
         let (_, mut text) = Text::new(file, &mut stream, &start, options.encoding);
         let mut metadata = Metadata {
             instrument: Some("Surfcom".to_owned()),

@@ -1,7 +1,7 @@
 //! Choice of the columns of a detected table, and errors of cells and rows.
 
 use super::dialect::{Cell, Sniffed, Stated, sniff};
-use super::error::{CellRemedy, ReadError};
+use super::error::{CellRemedy, ReadFault};
 use super::header::{self, Label, Role};
 use super::layout::Dialect;
 use super::options::{Columns, DecimalSign, ReadOptions, Separator};
@@ -29,15 +29,11 @@ impl Chosen {
 
 /// Columns of x, height and validity: as stated, as labelled, or the two of a table with two columns.
 pub(super) fn choose(
-    file: &str,
     count: usize,
     labels: &[Label],
     options: &ReadOptions,
-) -> Result<Chosen, ReadError> {
-    let unclear = || ReadError::ColumnsUnclear {
-        file: file.to_owned(),
-        columns: count,
-    };
+) -> Result<Chosen, ReadFault> {
+    let unclear = || ReadFault::ColumnsUnclear { columns: count };
     let with = |role: Role| {
         let is = |label: &Label| match label.role {
             Some(Role::Roll(_)) => role == Role::X,
@@ -91,11 +87,7 @@ fn only_other_length(labels: &[Label], x: usize) -> Option<usize> {
 ///
 /// All cells of a row start like numbers, unlike the cells of a header; a single number above several columns is a
 /// count.
-pub(super) fn check_line_above(
-    file: &str,
-    lines: &[Line<'_>],
-    sniffed: &Sniffed,
-) -> Result<(), ReadError> {
+pub(super) fn check_line_above(lines: &[Line<'_>], sniffed: &Sniffed) -> Result<(), ReadFault> {
     let Some(line) = sniffed.first.checked_sub(1).map(|above| &lines[above]) else {
         return Ok(());
     };
@@ -111,15 +103,14 @@ pub(super) fn check_line_above(
         .iter()
         .find(|cell| sniffed.dialect.cell(cell) == Cell::Other);
     match damaged {
-        Some(cell) => Err(unreadable(file, lines, line, cell, sniffed.dialect)),
-        None => Err(ragged(file, line, filled, sniffed.columns)),
+        Some(cell) => Err(unreadable(lines, line, cell, sniffed.dialect)),
+        None => Err(ragged(line, filled, sniffed.columns)),
     }
 }
 
 /// The error for a row with more or fewer columns than the table.
-pub(super) fn ragged(file: &str, line: &Line<'_>, found: usize, expected: usize) -> ReadError {
-    ReadError::RaggedRow {
-        file: file.to_owned(),
+pub(super) fn ragged(line: &Line<'_>, found: usize, expected: usize) -> ReadFault {
+    ReadFault::RaggedRow {
         line: line.number,
         text: shortened(line.text),
         found,
@@ -129,12 +120,11 @@ pub(super) fn ragged(file: &str, line: &Line<'_>, found: usize, expected: usize)
 
 /// The error for a cell, with the dialect detected without statements of the user.
 pub(super) fn unreadable(
-    file: &str,
     lines: &[Line<'_>],
     line: &Line<'_>,
     cell: &str,
     used: Dialect,
-) -> ReadError {
+) -> ReadFault {
     let free = sniff(lines, Stated::default()).map_or(used, |found| found.dialect);
     let other = Dialect {
         decimal: match used.decimal {
@@ -154,8 +144,7 @@ pub(super) fn unreadable(
         _ if free.separator != used.separator => (free, CellRemedy::Separator),
         _ => (free, CellRemedy::Line),
     };
-    ReadError::UnreadableNumber {
-        file: file.to_owned(),
+    ReadFault::UnreadableNumber {
         line: line.number,
         text: shortened(cell),
         dialect,
@@ -164,18 +153,13 @@ pub(super) fn unreadable(
 }
 
 /// Returns an error for tables like "0,0005,0,2796", where commas may be separators and decimal signs.
-pub(super) fn check_commas(
-    file: &str,
-    table: &[Line<'_>],
-    sniffed: &Sniffed,
-) -> Result<(), ReadError> {
+pub(super) fn check_commas(table: &[Line<'_>], sniffed: &Sniffed) -> Result<(), ReadFault> {
     let suspicious = sniffed.dialect.separator == Separator::Comma
         && sniffed.columns >= 4
         && sniffed.columns.is_multiple_of(2)
         && !table.iter().any(|line| line.text.contains('.'));
     match table.first() {
-        Some(line) if suspicious => Err(ReadError::AmbiguousComma {
-            file: file.to_owned(),
+        Some(line) if suspicious => Err(ReadFault::AmbiguousComma {
             line: line.number,
             text: shortened(line.text),
         }),

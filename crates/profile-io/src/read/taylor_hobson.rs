@@ -12,7 +12,7 @@
 //! example.
 
 use super::archive::damaged;
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -39,11 +39,11 @@ struct Header {
 }
 
 impl Header {
-    fn take(&mut self, file: &str, record: usize, line: &str) -> Result<(), ReadError> {
+    fn take(&mut self, record: usize, line: &str) -> Result<(), ReadFault> {
         let mut fields = line.split_whitespace();
         match (record, fields.next().unwrap_or_default()) {
-            (1, "CX") => self.x = Some(axis(file, line)?),
-            (1, "CZ") => self.z = Some(axis(file, line)?),
+            (1, "CX") => self.x = Some(axis(line)?),
+            (1, "CZ") => self.z = Some(axis(line)?),
             (1, first) if fields.clone().last() == Some("PRF") => {
                 self.metadata.title = short(first)
             }
@@ -54,7 +54,7 @@ impl Header {
                     radius.and_then(|(r, unit)| super::metadata::length(&format!("{r} {unit}")));
                 self.metadata.stylus_radius = radius.filter(|radius| radius.si() > 0.0);
             }
-            (2, "MAP") => check_map(file, line)?,
+            (2, "MAP") => check_map(line)?,
             (2, "COMMENT") => self.metadata.title = short(line.trim_start_matches("COMMENT")),
             _ => {}
         }
@@ -63,8 +63,7 @@ impl Header {
 }
 
 /// Reads a text `.prf`.
-pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
-    let file = text.file;
+pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let (mut record, mut first_line) = (1, 1);
     let mut header = Header::default();
     let mut heights: Vec<f64> = Vec::new();
@@ -80,20 +79,20 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
             }
             Some(_) if record == 3 => {
                 for field in line.text.split_whitespace() {
-                    let broken = || damaged(file, FORMAT, "a height is not a number", field);
+                    let broken = || damaged(FORMAT, "a height is not a number", field);
                     heights.push(number(field).ok_or_else(broken)?);
                 }
                 take_numbers(&mut lines, usize::MAX, &mut heights);
             }
-            Some(_) => header.take(file, record, line.text)?,
+            Some(_) => header.take(record, line.text)?,
         }
     }
     let axes = header.x.zip(header.z);
-    let (x, z) = axes.ok_or_else(|| damaged(file, FORMAT, "an axis CX or CZ is missing", ""))?;
+    let (x, z) = axes.ok_or_else(|| damaged(FORMAT, "an axis CX or CZ is missing", ""))?;
     if heights.len() != z.points {
         let seen = format!("{} of {}", heights.len(), z.points);
         let what = "the number of heights is not that of the header";
-        return Err(damaged(file, FORMAT, what, &seen));
+        return Err(damaged(FORMAT, what, &seen));
     }
     heights.iter_mut().for_each(|h| *h *= z.factor);
     let dx = header.spacing.map(|dx| dx * x.factor);
@@ -109,8 +108,8 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadError> {
     })
 }
 
-fn axis(file: &str, line: &str) -> Result<AxisRecord, ReadError> {
-    let broken = || damaged(file, FORMAT, "an axis line cannot be read", line);
+fn axis(line: &str) -> Result<AxisRecord, ReadFault> {
+    let broken = || damaged(FORMAT, "an axis line cannot be read", line);
     let fields: Vec<&str> = line.split_whitespace().collect();
     let field = |at: usize| fields.get(at).copied().unwrap_or_default();
     let points = number(field(2)).filter(|n| *n >= 1.0 && *n < 1e9);
@@ -122,7 +121,7 @@ fn axis(file: &str, line: &str) -> Result<AxisRecord, ReadError> {
 }
 
 /// Returns an error for a map that changes the heights, because its rule is not public.
-fn check_map(file: &str, line: &str) -> Result<(), ReadError> {
+fn check_map(line: &str) -> Result<(), ReadFault> {
     let fields: Vec<&str> = line.split_whitespace().skip(2).collect();
     let is = |at: usize, value: f64| fields.get(at).and_then(|f| number(f)) == Some(value);
     let identity = match fields.get(..2) {
@@ -134,7 +133,6 @@ fn check_map(file: &str, line: &str) -> Result<(), ReadError> {
         return Ok(());
     }
     Err(damaged(
-        file,
         FORMAT,
         "the heights are mapped, which is not read",
         line,

@@ -8,7 +8,7 @@ use std::io::{ErrorKind, Read, Seek, SeekFrom};
 use encoding_rs::Decoder;
 
 use super::encoding;
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::options::Encoding;
 
 /// Size of the head in bytes: some ten thousand rows.
@@ -55,23 +55,12 @@ pub(super) struct Start {
 }
 
 impl Start {
-    pub(super) fn of(file: &str, stream: &mut dyn Stream) -> Result<Self, ReadError> {
+    pub(super) fn of(stream: &mut dyn Stream) -> Result<Self, ReadFault> {
         let mut bytes = Vec::new();
-        let mut look = || {
-            let size = stream.seek(SeekFrom::End(0))?;
-            stream.rewind()?;
-            (&mut *stream).take(HEAD).read_to_end(&mut bytes)?;
-            Ok(size)
-        };
-        let size = look().map_err(|source| unreadable(file, source))?;
+        let size = stream.seek(SeekFrom::End(0))?;
+        stream.rewind()?;
+        stream.take(HEAD).read_to_end(&mut bytes)?;
         Ok(Self { bytes, size })
-    }
-}
-
-fn unreadable(file: &str, source: std::io::Error) -> ReadError {
-    ReadError::NotReadable {
-        file: file.to_owned(),
-        source,
     }
 }
 
@@ -154,9 +143,8 @@ impl<'s> Text<'s> {
     }
 
     /// The lines from the start.
-    pub(super) fn lines(&mut self) -> Result<Lines<'_, 's>, ReadError> {
-        let rewound = self.stream.rewind();
-        rewound.map_err(|source| unreadable(self.file, source))?;
+    pub(super) fn lines(&mut self) -> Result<Lines<'_, 's>, ReadFault> {
+        self.stream.rewind()?;
         Ok(Lines {
             decoder: self.encoding.decoder(),
             raw: vec![0; usize::try_from(self.size).map_or(CHUNK, |size| size.min(CHUNK))],
@@ -203,7 +191,7 @@ pub(super) struct Lines<'t, 's> {
 
 impl Lines<'_, '_> {
     /// The next line, including blank ones; `None` at the end.
-    pub(super) fn next(&mut self) -> Result<Option<Line<'_>>, ReadError> {
+    pub(super) fn next(&mut self) -> Result<Option<Line<'_>>, ReadFault> {
         while self.start == self.complete && !self.ended {
             self.fill()?;
         }
@@ -238,13 +226,12 @@ impl Lines<'_, '_> {
     }
 
     /// Appends another chunk to the rest of the buffer, which is the beginning of a line.
-    fn fill(&mut self) -> Result<(), ReadError> {
+    fn fill(&mut self) -> Result<(), ReadFault> {
         self.buffer.drain(..self.start);
         (self.start, self.complete) = (0, 0);
         let before = self.buffer.len();
         if before > LONGEST_LINE {
-            return Err(ReadError::TooLarge {
-                file: self.text.file.to_owned(),
+            return Err(ReadFault::TooLarge {
                 what: "a line",
                 bytes: before as u64,
                 most: LONGEST_LINE as u64,
@@ -266,13 +253,13 @@ impl Lines<'_, '_> {
         Ok(())
     }
 
-    fn read(&mut self) -> Result<usize, ReadError> {
+    fn read(&mut self) -> Result<usize, ReadFault> {
         let most = usize::try_from(self.left).map_or(CHUNK, |left| left.min(self.raw.len()));
         loop {
             match self.text.stream.read(&mut self.raw[..most]) {
                 Ok(count) => return Ok(count),
                 Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                Err(source) => return Err(unreadable(self.text.file, source)),
+                Err(source) => return Err(source.into()),
             }
         }
     }

@@ -6,7 +6,7 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
-use super::error::ReadError;
+use super::error::{ReadError, ReadFault};
 use super::format::Format;
 use super::grid::{self, SpacingSource, Unevenness};
 use super::header::FilterState;
@@ -145,6 +145,11 @@ impl Trace {
     /// When the step is not positive, longer than the trace or shorter than an eighth of the mean step; when two
     /// neighbours of an uneven trace are more than ten mean steps apart: points are missing between them.
     pub fn resampled(&self, step: Length) -> Result<Resampled, ReadError> {
+        self.at_step(step)
+            .map_err(|fault| fault.in_file(&self.name))
+    }
+
+    fn at_step(&self, step: Length) -> Result<Resampled, ReadFault> {
         let whole = self.length() / step * (1.0 + ROUNDING);
         let most = MOST_REFINED * self.heights.len() as f64;
         if !(step.si() > 0.0 && (1.0..=most).contains(&whole)) {
@@ -162,7 +167,7 @@ impl Trace {
         self.in_steps(step.si(), whole as usize)
     }
 
-    fn in_steps(&self, step: f64, intervals: usize) -> Result<Resampled, ReadError> {
+    fn in_steps(&self, step: f64, intervals: usize) -> Result<Resampled, ReadFault> {
         let x = self.x();
         self.check_gaps(&x)?;
         let between = match self.roll {
@@ -179,14 +184,13 @@ impl Trace {
     }
 
     /// Returns an error for steps that are so long that points must be missing.
-    fn check_gaps(&self, x: &[f64]) -> Result<(), ReadError> {
+    fn check_gaps(&self, x: &[f64]) -> Result<(), ReadFault> {
         let mean = self.spacing().si();
         let gap = x
             .windows(2)
             .find(|pair| pair[1] - pair[0] > LONGEST_STEP * mean);
         gap.map_or(Ok(()), |pair| {
-            Err(ReadError::GapInPositions {
-                file: self.name.clone(),
+            Err(ReadFault::GapInPositions {
                 from: Length::from_si(pair[0]),
                 to: Length::from_si(pair[1]),
                 steps: (pair[1] - pair[0]) / mean,
@@ -201,6 +205,13 @@ impl Trace {
     /// When the points are more than a quarter of a spacing off an even grid and `uneven` does not request resampling,
     /// or when points are missing between them.
     pub fn reading(mut self, uneven: Uneven) -> Result<Reading, ReadError> {
+        match self.even_profile(uneven) {
+            Ok(profile) => Ok(self.with(profile)),
+            Err(fault) => Err(fault.in_file(&self.name)),
+        }
+    }
+
+    fn even_profile(&mut self, uneven: Uneven) -> Result<Profile, ReadFault> {
         let spacing = self.spacing();
         let profile = match (&self.positions, self.roll) {
             (Positions::Even { .. }, _) => {
@@ -246,14 +257,13 @@ impl Trace {
                 self.profile(spacing, heights)?
             }
         };
-        grid::enough(&self.name, profile.len())?;
-        Ok(self.with(profile))
+        grid::enough(profile.len())?;
+        Ok(profile)
     }
 
     /// Error for a trace that must be even.
-    fn too_uneven(&self, found: Unevenness) -> ReadError {
-        ReadError::UnevenSpacing {
-            file: self.name.clone(),
+    fn too_uneven(&self, found: Unevenness) -> ReadFault {
+        ReadFault::UnevenSpacing {
             line: found.line,
             x: found.x,
             off: found.off,
@@ -261,16 +271,15 @@ impl Trace {
         }
     }
 
-    fn impossible(&self, what: &'static str, value: f64) -> ReadError {
-        ReadError::Impossible {
-            file: self.name.clone(),
+    fn impossible(&self, what: &'static str, value: f64) -> ReadFault {
+        ReadFault::Impossible {
             what,
             value,
             unit: LengthUnit::Metre,
         }
     }
 
-    fn profile(&self, spacing: Length, heights: Vec<f64>) -> Result<Profile, ReadError> {
+    fn profile(&self, spacing: Length, heights: Vec<f64>) -> Result<Profile, ReadFault> {
         Profile::new(spacing, heights).map_err(|error| self.impossible(error.name, error.value))
     }
 

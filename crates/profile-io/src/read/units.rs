@@ -5,7 +5,7 @@
 //! Nanometres are never assumed, and if heights in nanometres are possible too, no unit is assumed.
 
 use super::archive::damaged;
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::options::{Axis, LengthUnit, ReadOptions};
 
@@ -109,17 +109,16 @@ pub(super) fn heights_only(extent: Extent) -> Option<LengthUnit> {
 
 /// The unit of heights without x: stated, or the only possible one.
 pub(super) fn of_heights(
-    file: &str,
     format: Format,
     heights: &[f64],
     options: &ReadOptions,
-) -> Result<LengthUnit, ReadError> {
+) -> Result<LengthUnit, ReadFault> {
     if let Some(unit) = options.z_unit {
         return Ok(unit);
     }
     let known: Vec<f64> = heights.iter().copied().filter(|z| z.is_finite()).collect();
     if known.is_empty() {
-        return Err(damaged(file, format, "the row has no heights", ""));
+        return Err(damaged(format, "the row has no heights", ""));
     }
     let (low, high) = asperity_core::numerics::extremes(&known);
     let span = high - low;
@@ -131,8 +130,7 @@ pub(super) fn of_heights(
         span,
         slope: step / dx,
     };
-    heights_only(extent).ok_or_else(|| ReadError::NoUnit {
-        file: file.to_owned(),
+    heights_only(extent).ok_or(ReadFault::NoUnit {
         axis: Axis::Height,
         span,
     })

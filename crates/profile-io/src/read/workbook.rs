@@ -7,7 +7,7 @@
 //! x in millimetres and heights in micrometres.
 
 use super::archive::{Archive, damaged};
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::header::FilterState;
 use super::metadata::{self, Metadata, PrintedParameter, short};
@@ -31,19 +31,18 @@ pub(super) struct Table {
 
 /// Reads the table of a workbook: of several sheets with tables as long, the one that `options` chooses.
 pub(super) fn read(
-    file: &str,
     format: Format,
     stream: &mut dyn Stream,
     size: u64,
     options: &ReadOptions,
-) -> Result<Table, ReadError> {
+) -> Result<Table, ReadFault> {
     let sheets = match format {
-        Format::ExcelBinary => xls::sheets(file, stream, size)?,
+        Format::ExcelBinary => xls::sheets(stream, size)?,
         _ => {
-            let mut archive = Archive::open(file, FORMAT, stream, size)?;
+            let mut archive = Archive::open(FORMAT, stream, size)?;
             match archive.holds("content.xml") {
-                true => open_document(file, &mut archive)?,
-                false => office_open(file, &mut archive)?,
+                true => open_document(&mut archive)?,
+                false => office_open(&mut archive)?,
             }
         }
     };
@@ -82,13 +81,11 @@ pub(super) fn read(
     };
     let Some((sheet, block)) = asked.checked_sub(1).and_then(|at| longest.get(at)) else {
         return Err(match longest.first() {
-            None => ReadError::NotHeights {
-                file: file.to_owned(),
+            None => ReadFault::NotHeights {
                 format,
                 content: "no columns of a hundred numbers",
             },
-            Some((_, block)) => ReadError::SeveralProfiles {
-                file: file.to_owned(),
+            Some((_, block)) => ReadFault::SeveralProfiles {
                 rows: longest.len(),
                 points: block.rows,
                 asked,
@@ -110,21 +107,21 @@ pub(super) fn read(
 }
 
 /// The sheets of an `.xlsx`.
-fn office_open(file: &str, archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadError> {
-    let texts = texts(file, archive)?;
+fn office_open(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadFault> {
+    let texts = texts(archive)?;
     let mut sheets = Vec::new();
     for number in 1.. {
         let name = format!("xl/worksheets/sheet{number}.xml");
         if !archive.holds(&name) {
             break;
         }
-        sheets.push(sheet(file, archive, &name, &texts)?);
+        sheets.push(sheet(archive, &name, &texts)?);
     }
     Ok(sheets)
 }
 
 /// The shared texts of the workbook.
-fn texts(file: &str, archive: &mut Archive<'_>) -> Result<Vec<String>, ReadError> {
+fn texts(archive: &mut Archive<'_>) -> Result<Vec<String>, ReadFault> {
     let name = "xl/sharedStrings.xml";
     if !archive.holds(name) {
         return Ok(Vec::new());
@@ -142,17 +139,12 @@ fn texts(file: &str, archive: &mut Archive<'_>) -> Result<Vec<String>, ReadError
         });
         match sound {
             true => Ok(texts),
-            false => Err(damaged(file, FORMAT, "the texts are not sound XML", "")),
+            false => Err(damaged(FORMAT, "the texts are not sound XML", "")),
         }
     })
 }
 
-fn sheet(
-    file: &str,
-    archive: &mut Archive<'_>,
-    name: &str,
-    texts: &[String],
-) -> Result<Sheet, ReadError> {
+fn sheet(archive: &mut Archive<'_>, name: &str, texts: &[String]) -> Result<Sheet, ReadFault> {
     archive.read(name, |stream| {
         let mut sheet = Sheet::default();
         let mut value = String::new();
@@ -180,13 +172,13 @@ fn sheet(
         });
         match sound {
             true => Ok(sheet),
-            false => Err(damaged(file, FORMAT, "a sheet is not sound XML", name)),
+            false => Err(damaged(FORMAT, "a sheet is not sound XML", name)),
         }
     })
 }
 
 /// The sheets of an `.ods`. Repeated cells and rows hold no profile and are read once.
-fn open_document(file: &str, archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadError> {
+fn open_document(archive: &mut Archive<'_>) -> Result<Vec<Sheet>, ReadFault> {
     archive.read("content.xml", |stream| {
         let mut sheets = Vec::new();
         let mut sheet = Sheet::default();
@@ -220,7 +212,7 @@ fn open_document(file: &str, archive: &mut Archive<'_>) -> Result<Vec<Sheet>, Re
         });
         match sound {
             true => Ok(sheets),
-            false => Err(damaged(file, FORMAT, "the sheets are not sound XML", "")),
+            false => Err(damaged(FORMAT, "the sheets are not sound XML", "")),
         }
     })
 }

@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use super::archive::{Archive, damaged};
 use super::areal::trace::{Areal, HeightUnit, Heights};
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -117,12 +117,11 @@ enum Wanted {
 
 /// Reads the profile of an X3P file.
 pub(super) fn read(
-    file: &str,
     stream: &mut dyn Stream,
     size: u64,
     options: &ReadOptions,
-) -> Result<Found, ReadError> {
-    let found = matrix(file, stream, size, Wanted::Row(options.row))?;
+) -> Result<Found, ReadFault> {
+    let found = matrix(stream, size, Wanted::Row(options.row))?;
     let [dx, _] = found.spacings();
     Ok(Found {
         x: found.points.x,
@@ -134,8 +133,8 @@ pub(super) fn read(
 }
 
 /// Reads all rows of the first layer of an X3P file.
-pub(super) fn surface(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadError> {
-    let found = matrix(file, stream, size, Wanted::FirstLayer)?;
+pub(super) fn surface(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadFault> {
+    let found = matrix(stream, size, Wanted::FirstLayer)?;
     let spacings = found.spacings();
     let heights = Heights::Values {
         columns: found.main.points().unwrap_or(0) as usize,
@@ -168,38 +167,25 @@ impl Matrix {
     }
 }
 
-fn matrix(
-    file: &str,
-    stream: &mut dyn Stream,
-    size: u64,
-    wanted: Wanted,
-) -> Result<Matrix, ReadError> {
-    let mut archive = Archive::open(file, FORMAT, stream, size)?;
+fn matrix(stream: &mut dyn Stream, size: u64, wanted: Wanted) -> Result<Matrix, ReadFault> {
+    let mut archive = Archive::open(FORMAT, stream, size)?;
     let name = archive.find("main.xml");
-    let name = name.ok_or_else(|| damaged(file, FORMAT, "it holds no main.xml", ""))?;
+    let name = name.ok_or_else(|| damaged(FORMAT, "it holds no main.xml", ""))?;
     let (mut main, found) = archive.read(&name, |stream| {
         let mut hashed = Hashed::new(stream);
         let mut main = Main::default();
         if !walk(&mut hashed, |leaf| take(&mut main, &leaf, wanted)) {
-            return Err(damaged(file, FORMAT, "main.xml is not sound XML", ""));
+            return Err(damaged(FORMAT, "main.xml is not sound XML", ""));
         }
         Ok((main, hashed.finish()))
     })?;
     let folder = name[..name.len() - "main.xml".len()].to_owned();
     let mut warnings = Vec::new();
     main_checksum(&mut archive, &folder, &found, &mut warnings)?;
-    let rows = chosen_rows(file, &main, wanted)?;
+    let rows = chosen_rows(&main, wanted)?;
     let points = match main.point_data.clone() {
-        Some(link) => binary(
-            file,
-            &mut archive,
-            &folder,
-            &link,
-            &main,
-            rows,
-            &mut warnings,
-        )?,
-        None => text(file, &mut main, rows)?,
+        Some(link) => binary(&mut archive, &folder, &link, &main, rows, &mut warnings)?,
+        None => text(&mut main, rows)?,
     };
     Ok(Matrix {
         main,
@@ -297,10 +283,9 @@ fn coordinate(main: &mut Main, axis: usize, text: &str) -> f64 {
 }
 
 /// The rows to read, counted from 0.
-fn chosen_rows(file: &str, main: &Main, wanted: Wanted) -> Result<Range<u64>, ReadError> {
+fn chosen_rows(main: &Main, wanted: Wanted) -> Result<Range<u64>, ReadFault> {
     if main.axes[0].absolute && !(main.has_own_x() && wanted != Wanted::FirstLayer) {
-        return Err(ReadError::NotHeights {
-            file: file.to_owned(),
+        return Err(ReadFault::NotHeights {
             format: FORMAT,
             content: "points with an x of their own, and only profiles of such are read",
         });
@@ -309,15 +294,14 @@ fn chosen_rows(file: &str, main: &Main, wanted: Wanted) -> Result<Range<u64>, Re
     let size = points
         .zip(main.rows())
         .filter(|(points, rows)| *points > 0 && *rows > 0);
-    let (points, rows) = size.ok_or_else(|| damaged(file, FORMAT, "the matrix has no size", ""))?;
+    let (points, rows) = size.ok_or_else(|| damaged(FORMAT, "the matrix has no size", ""))?;
     let Wanted::Row(row) = wanted else {
         // Further layers are not rows of the first.
         return Ok(0..main.size[1].unwrap_or(1));
     };
     let asked = row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64;
     if asked == 0 || asked > rows {
-        return Err(ReadError::SeveralProfiles {
-            file: file.to_owned(),
+        return Err(ReadFault::SeveralProfiles {
             rows: rows as usize,
             points: points as usize,
             asked: asked as usize,
@@ -326,9 +310,9 @@ fn chosen_rows(file: &str, main: &Main, wanted: Wanted) -> Result<Range<u64>, Re
     Ok(asked - 1..asked)
 }
 
-fn text(file: &str, main: &mut Main, rows: Range<u64>) -> Result<Points, ReadError> {
+fn text(main: &mut Main, rows: Range<u64>) -> Result<Points, ReadFault> {
     if let Some(seen) = &main.broken_text {
-        return Err(damaged(file, FORMAT, "a height is not a number", seen));
+        return Err(damaged(FORMAT, "a height is not a number", seen));
     }
     let points = std::mem::take(&mut main.text);
     let stated = main
@@ -338,21 +322,20 @@ fn text(file: &str, main: &mut Main, rows: Range<u64>) -> Result<Points, ReadErr
     if points.z.len() as u64 != stated {
         let seen = format!("{} of {stated}", points.z.len());
         let what = "the number of heights is not that of the header";
-        return Err(damaged(file, FORMAT, what, &seen));
+        return Err(damaged(FORMAT, what, &seen));
     }
     Ok(points)
 }
 
 /// Heights of `rows` from the binary member, with their mask and its checksum.
 fn binary(
-    file: &str,
     archive: &mut Archive<'_>,
     folder: &str,
     link: &str,
     main: &Main,
     rows: Range<u64>,
     warnings: &mut Vec<Warning>,
-) -> Result<Points, ReadError> {
+) -> Result<Points, ReadFault> {
     let [x, y, z] = main.axes;
     let width = main.points().unwrap_or(0);
     let points = width.saturating_mul(rows.end - rows.start);
@@ -363,8 +346,7 @@ fn binary(
     let first = rows.start.checked_mul(width);
     let start = first.and_then(|n| n.checked_mul(stride as u64));
     let length = points.checked_mul(stride as u64);
-    let too_large = || ReadError::TooLarge {
-        file: file.to_owned(),
+    let too_large = || ReadFault::TooLarge {
         what: "the matrix",
         bytes: u64::MAX,
         most: i64::MAX as u64,
@@ -380,7 +362,7 @@ fn binary(
         let whole = skipped.is_ok() && read.is_ok() && rest.is_ok();
         if !whole || window.len() as u64 != length {
             let what = "the binary data is shorter than the matrix";
-            return Err(damaged(file, FORMAT, what, link));
+            return Err(damaged(FORMAT, what, link));
         }
         Ok((window, hashed.finish()))
     })?;
@@ -396,7 +378,7 @@ fn binary(
         });
     }
     let first = first.unwrap_or(0);
-    let mask = mask(file, archive, folder, main, first..first + points)?;
+    let mask = mask(archive, folder, main, first..first + points)?;
     let heights = window.chunks_exact(stride).enumerate().map(|(i, point)| {
         let valid = mask.as_ref().is_none_or(|mask| mask.get(i) == Some(&true));
         let value = z.data.value(&point[skipped..]).filter(|_| valid);
@@ -408,7 +390,7 @@ fn binary(
         true => {
             let places: Option<Vec<f64>> = window.chunks_exact(stride).map(place).collect();
             let finite = places.filter(|places| places.iter().all(|x| x.is_finite()));
-            Some(finite.ok_or_else(|| damaged(file, FORMAT, "a point has no x", link))?)
+            Some(finite.ok_or_else(|| damaged(FORMAT, "a point has no x", link))?)
         }
         false => None,
     };
@@ -429,12 +411,11 @@ fn archive_name(archive: &Archive<'_>, folder: &str, link: &str) -> String {
 
 /// Validity of `points`: one bit per point, lowest first, or one byte per point.
 fn mask(
-    file: &str,
     archive: &mut Archive<'_>,
     folder: &str,
     main: &Main,
     points: Range<u64>,
-) -> Result<Option<Vec<bool>>, ReadError> {
+) -> Result<Option<Vec<bool>>, ReadFault> {
     let Some(link) = main.mask.as_ref().filter(|link| !link.is_empty()) else {
         return Ok(None);
     };
@@ -445,16 +426,11 @@ fn mask(
         let mut packed = Vec::new();
         let read = stream.take(all).read_to_end(&mut packed);
         read.map(|_| packed)
-            .map_err(|_| damaged(file, FORMAT, "the mask cannot be unpacked", link))
+            .map_err(|_| damaged(FORMAT, "the mask cannot be unpacked", link))
     })?;
     let bytewise = packed.len() as u64 == all;
     if !bytewise && (packed.len() as u64) < all.div_ceil(8) {
-        return Err(damaged(
-            file,
-            FORMAT,
-            "the mask is shorter than the matrix",
-            link,
-        ));
+        return Err(damaged(FORMAT, "the mask is shorter than the matrix", link));
     }
     let valid = |at: u64| {
         if bytewise {
@@ -472,7 +448,7 @@ fn main_checksum(
     folder: &str,
     found: &str,
     warnings: &mut Vec<Warning>,
-) -> Result<(), ReadError> {
+) -> Result<(), ReadFault> {
     const DIGITS: u64 = 64;
     let name = format!("{folder}md5checksum.hex");
     if !archive.holds(&name) {

@@ -8,7 +8,7 @@ use std::io::Read;
 
 use super::archive::{damaged, most_unpacked};
 use super::areal::bytes::little;
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::sheet::{MOST_TEXTS, Sheet};
 use super::text::Stream;
@@ -29,12 +29,8 @@ const TEXT: u16 = 0x204;
 const RK: u16 = 0x27e;
 
 /// The sheets of the workbook in `stream`, a file of `size` bytes.
-pub(super) fn sheets(
-    file: &str,
-    stream: &mut dyn Stream,
-    size: u64,
-) -> Result<Vec<Sheet>, ReadError> {
-    let fault = |what: &'static str| damaged(file, FORMAT, what, "");
+pub(super) fn sheets(stream: &mut dyn Stream, size: u64) -> Result<Vec<Sheet>, ReadFault> {
+    let fault = |what: &'static str| damaged(FORMAT, what, "");
     let compound = cfb::CompoundFile::open(stream);
     let mut compound = compound.map_err(|_| fault("the compound file cannot be read"))?;
     let book = compound.open_stream("/Workbook");

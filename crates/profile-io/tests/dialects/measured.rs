@@ -3,7 +3,7 @@
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{
-    Axis, FilterState, Format, LengthUnit, ReadError, ReadOptions, SpacingHint, SpacingSource,
+    Axis, FilterState, Format, LengthUnit, ReadFault, ReadOptions, SpacingHint, SpacingSource,
     read_bytes,
 };
 
@@ -85,8 +85,8 @@ fn heights_alone_need_a_spacing_and_header_numbers_are_no_heights() {
     let plain = read_text(&column).unwrap_err();
     assert!(
         matches!(
-            plain,
-            ReadError::NoSpacing {
+            plain.fault,
+            ReadFault::NoSpacing {
                 hint: SpacingHint::None,
                 ..
             }
@@ -112,8 +112,8 @@ fn heights_alone_need_a_spacing_and_header_numbers_are_no_heights() {
     let refused = read_text(&npl.replacen("0.500", "5600", 1)).unwrap_err();
     assert!(
         matches!(
-            refused,
-            ReadError::NoSpacing {
+            refused.fault,
+            ReadFault::NoSpacing {
                 hint: SpacingHint::FirstLine(5600.0),
                 ..
             }
@@ -138,8 +138,8 @@ fn heights_alone_need_a_spacing_and_header_numbers_are_no_heights() {
     let refused = read_text(&surfcom).unwrap_err();
     assert!(
         matches!(
-            refused,
-            ReadError::NoSpacing {
+            refused.fault,
+            ReadFault::NoSpacing {
                 hint: SpacingHint::NominalLength { points: POINTS, .. },
                 ..
             }
@@ -170,7 +170,7 @@ fn x_must_rise_evenly_or_fall_evenly() {
     doubled.insert(50, lines[10]);
     let refused = read_text(&joined(&doubled)).unwrap_err();
     assert!(
-        matches!(refused, ReadError::NotMonotone { line: 51, .. }),
+        matches!(refused.fault, ReadFault::NotMonotone { line: 51, .. }),
         "{refused}"
     );
 
@@ -178,7 +178,7 @@ fn x_must_rise_evenly_or_fall_evenly() {
     lost.remove(100);
     let refused = read_text(&joined(&lost)).unwrap_err();
     assert!(
-        matches!(refused, ReadError::UnevenSpacing { line: 101, .. }),
+        matches!(refused.fault, ReadFault::UnevenSpacing { line: 101, .. }),
         "{refused}"
     );
 
@@ -196,7 +196,7 @@ fn a_lost_row_shows_on_whole_numbers_too() {
     let file = format!("x [um];z [um]\n{text}");
     let refused = read_text(&file).unwrap_err();
     assert!(
-        matches!(refused, ReadError::UnevenSpacing { line: 79, .. }),
+        matches!(refused.fault, ReadFault::UnevenSpacing { line: 79, .. }),
         "{refused}"
     );
 }
@@ -209,8 +209,8 @@ fn x_that_counts_points_is_no_length() {
     let refused = read_text(&text).unwrap_err();
     assert!(
         matches!(
-            refused,
-            ReadError::NoSpacing {
+            refused.fault,
+            ReadFault::NoSpacing {
                 hint: SpacingHint::XCounts,
                 ..
             }

@@ -1,6 +1,6 @@
 //! Files that are refused, and what is said about them.
 
-use asperity_profile_io::read::{DecimalSign, Format, ReadError, ReadOptions, read_bytes};
+use asperity_profile_io::read::{DecimalSign, Format, ReadFault, ReadOptions, read_bytes};
 
 use super::table::*;
 
@@ -66,7 +66,7 @@ fn formats_that_are_not_read_are_named() {
         let refused = read_bytes(name, bytes, &ReadOptions::default()).unwrap_err();
         assert_eq!(refused.code(), "E108");
         assert!(
-            matches!(refused, ReadError::FormatNotRead { format: found, .. } if found == format),
+            matches!(refused.fault, ReadFault::FormatNotRead { format: found, .. } if found == format),
             "{refused}"
         );
         assert!(

@@ -3,7 +3,7 @@
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{
-    Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadError, ReadOptions, Separator, read,
+    Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadFault, ReadOptions, Separator, read,
     read_bytes,
 };
 
@@ -169,8 +169,8 @@ fn an_absolute_offset_and_a_valid_flag_are_understood() {
     let refused = read_text(&broken).unwrap_err();
     assert!(
         matches!(
-            refused,
-            ReadError::MissingPoints {
+            refused.fault,
+            ReadFault::MissingPoints {
                 line: 6,
                 missing: 1,
                 fillable: true,

@@ -2,7 +2,7 @@
 
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{
-    FilterState, Format, Gaps, LengthUnit, ReadError, ReadOptions, read_bytes,
+    FilterState, Format, Gaps, LengthUnit, ReadFault, ReadOptions, read_bytes,
 };
 
 use super::samples::*;
@@ -88,7 +88,7 @@ fn x3p_masks_and_checksums_and_rows_are_heeded() {
     ]);
     let refused = read_bytes("a.x3p", &bytes, &ReadOptions::default()).unwrap_err();
     assert!(
-        matches!(refused, ReadError::SeveralProfiles { rows: 3, .. }),
+        matches!(refused.fault, ReadFault::SeveralProfiles { rows: 3, .. }),
         "{refused}"
     );
     let second = ReadOptions {
@@ -119,8 +119,8 @@ fn x3p_masks_and_checksums_and_rows_are_heeded() {
     let refused = read_bytes("a.x3p", &bytes, &ReadOptions::default()).unwrap_err();
     assert!(
         matches!(
-            refused,
-            ReadError::MissingPoints {
+            refused.fault,
+            ReadFault::MissingPoints {
                 line: 20,
                 missing: 1,
                 ..

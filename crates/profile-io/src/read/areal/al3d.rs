@@ -10,7 +10,7 @@ use super::bytes::text;
 use super::raw::{Layout, Missing, Number, Raw};
 use super::trace::{Areal, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::{number, short};
 
@@ -27,8 +27,8 @@ const ALIGNED: usize = 8;
 const INVALID: f64 = 3e15;
 
 /// Reads the depth image.
-pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let tags = tags(&bytes).ok_or_else(|| fault("a tag is cut off or has no line end", ""))?;
     let stated = |name: &str| tags.get(name).and_then(|text| number(text));
     let whole = |name: &'static str| {

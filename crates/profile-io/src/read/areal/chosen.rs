@@ -1,6 +1,6 @@
 //! The array of heights among the arrays of a file.
 
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::table::shortened;
 
@@ -9,18 +9,16 @@ const NAMES: [&str; 4] = ["z", "heights", "height", "profile"];
 
 /// The only array, or of several the one with the name of heights, in whichever group it is.
 pub(super) fn chosen<T>(
-    file: &str,
     format: Format,
     mut all: Vec<(String, T)>,
-) -> Result<(String, T), ReadError> {
+) -> Result<(String, T), ReadFault> {
     let is_named = |(name, _): &(String, T)| {
         let name = name.rsplit('/').next().unwrap_or_default().to_lowercase();
         NAMES.contains(&name.as_str())
     };
     let at = match all.len() {
         0 => {
-            return Err(ReadError::NotHeights {
-                file: file.to_owned(),
+            return Err(ReadFault::NotHeights {
                 format,
                 content: "no array of real numbers",
             });
@@ -28,8 +26,7 @@ pub(super) fn chosen<T>(
         1 => 0,
         _ => all.iter().position(is_named).ok_or_else(|| {
             let names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
-            ReadError::SeveralArrays {
-                file: file.to_owned(),
+            ReadFault::SeveralArrays {
                 names: shortened(&names.join(", ")),
             }
         })?,

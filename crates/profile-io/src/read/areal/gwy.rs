@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use super::bytes::{Cursor, Plain};
 use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::header;
 use crate::read::metadata::short;
@@ -32,8 +32,8 @@ enum Value<'a> {
 }
 
 /// Reads the first surface of heights.
-pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let broken = || fault("an item is cut off or of an unknown type", "");
     let mut cursor = Cursor { bytes, at: 4 };
     let Some((_, items)) = object(&mut cursor) else {
@@ -104,8 +104,7 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
         }
         return Ok(found);
     }
-    Err(ReadError::NotHeights {
-        file: file.to_owned(),
+    Err(ReadFault::NotHeights {
         format: FORMAT,
         content: "no surface of heights in a unit of length",
     })

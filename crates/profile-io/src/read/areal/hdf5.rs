@@ -17,7 +17,7 @@ use super::bytes::{Plain, part};
 use super::chosen::chosen;
 use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::archive::{damaged, most_unpacked};
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
 
@@ -33,14 +33,14 @@ const NUMERIC: [&str; 10] = [
 ];
 
 /// Reads the heights of a file of MATLAB or of another program; they have neither unit nor spacing.
-pub(super) fn arrays(file: &str, bytes: &[u8], format: Format) -> Result<Areal, ReadError> {
+pub(super) fn arrays(bytes: &[u8], format: Format) -> Result<Areal, ReadFault> {
     let is_matlab = format == Format::Matlab;
-    let fault = |error: Error| damaged(file, format, "HDF5", &error.to_string());
+    let fault = |error: Error| damaged(format, "HDF5", &error.to_string());
     let root = opened(bytes).map_err(fault)?;
     let mut all = Vec::new();
     collect(&root, "", &mut BTreeSet::new(), &mut all).map_err(fault)?;
     all.retain(|(_, dataset)| is_heights(dataset, is_matlab));
-    let (name, dataset) = chosen(file, format, all)?;
+    let (name, dataset) = chosen(format, all)?;
     let values = numbers(&dataset).map_err(fault)?;
     let [rows, columns] = size(&dataset);
     // MATLAB stores a matrix column by column, and states its sizes in reverse order. A vector is a profile.
@@ -62,16 +62,15 @@ pub(super) fn arrays(file: &str, bytes: &[u8], format: Format) -> Result<Areal, 
 }
 
 /// Reads the surface of a datx file.
-pub(super) fn datx(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
+pub(super) fn datx(bytes: &[u8]) -> Result<Areal, ReadFault> {
     const FORMAT: Format = Format::ZygoDatx;
-    let fault = |error: Error| damaged(file, FORMAT, "HDF5", &error.to_string());
+    let fault = |error: Error| damaged(FORMAT, "HDF5", &error.to_string());
     let root = opened(bytes).map_err(fault)?;
     let surfaces = root.group("Data").and_then(|data| data.group("Surface"));
     let surfaces = surfaces.and_then(|group| group.datasets()).map_err(fault)?;
     let [surface] = surfaces.as_slice() else {
         let seen = surfaces.len().to_string();
         return Err(damaged(
-            file,
             FORMAT,
             "the number of its surfaces is not 1",
             &seen,
@@ -106,7 +105,6 @@ pub(super) fn datx(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
     };
     if !per_metre.is_finite() {
         return Err(damaged(
-            file,
             FORMAT,
             "the unit of its heights is not known",
             &unit,

@@ -6,7 +6,7 @@
 use super::bytes::{Plain, part, text};
 use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::header;
 use crate::read::metadata::short;
@@ -44,15 +44,14 @@ impl Header<'_> {
 }
 
 /// Reads the first layer of heights.
-pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let short_file = || fault("it ends within its header or its numbers", "");
     let header = Header {
         bytes,
         is_big: bytes.first() == Some(&0),
     };
-    let refused = |content| ReadError::NotHeights {
-        file: file.to_owned(),
+    let refused = |content| ReadFault::NotHeights {
         format: FORMAT,
         content,
     };
@@ -90,9 +89,9 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
             .checked_add(size(at)?)
             .ok_or_else(short_file)?;
     }
-    let labels = |axis: usize| -> Result<Vec<String>, ReadError> {
+    let labels = |axis: usize| -> Result<Vec<String>, ReadFault> {
         let start = (0..axis).try_fold(before_labels, |at, k| {
-            Ok(at.saturating_add(size(36 + 4 * k)?))
+            size(36 + 4 * k).map(|length| at.saturating_add(length))
         })?;
         let count = size(36 + 4 * axis)? / LABEL;
         let label = |k| text(bytes, start.saturating_add(LABEL * k), LABEL).unwrap_or_default();

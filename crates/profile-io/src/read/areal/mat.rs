@@ -9,7 +9,7 @@ use super::mat_elements::arrays;
 use super::raw::{Layout, Raw};
 use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
 
@@ -24,8 +24,8 @@ pub(super) fn is_hdf5(bytes: &[u8]) -> bool {
 }
 
 /// Reads the heights of a file of level 5.
-pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     match part(bytes, 124, 4) {
         Some(LEVEL_5) => {}
         _ => return Err(fault("only level 5 with the low byte first is read", "")),
@@ -34,7 +34,7 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
         arrays(bytes).ok_or_else(|| fault("an array is cut off or cannot be unpacked", ""))?;
     all.retain(|array| array.rows.max(array.columns) > 1);
     let all = all.into_iter().map(|array| (array.name.clone(), array));
-    let (name, array) = chosen(file, FORMAT, all.collect())?;
+    let (name, array) = chosen(FORMAT, all.collect())?;
     // A row or column vector is a profile.
     let (columns, rows) = match array.columns {
         1 => (array.rows, 1),

@@ -9,7 +9,7 @@ use super::bytes::{big, text};
 use super::raw::{Layout, Missing, Number, Raw};
 use super::trace::{Areal, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
 
@@ -20,8 +20,8 @@ const RESOLUTIONS: [f64; 3] = [4096.0, 32768.0, 131_072.0];
 const INVALID: f64 = 2_147_483_640.0;
 
 /// Reads the phase map.
-pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let cut = || fault("the header is cut off", "");
     let short_at = |at| big::<u16>(&bytes, at).map(usize::from).ok_or_else(cut);
     let float = |at| big::<f32>(&bytes, at).map(f64::from).ok_or_else(cut);
@@ -29,8 +29,7 @@ pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     let intensities: u32 = big(&bytes, 60).ok_or_else(cut)?;
     let (columns, rows) = (short_at(68)?, short_at(70)?);
     if columns == 0 || rows == 0 {
-        return Err(ReadError::NotHeights {
-            file: file.to_owned(),
+        return Err(ReadFault::NotHeights {
             format: FORMAT,
             content: "intensities alone",
         });

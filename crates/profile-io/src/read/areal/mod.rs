@@ -30,58 +30,56 @@ mod vk;
 
 pub(crate) use plu::recognised as is_plu;
 
-use super::error::ReadError;
+use super::error::ReadFault;
 use super::format::Format;
 use super::text::Stream;
 use trace::Areal;
 
 /// The surface or profile in a file of an areal format; `None` if `format` is another.
 pub(crate) fn read(
-    file: &str,
     format: Format,
     stream: &mut dyn Stream,
     size: u64,
-) -> Result<Option<Areal>, ReadError> {
-    let held = |stream: &mut dyn Stream| held::whole(file, stream, size);
+) -> Result<Option<Areal>, ReadFault> {
+    let held = |stream: &mut dyn Stream| held::whole(stream, size);
     Ok(Some(match format {
-        Format::DigitalSurf => sur::read(file, &held(stream)?)?,
-        Format::AliconaAl3d => al3d::read(file, held(stream)?)?,
-        Format::KeyenceVk => vk::read(file, stream, size)?,
-        Format::SensofarPlu => plu::read(file, held(stream)?)?,
-        Format::SensofarPlux => plux::read(file, stream, size)?,
-        Format::MetroPro => metropro::read(file, held(stream)?)?,
-        Format::Opd => opd::read(file, held(stream)?)?,
-        Format::SdfBinary => sdf_binary::read(file, held(stream)?)?,
-        Format::Opdx => opdx::read(file, held(stream)?)?,
+        Format::DigitalSurf => sur::read(&held(stream)?)?,
+        Format::AliconaAl3d => al3d::read(held(stream)?)?,
+        Format::KeyenceVk => vk::read(stream, size)?,
+        Format::SensofarPlu => plu::read(held(stream)?)?,
+        Format::SensofarPlux => plux::read(stream, size)?,
+        Format::MetroPro => metropro::read(held(stream)?)?,
+        Format::Opd => opd::read(held(stream)?)?,
+        Format::SdfBinary => sdf_binary::read(held(stream)?)?,
+        Format::Opdx => opdx::read(held(stream)?)?,
         Format::Matlab => {
             let bytes = held(stream)?;
             match mat::is_hdf5(&bytes) {
-                true => hdf5_read(file, &bytes, format)?,
-                false => mat::read(file, &bytes)?,
+                true => hdf5_read(&bytes, format)?,
+                false => mat::read(&bytes)?,
             }
         }
-        Format::Gwyddion => gwy::read(file, &held(stream)?)?,
-        Format::NanosurfNid => nid::read(file, held(stream)?)?,
-        Format::IgorWave => ibw::read(file, &held(stream)?)?,
-        Format::Hdf5 | Format::ZygoDatx => hdf5_read(file, &held(stream)?, format)?,
+        Format::Gwyddion => gwy::read(&held(stream)?)?,
+        Format::NanosurfNid => nid::read(held(stream)?)?,
+        Format::IgorWave => ibw::read(&held(stream)?)?,
+        Format::Hdf5 | Format::ZygoDatx => hdf5_read(&held(stream)?, format)?,
         _ => return Ok(None),
     }))
 }
 
 /// The surface or profile in a file that is HDF5, in a build that reads HDF5.
 #[cfg(feature = "hdf5")]
-fn hdf5_read(file: &str, bytes: &[u8], format: Format) -> Result<Areal, ReadError> {
+fn hdf5_read(bytes: &[u8], format: Format) -> Result<Areal, ReadFault> {
     match format {
-        Format::ZygoDatx => hdf5::datx(file, bytes),
-        _ => hdf5::arrays(file, bytes, format),
+        Format::ZygoDatx => hdf5::datx(bytes),
+        _ => hdf5::arrays(bytes, format),
     }
 }
 
 /// Refuses a file that is HDF5.
 #[cfg(not(feature = "hdf5"))]
-fn hdf5_read(file: &str, _: &[u8], format: Format) -> Result<Areal, ReadError> {
-    Err(ReadError::FormatNotRead {
-        file: file.to_owned(),
+fn hdf5_read(_: &[u8], format: Format) -> Result<Areal, ReadFault> {
+    Err(ReadFault::FormatNotRead {
         format: match format {
             Format::Matlab => Format::Hdf5,
             format => format,

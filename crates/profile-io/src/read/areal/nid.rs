@@ -9,7 +9,7 @@ use super::bytes::part;
 use super::raw::{Layout, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::header;
 use crate::read::metadata::{number, short};
@@ -25,8 +25,8 @@ const MOST: usize = 64;
 type Section = HashMap<String, String>;
 
 /// Reads the first channel of heights.
-pub(super) fn read(file: &str, mut bytes: Vec<u8>) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+pub(super) fn read(mut bytes: Vec<u8>) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let text = &bytes[..bytes.len().min(LONGEST_TEXT)];
     let end = text.windows(DATA.len()).position(|mark| mark == DATA);
     let end = end.ok_or_else(|| fault("the mark before the data is missing", ""))?;
@@ -94,8 +94,7 @@ pub(super) fn read(file: &str, mut bytes: Vec<u8>) -> Result<Areal, ReadError> {
         found.metadata.instrument = Some("Nanosurf".to_owned());
         return Ok(found);
     }
-    Err(ReadError::NotHeights {
-        file: file.to_owned(),
+    Err(ReadFault::NotHeights {
         format: FORMAT,
         content: "no channel of heights",
     })

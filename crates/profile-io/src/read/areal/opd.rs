@@ -8,7 +8,7 @@ use super::bytes::{little, text};
 use super::raw::{Layout, Missing, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
 
@@ -36,8 +36,8 @@ struct Block {
 }
 
 /// Reads the heights.
-pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let blocks = blocks(&bytes).ok_or_else(|| fault("the directory of blocks is cut off", ""))?;
     let block = |name: &str| {
         blocks
@@ -52,8 +52,7 @@ pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
         .iter()
         .find_map(|name| block(name).filter(|block| block.kind == ARRAY));
     let Some(heights) = heights else {
-        return Err(ReadError::NotHeights {
-            file: file.to_owned(),
+        return Err(ReadFault::NotHeights {
             format: FORMAT,
             content: "no block of heights",
         });

@@ -8,7 +8,7 @@ use super::opdx_items::{Item, items};
 use super::raw::{Layout, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
 use crate::read::options::LengthUnit;
@@ -21,12 +21,11 @@ const MARK: usize = 12;
 const ARRAY_HEAD: usize = 5;
 
 /// Items by their paths.
-struct Tree<'a> {
-    file: &'a str,
+struct Tree {
     items: Vec<(String, Item)>,
 }
 
-impl Tree<'_> {
+impl Tree {
     fn get(&self, path: &str) -> Option<&Item> {
         let found = self.items.iter().find(|(known, _)| known == path);
         found.map(|(_, item)| item)
@@ -47,9 +46,9 @@ impl Tree<'_> {
     }
 
     /// A quantity: its value and its unit.
-    fn quantity(&self, path: &str) -> Result<(f64, Unit), ReadError> {
+    fn quantity(&self, path: &str) -> Result<(f64, Unit), ReadFault> {
         let Some(Item::Quantity(value, symbol)) = self.get(path) else {
-            return Err(damaged(self.file, FORMAT, "an item is missing", path));
+            return Err(damaged(FORMAT, "an item is missing", path));
         };
         let unit = match symbol.parse() {
             Ok(LengthUnit::Metre) => Unit::METRE,
@@ -58,8 +57,7 @@ impl Tree<'_> {
             Ok(LengthUnit::Nanometre) => Unit::NANOMETRE,
             Ok(LengthUnit::Angstrom) => Unit::part(1e10),
             _ => {
-                return Err(ReadError::UnknownUnit {
-                    file: self.file.to_owned(),
+                return Err(ReadFault::UnknownUnit {
                     axis: crate::read::options::Axis::Height,
                     unit: shortened(symbol),
                 });
@@ -70,17 +68,15 @@ impl Tree<'_> {
 }
 
 /// Reads the profile or surface.
-pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
+pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let items = items(&bytes, MARK);
-    let items =
-        items.ok_or_else(|| damaged(file, FORMAT, "the tree of its items breaks off", ""))?;
-    let tree = Tree { file, items };
+    let items = items.ok_or_else(|| damaged(FORMAT, "the tree of its items breaks off", ""))?;
+    let tree = Tree { items };
     let mut found = match tree.text("/MetaData/DataKind") {
         Some("Surface Profile") => profile(&tree, bytes)?,
         Some("Surface Height") => surface(&tree, bytes)?,
         _ => {
-            return Err(ReadError::NotHeights {
-                file: file.to_owned(),
+            return Err(ReadFault::NotHeights {
                 format: FORMAT,
                 content: "neither a profile nor a surface",
             });
@@ -93,8 +89,8 @@ pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     Ok(found)
 }
 
-fn profile(tree: &Tree<'_>, bytes: Vec<u8>) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(tree.file, FORMAT, what, seen);
+fn profile(tree: &Tree, bytes: Vec<u8>) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let channel = match tree.get("/MetaData/1D_Channels/Height") {
         Some(Item::Texts(names)) => names.first().cloned(),
         _ => None,
@@ -123,8 +119,8 @@ fn profile(tree: &Tree<'_>, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     Ok(Areal::new(FORMAT, Heights::Raw(raw)).spaced(spacing, f64::NAN))
 }
 
-fn surface(tree: &Tree<'_>, bytes: Vec<u8>) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(tree.file, FORMAT, what, seen);
+fn surface(tree: &Tree, bytes: Vec<u8>) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let channel = tree.text("/MetaData/PrimaryData2D");
     let channel = channel.ok_or_else(|| fault("it names no channel of heights", ""))?;
     let prefix = format!("/2D_Data/{channel}");

@@ -8,7 +8,7 @@ use super::bytes::{little, text};
 use super::raw::{Layout, Missing, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
 
@@ -43,13 +43,12 @@ pub(crate) fn recognised(head: &[u8]) -> bool {
 }
 
 /// Reads the first layer.
-pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let cut = || fault("the header is cut off", "");
     let kind: u32 = little(&bytes, KIND).ok_or_else(cut)?;
     if kind == IMAGE || kind == THICKNESS {
-        return Err(ReadError::NotHeights {
-            file: file.to_owned(),
+        return Err(ReadFault::NotHeights {
             format: FORMAT,
             content: if kind == IMAGE {
                 "a picture"

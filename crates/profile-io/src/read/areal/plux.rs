@@ -8,7 +8,7 @@ use std::io::Read;
 use super::raw::{Layout, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
 use crate::read::archive::{Archive, damaged};
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::{Metadata, number, short};
 use crate::read::text::Stream;
@@ -49,9 +49,9 @@ impl Index {
 }
 
 /// Reads the first layer.
-pub(super) fn read(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
-    let mut archive = Archive::open(file, FORMAT, stream, size)?;
+pub(super) fn read(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
+    let mut archive = Archive::open(FORMAT, stream, size)?;
     let name = archive.find(INDEX);
     let name = name.ok_or_else(|| fault("it holds no index.xml", ""))?;
     let index = archive.read(&name, |stream| {

@@ -8,7 +8,7 @@ use super::bytes::{Cursor, text};
 use super::raw::{Layout, Missing, Number, Raw};
 use super::trace::{Areal, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
 
@@ -29,8 +29,8 @@ const TYPES: [(Number, Missing); 8] = [
 ];
 
 /// Reads the surface or profile.
-pub(super) fn read(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let (instrument, date) = (text(&bytes, 8, 10), text(&bytes, 18, 12));
     let wide = bytes.starts_with(WIDE);
     let mut header = Cursor {

@@ -10,7 +10,7 @@ use super::inflate::inflated;
 use super::raw::{Layout, Missing, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
 use crate::read::archive::{damaged, most_unpacked};
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
 use crate::read::options::{Axis, LengthUnit};
@@ -53,12 +53,11 @@ struct Object {
 }
 
 /// Reads the first surface or the profiles of a file.
-pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
-    let kind: i16 = field(file, bytes, 0, 18)?;
+pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
+    let kind: i16 = field(bytes, 0, 18)?;
     if let Some((_, content)) = OTHERS.iter().find(|(number, _)| *number == kind) {
-        return Err(ReadError::NotHeights {
-            file: file.to_owned(),
+        return Err(ReadFault::NotHeights {
             format: FORMAT,
             content,
         });
@@ -69,48 +68,43 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Areal, ReadError> {
             &kind.to_string(),
         ));
     }
-    let order: i16 = field(file, bytes, 0, 12)?;
+    let order: i16 = field(bytes, 0, 12)?;
     if order != 0 {
         return Err(fault(
             "its numbers are not in the order of a PC",
             &order.to_string(),
         ));
     }
-    let objects = field::<u16>(file, bytes, 0, 14)?.max(1);
-    let first = object(file, bytes, 0)?;
-    let dx = spacing(file, bytes, 120, 180)?;
+    let objects = field::<u16>(bytes, 0, 14)?.max(1);
+    let first = object(bytes, 0)?;
+    let dx = spacing(bytes, 120, 180)?;
     let dy = match first.raw.size()[1] {
         1 => f64::NAN,
-        _ => spacing(file, bytes, 124, 196)?,
+        _ => spacing(bytes, 124, 196)?,
     };
     let heights = match kind {
-        PROFILES if objects > 1 => series(file, bytes, first, objects)?,
+        PROFILES if objects > 1 => series(bytes, first, objects)?,
         _ => Heights::Raw(first.raw),
     };
     let mut found = Areal::new(FORMAT, heights).spaced(dx, dy);
     found.metadata.title = text(bytes, 20, 30).as_deref().and_then(short);
     found.metadata.date = date(bytes);
-    if field::<i16>(file, bytes, 0, 288)? != 0 {
+    if field::<i16>(bytes, 0, 288)? != 0 {
         found.warnings.push(Warning::Replica);
     }
     Ok(found)
 }
 
-fn field<T: super::bytes::Plain>(
-    file: &str,
-    bytes: &[u8],
-    start: usize,
-    at: usize,
-) -> Result<T, ReadError> {
+fn field<T: super::bytes::Plain>(bytes: &[u8], start: usize, at: usize) -> Result<T, ReadFault> {
     let found = start.checked_add(at).and_then(|at| little(bytes, at));
-    found.ok_or_else(|| damaged(file, FORMAT, "the header is cut off", ""))
+    found.ok_or_else(|| damaged(FORMAT, "the header is cut off", ""))
 }
 
 /// The object whose header starts at `start`.
-fn object(file: &str, bytes: &[u8], start: usize) -> Result<Object, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
-    let read = |at| field::<i32>(file, bytes, start, at);
-    let bits: i16 = field(file, bytes, start, 98)?;
+fn object(bytes: &[u8], start: usize) -> Result<Object, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
+    let read = |at| field::<i32>(bytes, start, at);
+    let bits: i16 = field(bytes, start, 98)?;
     let number = match bits {
         16 => Number::I16,
         32 => Number::I32,
@@ -121,14 +115,14 @@ fn object(file: &str, bytes: &[u8], start: usize) -> Result<Object, ReadError> {
             ));
         }
     };
-    let size = |at| Ok(usize::try_from(read(at)?).unwrap_or(0));
+    let size = |at| read(at).map(|count| usize::try_from(count).unwrap_or(0));
     let (columns, rows): (usize, usize) = (size(108)?, size(112)?);
-    let comment = usize::from(field::<u16>(file, bytes, start, 334)?);
-    let private = usize::from(field::<u16>(file, bytes, start, 336)?);
+    let comment = usize::from(field::<u16>(bytes, start, 334)?);
+    let private = usize::from(field::<u16>(bytes, start, 336)?);
     let data = start + HEADER + comment + private;
     let length = columns.saturating_mul(rows).saturating_mul(number.width());
     let (matrix, end) = match bytes[start..].starts_with(COMPRESSED) {
-        true => unpacked(file, bytes, data, length)?,
+        true => unpacked(bytes, data, length)?,
         false => {
             let matrix = part(bytes, data, length).map(<[u8]>::to_vec);
             let matrix = matrix.ok_or_else(|| fault("fewer heights than the header says", ""))?;
@@ -138,27 +132,21 @@ fn object(file: &str, bytes: &[u8], start: usize) -> Result<Object, ReadError> {
     let layout = Layout::packed(0, columns, rows, number);
     let raw = Raw::new(matrix, number, layout);
     let mut raw = raw.ok_or_else(|| fault("the matrix has no size, or fewer points", ""))?;
-    let special: i16 = field(file, bytes, start, 86)?;
+    let special: i16 = field(bytes, start, 86)?;
     if special == 1 {
         raw.missing = Missing::Equal(f64::from(read(100)?) - 2.0);
     }
-    raw.scale = f64::from(field::<f32>(file, bytes, start, 128)?);
-    raw.unit = unit(file, bytes, start + 212, Axis::Height)?;
+    raw.scale = f64::from(field::<f32>(bytes, start, 128)?);
+    raw.unit = unit(bytes, start + 212, Axis::Height)?;
     Ok(Object { raw, end })
 }
 
 /// The content of the zlib streams at `at`, of `length` bytes together, and the byte after them.
-fn unpacked(
-    file: &str,
-    bytes: &[u8],
-    at: usize,
-    length: usize,
-) -> Result<(Vec<u8>, usize), ReadError> {
-    let fault = |what| damaged(file, FORMAT, what, "");
+fn unpacked(bytes: &[u8], at: usize, length: usize) -> Result<(Vec<u8>, usize), ReadFault> {
+    let fault = |what| damaged(FORMAT, what, "");
     let most = most_unpacked((bytes.len() as u64).saturating_sub(at as u64));
     if length as u64 > most {
-        return Err(ReadError::TooLarge {
-            file: file.to_owned(),
+        return Err(ReadFault::TooLarge {
             what: "the unpacked matrix",
             bytes: length as u64,
             most,
@@ -189,31 +177,31 @@ fn unpacked(
 }
 
 /// A series of profiles, each with its header.
-fn series(file: &str, bytes: &[u8], first: Object, objects: u16) -> Result<Heights, ReadError> {
+fn series(bytes: &[u8], first: Object, objects: u16) -> Result<Heights, ReadFault> {
     let columns = first.raw.size()[0];
     let mut values = Vec::new();
     let mut object_at = first;
     for remaining in (0..objects).rev() {
         let [points, rows] = object_at.raw.size();
         if points != columns || rows != 1 {
-            return Err(damaged(file, FORMAT, "its profiles differ in length", ""));
+            return Err(damaged(FORMAT, "its profiles differ in length", ""));
         }
         values.extend((0..columns).map(|column| object_at.raw.height(column, 0)));
         if remaining > 0 {
-            object_at = object(file, bytes, object_at.end)?;
+            object_at = object(bytes, object_at.end)?;
         }
     }
     Ok(Heights::Values { values, columns })
 }
 
 /// The spacing \[m\] at `at`, in the unit with its name at `name`.
-fn spacing(file: &str, bytes: &[u8], at: usize, name: usize) -> Result<f64, ReadError> {
-    let value = f64::from(field::<f32>(file, bytes, 0, at)?);
-    Ok(unit(file, bytes, name, Axis::Trace)?.metres(value))
+fn spacing(bytes: &[u8], at: usize, name: usize) -> Result<f64, ReadFault> {
+    let value = f64::from(field::<f32>(bytes, 0, at)?);
+    Ok(unit(bytes, name, Axis::Trace)?.metres(value))
 }
 
 /// The unit with its name at `at`.
-fn unit(file: &str, bytes: &[u8], at: usize, axis: Axis) -> Result<Unit, ReadError> {
+fn unit(bytes: &[u8], at: usize, axis: Axis) -> Result<Unit, ReadFault> {
     let name = text(bytes, at, 16).unwrap_or_default();
     let known = name.parse::<LengthUnit>().ok();
     let known = known.or((name == "in").then_some(LengthUnit::Inch));
@@ -237,8 +225,7 @@ fn unit(file: &str, bytes: &[u8], at: usize, axis: Axis) -> Result<Unit, ReadErr
         },
         None if name == "pm" => Unit::PICOMETRE,
         None => {
-            return Err(ReadError::UnknownUnit {
-                file: file.to_owned(),
+            return Err(ReadFault::UnknownUnit {
                 axis,
                 unit: crate::read::table::shortened(&name),
             });

@@ -1,7 +1,7 @@
 //! A surface of a file, and the extraction of its traces.
 
 use super::raw::Raw;
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::found::{Found, unit_overridden};
 use crate::read::grid::SpacingSource;
@@ -85,7 +85,7 @@ impl Areal {
     }
 
     /// The trace requested by `options`.
-    pub(crate) fn trace(mut self, file: &str, options: &ReadOptions) -> Result<Found, ReadError> {
+    pub(crate) fn trace(mut self, options: &ReadOptions) -> Result<Found, ReadFault> {
         let [columns, rows] = self.heights.size();
         let (across, points) = match options.line {
             TraceLine::Row | TraceLine::Mean => (rows, columns),
@@ -103,8 +103,7 @@ impl Areal {
             TraceLine::Row | TraceLine::Column => {
                 let asked = options.row.unwrap_or(usize::from(across == 1));
                 if asked == 0 || asked > across {
-                    return Err(ReadError::SeveralProfiles {
-                        file: file.to_owned(),
+                    return Err(ReadFault::SeveralProfiles {
                         rows: across,
                         points,
                         asked,
@@ -123,7 +122,7 @@ impl Areal {
         let spacing = self.spacings[axis].map(|dx| (dx, SpacingSource::Header));
         let z_unit = match self.unit {
             HeightUnit::Metres | HeightUnit::Scaled => LengthUnit::Metre,
-            HeightUnit::Unstated => units::of_heights(file, self.format, &heights, options)?,
+            HeightUnit::Unstated => units::of_heights(self.format, &heights, options)?,
         };
         Ok(Found {
             spacing,
@@ -140,7 +139,7 @@ impl Areal {
         mut self,
         file: &str,
         options: &ReadOptions,
-    ) -> Result<Surface, ReadError> {
+    ) -> Result<Surface, ReadFault> {
         let [columns, rows] = self.heights.size();
         let axis = Axis::Height;
         let unit = match (self.unit, options.z_unit) {
@@ -156,8 +155,7 @@ impl Areal {
             }
             (HeightUnit::Unstated, Some(stated)) => stated,
             (HeightUnit::Unstated, None) => {
-                return Err(ReadError::NoUnit {
-                    file: file.to_owned(),
+                return Err(ReadFault::NoUnit {
                     axis,
                     span: span(&self.heights),
                 });

@@ -11,7 +11,7 @@ use super::held::whole;
 use super::raw::{Layout, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
 use crate::read::archive::{Archive, damaged};
-use crate::read::error::ReadError;
+use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::text::Stream;
 
@@ -30,29 +30,29 @@ const Y_LENGTH: usize = 172;
 const Z_LENGTH: usize = 176;
 
 /// Reads the height image.
-pub(super) fn read(file: &str, stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadError> {
+pub(super) fn read(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadFault> {
     let mut mark = [0; 4];
     let read = stream.rewind().and_then(|()| stream.read_exact(&mut mark));
     if read.is_err() {
-        return Err(damaged(file, FORMAT, "it is cut off", ""));
+        return Err(damaged(FORMAT, "it is cut off", ""));
     }
     if mark.starts_with(b"VK3_") || mark.starts_with(b"VK4_") {
-        return image(file, whole(file, stream, size)?);
+        return image(whole(stream, size)?);
     }
-    let mut archive = Archive::open(file, FORMAT, stream, size)?;
+    let mut archive = Archive::open(FORMAT, stream, size)?;
     let name = archive.find(MEMBER);
-    let name = name.ok_or_else(|| damaged(file, FORMAT, "it holds no Vk4File", ""))?;
+    let name = name.ok_or_else(|| damaged(FORMAT, "it holds no Vk4File", ""))?;
     let bytes = archive.read(&name, |stream| {
         let mut bytes = Vec::new();
         let read = stream.read_to_end(&mut bytes);
-        read.map_err(|_| damaged(file, FORMAT, "the Vk4File cannot be unpacked", ""))?;
+        read.map_err(|_| damaged(FORMAT, "the Vk4File cannot be unpacked", ""))?;
         Ok(bytes)
     })?;
-    image(file, bytes)
+    image(bytes)
 }
 
-fn image(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
-    let fault = |what, seen: &str| damaged(file, FORMAT, what, seen);
+fn image(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
+    let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let cut = || fault("its tables are cut off", "");
     let at = |start: usize, place: usize| {
         let found = start
@@ -63,8 +63,7 @@ fn image(file: &str, bytes: Vec<u8>) -> Result<Areal, ReadError> {
     let conditions = at(0, CONDITIONS)? as usize;
     let image = at(0, HEIGHTS)? as usize;
     if image == 0 {
-        return Err(ReadError::NotHeights {
-            file: file.to_owned(),
+        return Err(ReadFault::NotHeights {
             format: FORMAT,
             content: "pictures alone",
         });
