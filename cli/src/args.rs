@@ -271,6 +271,9 @@ pub struct CheckArgs {
     /// Keys of the case set on the command line.
     #[command(flatten)]
     pub set: SetArgs,
+    /// List all defaults used
+    #[arg(long)]
+    pub explain_defaults: bool,
 }
 
 /// Two results.
@@ -312,7 +315,7 @@ pub struct RunArgs {
     /// Also print the published friction laws, each in place of the model
     #[arg(long)]
     pub laws: bool,
-    /// Also print the loss by other models, and what refutes them
+    /// Also print the loss by other models, and the measurements against them
     #[arg(long)]
     pub models: bool,
     /// Also find the ridges of the traces that cost most, for the report; takes about six times the time of the contacts

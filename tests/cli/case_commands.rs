@@ -144,12 +144,36 @@ fn check_computes_no_records_of_mixed_lubrication() {
 fn check_of_a_good_case_lists_defaults_and_work() {
     let bench = bench();
     let said = bench.run(&["check", "case.toml"]).well().out;
-    for says in ["case.toml: no errors", "model.window = 3", "a run takes "] {
+    for says in [
+        "case.toml: no errors",
+        " (--explain-defaults)",
+        "a run takes ",
+    ] {
         assert!(said.contains(says), "{says} is not in {said}");
     }
+    let listed = bench.run(&["check", "case.toml", "--explain-defaults"]);
+    assert!(listed.well().out.contains("model.window = 3"));
     let told = bench.run(&["check", "case.toml", "--json"]).well().json();
     assert_eq!(told["errors"].as_array().unwrap().len(), 0);
     assert!(told["estimate"]["contacts"].as_u64().unwrap() > 0);
+}
+
+#[test]
+fn a_generated_trace_is_called_synthetic() {
+    let bench = Bench::new();
+    bench.run(&["demo"]).well();
+    let checked = bench.run(&["check", "demo/case.toml"]).well().unwrapped();
+    let says = "W132 ground_pinion.csv: the file says that its trace is synthetic";
+    assert!(checked.contains(says), "{checked}");
+    bench.run(&["profile", "generate", "-o", "made.csv"]).well();
+    let info = bench
+        .run(&["profile", "info", "made.csv"])
+        .well()
+        .unwrapped();
+    assert!(
+        info.contains("usable: yes") && info.contains("W132"),
+        "{info}"
+    );
 }
 
 #[test]

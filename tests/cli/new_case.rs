@@ -61,7 +61,8 @@ fn a_centre_distance_the_temperature_of_the_oil_and_two_traces_make_a_case_that_
     ] {
         assert!(case.contains(line), "{line} is not in {case}");
     }
-    let checked = bench.run(&["check", "case.toml"]).well().unwrapped();
+    let checked = bench.run(&["check", "case.toml", "--explain-defaults"]);
+    let checked = checked.well().unwrapped();
     // The division of the shifts as in the validation of the crate of gears.
     assert!(checked.contains("W445 gears.profile_shift: the centre distance gives the sum 0.797, taken as [0.444, 0.352]"), "{checked}");
     assert!(

@@ -63,7 +63,7 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     if common.json {
         return Ok(());
     }
-    print_text(common, &text(&name, valid))
+    print_text(common, &text(&name, valid, args.explain_defaults))
 }
 
 /// Report on a case without errors.
@@ -143,12 +143,9 @@ fn report(failures: &[Failure], valid: Option<&ValidCase>) -> Value {
     })
 }
 
-fn text(name: &str, valid: &ValidCase) -> String {
+/// The report, with the warnings last, where they are seen.
+fn text(name: &str, valid: &ValidCase, lists_defaults: bool) -> String {
     let mut text = format!("{name}: no errors\n");
-    for warning in &valid.warnings {
-        text.push_str(&asperity_report::wrapped(&warning.to_string(), "     "));
-        text.push('\n');
-    }
     for mesh in &valid.traced {
         let of = |body: usize| {
             let traces = counted(mesh.traces[body], "trace", "traces");
@@ -160,18 +157,31 @@ fn text(name: &str, valid: &ValidCase) -> String {
         let pairs = counted(mesh.teeth[0] * mesh.teeth[1], "pair", "pairs");
         text.push_str(&format!("pinion {}, wheel {}: {pairs}\n", of(0), of(1)));
     }
-    text.push_str("defaults that a run uses\n");
-    for default in &valid.defaults {
-        let source = default.source.as_deref();
-        let source = source.map(|s| format!("  ({s})")).unwrap_or_default();
-        text.push_str(&format!("  {} = {}{source}\n", default.key, default.value));
-    }
+    text.push_str(&defaults(&valid.defaults, lists_defaults));
     text.push_str(&format!(
         "a run takes {} and {}: {} rough contacts\n",
         duration(valid.work.seconds),
         memory(valid.work.bytes),
         valid.work.contacts
     ));
+    for warning in &valid.warnings {
+        text.push_str(&asperity_report::wrapped(&warning.to_string(), "     "));
+        text.push('\n');
+    }
+    text
+}
+
+/// The defaults that a case uses, listed or counted.
+pub(super) fn defaults(defaults: &[DefaultUsed], is_listed: bool) -> String {
+    if !is_listed {
+        return format!("defaults used: {} (--explain-defaults)\n", defaults.len());
+    }
+    let mut text = "defaults used\n".to_owned();
+    for default in defaults {
+        let source = default.source.as_deref();
+        let source = source.map(|s| format!("  ({s})")).unwrap_or_default();
+        text.push_str(&format!("  {} = {}{source}\n", default.key, default.value));
+    }
     text
 }
 

@@ -10,6 +10,7 @@ use asperity_report::{self as report, Fields, ReportError};
 use asperity_studies::ridges::add_ridges;
 
 use super::bibtex::bibtex;
+use super::check::defaults;
 use super::ridges::{GRADIENTS, RUNS};
 use super::work::{check_work, check_work_of_train};
 use super::{AnyCase, load_any, refuse_other, result_name};
@@ -123,19 +124,8 @@ fn text(result: &RunResult, args: &RunArgs, target: Option<&Target>) -> String {
     if args.laws {
         text.push_str(&report::published_laws(result));
     }
-    if args.explain_defaults {
-        text.push_str("defaults used\n");
-        for default in &result.defaults {
-            let source = default
-                .source
-                .as_deref()
-                .map(|s| format!("  ({s})"))
-                .unwrap_or_default();
-            text.push_str(&format!("  {} = {}{source}\n", default.key, default.value));
-        }
-    } else if args.notes {
-        let count = result.defaults.len();
-        text.push_str(&format!("defaults used: {count} (--explain-defaults)\n"));
+    if args.explain_defaults || args.notes {
+        text.push_str(&defaults(&result.defaults, args.explain_defaults));
     }
     let more = match (args.notes, result.warnings.len()) {
         (true, _) => String::new(),

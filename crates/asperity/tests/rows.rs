@@ -110,7 +110,7 @@ fn losses_name_what_left_its_range_as_a_run_does() {
     let thin = |names: &[String]| {
         names
             .iter()
-            .any(|name| name == "W401 Gold: kinematic viscosity")
+            .any(|name| name == "W401 Gold's pressure-viscosity fit: kinematic viscosity")
     };
     assert!(thin(&outside) && !thin(&named("40 °C")), "{outside:?}");
 }

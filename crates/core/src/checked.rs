@@ -76,9 +76,22 @@ impl std::fmt::Display for OutOfRange {
             correlation,
             treatment: _,
         } = self;
+        // Three digits, or more if they are needed to differ from the limits.
+        let magnitude = value.abs().log10().floor().clamp(-9.0, 9.0) as i32;
+        let at = |digits: i32| format!("{value:.*}", usize::try_from(digits).unwrap_or(0));
+        let differs = |text: &String| {
+            let printed: Result<f64, _> = text.parse();
+            printed.is_ok_and(|printed| printed < *low || printed > *high)
+        };
+        let value = (2 - magnitude..12).map(at).find(differs);
+        let value = value.unwrap_or_else(|| self.value.to_string());
+        let unit = match *unit {
+            "-" => String::new(),
+            unit => format!(" {unit}"),
+        };
         write!(
             f,
-            "{name} = {value:.4} {unit} is outside {low} to {high} {unit}, the range of {correlation}"
+            "{name} {value}{unit} is outside {low} to {high}{unit}, the range of {correlation}"
         )
     }
 }

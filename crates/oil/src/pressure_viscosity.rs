@@ -24,7 +24,7 @@ const GOLD_RANGE: FittedRange = FittedRange {
     low: 15.0,
     high: 350.0,
     unit: "mm2/s",
-    correlation: "Gold",
+    correlation: "Gold's pressure-viscosity fit",
 };
 /// Lowest plausible α \[1/Pa\]. Own choice: lubricants lie between about 5 and 50 1/GPa, and the
 /// window leaves a factor of two on either side.

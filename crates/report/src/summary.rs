@@ -430,7 +430,7 @@ fn composition(uncertainty: &Uncertainty, columns: usize) -> String {
         let named: Vec<String> = named.collect();
         text.push_str(&line(
             &format!(
-                "uncertain  {} (half of 5 to 95 %, each alone)",
+                "uncertain  {} (each half the width of its 90 % interval)",
                 named.join(", ")
             ),
             INDENT,
@@ -486,7 +486,7 @@ pub fn models(result: &RunResult) -> String {
         let line = format!("{:<52}  {loss:>8}  {}", row.name, row.standing());
         wrapped(&line, "    ") + "\n"
     });
-    std::iter::once("other models, and what refutes them\n".to_owned())
+    std::iter::once("other models, and the measurements against them\n".to_owned())
         .chain(rows)
         .collect()
 }

@@ -15,6 +15,7 @@ use crate::args::name_of;
 /// Report as text, which begins with the facts of the file.
 pub(super) fn report(evaluated: &Evaluated, facts: &FileFacts, details: &Details) -> String {
     let mut page = Page(facts.text());
+    page.line(&usable(evaluated));
     recipe(&mut page, evaluated);
     stated_cutoffs(&mut page, evaluated);
     heights(&mut page, evaluated, details);
@@ -28,6 +29,19 @@ pub(super) fn report(evaluated: &Evaluated, facts: &FileFacts, details: &Details
         page.line(&format!("{} {}", warning.code(), warning));
     }
     page.0
+}
+
+/// Whether a run takes the trace, and the number of warnings that the page ends with.
+fn usable(evaluated: &Evaluated) -> String {
+    let warnings = evaluated.warnings();
+    if warnings.iter().any(|warning| warning.code() == "W124") {
+        return "usable: no, no flank has such heights: a run refuses them (W124 below)".to_owned();
+    }
+    match warnings.len() {
+        0 => "usable: yes".to_owned(),
+        1 => "usable: yes, with the warning below".to_owned(),
+        count => format!("usable: yes, with the {count} warnings below"),
+    }
 }
 
 /// Lines of text.

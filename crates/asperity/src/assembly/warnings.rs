@@ -445,7 +445,7 @@ fn stress(
         found.push(Warning::new(
             "W410",
             format!(
-                "von Mises stress under the asperities exceeds the elastic limit {:.0} MPa in {strained} of {contacts} contacts, over all positions and offsets",
+                "asperities yield below their surface (von Mises stress above the elastic limit {:.0} MPa) in {strained} of {contacts} contacts, as usual before running-in",
                 limit * 1e-6,
             ),
         ));

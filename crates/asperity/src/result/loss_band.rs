@@ -229,7 +229,7 @@ impl AlternativeRow {
     #[must_use]
     pub fn standing(&self) -> &str {
         match self.refuted_by.is_empty() {
-            true => "admissible, in the draws",
+            true => "not refuted: part of the interval",
             false => &self.refuted_by,
         }
     }

@@ -26,7 +26,7 @@ const DRY: [(&str, LoadShareName); 3] = [
         LoadShareName::MasjediKhonsari,
     ),
 ];
-const DRY_REFUTED: &str = "superfinishing would save 50 to 57 %, measured pairs 15 to 35 % (T3); asperity share 0.07 to \
+const DRY_REFUTED: &str = "superfinishing would save 50 to 57 %, measured pairs 15 to 35 % (gate T3 of VALIDATION.md); asperity share 0.07 to \
     0.25 above records of mixed lubrication";
 
 /// Every other model that changes something of the case.
@@ -67,7 +67,7 @@ pub(super) fn other_models(loaded: &LoadedCase) -> Vec<OtherModel> {
         found.push(OtherModel {
             name: "viscosity by Roelands in the film",
             case: roelands,
-            refuted_by: "losses of superfinished gears -72 % at 2000 1/min and -52 % at 8000 1/min (T2)",
+            refuted_by: "losses of superfinished gears -72 % at 2000 1/min and -52 % at 8000 1/min (gate T2 of VALIDATION.md)",
         });
     }
     found

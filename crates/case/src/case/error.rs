@@ -7,6 +7,7 @@ use asperity_core::remedy::{Remedy, Setting};
 use asperity_profile_io::read::ReadError;
 
 use super::place::Place;
+use super::source::IN_MEMORY;
 use crate::loss_table::LossTableError;
 
 /// Loosest tolerance of a rough contact: at 1e-2 pressures were 56 to 65 % off.
@@ -151,7 +152,7 @@ pub enum CaseError {
         source: asperity_core::presets::PresetError,
     },
     /// A file that the case names and that cannot be opened.
-    #[error("{file}: cannot be opened: {reason} (named at {place}, {key})")]
+    #[error("{file}: cannot be opened: {reason}{}", named(place, Some(key)))]
     OpenNamed {
         /// Name of the file.
         file: String,
@@ -199,7 +200,7 @@ pub enum CaseError {
         source: asperity_efficiency::EfficiencyError,
     },
     /// A table of losses that cannot be used.
-    #[error("{source} (named at {place}, {key})")]
+    #[error("{source}{}", named(place, Some(key)))]
     LossTable {
         /// Place at which it is named.
         place: Place,
@@ -209,7 +210,7 @@ pub enum CaseError {
         source: LossTableError,
     },
     /// A profile that cannot be read.
-    #[error("{source} (named at {place})")]
+    #[error("{source}{}", named(place, None))]
     Profile {
         /// Place at which it is named.
         place: Place,
@@ -242,6 +243,19 @@ fn rule(source: &DomainError, is_shown: bool) -> String {
         (true, _) => (*rule).to_owned(),
         (false, "" | "-") => format!("{name} = {value}: {rule}"),
         (false, unit) => format!("{name} = {value} {unit}: {rule}"),
+    }
+}
+
+/// Where the case names a file, for the end of a message; a case in memory has no places, only keys.
+fn named(place: &Place, key: Option<&str>) -> String {
+    let is_in_memory = place.line.is_none() && place.file == IN_MEMORY;
+    match (is_in_memory, key.or(place.key.as_deref())) {
+        (true, None) => String::new(),
+        (true, Some(key)) => format!(" (named by {key})"),
+        (false, _) => match key {
+            Some(key) => format!(" (named at {place}, {key})"),
+            None => format!(" (named at {place})"),
+        },
     }
 }
 

@@ -24,7 +24,7 @@ pub enum Syntax {
 }
 
 /// Name of a case that was not read from a file.
-const IN_MEMORY: &str = "case";
+pub(super) const IN_MEMORY: &str = "case";
 
 /// A case file's text with an index of its keys.
 #[derive(Debug, Clone)]

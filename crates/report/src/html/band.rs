@@ -74,9 +74,9 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
         @if !uncertainty.held.is_empty() {
             p { "Not varied, because the case states it: " (uncertainty.held.join(", ")) "." }
         }
-        h3 { "Other models, and what refutes them" }
+        h3 { "Other models, and the measurements against them" }
         div.scroll { table {
-            thead { tr { th { "model" } th.number { "loss" } th { "refuted by" } } }
+            thead { tr { th { "model" } th.number { "loss" } th { "against it" } } }
             tbody { @for row in uncertainty.models() {
                 tr {
                     th scope="row" { (row.name) }

@@ -23,6 +23,7 @@ pub(super) fn section(result: &RunResult) -> Markup {
                 }
             }
         }
+        p.sub { (own_finish(result)) }
         div.verdict {
             div {
                 @if let Some(uncertainty) = &result.uncertainty {
@@ -39,6 +40,17 @@ pub(super) fn section(result: &RunResult) -> Markup {
         } }
         @if let Some(run_in) = &result.run_in { (as_measured_and_run_in(result, run_in)) }
         @if let Some(report) = &result.micropitting { (super::micropitting::section(report)) }
+    }
+}
+
+/// The scope of the loss as to the finish: the power that these flanks lose on their asperities, and where another finish
+/// is compared.
+fn own_finish(result: &RunResult) -> Markup {
+    let s = &result.summary;
+    let share = (s.lubricated_asperity_w + s.boundary_w) / s.loss_w;
+    html! {
+        "The loss is for these two flanks as stated: " (format!("{:.0} %", 100.0 * share)) " of it arises where asperities touch. "
+        code { "asperity compare" } " computes what another finish would save."
     }
 }
 

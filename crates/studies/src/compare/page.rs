@@ -236,9 +236,9 @@ fn contributions(comparison: &Comparison) -> Markup {
                 tr { th scope="row" { (row.name) } @for (_, of) in &drawn { td.number { (part(of, &row.name)) } } }
             } }
         } }
-        h3 { "Other models, and what refutes them" }
+        h3 { "Other models, and the measurements against them" }
         div.scroll { table {
-            thead { tr { th { "model" } @for (finish, _) in &drawn { th.number { (finish.name) } } th { "refuted by" } } }
+            thead { tr { th { "model" } @for (finish, _) in &drawn { th.number { (finish.name) } } th { "against it" } } }
             tbody { @for row in first.models() {
                 tr {
                     th scope="row" { (row.name) }

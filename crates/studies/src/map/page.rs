@@ -43,7 +43,7 @@ const EFFICIENCY: Quantity = Quantity {
 const HALF_INTERVAL: Quantity = Quantity {
     id: "interval",
     title: "Half of the interval of the loss over its median",
-    scale: "half of 5 to 95 % [%]",
+    scale: "half the width of the 90 % interval [%]",
     of: |numbers| {
         let (median, [low, high]) = numbers.loss_median_w.zip(numbers.loss_quantiles_w)?;
         (median > 0.0).then(|| 50.0 * (high - low) / median)
