@@ -54,7 +54,7 @@ pub enum PositionError {
     },
     /// A loss whose gradient over the heights is not known.
     #[error(
-        "the loss over the heights of the traces is known of the default model only, not with {differs}"
+        "changes of the heights of the traces are computed with the default model only; leave out {differs}"
     )]
     NoGradient {
         /// Choice that differs from the default model.

@@ -345,7 +345,7 @@ impl Predictive {
     }
 
     /// Standardised constants of a draw, measured ones correlated.
-    fn standardised(&self, draw: &Draw) -> Vec<f64> {
+    pub(super) fn standardised(&self, draw: &Draw) -> Vec<f64> {
         self.correlated(draw, &self.correlations)
     }
 

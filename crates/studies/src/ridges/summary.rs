@@ -2,7 +2,7 @@
 
 use asperity::result::loss_band::rounded;
 use asperity::result::ridges::{OctaveRow, Ridges};
-use asperity_report::html::ridges::{NOTE, notes, saving, saving_of, watts};
+use asperity_report::ridges::{NOTE, notes, saving, saving_of, watts};
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
