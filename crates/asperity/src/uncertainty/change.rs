@@ -159,7 +159,7 @@ mod tests {
     fn draws_of_a_saving_follow_the_gradients_with_each_constant_at_its_ends() {
         let file = std::path::Path::new("../../fixtures/cases/e-drive.toml");
         let case = load_with(file, &|input| {
-            (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+            (input.model.positions, input.model.offsets) = (Some(3), Some(1));
         })
         .unwrap();
         let traces = case.surfaces.traces().unwrap().map(Clone::clone);
@@ -179,10 +179,12 @@ mod tests {
                 .unwrap()
                 .unwrap()
         });
-        for (axis, kind) in AXES.into_iter().enumerate() {
-            let Some(ranged) = drawn[0].constants.iter().find(|one| one.kind == kind) else {
-                continue;
-            };
+        // The others change it by a few percent.
+        use UncertainParameter::{BoundaryFriction, BoundaryLayer, Lay, PressureViscosity};
+        for kind in [BoundaryFriction, BoundaryLayer, Lay, PressureViscosity] {
+            let axis = AXES.iter().position(|axis| *axis == kind).unwrap();
+            let ranged = drawn[0].constants.iter().find(|one| one.kind == kind);
+            let ranged = ranged.unwrap();
             for z in [-1.645, 1.645] {
                 let found = [&before, &after].map(|found| {
                     let mut moved = found.case.clone();
@@ -197,7 +199,6 @@ mod tests {
                 };
                 let [a, b] = drawn.each_ref().map(loss);
                 let by_draws = (a - b) / (drawn[0].at_medians_w - drawn[1].at_medians_w);
-                println!("{kind:?} {z}: gradients {expected:.3}, draws {by_draws:.3}");
                 assert!(
                     (by_draws / expected - 1.0).abs() < 0.1,
                     "{kind:?} {z}: {by_draws} {expected}"

@@ -22,6 +22,8 @@ const COSTLIEST: usize = 20;
 const NEAR: usize = 3;
 /// Shortest cut-off between two octaves \[m\].
 const SHORTEST: f64 = 2.5e-6;
+/// Least part of the watts of a ridge in the offsets of the lay at which they show how it depends on the lay.
+const COVERED: f64 = 0.25;
 /// Steps of a study: the gradients before and after pressing, the draws, and the gradients at both ends of the lay.
 const STEPS: usize = 4;
 
@@ -151,7 +153,7 @@ fn first_order(row: &RidgeRow, traces: &[Profile; 2], by_height: &[Vec<f64>; 2])
     points.map(|i| by_height[body][i] * (z[i] - line)).sum()
 }
 
-/// Watts of each ridge at both `ends` of the lay over its watts in `before`, over the same ratio of all ridges together.
+/// First-order watts of each ridge at both `ends` of the lay over those `before`, over the same ratio of all ridges together.
 fn by_lay(
     before: &LossGradient,
     ends: [f64; 2],
@@ -173,13 +175,16 @@ fn by_lay(
     };
     let ends = [at(ends[0])?, at(ends[1])?];
     let middle = watts(&before.by_offset[..contacts.offsets()]);
+    let all = |watts: &[f64]| watts.iter().sum::<f64>();
     let ratio = |k: usize, end: &[f64]| {
-        let of_all = end.iter().sum::<f64>() / middle.iter().sum::<f64>();
-        end[k] / middle[k] / of_all
+        let whole = contacts.offsets() as f64 * rows[k].first_order_w;
+        match middle[k] > COVERED * whole {
+            true => end[k] / middle[k] / (all(end) / all(&middle)),
+            false => 1.0,
+        }
     };
-    Ok((0..rows.len())
-        .map(|k| [ratio(k, &ends[0]), ratio(k, &ends[1])])
-        .collect())
+    let both = |k: usize| ends.each_ref().map(|end| ratio(k, end));
+    Ok((0..rows.len()).map(both).collect())
 }
 
 /// The parts of both traces above their mean line that cost most by the gradient.
