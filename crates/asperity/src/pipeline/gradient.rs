@@ -158,9 +158,8 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
     surfaces.check_one_pair()?;
     surfaces.traces()?;
     let model = &case.model;
-    let differs = if case.formulation == Formulation::Paper {
-        "formulation = \"paper\""
-    } else if case.laws.is_any() {
+    check_heights(loaded)?;
+    let differs = if case.laws.is_any() {
         "a user-defined law"
     } else if case.model.load_share != LoadShareName::Solved {
         "model.load_share"
@@ -172,6 +171,19 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
         return Ok(());
     };
     Err(PositionError::NoGradient { differs })
+}
+
+/// Refuses the paper's formulation: away from its own case it can have no sliding loss, whatever the heights are.
+///
+/// # Errors
+/// With the paper's formulation.
+pub fn check_heights(loaded: &LoadedCase) -> Result<(), PositionError> {
+    match loaded.case.formulation {
+        Formulation::Corrected => Ok(()),
+        Formulation::Paper => Err(PositionError::NoGradient {
+            differs: "formulation = \"paper\"",
+        }),
+    }
 }
 
 #[cfg(test)]

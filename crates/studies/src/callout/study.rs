@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
-use asperity::pipeline::Progress;
+use asperity::pipeline::{Progress, check_heights};
 use asperity_core::DomainError;
 use asperity_core::cite;
 use asperity_core::numerics::{interpolate, student_t_quantile};
@@ -187,7 +187,7 @@ pub struct CurvePoint {
 /// Computes the call-out of a case; `progress` is called with the number of completed runs.
 ///
 /// # Errors
-/// When a setting is outside its domain, a flank has no trace, a run has no solution, or the stated loss is below the loss of
+/// When a setting is outside its domain, the loss does not follow from the heights, a flank has no trace, a run has no solution, or the stated loss is below the loss of
 /// smooth flanks or above the loss of the roughest ones.
 pub fn callout(
     case: &LoadedCase,
@@ -195,6 +195,7 @@ pub fn callout(
     progress: Progress<'_>,
 ) -> Result<CallOut, CallOutError> {
     settings.check()?;
+    check_heights(case).map_err(|error| asperity::Error::from(Box::new(error)))?;
     let process = Process::of(case, (settings.scatter, settings.seed), settings.lots)?;
     of_process(&process, settings, progress)
 }
