@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
-use asperity::pipeline::{Progress, check_heights};
+use asperity::pipeline::Progress;
 use asperity_core::DomainError;
 use asperity_core::cite;
 use asperity_core::numerics::{interpolate, student_t_quantile};
@@ -195,7 +195,6 @@ pub fn callout(
     progress: Progress<'_>,
 ) -> Result<CallOut, CallOutError> {
     settings.check()?;
-    check_heights(case).map_err(|error| asperity::Error::from(Box::new(error)))?;
     let process = Process::of(case, (settings.scatter, settings.seed), settings.lots)?;
     of_process(&process, settings, progress)
 }
