@@ -17,6 +17,7 @@ use super::evaluated::{
 };
 use super::like_surface;
 use super::plan::Plan;
+use super::synthetic;
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
@@ -204,15 +205,10 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
     let made = recipe
         .generate()
         .map_err(|error| Failure::new("E209", error.to_string()))?;
-    let metadata = Metadata {
-        title: Some(format!("synthetic, seed {}", seed(&recipe))),
-        instrument: Some("asperity profile generate".to_owned()),
-        ..Metadata::default()
-    };
     save(
         &args.output,
         &to_digits(&made.profile)?,
-        &metadata,
+        &synthetic(seed(&recipe)),
         FilterState::Primary,
     )?;
     let output = args.output.display().to_string();
