@@ -9,9 +9,8 @@ use asperity_roughness::generate::FittedSurface;
 use asperity_roughness::lay::bridged;
 use serde_json::json;
 
-use super::evaluated::{opened_surface, um};
+use super::evaluated::{opened_surface, synthetic, um};
 use super::surface_facts::areal_line;
-use super::synthetic;
 use crate::args::{Common, ProfileGenerateArgs};
 use crate::failure::Failure;
 use crate::output::{self, print_json, print_text};

@@ -14,8 +14,6 @@ mod surface_facts;
 mod text;
 mod transform;
 
-use asperity_profile_io::read::Metadata;
-
 use crate::args::{Common, ProfileCommand};
 use crate::failure::Failure;
 
@@ -28,14 +26,5 @@ pub fn run(command: &ProfileCommand, common: &Common) -> Result<(), Failure> {
         ProfileCommand::Convert(args) => transform::convert(args, common),
         ProfileCommand::Filter(args) => transform::filter(args, common),
         ProfileCommand::Generate(args) => transform::generate(args, common),
-    }
-}
-
-/// The facts of a trace or surface generated with `seed`.
-fn synthetic(seed: u64) -> Metadata {
-    Metadata {
-        title: Some(format!("synthetic, seed {seed}")),
-        instrument: Some("asperity profile generate".to_owned()),
-        ..Metadata::default()
     }
 }

@@ -13,11 +13,11 @@ use asperity_storage::whole_file;
 use serde_json::json;
 
 use super::evaluated::{
-    Note, opened, opened_trace, refusal, refused, save, save_trace, to_digits, um, without_outliers,
+    Note, opened, opened_trace, refusal, refused, save, save_trace, synthetic, to_digits, um,
+    without_outliers,
 };
 use super::like_surface;
 use super::plan::Plan;
-use super::synthetic;
 use crate::args::{
     Common, ProfileConvertArgs, ProfileFilterArgs, ProfileGenerateArgs, ProfilePart,
 };
