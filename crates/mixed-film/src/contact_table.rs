@@ -147,8 +147,8 @@ impl ContactTable {
         self.knots[1..self.knots.len() - 1].partition_point(|knot| knot[0] <= s)
     }
 
-    /// Whether a slope next to a share is held, so that the gap has no extreme between its knots.
-    pub(crate) fn holds_a_slope(&self, asperity_share: f64) -> bool {
+    /// Whether a slope of the gap next to a share is limited, so that the gap has no extreme between its knots.
+    pub(crate) fn limits_a_slope(&self, asperity_share: f64) -> bool {
         let k = self.knot_below(abscissa(asperity_share));
         [k, k + 1].map(|k| monotone_slope(&self.knots, k).1) != [false; 2]
     }
@@ -272,7 +272,7 @@ fn abscissa_slope(share: f64) -> f64 {
 }
 
 /// Slope at a knot of the parabola through three neighbours, held to three times the flatter chord: no new extreme between
-/// the knots (Fritsch and Carlson). Also returns whether it is held.
+/// the knots (Fritsch and Carlson). Also returns whether it is limited.
 fn monotone_slope(knots: &[[f64; 3]], k: usize) -> (f64, bool) {
     const STEEPEST: f64 = 3.0;
     let chord = |a: &[f64; 3], b: &[f64; 3]| (b[1] - a[1]) / (b[0] - a[0]);

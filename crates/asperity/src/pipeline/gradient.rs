@@ -167,7 +167,6 @@ mod tests {
     use asperity_core::Profile;
     use asperity_core::profile::mirrored_indices;
     use asperity_core::provenance::Provenance;
-    use asperity_core::quantity::Pressure;
     use asperity_mixed_film::TABLE_SHARES;
 
     use super::super::stages::{Stages, sampled};
@@ -260,45 +259,39 @@ mod tests {
         name: String,
         /// Place of each cell on both traces.
         places: [Vec<usize>; 2],
-        /// Pressure of each cell over the largest that it may have.
-        filling: Vec<f64>,
+        pressure: Vec<f64>,
         /// Whether the share of the window is next to this row.
         is_next: bool,
     }
 
     /// The contacts of all windows that touch.
     fn row_contacts(case: &LoadedCase) -> Vec<RowContact> {
-        let used = Provenance::new();
         let (sampled, contacts) = sampled(case, None, &[]).unwrap();
-        let stages = Stages::of(&sampled, &contacts, &|_, _| {}, used).unwrap();
+        let stages = Stages::of(&sampled, &contacts, &|_, _| {}, Provenance::new()).unwrap();
+        let points = case.surfaces.traces().unwrap().map(Profile::len);
         let mut found = Vec::new();
         for (number, position) in stages.lubricated().unwrap().iter().enumerate() {
             let (at, windows) = (&position.at, contacts.at(&position.at).unwrap());
             let line = at.line_contact(case.case.modulus, case.case.materials);
             for (k, contact) in windows.iter().enumerate() {
-                let solved = position.offsets[k].solved.unwrap();
-                let (Some(window), true) = (contact.window, solved.asperity_share > 0.0) else {
+                let phi = position.offsets[k].solved.unwrap().asperity_share;
+                let Some(window) = contact.window.filter(|_| phi > 0.0) else {
                     continue;
                 };
                 let [first, second] = window.cut(&case.surfaces, at, (k, windows.len())).unwrap();
                 let pairs = first.heights().iter().zip(second.heights());
                 let composite: Vec<f64> = pairs.map(|(a, b)| a + b).collect();
-                let mut rough =
-                    rough_window(&case.case, &line, &composite, first.spacing()).unwrap();
-                let of_body = |body: usize| {
-                    let points = found_points(case)[body];
-                    mirrored_indices(points, window.starts[body], window.points).collect()
-                };
-                let above = TABLE_SHARES.partition_point(|share| *share <= solved.asperity_share);
+                let dx = first.spacing();
+                let mut rough = rough_window(&case.case, &line, &composite, dx).unwrap();
+                let above = TABLE_SHARES.partition_point(|share| *share <= phi);
                 for (row, share) in TABLE_SHARES.iter().enumerate().rev() {
-                    let pressure = rough.at(*share).unwrap().solution.pressure;
-                    let flow = case.case.flow_pressure.map(Pressure::si);
-                    let hertz = rough.hertz_pressure().si();
-                    let limit = flow[0].min(flow[1]) - (1.0 - share) * hertz;
                     found.push(RowContact {
                         name: format!("position {number}, offset {k}, share {share}"),
-                        places: [0, 1].map(of_body),
-                        filling: pressure.iter().map(|p| p / limit).collect(),
+                        places: [0, 1].map(|body: usize| {
+                            let start = window.starts[body];
+                            mirrored_indices(points[body], start, window.points).collect()
+                        }),
+                        pressure: rough.at(*share).unwrap().solution.pressure,
                         is_next: row == above || row + 1 == above,
                     });
                 }
@@ -307,39 +300,34 @@ mod tests {
         found
     }
 
-    fn found_points(case: &LoadedCase) -> [usize; 2] {
-        heights(case).map(|z| z.len())
-    }
-
     /// Points of both traces that are in a cell under pressure, in one window at least, at a row of the table next to its share:
     /// one is enough for the height to act through the touching cells of a contact.
     fn in_contact(case: &LoadedCase) -> [Vec<bool>; 2] {
-        let mut found = found_points(case).map(|points| vec![false; points]);
+        let mut found = heights(case).map(|z| vec![false; z.len()]);
         for contact in row_contacts(case).iter().filter(|row| row.is_next) {
-            for (body, places) in contact.places.iter().enumerate() {
-                for (i, filling) in places.iter().zip(&contact.filling) {
-                    found[body][*i] |= *filling > 0.0;
+            for (found, places) in found.iter_mut().zip(&contact.places) {
+                for (i, pressure) in places.iter().zip(&contact.pressure) {
+                    found[*i] |= *pressure > 0.0;
                 }
             }
         }
         found
     }
 
-    /// Cells that enter or leave a contact, or begin or end to flow, as a trace moves by `step` along `shape` to both sides.
+    /// Cells that enter or leave a contact as a trace moves by `step` along `shape` to both sides.
     fn changed_cells(
         case: &LoadedCase,
         body: usize,
         shape: &[(usize, f64)],
         step: f64,
     ) -> Vec<String> {
-        let [below, above] =
-            [-step, step].map(|step| row_contacts(&moved(case, body, shape, step)));
-        let state = |filling: f64| (filling > 0.0, filling >= 1.0);
+        let sides = [-step, step].map(|step| row_contacts(&moved(case, body, shape, step)));
         let mut changed = Vec::new();
-        for (below, above) in below.iter().zip(&above) {
-            for (cell, (a, b)) in below.filling.iter().zip(&above.filling).enumerate() {
-                if state(*a) != state(*b) {
-                    changed.push(format!("{}, cell {cell}: {a} {b}", below.name));
+        for (below, above) in sides[0].iter().zip(&sides[1]) {
+            let both = below.pressure.iter().zip(&above.pressure);
+            for (cell, (a, b)) in both.enumerate() {
+                if (*a > 0.0) != (*b > 0.0) {
+                    changed.push(format!("{}, cell {cell}", below.name));
                 }
             }
         }
@@ -380,28 +368,23 @@ mod tests {
                 let shape = [(i, 1.0)];
                 let (quotient, step) = settled_quotient(case, body, &shape);
                 let error = (gradient[body][i] / quotient - 1.0).abs();
-                println!(
-                    "{touching} {body} {i} {:.3e} {step:.0e} {error:.1e}",
-                    gradient[body][i]
-                );
-                if error > 2e-2 {
+                if error > 1e-3 {
                     let cells = changed_cells(case, body, &shape, step);
-                    println!("{cells:#?}");
-                    assert!(!cells.is_empty(), "trace {body}, point {i}: {error}");
+                    println!("trace {body}, point {i}: {error:.1e}, {cells:?}");
+                    assert!(!cells.is_empty());
                 }
                 errors.push(error);
             }
         }
         errors.sort_by(f64::total_cmp);
-        println!("{errors:?}");
-        assert!(errors[count] < 1e-3, "{errors:?}");
-        assert!(
-            errors[errors.len() - 1 - errors.len() / 20] < 2e-2,
-            "{errors:?}"
-        );
-        for k in 0..2 * count / 5 {
+        let [median, of_95_percent, largest] =
+            [count, 2 * count - 1 - count / 10, 2 * count - 1].map(|k: usize| errors[k]);
+        println!("median {median:.1e}, largest {largest:.1e}");
+        assert!(median < 1e-6 && of_95_percent < 2e-2, "{errors:?}");
+        let bumps = (2 * count).div_ceil(5);
+        for k in 0..bumps {
             let body = k % 2;
-            let part = (k as f64 + 0.5) / (2 * count / 5) as f64;
+            let part = (k as f64 + 0.5) / bumps as f64;
             let width = (BUMP_POINTS[0] * (BUMP_POINTS[1] / BUMP_POINTS[0]).powf(part)) as usize;
             let begin = (k * 104_729 + 900) % (gradient[body].len() - width);
             let cosine = |j: usize| (std::f64::consts::TAU * j as f64 / width as f64).cos();
@@ -409,9 +392,7 @@ mod tests {
                 .map(|j| (begin + j, 0.5 * (1.0 - cosine(j))))
                 .collect();
             let expected: f64 = shape.iter().map(|(i, s)| gradient[body][*i] * s).sum();
-            let quotient = quotient(case, body, &shape, BUMP);
-            let error = (expected / quotient - 1.0).abs();
-            println!("bump {body} {width} points from {begin}: {expected:.3e} {error:.1e}");
+            let error = (expected / quotient(case, body, &shape, BUMP) - 1.0).abs();
             assert!(error < 0.03, "{width} points from {begin}: {error}");
         }
     }

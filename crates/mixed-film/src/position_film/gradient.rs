@@ -58,8 +58,8 @@ pub struct Kinks {
     pub first_touch: usize,
     /// Windows next to a row of the contact table, between which the friction of the spots is interpolated.
     pub rows: usize,
-    /// Windows between rows where a slope of the gap is held.
-    pub held_slopes: usize,
+    /// Windows between rows where the slope of the gap is limited.
+    pub limited_slopes: usize,
     /// Windows at a floor: the gap of the largest share, or a spot whose film is thinner than the thinnest whose shear rate
     /// is computed.
     pub floors: usize,
@@ -71,7 +71,7 @@ impl AddAssign for Kinks {
         self.apart += other.apart;
         self.first_touch += other.first_touch;
         self.rows += other.rows;
-        self.held_slopes += other.held_slopes;
+        self.limited_slopes += other.limited_slopes;
         self.floors += other.floors;
     }
 }
@@ -159,7 +159,7 @@ impl PositionFilm<'_> {
         let gap = table.mean_gap(root);
         let mut rows = table.rows().iter();
         kinks.rows = usize::from(rows.any(|row| is_next(row.mean_gap, gap.si())));
-        kinks.held_slopes = usize::from(table.holds_a_slope(root));
+        kinks.limited_slopes = usize::from(table.limits_a_slope(root));
         let rise = self.share(table, attenuated_rms)?.value.surface_rise;
         let conditions = self.spot_conditions(rise);
         let mut is_at_floor = root >= LARGEST_SHARE;

@@ -183,15 +183,19 @@ fn a_window_without_contact_or_film_is_counted_as_apart_or_at_a_floor() {
     let share = film.share(&table, rms).unwrap().value.asperity_share;
     let largest = film.kinks(table.first_touch_gap(), Some(&table), rms);
     assert_eq!((share, largest.unwrap().floors), (0.99, 1));
-    // The films of the spots are thinner than 1 nm, the gap is not at its end.
+    // A film at which the gap is not at its end, with spots so slow that their films are thinner than 1 nm.
     contact.speeds = contact.speeds.map(|speed| speed * 1e-4);
     let smooth = SmoothFilm {
-        central: Length::from_si(1e-7),
+        central: Length::from_si(0.8e-6),
         ..smooth
     };
     let mut film = PositionFilm::with_film(&rheology, &contact, bulk, &settings, smooth).unwrap();
     let share = film.share(&table, rms).unwrap().value;
-    assert!(share.asperity_share < 0.98 && share.spot_film.si() < 2e-9);
+    assert!(
+        share.asperity_share > 0.0 && share.asperity_share < 0.9,
+        "{share:?}"
+    );
+    assert!(share.spot_film.si() < 1e-9, "{share:?}");
     let slow = film.kinks(table.first_touch_gap(), Some(&table), rms);
     assert_eq!(slow.unwrap().floors, 1);
 }

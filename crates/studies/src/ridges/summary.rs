@@ -50,13 +50,13 @@ fn kinks(kinks: &Kinks) -> Option<String> {
         apart,
         first_touch,
         rows,
-        held_slopes,
+        limited_slopes,
         floors,
     } = kinks;
     (*windows > 0).then(|| {
         format!(
             "Kinks: of {windows} windows {apart} apart, {first_touch} next to first touch, {rows} next to a row of the contact \
-            table, {held_slopes} with a held slope of the gap, {floors} at a floor (next to: 1 nm of mean gap)."
+            table, {limited_slopes} with a limited slope of the gap, {floors} at a floor (next to: 1 nm of mean gap)."
         )
     })
 }
