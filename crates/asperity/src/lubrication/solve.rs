@@ -35,6 +35,14 @@ struct Decided {
     decision: Decision,
 }
 
+/// Gradient of the sliding loss at a position.
+pub(crate) struct PositionGradient {
+    /// Over the heights of both traces at each offset \[W/m\].
+    pub by_offset: Vec<[Vec<f64>; 2]>,
+    /// Kinks of the windows.
+    pub kinks: Kinks,
+}
+
 /// Everything that is the same at all positions.
 #[derive(Clone, Copy)]
 pub(crate) struct Lubrication<'a> {
@@ -221,8 +229,7 @@ impl Lubrication<'_> {
         Ok((film, decisions.collect()))
     }
 
-    /// Gradient \[W/m\] of the sliding loss at `at` over the heights of both traces at each offset, its rough contacts stored and
-    /// their sets held, and the kinks of its windows.
+    /// Gradient of the sliding loss at `at` over the heights, its rough contacts stored and their sets held.
     ///
     /// # Errors
     /// When a contact has no solution, or the load share does not follow from one.
@@ -230,7 +237,7 @@ impl Lubrication<'_> {
         &self,
         at: &MeshPosition,
         contacts: &[Arc<WindowContact>],
-    ) -> Result<(Vec<[Vec<f64>; 2]>, Kinks), PositionError> {
+    ) -> Result<PositionGradient, PositionError> {
         checkpoint()?;
         let film = plausible_film(self.case, at)?;
         let of_position = (at, &film);
@@ -249,7 +256,7 @@ impl Lubrication<'_> {
             by_offset.push(rough.gradient(&sums)?);
             kinks += sums.kinks;
         }
-        Ok((by_offset, kinks))
+        Ok(PositionGradient { by_offset, kinks })
     }
 
     /// Solves the rough contact of every window whose load share did not: its numbers, for the result and for the

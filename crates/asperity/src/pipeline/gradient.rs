@@ -90,10 +90,10 @@ pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
     let none = traces.map(|trace| vec![0.0; trace.len()]);
     let mut by_offset = vec![none.clone(); warm.case.model.offsets];
     let mut kinks = Kinks::default();
-    for (of_position, of_windows) in found.iter().flatten() {
-        kinks += *of_windows;
+    for of_position in found.iter().flatten() {
+        kinks += of_position.kinks;
         let of_all = by_offset.iter_mut().flatten().flatten();
-        for (sum, one) in of_all.zip(of_position.iter().flatten().flatten()) {
+        for (sum, one) in of_all.zip(of_position.by_offset.iter().flatten().flatten()) {
             *sum += heat_balance * one;
         }
     }
