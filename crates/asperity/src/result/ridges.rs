@@ -1,6 +1,7 @@
 //! The ridges of both flanks that cost most.
 
 use asperity_core::Profile;
+pub use asperity_mixed_film::Kinks;
 use serde::{Deserialize, Serialize};
 
 /// Cells of a whole trace.
@@ -32,6 +33,9 @@ pub struct Ridges {
     /// Whether the case states losses of a gearbox, which are left out.
     #[serde(default)]
     pub without_gearbox: bool,
+    /// Windows at or next to a kink of the loss; none in older results.
+    #[serde(default)]
+    pub kinks: Kinks,
     /// The costliest ridges, the costliest first.
     pub rows: Vec<RidgeRow>,
     /// Loss by octave of wavelength, shortest first.

@@ -131,7 +131,8 @@ impl Predictive {
     fn drawn(&self, kind: UncertainParameter) -> Option<(Ranged, Vec<f64>)> {
         let k = self.constants.iter().position(|one| one.kind == kind)?;
         let constant = self.constants[k];
-        let values = shared_draws().map(|draw| constant.at(self.standardised(&draw)[k]));
+        let values =
+            shared_draws().map(|draw| constant.at(self.standardised(&draw, &self.correlations)[k]));
         Some((constant, values.collect()))
     }
 }

@@ -146,7 +146,7 @@ fn names([first, second, third]: [f64; 3]) -> [(i8, String); 7] {
 
 #[cfg(test)]
 mod tests {
-    use asperity::result::ridges::FlankWatts;
+    use asperity::result::ridges::{FlankWatts, Kinks};
     use asperity_core::Profile;
     use asperity_core::quantity::Length;
 
@@ -184,6 +184,7 @@ mod tests {
             heat_balance: 1.0,
             unresolved_w: 0.0,
             without_gearbox: false,
+            kinks: Kinks::default(),
             octaves: Vec::new(),
             along: [flank.along(), flank.along()],
             near: vec![flank.near(&row)],

@@ -110,6 +110,7 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
         heat_balance: before.heat_balance,
         unresolved_w: before.unresolved_w,
         without_gearbox: case.case.gearbox.is_some(),
+        kinks: before.kinks,
         near: near.collect(),
         along: flanks.each_ref().map(FlankWatts::along),
         rows,
