@@ -1,7 +1,7 @@
 //! The ridges that cost most, in words.
 
 use asperity::result::RunResult;
-use asperity::result::loss_band::rounded;
+use asperity::result::loss_band::{Digits, rounded};
 use asperity::result::ridges::{RidgeRow, Ridges};
 
 /// Explanation of the numbers.
@@ -24,24 +24,29 @@ pub fn watts(value: f64) -> String {
 pub fn saving(ridges: &Ridges) -> String {
     let saved = ridges.loss_w - ridges.pressed_loss_w;
     let sampled = ridges.sampling_quantiles_w.map(|[low, high]| [-high, -low]);
+    let quantiles = ridges.saving_quantiles_w.or(sampled);
     format!(
-        "pressing these {} ridges to the mean line saves {} W{}, by a run",
+        "pressing these {} ridges to the mean line saves {}, by a run",
         ridges.rows.len(),
-        watts(saved),
-        interval(ridges.saving_quantiles_w.or(sampled))
+        with_interval(saved, quantiles, " W")
     )
 }
 
 /// Saving by a ridge with its interval, according to the mean of the gradients.
 pub fn saving_of(row: &RidgeRow) -> String {
     let quantiles = row.low_w.zip(row.high_w).map(|(low, high)| [low, high]);
-    format!("{}{}", watts(row.mean_gradient_w), interval(quantiles))
+    with_interval(row.mean_gradient_w, quantiles, "")
 }
 
-fn interval(quantiles: Option<[f64; 2]>) -> String {
+/// Watts with their quantiles and the digits that these leave.
+fn with_interval(value: f64, quantiles: Option<[f64; 2]>, unit: &str) -> String {
     match quantiles {
-        Some([low, high]) if low < high => format!(" ({}..{})", watts(low), watts(high)),
-        _ => String::new(),
+        Some([low, high]) if low < high => {
+            let digits = Digits::of_uncertainty((0.5 * (high - low)).max(LEAST_W));
+            let [value, low, high] = [value, low, high].map(|w| digits.rounded(w));
+            format!("{value}{unit} ({low}..{high})")
+        }
+        _ => format!("{}{unit}", watts(value)),
     }
 }
 

@@ -11,12 +11,12 @@ pub(super) fn summary(study: &Ridges) -> String {
     let mut text = format!("{}\n{}\n", one_line(&study.title), headline(study));
     text.push_str(&format!("{}\n", saving(study)));
     text.push_str(&format!(
-        "{:6} {:>9} {:>9} {:>10} {:>8} {:>17}\n",
+        "{:6} {:>9} {:>9} {:>10} {:>8} {:>14}\n",
         "flank", "place mm", "width um", "height um", "first W", "mean W"
     ));
     for row in &study.rows {
         text.push_str(&format!(
-            "{:6} {:>9.4} {:>9.1} {:>10.3} {:>8} {:>17}\n",
+            "{:6} {:>9.4} {:>9.1} {:>10.3} {:>8} {:>14}\n",
             row.flank,
             row.place_mm,
             row.width_um,
