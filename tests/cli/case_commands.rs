@@ -159,24 +159,6 @@ fn check_of_a_good_case_lists_defaults_and_work() {
 }
 
 #[test]
-fn a_generated_trace_is_called_synthetic() {
-    let bench = Bench::new();
-    bench.run(&["demo"]).well();
-    let checked = bench.run(&["check", "demo/case.toml"]).well().unwrapped();
-    let says = "W132 ground_pinion.csv: the file says that its trace is synthetic";
-    assert!(checked.contains(says), "{checked}");
-    bench.run(&["profile", "generate", "-o", "made.csv"]).well();
-    let info = bench
-        .run(&["profile", "info", "made.csv"])
-        .well()
-        .unwrapped();
-    assert!(
-        info.contains("usable: yes") && info.contains("W132"),
-        "{info}"
-    );
-}
-
-#[test]
 fn an_unusual_number_warns_one_beyond_sense_is_refused_and_symbols_are_named() {
     let bench = bench();
     let unusual = [

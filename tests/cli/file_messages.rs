@@ -233,7 +233,7 @@ fn noted() -> Vec<Noted> {
         (trace("x,z", long), &[], "W111", &["no unit found for the x values", "taken as um", "Pass --x-unit um to confirm"]),
         (format!("x_um,z_um\n{}", rows(3001, |i, z| format!("{:.1},{:.5}", 0.5 * i as f64, z + arc(i)))), &["--lambda-c", "0.25 mm"],
             "W112", &["form not removed (parabola of 38", "over 1.5 mm", "is not roughness. Pass --form poly2"]),
-        (trace("x_um,z_um", long), &["--dx", "1um"], "W113", &["spacing 1 um is more than a fifth of lambda_s 2.5 um"]),
+        (trace("x_um,z_um", long), &["--dx", "1um"], "W113", &["spacing 1 um is more than a fifth of lambda_s 2.5 um", "Measure finer, or pass --lambda-s 5um"]),
         (trace("x_um,z_um", 2000), &[], "W114", &["sampling lengths of 250 um", "five are usual"]),
         (with_row(77, "38.5,NaN"), &["--gaps", "interpolate", "--lambda-c", "0.08 mm"], "W115", &["1 missing points interpolated"]),
         (format!("x_um,z_um\n{}", rows(long, |i, z| format!("{:.1},{z:.5}", 0.5 * (long - i) as f64))), &[], "W116", &["x decreases along the file"]),

@@ -355,7 +355,7 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         &plain,
         &[],
         "W401",
-        &["kinematic viscosity = 7.2", "outside 15 to 350 mm2/s"],
+        &["kinematic viscosity 7.2", "outside 15 to 350 mm2/s"],
     );
     warns(
         &plain,

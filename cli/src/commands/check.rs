@@ -5,7 +5,7 @@ use asperity::case::gear_train::{self, LoadedTrain};
 use asperity::case::{self, DefaultUsed, LoadedCase};
 use asperity::message::Warning;
 use asperity::pipeline;
-use asperity::pipeline::KeptFields;
+use asperity::pipeline::{KeptFields, chooses_offsets};
 use asperity_studies::estimate::{Estimate, estimate, estimate_of_train, measured};
 use serde_json::{Value, json};
 
@@ -73,6 +73,8 @@ struct ValidCase {
     work: Estimate,
     /// Meshes in which a flank has several traces.
     traced: Vec<Traced>,
+    /// Whether the run adds offsets until the sampling error of the loss is small.
+    may_need_more: bool,
 }
 
 /// Traces of a mesh in which a flank has several.
@@ -106,6 +108,7 @@ fn of_pair(loaded: LoadedCase) -> Result<ValidCase, Error> {
         work: measured(&loaded, &KeptFields::Highest)
             .or_else(|_| estimate(&loaded, &KeptFields::Highest))?,
         traced: traced(&loaded).into_iter().collect(),
+        may_need_more: chooses_offsets(&loaded),
         warnings: loaded.warnings,
         defaults: loaded.case.defaults,
     })
@@ -123,8 +126,10 @@ fn of_train(train: LoadedTrain) -> Result<ValidCase, Error> {
             warnings.push(warning.clone());
         }
     }
+    let may_need_more = cases().any(chooses_offsets);
     Ok(ValidCase {
         traced: cases().filter_map(traced).collect(),
+        may_need_more,
         warnings,
         defaults: train.defaults,
         work,
@@ -159,10 +164,11 @@ fn text(name: &str, valid: &ValidCase, lists_defaults: bool) -> String {
     }
     text.push_str(&defaults(&valid.defaults, lists_defaults));
     text.push_str(&format!(
-        "a run takes {} and {}: {} rough contacts\n",
+        "a run takes {} and {}: {} rough contacts{}\n",
         duration(valid.work.seconds),
         memory(valid.work.bytes),
-        valid.work.contacts
+        valid.work.contacts,
+        if valid.may_need_more { " or more" } else { "" },
     ));
     for warning in &valid.warnings {
         text.push_str(&asperity_report::wrapped(&warning.to_string(), "     "));

@@ -13,7 +13,7 @@ use crate::error::RoughnessError;
 use crate::form::{self, Form};
 use crate::gaussian_filter::{Ends, alpha, mean_line};
 use crate::robust_filter::{RobustEvidence, robust_mean_line};
-use crate::warning::Warning;
+use crate::warning::{POINTS_PER_LAMBDA_S, Warning};
 
 /// λ_s of the default recipe (ISO 3274 for λ_c = 0.25 and 0.8 mm).
 pub const LAMBDA_S: Length = Length::from_si(2.5e-6);
@@ -232,8 +232,6 @@ fn primary(
     let (mut warnings, spacing) = (Vec::new(), profile.spacing());
     let mut current = form::remove(profile, recipe.form)?;
     if let Some(lambda_s) = recipe.lambda_s {
-        // Five points per cut-off sample the weights with an error of 0.1 % (the sum of the neglected aliases).
-        const POINTS_PER_LAMBDA_S: f64 = 5.0;
         if spacing.si() * POINTS_PER_LAMBDA_S > lambda_s.si() * (1.0 + 1e-9) {
             warnings.push(Warning::CoarseForLambdaS { spacing, lambda_s });
         }

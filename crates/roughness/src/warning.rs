@@ -83,14 +83,26 @@ pub enum Warning {
     },
 }
 
+/// Points per cut-off λs, which sample the weights of the filter with an error of 0.1 % (the sum of the neglected aliases).
+pub(crate) const POINTS_PER_LAMBDA_S: f64 = 5.0;
+
+/// Shortest cut-off λs of a trace, rounded up to 0.1 µm.
+fn shortest_lambda_s(spacing: Length) -> Length {
+    const STEPS_PER_METRE: f64 = 1e7;
+    let steps = POINTS_PER_LAMBDA_S * spacing.si() * STEPS_PER_METRE;
+    // Round-off adds no step.
+    Length::from_si((steps * (1.0 - 1e-9)).ceil() / STEPS_PER_METRE)
+}
+
 impl Warning {
     /// Remedy; empty if only a better measurement helps.
     pub fn remedy(&self) -> Remedy {
         match self {
             Self::FormNotRemoved { .. } => Remedy::set(Setting::Form, Value::This("poly2".into())),
-            Self::CoarseForLambdaS { .. } => Remedy::act("measure finer")
-                .or_set(Setting::NoiseCutoff, Value::Any)
-                .because("to a longer lambda_s"),
+            Self::CoarseForLambdaS { spacing, .. } => Remedy::act("measure finer").or_set(
+                Setting::NoiseCutoff,
+                Value::This(shortest_lambda_s(*spacing).to_string().into()),
+            ),
             Self::InvoluteLeft { .. } => {
                 Remedy::act("check base radius and roll length").or_do("take it as crowning")
             }

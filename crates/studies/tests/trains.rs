@@ -11,7 +11,7 @@ use asperity::pipeline::KeptFields;
 use asperity::uncertainty::Verdict;
 use asperity_report::StudyResult as _;
 use asperity_storage::whole_text;
-use asperity_studies::compare::{Finish, FinishResult, compare};
+use asperity_studies::compare::{Finish, FinishResult, compare, difference_with_interval};
 use asperity_studies::cycle::{cycle, evaluate};
 use asperity_studies::export::Field;
 use asperity_studies::map::{Axes, Map, MapBand, MapExtras, Point, map, read};
@@ -221,6 +221,8 @@ fn a_comparison_of_a_train_has_the_losses_of_its_runs_and_the_differences_of_its
         assert!((own / of_mesh - 1.0).abs() < 1e-9, "{own} {of_mesh}");
     }
     assert_eq!(of(same).verdict, Verdict::Equal);
+    // A difference that is exactly 0 has no interval.
+    assert_eq!(difference_with_interval(&of(same)), ["0", "0"]);
     // Its summary, its page and its tables.
     let summary = found.summary(());
     assert!(

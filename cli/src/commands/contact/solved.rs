@@ -78,10 +78,10 @@ impl SolvedContact {
         let s = &self.solution;
         let hertz = self
             .hertz_pressure
-            .map(|p| format!(" (Hertz {:.1} MPa)", p * 1e-6))
+            .map(|p| format!(" (of smooth flanks, by Hertz, {:.1} MPa)", p * 1e-6))
             .unwrap_or_default();
         let mut text = format!(
-            "{}\n  load {:.6}   approach {:.7} (datum {:.6})\n  contact fraction {:.6}   p_max {:.7}{hertz}\n  \
+            "{}\n  load {:.6}   approach {:.7} (datum {:.6})\n  contact fraction {:.6}   largest pressure {:.7}{hertz}\n  \
              plastic work {:.4e} J/m\n  {} iterations; duality gap {:.1e}, penetration {:.1e}, load error {:.1e}\n",
             asperity_storage::one_line(&self.title),
             s.load,

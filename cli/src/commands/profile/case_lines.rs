@@ -9,7 +9,8 @@ use serde_json::json;
 
 use crate::args::ProfileInfoArgs;
 
-/// The table `surface` for the file and the options, with the cut-off λc of the evaluation; zero means unfiltered.
+/// The table `surface` for the file and the options, with the cut-off λc of the evaluation; zero means unfiltered. The flank is
+/// the pinion's unless the name of the file says that it is the wheel's.
 pub(super) fn case_lines(file: &Path, args: &ProfileInfoArgs, lambda_c: Option<Length>) -> String {
     let (reading, preparing) = (&args.reading, &args.preparing);
     let text = |value: Option<String>| value.map(|value| json!(value).to_string());
@@ -38,8 +39,13 @@ pub(super) fn case_lines(file: &Path, args: &ProfileInfoArgs, lambda_c: Option<L
         .into_iter()
         .filter_map(|(setting, value)| Some(format!(", {} = {}", setting.key(), value?)));
     let name = json!(file.display().to_string());
+    let last = file.file_name().unwrap_or_default().to_string_lossy();
+    let flank = match last.to_lowercase().contains("wheel") {
+        true => "wheel",
+        false => "pinion",
+    };
     let mut lines = format!(
-        "  in a case:\n    [surface]\n    pinion = {{ file = {name}{} }}\n",
+        "  in a case:\n    [surface]\n    {flank} = {{ file = {name}{} }}\n",
         stated.collect::<String>()
     );
     let cutoffs = [

@@ -291,3 +291,12 @@ fn save_as(
 pub(super) fn um(length: Length) -> f64 {
     length.si() * 1e6
 }
+
+/// The facts of a trace or surface generated with `seed`.
+pub(super) fn synthetic(seed: u64) -> Metadata {
+    Metadata {
+        title: Some(format!("synthetic, seed {seed}")),
+        instrument: Some("asperity profile generate".to_owned()),
+        ..Metadata::default()
+    }
+}

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use asperity_profile_io::read::{Metadata, Surface};
+use asperity_profile_io::read::Surface;
 use asperity_profile_io::write::{WrittenFormat, write_surface};
 use asperity_roughness::areal::parameters;
 use asperity_roughness::generate::FittedSurface;
 use asperity_roughness::lay::bridged;
 use serde_json::json;
 
-use super::evaluated::{opened_surface, um};
+use super::evaluated::{opened_surface, synthetic, um};
 use super::surface_facts::areal_line;
 use crate::args::{Common, ProfileGenerateArgs};
 use crate::failure::Failure;
@@ -53,12 +53,7 @@ pub(super) fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<()
     let refused = |error| Failure::new("E120", format!("{}: {error}", first.name));
     let fit = FittedSurface::to(&heights, first.columns, spacings).map_err(refused)?;
     let z = fit.generate(args.seed);
-    let metadata = Metadata {
-        title: Some(format!("synthetic, seed {}", args.seed)),
-        instrument: Some("asperity profile generate".to_owned()),
-        ..Metadata::default()
-    };
-    let bytes = write_surface(&z, first.columns, spacings, &metadata)
+    let bytes = write_surface(&z, first.columns, spacings, &synthetic(args.seed))
         .map_err(|error| Failure::new("E401", format!("{name}: cannot be written: {error}")))?;
     output::save(Path::new(&args.output), &bytes)?;
     let areal = parameters(&z, first.columns, spacings).map_err(refused)?;

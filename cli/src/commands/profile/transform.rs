@@ -13,7 +13,8 @@ use asperity_storage::whole_file;
 use serde_json::json;
 
 use super::evaluated::{
-    Note, opened, opened_trace, refusal, refused, save, save_trace, to_digits, um, without_outliers,
+    Note, opened, opened_trace, refusal, refused, save, save_trace, synthetic, to_digits, um,
+    without_outliers,
 };
 use super::like_surface;
 use super::plan::Plan;
@@ -204,15 +205,10 @@ pub fn generate(args: &ProfileGenerateArgs, common: &Common) -> Result<(), Failu
     let made = recipe
         .generate()
         .map_err(|error| Failure::new("E209", error.to_string()))?;
-    let metadata = Metadata {
-        title: Some(format!("synthetic, seed {}", seed(&recipe))),
-        instrument: Some("asperity profile generate".to_owned()),
-        ..Metadata::default()
-    };
     save(
         &args.output,
         &to_digits(&made.profile)?,
-        &metadata,
+        &synthetic(seed(&recipe)),
         FilterState::Primary,
     )?;
     let output = args.output.display().to_string();

@@ -21,6 +21,7 @@ mod survey;
 
 pub use gradient::{LossGradient, gradient, refuse as check_gradient};
 pub use kept_fields::KeptFields;
+pub use offsets::chooses_offsets;
 pub use stages::{Progress, check, contacts, contacts_beside, losses, losses_with, settled};
 pub use survey::{FilmRow, FilmSurvey, RegimeRow, film, survey};
 

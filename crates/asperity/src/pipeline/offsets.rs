@@ -26,7 +26,7 @@ const OVERLAP: f64 = 4.0;
 
 /// Whether the number of offsets of `loaded` follows from its loss: the case states none, and its load share
 /// follows from windows of traces whose place on the flank is not known.
-pub(super) fn chooses_offsets(loaded: &LoadedCase) -> bool {
+pub fn chooses_offsets(loaded: &LoadedCase) -> bool {
     let (case, surfaces) = (&loaded.case, &loaded.surfaces);
     case.input.model.offsets.is_none()
         && case.formulation == Formulation::Corrected

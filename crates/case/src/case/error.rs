@@ -6,8 +6,7 @@ use asperity_core::DomainError;
 use asperity_core::remedy::{Remedy, Setting};
 use asperity_profile_io::read::ReadError;
 
-use super::place::Place;
-use super::source::IN_MEMORY;
+use super::place::{IN_MEMORY, Place};
 use crate::loss_table::LossTableError;
 
 /// Loosest tolerance of a rough contact: at 1e-2 pressures were 56 to 65 % off.

@@ -30,6 +30,7 @@ use super::source::Source;
 use super::trace_filters::Filters;
 use crate::flanks::placement::PlacedTrace;
 use crate::flanks::surfaces::{FlankReport, Texture};
+use crate::key_words::with_keys;
 use crate::message::Warning;
 
 /// Case, text and files that both flanks are read with.
@@ -217,8 +218,12 @@ fn trace(
 ) -> Result<Flank, CaseError> {
     let case = context.case;
     let gear = gear_of(keys.table);
-    // The name in the case, which messages repeat.
+    // The name in the case, which errors repeat; warnings, which are listed on pages, shorten a full path.
     let name = file.display().to_string();
+    let short = match file.file_name().filter(|_| file.is_absolute()) {
+        Some(last) => last.to_string_lossy().into_owned(),
+        None => name.clone(),
+    };
     let mut read = read_trace(input, file, keys, context)?;
     let place = place_of(input, &mut read, keys, context)?;
     let mirrored = match &place {
@@ -234,7 +239,7 @@ fn trace(
         file: name.clone(),
         source,
     };
-    let mut filters = Filters::of(case, &name, read.reading.as_ref());
+    let mut filters = Filters::of(case, &short, read.reading.as_ref());
     if let Some(place) = place.filter(|place| place.reference.is_some()) {
         filters.keep_ends(case, keys.table, &place);
     }
@@ -261,11 +266,8 @@ fn trace(
     let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
     let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section).map_err(refused)?;
     let mut warn = |code, warning: &dyn std::fmt::Display, remedy: Remedy| {
-        let end = if remedy.is_empty() { "" } else { ". " };
-        warnings.push(Warning::new(
-            code,
-            format!("{name}: {warning}{end}{remedy}"),
-        ));
+        let message = format!("{short}: {warning}");
+        warnings.push(Warning::new(code, with_keys(&message, &remedy, keys.table)));
     };
     for warning in read.reading.iter().flat_map(|reading| &reading.warnings) {
         if lambda_c.is_some() || *warning != ReadWarning::AlreadyFiltered {

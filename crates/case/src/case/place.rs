@@ -4,6 +4,9 @@ use std::ops::Range;
 
 use serde::Serialize;
 
+/// Name of a case that was not read from a file.
+pub(super) const IN_MEMORY: &str = "case";
+
 /// A place in a case.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Place {

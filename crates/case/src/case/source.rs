@@ -11,7 +11,7 @@ use toml::{Table, Value};
 
 use super::error::CaseError;
 use super::keyed::from_keys;
-use super::place::Place;
+use super::place::{IN_MEMORY, Place};
 use super::symbols::{key_of_symbol, key_of_text, moved, name_viscosity_law};
 
 /// Format of the text of a case.
@@ -22,9 +22,6 @@ pub enum Syntax {
     /// JSON with the same keys.
     Json,
 }
-
-/// Name of a case that was not read from a file.
-pub(super) const IN_MEMORY: &str = "case";
 
 /// A case file's text with an index of its keys.
 #[derive(Debug, Clone)]

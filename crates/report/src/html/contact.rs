@@ -19,12 +19,18 @@ pub(super) fn section(result: &RunResult, tables: &PageTables) -> Result<Markup,
     let row = row_of(result, contact)?;
     let drawings = solution(result, tables, contact, row)?;
     let count = result.path.len();
+    let drawn = contact.surface.iter();
+    let largest = drawn.map(|at| at.pressure_solid_mpa + at.pressure_fluid_mpa);
     Ok(html! {
         p {
-            "Position " (contact.position) " of " (count)
-            @if count > 1 { ", by default the position with the highest pressure of the rough contact" }
-            ", at " (format!("{:.0} %", 100.0 * row.path_fraction))
-            " of the path from A to E; first offset of the traces."
+            "Position " (contact.position) " of " (count) ", at " (format!("{:.0} %", 100.0 * row.path_fraction))
+            " of the path from A to E. Drawn is the first offset of the traces, with a largest pressure of "
+            (format!("{:.0}", largest.fold(0.0, f64::max))) " MPa; smooth flanks would have "
+            (format!("{:.0}", row.hertz_pressure_mpa)) " MPa (Hertz)."
+            @if let Some(mean) = row.p_max_mpa.filter(|_| count > 1) {
+                " The mean over all offsets of the largest pressure is " (format!("{mean:.0}"))
+                " MPa; by default the position where it is highest is shown."
+            }
         }
         div.charts { @for drawing in &drawings { (figure(drawing)) } }
     })

@@ -49,7 +49,9 @@ fn own_finish(result: &RunResult) -> Markup {
     let s = &result.summary;
     let share = (s.lubricated_asperity_w + s.boundary_w) / s.loss_w;
     html! {
-        "The loss is for these two flanks as stated: " (format!("{:.0} %", 100.0 * share)) " of it arises where asperities touch. "
+        "The loss is for these two flanks as stated"
+        @if share.is_finite() { ": " (format!("{:.0} %", 100.0 * share)) " of it arises where asperities touch" }
+        ". "
         code { "asperity compare" } " computes what another finish would save."
     }
 }

@@ -140,13 +140,16 @@ pub fn difference_with_interval(difference: &PairedDifference) -> [String; 2] {
     ]
 }
 
-/// A median with its interval and the digits that this leaves, with signs if `is_signed`.
+/// A median with its interval and the digits that this leaves, with signs if `is_signed`; a difference that is exactly 0 has
+/// no interval.
 fn interval(median: f64, [low, high]: [f64; 2], is_signed: bool) -> String {
+    if [median, low, high] == [0.0; 3] {
+        return "0".to_owned();
+    }
     let digits = Digits::of_interval([low, high]);
-    let text = |value: f64| match (is_signed, low == high && value == 0.0) {
-        (_, true) => "0".to_owned(),
-        (true, _) if digits.steps(value) > 0.0 => format!("+{}", digits.rounded(value)),
-        _ => digits.rounded(value),
+    let text = |value: f64| match is_signed && digits.steps(value) > 0.0 {
+        true => format!("+{}", digits.rounded(value)),
+        false => digits.rounded(value),
     };
     format!("{} ({}..{})", text(median), text(low), text(high))
 }
