@@ -80,13 +80,18 @@ impl<'a> RoughFilm<'a> {
         }))
     }
 
-    /// Standard deviation of the attenuated windows.
-    fn window_rms(&mut self, window: Window) -> Result<Length, PositionError> {
+    /// Flattening of the traces, computed at first need.
+    fn flattening(&mut self) -> Result<Attenuation, PositionError> {
         let attenuation = match self.attenuation {
             Some(known) => known,
             None => self.film.attenuation(self.surfaces.pair_spectrum()?)?,
         };
-        self.attenuation = Some(attenuation);
+        Ok(*self.attenuation.insert(attenuation))
+    }
+
+    /// Standard deviation of the attenuated windows.
+    fn window_rms(&mut self, window: Window) -> Result<Length, PositionError> {
+        let attenuation = self.flattening()?;
         let window = (window.starts, window.points);
         self.surfaces
             .window_rms(window, &attenuation, &mut self.traces)
@@ -177,11 +182,8 @@ impl RoughFilm<'_> {
         let scale = self.case.model.friction_scale;
         let found = self.film.gradient(&mut rough, table, rms, scale)?;
         let (starts, points) = (window.starts, window.points);
+        let attenuation = self.flattening()?;
         let spectra = self.surfaces.whole_spectra()?;
-        let attenuation = match self.attenuation {
-            Some(known) => known,
-            None => self.film.attenuation(self.surfaces.pair_spectrum()?)?,
-        };
         let traces = (self.traces)
             .get_or_insert_with(|| AttenuatedTraces::new(spectra.each_ref(), &attenuation));
         let of_rms = traces.rms_gradient(starts, points);
