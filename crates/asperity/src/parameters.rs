@@ -52,6 +52,15 @@ pub(crate) const AXES: [UncertainParameter; 9] = [
     UncertainParameter::TemperatureError,
 ];
 
+// The number of a constant is its place among the axes.
+const _: () = {
+    let mut k = 0;
+    while k < AXES.len() {
+        assert!(AXES[k] as usize == k);
+        k += 1;
+    }
+};
+
 /// An uncertain constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]

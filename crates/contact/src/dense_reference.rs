@@ -188,11 +188,10 @@ impl DenseProblem {
 
     /// A y
     fn displacement(&self, y: &[f64]) -> Vec<f64> {
+        let pressed: Vec<usize> = (0..y.len()).filter(|&j| y[j] != 0.0).collect();
         let row = |i: usize| {
-            y.iter()
-                .enumerate()
-                .map(|(j, y)| self.column[i.abs_diff(j)] * y)
-                .sum()
+            let terms = pressed.iter().map(|&j| self.column[i.abs_diff(j)] * y[j]);
+            terms.sum()
         };
         (0..y.len()).map(row).collect()
     }

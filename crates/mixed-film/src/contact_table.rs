@@ -138,8 +138,19 @@ impl ContactTable {
     #[must_use]
     pub fn mean_gap(&self, asperity_share: f64) -> Length {
         let s = abscissa(asperity_share);
-        let k = self.knots[1..self.knots.len() - 1].partition_point(|knot| knot[0] <= s);
+        let k = self.knot_below(s);
         Length::from_si(hermite(&self.knots[k], &self.knots[k + 1], s))
+    }
+
+    /// Number of the knot below φ^¼ = `s`; at the last knot, of the one before it.
+    fn knot_below(&self, s: f64) -> usize {
+        self.knots[1..self.knots.len() - 1].partition_point(|knot| knot[0] <= s)
+    }
+
+    /// Whether a slope of the gap next to a share is limited, so that the gap has no extreme between its knots.
+    pub(crate) fn limits_a_slope(&self, asperity_share: f64) -> bool {
+        let k = self.knot_below(abscissa(asperity_share));
+        [k, k + 1].map(|k| monotone_slope(&self.knots, k).1) != [false; 2]
     }
 
     /// The share at which the contact's gap is the one supplied, with its residual.
@@ -212,7 +223,7 @@ impl ContactTable {
         /// where no slope is held.
         const STEP: f64 = 1e-6;
         let s = abscissa(asperity_share);
-        let k = self.knots[1..self.knots.len() - 1].partition_point(|knot| knot[0] <= s);
+        let k = self.knot_below(s);
         let slope = hermite_slope(&self.knots[k], &self.knots[k + 1], s);
         let step = STEP * self.first_touch.abs();
         let by_knot = |j: usize| {
@@ -260,35 +271,43 @@ fn abscissa_slope(share: f64) -> f64 {
     ABSCISSA_POWER * share.powf(ABSCISSA_POWER - 1.0)
 }
 
-/// Slopes of the parabola through three neighbours, held to three times the flatter chord: no new extreme
-/// between the knots (Fritsch and Carlson).
-fn set_monotone_slopes(knots: &mut [[f64; 3]]) {
+/// Slope at a knot of the parabola through three neighbours, held to three times the flatter chord: no new extreme between
+/// the knots (Fritsch and Carlson). Also returns whether it is limited.
+fn monotone_slope(knots: &[[f64; 3]], k: usize) -> (f64, bool) {
     const STEEPEST: f64 = 3.0;
     let chord = |a: &[f64; 3], b: &[f64; 3]| (b[1] - a[1]) / (b[0] - a[0]);
     let last = knots.len() - 1;
-    for k in 0..=last {
-        // At an end the parabola of the nearest three knots, seen from there.
-        let middle = k.clamp(1, last - 1);
-        let (left, right) = (
-            chord(&knots[middle - 1], &knots[middle]),
-            chord(&knots[middle], &knots[middle + 1]),
-        );
-        let bend = (right - left) / (knots[middle + 1][0] - knots[middle - 1][0]);
-        let slope = left + bend * (2.0 * knots[k][0] - knots[middle - 1][0] - knots[middle][0]);
-        let flatter = if k == 0 {
-            left
-        } else if k == last {
-            right
-        } else if left * right > 0.0 {
-            left.abs().min(right.abs()).copysign(left)
-        } else {
-            0.0
-        };
-        knots[k][2] = if slope * flatter > 0.0 {
-            slope.abs().min(STEEPEST * flatter.abs()).copysign(flatter)
-        } else {
-            0.0
-        };
+    // At an end the parabola of the nearest three knots, seen from there.
+    let middle = k.clamp(1, last - 1);
+    let (left, right) = (
+        chord(&knots[middle - 1], &knots[middle]),
+        chord(&knots[middle], &knots[middle + 1]),
+    );
+    let bend = (right - left) / (knots[middle + 1][0] - knots[middle - 1][0]);
+    let slope = left + bend * (2.0 * knots[k][0] - knots[middle - 1][0] - knots[middle][0]);
+    let flatter = if k == 0 {
+        left
+    } else if k == last {
+        right
+    } else if left * right > 0.0 {
+        left.abs().min(right.abs()).copysign(left)
+    } else {
+        0.0
+    };
+    let steepest = STEEPEST * flatter.abs();
+    if slope * flatter > 0.0 {
+        (
+            slope.abs().min(steepest).copysign(flatter),
+            slope.abs() > steepest,
+        )
+    } else {
+        (0.0, slope != 0.0)
+    }
+}
+
+fn set_monotone_slopes(knots: &mut [[f64; 3]]) {
+    for k in 0..knots.len() {
+        knots[k][2] = monotone_slope(knots, k).0;
     }
 }
 
@@ -317,6 +336,7 @@ mod tests {
         let parabola = |x: f64| 0.3 + 2.0 * x + 1.5 * x * x;
         let mut knots = [0.1, 0.25, 0.5, 0.6, 1.0].map(|x| [x, parabola(x), 0.0]);
         set_monotone_slopes(&mut knots);
+        assert!((0..knots.len()).all(|k| !monotone_slope(&knots, k).1));
         for pair in knots.windows(2) {
             for part in [0.0, 0.2, 0.5, 0.9, 1.0] {
                 let x = pair[0][0] + part * (pair[1][0] - pair[0][0]);
@@ -331,6 +351,9 @@ mod tests {
         let mut knots =
             [[0.0, 0.0], [0.2, 0.0], [0.3, 1.0], [0.9, 1.1], [1.0, 0.5]].map(|[x, y]| [x, y, 0.0]);
         set_monotone_slopes(&mut knots);
+        // A level part, a bend, an extreme.
+        let held = [0, 1, 2, 3, 4].map(|k| monotone_slope(&knots, k).1);
+        assert_eq!(held, [true, true, true, true, false]);
         for pair in knots.windows(2) {
             let (low, high) = (pair[0][1].min(pair[1][1]), pair[0][1].max(pair[1][1]));
             for part in 1..20 {

@@ -101,6 +101,21 @@ impl SpotConditions<'_> {
         Ok(mean)
     }
 
+    /// Whether the shear rate of a spot is limited, because its film is thinner than the thinnest.
+    ///
+    /// # Errors
+    /// When a spot has no film.
+    pub(crate) fn limits_shear_rate(&self, spots: &[Spot]) -> Result<bool, LoadShareError> {
+        let state = self.rheology.state(self.wall)?;
+        for spot in spots {
+            let contact = [spot.joint_load.si(), spot.width.si()];
+            if self.of_spot(&state, contact)?.film < THINNEST {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
     /// Derivatives of the mean friction coefficient of `spots`, with the coefficient `boundary` of the boundary layer, over
     /// load, joint load and width of each spot \[m/N, m/N, 1/m\].
     ///

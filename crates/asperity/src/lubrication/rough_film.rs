@@ -14,7 +14,8 @@ use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::{
-    AttenuatedTraces, ContactTable, LoadShareSettings, LoadShareSolution, PositionFilm, SmoothFilm,
+    AttenuatedTraces, ContactTable, Kinks, LoadShareSettings, LoadShareSolution, PositionFilm,
+    SmoothFilm,
 };
 
 /// Film of a position with the traces as its inlet leaves them.
@@ -136,6 +137,8 @@ pub(crate) struct HeightGradient {
     direct: [Vec<f64>; 2],
     /// Over the heights that the inlet has flattened.
     flattened: [Vec<f64>; 2],
+    /// Kinks of the windows.
+    pub(crate) kinks: Kinks,
 }
 
 impl HeightGradient {
@@ -144,6 +147,7 @@ impl HeightGradient {
         Ok(Self {
             direct: zeros()?,
             flattened: zeros()?,
+            kinks: Kinks::default(),
         })
     }
 }
@@ -160,10 +164,14 @@ impl RoughFilm<'_> {
         force: f64,
         sums: &mut HeightGradient,
     ) -> Result<(), PositionError> {
-        let Some(table) = contact.table.get() else {
+        let rms = self.window_rms(window)?;
+        let table = contact.table.get();
+        if let Some(first_touch) = contact.first_touch.get() {
+            sums.kinks += self.film.kinks(*first_touch, table, rms)?;
+        }
+        let Some(table) = table else {
             return Ok(());
         };
-        let rms = self.window_rms(window)?;
         let (heights, spacing) = composite()?;
         let mut rough = rough_window(self.case, &self.contact, &heights, spacing)?;
         let scale = self.case.model.friction_scale;
@@ -189,7 +197,7 @@ impl RoughFilm<'_> {
     }
 
     /// The gradient over the heights of the traces.
-    pub(crate) fn gradient(&self, sums: HeightGradient) -> Result<[Vec<f64>; 2], PositionError> {
+    pub(crate) fn gradient(&self, sums: &HeightGradient) -> Result<[Vec<f64>; 2], PositionError> {
         let spectra = self.surfaces.whole_spectra()?;
         let pair = self.surfaces.pair_spectrum()?;
         let mut gradient = self.film.unflattened(spectra, pair, &sums.flattened)?;

@@ -7,7 +7,7 @@ use asperity_core::Checked;
 use asperity_core::cancel::checkpoint;
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::Regime;
-use asperity_mixed_film::LoadShareSolution;
+use asperity_mixed_film::{Kinks, LoadShareSolution};
 
 use super::chosen_laws::ChosenLaws;
 use super::decision::{Decision, Undecided};
@@ -33,6 +33,14 @@ struct Decided {
     /// Heights of the window, if the load share depends on them.
     pair: Option<WindowPair>,
     decision: Decision,
+}
+
+/// Gradient of the sliding loss at a position.
+pub(crate) struct PositionGradient {
+    /// Over the heights of both traces at each offset \[W/m\].
+    pub by_offset: Vec<[Vec<f64>; 2]>,
+    /// Kinks of the windows.
+    pub kinks: Kinks,
 }
 
 /// Everything that is the same at all positions.
@@ -221,8 +229,7 @@ impl Lubrication<'_> {
         Ok((film, decisions.collect()))
     }
 
-    /// Gradient \[W/m\] of the sliding loss at `at` over the heights of both traces at each offset, its rough contacts stored and
-    /// their sets held.
+    /// Gradient of the sliding loss at `at` over the heights, its rough contacts stored and their sets held.
     ///
     /// # Errors
     /// When a contact has no solution, or the load share does not follow from one.
@@ -230,7 +237,7 @@ impl Lubrication<'_> {
         &self,
         at: &MeshPosition,
         contacts: &[Arc<WindowContact>],
-    ) -> Result<Vec<[Vec<f64>; 2]>, PositionError> {
+    ) -> Result<PositionGradient, PositionError> {
         checkpoint()?;
         let film = plausible_film(self.case, at)?;
         let of_position = (at, &film);
@@ -239,15 +246,17 @@ impl Lubrication<'_> {
         let count = contacts.len();
         let force = at.weight * at.mean_sliding() * at.load.si();
         let mut by_offset = Vec::with_capacity(count);
+        let mut kinks = Kinks::default();
         for (k, contact) in contacts.iter().enumerate() {
             let mut sums = HeightGradient::none(self.surfaces)?;
             if let Some(window) = contact.window {
                 let heights = || self.composite(at, window, (k, count));
                 rough.add_gradient((contact, window), heights, force, &mut sums)?;
             }
-            by_offset.push(rough.gradient(sums)?);
+            by_offset.push(rough.gradient(&sums)?);
+            kinks += sums.kinks;
         }
-        Ok(by_offset)
+        Ok(PositionGradient { by_offset, kinks })
     }
 
     /// Solves the rough contact of every window whose load share did not: its numbers, for the result and for the

@@ -1,6 +1,7 @@
 //! The ridges of both flanks that cost most.
 
 use asperity_core::Profile;
+pub use asperity_mixed_film::Kinks;
 use serde::{Deserialize, Serialize};
 
 /// Cells of a whole trace.
@@ -25,6 +26,9 @@ pub struct Ridges {
     pub heat_balance: f64,
     /// Sliding loss where the traces do not resolve the contact, which is left out of the gradient \[W\].
     pub unresolved_w: f64,
+    /// Windows at or next to a kink of the loss; none in older results.
+    #[serde(default)]
+    pub kinks: Kinks,
     /// The costliest ridges, the costliest first.
     pub rows: Vec<RidgeRow>,
     /// Loss by octave of wavelength, shortest first.

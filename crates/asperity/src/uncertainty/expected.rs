@@ -153,7 +153,9 @@ fn after_losses(meshes: &[MeshDraws<'_>], deviation: f64) -> Quantiles {
         // Errors in another order than the truths.
         let noise = error * standard_normal_quantile(place((29 * k + 7) % TRUTHS));
         let result = shared[by_truth[(place(k) * shared.len() as f64) as usize]] + noise;
-        let weight = |j: usize| (-0.5 * ((shared[j] - result) / error).powi(2)).exp();
+        let weight = |shared: &f64| (-0.5 * ((shared - result) / error).powi(2)).exp();
+        let weights: Vec<f64> = shared.iter().map(weight).collect();
+        let weight = |j: usize| weights[j];
         let [low, median, high] = weighted_quantiles(&own, &order, weight);
         sums[0] += low - median;
         sums[1] += high - median;

@@ -381,10 +381,11 @@ fn parts(
             "a spin-loss measurement".to_owned(),
         ),
     ];
+    let law = predictive.law();
     let alone = constants
         .chain(factors)
         .filter_map(|(component, name, remedy)| {
-            let found = predictive.alone(component)?;
+            let found = law.alone(component)?;
             Some(UncertaintyPart {
                 name: name.to_owned(),
                 sd_ln: found.sd_ln,

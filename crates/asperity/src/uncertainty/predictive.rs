@@ -26,7 +26,7 @@ use super::hypercube::StudentOfNormal;
 use super::quantiles::Quantiles;
 use super::relief::ReliefFactors;
 use super::surface::QuadraticSurface;
-use crate::parameters::{Ranged, UncertainParameter};
+use crate::parameters::{AXES, Ranged, UncertainParameter};
 use crate::sampling::SamplingError;
 
 /// Probability of the exponential boundary rule with spots fed at the entrainment speed, and with the step rule added.
@@ -213,13 +213,13 @@ impl Predictive {
     /// The same with every draw changed.
     pub(super) fn losses_by(&self, flanks: usize, change: impl Fn(&mut Draw)) -> Vec<f64> {
         cite!("Predictive-draw");
-        let table = StudentOfNormal::new(self.sampling.freedom);
+        let law = self.law();
         let draws = shared_draws().zip(flank_draws(flanks));
         let drawn = draws.map(|(draw, of_flanks)| {
             let mut draw = draw;
             draw.of_flanks = of_flanks;
             change(&mut draw);
-            self.loss(draw, &table).min(self.power_in_w)
+            law.loss(&draw).min(self.power_in_w)
         });
         drawn.collect()
     }
@@ -273,41 +273,7 @@ impl Predictive {
 
     /// Median, quantiles and spread with only `component` drawn; `None` if it changes nothing.
     pub(super) fn alone(&self, component: Component) -> Option<Quantiles> {
-        let table = StudentOfNormal::new(self.sampling.freedom);
-        let draws = shared_draws().zip(flank_draws(0));
-        let drawn = draws.map(|(draw, of_flanks)| {
-            let mut alone = Draw::medians();
-            match component {
-                Component::Constant(k) => {
-                    let axis = self.axis(k);
-                    alone.constants[axis] = draw.constants[axis];
-                }
-                Component::Constants => {
-                    alone.constants = draw.constants;
-                    (alone.film_law, alone.pressure_law) = (draw.film_law, draw.pressure_law);
-                }
-                Component::Sampling => {
-                    alone.of_flanks.sampling = of_flanks.sampling;
-                    alone.of_flanks.form = of_flanks.form;
-                    alone.of_flanks.place = of_flanks.place;
-                }
-                Component::Relief => {
-                    (alone.relief, alone.length, alone.power) =
-                        (draw.relief, draw.length, draw.power);
-                }
-                Component::Model => {
-                    alone.weight = draw.weight;
-                    alone.of_flanks.model = of_flanks.model;
-                }
-                Component::Structure => alone.state = draw.state,
-                Component::Rolling => alone.rolling = draw.rolling,
-                Component::FilmLaw => alone.film_law = draw.film_law,
-                Component::PressureLaw => alone.pressure_law = draw.pressure_law,
-            }
-            self.loss(alone, &table)
-        });
-        let found = Quantiles::of(&drawn.collect::<Vec<_>>());
-        (found.sd_ln > 1e-9).then_some(found)
+        self.law().alone(component)
     }
 
     /// Loss at the medians in a state of the structure \[W\]; `None` without a choice.
@@ -317,101 +283,52 @@ impl Predictive {
             state: state.place(),
             ..Draw::medians()
         };
-        Some(self.loss(draw, &StudentOfNormal::new(self.sampling.freedom)))
+        Some(self.law().loss(&draw))
     }
 
     /// The loss without tip relief and with the largest, relative to the run; `None` if the relief is stated.
     pub(super) fn at_ends_of_relief(&self) -> Option<[f64; 2]> {
         self.relief.as_ref()?;
-        let table = StudentOfNormal::new(self.sampling.freedom);
+        let law = self.law();
         let at = |relief: f64| {
-            self.loss(
-                Draw {
-                    relief,
-                    ..Draw::medians()
-                },
-                &table,
-            )
+            let draw = Draw {
+                relief,
+                ..Draw::medians()
+            };
+            law.loss(&draw)
         };
         Some([0.0, 1.0].map(|relief| at(relief) / at(0.5)))
     }
 
-    fn axis(&self, constant: usize) -> usize {
-        let kind = self.constants[constant].kind;
-        crate::parameters::AXES
-            .iter()
-            .position(|axis| *axis == kind)
-            .unwrap_or(0)
+    /// The loss of one draw after another.
+    pub(super) fn law(&self) -> DrawnLoss<'_> {
+        let [bias, model_error] = self.model_deviation();
+        DrawnLoss {
+            of: self,
+            bias,
+            model_error: model_error.hypot(self.surface_rms),
+            rolling_error: self.rolling_error(),
+            student: StudentOfNormal::new(self.sampling.freedom),
+        }
     }
 
-    /// Standardised constants of a draw, measured ones correlated.
-    fn standardised(&self, draw: &Draw) -> Vec<f64> {
-        self.correlated(draw, &self.correlations)
-    }
-
-    fn correlated(&self, draw: &Draw, correlations: &[Vec<f64>]) -> Vec<f64> {
-        let mut z: Vec<f64> = (0..self.constants.len())
-            .map(|k| draw.constants[self.axis(k)])
-            .collect();
+    /// Standardised constants of a draw, measured ones correlated; beyond the constants 0.
+    fn standardised(&self, draw: &Draw, correlations: &[Vec<f64>]) -> [f64; AXES.len()] {
+        let mut z = [0.0; AXES.len()];
+        for (z, constant) in z.iter_mut().zip(&self.constants) {
+            *z = draw.constants[constant.kind as usize];
+        }
         if correlations.is_empty() {
             return z;
         }
-        let measured: Vec<usize> = (0..z.len())
-            .filter(|k| self.constants[*k].measured.is_some())
-            .collect();
-        let own: Vec<f64> = measured.iter().map(|k| z[*k]).collect();
-        for (k, row) in measured.iter().zip(correlations) {
-            z[*k] = row.iter().zip(&own).map(|(l, z)| l * z).sum();
+        let own = z;
+        let of_measured = |(k, _): &(usize, &Ranged)| self.constants[*k].measured.is_some();
+        let measured = || self.constants.iter().enumerate().filter(of_measured);
+        for ((k, _), row) in measured().zip(correlations) {
+            let own = measured().map(|(k, _)| own[k]);
+            z[k] = row.iter().zip(own).map(|(l, z)| l * z).sum();
         }
         z
-    }
-
-    /// The loss of a draw \[W\].
-    fn loss(&self, draw: Draw, table: &StudentOfNormal) -> f64 {
-        let [sliding, _, other] = self.parts_w;
-        let z = self.standardised(&draw);
-        let at = |surface: &Option<QuadraticSurface>| surface.as_ref().map_or(0.0, |s| s.at(&z));
-        let state = self
-            .structure
-            .as_ref()
-            .map(|structure| (State::of(draw.state), structure));
-        let law = self.other_law.as_ref();
-        let mut sheared = match law.filter(|law| draw.pressure_law < law.probability) {
-            Some(law) => {
-                let own = law.sliding.at(&self.correlated(&draw, &law.correlations));
-                sliding * (law.shift + own).exp()
-            }
-            None => sliding * at(&self.sliding).exp(),
-        };
-        match state {
-            Some((State::HalfSliding, structure)) => {
-                sheared *= self.half_sliding(structure, &z).exp()
-            }
-            Some((State::StepRule, structure)) => {
-                sheared += self.step_rule(structure, &z, at(&self.share))
-            }
-            _ => {}
-        }
-        if let Some(law) = &self.film_law {
-            sheared *= law.factor(draw.film_law);
-        }
-        let of_relief = self.relief.as_ref().map_or(1.0, |relief| {
-            let power = RELIEF_POWER[0] + RELIEF_POWER[1] * draw.power;
-            relief.ratio(draw.relief, draw.length).powf(power)
-        });
-        let of_model =
-            (-draw.weight * self.bias() + self.model_error() * draw.of_flanks.model).exp();
-        let rolling = self.rolling(&draw, &z);
-        let of_sampling = self.sampling.standard_error * table.at(draw.of_flanks.sampling)
-            + self.sampling.form * draw.of_flanks.form
-            + self.sampling.shift(draw.of_flanks.place);
-        (sheared * of_relief * of_model + rolling + other) * of_sampling.exp()
-    }
-
-    /// Rolling loss of a draw \[W\].
-    fn rolling(&self, draw: &Draw, z: &[f64]) -> f64 {
-        let of_constants = self.rolling.as_ref().map_or(0.0, |surface| surface.at(z));
-        self.parts_w[1] * (of_constants + self.rolling_error() * draw.rolling).exp()
     }
 
     fn half_sliding(&self, structure: &Structure, z: &[f64]) -> f64 {
@@ -451,13 +368,8 @@ impl Predictive {
         model_deviation(self.gap_law, s, self.asperity_share)
     }
 
-    fn bias(&self) -> f64 {
-        self.model_deviation()[0]
-    }
-
     pub(super) fn model_error(&self) -> f64 {
-        let [_, error] = self.model_deviation();
-        error.hypot(self.surface_rms)
+        self.law().model_error
     }
 
     /// q: standard deviation of ln Q, 0.12 up to a film of 0.5 um and 0.25 from 1 um.
@@ -469,13 +381,14 @@ impl Predictive {
     /// The factor of each draw on the sliding loss at constants, relief and model error, for the rows of a path: without
     /// the constants' own part, which differs from position to position.
     pub(super) fn factors_of_sliding(&self) -> Vec<(Vec<f64>, f64)> {
-        let other = self.parts_w[2];
+        let law = self.law();
+        let [sliding, _, other] = self.parts_w;
         let draws = shared_draws().zip(self.losses(0));
         let factor = |(draw, loss): (Draw, f64)| {
-            let z = self.standardised(&draw);
-            let sliding = self.parts_w[0] * self.sliding.as_ref().map_or(0.0, |s| s.at(&z)).exp();
-            let factor = ((loss - self.rolling(&draw, &z) - other) / sliding).max(0.0);
-            (z, factor)
+            let z = &self.standardised(&draw, &self.correlations)[..self.constants.len()];
+            let sheared = sliding * self.sliding.as_ref().map_or(0.0, |s| s.at(z)).exp();
+            let factor = ((loss - law.rolling(&draw, z) - other) / sheared).max(0.0);
+            (z.to_vec(), factor)
         };
         draws.map(factor).collect()
     }
@@ -484,6 +397,106 @@ impl Predictive {
     #[must_use]
     pub const fn count() -> usize {
         DRAWS
+    }
+}
+
+/// The loss of one draw after another, with what all draws share.
+pub(super) struct DrawnLoss<'a> {
+    of: &'a Predictive,
+    bias: f64,
+    model_error: f64,
+    rolling_error: f64,
+    student: StudentOfNormal,
+}
+
+impl DrawnLoss<'_> {
+    /// Median, quantiles and spread with only `component` drawn; `None` if it changes nothing.
+    pub fn alone(&self, component: Component) -> Option<Quantiles> {
+        let draws = shared_draws().zip(flank_draws(0));
+        let drawn = draws.map(|(draw, of_flanks)| {
+            let mut alone = Draw::medians();
+            match component {
+                Component::Constant(k) => {
+                    let axis = self.of.constants[k].kind as usize;
+                    alone.constants[axis] = draw.constants[axis];
+                }
+                Component::Constants => {
+                    alone.constants = draw.constants;
+                    (alone.film_law, alone.pressure_law) = (draw.film_law, draw.pressure_law);
+                }
+                Component::Sampling => {
+                    alone.of_flanks.sampling = of_flanks.sampling;
+                    alone.of_flanks.form = of_flanks.form;
+                    alone.of_flanks.place = of_flanks.place;
+                }
+                Component::Relief => {
+                    (alone.relief, alone.length, alone.power) =
+                        (draw.relief, draw.length, draw.power);
+                }
+                Component::Model => {
+                    alone.weight = draw.weight;
+                    alone.of_flanks.model = of_flanks.model;
+                }
+                Component::Structure => alone.state = draw.state,
+                Component::Rolling => alone.rolling = draw.rolling,
+                Component::FilmLaw => alone.film_law = draw.film_law,
+                Component::PressureLaw => alone.pressure_law = draw.pressure_law,
+            }
+            self.loss(&alone)
+        });
+        let found = Quantiles::of(&drawn.collect::<Vec<_>>());
+        (found.sd_ln > 1e-9).then_some(found)
+    }
+
+    /// The loss of a draw \[W\].
+    pub fn loss(&self, draw: &Draw) -> f64 {
+        let of = self.of;
+        let [sliding, _, other] = of.parts_w;
+        let standardised = |correlations| of.standardised(draw, correlations);
+        let z = &standardised(&of.correlations)[..of.constants.len()];
+        let at = |surface: &Option<QuadraticSurface>| surface.as_ref().map_or(0.0, |s| s.at(z));
+        let state = of
+            .structure
+            .as_ref()
+            .map(|structure| (State::of(draw.state), structure));
+        let law = of.other_law.as_ref();
+        let mut sheared = match law.filter(|law| draw.pressure_law < law.probability) {
+            Some(law) => {
+                let own = law.sliding.at(&standardised(&law.correlations)[..z.len()]);
+                sliding * (law.shift + own).exp()
+            }
+            None => sliding * at(&of.sliding).exp(),
+        };
+        match state {
+            Some((State::HalfSliding, structure)) => sheared *= of.half_sliding(structure, z).exp(),
+            Some((State::StepRule, structure)) => {
+                sheared += of.step_rule(structure, z, at(&of.share))
+            }
+            _ => {}
+        }
+        if let Some(law) = &of.film_law {
+            sheared *= law.factor(draw.film_law);
+        }
+        let of_relief = of.relief.as_ref().map_or(1.0, |relief| {
+            let power = RELIEF_POWER[0] + RELIEF_POWER[1] * draw.power;
+            relief.ratio(draw.relief, draw.length).powf(power)
+        });
+        let of_model = (-draw.weight * self.bias + self.model_error * draw.of_flanks.model).exp();
+        let rolling = self.rolling(draw, z);
+        let of_sampling = of.sampling.standard_error * self.student.at(draw.of_flanks.sampling)
+            + of.sampling.form * draw.of_flanks.form
+            + of.sampling.shift(draw.of_flanks.place);
+        (sheared * of_relief * of_model + rolling + other) * of_sampling.exp()
+    }
+
+    /// Rolling loss of a draw \[W\].
+    fn rolling(&self, draw: &Draw, z: &[f64]) -> f64 {
+        let of_constants = self
+            .of
+            .rolling
+            .as_ref()
+            .map_or(0.0, |surface| surface.at(z));
+        self.of.parts_w[1] * (of_constants + self.rolling_error * draw.rolling).exp()
     }
 }
 
@@ -529,7 +542,7 @@ fn former_gap_law() -> GapLaw {
 mod tests {
     use super::super::draw::{draws_in, orders};
     use super::*;
-    use crate::parameters::{AXES, Measured};
+    use crate::parameters::Measured;
 
     /// A case of which nothing is uncertain but the error of the model and the rolling loss.
     fn plain() -> Predictive {
@@ -617,14 +630,14 @@ mod tests {
             },
             ..plain()
         };
-        let table = StudentOfNormal::new(found.sampling.freedom);
+        let law = found.law();
         let of_seed = |seed: u64| {
             let drawn = orders(100 + seed);
             let draws = draws_in(&drawn).zip(flank_draws(10 + seed as usize));
             let losses = draws.map(|(draw, of_flanks)| {
                 let mut draw = draw;
                 draw.of_flanks = of_flanks;
-                found.loss(draw, &table)
+                law.loss(&draw)
             });
             Quantiles::of(&losses.collect::<Vec<_>>())
         };
@@ -682,8 +695,8 @@ mod tests {
             correlations: vec![vec![1.0], vec![-0.9, 0.19_f64.sqrt()]],
             ..plain()
         };
-        let drawn: Vec<Vec<f64>> = shared_draws()
-            .map(|draw| found.standardised(&draw))
+        let drawn: Vec<[f64; AXES.len()]> = shared_draws()
+            .map(|draw| found.standardised(&draw, &found.correlations))
             .collect();
         let n = drawn.len() as f64;
         let product = |a: usize, b: usize| drawn.iter().map(|z| z[a] * z[b]).sum::<f64>() / n;
@@ -715,13 +728,13 @@ mod tests {
             constants,
             ..plain()
         };
-        let table = StudentOfNormal::new(case.sampling.freedom);
+        let law = case.law();
         let losses = shared_draws().map(|draw| {
             let only = Draw {
                 pressure_law: draw.pressure_law,
                 ..Draw::medians()
             };
-            case.loss(only, &table)
+            law.loss(&only)
         });
         let losses: Vec<f64> = losses.collect();
         let doubled = losses
@@ -852,9 +865,9 @@ mod tests {
             roughness_over_film: Some(s),
             ..plain()
         };
-        assert_eq!(of(2.1).bias(), 0.0);
-        assert!((of(3.0).bias() - 0.144).abs() < 1e-15);
-        assert_eq!(of(6.0).bias(), 0.28);
+        assert_eq!(of(2.1).law().bias, 0.0);
+        assert!((of(3.0).law().bias - 0.144).abs() < 1e-15);
+        assert_eq!(of(6.0).law().bias, 0.28);
         for (s, error) in [
             (0.5, 0.05),
             (1.8, 0.07),
@@ -868,8 +881,11 @@ mod tests {
             gap_law: GapLaw::Power,
             ..of(s)
         };
-        assert!((power(2.5).bias() - 0.08).abs() < 1e-15);
-        assert_eq!((power(6.0).bias(), power(6.0).model_error()), (0.2, 0.05));
+        assert!((power(2.5).law().bias - 0.08).abs() < 1e-15);
+        assert_eq!(
+            (power(6.0).law().bias, power(6.0).model_error()),
+            (0.2, 0.05)
+        );
         assert!(of(6.0).quantiles().median_w < 95.0);
         let [thin, thick] =
             [0.4e-6, 1.2e-6].map(|film_m| Predictive { film_m, ..plain() }.rolling_error());
@@ -896,6 +912,9 @@ mod tests {
             (high / 0.123 - 1.0).abs() < 0.01 && (low / 0.066 - 1.0).abs() < 0.01,
             "{alone:?}"
         );
-        assert_eq!(AXES[found.axis(0)], UncertainParameter::BoundaryFriction);
+        assert_eq!(
+            AXES[found.constants[0].kind as usize],
+            UncertainParameter::BoundaryFriction
+        );
     }
 }

@@ -44,16 +44,18 @@ pub(crate) fn sorted_quantiles<const N: usize>(
     values: &[f64],
     probabilities: [f64; N],
 ) -> [f64; N] {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let Some(last) = sorted.len().checked_sub(1) else {
+    let Some(last) = values.len().checked_sub(1) else {
         return [f64::NAN; N];
     };
+    let mut values = values.to_vec();
     probabilities.map(|probability| {
         let place = probability * last as f64;
         let k = (place as usize).min(last.saturating_sub(1));
-        let (low, high) = (sorted[k], sorted[(k + 1).min(last)]);
+        // Two order statistics, without sorting all draws.
+        let (_, low, above) = values.select_nth_unstable_by(k, f64::total_cmp);
+        let low = *low;
+        let high = above.iter().copied().min_by(f64::total_cmp);
         // Equal neighbours give their value to the last digit.
-        low + (place - k as f64) * (high - low)
+        low + (place - k as f64) * (high.unwrap_or(low) - low)
     })
 }

@@ -27,31 +27,36 @@ pub fn standard_normal_below(z: f64) -> f64 {
     0.5 * libm::erfc(-z / std::f64::consts::SQRT_2)
 }
 
-/// z with Φ(z) = p, Φ(z) = erfc(−z/√2)/2, by bisection; p is held off 0 and 1.
+/// z with Φ(z) = p, Φ(z) = erfc(−z/√2)/2; p is held off 0 and 1.
+///
+/// A start within 4.5e-4 (Abramowitz and Stegun 26.2.23) and two steps of Halley's iteration, whose error is of third order:
+///
+/// ```text
+/// z' = z − u/(1 + z u/2),  u = (Φ(z) − p) √(2π) exp(z²/2)
+/// ```
 ///
 /// ```
 /// use asperity_core::numerics::{Z_975, standard_normal_quantile};
-/// assert!((standard_normal_quantile(0.975) - Z_975).abs() < 1e-12);
+/// assert!((standard_normal_quantile(0.975) - Z_975).abs() < 1e-15);
 /// assert_eq!(standard_normal_quantile(0.5), 0.0);
 /// ```
 #[must_use]
 pub fn standard_normal_quantile(p: f64) -> f64 {
-    /// Beyond it no number between 0 and 1 is left.
-    const END: f64 = 8.0;
-    /// Halvings of the bracket down to the last digit.
-    const HALVINGS: usize = 60;
+    /// Φ(−8): above 1 less this no number below 1 is left.
+    const LEAST: f64 = 6.220_960_574_271_785e-16;
     if p == 0.5 {
         return 0.0;
     }
-    let below = |z: f64| standard_normal_below(z) < p;
-    let (mut low, mut high) = (-END, END);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if below(middle) {
-            low = middle;
-        } else {
-            high = middle;
-        }
+    // In the lower tail Φ keeps its digits.
+    let tail = p.min(1.0 - p).max(LEAST);
+    let t = (-2.0 * tail.ln()).sqrt();
+    let above = 2.515_517 + t * (0.802_853 + t * 0.010_328);
+    let below = 1.0 + t * (1.432_788 + t * (0.189_269 + t * 0.001_308));
+    let mut z = above / below - t;
+    for _ in 0..2 {
+        let density = (-0.5 * z * z).exp() / std::f64::consts::TAU.sqrt();
+        let step = (standard_normal_below(z) - tail) / density;
+        z -= step / (1.0 + 0.5 * z * step);
     }
-    0.5 * (low + high)
+    if p < 0.5 { z } else { -z }
 }

@@ -23,11 +23,14 @@
 //! Each dg_j and dB_r is a linear function of the pressures of one contact, whose sets are held:
 //! [`RoughContact`] returns its gradient from one factored system.
 
+use std::ops::AddAssign;
+
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 use asperity_ehl_regime::{Attenuation, GapLaw, PairSpectrum, TraceSpectrum};
 use asperity_tribo_friction::FilmHeat;
+use serde::{Deserialize, Serialize};
 
 use super::PositionFilm;
 use crate::contact_table::ContactTable;
@@ -39,6 +42,39 @@ use crate::spots::SpotConditions;
 const TEMPERATURE_STEP: f64 = 0.02;
 /// Relative step of the difference quotient of the supply over the share.
 const SHARE_STEP: f64 = 1e-5;
+
+/// Change of the mean gap that counts as next to a kink \[m\]: heights that move by 1 nm move it by 1 nm at most.
+const NEXT_TO: f64 = 1e-9;
+
+/// Numbers of windows at or next to a kink of the friction over the heights, where a gradient holds for one side only.
+/// "Next to" is 1 nm of mean gap.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Kinks {
+    /// All windows.
+    pub windows: usize,
+    /// Windows whose flanks stay apart: their friction does not depend on the heights.
+    pub apart: usize,
+    /// Windows next to their first touch, touching or not.
+    pub first_touch: usize,
+    /// Windows next to a row of the contact table, between which the friction of the spots is interpolated.
+    pub rows: usize,
+    /// Windows between rows where the slope of the gap is limited.
+    pub limited_slopes: usize,
+    /// Windows at a floor: the gap of the largest share, or a spot whose film is thinner than the thinnest whose shear rate
+    /// is computed.
+    pub floors: usize,
+}
+
+impl AddAssign for Kinks {
+    fn add_assign(&mut self, other: Self) {
+        self.windows += other.windows;
+        self.apart += other.apart;
+        self.first_touch += other.first_touch;
+        self.rows += other.rows;
+        self.limited_slopes += other.limited_slopes;
+        self.floors += other.floors;
+    }
+}
 
 /// Change of the friction of a window with its roughness.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,6 +129,45 @@ impl PositionFilm<'_> {
             }
         }
         Ok(gradient)
+    }
+
+    /// Kinks at or next to which a window is; `table` is `None` if its contact was not solved because the flanks stay apart.
+    ///
+    /// # Errors
+    /// When σ_d is negative, a spot has no film or an iteration does not end.
+    pub fn kinks(
+        &mut self,
+        first_touch: Length,
+        table: Option<&ContactTable>,
+        attenuated_rms: Length,
+    ) -> Result<Kinks, LoadShareError> {
+        let supply = self.supply_of(self.inlet_factor(attenuated_rms)?)?;
+        let is_next = |gap: Length, other: f64| (gap.si() - other).abs() < NEXT_TO;
+        let mut kinks = Kinks {
+            windows: 1,
+            first_touch: usize::from(is_next(first_touch, supply(0.0))),
+            ..Kinks::default()
+        };
+        let touching = match table {
+            Some(table) => Some((table, table.share(&supply)?.value)),
+            None => None,
+        };
+        let Some((table, root)) = touching.filter(|(_, root)| *root > 0.0) else {
+            kinks.apart = 1;
+            return Ok(kinks);
+        };
+        let gap = table.mean_gap(root);
+        let mut rows = table.rows().iter();
+        kinks.rows = usize::from(rows.any(|row| is_next(row.mean_gap, gap.si())));
+        kinks.limited_slopes = usize::from(table.limits_a_slope(root));
+        let rise = self.share(table, attenuated_rms)?.value.surface_rise;
+        let conditions = self.spot_conditions(rise);
+        let mut is_at_floor = root >= LARGEST_SHARE;
+        for (row, _) in table.between(root).rows {
+            is_at_floor |= conditions.limits_shear_rate(&row.spots)?;
+        }
+        kinks.floors = usize::from(is_at_floor);
+        Ok(kinks)
     }
 
     /// Gradient of the friction coefficient over the roughness of a window, with the contact sets held; its film part is

@@ -120,3 +120,82 @@ fn the_gradient_over_the_heights_is_the_central_difference() {
         }
     }
 }
+
+#[test]
+fn kinks_are_counted_within_a_nanometre_of_mean_gap() {
+    let (contact, rheology, settings) = (e_drive(), oil("e-fluid"), LoadShareSettings::default());
+    let (_, table) = exact_table(&contact, ground());
+    let mut film = PositionFilm::new(&rheology, &contact, celsius(90.0), &settings).unwrap();
+    let first_touch = table.first_touch_gap();
+    // Kinks where the supply is `gap`: the roughness is searched that the inlet needs for it.
+    let mut at = |gap: f64| {
+        let supplied = |film: &mut PositionFilm<'_>, rms: f64| {
+            let share = film.share(&table, Length::from_si(rms)).unwrap().value;
+            (share.mean_gap.si(), share.asperity_share)
+        };
+        let [mut low, mut high] = [0.0, 1e-5];
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            match supplied(&mut film, middle).0 < gap {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        let (found, share) = supplied(&mut film, low);
+        assert!((found - gap).abs() < 1e-13, "{found} {gap}");
+        let kinks = film.kinks(first_touch, Some(&table), Length::from_si(low));
+        let kinks = kinks.unwrap();
+        assert_eq!((kinks.windows, kinks.apart == 1), (1, share == 0.0));
+        kinks
+    };
+    for off in [-1.1e-9_f64, -0.9e-9, 0.9e-9, 1.1e-9] {
+        let is_next = usize::from(off.abs() < 1e-9);
+        let kinks = at(first_touch.si() + off);
+        assert_eq!((kinks.first_touch, kinks.rows), (is_next, 0), "{off}");
+        for row in &table.rows()[4..8] {
+            let kinks = at(row.mean_gap.si() + off);
+            assert_eq!((kinks.first_touch, kinks.rows), (0, is_next), "{off}");
+        }
+    }
+}
+
+#[test]
+fn a_window_without_contact_or_film_is_counted_as_apart_or_at_a_floor() {
+    let (mut contact, rheology, settings) =
+        (e_drive(), oil("e-fluid"), LoadShareSettings::default());
+    let (_, table) = exact_table(&contact, ground());
+    let rms = Length::from_si(0.0);
+    let mut film = PositionFilm::new(&rheology, &contact, celsius(90.0), &settings).unwrap();
+    let first_touch = Length::from_si(0.5 * film.supply_film().si());
+    let apart = film.kinks(first_touch, None, rms).unwrap();
+    let one = Kinks {
+        windows: 1,
+        ..Kinks::default()
+    };
+    assert_eq!(apart, Kinks { apart: 1, ..one });
+    // So thin a film that the asperities carry the largest share.
+    let smooth = SmoothFilm {
+        central: Length::from_si(1e-9),
+        thermal_factor: 1.0,
+    };
+    let bulk = celsius(90.0);
+    let mut film = PositionFilm::with_film(&rheology, &contact, bulk, &settings, smooth).unwrap();
+    let share = film.share(&table, rms).unwrap().value.asperity_share;
+    let largest = film.kinks(table.first_touch_gap(), Some(&table), rms);
+    assert_eq!((share, largest.unwrap().floors), (0.99, 1));
+    // A film at which the gap is not at its end, with spots so slow that their films are thinner than 1 nm.
+    contact.speeds = contact.speeds.map(|speed| speed * 1e-4);
+    let smooth = SmoothFilm {
+        central: Length::from_si(0.8e-6),
+        ..smooth
+    };
+    let mut film = PositionFilm::with_film(&rheology, &contact, bulk, &settings, smooth).unwrap();
+    let share = film.share(&table, rms).unwrap().value;
+    assert!(
+        share.asperity_share > 0.0 && share.asperity_share < 0.9,
+        "{share:?}"
+    );
+    assert!(share.spot_film.si() < 1e-9, "{share:?}");
+    let slow = film.kinks(table.first_touch_gap(), Some(&table), rms);
+    assert_eq!(slow.unwrap().floors, 1);
+}

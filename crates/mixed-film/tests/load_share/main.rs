@@ -25,8 +25,8 @@ use asperity_core::quantity::{
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::{Attenuation, GapLaw, PairSpectrum, ThermalLaw, TraceSpectrum};
 use asperity_mixed_film::{
-    AttenuatedTraces, ContactTable, InletSupply, LoadShareError, LoadShareSettings,
-    LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SpotSpeed,
+    AttenuatedTraces, ContactTable, InletSupply, Kinks, LoadShareError, LoadShareSettings,
+    LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SmoothFilm, SpotSpeed,
 };
 use asperity_oil::{BaseOil, FilmRheology, LubricantInput, TractionConstants, ViscosityLaw};
 use asperity_roughness::preparation::{Preparation, prepare};

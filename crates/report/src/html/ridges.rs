@@ -209,7 +209,7 @@ fn names([first, second, third]: [f64; 3]) -> [(i8, String); 7] {
 
 #[cfg(test)]
 mod tests {
-    use asperity::result::ridges::FlankWatts;
+    use asperity::result::ridges::{FlankWatts, Kinks};
     use asperity_core::Profile;
     use asperity_core::quantity::Length;
 
@@ -245,6 +245,7 @@ mod tests {
             by_log_height_w: 195.0,
             heat_balance: 1.0,
             unresolved_w: 0.0,
+            kinks: Kinks::default(),
             octaves: Vec::new(),
             along: [flank.along(), flank.along()],
             near: vec![flank.near(&row)],

@@ -86,6 +86,7 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
             .sum(),
         heat_balance: before.heat_balance,
         unresolved_w: before.unresolved_w,
+        kinks: before.kinks,
         near: near.collect(),
         along: flanks.each_ref().map(FlankWatts::along),
         rows,

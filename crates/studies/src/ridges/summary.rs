@@ -1,7 +1,7 @@
 //! Summary of a study of ridges for the terminal.
 
 use asperity::result::loss_band::rounded;
-use asperity::result::ridges::{OctaveRow, Ridges};
+use asperity::result::ridges::{Kinks, OctaveRow, Ridges};
 use asperity_report::html::ridges::{NOTE, notes, saving, saving_of, watts};
 use asperity_report::wrapped;
 use asperity_storage::one_line;
@@ -36,10 +36,29 @@ pub(super) fn summary(study: &Ridges) -> String {
         ));
     }
     text.push_str(&format!("{}\n", wrapped(NOTE, "")));
-    for note in notes(study) {
+    let kinks = kinks(&study.kinks).into_iter();
+    for note in notes(study).into_iter().chain(kinks) {
         text.push_str(&format!("{}\n", wrapped(&note, "")));
     }
     text
+}
+
+/// The line about kinks of the loss; `None` if the windows were not counted.
+fn kinks(kinks: &Kinks) -> Option<String> {
+    let Kinks {
+        windows,
+        apart,
+        first_touch,
+        rows,
+        limited_slopes,
+        floors,
+    } = kinks;
+    (*windows > 0).then(|| {
+        format!(
+            "Kinks: of {windows} windows {apart} apart, {first_touch} next to first touch, {rows} next to a row of the contact \
+            table, {limited_slopes} with a limited slope of the gap, {floors} at a floor (next to: 1 nm of mean gap)."
+        )
+    })
 }
 
 pub(super) fn headline(study: &Ridges) -> String {
