@@ -4,11 +4,12 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use asperity::Run;
-use asperity::case::{CaseInput, Formulation, load_with};
+use asperity::case::{CaseInput, Formulation, LoadedCase, load_with};
 use asperity::gear_train::run_train;
 use asperity::pipeline::KeptFields;
 use asperity::result::Outcome;
 use asperity_report::{Fields, write_folder, write_train};
+use asperity_studies::ridges::add_ridges;
 use asperity_tests::planetary_set;
 
 use crate::bench::{Bench, E_DRIVE};
@@ -48,14 +49,18 @@ pub fn shipped(case: &str) -> PathBuf {
         .join(case)
 }
 
-/// A small e-drive, changed and run.
-pub fn e_drive(change: &dyn Fn(&mut CaseInput)) -> Outcome {
+/// A small e-drive, changed.
+fn small_e_drive(change: &dyn Fn(&mut CaseInput)) -> LoadedCase {
     let small = |input: &mut CaseInput| {
         (input.model.positions, input.model.offsets) = (Some(6), Some(2));
         change(input);
     };
-    let loaded = load_with(&shipped("e-drive.toml"), &small).unwrap();
-    Run::new(&loaded)
+    load_with(&shipped("e-drive.toml"), &small).unwrap()
+}
+
+/// A small e-drive, changed and run.
+pub fn e_drive(change: &dyn Fn(&mut CaseInput)) -> Outcome {
+    Run::new(&small_e_drive(change))
         .fields(&KeptFields::All)
         .band(true)
         .execute()
@@ -70,8 +75,10 @@ pub fn paper() -> Outcome {
 
 fn reports(bench: &Bench) -> Vec<Page> {
     let spur = |input: &mut CaseInput| input.gears.helix = None;
+    let mut with_ridges = e_drive(&spur);
+    add_ridges(&mut with_ridges.result, &small_e_drive(&spur), &|_, _| {}).unwrap();
     let cases: [(&str, Outcome); 5] = [
-        ("spur", e_drive(&spur)),
+        ("spur", with_ridges),
         ("helical", e_drive(&|_| {})),
         (
             "ring",
@@ -113,6 +120,7 @@ fn reports(bench: &Bench) -> Vec<Page> {
     for (name, file) in [("set", "report.html"), ("mesh", "planet_ring/report.html")] {
         pages.push(page(&format!("planetary, {name}"), &folder.join(file)));
     }
+    assert!(pages[0].text.contains("Ridges with the largest loss"));
     pages
 }
 

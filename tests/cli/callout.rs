@@ -73,6 +73,9 @@ fn limits_are_printed_and_written_with_traces_and_wavelengths() {
 fn losses_that_no_finish_has_and_impossible_settings_are_refused() {
     let bench = bench();
     bench
+        .run(&call("560 W", &["--set", "formulation=paper"]))
+        .refused(2, "E205", &["formulation = \"paper\"", "leave it out"]);
+    bench
         .run(&call("200 W", &[]))
         .refused(2, "E323", &["smooth flanks (Ra 0.01 um) lose "]);
     bench

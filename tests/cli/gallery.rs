@@ -8,7 +8,7 @@ use crate::bench::root;
 use crate::transcripts::{bench, holds};
 
 /// Pictures in `docs/gallery`, with the page and its figure.
-const PICTURES: [(&str, &str, &str); 10] = [
+const PICTURES: [(&str, &str, &str); 11] = [
     ("finishes", "demo-case-compare/compare.html", "local-losses"),
     (
         "wrong_oil",
@@ -20,6 +20,7 @@ const PICTURES: [(&str, &str, &str); 10] = [
         "hot_day-sweep/sweep.html",
         "loss_w-over-operation-bulk_temperature",
     ),
+    ("ridges", "demo-case-ridges/ridges.html", "watts-pinion"),
     ("run_in", "run-in/report.html", "flanks-change"),
     ("relief", "relief/report.html", "load"),
     ("planetary", "planetary/sun_planet/report.html", "mesh"),

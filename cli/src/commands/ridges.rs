@@ -9,8 +9,8 @@ use crate::args::{Common, RidgesArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
 
-/// Runs whose time a study takes: two with exact contacts, and the gradient of each.
-pub(super) const RUNS: usize = 6;
+/// Runs whose time a study takes: two with exact contacts, the gradient of each, their draws, and two gradients at the ends of the lay.
+pub(super) const RUNS: usize = 8;
 
 /// Counted work of a study.
 pub(super) const GRADIENTS: &str = "gradients";

@@ -100,7 +100,7 @@ fn run_meshes(
     }
     let mut text = report::summary_of_train(&outcome.result);
     for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
-        if let Some(line) = report::html::ridges::line(&mesh.result) {
+        if let Some(line) = report::ridges::line(&mesh.result) {
             text.push_str(&format!(
                 "{}\n",
                 report::wrapped(&format!("{}: {line}", row.mesh), "  ")

@@ -54,7 +54,7 @@ pub enum PositionError {
     },
     /// A loss whose gradient over the heights is not known.
     #[error(
-        "the loss over the heights of the traces is known of the default model only, not with {differs}"
+        "the loss over the heights of the traces cannot be computed with {differs}; leave it out"
     )]
     NoGradient {
         /// Choice that differs from the default model.

@@ -107,7 +107,7 @@ explanations! {
     "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: each line is key = value, text is in quotation marks, the encoding is UTF-8.";
     "E203" "unknown key": "The case file has a key that does not exist." => "Correct the spelling or remove the key.";
     "E204" "a value cannot be read": "A value is missing, of the wrong kind, or lacks its unit. Quantities are text with a unit: \"1.3 mm\"." => "Write the value as the message shows.";
-    "E205" "keys exclude or need each other": "Two keys or settings contradict each other, or one needs another that is missing." => "";
+    "E205" "keys or options do not go together": "Two keys or options exclude each other, one needs another that is missing, or the command does not work with a choice of the case: the gradient of the loss, for example, is known of the default model only. The message names them." => "";
     "E206" "the gear pair cannot mesh": "The geometry given leads to interference, pointed teeth or too short a path of contact, or does not determine the gears." => "Check teeth, profile shifts, centre distance and tip diameters.";
     "E207" "pressure-viscosity coefficient is impossible": "The value is orders of magnitude away from that of any oil, usually because of the unit." => "Mineral oils have 15 to 25 1/GPa, that is 1.5e-8 to 2.5e-8 m2/N.";
     "E208" "the oil is incomplete": "The data of the oil are insufficient, or contradict each other." => "Give the kinematic viscosity at 40 and 100 °C, density and base_oil, or the name of an oil in the library.";

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use crate::html::ridges;
 use crate::printed::{PrintedLoss, gearbox_with_interval, of_mesh, stated, stated_parts, watts};
+use crate::ridges;
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped, wrapped_within};
 use asperity::message::Warning;

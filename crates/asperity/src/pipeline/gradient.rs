@@ -43,6 +43,8 @@ pub struct LossGradient {
     /// The case with exact contacts and its number of offsets stated, at the bulk temperature as the case states it: its
     /// losses with other traces can be compared.
     pub case: LoadedCase,
+    /// Its contacts.
+    pub contacts: Contacts,
 }
 
 /// Gradient of the loss of a case over the heights of both prepared traces.
@@ -57,11 +59,24 @@ pub struct LossGradient {
 /// As [`losses`](super::losses), and when the loss is not from the default load share and film friction, or a flank has no
 /// trace or several.
 pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
+    gradient_of(loaded, None)
+}
+
+/// Gradient of the loss of a case with exact contacts that were computed before, for a case that differs in oil, speed,
+/// temperature or constants only.
+///
+/// # Errors
+/// As [`gradient`], and when the contacts belong to other flanks, gears or loads.
+pub fn gradient_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<LossGradient, Error> {
+    gradient_of(loaded, Some(contacts))
+}
+
+fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGradient, Error> {
     refuse(loaded).map_err(Box::new)?;
     let mut exact = loaded.clone();
     exact.case.laws.exact_contacts = true;
     let used = Provenance::new();
-    let (sampled, contacts) = used.collect(|| sampled(&exact, None, &[]))?;
+    let (sampled, contacts) = used.collect(|| sampled(&exact, known, &[]))?;
     let warm = warmed(&sampled, &contacts)?;
     let stages = Stages::of(&warm, &contacts, &|_, _| {}, used)?;
     let positions = stages.lubricated()?;
@@ -105,6 +120,8 @@ pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
         }
     }
     drop(stages);
+    drop(warm);
+    let contacts = contacts.into_owned();
     let mut case = sampled.into_owned();
     case.case.input.model.offsets = Some(case.case.model.offsets);
     Ok(LossGradient {
@@ -115,6 +132,7 @@ pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
         unresolved_w,
         kinks,
         case,
+        contacts,
     })
 }
 
@@ -146,9 +164,8 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
     surfaces.check_one_pair()?;
     surfaces.traces()?;
     let model = &case.model;
-    let differs = if case.formulation == Formulation::Paper {
-        "formulation = \"paper\""
-    } else if case.laws.is_any() {
+    check_heights(loaded)?;
+    let differs = if case.laws.is_any() {
         "a user-defined law"
     } else if case.model.load_share != LoadShareName::Solved {
         "model.load_share"
@@ -160,6 +177,19 @@ pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
         return Ok(());
     };
     Err(PositionError::NoGradient { differs })
+}
+
+/// Refuses the paper's formulation: away from its own case it can have no sliding loss, whatever the heights are.
+///
+/// # Errors
+/// With the paper's formulation.
+pub fn check_heights(loaded: &LoadedCase) -> Result<(), PositionError> {
+    match loaded.case.formulation {
+        Formulation::Corrected => Ok(()),
+        Formulation::Paper => Err(PositionError::NoGradient {
+            differs: "formulation = \"paper\"",
+        }),
+    }
 }
 
 #[cfg(test)]

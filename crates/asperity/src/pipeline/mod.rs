@@ -19,7 +19,9 @@ mod offsets;
 mod stages;
 mod survey;
 
-pub use gradient::{LossGradient, gradient, refuse as check_gradient};
+pub use gradient::{
+    LossGradient, check_heights, gradient, gradient_with, refuse as check_gradient,
+};
 pub use kept_fields::KeptFields;
 pub use offsets::chooses_offsets;
 pub use stages::{Progress, check, contacts, contacts_beside, losses, losses_with, settled};

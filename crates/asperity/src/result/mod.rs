@@ -86,7 +86,7 @@ pub struct RunResult {
     /// The mesh with flanks that have run in, if the case requests it; all else is of the flanks as measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub run_in: Option<RunInFlanks>,
-    /// The ridges that cost most; absent if they were not sought, or there is no gradient.
+    /// The ridges that cost most; `None` if they were not requested, or the loss has no gradient.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ridges: Option<Ridges>,
     /// Why the ridges that cost most cannot be found, if they were sought.

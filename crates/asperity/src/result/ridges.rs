@@ -20,12 +20,19 @@ pub struct Ridges {
     pub pressed_loss_w: f64,
     /// 5 % and 95 % quantiles of the change, by the sampling of the flanks.
     pub sampling_quantiles_w: Option<[f64; 2]>,
+    /// 5 % and 95 % quantiles of the saving, by the uncertainty of the constants and of the model and by the sampling of the
+    /// flanks; `None` if the model has no uncertainty.
+    #[serde(default)]
+    pub saving_quantiles_w: Option<[f64; 2]>,
     /// d(loss)/d ln(height) of both flanks: the sum over the octaves \[W\].
     pub by_log_height_w: f64,
     /// Change of the loss with the equilibrium bulk temperature over its change at a held one; 1 with a stated temperature.
     pub heat_balance: f64,
     /// Sliding loss where the traces do not resolve the contact, which is left out of the gradient \[W\].
     pub unresolved_w: f64,
+    /// Whether the case states losses of a gearbox, which are left out.
+    #[serde(default)]
+    pub without_gearbox: bool,
     /// Windows at or next to a kink of the loss; none in older results.
     #[serde(default)]
     pub kinks: Kinks,
@@ -55,9 +62,9 @@ pub struct RidgeRow {
     /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before and
     /// after \[W\].
     pub mean_gradient_w: f64,
-    /// 5 % quantile of it by the sampling of the flanks \[W\].
+    /// 5 % quantile of it by the uncertainty of the constants and of the model and by the sampling of the flanks \[W\].
     pub low_w: Option<f64>,
-    /// 95 % quantile of it by the sampling of the flanks \[W\].
+    /// 95 % quantile of it by the same \[W\].
     pub high_w: Option<f64>,
     /// First of its points in the prepared trace, counted from 0.
     pub first_point: usize,
@@ -99,17 +106,18 @@ pub struct WattsStrip {
     pub cells: Vec<[f64; 3]>,
 }
 
-impl FlankWatts {
-    /// Height of the mean line \[m\].
-    fn mean_line(&self) -> f64 {
-        self.trace.heights().iter().sum::<f64>() / self.trace.len() as f64
-    }
+/// Height of the mean line of a trace, from which the heights of its ridges count \[m\].
+#[must_use]
+pub fn height_of_mean_line(trace: &Profile) -> f64 {
+    trace.heights().iter().sum::<f64>() / trace.len() as f64
+}
 
+impl FlankWatts {
     /// Height above the mean line times gradient, per length of the trace, at each point \[W/m\]: its integral over a ridge is
     /// [`RidgeRow::first_order_w`].
     #[must_use]
     pub fn watts_per_length(&self) -> Vec<f64> {
-        let (line, dx) = (self.mean_line(), self.trace.spacing().si());
+        let (line, dx) = (height_of_mean_line(&self.trace), self.trace.spacing().si());
         let both = self.trace.heights().iter().zip(&self.by_height);
         both.map(|(z, by_height)| (z - line) * by_height / dx)
             .collect()
@@ -131,7 +139,7 @@ impl FlankWatts {
 
     /// The points `first..=last` in at most `cells` cells, heights rounded to 1 nm and watts to three digits.
     fn strip(&self, [first, last]: [usize; 2], cells: usize) -> WattsStrip {
-        let (line, dx) = (self.mean_line(), self.trace.spacing().si());
+        let (line, dx) = (height_of_mean_line(&self.trace), self.trace.spacing().si());
         let points = (last + 1 - first).div_ceil(cells);
         let heights = self.trace.heights()[first..=last].chunks(points);
         let watts = self.watts_per_length();

@@ -18,6 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod change;
 mod difference;
 mod draw;
 mod evaluations;
@@ -52,6 +53,7 @@ use asperity_case::message::Warning;
 
 pub use crate::parameters::UncertainParameter;
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
+pub use change::{ChangeDraws, few_offsets_of};
 pub use difference::{
     DrawnMesh, PairedDifference, Verdict, difference, difference_of_meshes, losses_of_meshes,
 };
@@ -163,24 +165,29 @@ pub fn sampling_interval(
     differences: &[f64],
 ) -> Option<[f64; 2]> {
     const CONFIDENCE: f64 = 0.90;
-    let surfaces = &loaded.surfaces;
     let mean = mean(differences.iter().copied());
-    let [error, freedom] = match surfaces.several_teeth() {
-        Some(teeth) => {
-            let found = pair_sampling(&means_of_pairs(differences, surfaces.pairs()), teeth)?;
-            [found.standard_error_w, found.freedom]
-        }
-        None => {
-            let windows = windows_of_traces(loaded, widest(&base.path))?;
-            let effective = windows.min(differences.len() as f64).max(2.0);
-            [deviation(differences)? / effective.sqrt(), effective - 1.0]
-        }
-    };
+    let [error, freedom] = sampling_error_of_changes(loaded, base, differences)?;
     let half = match error > 0.0 {
         true => error * student_t_quantile(CONFIDENCE, freedom),
         false => 0.0,
     };
     Some([mean - half, mean + half])
+}
+
+/// Standard error of the mean of `differences` by the sampling of the flanks, and its degrees of freedom.
+fn sampling_error_of_changes(
+    loaded: &LoadedCase,
+    base: &Losses,
+    differences: &[f64],
+) -> Option<[f64; 2]> {
+    let surfaces = &loaded.surfaces;
+    if let Some(teeth) = surfaces.several_teeth() {
+        let found = pair_sampling(&means_of_pairs(differences, surfaces.pairs()), teeth)?;
+        return Some([found.standard_error_w, found.freedom]);
+    }
+    let windows = windows_of_traces(loaded, widest(&base.path))?;
+    let effective = windows.min(differences.len() as f64).max(2.0);
+    Some([deviation(differences)? / effective.sqrt(), effective - 1.0])
 }
 
 /// Standard error of ln loss by the sampling of the flanks, as in the draws; 0 without traces.

@@ -313,7 +313,7 @@ impl Predictive {
     }
 
     /// Standardised constants of a draw, measured ones correlated; beyond the constants 0.
-    fn standardised(&self, draw: &Draw, correlations: &[Vec<f64>]) -> [f64; AXES.len()] {
+    pub(super) fn standardised(&self, draw: &Draw, correlations: &[Vec<f64>]) -> [f64; AXES.len()] {
         let mut z = [0.0; AXES.len()];
         for (z, constant) in z.iter_mut().zip(&self.constants) {
             *z = draw.constants[constant.kind as usize];

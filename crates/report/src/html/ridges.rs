@@ -1,84 +1,21 @@
-//! The ridges that cost most, in words and drawn: both traces coloured by the loss made there.
+//! The ridges that cost most, drawn: both traces coloured by the loss made there.
 
 use asperity::result::RunResult;
-use asperity::result::loss_band::rounded;
 use asperity::result::ridges::{RidgeRow, Ridges, WattsStrip};
 use maud::{Markup, html};
 
 use super::page::figure;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
+use crate::ridges::{NOTE, notes, saving, saving_of, watts};
 use crate::tables::BODIES;
-
-/// Explanation of the numbers.
-pub const NOTE: &str = "A ridge is a part of a prepared trace above its mean line. \"first\" is what pressing it to the mean \
-    line saves by the gradient of the loss; \"mean\" uses the mean of the gradients before and after all listed ridges are \
-    pressed, in brackets its 5 and 95 % quantiles by the sampling of the flanks, with the constants at their medians. The saving of all of them together is a run of the model. Sets of the contacts, windows and relief are held in \
-    the gradient. Running-in, which presses ridges too, is not in it. These are answers of the model, not measurements.";
 
 /// Explanation of the colours.
 const COLOURS: &str = "Colours: height above the mean line times the gradient of the loss, per length of the trace; its integral \
     over a ridge is its \"first\". Where it is negative, pressing the trace raises the loss. The number at the cursor is the \
     value of the cell.";
 
-/// Least uncertainty of printed watts.
-const LEAST_W: f64 = 0.5;
 /// Ridges in the report of a run, and marked on the traces.
 const SHOWN: usize = 5;
-
-/// Watts with the digits that a scatter of a tenth over the windows leaves, and at most one decimal.
-pub fn watts(value: f64) -> String {
-    rounded(value, (0.1 * value.abs()).max(LEAST_W))
-}
-
-/// The saving of all listed ridges together, by a run.
-pub fn saving(ridges: &Ridges) -> String {
-    let saved = ridges.loss_w - ridges.pressed_loss_w;
-    let quantiles = ridges.sampling_quantiles_w.map(|[low, high]| [-high, -low]);
-    format!(
-        "pressing these {} ridges to the mean line saves {} W{}, by a run",
-        ridges.rows.len(),
-        watts(saved),
-        interval(quantiles)
-    )
-}
-
-/// Saving by a ridge with its interval, according to the mean of the gradients.
-pub fn saving_of(row: &RidgeRow) -> String {
-    let quantiles = row.low_w.zip(row.high_w).map(|(low, high)| [low, high]);
-    format!("{}{}", watts(row.mean_gradient_w), interval(quantiles))
-}
-
-fn interval(quantiles: Option<[f64; 2]>) -> String {
-    match quantiles {
-        Some([low, high]) if low < high => format!(" ({}..{})", watts(low), watts(high)),
-        _ => String::new(),
-    }
-}
-
-/// The part of the loss that the gradient leaves out, and its factor by the heat balance.
-pub fn notes(ridges: &Ridges) -> Vec<String> {
-    let mut notes = Vec::new();
-    if ridges.unresolved_w > 0.0 {
-        notes.push(format!(
-            "{} W of sliding loss are where the traces do not resolve the contact; the gradient leaves them out.",
-            watts(ridges.unresolved_w)
-        ));
-    }
-    if ridges.heat_balance != 1.0 {
-        notes.push(format!(
-            "The bulk temperature follows from the loss: it multiplies every change by {:.2}.",
-            ridges.heat_balance
-        ));
-    }
-    notes
-}
-
-/// The line of a run: the saving, or why there is none; `None` if the ridges were not sought.
-pub fn line(result: &RunResult) -> Option<String> {
-    let found = result.ridges.as_ref().map(saving);
-    let none = || Some(format!("not computed: {}", result.no_ridges.as_ref()?));
-    Some(format!("ridges: {}", found.or_else(none)?))
-}
 
 /// The section of a run: the first ridges, or why there are none; empty if they were not sought.
 pub(super) fn section(result: &RunResult) -> Markup {
@@ -242,9 +179,11 @@ mod tests {
             loss_w: 500.0,
             pressed_loss_w: 400.0,
             sampling_quantiles_w: Some([-150.0, -50.0]),
+            saving_quantiles_w: Some([40.0, 160.0]),
             by_log_height_w: 195.0,
             heat_balance: 1.0,
             unresolved_w: 0.0,
+            without_gearbox: false,
             kinks: Kinks::default(),
             octaves: Vec::new(),
             along: [flank.along(), flank.along()],

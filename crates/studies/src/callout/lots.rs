@@ -4,7 +4,7 @@ use asperity::PositionError;
 use asperity::case::LoadedCase;
 use asperity::flanks::surfaces::PairsOfTeeth;
 use asperity::flanks::{Surfaces, Texture};
-use asperity::pipeline::losses;
+use asperity::pipeline::{check_heights, losses};
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
@@ -134,6 +134,7 @@ impl Process {
         case.case.model.offsets = OFFSETS;
         case.case.input.model.offsets = Some(OFFSETS);
         let traces = [traces(&case.surfaces, 0)?, traces(&case.surfaces, 1)?];
+        check_heights(&case).map_err(|error| asperity::Error::from(Box::new(error)))?;
         let first = [&traces[0][0], &traces[1][0]];
         let section = case.case.preparation.lambda_c;
         let section = section.unwrap_or_else(|| first[0].length() / 5.0);

@@ -2,8 +2,9 @@
 
 use asperity::result::ridges::Ridges;
 use asperity_report::chart::{Axis, Bar, BarChart, Drawing};
-use asperity_report::html::ridges::{NOTE, charts, notes, saving, table, watts};
+use asperity_report::html::ridges::{charts, table};
 use asperity_report::html::{figure, page};
+use asperity_report::ridges::{NOTE, notes, saving, watts};
 use maud::html;
 
 use super::summary::{headline, wavelengths};

@@ -3,10 +3,12 @@
 use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::flanks::Texture;
-use asperity::pipeline::{LossGradient, Progress, check_gradient, gradient};
+use asperity::pipeline::{
+    LossGradient, Progress, check_gradient, gradient, gradient_with, settled,
+};
 use asperity::result::RunResult;
-use asperity::result::ridges::{FlankWatts, OctaveRow, RidgeRow, Ridges};
-use asperity::uncertainty::sampling_interval;
+use asperity::result::ridges::{FlankWatts, OctaveRow, RidgeRow, Ridges, height_of_mean_line};
+use asperity::uncertainty::{ChangeDraws, UncertainParameter, few_offsets_of, sampling_interval};
 use asperity::{Error, PositionError};
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
@@ -20,8 +22,10 @@ const COSTLIEST: usize = 20;
 const NEAR: usize = 3;
 /// Shortest cut-off between two octaves \[m\].
 const SHORTEST: f64 = 2.5e-6;
-/// Runs of a study: the gradient before and after pressing, each with its losses.
-const RUNS: usize = 2;
+/// Least part of the watts of a ridge in the offsets of the lay at which they show how it depends on the lay.
+const COVERED: f64 = 0.25;
+/// Steps of a study: the gradients before and after pressing, the draws, and the gradients at both ends of the lay.
+const STEPS: usize = 4;
 
 /// The costliest ridges, with the whole traces.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -35,7 +39,7 @@ pub struct RidgeStudy {
     pub flanks: [FlankWatts; 2],
 }
 
-/// Computes the costliest ridges of `case`; `progress` is called with the number of completed runs.
+/// Computes the costliest ridges of `case`; `progress` is called with the number of completed steps.
 ///
 /// # Errors
 /// As [`gradient`].
@@ -43,7 +47,7 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
     let mut mesh = case.clone();
     mesh.case.gearbox = None;
     let before = gradient(&mesh)?;
-    progress(1, RUNS);
+    progress(1, STEPS);
     checkpoint()?;
     let traces = traces(&mesh)?;
     let mut rows = costliest(&traces, &before);
@@ -51,9 +55,24 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
     let mut changed = before.case.clone();
     changed.surfaces = changed.surfaces.with_traces(pressed.clone());
     let after = gradient(&changed)?;
-    progress(RUNS, RUNS);
-    for row in &mut rows {
-        let body = usize::from(row.flank == BODIES[1]);
+    progress(2, STEPS);
+    checkpoint()?;
+    let cases = [&before, &after].map(|found| (&found.case, &found.contacts));
+    let draws = ChangeDraws::of(cases)?;
+    progress(3, STEPS);
+    checkpoint()?;
+    let by_lay = match draws.as_ref().and_then(ChangeDraws::ends_of_lay) {
+        Some(ends) => by_lay(&before, ends, (&traces, &rows))?,
+        None => vec![[1.0; 2]; rows.len()],
+    };
+    progress(STEPS, STEPS);
+    let base = (&before.case, &before.losses);
+    let quantiles = |by_window: &[f64], by_lay: [f64; 2]| match &draws {
+        Some(draws) => Some(draws.quantiles(base, by_window, by_lay)),
+        None => sampling_interval(base.0, base.1, by_window),
+    };
+    for (row, by_lay) in rows.iter_mut().zip(by_lay) {
+        let body = body_of(row);
         let fall = |i: usize| traces[body].heights()[i] - pressed[body].heights()[i];
         let saving = |gradients: [&[Vec<f64>; 2]; 2]| {
             let mean = |i: usize| 0.5 * (gradients[0][body][i] + gradients[1][body][i]);
@@ -62,30 +81,35 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
         };
         let offsets = before.by_offset.iter().zip(&after.by_offset);
         let by_window: Vec<f64> = offsets.map(|(a, b)| saving([a, b])).collect();
-        let quantiles = sampling_interval(&before.case, &before.losses, &by_window);
         row.mean_gradient_w = saving([&before.by_height, &after.by_height]);
-        [row.low_w, row.high_w] = [0, 1].map(|k: usize| quantiles.map(|both| both[k]));
+        let found = quantiles(&by_window, by_lay);
+        [row.low_w, row.high_w] = [0, 1].map(|k: usize| found.map(|both| both[k]));
     }
     let pairs = before.losses.offsets.iter().zip(&after.losses.offsets);
-    let by_window: Vec<f64> = pairs.map(|(a, b)| b.loss_w - a.loss_w).collect();
+    let savings: Vec<f64> = pairs.map(|(a, b)| a.loss_w - b.loss_w).collect();
+    let of_change = sampling_interval(base.0, base.1, &savings).map(|[low, high]| [-high, -low]);
     let octaves = octaves(&traces, &before)?;
     let flanks = [0, 1].map(|body: usize| FlankWatts {
         trace: traces[body].clone(),
         by_height: before.by_height[body].clone(),
     });
     let near = rows.iter().take(NEAR);
-    let near = near.map(|row| flanks[usize::from(row.flank == BODIES[1])].near(row));
+    let near = near.map(|row| flanks[body_of(row)].near(row));
     let found = Ridges {
         title: case.case.title.clone(),
         loss_w: before.losses.summary.loss_w,
         pressed_loss_w: after.losses.summary.loss_w,
-        sampling_quantiles_w: sampling_interval(&before.case, &before.losses, &by_window),
+        sampling_quantiles_w: of_change,
+        saving_quantiles_w: draws
+            .as_ref()
+            .map(|draws| draws.quantiles(base, &savings, [1.0; 2])),
         by_log_height_w: octaves
             .iter()
             .map(|octave| octave.pinion_w + octave.wheel_w)
             .sum(),
         heat_balance: before.heat_balance,
         unresolved_w: before.unresolved_w,
+        without_gearbox: case.case.gearbox.is_some(),
         kinks: before.kinks,
         near: near.collect(),
         along: flanks.each_ref().map(FlankWatts::along),
@@ -118,8 +142,50 @@ fn traces(case: &LoadedCase) -> Result<[Profile; 2], Error> {
     }
 }
 
-fn mean(heights: &[f64]) -> f64 {
-    heights.iter().sum::<f64>() / heights.len() as f64
+fn body_of(row: &RidgeRow) -> usize {
+    usize::from(row.flank == BODIES[1])
+}
+
+/// Saving by pressing a ridge to the mean line according to a gradient \[W\].
+fn first_order(row: &RidgeRow, traces: &[Profile; 2], by_height: &[Vec<f64>; 2]) -> f64 {
+    let body = body_of(row);
+    let (z, line) = (traces[body].heights(), height_of_mean_line(&traces[body]));
+    let points = row.first_point..=row.last_point;
+    points.map(|i| by_height[body][i] * (z[i] - line)).sum()
+}
+
+/// First-order watts of each ridge at both `ends` of the lay over those `before`, over the same ratio of all ridges together.
+fn by_lay(
+    before: &LossGradient,
+    ends: [f64; 2],
+    (traces, rows): (&[Profile; 2], &[RidgeRow]),
+) -> Result<Vec<[f64; 2]>, Error> {
+    let (case, contacts) = few_offsets_of(&before.case, &before.contacts);
+    let case = settled(&case, Some(&contacts))?;
+    let watts = |by_offset: &[[Vec<f64>; 2]]| -> Vec<f64> {
+        let of = |row: &RidgeRow| -> f64 {
+            let each = by_offset.iter().map(|one| first_order(row, traces, one));
+            each.sum()
+        };
+        rows.iter().map(of).collect()
+    };
+    let at = |lay: f64| -> Result<Vec<f64>, Error> {
+        let mut other = case.clone().into_owned();
+        UncertainParameter::Lay.set(&mut other, lay)?;
+        Ok(watts(&gradient_with(&contacts, &other)?.by_offset))
+    };
+    let ends = [at(ends[0])?, at(ends[1])?];
+    let middle = watts(&before.by_offset[..contacts.offsets()]);
+    let all = |watts: &[f64]| watts.iter().sum::<f64>();
+    let ratio = |k: usize, end: &[f64]| {
+        let whole = contacts.offsets() as f64 * rows[k].first_order_w;
+        match middle[k] > COVERED * whole {
+            true => end[k] / middle[k] / (all(end) / all(&middle)),
+            false => 1.0,
+        }
+    };
+    let both = |k: usize| ends.each_ref().map(|end| ratio(k, end));
+    Ok((0..rows.len()).map(both).collect())
 }
 
 /// The parts of both traces above their mean line that cost most by the gradient.
@@ -127,7 +193,7 @@ fn costliest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
     let mut rows = Vec::new();
     for (body, trace) in traces.iter().enumerate() {
         let (z, by_height) = (trace.heights(), &gradient.by_height[body]);
-        let line = mean(z);
+        let line = height_of_mean_line(trace);
         let mut begin = 0;
         for cells in z.chunk_by(|a, b| (*a > line) == (*b > line)) {
             let [first, last] = [begin, begin + cells.len() - 1];
@@ -163,7 +229,7 @@ fn costliest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
 fn pressed(traces: &[Profile; 2], rows: &[RidgeRow]) -> [Profile; 2] {
     let mut heights = traces.each_ref().map(|trace| trace.heights().to_vec());
     for (body, z) in heights.iter_mut().enumerate() {
-        let line = mean(traces[body].heights());
+        let line = height_of_mean_line(&traces[body]);
         for row in rows.iter().filter(|row| row.flank == BODIES[body]) {
             z[row.first_point..=row.last_point].fill(line);
         }
@@ -192,7 +258,7 @@ fn octaves(traces: &[Profile; 2], gradient: &LossGradient) -> Result<Vec<OctaveR
     }
     let mut watts = [Vec::new(), Vec::new()];
     for (body, trace) in traces.iter().enumerate() {
-        let line = mean(trace.heights());
+        let line = height_of_mean_line(trace);
         let mut rest: Vec<f64> = trace.heights().iter().map(|z| z - line).collect();
         let of = |wave: &[f64]| {
             let pairs = wave.iter().zip(&gradient.by_height[body]);

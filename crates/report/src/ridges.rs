@@ -1,0 +1,94 @@
+//! The ridges that cost most, in words.
+
+use asperity::result::RunResult;
+use asperity::result::loss_band::{Digits, rounded};
+use asperity::result::ridges::{RidgeRow, Ridges};
+
+/// Explanation of the numbers.
+pub const NOTE: &str = "A ridge is a part of a prepared trace above its mean line. \"first\" is what pressing it to the mean \
+    line saves by the gradient of the loss; \"mean\" uses the mean of the gradients before and after all listed ridges are \
+    pressed. The saving by all of them together is from a second run. These values are with the constants at their \
+    medians; in brackets are the 5 and 95 % quantiles. Sets of the contacts, windows and relief are held in the gradient. \
+    Running-in, which presses ridges too, is not included. These are answers of the model, not measurements. \
+    docs/howto/what-matters.md describes the method.";
+
+/// Least uncertainty of printed watts.
+const LEAST_W: f64 = 0.5;
+
+/// Watts with the digits that a scatter of a tenth over the windows leaves, and at most one decimal.
+pub fn watts(value: f64) -> String {
+    rounded(value, (0.1 * value.abs()).max(LEAST_W))
+}
+
+/// The saving of all listed ridges together, by a run.
+pub fn saving(ridges: &Ridges) -> String {
+    let saved = ridges.loss_w - ridges.pressed_loss_w;
+    let sampled = ridges.sampling_quantiles_w.map(|[low, high]| [-high, -low]);
+    let quantiles = ridges.saving_quantiles_w.or(sampled);
+    format!(
+        "pressing these {} ridges to the mean line saves {}, by a run",
+        ridges.rows.len(),
+        with_interval(saved, quantiles, " W")
+    )
+}
+
+/// Saving by a ridge with its interval, according to the mean of the gradients.
+pub fn saving_of(row: &RidgeRow) -> String {
+    let quantiles = row.low_w.zip(row.high_w).map(|(low, high)| [low, high]);
+    with_interval(row.mean_gradient_w, quantiles, "")
+}
+
+/// Watts with their quantiles and the digits that these leave.
+fn with_interval(value: f64, quantiles: Option<[f64; 2]>, unit: &str) -> String {
+    match quantiles {
+        Some([low, high]) if low < high => {
+            let digits = Digits::of_uncertainty((0.5 * (high - low)).max(LEAST_W));
+            let [value, low, high] = [value, low, high].map(|w| digits.rounded(w));
+            format!("{value}{unit} ({low}..{high})")
+        }
+        _ => format!("{}{unit}", watts(value)),
+    }
+}
+
+/// The content of the intervals, the parts of the loss that the numbers leave out, and their factor by the heat balance.
+pub fn notes(ridges: &Ridges) -> Vec<String> {
+    let mut notes = Vec::new();
+    let (drawn, sampled) = (ridges.saving_quantiles_w, ridges.sampling_quantiles_w);
+    let content = match (drawn.is_some(), sampled.is_some()) {
+        (true, true) => Some("the constants, the model and the sampling of the flanks"),
+        (true, false) => Some("the constants and the model, without the sampling of the flanks"),
+        (false, true) => {
+            Some("the sampling of the flanks only, with the constants at their medians")
+        }
+        (false, false) => None,
+    };
+    if let Some(content) = content {
+        notes.push(format!("The quantiles are over {content}."));
+    }
+    if ridges.without_gearbox {
+        notes.push(
+            "Only the mesh: the losses of bearings, seals, churning and other parts of the gearbox are left out."
+                .to_owned(),
+        );
+    }
+    if ridges.unresolved_w > 0.0 {
+        notes.push(format!(
+            "{} W of sliding loss are where the traces do not resolve the contact; the gradient leaves them out.",
+            watts(ridges.unresolved_w)
+        ));
+    }
+    if ridges.heat_balance != 1.0 {
+        notes.push(format!(
+            "The bulk temperature follows from the loss: it multiplies every change by {:.2}.",
+            ridges.heat_balance
+        ));
+    }
+    notes
+}
+
+/// The line of a run: the saving, or why there is none; `None` if the ridges were not sought.
+pub fn line(result: &RunResult) -> Option<String> {
+    let found = result.ridges.as_ref().map(saving);
+    let none = || Some(format!("not computed: {}", result.no_ridges.as_ref()?));
+    Some(format!("ridges: {}", found.or_else(none)?))
+}
