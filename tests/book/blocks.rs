@@ -6,7 +6,7 @@ use asperity::Error;
 use asperity::case::gear_train::{self, is_train};
 use asperity::case::{self, Source};
 use asperity_cli::fuzzing::arguments;
-use asperity_tests::markdown::{blocks, pages, root, shell_words};
+use asperity_tests::markdown::{blocks, pages, prose, root, shell_words, without_code};
 
 /// Languages of fenced blocks; transcripts run `sh` and compare `text`, doc tests compile `rust`, and `bash` is not run.
 const LANGUAGES: [&str; 11] = [
@@ -148,4 +148,58 @@ fn wrong_commands_and_keys_are_found() {
     ] {
         assert_eq!(judged(language, &lines).0.len(), 1, "{language}");
     }
+}
+
+/// Losses measured once, by runs that no test repeats.
+const MEASURED_ONCE: [(&str, &str); 1] = [("docs/howto/what-matters.md", "5.2")];
+
+/// Numbers with the unit W in prose; tables are written by tests, and code is not said.
+fn watts(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for line in prose(text).iter().filter(|line| !line.starts_with('|')) {
+        let line = without_code(line);
+        let words: Vec<&str> = line
+            .split(|c: char| c == ' ' || "(),;:".contains(c))
+            .collect();
+        let is_number = |word: &&str| word.starts_with(|c: char| c.is_ascii_digit());
+        let pairs = words
+            .windows(2)
+            .filter(|pair| pair[1].trim_end_matches('.') == "W");
+        found.extend(
+            pairs
+                .map(|pair| pair[0])
+                .filter(is_number)
+                .map(str::to_owned),
+        );
+    }
+    found
+}
+
+#[test]
+fn losses_in_the_prose_of_a_page_are_in_its_transcripts() {
+    let mut count = 0;
+    for page in pages() {
+        let text = fs::read_to_string(root().join(&page)).unwrap();
+        let shown: Vec<&str> = blocks(&text)
+            .iter()
+            .filter(|block| block.language == "text")
+            .flat_map(|block| block.lines.clone())
+            .flat_map(|line| line.split(|c: char| c != '.' && !c.is_ascii_digit()))
+            .collect();
+        if shown.is_empty() || page.starts_with("docs/records/") {
+            continue;
+        }
+        for number in watts(&text) {
+            count += 1;
+            assert!(
+                shown.contains(&&*number) || MEASURED_ONCE.contains(&(&page, &number)),
+                "{page}: {number} W is in no transcript of this page"
+            );
+        }
+    }
+    assert!(count > 1, "{count} losses");
+    assert_eq!(
+        watts("It loses 690 W (530 to 920 W).\n```text\n5 W\n```\n"),
+        ["690", "920"]
+    );
 }

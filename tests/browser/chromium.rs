@@ -7,6 +7,8 @@ use std::process::Command;
 use asperity_report::html::source;
 use serde_json::{Value, json};
 
+use crate::png::Pixels;
+
 /// Names under which Chromium is installed.
 const NAMES: [&str; 4] = [
     "chromium",
@@ -296,8 +298,7 @@ pub fn open(browser: &str, pages: &[(&str, &str)], look: &Look) -> Vec<Opened> {
 
 /// A page as it was rendered.
 pub struct Picture {
-    width: usize,
-    rgb: Vec<[u8; 3]>,
+    pixels: Pixels,
     /// Findings of `check.js`, with places on the curves.
     pub found: Value,
 }
@@ -308,12 +309,8 @@ impl Picture {
         /// Smoothing mixes a thin line with what it lies on.
         const NEAR: f64 = 60.0;
         let [x, y] = place.map(|at| at.floor() as i64);
-        let pixel = |x: i64, y: i64| {
-            let inside = (0..self.width as i64).contains(&x) && y >= 0;
-            inside.then(|| self.rgb.get(y as usize * self.width + x as usize))?
-        };
-        let close = |rgb: &[u8; 3]| (0..3).all(|k| (f64::from(rgb[k]) - due[k]).abs() < NEAR);
-        (-1..=1).any(|dx| (-1..=1).any(|dy| pixel(x + dx, y + dy).is_some_and(close)))
+        let close = |rgb: [u8; 3]| (0..3).all(|k| (f64::from(rgb[k]) - due[k]).abs() < NEAR);
+        (-1..=1).any(|dx| (-1..=1).any(|dy| self.pixels.at(x + dx, y + dy).is_some_and(close)))
     }
 }
 
@@ -329,10 +326,8 @@ pub fn render(browser: &str, page: &str, size: [u32; 2], look: &Look) -> Picture
         format!("--screenshot={}", image.display()),
     ];
     let (document, _) = run(browser, &file, place.path(), look, &more);
-    let (width, rgb) = crate::png::pixels(&std::fs::read(&image).unwrap());
     Picture {
-        width,
-        rgb,
+        pixels: crate::png::pixels(&std::fs::read(&image).unwrap()),
         found: found(&document).remove(0),
     }
 }

@@ -199,6 +199,8 @@ const COMMANDS: [(&[&str], &[&str]); 12] = [
             "600 W",
             "--lots",
             "20",
+            "--set",
+            "model.positions=2",
             "-o",
             "limited",
         ],

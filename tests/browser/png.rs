@@ -2,8 +2,25 @@
 
 use std::io::Read as _;
 
-/// Width of the picture, and its pixels row by row.
-pub fn pixels(bytes: &[u8]) -> (usize, Vec<[u8; 3]>) {
+/// The samples of a picture, row by row.
+pub struct Pixels {
+    width: usize,
+    samples: usize,
+    all: Vec<u8>,
+}
+
+impl Pixels {
+    /// Red, green and blue at a place; `None` outside of the picture.
+    pub fn at(&self, x: i64, y: i64) -> Option<[u8; 3]> {
+        let [x, y] = [usize::try_from(x).ok()?, usize::try_from(y).ok()?];
+        let first = (y * self.width + x) * self.samples;
+        let rgb = self.all.get(first..first + 3)?;
+        (x < self.width).then(|| [rgb[0], rgb[1], rgb[2]])
+    }
+}
+
+/// The pixels of a picture.
+pub fn pixels(bytes: &[u8]) -> Pixels {
     let word = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
     let (mut packed, mut at, mut width, mut samples) = (Vec::new(), 8, 0, 0);
     while at < bytes.len() {
@@ -26,30 +43,47 @@ pub fn pixels(bytes: &[u8]) -> (usize, Vec<[u8; 3]>) {
     flate2::read::ZlibDecoder::new(packed.as_slice())
         .read_to_end(&mut filtered)
         .unwrap();
-    let mut above = vec![0; width * samples];
-    let mut rgb = Vec::new();
-    for row in filtered.chunks_exact(1 + width * samples) {
+    // Not optimised in tests, and some ten million pixels: plain loops, and one copy of the samples.
+    let length = width * samples;
+    let mut above = vec![0; length];
+    let mut all = Vec::with_capacity(filtered.len());
+    for row in filtered.chunks_exact(1 + length) {
         let mut line = row[1..].to_vec();
-        for k in 0..line.len() {
-            let before = |of: &[u8]| k.checked_sub(samples).map_or(0, |k| of[k]);
-            let (a, b, c) = (before(&line), above[k], before(&above));
-            let predicted = match row[0] {
-                0 => 0,
-                1 => a,
-                2 => b,
-                3 => u16::midpoint(a.into(), b.into()) as u8,
-                4 => paeth(a, b, c),
-                other => panic!("no filter {other}"),
-            };
-            line[k] = line[k].wrapping_add(predicted);
+        match row[0] {
+            0 => (),
+            1 => {
+                for k in samples..length {
+                    line[k] = line[k].wrapping_add(line[k - samples]);
+                }
+            }
+            2 => {
+                for k in 0..length {
+                    line[k] = line[k].wrapping_add(above[k]);
+                }
+            }
+            filter => {
+                for k in 0..length {
+                    let (a, c) = match k.checked_sub(samples) {
+                        Some(before) => (line[before], above[before]),
+                        None => (0, 0),
+                    };
+                    let predicted = match filter {
+                        3 => u16::midpoint(a.into(), above[k].into()) as u8,
+                        4 => paeth(a, above[k], c),
+                        other => panic!("no filter {other}"),
+                    };
+                    line[k] = line[k].wrapping_add(predicted);
+                }
+            }
         }
-        rgb.extend(
-            line.chunks_exact(samples)
-                .map(|rgb| [rgb[0], rgb[1], rgb[2]]),
-        );
+        all.extend_from_slice(&line);
         above = line;
     }
-    (width, rgb)
+    Pixels {
+        width,
+        samples,
+        all,
+    }
 }
 
 /// Of the left, the upper and the upper left sample the one next to left + upper - upper left.

@@ -24,7 +24,8 @@ fn limits_are_printed_and_written_with_traces_and_wavelengths() {
         let json: serde_json::Value = serde_json::from_str(&text.unwrap()).unwrap();
         json
     };
-    let said = bench.run(&call("600 W", &[])).well().out;
+    let many = ["--parameter", "rpk", "--traces", "64"];
+    let said = bench.run(&call("600 W", &many)).well().out;
     for words in [
         "both flanks: mean R",
         "inspect ",
@@ -56,8 +57,8 @@ fn limits_are_printed_and_written_with_traces_and_wavelengths() {
         bench.run(&call("600 W", options)).well();
         limit(&smooth(&bench))
     };
+    let many = limit(&found);
     let one = of(&["--parameter", "rpk", "--traces", "1"]);
-    let many = of(&["--parameter", "rpk", "--traces", "64"]);
     let sure = of(&[
         "--parameter",
         "rpk",

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::bench::{Bench, E_DRIVE};
+use crate::bench::{Bench, E_DRIVE, OIL_FILE};
 
 /// A model without shear stress of the film.
 const XU: [&str; 4] = [
@@ -85,6 +85,43 @@ fn the_oil_of_a_case_has_its_own_constants() {
                 false => true,
             })
     );
+}
+
+#[test]
+fn the_data_sheet_of_an_oil_needs_no_gears() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let sheet = OIL_FILE.split("\n[film_friction]").next().unwrap();
+    let (_, sheet) = sheet.split_once("[lubricant]").unwrap();
+    let sheet = format!("[lubricant]{sheet}");
+    bench.write("sheet.toml", &sheet);
+    bench.write("unit.toml", sheet.replace(" kg/m3", ""));
+    bench.write("key.toml", sheet.replace("density", "densty"));
+    let of = |file: &str| {
+        let arguments = [
+            "oil",
+            "traction",
+            file,
+            "--temperature",
+            "80",
+            "-o",
+            "found",
+        ];
+        bench.run(&arguments).well();
+        rows(&bench, "found/traction_over_slide_to_roll.csv")
+    };
+    assert_eq!(of("sheet.toml"), of("case.toml"));
+    let refused = |arguments: &[&str], code: &str, says: &[&str]| {
+        let arguments = [&["oil", "traction"], arguments].concat();
+        bench.run(&arguments).refused(2, code, says);
+    };
+    refused(&["unit.toml"], "E204", &["unit.toml:3", "845 has no unit"]);
+    refused(&["key.toml"], "E203", &["Did you mean \"density\"?"]);
+    let keys = ["--set", "lubricant.density=\"800 kg/m3\""];
+    for oil in ["sheet.toml", "m100"] {
+        refused(&[&[oil], &keys[..]].concat(), "E205", &["--set"]);
+    }
 }
 
 #[test]

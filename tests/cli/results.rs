@@ -262,7 +262,8 @@ fn the_first_screen_has_at_most_ten_lines_of_80_columns_and_the_rest_is_behind_n
         let bench = Bench::new();
         let run = |more: &[&str]| {
             let run = ["run", case.to_str().unwrap(), "--no-output"];
-            bench.run(&[&run[..], more].concat()).well().out
+            let few = ["--set", "model.positions=6", "--set", "model.offsets=4"];
+            bench.run(&[&run[..], &few, more].concat()).well().out
         };
         let (said, whole) = (run(&[]), run(&["--notes"]));
         // Messages are lines of their own, as long as what they say.

@@ -257,7 +257,7 @@ fn all_stages_become_one_case() {
         "--no-output",
         "--no-band",
         "--set",
-        "model.positions=6",
+        "model.positions=2",
     ];
     let train = bench.run(&[&run[..], &flanks].concat()).well().json();
     assert_eq!(train["meshes"].as_array().unwrap().len(), 2);
@@ -279,7 +279,7 @@ fn all_stages_become_one_case() {
         "--no-output",
         "--no-band",
         "--set",
-        "model.positions=6",
+        "model.positions=2",
     ];
     let two = fs::read_to_string(bench.path("two.toml")).unwrap();
     let surface = "[surface]\nfinish = \"ground\"\npinion.ra = \"0.4 um\"";

@@ -105,7 +105,7 @@ pub struct OilFitArgs {
     /// Tables or text exports of traction curves
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Oil of the library with the viscosity and family, or an oil file or case file whose oil is taken
+    /// Oil of the library with the viscosity and family, or a case, an oil file, or a file with the table [lubricant] only
     #[arg(long)]
     pub oil: String,
     /// Keys of the case set on the command line.
@@ -131,7 +131,7 @@ pub struct OilFitArgs {
 /// `asperity oil traction`
 #[derive(Debug, Args)]
 pub struct OilTractionArgs {
-    /// Oil of the library, or an oil file or case file whose oil is taken
+    /// Oil of the library, or a case, an oil file, or a file with the table [lubricant] only
     pub oil: String,
     /// Keys of the case set on the command line.
     #[command(flatten)]
@@ -167,7 +167,7 @@ pub struct OilTractionArgs {
 /// `asperity oil plan`
 #[derive(Debug, Args)]
 pub struct OilPlanArgs {
-    /// Oil of the library, or an oil file or case file whose oil is taken
+    /// Oil of the library, or a case, an oil file, or a file with the table [lubricant] only
     #[arg(long)]
     pub oil: String,
     /// Case whose loss is to be narrowed [default: the case of --oil]
@@ -196,7 +196,7 @@ pub struct OilStribeckArgs {
     /// Tables or text exports of Stribeck curves
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Oil of the library, or an oil file or case file whose oil is taken
+    /// Oil of the library, or a case, an oil file, or a file with the table [lubricant] only
     #[arg(long)]
     pub oil: String,
     /// Keys of the case set on the command line.

@@ -61,7 +61,7 @@ struct NamedOil {
     case: Option<LoadedCase>,
 }
 
-/// The oil of a case file, of an oil file or of the library.
+/// The oil of a case file, of an oil file, of a data sheet or of the library.
 fn base(oil: &str, set: &SetArgs, constants: ConstantsOf) -> Result<NamedOil, Failure> {
     let path = Path::new(oil);
     let is_file = path.extension().is_some() || path.exists();
@@ -73,6 +73,14 @@ fn base(oil: &str, set: &SetArgs, constants: ConstantsOf) -> Result<NamedOil, Fa
             let file = file.map_err(|error| Failure::of(&error.into()))?;
             return Ok(NamedOil {
                 oil: OilBase::of_file(&name.to_string_lossy(), &file, constants)?,
+                name,
+                case: None,
+            });
+        }
+        let sheet = OilFile::data_sheet(&source).map_err(|error| Failure::of(&error.into()))?;
+        if let Some(sheet) = sheet {
+            return Ok(NamedOil {
+                oil: OilBase::of_lubricant(&name.to_string_lossy(), sheet)?,
                 name,
                 case: None,
             });
@@ -90,6 +98,17 @@ fn base(oil: &str, set: &SetArgs, constants: ConstantsOf) -> Result<NamedOil, Fa
         name: OsString::from(name),
         case: None,
     })
+}
+
+/// Rejects keys of a case and the name of a mesh where no case is given.
+fn refuse_keys(set: &SetArgs, case: Option<&LoadedCase>) -> Result<(), Failure> {
+    match case.is_none() && (!set.keys.is_empty() || set.mesh.is_some()) {
+        true => Err(Failure::new(
+            "E205",
+            "--set and --mesh change a case, and the oil is not of one",
+        )),
+        false => Ok(()),
+    }
 }
 
 fn refused(error: DomainError) -> Failure {
@@ -132,6 +151,7 @@ fn plan(args: &OilPlanArgs, common: &Common) -> Result<(), Failure> {
         Some(path) => Some(load_case(path, &args.set, None)?),
         None => case,
     };
+    refuse_keys(&args.set, case.as_ref())?;
     let (zero, errors) = errors(&args.errors)?;
     let settings = PlanSettings {
         machine: machine(&args.specimens)?,
@@ -147,7 +167,8 @@ fn plan(args: &OilPlanArgs, common: &Common) -> Result<(), Failure> {
 
 fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let NamedOil { oil, .. } = base(&args.oil, &args.set, ConstantsOf::Family)?;
+    let NamedOil { oil, case, .. } = base(&args.oil, &args.set, ConstantsOf::Family)?;
+    refuse_keys(&args.set, case.as_ref())?;
     let title = format!("Boundary friction of {}", oil.name);
     let name = args.files.first().map(|first| result_name(first));
     let name = name.unwrap_or_default();
@@ -178,7 +199,8 @@ fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
 
 fn traction(args: &OilTractionArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let NamedOil { oil, name, .. } = base(&args.oil, &args.set, ConstantsOf::File)?;
+    let NamedOil { oil, name, case } = base(&args.oil, &args.set, ConstantsOf::File)?;
+    refuse_keys(&args.set, case.as_ref())?;
     let title = format!("Traction of {}", oil.name);
     let output = args.output.as_deref();
     let folder = study::folder::<TractionCurves>(output, &name, "traction", &title)?;
@@ -233,7 +255,8 @@ fn all_readings(
 
 fn fit(args: &OilFitArgs, common: &Common) -> Result<(), Failure> {
     let begin = Instant::now();
-    let NamedOil { oil, .. } = base(&args.oil, &args.set, ConstantsOf::Family)?;
+    let NamedOil { oil, case, .. } = base(&args.oil, &args.set, ConstantsOf::Family)?;
+    refuse_keys(&args.set, case.as_ref())?;
     let Some(first) = args.files.first() else {
         return Err(Failure::new("E205", "name a file of traction curves"));
     };

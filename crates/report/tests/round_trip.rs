@@ -118,7 +118,7 @@ fn a_value_that_is_missing_or_damaged_is_named_with_its_place() {
 /// A position whose contact the page does not show.
 fn hidden(folder: &Path) -> String {
     let page = fs::read_to_string(folder.join("report.html")).unwrap();
-    let shown = |name: &&str| page.contains(&format!("Position {} of 4, by default", &name[9..]));
+    let shown = |name: &&str| page.contains(&format!("Position {} of 4, at", &name[9..]));
     let names = ["position_1", "position_2", "position_3", "position_4"];
     let hidden = names.iter().find(|name| !shown(name)).unwrap();
     hidden[9..].to_owned()

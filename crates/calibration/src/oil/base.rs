@@ -73,7 +73,11 @@ impl OilBase {
         Ok(oil)
     }
 
-    fn of_lubricant(name: &str, input: LubricantInput) -> Result<Self, OilError> {
+    /// The oil of a data sheet.
+    ///
+    /// # Errors
+    /// As [`of_library`](Self::of_library), or without a base oil.
+    pub fn of_lubricant(name: &str, input: LubricantInput) -> Result<Self, OilError> {
         let oil = |source| OilError::Oil {
             name: name.to_owned(),
             source,

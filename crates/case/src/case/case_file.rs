@@ -151,9 +151,18 @@ pub(super) fn read_table<T: CaseFile>(
     root: Table,
     place: impl Fn(&str) -> Place,
 ) -> Result<T, CaseError> {
+    read_part(root, T::schema(), place)
+}
+
+/// Reads a part of a case whose keys are in `schema`.
+pub(super) fn read_part<T: DeserializeOwned>(
+    root: Table,
+    schema: &Json,
+    place: impl Fn(&str) -> Place,
+) -> Result<T, CaseError> {
     from_table(root).map_err(|(key, message)| CaseError::Value {
         place: place(key.as_deref().unwrap_or_default()),
-        message: plain(T::schema(), key.as_deref(), &message),
+        message: plain(schema, key.as_deref(), &message),
         key,
     })
 }

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
 use super::calibration::{Calibrated, CalibratedName, CorrelationInput, cholesky, correlation};
-use super::case_file::CaseFile;
+use super::case_file::{CaseFile, read_part};
 use super::error::CaseError;
 use super::files::{Content, FileSums, Files, OIL_FILE, Reader};
 use super::input::CaseInput;
@@ -395,6 +395,27 @@ impl OilFile {
     pub fn is_one(source: &Source) -> bool {
         let mut keys = source.key_paths();
         keys.any(|key| key == "film_friction")
+    }
+
+    /// The oil of a file with the table `lubricant` only, as a case states it; `None` of any other file.
+    ///
+    /// # Errors
+    /// When a key is not known, or a value has no unit.
+    pub fn data_sheet(source: &Source) -> Result<Option<LubricantInput>, CaseError> {
+        #[derive(Deserialize)]
+        struct DataSheet {
+            lubricant: LubricantInput,
+        }
+        let is_own = |key: &str| key.split('.').next() == Some("lubricant");
+        let names_a_file = |key: &str| key == OIL_FILE;
+        let mut keys = source.key_paths().peekable();
+        if keys.peek().is_none() || !keys.all(|key| is_own(key) && !names_a_file(key)) {
+            return Ok(None);
+        }
+        CaseInput::refuse_unknown(source.key_paths(), |key| source.place_of_key(key))?;
+        let place = |key: &str| source.place_of(key);
+        let sheet: DataSheet = read_part(source.table()?, CaseInput::schema(), place)?;
+        Ok(Some(sheet.lubricant))
     }
 
     /// Reads and checks an oil file.

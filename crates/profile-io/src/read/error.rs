@@ -342,6 +342,11 @@ impl ReadFault {
                     SpacingHint::XCounts => spacing
                         .or_set(Setting::XUnit, Value::Any)
                         .because("if x is a length"),
+                    SpacingHint::NominalLength { length, points } => {
+                        let spacing = format!("{:.4} um", 1e6 * length.si() / *points as f64);
+                        Remedy::act("put its .tx3 file under the same name next to it")
+                            .or_set(Setting::Spacing, Value::Like(spacing.into()))
+                    }
                     _ => spacing,
                 }
             }
@@ -473,8 +478,8 @@ impl std::fmt::Display for SpacingHint {
             ),
             Self::NominalLength { length, points } => write!(
                 f,
-                "; this is a Surfcom text profile, whose header gives the nominal length {length} and {points} points. If the trace was not aborted the spacing is {:.4} um (see the .tx3 file)",
-                length.si() * 1e6 / points as f64
+                "; this is a Surfcom text profile, whose header gives the nominal length {length} and {points} points. If the trace was not aborted the spacing is {:.4} um",
+                1e6 * length.si() / points as f64
             ),
         }
     }
