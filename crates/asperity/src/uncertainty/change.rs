@@ -8,18 +8,19 @@
 //! | SE, ν | standard error of the watts by the windows of the traces, its degrees of freedom | W, - |
 
 use asperity_core::cite;
-use asperity_core::numerics::interpolate;
+use asperity_core::numerics::{interpolate, student_t_quantile};
 
 use super::draw::{flank_draws, shared_draws};
+use super::evaluations::{predictive, widest};
 use super::hypercube::StudentOfNormal;
 use super::predictive::Predictive;
 use super::quantiles::sorted_quantiles;
-use super::{predictive, sampling_error_of_changes};
+use crate::assembly::{deviation, mean};
 use crate::contacts::Contacts;
 use crate::parameters::{Ranged, UncertainParameter};
 use crate::pipeline::losses_with;
 use crate::result::Losses;
-use crate::sampling::SamplingError;
+use crate::sampling::{SamplingError, means_of_pairs, pair_sampling, windows_of_traces};
 use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
 
@@ -108,7 +109,7 @@ impl ChangeDraws {
         by_lay: [f64; 2],
     ) -> [f64; 2] {
         cite!("Ridge-draw");
-        let mean = crate::assembly::mean(by_window.iter().copied());
+        let mean = mean(by_window.iter().copied());
         let error = sampling_error_of_changes(loaded, base, by_window);
         let [error, freedom] = error.unwrap_or([0.0, SamplingError::NONE.freedom]);
         let table = StudentOfNormal::new(freedom);
@@ -124,6 +125,40 @@ impl ChangeDraws {
         });
         sorted_quantiles(&drawn.collect::<Vec<_>>(), [0.05, 0.95])
     }
+}
+
+/// 5 % and 95 % quantiles of the mean of `differences` of losses, one at each offset of a case with the losses `base` \[W\], by
+/// the sampling of the flanks; none without traces or with a single offset.
+#[must_use]
+pub fn sampling_interval(
+    loaded: &LoadedCase,
+    base: &Losses,
+    differences: &[f64],
+) -> Option<[f64; 2]> {
+    const CONFIDENCE: f64 = 0.90;
+    let mean = mean(differences.iter().copied());
+    let [error, freedom] = sampling_error_of_changes(loaded, base, differences)?;
+    let half = match error > 0.0 {
+        true => error * student_t_quantile(CONFIDENCE, freedom),
+        false => 0.0,
+    };
+    Some([mean - half, mean + half])
+}
+
+/// Standard error of the mean of `differences` by the sampling of the flanks, and its degrees of freedom.
+fn sampling_error_of_changes(
+    loaded: &LoadedCase,
+    base: &Losses,
+    differences: &[f64],
+) -> Option<[f64; 2]> {
+    let surfaces = &loaded.surfaces;
+    if let Some(teeth) = surfaces.several_teeth() {
+        let found = pair_sampling(&means_of_pairs(differences, surfaces.pairs()), teeth)?;
+        return Some([found.standard_error_w, found.freedom]);
+    }
+    let windows = windows_of_traces(loaded, widest(&base.path))?;
+    let effective = windows.min(differences.len() as f64).max(2.0);
+    Some([deviation(differences)? / effective.sqrt(), effective - 1.0])
 }
 
 impl Predictive {

@@ -13,12 +13,12 @@ use super::surface::QuadraticSurface;
 use crate::assembly::deviation;
 use crate::contacts::Contacts;
 use crate::parameters::{Ranged, UncertainParameter, parameters};
-use crate::pipeline::{losses, losses_with};
+use crate::pipeline::{contacts as contacts_of, losses, losses_with, settled};
 use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summary};
 use crate::sampling::{
     SamplingError, means_of_pairs, pair_sampling, window_sampling, windows_of_traces,
 };
-use asperity_case::case::{LoadedCase, cholesky};
+use asperity_case::case::{Formulation, FullFilmName, LoadShareName, LoadedCase, cholesky};
 use asperity_case::error::Error;
 use asperity_mixed_film::SpotSpeed;
 
@@ -32,6 +32,42 @@ const HALF_SLIDING: usize = 8;
 const REACH: f64 = 2.4;
 /// Seed of their places.
 const SEED: u64 = 1;
+
+/// Whether a case has an uncertainty: the paper's formulation takes everything as printed, and records of mixed
+/// lubrication take minutes an evaluation.
+#[must_use]
+pub fn has_band(loaded: &LoadedCase) -> bool {
+    let model = &loaded.case.model;
+    loaded.case.formulation == Formulation::Corrected
+        && model.load_share != LoadShareName::Ehl
+        && model.full_film == FullFilmName::Formulas
+}
+
+/// The draws of a loss that is known already, with contacts made before, if any; `None` if the case has no
+/// uncertainty.
+///
+/// # Errors
+/// As [`losses`](crate::losses).
+pub fn predictive(
+    loaded: &LoadedCase,
+    nominal: &Losses,
+    contacts: Option<&Contacts>,
+) -> Result<Option<Predictive>, Error> {
+    if !has_band(loaded) {
+        return Ok(None);
+    }
+    let computed;
+    let contacts = match contacts {
+        Some(contacts) => contacts,
+        None => {
+            computed = contacts_of(loaded)?;
+            &computed
+        }
+    };
+    let found = settled(loaded, Some(contacts))?;
+    let evaluated = evaluate(found.as_ref(), &Nominal::of(nominal), contacts, &|_| {})?;
+    Ok(Some(evaluated.predictive))
+}
 
 /// Losses of the flanks of `loaded` as measured, with its stored contacts if there are any.
 pub(super) fn evaluated(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Losses, Error> {

@@ -34,29 +34,30 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::cancel::checkpoint;
-use asperity_core::numerics::{Z_95, student_t_quantile};
+use asperity_core::numerics::Z_95;
 use asperity_core::provenance::Provenance;
 
-use crate::assembly::{deviation, equations_used, mean};
+use crate::assembly::equations_used;
 use crate::contacts::Contacts;
 use crate::parameters::{Measured, Ranged, UncertainParameter as Constant};
-use crate::pipeline::{self, KeptFields, Progress, outcome, settled};
+use crate::pipeline::{KeptFields, Progress, outcome};
 use crate::result::{
     AlternativeRow, DrawnConstant, LossDistribution, Losses, Outcome, PairSampling, PositionRow,
     RunResult, SamplingPart, Trust, Uncertainty, UncertaintyPart,
 };
-use crate::sampling::{length_for, means_of_pairs, windows_of_traces};
+use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::balance::Unbalanced;
-use asperity_case::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
+use asperity_case::case::LoadedCase;
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::Warning;
 
 pub use crate::parameters::UncertainParameter;
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
-pub use change::{ChangeDraws, few_offsets_of};
+pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
 pub use difference::{
     DrawnMesh, PairedDifference, Verdict, difference, difference_of_meshes, losses_of_meshes,
 };
+pub use evaluations::{has_band, predictive};
 pub use expected::{Measurement, MeshDraws, expected_after};
 pub use predictive::{Predictive, model_deviation};
 pub use quantiles::Quantiles;
@@ -65,16 +66,6 @@ use evaluations::{Evaluated, Nominal, count, evaluate, evaluated, losses_of_posi
 use other_models::{OtherModel, other_models};
 use predictive::{Component, State};
 use quantiles::sorted_quantiles;
-
-/// Whether a case has an uncertainty: the paper's formulation takes everything as printed, and records of mixed
-/// lubrication take minutes an evaluation.
-#[must_use]
-pub fn has_band(loaded: &LoadedCase) -> bool {
-    let model = &loaded.case.model;
-    loaded.case.formulation == Formulation::Corrected
-        && model.load_share != LoadShareName::Ehl
-        && model.full_film == FullFilmName::Formulas
-}
 
 /// Error of ln loss by the interpolation of the draws that is worth a warning.
 const PRECISE: f64 = 0.02;
@@ -128,66 +119,6 @@ pub(crate) fn run_and_draw(
     note(&mut outcome.result, &used.tags());
     known.push(contacts);
     Ok((outcome, Some(predictive)))
-}
-
-/// The draws of a loss that is known already, with contacts made before, if any; `None` if the case has no
-/// uncertainty.
-///
-/// # Errors
-/// As [`losses`](crate::losses).
-pub fn predictive(
-    loaded: &LoadedCase,
-    nominal: &Losses,
-    contacts: Option<&Contacts>,
-) -> Result<Option<Predictive>, Error> {
-    if !has_band(loaded) {
-        return Ok(None);
-    }
-    let computed;
-    let contacts = match contacts {
-        Some(contacts) => contacts,
-        None => {
-            computed = pipeline::contacts(loaded)?;
-            &computed
-        }
-    };
-    let found = settled(loaded, Some(contacts))?;
-    let evaluated = evaluate(found.as_ref(), &Nominal::of(nominal), contacts, &|_| {})?;
-    Ok(Some(evaluated.predictive))
-}
-
-/// 5 % and 95 % quantiles of the mean of `differences` of losses, one at each offset of a case with the losses `base` \[W\], by
-/// the sampling of the flanks; none without traces or with a single offset.
-#[must_use]
-pub fn sampling_interval(
-    loaded: &LoadedCase,
-    base: &Losses,
-    differences: &[f64],
-) -> Option<[f64; 2]> {
-    const CONFIDENCE: f64 = 0.90;
-    let mean = mean(differences.iter().copied());
-    let [error, freedom] = sampling_error_of_changes(loaded, base, differences)?;
-    let half = match error > 0.0 {
-        true => error * student_t_quantile(CONFIDENCE, freedom),
-        false => 0.0,
-    };
-    Some([mean - half, mean + half])
-}
-
-/// Standard error of the mean of `differences` by the sampling of the flanks, and its degrees of freedom.
-fn sampling_error_of_changes(
-    loaded: &LoadedCase,
-    base: &Losses,
-    differences: &[f64],
-) -> Option<[f64; 2]> {
-    let surfaces = &loaded.surfaces;
-    if let Some(teeth) = surfaces.several_teeth() {
-        let found = pair_sampling(&means_of_pairs(differences, surfaces.pairs()), teeth)?;
-        return Some([found.standard_error_w, found.freedom]);
-    }
-    let windows = windows_of_traces(loaded, widest(&base.path))?;
-    let effective = windows.min(differences.len() as f64).max(2.0);
-    Some([deviation(differences)? / effective.sqrt(), effective - 1.0])
 }
 
 /// Standard error of ln loss by the sampling of the flanks, as in the draws; 0 without traces.
