@@ -118,12 +118,13 @@ impl<'a> Extremes<'a> {
     /// The largest loss torque \[N m\].
     fn torque(&self) -> String {
         let numbers = &self.torque;
-        let half = match numbers.loss_quantiles_w {
-            Some([low, high]) if numbers.loss_w > 0.0 => {
-                0.5 * (high - low) / numbers.loss_w * numbers.loss_torque_nm
-            }
-            _ => 0.0,
+        let relative = |of: &Numbers| {
+            let [low, high] = of.loss_quantiles_w?;
+            (of.loss_w > 0.0).then(|| 0.5 * (high - low) / of.loss_w)
         };
+        // At rest there is a torque and no loss to draw.
+        let relative = relative(numbers).or_else(|| relative(&self.most));
+        let half = relative.unwrap_or(0.0) * numbers.loss_torque_nm;
         Digits::of_uncertainty(half).rounded(numbers.loss_torque_nm)
     }
 }
