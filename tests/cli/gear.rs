@@ -224,7 +224,10 @@ fn a_planetary_set_takes_keys_and_standard_input_and_is_checked() {
         .run(&["run", "case.toml", "--set", "planetary.plantes=4"])
         .refused(2, "E203", &["Did you mean \"planets\"?"]);
 
-    let said = bench.run(&["check", "case.toml"]).well().out;
+    let said = bench
+        .run(&["check", "case.toml", "--explain-defaults"])
+        .well()
+        .out;
     for says in [
         "planetary.ring_speed",
         "material.ring.young",

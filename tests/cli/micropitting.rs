@@ -37,7 +37,10 @@ fn gears_outside_of_the_specification_are_told_so_and_get_no_safety_factor() {
     let rating = &found["micropitting"];
     assert!(rating["safety"].is_null());
     let outside = rating["outside"].to_string();
-    assert!(outside.contains("module = 1.8"), "{outside}");
+    assert!(
+        outside.contains("module 1.80 mm is outside 3 to 11 mm"),
+        "{outside}"
+    );
     assert!(found["warnings"].to_string().contains("W432"));
     let text = run("e-drive", &["micropitting={}"], &["--no-output", "--notes"]).well();
     let text = text.unwrapped();

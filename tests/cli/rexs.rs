@@ -257,7 +257,7 @@ fn all_stages_become_one_case() {
         "--no-output",
         "--no-band",
         "--set",
-        "model.positions=2",
+        "model.positions=4",
     ];
     let train = bench.run(&[&run[..], &flanks].concat()).well().json();
     assert_eq!(train["meshes"].as_array().unwrap().len(), 2);
@@ -279,7 +279,7 @@ fn all_stages_become_one_case() {
         "--no-output",
         "--no-band",
         "--set",
-        "model.positions=2",
+        "model.positions=4",
     ];
     let two = fs::read_to_string(bench.path("two.toml")).unwrap();
     let surface = "[surface]\nfinish = \"ground\"\npinion.ra = \"0.4 um\"";
