@@ -62,7 +62,7 @@ pub fn gradient(loaded: &LoadedCase) -> Result<LossGradient, Error> {
     exact.case.laws.exact_contacts = true;
     let used = Provenance::new();
     let (sampled, contacts) = used.collect(|| sampled(&exact, None, &[]))?;
-    let warm = warmed(&sampled, &contacts)?;
+    let warm = warmed(&sampled, &contacts, false)?;
     let stages = Stages::of(&warm, &contacts, &|_, _| {}, used)?;
     let positions = stages.lubricated()?;
     let lubrication = stages.lubrication();
