@@ -209,9 +209,15 @@ fn petry_johnson() -> &'static Kept {
 }
 
 /// The losses of superfinished flanks known by their Rq, with all other defaults.
-pub fn petry_johnson_by(law: GapLaw, speed: u32) -> Sampled {
-    let speed = format!("{speed} 1/min");
-    petry_johnson().at(&[gap_law_key(law), ("operation.speed", &speed)])
+pub fn petry_johnson_by(law: GapLaw, speed: u32) -> Arc<Sampled> {
+    static FOUND: Mutex<BTreeMap<(&str, u32), Arc<Sampled>>> = Mutex::new(BTreeMap::new());
+    let mut found = FOUND.lock().unwrap();
+    let key = gap_law_key(law);
+    let sampled = found.entry((key.1, speed)).or_insert_with(|| {
+        let speed = format!("{speed} 1/min");
+        Arc::new(petry_johnson().at(&[key, ("operation.speed", &speed)]))
+    });
+    Arc::clone(sampled)
 }
 
 /// Laws of the bulk temperature of T2 with their names: the conductances of the rig are unknown, 10 to 40 W/K a gear are
@@ -231,10 +237,15 @@ const BULK_LAWS: [(&str, &str); 3] = [
     ),
 ];
 
-/// The loss \[W\] at the bulk temperature that `law` finds, the oil jet at the 110 °C of the case.
-fn with_bulk_temperature(speed: u32, law: &str) -> f64 {
+/// The loss at the bulk temperature that `law` finds, the oil jet at the 110 °C of the case, over the loss at 110 °C. Both in
+/// the same windows, of which few are enough for a ratio.
+fn over_oil_temperature(speed: u32, law: &str) -> f64 {
+    static FEW_WINDOWS: OnceLock<Kept> = OnceLock::new();
+    let few = [("model.positions", "6"), ("model.offsets", "1")];
+    let kept = FEW_WINDOWS.get_or_init(|| Kept::new(measured("petry-johnson", &few)));
+    let speed = ("operation.speed", &*format!("{speed} 1/min"));
     let keys = [
-        ("operation.speed", &*format!("{speed} 1/min")),
+        speed,
         (
             "lubricant.viscosity",
             r#"{ law = "given", dynamic_viscosity = "10.6 mPa s", temperature = "110 °C" }"#,
@@ -242,13 +253,14 @@ fn with_bulk_temperature(speed: u32, law: &str) -> f64 {
         ("operation.oil_temperature", "110 °C"),
         ("operation.bulk", law),
     ];
-    petry_johnson().at(&keys).losses.summary.loss_w
+    let [warm, at_oil] = [&keys[..], &[speed]].map(|keys| kept.at(keys).losses.summary.loss_w);
+    warm / at_oil
 }
 
-/// Losses with the laws of the bulk temperature, as text.
-fn heated(speed: u32) -> String {
+/// Losses \[W\] with the laws of the bulk temperature, as text; `loss_w` is the one at the temperature of the oil.
+fn heated(speed: u32, loss_w: f64) -> String {
     let loss = |(name, law): (&str, &str)| {
-        let loss = with_bulk_temperature(speed, law);
+        let loss = loss_w * over_oil_temperature(speed, law);
         format!("{loss:.0} by {name}")
     };
     BULK_LAWS.map(loss).join(", ")
@@ -262,17 +274,18 @@ fn petry_johnson_gates() -> Vec<Gate> {
             10_000 => "; 590 to 645 W with the signs of the errors that hold up to 8000 1/min",
             _ => "",
         };
+        let found = petry_johnson_by(GapLaw::default(), speed).mean(&|row| row.loss_w);
         Gate::new(
             format!("T2 Petry-Johnson, superfinished 40/40, {speed} 1/min"),
             format!("{low:.0} to {high:.0} W (grade C){also}"),
-            petry_johnson_by(GapLaw::default(), speed).mean(&|row| row.loss_w),
+            found,
             (speed <= 8000).then_some([0.75 * low, 1.25 * high]),
             ("W", 0),
         )
         .against([low, high])
         .noted(format!(
             " (at the bulk temperature of its loss: {})",
-            heated(speed)
+            heated(speed, found.value)
         ))
     });
     rows.into()

@@ -108,10 +108,8 @@ pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundO
         contacts.push(pipeline::contacts_beside(&mesh.case, &contacts)?);
     }
     let losses = |train: &LoadedTrain| -> Result<Power, Error> {
-        let of_mesh = |(case, contacts): (&LoadedCase, &Contacts)| {
-            let losses = pipeline::losses_with(contacts, case)?;
-            Ok::<_, Error>(Power::from_si(losses.summary.loss_w))
-        };
+        let of_mesh =
+            |(case, contacts): (&LoadedCase, &Contacts)| pipeline::loss_with(contacts, case);
         let cases = train.meshes().map(|mesh| &mesh.case);
         let of_meshes = cases.zip(&contacts).map(of_mesh);
         let of_meshes = of_meshes.collect::<Result<Vec<Power>, Error>>()?;

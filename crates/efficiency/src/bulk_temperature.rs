@@ -166,39 +166,8 @@ pub fn fixed_point<E: From<EfficiencyError>>(
     oil: Temperature,
     mut made: impl FnMut(Temperature) -> Result<Temperature, E>,
 ) -> Result<BulkTemperature, E> {
-    cite!("Bulk-fixed-point");
-    let not_settled = |at: f64, residual: f64, steps| {
-        E::from(EfficiencyError::BulkNotSettled {
-            temperature: Temperature::from_si(at),
-            residual: residual.abs(),
-            steps,
-        })
-    };
-    let mut settle = |start: f64| -> Result<BulkTemperature, E> {
-        let (mut at, mut residual) = (start, f64::INFINITY);
-        for steps in 1..=MOST_STEPS {
-            residual = match made(Temperature::from_si(at)) {
-                Ok(next) => next.si() - at,
-                // `made` rejects the state of this step: report the last temperature and its change.
-                Err(_) if steps > 1 => {
-                    return Err(not_settled(at - 0.5 * residual, residual, steps - 1));
-                }
-                Err(error) => return Err(error),
-            };
-            if residual.abs() < SETTLED {
-                return Ok(BulkTemperature {
-                    temperature: Temperature::from_si(at + 0.5 * residual),
-                    residual: residual.abs(),
-                    steps,
-                    hotter: HotterStart::Same,
-                });
-            }
-            at += 0.5 * residual;
-        }
-        Err(not_settled(at, residual, MOST_STEPS))
-    };
-    let lowest = settle(oil.si())?;
-    let hotter = match settle(oil.si() + HOTTER_START) {
+    let lowest = lowest_fixed_point(oil, &mut made)?;
+    let hotter = match lowest_fixed_point(oil + Temperature::from_si(HOTTER_START), made) {
         Err(_) => HotterStart::Nowhere,
         Ok(equilibrium) => {
             let difference = (equilibrium.temperature - lowest.temperature).si().abs();
@@ -209,6 +178,45 @@ pub fn fixed_point<E: From<EfficiencyError>>(
         }
     };
     Ok(BulkTemperature { hotter, ..lowest })
+}
+
+/// The same from the start `from` only, for a temperature that is needed within another iteration.
+///
+/// # Errors
+/// As [`fixed_point`].
+pub fn lowest_fixed_point<E: From<EfficiencyError>>(
+    from: Temperature,
+    mut made: impl FnMut(Temperature) -> Result<Temperature, E>,
+) -> Result<BulkTemperature, E> {
+    cite!("Bulk-fixed-point");
+    let not_settled = |at: f64, residual: f64, steps| {
+        E::from(EfficiencyError::BulkNotSettled {
+            temperature: Temperature::from_si(at),
+            residual: residual.abs(),
+            steps,
+        })
+    };
+    let (mut at, mut residual) = (from.si(), f64::INFINITY);
+    for steps in 1..=MOST_STEPS {
+        residual = match made(Temperature::from_si(at)) {
+            Ok(next) => next.si() - at,
+            // `made` rejects the state of this step: report the last temperature and its change.
+            Err(_) if steps > 1 => {
+                return Err(not_settled(at - 0.5 * residual, residual, steps - 1));
+            }
+            Err(error) => return Err(error),
+        };
+        if residual.abs() < SETTLED {
+            return Ok(BulkTemperature {
+                temperature: Temperature::from_si(at + 0.5 * residual),
+                residual: residual.abs(),
+                steps,
+                hotter: HotterStart::Same,
+            });
+        }
+        at += 0.5 * residual;
+    }
+    Err(not_settled(at, residual, MOST_STEPS))
 }
 
 #[cfg(test)]

@@ -124,13 +124,13 @@ impl<'a> RoughFilm<'a> {
                 *contact.first_touch.get_or_init(|| solver.first_touch_gap())
             }
         };
+        if let Some(apart) = self.film.share_apart(first_touch, rms)? {
+            return Ok(apart);
+        }
         let mut rough = match rough {
             Some(rough) => rough,
             None => solver()?,
         };
-        if let Some(apart) = self.film.share_apart(first_touch, rms)? {
-            return Ok(apart);
-        }
         let table = ContactTable::build(&mut rough)?;
         Ok(self.film.share(contact.table.get_or_init(|| table), rms)?)
     }

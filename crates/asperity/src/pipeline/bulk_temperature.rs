@@ -6,7 +6,9 @@
 
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::{Length, Power, Speed, Temperature};
-use asperity_efficiency::bulk_temperature::{self, BulkTemperature, iso_rise};
+use asperity_efficiency::bulk_temperature::{
+    self, BulkTemperature, fixed_point, iso_rise, lowest_fixed_point,
+};
 use asperity_tribo_friction::flash::heat_share;
 
 use crate::mesh::Mesh;
@@ -15,14 +17,18 @@ use crate::result::Losses;
 use asperity_case::case::{BulkModel, BulkReport, FoundBulk, LoadedCase, Lubrication};
 use asperity_case::error::{Error, PositionError};
 
-/// The case at the bulk temperature of `model`; `losses` computes a case whose bulk temperature is stated.
+/// The case at the bulk temperature of `model`; `losses` computes a case whose bulk temperature is stated, and `mesh` its mesh.
+/// A hotter equilibrium is sought if `seeks_hotter` is set.
 pub(crate) fn settle(
     loaded: &LoadedCase,
     model: BulkModel,
+    mesh: impl Fn(&LoadedCase) -> Result<Mesh, PositionError>,
     losses: impl Fn(&LoadedCase) -> Result<Losses, Error>,
+    seeks_hotter: bool,
 ) -> Result<LoadedCase, Error> {
     let used = Provenance::new();
-    let law = used.collect(|| Law::of(loaded, model)).map_err(Box::new)?;
+    let law = used.collect(|| Law::of(loaded, model, mesh));
+    let law = law.map_err(Box::new)?;
     let oil = loaded.case.temperature;
     let made = |bulk: Temperature| {
         let losses = losses(&at_temperature(loaded, bulk)?)?;
@@ -31,7 +37,10 @@ pub(crate) fn settle(
             .map_err(Box::new)?;
         Ok::<_, Error>(Temperature::from_si(oil.si() + 0.5 * (pinion + wheel)))
     };
-    let found = used.collect(|| bulk_temperature::fixed_point(oil, made))?;
+    let found = used.collect(|| match seeks_hotter {
+        true => fixed_point(oil, made),
+        false => lowest_fixed_point(oil, made),
+    })?;
     let mut settled = at_temperature(loaded, found.temperature)?;
     settled.provenance.include(&used);
     settled.case.found_bulk = Some(FoundBulk {
@@ -58,10 +67,14 @@ struct Law<'a> {
 }
 
 impl<'a> Law<'a> {
-    fn of(loaded: &'a LoadedCase, model: BulkModel) -> Result<Self, PositionError> {
+    fn of(
+        loaded: &'a LoadedCase,
+        model: BulkModel,
+        mesh: impl Fn(&LoadedCase) -> Result<Mesh, PositionError>,
+    ) -> Result<Self, PositionError> {
         let pinion = match model {
             BulkModel::Iso(_) => 0.5,
-            BulkModel::Network(_) => pinion_share(loaded)?,
+            BulkModel::Network(_) => pinion_share(loaded, &mesh(loaded)?)?,
         };
         Ok(Self {
             loaded,
@@ -121,10 +134,10 @@ const fn words(lubrication: Lubrication) -> &'static str {
 }
 
 /// Mean over the path of the share of the frictional heat that goes into the pinion.
-fn pinion_share(loaded: &LoadedCase) -> Result<f64, PositionError> {
+fn pinion_share(loaded: &LoadedCase, mesh: &Mesh) -> Result<f64, PositionError> {
     let [pinion, wheel] = &loaded.case.materials;
     let (mut sum, mut weight) = (0.0, 0.0);
-    for at in Mesh::of(&loaded.case)?.positions {
+    for at in &mesh.positions {
         let speeds = [at.motion.u1, at.motion.u2];
         let speeds = speeds.map(|speed| Speed::from_si(speed.si().abs()));
         sum += at.weight * heat_share([pinion, wheel], speeds)?;

@@ -77,7 +77,7 @@ fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGrad
     exact.case.laws.exact_contacts = true;
     let used = Provenance::new();
     let (sampled, contacts) = used.collect(|| sampled(&exact, known, &[]))?;
-    let warm = warmed(&sampled, &contacts)?;
+    let warm = warmed(&sampled, &contacts, false)?;
     let stages = Stages::of(&warm, &contacts, &|_, _| {}, used)?;
     let positions = stages.lubricated()?;
     let lubrication = stages.lubrication();

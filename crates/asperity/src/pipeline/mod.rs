@@ -27,4 +27,4 @@ pub use offsets::chooses_offsets;
 pub use stages::{Progress, check, contacts, contacts_beside, losses, losses_with, settled};
 pub use survey::{FilmRow, FilmSurvey, RegimeRow, film, survey};
 
-pub(crate) use stages::{losses_of, outcome};
+pub(crate) use stages::{loss_with, losses_of, outcome};

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::provenance::Provenance;
+use asperity_core::quantity::Power;
 use rayon::prelude::*;
 
 use super::bulk_temperature;
@@ -214,19 +215,33 @@ pub fn settled<'a>(
         return Ok(Cow::Borrowed(loaded));
     }
     let (sampled, contacts) = sampled(loaded, known, &[])?;
-    Ok(Cow::Owned(warmed(&sampled, &contacts)?.into_owned()))
+    Ok(Cow::Owned(warmed(&sampled, &contacts, true)?.into_owned()))
 }
 
-/// The case at its equilibrium bulk temperature, with its contacts.
+/// The loss of a case with contacts computed before, as [`losses_with`] gives it, without a search for a hotter equilibrium
+/// of its bulk temperature.
+///
+/// # Errors
+/// As [`losses_with`].
+pub(crate) fn loss_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Power, Error> {
+    let (sampled, contacts) = sampled(loaded, Some(contacts), &[])?;
+    let warmed = warmed(&sampled, &contacts, false)?;
+    let losses = losses_with(&contacts, &warmed)?;
+    Ok(Power::from_si(losses.summary.loss_w))
+}
+
+/// The case at its equilibrium bulk temperature, with its contacts; a hotter one is sought if `seeks_hotter` is set.
 pub(super) fn warmed<'a>(
     loaded: &'a LoadedCase,
     contacts: &Contacts,
+    seeks_hotter: bool,
 ) -> Result<Cow<'a, LoadedCase>, Error> {
     let Some(model) = loaded.case.bulk else {
         return Ok(Cow::Borrowed(loaded));
     };
     let losses = |case: &LoadedCase| losses_with(contacts, case);
-    bulk_temperature::settle(loaded, model, losses).map(Cow::Owned)
+    let mesh = |case: &LoadedCase| placed_mesh(case, Some(contacts));
+    bulk_temperature::settle(loaded, model, mesh, losses, seeks_hotter).map(Cow::Owned)
 }
 
 pub(crate) fn losses_of(
@@ -236,7 +251,7 @@ pub(crate) fn losses_of(
 ) -> Result<Losses, Error> {
     let used = Provenance::new();
     let (sampled, contacts) = used.collect(|| sampled(loaded, known, &[]))?;
-    let warmed = warmed(&sampled, &contacts)?;
+    let warmed = warmed(&sampled, &contacts, true)?;
     let stages = Stages::of(&warmed, &contacts, progress, used)?;
     let positions = stages.lubricated()?;
     let mut losses = stages.summed(|| stages.solved(positions)?.losses())?;
@@ -255,7 +270,7 @@ pub(crate) fn outcome(
 ) -> Result<(Outcome, LoadedCase, Contacts), Error> {
     let used = Provenance::new();
     let (sampled, contacts) = used.collect(|| sampled(loaded, None, others))?;
-    let warmed = warmed(&sampled, &contacts)?;
+    let warmed = warmed(&sampled, &contacts, true)?;
     let stages = Stages::of(&warmed, &contacts, progress, used)?;
     let mut positions = stages.lubricated()?;
     stages.press(&mut positions)?;

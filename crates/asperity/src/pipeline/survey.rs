@@ -50,7 +50,7 @@ pub struct RegimeRow {
 /// When an equation refuses the numbers at a position.
 pub fn survey(loaded: &LoadedCase) -> Result<Vec<RegimeRow>, Error> {
     let (sampled, contacts) = sampled(loaded, None, &[])?;
-    let warmed = warmed(&sampled, &contacts)?;
+    let warmed = warmed(&sampled, &contacts, true)?;
     let case = &warmed.case;
     let stages = Stages::of(&warmed, &contacts, &|_, _| {}, Provenance::new())?;
     let rows = stages.mesh.positions.iter().map(|at| {

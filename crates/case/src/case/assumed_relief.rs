@@ -49,7 +49,6 @@ impl AssumedRelief {
         if gears == [false; 2] || !law.is_elastic() || beyond <= 0.0 {
             return Ok(None);
         }
-        cite!("Assumed-relief");
         let most = input.map.and_then(|map| map.torque_max);
         let torque = most.map_or(conditions.torque.si().abs(), |most| {
             most.si().abs().max(conditions.torque.si().abs())
@@ -71,6 +70,7 @@ impl AssumedRelief {
     /// `micro` with the amount `c` times the approach over `l` times the roll length, at the gears that state none.
     #[must_use]
     pub fn put_into(&self, micro: &MicroGeometry, c: f64, l: f64) -> MicroGeometry {
+        cite!("Assumed-relief");
         let relief = (c > 0.0).then(|| Relief {
             amount: self.approach * c,
             extent: ReliefExtent::RollLength(self.roll_length * l),

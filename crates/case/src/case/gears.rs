@@ -239,14 +239,22 @@ pub(super) fn assumed_relief(
     formulation: Formulation,
     (model, mesh): (&Model, &LoadConditions<'_>),
     source: &Source,
-    defaults: &mut Defaults,
 ) -> Result<Option<AssumedRelief>, CaseError> {
-    let assumed = match formulation {
-        Formulation::Paper => None,
+    match formulation {
+        Formulation::Paper => Ok(None),
         Formulation::Corrected => AssumedRelief::of(input, &model.load_distribution, mesh)
-            .map_err(|error| refused(error, source))?,
-    };
-    let text = assumed.as_ref().map_or("none".to_owned(), |assumed| {
+            .map_err(|error| refused(error, source)),
+    }
+}
+
+/// Lists the tip relief of the gears that state none among the defaults.
+pub(super) fn note_relief(
+    input: &CaseInput,
+    assumed: Option<&AssumedRelief>,
+    source: &Source,
+    defaults: &mut Defaults,
+) {
+    let text = assumed.map_or("none".to_owned(), |assumed| {
         let [amount, length] = [
             1e6 * AssumedRelief::AMOUNT * assumed.approach.si(),
             1e3 * AssumedRelief::LENGTH * assumed.roll_length.si(),
@@ -261,7 +269,6 @@ pub(super) fn assumed_relief(
             defaults.note(section.key("tip_relief"), &text);
         }
     }
-    Ok(assumed)
 }
 
 fn relief(drawn: ReliefInput, section: Section<'_>, name: &str) -> Result<Relief, CaseError> {

@@ -414,14 +414,16 @@ pub(super) fn complete(
 ) -> Result<LoadedCase, CaseError> {
     let provenance = Provenance::new();
     // The load over the teeth was checked if only speed and temperature differ.
-    let is_checked = before.is_some_and(|before| loads_alike(&before.case.input, &input));
+    let alike = before.map(|before| &before.case);
+    let alike = alike.filter(|before| loads_alike(&before.input, &input));
+    let is_checked = alike.is_some();
     let (oil, oil_sums) = match before {
         Some(before) if before.case.input.lubricant.oil_file == input.lubricant.oil_file => {
             (before.case.oil_file.clone(), Arc::clone(&before.sums[3]))
         }
         _ => oil_file(&input, source, &files)?,
     };
-    let mut case = provenance.collect(|| resolve_checked(input, oil, source, is_checked))?;
+    let mut case = provenance.collect(|| resolve_checked(input, oil, source, alike))?;
     let model_sums = match (before, &case.input.model.xu_coefficients) {
         (_, None) => Arc::default(),
         (Some(before), file) if before.case.input.model.xu_coefficients == *file => {

@@ -18,7 +18,7 @@ use super::case_file::CaseFile;
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
 use super::gearbox::Gearbox;
-use super::gears::{assumed_relief, check_load, gears, load_settings, micro_geometry};
+use super::gears::{assumed_relief, check_load, gears, load_settings, micro_geometry, note_relief};
 use super::input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
 use super::key_names::key_of;
 use super::micropitting_input::MicropittingInput;
@@ -95,15 +95,16 @@ pub struct Case {
 /// # Errors
 /// When a number is outside its domain, the gears cannot mesh, or the oil cannot be.
 pub fn resolve(input: CaseInput, source: &Source) -> Result<Case, CaseError> {
-    resolve_checked(input, None, source, false)
+    resolve_checked(input, None, source, None)
 }
 
-/// Completes and checks a case with the oil file that it names; the load over the teeth is not solved again if it was checked before.
+/// Completes and checks a case with the oil file that it names; the load over the teeth is not solved again if it was checked of
+/// `alike`, a case under the same load.
 pub(super) fn resolve_checked(
     input: CaseInput,
     oil_file: Option<Arc<OilFile>>,
     source: &Source,
-    load_is_checked: bool,
+    alike: Option<&Case>,
 ) -> Result<Case, CaseError> {
     refuse_impossible(&input, source)?;
     let oil_file = oil_file.map(|file| file.by_law(input.model.film_pressure_law));
@@ -182,11 +183,15 @@ pub(super) fn resolve_checked(
         materials: &materials,
         settings: &load_settings,
     };
-    if !load_is_checked {
+    if alike.is_none() {
         check_load(&mesh, &model, formulation, source)?;
     }
-    let assumed_relief =
-        assumed_relief(&input, formulation, (&model, &mesh), source, &mut defaults)?;
+    let known = alike.filter(|case| case.input.map == input.map);
+    let assumed_relief = match known {
+        Some(case) => case.assumed_relief.clone(),
+        None => assumed_relief(&input, formulation, (&model, &mesh), source)?,
+    };
+    note_relief(&input, assumed_relief.as_ref(), source, &mut defaults);
     if let Some(assumed) = &assumed_relief {
         let [amount, length] = [AssumedRelief::AMOUNT, AssumedRelief::LENGTH];
         micro_geometry = assumed.put_into(&micro_geometry, amount, length);
