@@ -151,8 +151,9 @@ Uneven = Literal[
 
 ResultName = Literal[
     "schema_version", "program", "title", "case_file", "formulation", "summary", "published_laws", "load", "path",
-    "points", "records", "uncertainty", "bulk", "gearbox", "micropitting", "running_in", "run_in", "warnings",
-    "flanks", "pairs", "gears", "lubricant", "film_constants", "inputs", "defaults", "equations", "references",
+    "points", "records", "uncertainty", "bulk", "gearbox", "micropitting", "running_in", "run_in", "ridges",
+    "no_ridges", "warnings", "flanks", "pairs", "gears", "lubricant", "film_constants", "inputs", "defaults",
+    "equations", "references",
 ]
 
 
@@ -201,6 +202,8 @@ class ResultValues:
     micropitting: Any
     running_in: Any
     run_in: Any
+    ridges: Any
+    no_ridges: Any
     flanks: Any
     pairs: Any
     gears: Any
