@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 use std::sync::OnceLock;
 
 use asperity::Run;
-use asperity::pipeline::KeptFields;
 use asperity::result::Summary;
 use asperity::result::{SamplingPart, Uncertainty};
 use asperity::uncertainty::{Predictive, difference};
@@ -15,10 +14,7 @@ use crate::load_share::{REFERENCE, few, shipped};
 pub type Banded = (Summary, Uncertainty, Predictive);
 
 fn banded(name: &str) -> Banded {
-    let (outcome, drawn) = Run::new(&shipped(name))
-        .fields(&KeptFields::Highest)
-        .draw()
-        .unwrap();
+    let (outcome, drawn) = Run::new(&shipped(name)).without_pictures().draw().unwrap();
     let result = outcome.result;
     (result.summary, result.uncertainty.unwrap(), drawn.unwrap())
 }

@@ -38,15 +38,16 @@ fn references() -> &'static [Reference] {
     ROWS.get_or_init(|| {
         let mut rows = drive_references();
         rows.extend(fzg_references());
+        let trapezoid = toml::toml! { load_distribution = "trapezoid" };
+        let trapezoid = Kept::new(petry_johnson().with("model", trapezoid).load());
         rows.extend(PETRY_JOHNSON.map(|(speed, independent)| {
             let [low, high] = measured_loss(speed);
-            let trapezoid = petry_johnson()
-                .with("model", toml::toml! { load_distribution = "trapezoid" })
-                .with("operation.speed", format!("{speed} 1/min"));
+            let turns = format!("{speed} 1/min");
+            let alike = trapezoid.at(&[("operation.speed", &turns)]);
             Reference {
                 what: format!("Petry-Johnson, {speed} 1/min, W"),
                 independent,
-                alike: trapezoid.run().result.summary.loss_w,
+                alike: alike.losses.summary.loss_w,
                 default: petry_johnson_by(GapLaw::default(), speed)
                     .losses
                     .summary
