@@ -84,7 +84,11 @@ fn a_trace_from_bytes_or_heights_is_the_trace_of_the_file() {
     let [pinion, wheel] = [0, 1].map(|i| file.flanks[i].reading.as_ref().unwrap().profile.clone());
     let slices = begin()
         .pinion(Trace::from_heights(pinion.heights(), pinion.spacing()).unwrap())
-        .wheel(Trace::from_profile(&wheel).unwrap().mirrored())
+        .wheel(
+            Trace::from_heights(wheel.heights(), wheel.spacing())
+                .unwrap()
+                .mirrored(),
+        )
         .build()
         .unwrap();
     assert_eq!(slices.surfaces, file.surfaces);
@@ -109,7 +113,7 @@ fn without_a_flank_of_its_own_the_wheel_runs_on_the_pinions_mirrored() {
         .profile
         .clone();
     let case = Case::builder(input.gears, input.operation, input.lubricant)
-        .pinion(Trace::from_profile(&heights).unwrap())
+        .pinion(Trace::from_heights(heights.heights(), heights.spacing()).unwrap())
         .set("surface.cutoff", "0.25 mm")
         .unwrap()
         .build()

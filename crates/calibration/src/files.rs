@@ -87,22 +87,3 @@ pub fn table_text(file: &Path) -> Result<String, CalibrationError> {
         reason,
     })
 }
-
-/// Calibrates on the table in the file `rig`; `case` applies to rows without a case.
-///
-/// # Errors
-/// As [`calibrate`], and when a file cannot be read.
-pub fn calibrate_files(
-    rig: &Path,
-    case: Option<&Path>,
-    held: &[CalibratedName],
-    watch: &Watch<'_>,
-) -> Result<Calibration, CalibrationError> {
-    let load = |path: &Path| {
-        asperity::case::load(path, None).map_err(|source| CalibrationError::Model {
-            place: path.display().to_string(),
-            source: Box::new(source),
-        })
-    };
-    RigFiles::read(rig, case, load)?.calibrate(held, watch)
-}

@@ -51,7 +51,7 @@ pub use block::block;
 pub use calibrate::{Watch, calibrate};
 pub use design::{Design, Limits, plan};
 pub use error::{CalibrationError, RowFault};
-pub use files::{RigFiles, calibrate_files, table_text};
+pub use files::{RigFiles, table_text};
 pub use result::{
     Calibration, Evidence, FittedParameter, FittedPoint, HeldOut, HelpfulPoint, Identifiability,
     IdentifiedParameter, NuisanceRow, SCHEMA_VERSION, StageRow, Verdict,

@@ -1,8 +1,7 @@
 //! Rough line contact of elastic half-planes: boundary elements, plasticity, subsurface stress.
 //!
 //! Plane strain, pressures and loads per metre of face width. [`solve`] solves one problem, a [`Solver`]
-//! many problems of one size, a [`Path`] a series of loads or positions, [`solve_paths`] many series in
-//! parallel. Every solution has a [`Certificate`]; a solution outside of its tolerance is a
+//! many problems of one size, a [`Path`] a series of loads or positions. Every solution has a [`Certificate`]; a solution outside of its tolerance is a
 //! [`ContactError`] that holds the certificate reached.
 //!
 //! | for | see |
@@ -39,7 +38,7 @@ pub mod westergaard;
 pub use boundary::{Boundary, PeriodicKernel};
 pub use certificate::Certificate;
 pub use error::{ContactError, SolverShape};
-pub use path::{Path, press_paths, solve_paths};
+pub use path::Path;
 pub use problem::{
     ContactProblem, ContactSolution, ContactWarning, Control, SUSPECT_GAP, SolverSettings,
 };

@@ -1,21 +1,16 @@
-//! Contacts along a path of loads, positions or offsets, and many such paths in parallel.
+//! Contacts along a path of loads, positions or offsets.
 //!
-//! Along a path every contact starts from the one before, so the contacts are solved in order. Paths are
-//! independent and are solved in parallel, with the same result on any number of threads.
+//! Along a path every contact starts from the one before, so the contacts are solved in order.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | p₀, p₁ | pressures of the last two contacts | Pa |
 //! | W₀, W₁, W | loads of the last two contacts and of the next | N/m |
 
-use asperity_core::provenance::carried;
-use rayon::prelude::*;
-
 use crate::boundary::Boundary;
 use crate::error::ContactError;
 use crate::problem::{ContactProblem, ContactSolution, Control, SolverSettings};
 use crate::solver::Solver;
-use crate::two_flanks::TwoFlanks;
 
 /// Series of contacts, solved in order on one thread.
 ///
@@ -120,74 +115,4 @@ impl Path {
         let onward = |(p1, p0): (&f64, &f64)| (p1 + ratio * (p1 - p0)).clamp(0.0, limit.max(0.0));
         Some(pairs.map(onward).collect())
     }
-}
-
-/// Solves many paths of problems in parallel and returns the results in the order of the paths.
-///
-/// The problems of a path must have the same number of points and the same boundary.
-///
-/// # Errors
-/// For each path, the error of the first problem that is not valid or not solved.
-///
-/// ```
-/// use asperity_contact::{Boundary, ContactProblem, Control, SolverSettings, solve_paths};
-/// let gap: Vec<f64> = (0..200).map(|i| (3e-6 * (f64::from(i) - 99.5)).powi(2) / 6e-3).collect();
-/// let problem = ContactProblem {
-///     gap: &gap, spacing: "3 um".parse()?, modulus: "115.4 GPa".parse()?,
-///     boundary: Boundary::FreeEnds, control: Control::Load("300 N/mm".parse()?),
-///     prescribed_pressure: None, pressure_limit: None, start: None,
-/// };
-/// let lighter = ContactProblem { control: Control::Load("30 N/mm".parse()?), ..problem };
-/// let solved = solve_paths(&[vec![lighter, problem], vec![problem]], &SolverSettings::default());
-/// assert_eq!(solved[0].as_ref().map(Vec::len), Ok(2));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn solve_paths(
-    paths: &[Vec<ContactProblem>],
-    settings: &SolverSettings,
-) -> Vec<Result<Vec<ContactSolution>, ContactError>> {
-    let solve = |problems: &Vec<ContactProblem>| {
-        let Some(first) = problems.first() else {
-            return Ok(vec![]);
-        };
-        let mut path = Path::new(first.gap.len(), first.boundary, *settings)?;
-        problems.iter().map(|problem| path.step(problem)).collect()
-    };
-    paths.par_iter().map(carried(solve)).collect()
-}
-
-/// Presses many paths of pairs of flanks together in parallel, as [`solve_paths`]: a path may be the
-/// offsets of one pair of traces, the positions of a mesh or a series of loads.
-///
-/// # Errors
-/// For each path, the error of the first pair that is not valid or not solved.
-///
-/// ```
-/// use asperity_contact::{SolverSettings, press_paths, two_flanks::TwoFlanks};
-/// use asperity_core::Profile;
-/// let wavy: Vec<f64> = (0..400).map(|i| 1e-7 * (0.2 * f64::from(i)).sin()).collect();
-/// let (rough, smooth) = (Profile::new("1 um".parse()?, wavy)?, Profile::new("1 um".parse()?, vec![0.0; 400])?);
-/// let flanks = TwoFlanks {
-///     first: &rough, second: &smooth, radius: "3 mm".parse()?,
-///     load: "100 N/mm".parse()?, modulus: "115.4 GPa".parse()?, pressure_limit: None,
-/// };
-/// let heavier = TwoFlanks { load: "120 N/mm".parse()?, ..flanks };
-/// let pressed = press_paths(&[vec![flanks, heavier]], &SolverSettings::default());
-/// let line = pressed[0].as_ref().map_err(Clone::clone)?;
-/// assert!(line[1].contact_fraction >= line[0].contact_fraction);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn press_paths(
-    paths: &[Vec<TwoFlanks>],
-    settings: &SolverSettings,
-) -> Vec<Result<Vec<ContactSolution>, ContactError>> {
-    let press = |flanks: &Vec<TwoFlanks>| {
-        let Some(first) = flanks.first() else {
-            return Ok(vec![]);
-        };
-        let mut path = Path::new(first.first.len(), Boundary::FreeEnds, *settings)?;
-        let step = |pair: &TwoFlanks| path.step(&pair.problem(&pair.gap()?)?);
-        flanks.iter().map(step).collect()
-    };
-    paths.par_iter().map(carried(press)).collect()
 }

@@ -5,8 +5,7 @@ use crate::common::{CYLINDER, hertz_problem, relative_difference, rough_gap, sel
 use asperity_contact::running_in::{Cycle, RunningIn};
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{
-    Boundary, ContactError, ContactProblem, Control, Path, SolverSettings, press_paths, solve,
-    solve_paths,
+    Boundary, ContactError, ContactProblem, Control, Path, SolverSettings, solve,
 };
 use asperity_core::Profile;
 use asperity_core::quantity::Pressure;
@@ -80,33 +79,7 @@ fn a_shifted_start_is_the_solution_of_the_shifted_roughness() {
 }
 
 #[test]
-fn paths_are_the_same_on_any_number_of_threads() {
-    let flanks = rough_flanks(1_000);
-    let path = |first: f64| -> Vec<TwoFlanks> {
-        let at = |share: f64| TwoFlanks {
-            load: CYLINDER.load * share,
-            ..pair(&flanks)
-        };
-        [first, first + 0.1, first + 0.2].map(at).to_vec()
-    };
-    let paths: Vec<_> = (1..8).map(|k| path(0.1 * f64::from(k))).collect();
-    let on = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| press_paths(&paths, &SolverSettings::default()))
-    };
-    let one = on(1);
-    assert!(
-        one.iter()
-            .all(|line| line.as_ref().is_ok_and(|line| line.len() == 3))
-    );
-    assert_eq!(one, on(4));
-}
-
-#[test]
-fn one_path_that_fails_leaves_the_others() {
+fn a_path_refuses_another_size_and_a_problem_outside_its_domain() {
     let (gap, spacing) = CYLINDER.gap(200);
     let good = hertz_problem(&gap, spacing);
     let bad = ContactProblem {
@@ -117,14 +90,11 @@ fn one_path_that_fails_leaves_the_others() {
         gap: &gap[..100],
         ..good
     };
-    let solved = solve_paths(
-        &[vec![good], vec![good, bad], vec![], vec![good, other_size]],
-        &SolverSettings::default(),
-    );
-    assert!(solved[0].is_ok() && solved[2] == Ok(vec![]));
-    assert!(matches!(solved[1], Err(ContactError::Domain(_))));
+    let mut path = Path::new(200, Boundary::FreeEnds, SolverSettings::default()).unwrap();
+    assert!(path.step(&good).is_ok());
+    assert!(matches!(path.step(&bad), Err(ContactError::Domain(_))));
     assert!(matches!(
-        solved[3],
+        path.step(&other_size),
         Err(ContactError::SolverMismatch { .. })
     ));
 }

@@ -6,10 +6,8 @@
 //! converge with the grid and is not a result; load on films below 20 and 50 nm, the mean film and friction
 //! converge. The first three half-widths of travel are a start-up.
 
-use asperity_core::provenance::carried;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
-use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::batch_means::{BatchMeans, Estimate};
@@ -269,28 +267,6 @@ pub fn record(
     settings: &RecordSettings,
 ) -> Result<Solved<Record>, EhlError> {
     record_watched(contact, settings, |_| true)
-}
-
-/// Records a rough contact from several offsets of the surfaces in parallel, in order.
-///
-/// # Errors
-/// The first error of [`record`].
-pub fn record_offsets(
-    contact: &RoughContact,
-    offsets: &[(Length, Length)],
-    settings: &RecordSettings,
-) -> Result<Vec<Solved<Record>>, EhlError> {
-    offsets
-        .par_iter()
-        .map(carried(|(first, second): &(Length, Length)| {
-            let shifted = RoughContact {
-                surface_1: contact.surface_1.clone().shifted(*first),
-                surface_2: contact.surface_2.clone().shifted(*second),
-                ..contact.clone()
-            };
-            record(&shifted, settings)
-        }))
-        .collect()
 }
 
 /// Records a rough contact; `watch` is called after every step and stops the record by returning false.

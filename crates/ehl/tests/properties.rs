@@ -358,20 +358,6 @@ fn a_single_pass_runs_in_and_must_be_long_enough() {
 }
 
 #[test]
-fn offsets_in_parallel_give_what_they_give_alone() {
-    let contact = rough(0.2, 0.1e-6);
-    let a = Length::from_si(100e-6);
-    let settings = settings(128, 1.0, 2.0);
-    let together = transient::record_offsets(&contact, &[(a, a), (a * 2.0, a)], &settings).unwrap();
-    let alone = RoughContact {
-        surface_1: contact.surface_1.clone().shifted(a * 2.0),
-        surface_2: contact.surface_2.clone().shifted(a),
-        ..contact
-    };
-    assert_eq!(together[1], run(&alone, &settings));
-}
-
-#[test]
 fn a_watcher_stops_a_record() {
     let error =
         transient::record_watched(&rough(0.2, 0.1e-6), &settings(128, 1.0, 2.0), |progress| {

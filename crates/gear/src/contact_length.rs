@@ -14,22 +14,10 @@
 use asperity_core::DomainError;
 use asperity_core::cite;
 use asperity_core::quantity::Length;
-use serde::Serialize;
 
 use crate::error::GearError;
 use crate::pair::GearPair;
 use crate::quadrature::breakpoints;
-
-/// Length of the contact lines over a mesh cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct ContactLengths {
-    /// Mean over a mesh cycle.
-    pub mean: Length,
-    /// Minimum.
-    pub shortest: Length,
-    /// Maximum.
-    pub longest: Length,
-}
 
 impl GearPair {
     /// l(φ) = (b/(ε_β cos β_b))·Σⱼ \[min(φ + j + ε_β, ε_α) − max(φ + j, 0)\]₊; a spur pair has b for each pair of teeth
@@ -72,28 +60,6 @@ impl GearPair {
     pub fn mean_contact_length(&self) -> Length {
         cite!("Length-2");
         self.face_width * (self.path.eps_alpha / self.base_helix.si().cos())
-    }
-
-    /// Mean and extremes of the length of the contact lines over a mesh cycle.
-    ///
-    /// The length is linear in the phase between the breakpoints where a strip starts or ends, so its extremes are at
-    /// breakpoints (helical) or between them (spur, where it jumps).
-    pub fn contact_lengths(&self) -> ContactLengths {
-        let breaks = self.phase_breakpoints([]);
-        let lengths: Vec<f64> = if self.is_spur() {
-            let middles = breaks.windows(2).map(|ends| 0.5 * (ends[0] + ends[1]));
-            middles.map(|phase| self.length_at(phase).si()).collect()
-        } else {
-            breaks
-                .iter()
-                .map(|&phase| self.length_at(phase).si())
-                .collect()
-        };
-        ContactLengths {
-            mean: self.mean_contact_length(),
-            shortest: Length::from_si(lengths.iter().copied().fold(f64::INFINITY, f64::min)),
-            longest: Length::from_si(lengths.iter().copied().fold(0.0, f64::max)),
-        }
     }
 
     fn length_at(&self, phase: f64) -> Length {

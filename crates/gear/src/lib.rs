@@ -67,7 +67,6 @@ mod tooth_compliance;
 pub mod tooth_outline;
 pub mod transverse_tooth;
 
-pub use contact_length::ContactLengths;
 pub use error::{Gear, GearError};
 pub use flank_coordinate::FlankPoint;
 pub use forces::Forces;

@@ -180,21 +180,19 @@ proptest! {
             .map(|k| pair.contact_length((f64::from(k) + 0.5) / f64::from(count)).unwrap().si())
             .collect();
         let mean = lengths.iter().sum::<f64>() / f64::from(count);
-        let exact = pair.contact_lengths();
         // The length jumps or bends inside one of a thousand phases.
-        prop_assert!((mean / exact.mean.si() - 1.0).abs() < 1e-3);
-        let slack = 1.0 + ROUNDING;
-        prop_assert!(lengths.iter().all(|l| *l <= exact.longest.si() * slack));
-        prop_assert!(lengths.iter().all(|l| *l * slack >= exact.shortest.si()));
+        prop_assert!((mean / pair.mean_contact_length().si() - 1.0).abs() < 1e-3);
     }
 
     #[test]
     fn a_whole_overlap_ratio_keeps_the_contact_length_constant((input, pair) in helical(), whole in 1u32..5) {
         let width = pair.face_width * (f64::from(whole) / pair.path().eps_beta);
         let pair = GearPair::new(&GearPairInput { face_width: [width; 2], ..input }).unwrap();
-        let lengths = pair.contact_lengths();
-        prop_assert!((lengths.longest / lengths.shortest - 1.0).abs() < 1e-10);
-        prop_assert!((lengths.longest / lengths.mean - 1.0).abs() < 1e-10);
+        let mean = pair.mean_contact_length();
+        for k in 0..20 {
+            let length = pair.contact_length(0.05 * f64::from(k)).unwrap();
+            prop_assert!((length / mean - 1.0).abs() < 1e-10);
+        }
         // Then the load at each instant is the mean load.
         let factors = pair.loss_factors(&LoadSharing::Uniform).unwrap();
         prop_assert!((factors.local_phase_averaged / factors.local - 1.0).abs() < 1e-10);

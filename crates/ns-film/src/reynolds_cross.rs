@@ -61,13 +61,6 @@ pub struct CrossFilm {
     pub difference: Pressure,
 }
 
-impl CrossFilm {
-    /// Pressures at wall 1 and wall 2 if Reynolds' pressure, the one in the middle, is `mean`.
-    pub fn wall_pressures(&self, mean: Pressure) -> [Pressure; 2] {
-        [mean + self.difference * 0.5, mean - self.difference * 0.5]
-    }
-}
-
 impl FilmSection {
     /// p₁ − p₂ = h'·τ_w1 + ρ·(u₁² + u₁·u₂ + u₂²)·h/(3·r₂)                            [Cross-1]
     ///

@@ -61,14 +61,6 @@ impl Trace {
         Ok(Self::of(Some(Content::Heights(Arc::new(profile))), None))
     }
 
-    /// A trace of a profile.
-    ///
-    /// # Errors
-    /// As for [`from_heights`](Self::from_heights).
-    pub fn from_profile(profile: &Profile) -> Result<Self, Error> {
-        Self::from_heights(profile.heights(), profile.spacing())
-    }
-
     /// The content of the file `name`, read with `options` when the case is built.
     pub fn from_bytes(
         name: impl Into<PathBuf>,
