@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use crate::args::Common;
 use crate::failure::Failure;
@@ -18,6 +19,26 @@ pub fn print_json<T: Serialize + ?Sized>(value: &T) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(value)
         .map_err(|error| Failure::new("E501", format!("cannot be written as JSON: {error}")))?;
     write(&format!("{text}\n"))
+}
+
+/// Prints a value as JSON where the command asks for it, and otherwise its text.
+pub fn print<V: Serialize>(
+    common: &Common,
+    value: impl FnOnce() -> V,
+    text: impl FnOnce() -> String,
+) -> Result<(), Failure> {
+    match common.json {
+        true => print_json(&value()),
+        false => print_text(common, &text()),
+    }
+}
+
+/// Warnings with their codes as JSON.
+pub fn coded(warnings: Vec<(&str, String)>) -> Value {
+    let warnings = warnings.into_iter();
+    warnings
+        .map(|(code, text)| json!({ "code": code, "text": text }))
+        .collect()
 }
 
 /// Prints text unless the command is quiet.

@@ -64,8 +64,7 @@ fn fit(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
     let result = rig.calibrate(&held(args), &watch);
     drop(progress);
     let result = result?;
-    study::write(&result, (), &folder)?;
-    study::print(&result, (), Some(&folder), Some(begin), common)
+    study::finish(&result, (), &folder, Some(begin), common)
 }
 
 fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
@@ -88,8 +87,7 @@ fn design(args: &CalibrateArgs, common: &Common) -> Result<(), Failure> {
         .map(|seed| asperity_calibration::design::simulated(&case, &result, seed));
     let simulated = simulated.transpose()?;
     let simulated = simulated.as_deref();
-    study::write(&result, simulated, &folder)?;
-    study::print(&result, simulated, Some(&folder), Some(begin), common)
+    study::finish(&result, simulated, &folder, Some(begin), common)
 }
 
 /// Positive limit of a rig.

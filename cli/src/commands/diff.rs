@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::args::{Common, DiffArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::print;
 
 /// `asperity diff`
 pub fn diff(args: &DiffArgs, common: &Common) -> Result<(), Failure> {
@@ -15,10 +15,7 @@ pub fn diff(args: &DiffArgs, common: &Common) -> Result<(), Failure> {
     let (_, second) = read(&args.second)?;
     let differences = compare(&first, &second)
         .map_err(|error| Failure::new("E501", format!("cannot be compared: {error}")))?;
-    if common.json {
-        return print_json(&differences);
-    }
-    print_text(common, &text(&differences))
+    print(common, || &differences, || text(&differences))
 }
 
 fn text(differences: &ResultDiff) -> String {

@@ -26,8 +26,7 @@ pub fn evidence(args: &EvidenceArgs, common: &Common) -> Result<(), Failure> {
                        full film are computed without one";
         return Err(Failure::new("E205", message));
     };
-    study::write(&table, (), &folder)?;
-    study::print(&table, (), Some(&folder), Some(begin), common)
+    study::finish(&table, (), &folder, Some(begin), common)
 }
 
 /// The usual hours, changed by the command line.

@@ -6,7 +6,7 @@ use asperity_studies::figures::{self, FigureError};
 use super::{keys, load_case};
 use crate::args::{Common, FiguresArgs, FormulationArg, SetArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::print;
 
 /// `asperity figures`
 pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
@@ -15,14 +15,8 @@ pub fn figures(args: &FiguresArgs, common: &Common) -> Result<(), Failure> {
         None => table_2(&args.set)?,
     };
     let files = figures::write(&case, &args.output).map_err(|error| refused(&error))?;
-    if common.json {
-        return print_json(&files);
-    }
-    let list: String = files
-        .iter()
-        .map(|file| format!("{}\n", file.display()))
-        .collect();
-    print_text(common, &list)
+    let list = || files.iter().map(|file| format!("{}\n", file.display()));
+    print(common, || &files, || list().collect())
 }
 
 /// Table 2 of the paper on the synthetic flank of the program.

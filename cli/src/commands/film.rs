@@ -5,17 +5,14 @@ use asperity::pipeline::{FilmSurvey, film as survey};
 use super::{load_case, on_the_path};
 use crate::args::{Common, FilmArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::print;
 
 /// `asperity film`
 pub fn film(args: &FilmArgs, common: &Common) -> Result<(), Failure> {
     let loaded = load_case(&args.case, &args.set, None)?;
     let position = on_the_path(&loaded, args.position)?;
     let survey = survey(&loaded, position).map_err(|error| Failure::about(&args.case, &error))?;
-    if common.json {
-        return print_json(&survey);
-    }
-    print_text(common, &table(&survey))
+    print(common, || &survey, || table(&survey))
 }
 
 fn table(survey: &FilmSurvey) -> String {

@@ -9,7 +9,7 @@ use serde_json::json;
 use super::{AnyCase, load_any};
 use crate::args::{CaseArgs, Common};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::print;
 
 /// `asperity gear`
 pub fn gear(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
@@ -19,19 +19,17 @@ pub fn gear(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
     match load_any(&args.case, &args.set, args.formulation)? {
         AnyCase::Pair(pair) => {
             let report = report(&pair)?;
-            if common.json {
-                return print_json(&report);
-            }
-            print_text(common, &text(&report))
+            print(common, || &report, || text(&report))
         }
         AnyCase::Train(train) => {
             let reports = train.meshes().map(|mesh| report(&mesh.case));
             let reports = reports.collect::<Result<Vec<_>, Failure>>()?;
-            if common.json {
-                return print_json(&json!({ "title": train.title, "meshes": reports }));
-            }
-            let texts: Vec<String> = reports.iter().map(text).collect();
-            print_text(common, &texts.join("\n"))
+            let texts = || reports.iter().map(text).collect::<Vec<_>>();
+            print(
+                common,
+                || json!({ "title": train.title, "meshes": reports }),
+                || texts().join("\n"),
+            )
         }
     }
 }

@@ -4,25 +4,20 @@ use asperity_core::presets::GearPreset;
 use asperity_core::quantity::Length;
 use asperity_report::library::{gears_named, listed_gears, pair_of};
 use asperity_report::wrapped;
-use serde_json::{Value, json};
 
-use super::presets::{LETTERS, figures, keys, least};
+use super::presets::{LETTERS, figures, keys, least, print_listed};
 use crate::args::{Common, PresetArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
 
 /// `asperity gears`
 pub fn gears(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
     let shown = gears_named(args.name.as_deref())?;
-    if common.json {
-        let listed: Vec<Value> = shown.iter().map(listed_gears).collect::<Result<_, _>>()?;
-        return print_json(&json!({ "gears": listed }));
-    }
-    let text = match (&args.name, shown.first()) {
-        (Some(_), Some(one)) => whole(one)?,
-        _ => table(&shown)?,
-    };
-    print_text(common, &text)
+    print_listed(common, ("gears", &shown), listed_gears, || {
+        match (&args.name, shown.first()) {
+            (Some(_), Some(one)) => whole(one),
+            _ => table(&shown),
+        }
+    })
 }
 
 fn table(gears: &[GearPreset]) -> Result<String, Failure> {

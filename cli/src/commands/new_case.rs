@@ -10,7 +10,7 @@ use serde_json::json;
 
 use crate::args::Common;
 use crate::failure::Failure;
-use crate::output::{besides_file, is_standard_output, print_json, print_text, save_new, shown};
+use crate::output::{besides_file, is_standard_output, print, save_new, shown};
 
 /// A question: its text, what an empty answer means, and the lines of the case for an answer.
 struct Question {
@@ -124,12 +124,10 @@ pub fn new_case(output: &Path, common: &Common) -> Result<(), Failure> {
     }
     save_new(output, case.as_bytes())?;
     let name = shown(output);
-    if common.json {
-        return print_json(&json!({ "file": output }));
-    }
-    print_text(
+    print(
         &quiet,
-        &format!("wrote {name}\nnext: asperity check {name}\n"),
+        || json!({ "file": output }),
+        || format!("wrote {name}\nnext: asperity check {name}\n"),
     )
 }
 

@@ -161,8 +161,7 @@ fn plan(args: &OilPlanArgs, common: &Common) -> Result<(), Failure> {
         simulate: args.simulate,
     };
     let plan = OilPlan::of(&oil, case.as_ref(), &settings)?;
-    study::write(&plan, (), &folder)?;
-    study::print(&plan, (), Some(&folder), Some(begin), common)
+    study::finish(&plan, (), &folder, Some(begin), common)
 }
 
 fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
@@ -193,8 +192,7 @@ fn stribeck(args: &OilStribeckArgs, common: &Common) -> Result<(), Failure> {
         reading.rubbing_s = reading.rubbing_s.or(time.map(|time| time.si()));
     }
     let found = Stribeck::of(&oil, &all, sources)?;
-    study::write(&found, (), &folder)?;
-    study::print(&found, (), Some(&folder), Some(begin), common)
+    study::finish(&found, (), &folder, Some(begin), common)
 }
 
 fn traction(args: &OilTractionArgs, common: &Common) -> Result<(), Failure> {
@@ -229,8 +227,7 @@ fn traction(args: &OilTractionArgs, common: &Common) -> Result<(), Failure> {
         boundary_friction,
     };
     let curves = TractionCurves::of(&oil, &range)?;
-    study::write(&curves, (), &folder)?;
-    study::print(&curves, (), Some(&folder), Some(begin), common)
+    study::finish(&curves, (), &folder, Some(begin), common)
 }
 
 /// Readings of files, and their SHA-256.
@@ -273,6 +270,5 @@ fn fit(args: &OilFitArgs, common: &Common) -> Result<(), Failure> {
         is_forced: args.force,
     };
     let found = OilFit::of(&oil, &all, sources, settings)?;
-    study::write(&found, (), &folder)?;
-    study::print(&found, (), Some(&folder), Some(begin), common)
+    study::finish(&found, (), &folder, Some(begin), common)
 }

@@ -4,31 +4,31 @@ use asperity::oil::LibraryOil;
 use asperity_core::presets::Certainty;
 use asperity_report::library::{listed_oil, oils_named, states};
 use asperity_report::{COLUMNS, wrapped};
-use serde_json::{Value, json};
 
-use super::presets::LETTERS;
+use super::presets::{LETTERS, print_listed};
 use crate::args::{Common, PresetArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
 
 /// `asperity oils`
 pub fn oils(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
     let oils = oils_named(args.name.as_deref())?;
-    if common.json {
-        let listed: Vec<Value> = oils.iter().map(listed_oil).collect::<Result<_, _>>()?;
-        return print_json(&json!({ "oils": listed }));
-    }
+    print_listed(common, ("oils", &oils), listed_oil, || {
+        table(&oils, args.name.is_some())
+    })
+}
+
+fn table(oils: &[LibraryOil], with_numbers: bool) -> Result<String, Failure> {
     let mut text = format!(
         "{:22} {:>12} {:>12} {:>12}\n",
         "lubricant.oil", "mPa s 40 °C", "mPa s 100 °C", "alpha 1/GPa"
     );
-    for oil in &oils {
+    for oil in oils {
         let [(cold, _), (hot, alpha)] = states(&oil.name)?;
         text.push_str(&format!(
             "{:22} {cold:>12.1} {hot:>12.2} {alpha:>12.1}\n",
             oil.name
         ));
-        if args.name.is_some() {
+        if with_numbers {
             text.push_str(&numbers(oil));
         }
         for line in [&oil.note, &oil.source] {
@@ -37,12 +37,9 @@ pub fn oils(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
         }
     }
     debug_assert!(text.lines().all(|line| line.chars().count() <= COLUMNS));
-    print_text(
-        common,
-        &format!(
-            "{text}{LETTERS}\nA viscosity given at one temperature only is used at the bulk temperature of the case.\n"
-        ),
-    )
+    Ok(format!(
+        "{text}{LETTERS}\nA viscosity given at one temperature only is used at the bulk temperature of the case.\n"
+    ))
 }
 
 /// One line per number of an oil, with its certainty.

@@ -3,8 +3,11 @@
 use asperity_core::presets::FigureRow;
 use asperity_report::library::{LibraryError, used};
 use asperity_report::wrapped;
+use serde_json::{Value, json};
 
+use crate::args::Common;
 use crate::failure::Failure;
+use crate::output::{print_json, print_text};
 
 /// Legend of the certainty letters.
 pub const LETTERS: &str = "Certainty: A read in the source, B quoted by others, C derived; assumed: not\nknown of this one.";
@@ -13,6 +16,20 @@ impl From<LibraryError> for Failure {
     fn from(error: LibraryError) -> Self {
         Self::new(error.code(), error.to_string())
     }
+}
+
+/// Prints presets: their values as JSON under a name, or a text.
+pub fn print_listed<T>(
+    common: &Common,
+    (name, presets): (&str, &[T]),
+    value: fn(&T) -> Result<Value, LibraryError>,
+    text: impl FnOnce() -> Result<String, Failure>,
+) -> Result<(), Failure> {
+    if common.json {
+        let values: Vec<Value> = presets.iter().map(value).collect::<Result<_, _>>()?;
+        return print_json(&json!({ name: values }));
+    }
+    print_text(common, &text()?)
 }
 
 /// One line per number, then the full sources.

@@ -1,12 +1,12 @@
 //! `equations`, `explain` and `schema`: reference information of the program.
 
 use asperity::equations::{self, Equation};
-use asperity::message;
+use asperity::message::{self, Explanation};
 use serde_json::{Value, json};
 
 use crate::args::{Common, EquationsArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::{print, print_json, print_text};
 use crate::words;
 
 /// `asperity equations`
@@ -18,14 +18,11 @@ pub fn equations(args: &EquationsArgs, common: &Common) -> Result<(), Failure> {
         None => equations::all(),
         Some(tag) => std::slice::from_ref(equations::find(tag).ok_or_else(|| unknown_tag(tag))?),
     };
-    if common.json {
-        return print_json(&chosen);
-    }
-    let texts = chosen.iter().map(|equation| match args.tag {
+    let text = |equation: &Equation| match args.tag {
         None => format!("{:16} {}\n", equation.tag, equation.title),
         Some(_) => in_full(equation),
-    });
-    print_text(common, &texts.collect::<String>())
+    };
+    print(common, || chosen, || chosen.iter().map(text).collect())
 }
 
 fn in_full(equation: &Equation) -> String {
@@ -52,14 +49,10 @@ fn unknown_tag(tag: &str) -> Failure {
 /// `asperity explain`
 pub fn explain(code: Option<&str>, common: &Common) -> Result<(), Failure> {
     let Some(code) = code else {
-        if common.json {
-            let all: Vec<_> = message::EXPLANATIONS.iter().map(as_json).collect();
-            return print_json(&all);
-        }
-        let lines = message::EXPLANATIONS
-            .iter()
-            .map(|entry| format!("{}  {}\n", entry.code, entry.title));
-        return print_text(common, &lines.collect::<String>());
+        let all = || message::EXPLANATIONS.iter();
+        let json = || all().map(as_json).collect::<Vec<_>>();
+        let line = |entry: &Explanation| format!("{}  {}\n", entry.code, entry.title);
+        return print(common, json, || all().map(line).collect());
     };
     let entry = message::explain(code).ok_or_else(|| {
         Failure::new(
@@ -67,17 +60,15 @@ pub fn explain(code: Option<&str>, common: &Common) -> Result<(), Failure> {
             format!("no message has the code \"{code}\"; asperity explain lists every code"),
         )
     })?;
-    if common.json {
-        return print_json(&as_json(entry));
-    }
-    let mut text = format!(
-        "{}  {}\n  why         {}\n",
-        entry.code, entry.title, entry.meaning
-    );
-    if let Some(advice) = words::advice(entry.code) {
-        text += &format!("  what to do  {advice}\n");
-    }
-    print_text(common, &text)
+    let advice = words::advice(entry.code);
+    let advice = advice.map_or(String::new(), |advice| format!("  what to do  {advice}\n"));
+    let text = || {
+        format!(
+            "{}  {}\n  why         {}\n{advice}",
+            entry.code, entry.title, entry.meaning
+        )
+    };
+    print(common, || as_json(entry), text)
 }
 
 /// Headings of the page of messages, by the first two characters of a code.
@@ -116,7 +107,7 @@ pub fn messages(common: &Common) -> Result<(), Failure> {
     print_text(common, &page)
 }
 
-fn as_json(entry: &message::Explanation) -> Value {
+fn as_json(entry: &Explanation) -> Value {
     json!({
         "code": entry.code,
         "title": entry.title,

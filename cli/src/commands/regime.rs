@@ -9,7 +9,7 @@ use serde_json::json;
 use super::{AnyCase, load_any};
 use crate::args::{CaseArgs, Common};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
+use crate::output::print;
 
 /// `asperity regime`
 pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
@@ -18,10 +18,7 @@ pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
     match load_any(&args.case, &args.set, args.formulation)? {
         AnyCase::Pair(pair) => {
             let rows = rows(&pair)?;
-            if common.json {
-                return print_json(&rows);
-            }
-            print_text(common, &table(&rows))
+            print(common, || &rows, || table(&rows))
         }
         AnyCase::Train(train) => {
             let of_mesh = |mesh: &LoadedMesh| Ok((mesh.case.case.title.clone(), rows(&mesh.case)?));
@@ -29,16 +26,16 @@ pub fn regime(args: &CaseArgs, common: &Common) -> Result<(), Failure> {
                 .meshes()
                 .map(of_mesh)
                 .collect::<Result<Vec<_>, Failure>>()?;
-            if common.json {
-                let meshes = of_meshes.iter();
-                let meshes = meshes.map(|(title, rows)| json!({ "title": title, "rows": rows }));
-                let meshes: Vec<_> = meshes.collect();
-                return print_json(&json!({ "title": train.title, "meshes": meshes }));
-            }
-            let tables = of_meshes.iter().map(|(title, rows)| {
+            let meshes = || of_meshes.iter();
+            let values = || meshes().map(|(title, rows)| json!({ "title": title, "rows": rows }));
+            let tables = meshes().map(|(title, rows)| {
                 format!("{}\n{}", asperity_storage::one_line(title), table(rows))
             });
-            print_text(common, &tables.collect::<Vec<_>>().join("\n"))
+            print(
+                common,
+                || json!({ "title": train.title, "meshes": values().collect::<Vec<_>>() }),
+                || tables.collect::<Vec<_>>().join("\n"),
+            )
         }
     }
 }

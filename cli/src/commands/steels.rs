@@ -3,25 +3,20 @@
 use asperity_core::presets::SteelPreset;
 use asperity_report::library::{LibraryError, listed_steel, steels_named, strength};
 use asperity_report::wrapped;
-use serde_json::{Value, json};
 
-use super::presets::{LETTERS, figures, least};
+use super::presets::{LETTERS, figures, least, print_listed};
 use crate::args::{Common, PresetArgs};
 use crate::failure::Failure;
-use crate::output::{print_json, print_text};
 
 /// `asperity steels`
 pub fn steels(args: &PresetArgs, common: &Common) -> Result<(), Failure> {
     let shown = steels_named(args.name.as_deref())?;
-    if common.json {
-        let listed: Vec<Value> = shown.iter().map(listed_steel).collect::<Result<_, _>>()?;
-        return print_json(&json!({ "steels": listed }));
-    }
-    let text = match (&args.name, shown.first()) {
-        (Some(_), Some(one)) => whole(one)?,
-        _ => table(&shown)?,
-    };
-    print_text(common, &text)
+    print_listed(common, ("steels", &shown), listed_steel, || {
+        match (&args.name, shown.first()) {
+            (Some(_), Some(one)) => whole(one),
+            _ => table(&shown),
+        }
+    })
 }
 
 fn table(steels: &[SteelPreset]) -> Result<String, Failure> {

@@ -38,6 +38,18 @@ pub fn write<S: StudyResult>(
     Ok(written?)
 }
 
+/// Writes a study as `folder` and prints it, with the time since `begin`.
+pub fn finish<S: StudyResult>(
+    study: &S,
+    context: S::Context<'_>,
+    folder: &Path,
+    begin: Option<Instant>,
+    common: &Common,
+) -> Result<(), Failure> {
+    write(study, context, folder)?;
+    print(study, context, Some(folder), begin, common)
+}
+
 /// Prints a study and, if it was written, its folder, with the time since `begin`.
 pub fn print<S: StudyResult>(
     study: &S,

@@ -11,7 +11,7 @@ use asperity_studies::sweep::{
 use super::study;
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 use crate::failure::Failure;
-use crate::output::{Progress, print_json, print_text, shown};
+use crate::output::{Progress, print, shown};
 
 /// `asperity sweep`
 pub fn sweep(command: &SweepCommand, common: &Common) -> Result<(), Failure> {
@@ -55,10 +55,7 @@ fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
 fn plan(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     let study = load(&args.sweep)?;
     let plan = sweep::plan(&study).map_err(|error| refused(&args.sweep, &error))?;
-    if common.json {
-        return print_json(&plan);
-    }
-    print_text(common, &text_of_plan(&plan))
+    print(common, || &plan, || text_of_plan(&plan))
 }
 
 fn text_of_plan(plan: &Plan) -> String {
@@ -108,19 +105,16 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     drop(progress);
     let done = done.map_err(|error| refused(&args.sweep, &error))?;
     let status = sweep::status(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
-    if common.json {
-        return print_json(&status);
-    }
-    let seconds = begin.elapsed().as_secs_f64();
-    let text = format!(
-        "ran {done} cases of shard {}\n{}",
-        args.shard,
-        text_of(&status)
-    );
-    print_text(
-        common,
-        &format!("{text}parts in {} in {seconds:.1} s\n", shown(&folder)),
-    )
+    let text = || {
+        format!(
+            "ran {done} cases of shard {}\n{}parts in {} in {:.1} s\n",
+            args.shard,
+            text_of(&status),
+            shown(&folder),
+            begin.elapsed().as_secs_f64()
+        )
+    };
+    print(common, || &status, text)
 }
 
 fn text_of(status: &Status) -> String {
@@ -138,10 +132,7 @@ fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
     let study = load(args)?;
     let folder = parts(args, &study);
     let status = sweep::status(&study, &folder).map_err(|error| refused(args, &error))?;
-    match common.json {
-        true => print_json(&status)?,
-        false => print_text(common, &text_of(&status))?,
-    }
+    print(common, || &status, || text_of(&status))?;
     if status.done == status.cases {
         return Ok(());
     }
@@ -165,6 +156,5 @@ fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     let (name, title) = (study.name.as_ref(), &study.case.title);
     let target = study::folder::<Merged>(args.output.as_deref(), name, "sweep", title)?;
     let merged = sweep::merge(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
-    study::write(&merged, (), &target)?;
-    study::print(&merged, (), Some(&target), None, common)
+    study::finish(&merged, (), &target, None, common)
 }

@@ -48,8 +48,8 @@ fn every_height_of_a_long_file_is_read_in_its_place() {
     let utf16: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();
     let other = read_bytes("a.csv", &utf16, &options).unwrap();
     assert_eq!(
-        (other.profile, other.encoding),
-        (reading.profile, Some(Encoding::Utf16Be))
+        (other.encoding, other.profile),
+        (Some(Encoding::Utf16Be), reading.profile)
     );
 }
 

@@ -75,7 +75,7 @@ impl Trace {
                 [long, short]
             },
             cutoff: None,
-            metadata: reading.metadata,
+            metadata: reading.record.metadata,
             profile: reading.profile,
             about,
         })

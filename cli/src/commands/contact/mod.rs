@@ -14,7 +14,7 @@ use asperity_core::quantity::Length;
 use super::{load_case, on_the_path};
 use crate::args::{Common, ContactArgs};
 use crate::failure::Failure;
-use crate::output::{besides_file, print_json, print_text};
+use crate::output::{besides_file, print};
 use solved::SolvedContact;
 use stress::stress;
 
@@ -43,11 +43,12 @@ pub fn contact(args: &ContactArgs, common: &Common) -> Result<(), Failure> {
     if let Some(output) = &args.output {
         contact.write_points(output)?;
     }
-    if common.json {
-        return print_json(&contact.json(stress.map(|stress| stress.json())));
-    }
-    let below = stress.map(|stress| stress.text()).unwrap_or_default();
-    print_text(common, &contact.text(&below))
+    let stress = stress.as_ref();
+    print(
+        common,
+        || contact.json(stress.map(|stress| stress.json())),
+        || contact.text(&stress.map(|stress| stress.text()).unwrap_or_default()),
+    )
 }
 
 fn check_tolerance(tolerance: f64) -> Result<(), Failure> {

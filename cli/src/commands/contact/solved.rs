@@ -8,6 +8,7 @@ use asperity_core::quantity::Length;
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
+use crate::output::coded;
 
 /// Solved contact with its smooth reference.
 pub struct SolvedContact {
@@ -43,11 +44,6 @@ impl SolvedContact {
     /// The contact as JSON, with the subsurface stress.
     pub fn json(&self, stress: Option<Value>) -> Value {
         let s = &self.solution;
-        let warnings: Vec<Value> = self
-            .warnings()
-            .into_iter()
-            .map(|(code, text)| json!({ "code": code, "text": text }))
-            .collect();
         json!({
             "title": self.title,
             "points": s.pressure.len(),
@@ -69,7 +65,7 @@ impl SolvedContact {
             },
             "stress": stress,
             "running_in": self.cycles.iter().map(cycle_json).collect::<Vec<_>>(),
-            "warnings": warnings,
+            "warnings": coded(self.warnings()),
         })
     }
 

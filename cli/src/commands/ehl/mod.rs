@@ -18,7 +18,7 @@ use asperity::reference_solution::{ReferenceContact, ReferenceSettings};
 use super::{load_case, on_the_path};
 use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
-use crate::output::{besides_file, print_json, print_text, save};
+use crate::output::{besides_file, print, save};
 
 /// `asperity ehl`
 pub fn ehl(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
@@ -142,8 +142,5 @@ fn print_result(
     if let Some(output) = &args.output {
         save(output, points().as_bytes())?;
     }
-    match common.json {
-        true => print_json(json),
-        false => print_text(common, text),
-    }
+    print(common, || json, || text.to_owned())
 }

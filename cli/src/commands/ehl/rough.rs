@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use super::failed::of_contact;
 use crate::args::{Common, EhlArgs};
 use crate::failure::Failure;
-use crate::output::Progress;
+use crate::output::{Progress, coded};
 
 /// Record with its contact.
 pub struct Recorded {
@@ -94,11 +94,6 @@ impl Recorded {
     /// Record as JSON.
     pub fn json(&self, comparison: Option<&ShareComparison>) -> Value {
         let (record, evidence) = (&self.solved.value, &self.solved.evidence);
-        let warnings: Vec<Value> = self
-            .warnings()
-            .into_iter()
-            .map(|(code, text)| json!({ "code": code, "text": text }))
-            .collect();
         let more = json!({
             "title": self.title,
             "kind": "rough",
@@ -121,7 +116,7 @@ impl Recorded {
             "boundary_supply": evidence.boundary_supply,
             "mean_boundary_supply": evidence.mean_boundary_supply,
             "comparison": comparison,
-            "warnings": warnings,
+            "warnings": coded(self.warnings()),
         });
         let mut numbers = record_json(record);
         if let Value::Object(more) = more {

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use super::failed::of_contact;
 use crate::failure::Failure;
+use crate::output::coded;
 
 /// Steady film and its traction.
 pub struct Smooth {
@@ -91,11 +92,6 @@ impl Smooth {
     pub fn json(&self) -> Value {
         let (film, evidence) = (&self.solved.value, &self.solved.evidence);
         let scales = &film.scales;
-        let warnings: Vec<Value> = self
-            .warnings()
-            .into_iter()
-            .map(|(code, text)| json!({ "code": code, "text": text }))
-            .collect();
         json!({
             "title": self.title,
             "kind": "smooth",
@@ -126,7 +122,7 @@ impl Smooth {
             "load_error": evidence.load_error,
             "complementarity": evidence.complementarity,
             "mass_balance": evidence.mass_balance,
-            "warnings": warnings,
+            "warnings": coded(self.warnings()),
         })
     }
 

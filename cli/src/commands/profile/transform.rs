@@ -260,7 +260,7 @@ fn fitted(
     let mut warnings = Vec::new();
     let mut profile = |file: &Path| {
         let reading = opened(file, &args.reading, None)?;
-        warnings.extend(reading.warnings);
+        warnings.extend(reading.record.warnings);
         Ok::<_, Failure>(reading.profile)
     };
     let trace = profile(first)?;

@@ -1,10 +1,7 @@
 //! A flank as a result keeps it: what was read, what was done to it, its parameters; no heights.
 
 use asperity_core::quantity::Length;
-use asperity_profile_io::Warning;
-use asperity_profile_io::read::{
-    Encoding, FilterState, Format, LengthUnit, Metadata, Reading, SpacingSource, TableLayout,
-};
+use asperity_profile_io::read::ReadingRecord;
 use asperity_roughness::Parameters;
 use asperity_roughness::outliers::OutlierRecord;
 use asperity_roughness::preparation::PreparationRecord;
@@ -75,66 +72,12 @@ impl From<&FlankForm> for FormRecord {
     }
 }
 
-/// Details of the reading of a file: [`Reading`] without its heights.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ReadingRecord {
-    /// Name of the file as given.
-    pub name: String,
-    /// Format of the file.
-    pub format: Format,
-    /// Character encoding; none for binary formats.
-    pub encoding: Option<Encoding>,
-    /// Layout of the table; none for formats without one.
-    pub table: Option<TableLayout>,
-    /// Unit of x; none when the spacing was stated and no x column was needed.
-    pub x_unit: Option<LengthUnit>,
-    /// Unit of the heights in the file.
-    pub z_unit: LengthUnit,
-    /// Distance between points.
-    pub spacing: Length,
-    /// Source of the spacing.
-    pub spacing_source: SpacingSource,
-    /// Length of the trace, (n − 1)·dx.
-    pub length: Length,
-    /// Whether the file says its heights are filtered.
-    pub filter_state: FilterState,
-    /// Number of points n.
-    pub points: usize,
-    /// Points that were interpolated on request.
-    pub gaps_filled: usize,
-    /// Statements of the file in addition to the heights.
-    pub metadata: Metadata,
-    /// Warnings of the reader.
-    pub warnings: Vec<Warning>,
-}
-
-impl From<&Reading> for ReadingRecord {
-    fn from(reading: &Reading) -> Self {
-        Self {
-            name: reading.name.clone(),
-            format: reading.format,
-            encoding: reading.encoding,
-            table: reading.table,
-            x_unit: reading.x_unit,
-            z_unit: reading.z_unit,
-            spacing: reading.spacing,
-            spacing_source: reading.spacing_source,
-            length: reading.length,
-            filter_state: reading.filter_state,
-            points: reading.points,
-            gaps_filled: reading.gaps_filled,
-            metadata: reading.metadata.clone(),
-            warnings: reading.warnings.clone(),
-        }
-    }
-}
-
 impl From<&FlankReport> for FlankRecord {
     fn from(flank: &FlankReport) -> Self {
         Self {
             file: flank.file.clone(),
             sha256: flank.sha256.clone(),
-            reading: flank.reading.as_ref().map(ReadingRecord::from),
+            reading: flank.reading.as_ref().map(|read| read.record.clone()),
             mirrored: flank.mirrored,
             outliers: flank.outliers.clone(),
             preparation: flank.preparation.clone(),

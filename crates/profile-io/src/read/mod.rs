@@ -76,7 +76,7 @@ pub use options::{
     Abscissa, Axis, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator,
     TraceLine, Uneven, UnknownChoice,
 };
-pub use reading::Reading;
+pub use reading::{Reading, ReadingRecord};
 pub use resample::Resampled;
 pub use surface::Surface;
 pub use trace::{Positions, Trace};

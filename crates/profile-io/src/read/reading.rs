@@ -1,8 +1,10 @@
 //! A profile with the facts about its file.
 
+use std::ops::Deref;
+
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::error::{ReadError, ReadFault};
 use super::format::Format;
@@ -14,15 +16,34 @@ use super::options::{Encoding, LengthUnit};
 use super::steepness::implausible;
 use crate::warning::Warning;
 
-/// A profile with the facts about its file. The heights are not serialised.
+/// A profile with the record of its reading, whose facts are read as its own. The heights are not serialised.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Reading {
-    /// Name of the file.
-    pub name: String,
     /// The profile, heights as in the file (no offset, form or tilt removed).
     #[serde(skip)]
     pub profile: Profile,
+    /// The facts about the file.
+    #[serde(flatten)]
+    pub record: ReadingRecord,
+    /// Whether the header of the file scaled the heights.
+    #[serde(skip)]
+    pub(super) is_scaled: bool,
+}
+
+impl Deref for Reading {
+    type Target = ReadingRecord;
+
+    fn deref(&self) -> &ReadingRecord {
+        &self.record
+    }
+}
+
+/// The facts about the file of a profile.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ReadingRecord {
+    /// Name of the file.
+    pub name: String,
     /// Format of the file.
     pub format: Format,
     /// Character encoding; `None` for binary formats.
@@ -49,9 +70,6 @@ pub struct Reading {
     pub metadata: Metadata,
     /// Warnings.
     pub warnings: Vec<Warning>,
-    /// Whether the header of the file scaled the heights.
-    #[serde(skip)]
-    pub(super) is_scaled: bool,
 }
 
 impl Reading {
@@ -88,15 +106,10 @@ impl Reading {
 
     /// The reading with its profile replaced, for example after the replacement of spikes, and checked again.
     #[must_use]
-    pub fn corrected(self, profile: Profile) -> Self {
+    pub fn corrected(mut self, profile: Profile) -> Self {
         let is_of_heights = |w: &Warning| matches!(w, Warning::ImplausibleHeights { .. });
-        let warnings = self.warnings.into_iter();
-        Self {
-            profile,
-            warnings: warnings.filter(|w| !is_of_heights(w)).collect(),
-            ..self
-        }
-        .checked()
+        self.record.warnings.retain(|w| !is_of_heights(w));
+        Self { profile, ..self }.checked()
     }
 
     /// Adds the warning about implausible heights, if they are.
@@ -105,7 +118,8 @@ impl Reading {
             if self.is_scaled {
                 steepness.suspicion = steepness.suspicion.of_scaled();
             }
-            self.warnings
+            self.record
+                .warnings
                 .push(Warning::ImplausibleHeights { steepness });
         }
         self

@@ -13,7 +13,7 @@ use super::header::FilterState;
 use super::layout::TableLayout;
 use super::metadata::Metadata;
 use super::options::{Abscissa, Encoding, LengthUnit, Uneven};
-use super::reading::Reading;
+use super::reading::{Reading, ReadingRecord};
 use super::resample::{self, Between, Resampled};
 use crate::warning::Warning;
 
@@ -284,7 +284,7 @@ impl Trace {
     }
 
     fn with(self, profile: Profile) -> Reading {
-        Reading {
+        let record = ReadingRecord {
             name: self.name,
             format: self.format,
             encoding: self.encoding,
@@ -299,8 +299,11 @@ impl Trace {
             gaps_filled: self.gaps_filled,
             metadata: self.metadata,
             warnings: self.warnings,
-            is_scaled: self.scaled,
+        };
+        Reading {
             profile,
+            record,
+            is_scaled: self.scaled,
         }
         .checked()
     }
