@@ -10,12 +10,12 @@ use asperity::quantity::Length;
 use asperity::roughness::form::Form;
 use asperity::roughness::gaussian_filter::{Ends, mean_line};
 use asperity::roughness::generate::{Achieved, Recipe};
-use asperity::roughness::height_parameters::{HeightParameters, Mode};
+use asperity::roughness::height_parameters::Mode;
 use asperity::roughness::involute::{Involute, form_left, remove};
-use asperity::roughness::material_ratio::RkParameters;
 use asperity::roughness::preparation::{Preparation, Prepared, RoughnessFilter, profiles};
 use asperity::roughness::robust_filter::robust_mean_line;
 use asperity::roughness::{Parameters, Warning};
+use asperity_report::profile_json::{heights, material, spectral, um};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
@@ -326,15 +326,10 @@ impl Trace {
                 (None, Some(length)) => Parameters::of(&self.profile, mode, length)?,
                 (None, None) => Parameters::with_sections(&self.profile, mode, SECTIONS)?,
             };
-            let (heights, material) = (heights(&found.heights), material(&found.material));
-            let spectral = &found.spectral;
             failure::json(&json!({
-                "heights": heights,
-                "material_ratio": material,
-                "spectral": {
-                    "m0_um2": spectral.m0 * 1e12, "m2": spectral.m2, "m4_per_um2": spectral.m4 * 1e-12,
-                    "bandwidth": spectral.bandwidth(),
-                },
+                "heights": heights(&found.heights),
+                "material_ratio": material(&found.material),
+                "spectral": spectral(&found.spectral),
                 "section_um": um(found.lambda_c),
                 "warnings": found.warnings.iter().map(of_roughness).collect::<Vec<_>>(),
             }))
@@ -366,25 +361,6 @@ impl Trace {
                 .map_err(|error| Failure::new("E401", error.to_string()))
         })
     }
-}
-
-fn um(length: Length) -> f64 {
-    length.si() * 1e6
-}
-
-fn heights(p: &HeightParameters) -> Value {
-    json!({
-        "ra_um": um(p.ra), "rq_um": um(p.rq), "rz_um": um(p.rz), "rp_um": um(p.rp), "rv_um": um(p.rv),
-        "rt_um": um(p.rt), "rz1max_um": um(p.rz1max), "rsk": p.rsk, "rku": p.rku,
-        "rsm_um": p.rsm.map(um), "rc_um": p.rc.map(um), "rdq": p.rdq, "sections": p.sections,
-    })
-}
-
-fn material(m: &RkParameters) -> Value {
-    json!({
-        "rk_um": um(m.rk), "rpk_um": um(m.rpk), "rvk_um": um(m.rvk),
-        "mr1_percent": m.mr1, "mr2_percent": m.mr2,
-    })
 }
 
 /// Reads a profile file; `options` is a JSON object with the keys of a flank in a case file.

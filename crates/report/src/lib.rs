@@ -19,6 +19,7 @@ pub mod html;
 pub mod library;
 mod page_tables;
 mod printed;
+pub mod profile_json;
 pub mod ridges;
 mod study;
 mod summary;

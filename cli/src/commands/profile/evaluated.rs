@@ -288,10 +288,6 @@ fn save_as(
     output::save(output, &bytes)
 }
 
-pub(super) fn um(length: Length) -> f64 {
-    length.si() * 1e6
-}
-
 /// The facts of a trace or surface generated with `seed`.
 pub(super) fn synthetic(seed: u64) -> Metadata {
     Metadata {

@@ -4,10 +4,10 @@ use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{Axis, Trace};
+use asperity_report::profile_json::um;
 use asperity_report::wrapped;
 use serde_json::{Value, json};
 
-use super::evaluated::um;
 use crate::args::{ReadingArgs, name_of};
 use crate::failure::Failure;
 

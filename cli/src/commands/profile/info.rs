@@ -3,11 +3,12 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use asperity_report::profile_json::um;
 use asperity_report::wrapped;
 
 use super::case_lines::case_lines;
 use super::details::Details;
-use super::evaluated::{Evaluated, opened_trace, um};
+use super::evaluated::{Evaluated, opened_trace};
 use super::file_facts::FileFacts;
 use super::plan::Plan;
 use super::{json, surface_facts, text};

@@ -1,15 +1,16 @@
 //! One profile as JSON: the keys that scripts rely on, lengths in micrometres.
 
 use asperity_core::quantity::Length;
+use asperity_report::profile_json::{heights, material, spectral, um};
 use asperity_roughness::ambiguity::Ambiguity;
 use asperity_roughness::autocorrelation::autocorrelation;
 use asperity_roughness::height_parameters::HeightParameters;
-use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
+use asperity_roughness::material_ratio::abbott_curve;
 use asperity_roughness::spectral::PowerSpectrum;
 use serde_json::{Map, Value, json};
 
 use super::details::Details;
-use super::evaluated::{Evaluated, um};
+use super::evaluated::Evaluated;
 use crate::args::name_of;
 
 /// Convention of the spectrum.
@@ -19,7 +20,6 @@ const CONVENTION: &str = "of the R profile about its mean; Hann window; one-side
 /// Report of a profile, on request with its curves by point.
 pub fn report(evaluated: &Evaluated, details: &Details, curves: bool) -> Value {
     let reading = &evaluated.reading;
-    let spectral = &evaluated.iso4287.spectral;
     let notes = evaluated.warnings().into_iter();
     let notes: Vec<Value> = notes
         .map(|w| json!({ "code": w.code(), "text": w.to_string() }))
@@ -40,10 +40,7 @@ pub fn report(evaluated: &Evaluated, details: &Details, curves: bool) -> Value {
         "waviness": evaluated.waviness.as_ref().map(|p| whole("w", p)),
         "material_ratio": material(&evaluated.iso4287.material),
         "material_ratio_secant": details.secant.as_ref().map(material),
-        "spectral": {
-            "m0_um2": spectral.m0 * 1e12, "m2": spectral.m2, "m4_per_um2": spectral.m4 * 1e-12,
-            "bandwidth": spectral.bandwidth(),
-        },
+        "spectral": spectral(&evaluated.iso4287.spectral),
         "psd": details.spectrum.as_ref().map(|_| json!({
             "convention": CONVENTION,
             "median_wavelength_um": details.median_wavelength().map(um),
@@ -66,14 +63,6 @@ pub fn report(evaluated: &Evaluated, details: &Details, curves: bool) -> Value {
     report
 }
 
-fn heights(p: &HeightParameters) -> Value {
-    json!({
-        "ra_um": um(p.ra), "rq_um": um(p.rq), "rz_um": um(p.rz), "rp_um": um(p.rp), "rv_um": um(p.rv),
-        "rt_um": um(p.rt), "rz1max_um": um(p.rz1max), "rsk": p.rsk, "rku": p.rku,
-        "rsm_um": p.rsm.map(um), "rc_um": p.rc.map(um), "rdq": p.rdq, "sections": p.sections,
-    })
-}
-
 /// P and W parameters over the full length, under separate names.
 fn whole(letter: &str, p: &HeightParameters) -> Value {
     let mut parameters = Map::new();
@@ -92,13 +81,6 @@ fn whole(letter: &str, p: &HeightParameters) -> Value {
         parameters.insert(format!("{letter}{name}"), json!(value));
     }
     Value::Object(parameters)
-}
-
-fn material(m: &RkParameters) -> Value {
-    json!({
-        "rk_um": um(m.rk), "rpk_um": um(m.rpk), "rvk_um": um(m.rvk),
-        "mr1_percent": m.mr1, "mr2_percent": m.mr2,
-    })
 }
 
 fn summits(details: &Details) -> Option<Value> {

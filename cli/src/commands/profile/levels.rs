@@ -1,10 +1,11 @@
 //! Requested material ratios at levels and heights between ratios.
 
 use asperity_core::quantity::Length;
+use asperity_report::profile_json::um;
 use asperity_roughness::material_levels::MaterialLevels;
 use serde_json::{Value, json};
 
-use super::evaluated::{Evaluated, um};
+use super::evaluated::Evaluated;
 use crate::args::{ProfileInfoArgs, Ratios};
 
 /// Requested values of the roughness profile over its evaluation length.

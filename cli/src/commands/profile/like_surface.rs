@@ -4,12 +4,13 @@ use std::path::Path;
 
 use asperity_profile_io::read::Surface;
 use asperity_profile_io::write::{WrittenFormat, write_surface};
+use asperity_report::profile_json::um;
 use asperity_roughness::areal::parameters;
 use asperity_roughness::generate::FittedSurface;
 use asperity_roughness::lay::bridged;
 use serde_json::json;
 
-use super::evaluated::{opened_surface, synthetic, um};
+use super::evaluated::{opened_surface, synthetic};
 use super::surface_facts::areal_line;
 use crate::args::{Common, ProfileGenerateArgs};
 use crate::failure::Failure;

@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 
 use asperity_core::Profile;
 use asperity_report::chart::{Axis, Chart, Line, Series, stacked};
+use asperity_report::profile_json::um;
 use asperity_roughness::material_ratio::{RkParameters, abbott_curve};
 use asperity_roughness::spectral::{PowerSpectrum, power_spectrum};
 
-use super::evaluated::{Evaluated, refusal, um};
+use super::evaluated::{Evaluated, refusal};
 use crate::args::{Common, ProfilePlotArgs};
 use crate::failure::Failure;
 use crate::output::{besides_file, print_text, save, save_new};

@@ -4,13 +4,14 @@ use std::path::Path;
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::Surface;
+use asperity_report::profile_json::um;
 use asperity_report::wrapped;
 use asperity_roughness::areal::{ArealParameters, parameters};
 use asperity_roughness::lay::{RowLay, lay_of_rows};
 use serde_json::json;
 
 use super::case_lines::case_lines;
-use super::evaluated::{opened_surface, um};
+use super::evaluated::opened_surface;
 use super::file_facts::rounded;
 use super::plan::Plan;
 use crate::args::{Common, ProfileInfoArgs};

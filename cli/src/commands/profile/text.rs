@@ -2,12 +2,13 @@
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::FilterState;
+use asperity_report::profile_json::um;
 use asperity_report::wrapped;
 use asperity_roughness::height_parameters::HeightParameters;
 use asperity_roughness::material_ratio::RkParameters;
 
 use super::details::Details;
-use super::evaluated::{Evaluated, um};
+use super::evaluated::Evaluated;
 use super::file_facts::{FileFacts, rounded};
 use super::plan::as_is;
 use crate::args::name_of;

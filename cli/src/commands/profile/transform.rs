@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity_core::Profile;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{FilterState, Metadata, Positions, Trace};
+use asperity_report::profile_json::um;
 use asperity_report::wrapped;
 use asperity_roughness::composite::resampled;
 use asperity_roughness::generate::{Fitted, Recipe, SelfAffine, Surface};
@@ -13,7 +14,7 @@ use asperity_storage::whole_file;
 use serde_json::json;
 
 use super::evaluated::{
-    Note, opened, opened_trace, refusal, refused, save, save_trace, synthetic, to_digits, um,
+    Note, opened, opened_trace, refusal, refused, save, save_trace, synthetic, to_digits,
     without_outliers,
 };
 use super::like_surface;
