@@ -95,13 +95,13 @@ fn losses_name_what_left_its_range_as_a_run_does() {
     let ranges = warnings.iter().filter(|found| found.code == "W401");
     let mut said = 0;
     for warning in ranges {
-        let (input, _) = warning
-            .text
-            .split_once(" = ")
-            .unwrap_or((&warning.text, ""));
         assert!(
-            outside.iter().any(|name| name.ends_with(input)),
-            "{outside:?} {input}"
+            outside.iter().any(|name| {
+                let (_, input) = name.rsplit_once(": ").unwrap();
+                warning.text.starts_with(&format!("{input} "))
+            }),
+            "{outside:?} {}",
+            warning.text
         );
         said += 1;
     }
