@@ -21,7 +21,7 @@ pub fn print_json<T: Serialize + ?Sized>(value: &T) -> Result<(), Failure> {
     write(&format!("{text}\n"))
 }
 
-/// Prints a value as JSON where the command asks for it, and otherwise its text.
+/// Prints a value as JSON if `--json` is given, otherwise as text.
 pub fn print<V: Serialize>(
     common: &Common,
     value: impl FnOnce() -> V,

@@ -29,6 +29,7 @@ fn the_ridges_are_in_the_report_on_request_or_the_reason_why_not() {
     assert!(!ridges["rows"].as_array().unwrap().is_empty());
     let page = fs::read_to_string(bench.path("found/report.html")).unwrap();
     assert!(page.contains("Ridges with the largest loss"));
+    fs::remove_file(bench.path("found/report.html")).unwrap();
     bench.run(&["report", "found"]).well();
     let again = fs::read_to_string(bench.path("found/report.html")).unwrap();
     assert!(again.contains("Ridges with the largest loss"));

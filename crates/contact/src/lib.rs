@@ -1,8 +1,8 @@
 //! Rough line contact of elastic half-planes: boundary elements, plasticity, subsurface stress.
 //!
 //! Plane strain, pressures and loads per metre of face width. [`solve`] solves one problem, a [`Solver`]
-//! many problems of one size, a [`Path`] a series of loads or positions. Every solution has a [`Certificate`]; a solution outside of its tolerance is a
-//! [`ContactError`] that holds the certificate reached.
+//! many problems of one size, a [`Path`] a series of loads or positions. Every solution has a [`Certificate`]; a solution
+//! outside of its tolerance is a [`ContactError`] that holds the certificate reached.
 //!
 //! | for | see |
 //! |---|---|

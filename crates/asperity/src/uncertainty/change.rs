@@ -11,7 +11,7 @@ use asperity_core::cite;
 use asperity_core::numerics::{interpolate, student_t_quantile};
 
 use super::draw::{flank_draws, shared_draws};
-use super::evaluations::{predictive, widest};
+use super::evaluations::{OFFSETS, predictive, widest};
 use super::hypercube::StudentOfNormal;
 use super::predictive::Predictive;
 use super::quantiles::sorted_quantiles;
@@ -23,9 +23,6 @@ use crate::result::Losses;
 use crate::sampling::{SamplingError, means_of_pairs, pair_sampling, windows_of_traces};
 use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
-
-/// Offsets of the draws: a ratio of changes needs fewer than a loss.
-const OFFSETS: usize = 16;
 
 /// Change of a loss in all draws, relative to its change with every constant at its median.
 #[derive(Debug, Clone)]
@@ -175,9 +172,9 @@ impl Predictive {
 #[cfg(test)]
 mod tests {
     use asperity_core::Profile;
+    use asperity_core::numerics::Z_95;
 
     use super::*;
-    use crate::parameters::AXES;
     use crate::pipeline::{LossGradient, gradient, gradient_with};
     use crate::uncertainty::draw::Draw;
     use asperity_case::case::load_with;
@@ -218,10 +215,9 @@ mod tests {
         // The others change it by a few percent.
         use UncertainParameter::{BoundaryFriction, BoundaryLayer, Lay, PressureViscosity};
         for kind in [BoundaryFriction, BoundaryLayer, Lay, PressureViscosity] {
-            let axis = AXES.iter().position(|axis| *axis == kind).unwrap();
             let ranged = drawn[0].constants.iter().find(|one| one.kind == kind);
             let ranged = ranged.unwrap();
-            for z in [-1.645, 1.645] {
+            for z in [-Z_95, Z_95] {
                 let found = [&before, &after].map(|found| {
                     let mut moved = found.case.clone();
                     kind.set(&mut moved, ranged.at(z)).unwrap();
@@ -230,7 +226,7 @@ mod tests {
                 let expected = watts([&found[0], &found[1]], &heights) / at_medians;
                 let loss = |predictive: &Predictive| {
                     let mut draw = Draw::medians();
-                    draw.constants[axis] = z;
+                    draw.constants[kind as usize] = z;
                     predictive.losses_by(0, |one| *one = draw)[0]
                 };
                 let [a, b] = drawn.each_ref().map(loss);

@@ -22,8 +22,8 @@ use asperity_case::case::{Formulation, FullFilmName, LoadShareName, LoadedCase, 
 use asperity_case::error::Error;
 use asperity_mixed_film::SpotSpeed;
 
-/// Offsets of the evaluations: a ratio of losses needs fewer than a loss.
-const OFFSETS: usize = 16;
+/// Offsets of the evaluations: a ratio of losses, or of their changes, needs fewer than a loss.
+pub(super) const OFFSETS: usize = 16;
 /// Evaluations that the surface is not fitted to.
 const HELD_OUT: usize = 4;
 /// Evaluations with spots fed at half the sliding speed.

@@ -302,11 +302,10 @@ impl Predictive {
 
     /// The loss of one draw after another.
     pub(super) fn law(&self) -> DrawnLoss<'_> {
-        let [bias, model_error] = self.model_deviation();
         DrawnLoss {
             of: self,
-            bias,
-            model_error: model_error.hypot(self.surface_rms),
+            bias: self.model_deviation()[0],
+            model_error: self.model_error(),
             rolling_error: self.rolling_error(),
             student: StudentOfNormal::new(self.sampling.freedom),
         }
@@ -369,7 +368,8 @@ impl Predictive {
     }
 
     pub(super) fn model_error(&self) -> f64 {
-        self.law().model_error
+        let [_, error] = self.model_deviation();
+        error.hypot(self.surface_rms)
     }
 
     /// q: standard deviation of ln Q, 0.12 up to a film of 0.5 um and 0.25 from 1 um.

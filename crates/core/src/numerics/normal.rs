@@ -38,6 +38,7 @@ pub fn standard_normal_below(z: f64) -> f64 {
 /// ```
 /// use asperity_core::numerics::{Z_975, standard_normal_quantile};
 /// assert!((standard_normal_quantile(0.975) - Z_975).abs() < 1e-15);
+/// assert!((standard_normal_quantile(1e-10) + 6.361_340_902_404_056).abs() < 1e-13);
 /// assert_eq!(standard_normal_quantile(0.5), 0.0);
 /// ```
 #[must_use]

@@ -187,8 +187,8 @@ pub struct CurvePoint {
 /// Computes the call-out of a case; `progress` is called with the number of completed runs.
 ///
 /// # Errors
-/// When a setting is outside its domain, the loss does not follow from the heights, a flank has no trace, a run has no solution, or the stated loss is below the loss of
-/// smooth flanks or above the loss of the roughest ones.
+/// When a setting is outside its domain, the loss does not follow from the heights, a flank has no trace, a run has no solution,
+/// or the stated loss is below the loss of smooth flanks or above the loss of the roughest ones.
 pub fn callout(
     case: &LoadedCase,
     settings: &CallOutSettings,
