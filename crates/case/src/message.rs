@@ -25,6 +25,15 @@ impl Warning {
             text: text.into(),
         }
     }
+
+    /// The warning with `more` behind its text.
+    #[must_use]
+    pub fn with(&self, more: &str) -> Self {
+        Self {
+            code: self.code.clone(),
+            text: self.text.clone() + more,
+        }
+    }
 }
 
 impl std::fmt::Display for Warning {

@@ -126,8 +126,13 @@ pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), Rep
 /// # Errors
 /// When a file cannot be written.
 pub fn write_load_points(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
+    Ok(write_among(folder, &[load_points(outcome)?])?)
+}
+
+/// Name and content of the table of all points of the load map.
+pub(crate) fn load_points(outcome: &Outcome) -> Result<(String, Vec<u8>), ReportError> {
     let text = tables::text(Path::new(MAP), tables::load_points(&outcome.load_map))?;
-    Ok(write_among(folder, &[(MAP.to_owned(), text)])?)
+    Ok((MAP.to_owned(), text))
 }
 
 /// Writes the gap of a contact without solution as CSV, in the format that `asperity contact --gap` reads.
