@@ -140,22 +140,23 @@ fn parts(printed: &PrintedLoss) -> String {
 
 /// The regime with the load on the asperities.
 pub(crate) fn regime(s: &Summary) -> String {
-    let name = match s.regime() {
-        regime @ Regime::FullFilm if s.mixed_share == 0.0 => {
-            return format!("{} all along the path", regime.name());
-        }
-        regime @ Regime::Mixed => regime.name().to_owned(),
-        regime => format!("{}, mixed", regime.name()),
-    };
     let percent = |share: f64| match share < 0.005 {
         true => "< 1 %".to_owned(),
         false => format!("{:.0} %", 100.0 * share),
     };
-    format!(
-        "{name} on {} of the path, {} of the load on asperities",
-        percent(s.mixed_share),
-        percent(s.asperity_share)
-    )
+    let mixed = format!("mixed on {} of the path", percent(s.mixed_share));
+    let regime = match s.regime() {
+        Regime::FullFilm if s.mixed_share == 0.0 => "full film all along the path".to_owned(),
+        Regime::Mixed => mixed,
+        regime => format!("{}, {mixed}", regime.name()),
+    };
+    match s.mixed_share == 0.0 && s.asperity_share < 0.005 {
+        true => regime,
+        false => format!(
+            "{regime}, {} of the load on asperities",
+            percent(s.asperity_share)
+        ),
+    }
 }
 
 /// Lines behind the verdict: powers and factors, the run against the median, what the case requests, convergence.
@@ -345,8 +346,13 @@ fn solver_notes(result: &RunResult) -> Vec<String> {
             result.records.len()
         ));
     }
-    if s.offsets > 1 && result.uncertainty.is_none() && result.pairs.is_none() {
-        lines.push(format!("spread  over {} profile offsets", s.offsets));
+    let has_interval = result.uncertainty.is_some() || result.pairs.is_some();
+    if let (Some(deviation), false) = (s.efficiency_deviation, has_interval) {
+        lines.push(format!(
+            "spread  standard deviation of the efficiency {:.4} % over {} profile offsets",
+            100.0 * deviation,
+            s.offsets
+        ));
     }
     let mut defaults = result.defaults.iter();
     let lay = defaults.find(|default| default.key == "model.lay");
@@ -536,6 +542,8 @@ mod tests {
             regime(&serde_json::from_value(summary).unwrap())
         };
         assert_eq!(of(0.0, 0.0, 0.0), "full film all along the path");
+        let expected = "full film all along the path, 2 % of the load on asperities";
+        assert_eq!(of(0.0, 0.02, 0.0), expected);
         let expected = "full film, mixed on 25 % of the path, 7 % of the load on asperities";
         assert_eq!(of(0.25, 0.07, 1.0), expected);
         let expected = "boundary, mixed on 100 % of the path, 61 % of the load on asperities";
