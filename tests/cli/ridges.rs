@@ -50,6 +50,14 @@ fn the_ridges_are_in_the_report_on_request_or_the_reason_why_not() {
     let shown = why.replace('"', "&quot;");
     assert!(page.contains(&format!("Not computed: {shown}.")), "{why}");
 
+    // Surrogates have no ridges to press.
+    let ra = E_DRIVE.replace("file = \"pinion.csv\"", "ra = \"0.25 um\"");
+    assert_ne!(ra, E_DRIVE);
+    bench.write("ra.toml", &ra);
+    bench
+        .run(&["ridges", "ra.toml"])
+        .refused(4, "E303", &["a flank has none"]);
+
     let plain = ["run", "case.toml", "--no-band", "-o", "plain"];
     bench.run(&plain).well();
     let page = fs::read_to_string(bench.path("plain/report.html")).unwrap();

@@ -290,6 +290,12 @@ pub fn parse_result(json: &str) -> Result<RunResult, serde_json::Error> {
 /// # Errors
 /// When there is no result, or a value of it is missing or damaged.
 pub fn read_result(path: &Path) -> Result<(PathBuf, RunResult), ReportError> {
+    let holds = |mark: &&str| path.join(mark).is_file();
+    if !holds(&MARK) && [PLANETARY_MARK, TRAIN_MARK].iter().any(holds) {
+        return Err(ReportError::OfTrain {
+            path: path.to_owned(),
+        });
+    }
     let file = match path.is_dir() {
         true => path.join(MARK),
         false => path.to_owned(),

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::gear_train::{TrainOutcome, TrainResult};
+use asperity::gear_train::{MeshRow, TrainOutcome, TrainResult};
 use asperity::message::Warning;
 use asperity_storage::{check_folder, replace_folder, write_among};
 use maud::{Markup, html};
@@ -14,6 +14,7 @@ use crate::folder::{
 };
 use crate::html::band::evidence;
 use crate::html::gearbox::section;
+use crate::html::overview::warnings;
 use crate::html::page;
 use crate::printed::stated;
 use crate::ridges;
@@ -93,7 +94,7 @@ fn texts_of_whole(outcome: &TrainOutcome) -> Result<Vec<FileText>, ReportError> 
         (mark, json_text(Path::new(mark), result)?.into_bytes()),
         ("meshes.csv", meshes),
         ("shafts.csv", shafts),
-        (PAGE, summary_page(result).into_bytes()),
+        (PAGE, summary_page(outcome).into_bytes()),
     ])
 }
 
@@ -117,13 +118,9 @@ pub fn write_load_points_of_train(
 /// The result of a gear train for the terminal, with all warnings of its meshes.
 #[must_use]
 pub fn summary_of_train(outcome: &TrainOutcome) -> String {
-    let mut text = tables_of_train(&outcome.result);
-    for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
-        for warning in &mesh.result.warnings {
-            text.push_str(&note_of_mesh(warning, &row.mesh));
-        }
-    }
-    text
+    let notes = warnings_of(outcome);
+    let notes = notes.iter().map(|warning| note(warning, COLUMNS));
+    tables_of_train(&outcome.result) + &notes.collect::<String>()
 }
 
 /// The result of a gear train for the terminal, with the ridges and at most one warning of each mesh, as [`crate::brief`].
@@ -138,14 +135,24 @@ pub fn brief_of_train(outcome: &TrainOutcome) -> String {
         let not_converged = not_converged(&mesh.result);
         text.extend(not_converged.map(|line| format!("{}: {line}", row.mesh)));
         let warning = weightiest(&mesh.result);
-        text.extend(warning.map(|warning| note_of_mesh(&warning, &row.mesh)));
+        text.extend(warning.map(|warning| note(&of_mesh(&warning, row), COLUMNS)));
     }
     text
 }
 
 /// A warning with the mesh that it is about.
-fn note_of_mesh(warning: &Warning, mesh: &str) -> String {
-    note(&warning.with(&format!(" [{mesh}]")), COLUMNS)
+fn of_mesh(warning: &Warning, mesh: &MeshRow) -> Warning {
+    warning.with(&format!(" [{}]", mesh.mesh))
+}
+
+/// All warnings, each with its mesh.
+fn warnings_of(outcome: &TrainOutcome) -> Vec<Warning> {
+    let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
+    let warnings = meshes.flat_map(|(mesh, row)| {
+        let warnings = mesh.result.warnings.iter();
+        warnings.map(move |warning| of_mesh(warning, row))
+    });
+    warnings.collect()
 }
 
 /// Losses, meshes and shafts of a gear train for the terminal.
@@ -306,7 +313,8 @@ pub fn tiles_of_train(result: &TrainResult) -> Vec<Tile> {
     tiles
 }
 
-fn summary_page(result: &TrainResult) -> String {
+fn summary_page(outcome: &TrainOutcome) -> String {
+    let result = &outcome.result;
     let summary = html! {
         dl.tiles { @for [name, value] in headline(result) { div { dt { (name) } dd { (value) } } } }
         (evidence(&result.evidence, &|loss| result.digits().rounded(loss)))
@@ -315,6 +323,7 @@ fn summary_page(result: &TrainResult) -> String {
         @for (name, _) in result.planetary_sets().filter(|(_, set)| !set.can_be_equally_spaced) {
             p { @if !name.is_empty() { (name) ": " } "equally spaced planets cannot be assembled with these tooth numbers." }
         }
+        (warnings(&warnings_of(outcome)))
     };
     page(
         &result.title,

@@ -49,6 +49,7 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
 
 /// The study, with intervals if `band` is set.
 fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeStudy, Error> {
+    check(case).map_err(Box::new)?;
     let mut mesh = case.clone();
     mesh.case.gearbox = None;
     let before = gradient(&mesh)?;
@@ -135,13 +136,13 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
 /// uncertainty.
 ///
 /// # Errors
-/// As [`ridges`], except where the model has no gradient.
+/// As [`ridges`], except where the model has no gradient or a flank no trace.
 pub fn add_ridges(
     result: &mut RunResult,
     case: &LoadedCase,
     progress: Progress<'_>,
 ) -> Result<(), Error> {
-    match check_gradient(case) {
+    match check(case) {
         Ok(()) => {
             let band = result.uncertainty.is_some();
             result.ridges = Some(study(case, band, progress)?.found);
@@ -149,6 +150,14 @@ pub fn add_ridges(
         Err(error) => result.no_ridges = Some(error.to_string()),
     }
     Ok(())
+}
+
+/// The loss of `case` has a gradient, over measured traces and not over surrogates.
+fn check(case: &LoadedCase) -> Result<(), PositionError> {
+    match case.surfaces.is_surrogate() {
+        true => Err(PositionError::NoProfile),
+        false => check_gradient(case),
+    }
 }
 
 fn traces(case: &LoadedCase) -> Result<[Profile; 2], Error> {
