@@ -331,8 +331,11 @@ fn a_cycle_sums_the_losses_of_the_map() {
     let said = bench
         .run(&["cycle", "m", "trace.csv", "--temperature", "90", "-o", "c"])
         .well();
+    let head = "cycle trace: 4 s";
     assert!(
-        said.out.contains("cycle trace: 4 s, 133.3 Wh") || said.out.contains("cycle trace: 4 s")
+        said.out.contains(head) && said.out.contains("in brackets"),
+        "{}",
+        said.out
     );
     let json: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(bench.path("c/cycle.json")).unwrap()).unwrap();
@@ -425,7 +428,7 @@ fn a_cycle_beyond_the_map_is_refused_unless_that_is_accepted() {
         .well()
         .out;
     assert!(
-        said.contains("1.5 % of the energy (0.5 % of the moving time) is outside of the map"),
+        said.contains("\n1.5 % of the energy (0.5 % of the moving time) is outside of the map"),
         "{said}"
     );
 }

@@ -107,7 +107,7 @@ fn load_pair(
         return Err(refused(format!(
             "has several meshes: {meshes}; this command takes one of them"
         ))
-        .advising("Name it with --mesh; run, check, gear, regime, map, compare, sweep and sensitivity take all meshes."));
+        .advising("Name it with --mesh; run, check, gear, regime, map, compare, sweep, sensitivity and evidence take all meshes."));
     };
     match train.mesh(mesh) {
         Some(mesh) => mesh.case.with(|input| change(input)).map_err(failed),

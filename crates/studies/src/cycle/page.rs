@@ -5,7 +5,9 @@ use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
 use super::energy::CycleResult;
-use super::summary::{difference, left_aside, lost, per_100_km, share_of_drive, verdicts};
+use super::summary::{
+    difference, is_banded, left_aside, lost, per_100_km, share_of_drive, verdicts,
+};
 use crate::map::{Map, loss_fields, round_step};
 
 /// Approximate number of torque bins.
@@ -52,8 +54,10 @@ fn energy(result: &CycleResult, map: &Map) -> Markup {
                 td.number { (difference(finish)) @if finish.difference_wh.is_some() { " Wh" } }
             } } }
         } }
-        p { "Medians, in brackets 5 and 95 % quantiles over the draws of the map, which are common to all points of the cycle and to "
-            "both finishes of a difference." }
+        @if is_banded(result) {
+            p { "Medians, in brackets 5 and 95 % quantiles over the draws of the map, which are common to all points of the cycle and to "
+                "both finishes of a difference." }
+        }
     }
 }
 

@@ -40,8 +40,12 @@ pub(super) fn summary(result: &CycleResult) -> String {
             difference(finish)
         ));
     }
+    let brackets = match is_banded(result) {
+        true => "in brackets 5 and 95 % quantiles; ",
+        false => "",
+    };
     text.push_str(&format!(
-        "in brackets 5 and 95 % quantiles; {:.1} % of the energy ({:.1} % of the moving time) is outside of the map, {:.1} % of the moving time below the torque that the traces resolve\n",
+        "{brackets}{:.1} % of the energy ({:.1} % of the moving time) is outside of the map, {:.1} % of the moving time below the torque that the traces resolve\n",
         100.0 * result.outside_energy_share,
         100.0 * result.outside_share,
         100.0 * result.extended_share
@@ -50,6 +54,12 @@ pub(super) fn summary(result: &CycleResult) -> String {
         text.push_str(&format!("{}\n", wrapped(&note, "     ")));
     }
     text
+}
+
+/// Whether the energies have quantiles.
+pub(super) fn is_banded(result: &CycleResult) -> bool {
+    let mut finishes = result.finishes.iter();
+    finishes.any(|finish| finish.lost_quantiles_wh.is_some())
 }
 
 /// Energy lost with its quantiles, and its parts while the pinion and while the wheel drives, which add up to it as printed.
