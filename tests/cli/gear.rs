@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use asperity::result::loss_band::with_interval;
+
 use crate::bench::{Bench, E_DRIVE, NO_RELIEF, with_line};
 
 fn bench(case: &str) -> Bench {
@@ -143,10 +145,11 @@ depths = 0
 #[test]
 fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
     let bench = bench(SET);
-    let said = bench.run(&["run", "case.toml", "-o", "set"]).well().out;
+    let run = ["run", "case.toml", "--notes", "--load-map", "-o", "set"];
+    let said = bench.run(&run).well().out;
     assert!(said.contains("3 planets   carrier 794.1 1/min"), "{said}");
-    assert!(said.contains("planet and ring"), "{said}");
     for file in [
+        "sun_planet/map.csv",
         "planetary.json",
         "meshes.csv",
         "report.html",
@@ -177,6 +180,18 @@ fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
             "{json:#}"
         );
     }
+    // A mesh has the same loss in the row of the set and in its own summary, and its warnings are printed.
+    for mesh in json["meshes"].as_array().unwrap() {
+        let name = mesh["mesh"].as_str().unwrap();
+        let row = said.lines().find(|line| line.starts_with(name)).unwrap();
+        let [median, low, high] =
+            ["loss_median_w", "loss_q05_w", "loss_q95_w"].map(|key| w(&mesh[key]));
+        for (at, unit) in [(row, ""), (&said, " W")] {
+            let [loss, _] = with_interval(median, [low, high], 1e5, [unit, ""]);
+            assert!(at.contains(&loss), "{loss} is not in {at}");
+        }
+    }
+    assert!(said.contains("W439 tip relief"), "{said}");
     assert!((w(&json["loss_w"]) / (3.0 * of_meshes("loss_w")) - 1.0).abs() < 1e-12);
     assert!(w(&json["loss_distribution"]["quantiles_w"][0]) < w(&json["loss_w"]));
     bench.write("case.toml", SET.replace("planets = 3", "planets = 12"));

@@ -115,6 +115,19 @@ fn quantiles_at_the_nodes_of_a_map_are_those_of_runs() {
             false => assert!(0.0 < low && low < median && median < high, "{row:?}"),
         }
     }
+    // The best efficiency is of a median, as the largest loss.
+    let efficiency = |row: &BTreeMap<String, String>| {
+        let [torque, speed, loss] =
+            ["torque_nm", "speed_rpm", "loss_median_w"].map(|column| number(row, column));
+        let at_pinion = torque * speed * std::f64::consts::PI / 30.0;
+        let power_in = at_pinion.max(loss - at_pinion);
+        100.0 * (1.0 - loss / power_in)
+    };
+    let best = rows.iter().map(efficiency).fold(0.0, f64::max);
+    let line = said.lines().find(|line| line.starts_with("case")).unwrap();
+    let printed = line.split(" %").next().unwrap().split(' ').next_back();
+    let printed: f64 = printed.unwrap().parse().unwrap();
+    assert!((printed - best).abs() < 0.006, "{line} {best}");
     // The same flanks carry the load at negative torque.
     assert_eq!(
         columns.map(|column| number(at(-50.0, 4000.0), column)),

@@ -139,6 +139,8 @@ fn oils_and_settings_that_give_no_traction_are_refused() {
     axis.refused(2, "E209", &["--temperature"]);
     let friction = bench.run(&["oil", "traction", "m100", "--boundary-friction", "0"]);
     friction.refused(2, "E209", &["--boundary-friction"]);
+    let rolling = bench.run(&["oil", "traction", "m100", "--slide-to-roll", "0 %"]);
+    rolling.refused(2, "E209", &["slide-to-roll ratio"]);
     bench.write("case.toml", E_DRIVE);
     let law = bench.run(&[&["oil", "traction", "case.toml"], &XU[..]].concat());
     law.refused(2, "E205", &["not computed from a shear stress"]);

@@ -250,9 +250,15 @@ fn the_page_of_what_is_no_result_is_refused() {
     bench
         .run(&["run", "case.toml", "-o", "out", "--quiet"])
         .well();
+    std::fs::create_dir(bench.path("set")).unwrap();
+    bench.write("set/train.json", "{}");
     for (arguments, says) in [
         (
-            &["report", "nosuch"][..],
+            &["report", "set"][..],
+            "set: the result of a gear train; name the folder of one of its meshes",
+        ),
+        (
+            &["report", "nosuch"],
             "nosuch: not a result of asperity run: there is no such file",
         ),
         (

@@ -83,8 +83,9 @@ fn one_thing_changes_at_a_time_and_its_parts_add_up() {
 }
 
 #[test]
-fn a_change_that_cannot_be_run_says_why() {
-    let bench = bench(E_DRIVE);
+fn a_change_that_cannot_be_run_says_why_and_a_calibrated_constant_is_changed() {
+    let fitted = "[calibration]\nboundary_friction = { value = 0.1, low = 0.09, high = 0.11 }\n";
+    let bench = bench(&format!("{E_DRIVE}{fitted}"));
     let uniform = [
         "sensitivity",
         "case.toml",
@@ -98,6 +99,8 @@ fn a_change_that_cannot_be_run_says_why() {
     let rows = found["rows"].as_array().unwrap();
     let relief = rows.iter().find(|row| row["group"] == "gears").unwrap();
     assert!(relief["effect"].is_null());
+    let layer = rows.iter().filter(|row| row["group"] == "boundary layer");
+    assert!(layer.clone().count() == 4 && layer.clone().all(|row| row["effect"].is_object()));
     assert!(
         relief["refused"]["code"].as_str().unwrap().starts_with('E'),
         "{relief}"

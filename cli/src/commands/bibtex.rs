@@ -1,31 +1,41 @@
 //! The sources of a result as BibTeX.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use asperity::result::RunResult;
 
-/// One entry per source cited by the equations of `result`, with their tags as note.
-pub fn bibtex(result: &RunResult) -> String {
+/// One entry per source cited by the equations of `results`, with their tags as note.
+pub fn bibtex<'a>(results: impl Iterator<Item = &'a RunResult>) -> String {
+    let mut sources: BTreeMap<&str, (&str, Vec<&str>)> = BTreeMap::new();
+    for result in results {
+        for source in &result.references {
+            let equations = result.equations.iter();
+            let own = equations.filter(|equation| equation.references.contains(&source.key));
+            let (_, tags) = sources
+                .entry(&source.key)
+                .or_insert((&source.text, Vec::new()));
+            for tag in own.map(|equation| &*equation.tag) {
+                if !tags.contains(&tag) {
+                    tags.push(tag);
+                }
+            }
+        }
+    }
     let mut text = String::new();
-    for source in &result.references {
-        let tags: Vec<&str> = result
-            .equations
-            .iter()
-            .filter(|equation| equation.references.contains(&source.key))
-            .map(|equation| equation.tag.as_ref())
-            .collect();
-        let (authors, title) = parts(&source.text);
+    for (key, (source, tags)) in sources {
+        let (authors, title) = parts(source);
         // Writing into a string cannot fail.
-        let _ = writeln!(text, "@misc{{{},", source.key);
+        let _ = writeln!(text, "@misc{{{key},");
         if !authors.is_empty() {
             let authors = escaped(&authors.join(" and "));
             let _ = writeln!(text, "  author = {{{authors}}},");
         }
         let _ = writeln!(text, "  title = {{{}}},", escaped(title));
-        if let Some(year) = year(&source.key) {
+        if let Some(year) = year(key) {
             let _ = writeln!(text, "  year = {{{year}}},");
         }
-        if let Some(doi) = doi(&source.text) {
+        if let Some(doi) = doi(source) {
             let _ = writeln!(text, "  doi = {{{doi}}},");
         }
         let _ = writeln!(

@@ -62,9 +62,11 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
         return print_json(&outcome.result);
     }
     if args.cite {
-        return print_text(common, &bibtex(&outcome.result));
+        return print_text(common, &bibtex([&outcome.result].into_iter()));
     }
-    let text = text(&outcome.result, args, target.as_ref());
+    let result = &outcome.result;
+    let count = result.warnings.len();
+    let text = details(result, args) + &last_lines(target.as_ref(), &result.title, args, count);
     print_verdict(common, &text, &report::headline(&outcome.result))
 }
 
@@ -93,27 +95,37 @@ fn run_meshes(
     if let Some(folder) = folder {
         progress.begin(WRITING);
         report::write_train(&outcome, folder, fields)?;
+        if args.load_map {
+            report::write_load_points_of_train(&outcome, folder)?;
+        }
     }
     drop(progress);
     if common.json {
         return print_json(&outcome.result);
     }
-    let mut text = report::summary_of_train(&outcome.result);
-    for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
-        if let Some(line) = report::ridges::line(&mesh.result) {
-            text.push_str(&format!(
-                "{}\n",
-                report::wrapped(&format!("{}: {line}", row.mesh), "  ")
-            ));
+    let runs = || outcome.meshes.iter().map(|mesh| &mesh.result);
+    if args.cite {
+        return print_text(common, &bibtex(runs()));
+    }
+    let mut text = match args.notes || args.models || args.laws || args.explain_defaults {
+        true => {
+            let runs = runs().map(|run| format!("\n{}", details(run, args)));
+            report::tables_of_train(&outcome.result) + &runs.collect::<String>()
         }
-    }
-    if let Some(target) = &target {
-        text.push_str(&target.text(&outcome.result.title, ""));
-    }
+        false => report::brief_of_train(&outcome),
+    };
+    let count = runs().map(|run| run.warnings.len()).sum();
+    text.push_str(&last_lines(
+        target.as_ref(),
+        &outcome.result.title,
+        args,
+        count,
+    ));
     print_text(common, &text)
 }
 
-fn text(result: &RunResult, args: &RunArgs, target: Option<&Target>) -> String {
+/// The summary of a run, with what `args` request in addition.
+fn details(result: &RunResult, args: &RunArgs) -> String {
     let mut text = match args.notes {
         true => report::summary_within(result, columns()),
         false => report::brief(result, columns()),
@@ -127,17 +139,21 @@ fn text(result: &RunResult, args: &RunArgs, target: Option<&Target>) -> String {
     if args.explain_defaults || args.notes {
         text.push_str(&defaults(&result.defaults, args.explain_defaults));
     }
-    let more = match (args.notes, result.warnings.len()) {
+    text
+}
+
+/// Last lines of the output: the folder, and the number of warnings if they are not printed.
+fn last_lines(target: Option<&Target>, title: &str, args: &RunArgs, count: usize) -> String {
+    let more = match (args.notes, count) {
         (true, _) => String::new(),
         (false, 1) => "1 note: --notes".to_owned(),
         (false, count) => format!("{count} notes: --notes"),
     };
     match target {
-        Some(target) => text.push_str(&target.text(&result.title, &more)),
-        None if more.is_empty() => {}
-        None => text.push_str(&format!("{more}\n")),
+        Some(target) => target.text(title, &more),
+        None if more.is_empty() => String::new(),
+        None => more + "\n",
     }
-    text
 }
 
 /// The fields to keep, as `all` or as numbers of positions.

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::contacts::Contacts;
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::{GearboxReport, Scope};
-use crate::result::loss_band::EvidenceRow;
+use crate::result::loss_band::{Digits, EvidenceRow};
 use crate::result::{LossDistribution, Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
 use crate::train_gearbox;
@@ -621,10 +621,26 @@ impl TrainResult {
         })
     }
 
-    /// A part of the loss \[W\] with the digits that the band of the loss leaves.
+    /// The digits that the interval of the loss leaves.
     #[must_use]
-    pub fn part_with_digits(&self, part: f64) -> String {
-        rounded(part, self.half_band() * part)
+    pub fn digits(&self) -> Digits {
+        Digits::of_uncertainty(self.half_band() * self.loss_w)
+    }
+
+    /// Name, text \[W\] and share of each kind of loss that occurs: the kinds of the run scaled to the median, to which they
+    /// add up.
+    #[must_use]
+    pub fn kinds_with_digits(&self) -> Vec<(&'static str, String, f64)> {
+        let median = self
+            .loss_distribution
+            .map_or(self.loss_w, |drawn| drawn.median_w);
+        let kinds = self.kinds.rows();
+        let scaled = kinds.map(|(_, loss)| loss * median / self.loss_w);
+        let texts = self.digits().texts_of_parts(median, &scaled);
+        let rows = kinds.into_iter().zip(texts);
+        let rows = rows.filter(|((_, loss), _)| *loss > 0.0);
+        rows.map(|((name, loss), text)| (name, text, loss / self.loss_w))
+            .collect()
     }
 
     /// Carried torque \[N m\], torque into the train \[N m\] and power \[kW\] of a shaft, with the digits that the band of the
@@ -660,31 +676,35 @@ impl TrainResult {
 }
 
 impl MeshRow {
-    /// Loss \[W\], efficiency \[%\] and μ_eq with the digits that the band of the loss leaves.
+    /// Loss \[W\], efficiency \[%\] and μ_eq with the digits that the interval of the loss leaves: medians with it, the loss with
+    /// its quantiles; μ_eq of the run.
     #[must_use]
     pub fn with_digits(&self) -> [String; 3] {
-        let half = self.half_band_w();
         // The losses of a mesh are its power times the rest of its efficiency.
         let power = self.loss_w / (1.0 - self.efficiency);
-        [
-            rounded(self.loss_w, half),
-            rounded(100.0 * self.efficiency, 100.0 * half / power),
-            rounded(self.mu_equivalent, self.mu_equivalent * half / self.loss_w),
-        ]
+        let Some((median, [low, high])) = self.drawn_w() else {
+            return [self.loss_w, 100.0 * self.efficiency, self.mu_equivalent]
+                .map(|value| rounded(value, 0.0));
+        };
+        let [loss, efficiency] = with_interval(median, [low, high], power, ["", ""]);
+        let efficiency = efficiency.split(' ').next().unwrap_or_default().to_owned();
+        let half = 0.5 * (high - low) / self.loss_w * self.mu_equivalent;
+        [loss, efficiency, rounded(self.mu_equivalent, half)]
     }
 
-    /// Sliding and rolling loss \[W\] with the digits that the band of the loss leaves.
+    /// Sliding and rolling loss \[W\] of the run scaled to the median, to which they add up.
     #[must_use]
-    pub fn parts_with_digits(&self) -> [String; 2] {
-        let share = self.half_band_w() / self.loss_w;
-        [self.sliding_w, self.rolling_w].map(|loss| rounded(loss, share * loss))
+    pub fn parts_with_digits(&self) -> Vec<String> {
+        let (median, digits) = match self.drawn_w() {
+            Some((median, quantiles)) => (median, Digits::of_interval(quantiles)),
+            None => (self.loss_w, Digits::of_uncertainty(0.0)),
+        };
+        let parts = [self.sliding_w, self.rolling_w];
+        digits.texts_of_parts(median, &parts.map(|part| part * median / self.loss_w))
     }
 
-    /// Half of the interval of the loss \[W\]; zero without one.
-    fn half_band_w(&self) -> f64 {
-        match (self.loss_q05_w, self.loss_q95_w) {
-            (Some(low), Some(high)) => 0.5 * (high - low),
-            _ => 0.0,
-        }
+    /// Median and quantiles of the loss \[W\]; `None` without an interval.
+    fn drawn_w(&self) -> Option<(f64, [f64; 2])> {
+        Some((self.loss_median_w?, [self.loss_q05_w?, self.loss_q95_w?]))
     }
 }

@@ -25,6 +25,15 @@ impl Warning {
             text: text.into(),
         }
     }
+
+    /// The warning with `more` behind its text.
+    #[must_use]
+    pub fn with(&self, more: &str) -> Self {
+        Self {
+            code: self.code.clone(),
+            text: self.text.clone() + more,
+        }
+    }
 }
 
 impl std::fmt::Display for Warning {
@@ -140,7 +149,7 @@ explanations! {
     "E320" "a file without heights": "The file is of a known format but contains something other than heights on an even grid: an image, a spectrum, a thickness, or points with individual positions." => "Export the heights from the instrument's software.";
     "E321" "several arrays": "The MATLAB file holds several arrays, and none is named z, heights, height or profile." => "Save only the heights, or name them z.";
     "E322" "the Stribeck curves give no boundary friction": "Boundary friction is the friction of rubbed specimens where the film is at most a fifth of the roughness, and does not depend on the speed there. Four points at two speeds are the fewest. New specimens may have half of the friction." => "State the time of rubbing, in a column rubbing_s or for each file; measure slower or hotter; state the roughness of the specimens.";
-    "E323" "the finish does not decide about the loss": "A call-out limits the roughness so that lots of flanks meet a stated loss. Smooth flanks (Ra 0.01 um) lose more than the stated loss, or the roughest ones considered (Ra 1.6 um) lose less." => "";
+    "E323" "the finish does not decide about the loss": "A call-out limits the roughness so that lots of flanks meet a stated loss. Smooth flanks (Ra 0.01 um) lose more than the stated loss, or the roughest ones considered (Ra 1.6 um or more) lose less." => "";
     "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name, create its folder, or free some space.";
     "E402" "not a result": "The file or folder named is not the result of a run, or lacks the requested data." => "Name a result folder, e.g. results/e-drive, or its result.json.";
     "E501" "internal fault": "A consistency check within the program failed. This is a fault of the program, not of the input." => "Please report it with the case file.";

@@ -14,13 +14,16 @@ use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 
 /// Density of water at 15.6 °C \[kg/m³\].
 const WATER: f64 = 999.0;
-const RANGE: FittedRange = FittedRange {
-    name: "temperature",
-    low: 0.0,
-    high: 200.0,
-    unit: "°C",
-    correlation: "Cragoe",
-};
+/// Range of temperature of one of his formulas.
+const fn range(correlation: &'static str) -> FittedRange {
+    FittedRange {
+        name: "temperature",
+        low: 0.0,
+        high: 200.0,
+        unit: "°C",
+        correlation,
+    }
+}
 
 /// k = 0.1172/d·(1 − 0.00054·t)  W/(m K)                                     [Cragoe-1]
 ///
@@ -42,7 +45,8 @@ pub fn cragoe_conductivity(
     const SCALE: f64 = 0.1172;
     /// Cragoe's 0.0003 1/°F \[1/K\].
     const FALL: f64 = 0.00054;
-    let (d, t, outside) = gravity_and_celsius(density_15, temperature)?;
+    let range = range("Cragoe's thermal conductivity");
+    let (d, t, outside) = gravity_and_celsius(density_15, temperature, range)?;
     Ok(Checked {
         value: ThermalConductivity::from_si(SCALE / d * (1.0 - FALL * t)),
         outside,
@@ -69,7 +73,8 @@ pub fn cragoe_heat_capacity(
     const SCALE: f64 = 1685.0;
     /// Cragoe's 0.00045 BTU/(lb °F²) [J/(kg K²)].
     const RISE: f64 = 3.39;
-    let (d, t, outside) = gravity_and_celsius(density_15, temperature)?;
+    let range = range("Cragoe's heat capacity");
+    let (d, t, outside) = gravity_and_celsius(density_15, temperature, range)?;
     Ok(Checked {
         value: SpecificHeat::from_si((SCALE + RISE * t) / d.sqrt()),
         outside,
@@ -79,12 +84,13 @@ pub fn cragoe_heat_capacity(
 fn gravity_and_celsius(
     density_15: Density,
     temperature: Temperature,
+    range: FittedRange,
 ) -> Result<(f64, f64, Vec<OutOfRange>), DomainError> {
     let d = DomainError::positive("density at 15 °C", density_15)? / WATER;
     DomainError::positive("temperature", temperature)?;
     let t = temperature.celsius();
     let mut outside = Vec::new();
-    RANGE.check(t, &mut outside);
+    range.check(t, &mut outside);
     Ok((d, t, outside))
 }
 

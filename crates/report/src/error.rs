@@ -28,6 +28,12 @@ pub enum ReportError {
         /// The reason.
         reason: &'static str,
     },
+    /// The folder holds the result of a gear train, which has one for each mesh.
+    #[error("{path}: the result of a gear train; name the folder of one of its meshes")]
+    OfTrain {
+        /// The folder.
+        path: PathBuf,
+    },
     /// A value of `result.json` is missing or damaged.
     #[error("{path}: not a result of asperity run: {key}: {source}")]
     Damaged {
@@ -112,6 +118,7 @@ impl ReportError {
     pub fn code(&self) -> &'static str {
         match self {
             Self::NotAResult { .. }
+            | Self::OfTrain { .. }
             | Self::Damaged { .. }
             | Self::BadTable { .. }
             | Self::NoValue { .. }

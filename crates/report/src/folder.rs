@@ -126,8 +126,13 @@ pub(crate) fn check_fields(outcome: &Outcome, fields: &Fields) -> Result<(), Rep
 /// # Errors
 /// When a file cannot be written.
 pub fn write_load_points(outcome: &Outcome, folder: &Path) -> Result<(), ReportError> {
+    Ok(write_among(folder, &[load_points(outcome)?])?)
+}
+
+/// Name and content of the table of all points of the load map.
+pub(crate) fn load_points(outcome: &Outcome) -> Result<(String, Vec<u8>), ReportError> {
     let text = tables::text(Path::new(MAP), tables::load_points(&outcome.load_map))?;
-    Ok(write_among(folder, &[(MAP.to_owned(), text)])?)
+    Ok((MAP.to_owned(), text))
 }
 
 /// Writes the gap of a contact without solution as CSV, in the format that `asperity contact --gap` reads.
@@ -285,6 +290,12 @@ pub fn parse_result(json: &str) -> Result<RunResult, serde_json::Error> {
 /// # Errors
 /// When there is no result, or a value of it is missing or damaged.
 pub fn read_result(path: &Path) -> Result<(PathBuf, RunResult), ReportError> {
+    let holds = |mark: &&str| path.join(mark).is_file();
+    if !holds(&MARK) && [PLANETARY_MARK, TRAIN_MARK].iter().any(holds) {
+        return Err(ReportError::OfTrain {
+            path: path.to_owned(),
+        });
+    }
     let file = match path.is_dir() {
         true => path.join(MARK),
         false => path.to_owned(),

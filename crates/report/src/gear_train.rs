@@ -2,23 +2,26 @@
 
 use std::path::Path;
 
-use asperity::gear_train::{TrainOutcome, TrainResult};
-use asperity_storage::{check_folder, replace_folder};
+use asperity::gear_train::{MeshRow, TrainOutcome, TrainResult};
+use asperity::message::Warning;
+use asperity_storage::{check_folder, replace_folder, write_among};
 use maud::{Markup, html};
 
 use crate::error::ReportError;
 use crate::folder::{
-    Fields, FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, check_fields, fill, json_text,
+    Fields, FileText, PAGE, PLANETARY_MARK, TRAIN_MARK, check_fields, fill, json_text, load_points,
     make_subfolder, texts, write_bytes,
 };
 use crate::html::band::evidence;
 use crate::html::gearbox::section;
+use crate::html::overview::warnings;
 use crate::html::page;
 use crate::printed::stated;
-use crate::summary::besides_the_mesh;
+use crate::ridges;
+use crate::summary::{besides_the_mesh, not_converged, note, weightiest};
 use crate::tables;
 use crate::tiles::Tile;
-use crate::wrap::wrapped;
+use crate::wrap::{COLUMNS, wrapped};
 
 /// Kind of the folder in messages.
 const KIND: &str = "gear train result";
@@ -91,13 +94,70 @@ fn texts_of_whole(outcome: &TrainOutcome) -> Result<Vec<FileText>, ReportError> 
         (mark, json_text(Path::new(mark), result)?.into_bytes()),
         ("meshes.csv", meshes),
         ("shafts.csv", shafts),
-        (PAGE, summary_page(result).into_bytes()),
+        (PAGE, summary_page(outcome).into_bytes()),
     ])
 }
 
-/// The result of a gear train for the terminal.
+/// Adds all points of the load map of each mesh to its folder in `target`, as `map.csv`.
+///
+/// # Errors
+/// When a file cannot be written.
+pub fn write_load_points_of_train(
+    outcome: &TrainOutcome,
+    target: &Path,
+) -> Result<(), ReportError> {
+    let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
+    let files = meshes.map(|(mesh, row)| {
+        let (name, text) = load_points(mesh)?;
+        Ok((format!("{}/{name}", folder_of(&row.mesh)), text))
+    });
+    let files = files.collect::<Result<Vec<_>, ReportError>>()?;
+    Ok(write_among(target, &files)?)
+}
+
+/// The result of a gear train for the terminal, with all warnings of its meshes.
 #[must_use]
-pub fn summary_of_train(result: &TrainResult) -> String {
+pub fn summary_of_train(outcome: &TrainOutcome) -> String {
+    let notes = warnings_of(outcome);
+    let notes = notes.iter().map(|warning| note(warning, COLUMNS));
+    tables_of_train(&outcome.result) + &notes.collect::<String>()
+}
+
+/// The result of a gear train for the terminal, with the ridges and at most one warning of each mesh, as [`crate::brief`].
+#[must_use]
+pub fn brief_of_train(outcome: &TrainOutcome) -> String {
+    let mut text = tables_of_train(&outcome.result);
+    for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
+        if let Some(ridges) = ridges::line(&mesh.result) {
+            let line = format!("{}: {ridges}", row.mesh);
+            text.push_str(&format!("{}\n", wrapped(&line, "  ")));
+        }
+        let not_converged = not_converged(&mesh.result);
+        text.extend(not_converged.map(|line| format!("{}: {line}", row.mesh)));
+        let warning = weightiest(&mesh.result);
+        text.extend(warning.map(|warning| note(&of_mesh(&warning, row), COLUMNS)));
+    }
+    text
+}
+
+/// A warning with the mesh that it is about.
+fn of_mesh(warning: &Warning, mesh: &MeshRow) -> Warning {
+    warning.with(&format!(" [{}]", mesh.mesh))
+}
+
+/// All warnings, each with its mesh.
+fn warnings_of(outcome: &TrainOutcome) -> Vec<Warning> {
+    let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
+    let warnings = meshes.flat_map(|(mesh, row)| {
+        let warnings = mesh.result.warnings.iter();
+        warnings.map(move |warning| of_mesh(warning, row))
+    });
+    warnings.collect()
+}
+
+/// Losses, meshes and shafts of a gear train for the terminal.
+#[must_use]
+pub fn tables_of_train(result: &TrainResult) -> String {
     let [loss, efficiency] = result.with_bands();
     let mut text = format!(
         "{}\nefficiency (meshes only)  {efficiency} %   loss {loss} W\n  power in {:.2} kW\n",
@@ -143,7 +203,7 @@ pub fn summary_of_train(result: &TrainResult) -> String {
     }
     let wide = width(&mut result.meshes.iter().map(|row| &row.mesh));
     text.push_str(&format!(
-        "{:<wide$} {:>2} {:>10} {:>8} {:>9} {:>8} {:>8} {:>12} {:>7} {:>8} {:>7}\n",
+        "{:<wide$} {:>2} {:>10} {:>8} {:>18} {:>8} {:>8} {:>12} {:>7} {:>8} {:>7}\n",
         "mesh",
         "n",
         "T N m",
@@ -158,9 +218,13 @@ pub fn summary_of_train(result: &TrainResult) -> String {
     ));
     for row in &result.meshes {
         let [loss, efficiency, mu] = row.with_digits();
-        let [sliding, rolling] = row.parts_with_digits();
+        let parts: String = row
+            .parts_with_digits()
+            .iter()
+            .map(|part| format!(" {part:>8}"))
+            .collect();
         text.push_str(&format!(
-            "{:<wide$} {:>2} {:>10.3} {:>8} {loss:>9} {sliding:>8} {rolling:>8} {efficiency:>10} % {:>7.4} {mu:>8} {:>7.0}\n",
+            "{:<wide$} {:>2} {:>10.3} {:>8} {loss:>18}{parts} {efficiency:>10} % {:>7.4} {mu:>8} {:>7.0}\n",
             row.mesh, row.count, row.torque_nm, rpm(row.speed_rad_per_s), row.loss_factor, row.hertz_pressure_mpa,
         ));
     }
@@ -239,17 +303,8 @@ pub fn tiles_of_train(result: &TrainResult) -> Vec<Tile> {
     });
     let parts = result.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
     let parts = parts.map(|part| [part.name.clone(), stated(part.loss_w)]);
-    let kinds = result
-        .kinds
-        .rows()
-        .into_iter()
-        .filter(|(_, loss)| *loss > 0.0);
-    let kinds = kinds.map(|(name, loss)| {
-        [
-            name.to_owned(),
-            format!("{} W", result.part_with_digits(loss)),
-        ]
-    });
+    let kinds = result.kinds_with_digits().into_iter();
+    let kinds = kinds.map(|(name, loss, _)| [name.to_owned(), format!("{loss} W")]);
     tiles.push(Tile::rows(
         "meshes and parts",
         meshes.chain(parts).collect(),
@@ -258,15 +313,17 @@ pub fn tiles_of_train(result: &TrainResult) -> Vec<Tile> {
     tiles
 }
 
-fn summary_page(result: &TrainResult) -> String {
+fn summary_page(outcome: &TrainOutcome) -> String {
+    let result = &outcome.result;
     let summary = html! {
         dl.tiles { @for [name, value] in headline(result) { div { dt { (name) } dd { (value) } } } }
-        (evidence(&result.evidence, &|loss| result.part_with_digits(loss)))
+        (evidence(&result.evidence, &|loss| result.digits().rounded(loss)))
         @if let Some(heat) = &result.heat { p { (heat.line()) "." } }
         @if let Some(gearbox) = &result.gearbox { (section(gearbox, result.loss_distribution.is_some())) }
         @for (name, _) in result.planetary_sets().filter(|(_, set)| !set.can_be_equally_spaced) {
             p { @if !name.is_empty() { (name) ": " } "equally spaced planets cannot be assembled with these tooth numbers." }
         }
+        (warnings(&warnings_of(outcome)))
     };
     page(
         &result.title,
@@ -290,15 +347,13 @@ fn meshes(result: &TrainResult) -> Markup {
             } }
             tbody { @for row in &result.meshes {
                 @let [loss, efficiency, mu] = row.with_digits();
-                @let [sliding, rolling] = row.parts_with_digits();
                 tr {
                     td { a href={ (folder_of(&row.mesh)) "/report.html" } { (row.mesh) } }
                     td.number { (row.count) }
                     td.number { (format!("{:.3}", row.torque_nm)) }
                     td.number { (rpm(row.speed_rad_per_s)) }
                     td.number { (loss) }
-                    td.number { (sliding) }
-                    td.number { (rolling) }
+                    @for part in row.parts_with_digits() { td.number { (part) } }
                     td.number { (efficiency) }
                     td.number { (format!("{:.4}", row.loss_factor)) }
                     td.number { (mu) }
@@ -320,10 +375,10 @@ fn kinds(result: &TrainResult) -> Markup {
     html! {
         div.scroll { table {
             thead { tr { th { "loss of all meshes" } th.number { "[W]" } th.number { "share [%]" } } }
-            tbody { @for (name, loss) in result.kinds.rows() { tr {
+            tbody { @for (name, loss, share) in result.kinds_with_digits() { tr {
                 td { (name) }
-                td.number { (result.part_with_digits(loss)) }
-                td.number { (format!("{:.1}", 100.0 * loss / result.loss_w)) }
+                td.number { (loss) }
+                td.number { (format!("{:.1}", 100.0 * share)) }
             } } }
         } }
     }

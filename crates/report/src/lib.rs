@@ -35,7 +35,8 @@ pub use folder::{
     title_of, write_bytes, write_folder, write_json, write_load_points, write_text, write_unsolved,
 };
 pub use gear_train::{
-    check_train_place, summary_of_train, texts_of_train, tiles_of_train, write_train,
+    brief_of_train, check_train_place, summary_of_train, tables_of_train, texts_of_train,
+    tiles_of_train, write_load_points_of_train, write_train,
 };
 pub use page_tables::PageTables;
 pub use printed::{stated, stated_parts};

@@ -37,19 +37,10 @@ pub fn summary_within(result: &RunResult, columns: usize) -> String {
 /// else the one that is worth most watts.
 pub fn brief(result: &RunResult, columns: usize) -> String {
     let mut text = verdict(result, columns);
-    if let Some(line) = ridges::line(result) {
-        text.push_str(&format!("{}\n", wrapped_within(&line, "  ", columns)));
-    }
     if let Some(line) = not_converged(result) {
         text.push_str(&line);
     }
-    if let Some((warning, worth)) = weightiest(result) {
-        let warning = Warning {
-            code: warning.code.clone(),
-            text: warning.text.clone() + &worth,
-        };
-        text.push_str(&note(&warning, columns));
-    }
+    text.extend(weightiest(result).map(|warning| note(&warning, columns)));
     text
 }
 
@@ -78,12 +69,12 @@ const COMPONENTS: &[(&str, &str, &str)] = &[
     ("W437", "", "sampling of the flanks"),
 ];
 
-/// The warning of the first screen, and its worth in words.
-fn weightiest(result: &RunResult) -> Option<(&Warning, String)> {
+/// The warning of the first screen, with its worth in words.
+pub(crate) fn weightiest(result: &RunResult) -> Option<Warning> {
     let doubt = |warning: &&Warning| DOUBTFUL.iter().position(|code| *code == warning.code);
     let doubtful = result.warnings.iter().filter(|w| doubt(w).is_some());
     if let Some(warning) = doubtful.min_by_key(doubt) {
-        return Some((warning, String::new()));
+        return Some(warning.clone());
     }
     let digits = result.uncertainty.as_ref()?.digits();
     let worth = result.warnings.iter().filter_map(|warning| {
@@ -91,7 +82,7 @@ fn weightiest(result: &RunResult) -> Option<(&Warning, String)> {
         (digits.steps(watts) > 0.0).then_some((warning, watts))
     });
     let (warning, watts) = worth.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
-    Some((warning, format!(" (worth {} W)", digits.rounded(watts))))
+    Some(warning.with(&format!(" (worth {} W)", digits.rounded(watts))))
 }
 
 /// Change of the loss \[W\] that `warning` is about: half the range of its component of the uncertainty, or the contact of
@@ -108,7 +99,7 @@ fn worth(warning: &Warning, result: &RunResult) -> Option<f64> {
     Some(parts.find(|part| part.name == *name)?.half_range_w())
 }
 
-fn note(warning: &Warning, columns: usize) -> String {
+pub(crate) fn note(warning: &Warning, columns: usize) -> String {
     let text = one_line(&warning.to_string()).into_owned();
     line(&text, MESSAGE, columns)
 }
@@ -118,7 +109,7 @@ fn line(text: &str, indent: &str, columns: usize) -> String {
     wrapped_within(text, indent, columns) + "\n"
 }
 
-/// Title, headline, parts, regime, and the composition of the interval. The headline is never broken.
+/// Title, headline, parts, regime, the composition of the interval, and the ridges. The headline is never broken.
 fn verdict(result: &RunResult, columns: usize) -> String {
     let of_mesh = result.uncertainty.as_ref();
     let mut text = line(&one_line(&result.title), INDENT, columns) + &headline(result) + "\n";
@@ -134,7 +125,8 @@ fn verdict(result: &RunResult, columns: usize) -> String {
     if let Some(uncertainty) = of_mesh {
         text.push_str(&composition(uncertainty, columns));
     }
-    text
+    let ridges = ridges::line(result).map(|ridges| line(&ridges, INDENT, columns));
+    text + &ridges.unwrap_or_default()
 }
 
 /// The parts of a loss in a line.
@@ -148,20 +140,23 @@ fn parts(printed: &PrintedLoss) -> String {
 
 /// The regime with the load on the asperities.
 pub(crate) fn regime(s: &Summary) -> String {
-    let name = match s.regime() {
-        regime @ Regime::FullFilm => return format!("{} all along the path", regime.name()),
-        regime @ Regime::Boundary => format!("{}, mixed", regime.name()),
-        regime @ Regime::Mixed => regime.name().to_owned(),
-    };
     let percent = |share: f64| match share < 0.005 {
         true => "< 1 %".to_owned(),
         false => format!("{:.0} %", 100.0 * share),
     };
-    format!(
-        "{name} on {} of the path, {} of the load on asperities",
-        percent(s.mixed_share),
-        percent(s.asperity_share)
-    )
+    let mixed = format!("mixed on {} of the path", percent(s.mixed_share));
+    let regime = match s.regime() {
+        Regime::FullFilm if s.mixed_share == 0.0 => "full film all along the path".to_owned(),
+        Regime::Mixed => mixed,
+        regime => format!("{}, {mixed}", regime.name()),
+    };
+    match s.mixed_share == 0.0 && s.asperity_share < 0.005 {
+        true => regime,
+        false => format!(
+            "{regime}, {} of the load on asperities",
+            percent(s.asperity_share)
+        ),
+    }
 }
 
 /// Lines behind the verdict: powers and factors, the run against the median, what the case requests, convergence.
@@ -316,7 +311,7 @@ fn positions(s: &Summary) -> String {
 }
 
 /// The line of a result whose load error is large.
-fn not_converged(result: &RunResult) -> Option<String> {
+pub(crate) fn not_converged(result: &RunResult) -> Option<String> {
     let s = &result.summary;
     (s.worst_load_error > LARGE_LOAD_ERROR).then(|| {
         format!(
@@ -351,8 +346,13 @@ fn solver_notes(result: &RunResult) -> Vec<String> {
             result.records.len()
         ));
     }
-    if s.offsets > 1 && result.uncertainty.is_none() && result.pairs.is_none() {
-        lines.push(format!("spread  over {} profile offsets", s.offsets));
+    let has_interval = result.uncertainty.is_some() || result.pairs.is_some();
+    if let (Some(deviation), false) = (s.efficiency_deviation, has_interval) {
+        lines.push(format!(
+            "spread  standard deviation of the efficiency {:.4} % over {} profile offsets",
+            100.0 * deviation,
+            s.offsets
+        ));
     }
     let mut defaults = result.defaults.iter();
     let lay = defaults.find(|default| default.key == "model.lay");
@@ -521,4 +521,32 @@ pub fn published_laws(result: &RunResult) -> String {
         );
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_film_is_all_along_the_path_only_where_nothing_is_mixed() {
+        let of = |mixed_share: f64, asperity_share: f64, boundary_w: f64| {
+            let summary = serde_json::json!({
+                "scope": "mesh", "efficiency": 0.99, "offsets": 2, "power_in_w": 1e5, "torque_out_nm": 1.0,
+                "loss_w": 100.0, "sliding_w": 90.0, "film_w": 80.0, "lubricated_asperity_w": 5.0,
+                "boundary_w": boundary_w, "rolling_w": 10.0, "deformation_w": [0.0, 0.0],
+                "deformation_in_contact_w": [0.0, 0.0], "hysteresis_w": 0.0, "elastic_cycling_w": 0.0,
+                "asperity_share": asperity_share, "boundary_share": 0.0, "mu_equivalent": 0.03,
+                "loss_factor": 0.1, "loss_factor_local": 0.1, "mixed_share": mixed_share, "positions": 4,
+                "worst_load_error": 0.0, "worst_duality_gap": 0.0
+            });
+            regime(&serde_json::from_value(summary).unwrap())
+        };
+        assert_eq!(of(0.0, 0.0, 0.0), "full film all along the path");
+        let expected = "full film all along the path, 2 % of the load on asperities";
+        assert_eq!(of(0.0, 0.02, 0.0), expected);
+        let expected = "full film, mixed on 25 % of the path, 7 % of the load on asperities";
+        assert_eq!(of(0.25, 0.07, 1.0), expected);
+        let expected = "boundary, mixed on 100 % of the path, 61 % of the load on asperities";
+        assert_eq!(of(1.0, 0.61, 50.0), expected);
+    }
 }

@@ -38,7 +38,7 @@ impl Finished {
     /// The summary as the command prints it, with all notes.
     #[must_use]
     pub fn summary(&self) -> String {
-        let of_train = || summary_of_train(&self.outcome.result);
+        let of_train = || summary_of_train(&self.outcome);
         self.pair().map_or_else(of_train, summary)
     }
 

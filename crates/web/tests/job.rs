@@ -210,7 +210,7 @@ fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
         .unwrap();
     let outcome = run_train(&train, &KeptFields::Highest, true, &told()).unwrap();
     assert_eq!(found.outcome.result, outcome.result);
-    assert_eq!(found.summary(), summary_of_train(&outcome.result));
+    assert_eq!(found.summary(), summary_of_train(&outcome));
     // Each mesh names its case by the place of the file.
     let names = |files: &[(String, Vec<u8>)]| {
         files

@@ -443,6 +443,23 @@ impl Digits {
         steps
     }
 
+    /// Parts of `total` as text, which add up to it as printed; a part without a step is printed as less than one.
+    ///
+    /// ```
+    /// use asperity::result::loss_band::Digits;
+    /// assert_eq!(Digits::of_decimals(-2).texts_of_parts(679.0, &[638.4, 40.6]), ["700", "< 100"]);
+    /// assert_eq!(Digits::of_decimals(0).texts_of_parts(-4.0, &[0.0, -4.0]), ["0", "-4"]);
+    /// ```
+    #[must_use]
+    pub fn texts_of_parts(self, total: f64, parts: &[f64]) -> Vec<String> {
+        let steps = self.parts(self.steps(total), parts);
+        let text = |(steps, part): (f64, &f64)| match steps == 0.0 && *part > 0.0 {
+            true => format!("< {}", self.last_place()),
+            false => self.text(steps),
+        };
+        steps.into_iter().zip(parts).map(text).collect()
+    }
+
     /// A number of steps as text.
     #[must_use]
     pub fn text(self, steps: f64) -> String {

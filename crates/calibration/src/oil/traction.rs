@@ -4,6 +4,8 @@
 //! the boundary friction, straight over the logarithm of the film thickness down to a fifth of the roughness; it has no
 //! band and is in no file.
 
+use asperity::mixed_film::LoadShareError;
+use asperity_core::DomainError;
 use asperity_core::numerics::Z_95;
 use asperity_core::quantity::{Force, Length, Speed, Temperature};
 use rayon::prelude::*;
@@ -141,6 +143,11 @@ impl TractionCurves {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(oil: &OilBase, range: &TractionRange) -> Result<Self, OilError> {
+        let slide = range.slide_to_roll;
+        let rule = "must be positive and at most 2 (200 % is pure sliding)";
+        let is_valid = slide > 0.0 && slide <= 2.0;
+        DomainError::require(is_valid, "slide-to-roll ratio", slide, "-", rule)
+            .map_err(LoadShareError::from)?;
         let curves = range.temperatures.par_iter();
         let curves = curves.map(|temperature| curves_at(oil, range, *temperature));
         let curves = curves.collect::<Result<Vec<Curves>, OilError>>()?;

@@ -16,7 +16,7 @@ mod losses;
 mod lubricated;
 mod mesh;
 mod micropitting;
-mod overview;
+pub(crate) mod overview;
 mod page;
 mod pairs;
 mod path;

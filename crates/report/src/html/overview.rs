@@ -57,7 +57,7 @@ fn own_finish(result: &RunResult) -> Markup {
 }
 
 /// The warnings, each of which opens to its cause and its remedy.
-fn warnings(warnings: &[Warning]) -> Markup {
+pub(crate) fn warnings(warnings: &[Warning]) -> Markup {
     html! {
         @if !warnings.is_empty() {
             h3 { "Warnings" }

@@ -61,7 +61,7 @@ fn verdict(comparison: &Comparison) -> Markup {
                 @if of_pair { th.number { "mixed" } th { "regime" } }
             } }
             tbody { @for finish in &comparison.finishes {
-                @let [loss, difference, change] = cells(finish);
+                @let [loss, difference, change] = cells(comparison, finish);
                 tr {
                     th scope="row" { (finish.name) }
                     td.number { (efficiency(finish)) " %" }
@@ -255,7 +255,7 @@ fn bars(comparison: &Comparison) -> Drawing {
         name: finish.name.clone(),
         value: Some(finish.drawn_w().map_or(finish.loss_w, |(median, _)| median)),
         spread: finish.drawn_w().map(|(_, quantiles)| quantiles),
-        text: format!("{} W", cells(finish)[0]),
+        text: format!("{} W", cells(comparison, finish)[0]),
     });
     Drawing::Bars(BarChart {
         id: "losses".to_owned(),

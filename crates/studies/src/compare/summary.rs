@@ -23,7 +23,7 @@ pub(super) fn summary(comparison: &Comparison) -> String {
         "finish", "efficiency", "loss W", "minus the first W", "change %"
     ));
     for finish in &comparison.finishes {
-        let [loss, difference, change] = cells(finish);
+        let [loss, difference, change] = cells(comparison, finish);
         text.push_str(&format!(
             "{:width$}  {:>8} %  {loss:>18}  {difference:>20}  {change:>22}\n",
             one_line(&finish.name),
@@ -84,7 +84,12 @@ pub(super) fn mesh_rows(comparison: &Comparison) -> Vec<[String; 4]> {
                 count => format!("{count} × "),
             };
             let drawn = mesh.loss_median_w.zip(mesh.loss_quantiles_w);
-            let [loss, difference, change] = texts(mesh.loss_w, drawn, mesh.difference.as_ref());
+            let first = comparison
+                .is_later(finish)
+                .then(|| &comparison.finishes[0].meshes[k]);
+            let first = first.map(|first| first.loss_w);
+            let [loss, difference, change] =
+                texts((mesh.loss_w, first), drawn, mesh.difference.as_ref());
             let name = format!("{times}{}, {}", mesh.mesh, finish.name);
             Some([name, loss, difference, change])
         })
@@ -105,12 +110,20 @@ pub(super) fn efficiency(finish: &FinishResult) -> String {
 }
 
 /// Loss, difference and change of a finish, each with its quantiles.
-pub(super) fn cells(finish: &FinishResult) -> [String; 3] {
-    texts(finish.loss_w, finish.drawn_w(), finish.difference.as_ref())
+pub(super) fn cells(comparison: &Comparison, finish: &FinishResult) -> [String; 3] {
+    let first = comparison
+        .is_later(finish)
+        .then(|| comparison.finishes[0].loss_w);
+    texts(
+        (finish.loss_w, first),
+        finish.drawn_w(),
+        finish.difference.as_ref(),
+    )
 }
 
+/// The same of a loss, and of the loss with the first finish; `None` of the first itself.
 fn texts(
-    loss_w: f64,
+    (loss_w, first_w): (f64, Option<f64>),
     drawn: Option<(f64, [f64; 2])>,
     difference: Option<&PairedDifference>,
 ) -> [String; 3] {
@@ -118,13 +131,15 @@ fn texts(
         Some((median, quantiles)) => interval(median, quantiles, false),
         None => Digits::of_decimals(1).rounded(loss_w),
     };
-    match difference {
-        None => [loss, "reference".to_owned(), "reference".to_owned()],
-        Some(difference) => {
-            let [watts, percent] = difference_with_interval(difference);
-            [loss, watts, percent]
+    let [watts, percent] = match (difference, first_w) {
+        (Some(difference), _) => difference_with_interval(difference),
+        (None, Some(first)) => {
+            let watts = loss_w - first;
+            [watts, 100.0 * watts / first].map(|value| signed(Digits::of_decimals(1), value))
         }
-    }
+        (None, None) => ["reference", "reference"].map(str::to_owned),
+    };
+    [loss, watts, percent]
 }
 
 /// A difference in watts and in percent, each with its quantiles and its sign, without units.
@@ -147,14 +162,27 @@ fn interval(median: f64, [low, high]: [f64; 2], is_signed: bool) -> String {
         return "0".to_owned();
     }
     let digits = Digits::of_interval([low, high]);
-    let text = |value: f64| match is_signed && digits.steps(value) > 0.0 {
-        true => format!("+{}", digits.rounded(value)),
+    let text = |value: f64| match is_signed {
+        true => signed(digits, value),
         false => digits.rounded(value),
     };
     format!("{} ({}..{})", text(median), text(low), text(high))
 }
 
+/// A rounded value with its sign.
+fn signed(digits: Digits, value: f64) -> String {
+    let sign = if digits.steps(value) > 0.0 { "+" } else { "" };
+    format!("{sign}{}", digits.rounded(value))
+}
+
 impl Comparison {
+    /// Whether `finish` is not the first one, from which the differences are taken.
+    pub(super) fn is_later(&self, finish: &FinishResult) -> bool {
+        self.finishes
+            .first()
+            .is_some_and(|first| first.name != finish.name)
+    }
+
     /// The decision of each difference from the first finish, in words.
     #[must_use]
     pub fn verdicts(&self) -> Vec<String> {
@@ -312,4 +340,17 @@ fn warnings(comparison: &Comparison) -> String {
         format!("{}\n", wrapped(&one_line(&line), "     "))
     });
     lines.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::texts;
+
+    #[test]
+    fn a_later_finish_has_a_difference_with_and_without_draws() {
+        let later = texts((414.1, Some(6736.4)), None, None);
+        assert_eq!(later, ["414.1", "-6322.3", "-93.9"]);
+        let first = texts((6736.4, None), None, None);
+        assert_eq!(first, ["6736.4", "reference", "reference"]);
+    }
 }

@@ -68,6 +68,10 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         comparison.finishes.iter().map(|finish| {
             let loss = finish.drawn_w();
             let difference = finish.difference.as_ref();
+            let first = comparison
+                .is_later(finish)
+                .then(|| comparison.finishes[0].loss_w);
+            let of_runs = first.map(|first| [finish.loss_w - first, finish.loss_w / first - 1.0]);
             FinishRow {
                 finish: cell(&finish.name),
                 efficiency_percent: 100.0 * finish.efficiency,
@@ -75,10 +79,15 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
                 loss_median_w: loss.map(|(median, _)| median),
                 loss_p05_w: loss.map(|(_, quantiles)| quantiles[0]),
                 loss_p95_w: loss.map(|(_, quantiles)| quantiles[1]),
-                difference_w: difference.map(|difference| difference.median_w),
+                difference_w: difference
+                    .map(|of| of.median_w)
+                    .or(of_runs.map(|[watts, _]| watts)),
                 difference_p05_w: difference.map(|difference| difference.quantiles_w[0]),
                 difference_p95_w: difference.map(|difference| difference.quantiles_w[1]),
-                change_percent: difference.map(|difference| 100.0 * difference.median_share),
+                change_percent: difference
+                    .map(|of| of.median_share)
+                    .or(of_runs.map(|[_, share]| share))
+                    .map(|share| 100.0 * share),
                 change_p05_percent: difference
                     .map(|difference| 100.0 * difference.share_quantiles[0]),
                 change_p95_percent: difference

@@ -80,8 +80,14 @@ impl<'a> Extremes<'a> {
             points.filter_map(|point| Some((point, point.numbers?)))
         };
         let (at, most) = numbers().max_by(|a, b| a.1.loss_w.total_cmp(&b.1.loss_w))?;
-        let efficient = numbers()
-            .filter_map(|(point, numbers)| Some((numbers.efficiency?, power_w(point), numbers)));
+        let efficient = numbers().filter_map(|(point, numbers)| {
+            // As in a run: of the median of the loss.
+            let scale = numbers
+                .loss_median_w
+                .map_or(1.0, |median| median / numbers.loss_w);
+            let efficiency = 1.0 - scale * (1.0 - numbers.efficiency?);
+            Some((efficiency, power_w(point), numbers))
+        });
         let torque = numbers().map(|(_, numbers)| numbers);
         Some(Self {
             at,

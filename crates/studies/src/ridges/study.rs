@@ -44,6 +44,12 @@ pub struct RidgeStudy {
 /// # Errors
 /// As [`gradient`].
 pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, Error> {
+    study(case, true, progress)
+}
+
+/// The study, with intervals if `band` is set.
+fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeStudy, Error> {
+    check(case).map_err(Box::new)?;
     let mut mesh = case.clone();
     mesh.case.gearbox = None;
     let before = gradient(&mesh)?;
@@ -58,7 +64,10 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
     progress(2, STEPS);
     checkpoint()?;
     let cases = [&before, &after].map(|found| (&found.case, &found.contacts));
-    let draws = ChangeDraws::of(cases)?;
+    let draws = match band {
+        true => ChangeDraws::of(cases)?,
+        false => None,
+    };
     progress(3, STEPS);
     checkpoint()?;
     let by_lay = match draws.as_ref().and_then(ChangeDraws::ends_of_lay) {
@@ -67,9 +76,13 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
     };
     progress(STEPS, STEPS);
     let base = (&before.case, &before.losses);
+    let sampled = |by_window: &[f64]| match band {
+        true => sampling_interval(base.0, base.1, by_window),
+        false => None,
+    };
     let quantiles = |by_window: &[f64], by_lay: [f64; 2]| match &draws {
         Some(draws) => Some(draws.quantiles(base, by_window, by_lay)),
-        None => sampling_interval(base.0, base.1, by_window),
+        None => sampled(by_window),
     };
     for (row, by_lay) in rows.iter_mut().zip(by_lay) {
         let body = body_of(row);
@@ -87,7 +100,7 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
     }
     let pairs = before.losses.offsets.iter().zip(&after.losses.offsets);
     let savings: Vec<f64> = pairs.map(|(a, b)| a.loss_w - b.loss_w).collect();
-    let of_change = sampling_interval(base.0, base.1, &savings).map(|[low, high]| [-high, -low]);
+    let of_change = sampled(&savings).map(|[low, high]| [-high, -low]);
     let octaves = octaves(&traces, &before)?;
     let flanks = [0, 1].map(|body: usize| FlankWatts {
         trace: traces[body].clone(),
@@ -119,20 +132,32 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
     Ok(RidgeStudy { found, flanks })
 }
 
-/// Adds the costliest ridges of `case` to its `result`, or why there are none.
+/// Adds the costliest ridges of `case` to its `result`, or why there are none; without intervals if the result has no
+/// uncertainty.
 ///
 /// # Errors
-/// As [`ridges`], except where the model has no gradient.
+/// As [`ridges`], except where the model has no gradient or a flank no trace.
 pub fn add_ridges(
     result: &mut RunResult,
     case: &LoadedCase,
     progress: Progress<'_>,
 ) -> Result<(), Error> {
-    match check_gradient(case) {
-        Ok(()) => result.ridges = Some(ridges(case, progress)?.found),
+    match check(case) {
+        Ok(()) => {
+            let band = result.uncertainty.is_some();
+            result.ridges = Some(study(case, band, progress)?.found);
+        }
         Err(error) => result.no_ridges = Some(error.to_string()),
     }
     Ok(())
+}
+
+/// The loss of `case` has a gradient, over measured traces and not over surrogates.
+fn check(case: &LoadedCase) -> Result<(), PositionError> {
+    match case.surfaces.is_surrogate() {
+        true => Err(PositionError::NoProfile),
+        false => check_gradient(case),
+    }
 }
 
 fn traces(case: &LoadedCase) -> Result<[Profile; 2], Error> {

@@ -1,6 +1,6 @@
 //! The changes of a case in a sensitivity study, one at a time.
 
-use asperity::case::{GearFlankInput, LoadedCase, ReliefInput, TipRelief};
+use asperity::case::{Calibrated, GearFlankInput, LoadedCase, ReliefInput, TipRelief};
 use asperity::flanks::{Surfaces, Texture};
 use asperity::gear::{ReliefExtent, ReliefShape};
 use asperity::oil::{BaseOil, ViscosityLaw};
@@ -182,19 +182,41 @@ fn boundary(loaded: &LoadedCase) -> Vec<Change> {
         keeps_contacts: true,
     };
     let friction = [-FRICTION, FRICTION].map(|step| {
-        let to = digits(model.boundary_friction + step, 4);
-        let case = loaded.with_key("model.boundary_friction", &to);
+        let to = model.boundary_friction + step;
+        let case = loaded.with(|input| {
+            let fitted = input.calibration.as_mut();
+            match fitted.and_then(|fitted| fitted.boundary_friction.as_mut()) {
+                Some(fitted) => scale(fitted, to / model.boundary_friction),
+                None => input.model.boundary_friction = Some(to),
+            }
+        });
         let what = format!("boundary friction {}", model.boundary_friction);
-        change(&what, to, case)
+        change(&what, digits(to, 4), case)
     });
     let nm = |length: Length| format!("{} nm", digits(1e9 * length.si(), 3));
     let layer = LAYER.map(|factor| {
         let to = model.boundary_layer * factor;
-        let case = loaded.with(|input| input.model.boundary_layer = Some(to));
+        let case = loaded.with(|input| {
+            let fitted = input.calibration.as_mut();
+            match fitted.and_then(|fitted| fitted.boundary_layer.as_mut()) {
+                Some(fitted) => scale(fitted, factor),
+                None => input.model.boundary_layer = Some(to),
+            }
+        });
         let what = format!("boundary layer {}", nm(model.boundary_layer));
         change(&what, nm(to), case)
     });
     friction.into_iter().chain(layer).collect()
+}
+
+/// Multiplies a calibrated constant and its band.
+fn scale<T: Copy + std::ops::Mul<f64, Output = T>>(fitted: &mut Calibrated<T>, factor: f64) {
+    let Calibrated { value, low, high } = *fitted;
+    *fitted = Calibrated {
+        value: value * factor,
+        low: low * factor,
+        high: high * factor,
+    };
 }
 
 fn oil(loaded: &LoadedCase) -> Vec<Change> {

@@ -1,5 +1,7 @@
 //! The crossed axes of a study.
 
+use std::collections::BTreeSet;
+
 use asperity::case::gear_train::LoadedTrain;
 use asperity::case::{FILE_KEYS, FileSums};
 use toml::Value;
@@ -43,6 +45,14 @@ impl Axes {
     /// Columns of the axes.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         self.0.iter().map(|axis| axis.name.as_str())
+    }
+
+    /// Keys that each axis sets.
+    pub(super) fn keys(&self) -> impl Iterator<Item = BTreeSet<&str>> {
+        self.0.iter().map(|axis| {
+            let settings = axis.nodes.iter().flat_map(|(_, settings)| settings);
+            settings.map(|(key, _)| key.as_str()).collect()
+        })
     }
 
     /// Text and settings of each axis at the point `number`, in row-major order.

@@ -1,5 +1,7 @@
 //! The cases of a study by number.
 
+use std::collections::BTreeSet;
+
 use asperity::case::LoadedCase;
 use asperity::case::gear_train::LoadedTrain;
 use asperity_core::numerics::standard_normal_quantile;
@@ -105,12 +107,26 @@ impl CaseList {
             .product::<f64>();
         let cases = cases * list.samples() as f64;
         match cases <= MOST_CASES {
-            true => Ok(list),
+            true => list.check_keys().map(|()| list),
             false => Err(SweepError::key(
                 "axis",
                 format!("{cases:.0} cases are more than {MOST_CASES:.0}: use fewer values"),
             )),
         }
+    }
+
+    /// Every key has its values from a single axis or the sample.
+    fn check_keys(&self) -> Result<(), SweepError> {
+        let sampled = self.sampled();
+        let sampled = sampled.iter().map(|key| BTreeSet::from([key.as_str()]));
+        let mut all = BTreeSet::new();
+        for keys in self.axes.keys().chain(sampled) {
+            if let Some(key) = keys.iter().find(|key| all.contains(*key)) {
+                return Err(SweepError::key(key, "has values from two axes or samples"));
+            }
+            all.extend(keys);
+        }
+        Ok(())
     }
 
     pub(super) fn count(&self) -> usize {
