@@ -157,6 +157,12 @@ fn small_case() -> LoadedCase {
 
 /// The same gears with flanks that are known by their values.
 fn small_case_without_traces() -> LoadedCase {
+    // Its surrogates take a hundred times as long as a text that is refused.
+    static CASE: OnceLock<LoadedCase> = OnceLock::new();
+    CASE.get_or_init(read_small_case_without_traces).clone()
+}
+
+fn read_small_case_without_traces() -> LoadedCase {
     let flanks = "surface = { pinion = { rq = \"0.3 um\" }, wheel = { rq = \"0.3 um\" } }";
     let lines = SMALL_CASE
         .lines()

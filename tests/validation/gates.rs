@@ -17,7 +17,7 @@ use crate::britton::{Britton, britton};
 use crate::ehl_records::{Deviation, deviation};
 use crate::gate::{Estimate, Gate, Verdict, table};
 use crate::load_share::{FEW, losses, with};
-use crate::measured_cases::{FZG_SPEEDS, Kept, Sampled, measured, turns};
+use crate::measured_cases::{FZG_SPEEDS, Kept, Sampled, kept, measured, turns};
 use crate::share_laws::erf;
 
 /// Gates that do not pass. A verdict that changes fails the test: change the list, and say why in the commit.
@@ -329,7 +329,7 @@ fn finish_gates(law: GapLaw) -> Vec<Gate> {
 
 /// T5: limiting shear.
 fn limit_gates() -> Vec<Gate> {
-    let kept = Kept::new(with("e-drive-superfinished", &[]));
+    let kept = kept("e-drive-superfinished", &[]);
     let limits = [("mineral", 0.047), ("naphthenic", 0.053), ("pao", 0.035)];
     let rows = limits.map(|(oil, limit)| {
         let path = kept.at(&[("lubricant.base_oil", oil)]).losses.path;
@@ -455,13 +455,8 @@ fn share_gates(law: GapLaw) -> Vec<Gate> {
 
 /// T10: power of the speed in the film.
 fn film_gates() -> Vec<Gate> {
-    let film = |speed: f64| {
-        let turns = turns(speed);
-        mean_film(&losses(&measured(
-            "fzg-c-ground",
-            &[&FEW[..], &[("operation.speed", &turns)]].concat(),
-        )))
-    };
+    let few = kept("../measured/fzg-c-ground", &FEW);
+    let film = |speed: f64| mean_film(&few.at(&[("operation.speed", &turns(speed))]).losses);
     let row = |what: &str, slow: f64, fast: f64, rule| {
         let power = (film(fast) / film(slow)).ln() / (fast / slow).ln();
         Gate::new(
@@ -519,15 +514,17 @@ fn made_gap_law_table() -> String {
     text
 }
 
+/// The e-drive with 16 offsets, ground and superfinished.
+fn drives() -> [Arc<Kept>; 2] {
+    ["e-drive", "e-drive-superfinished"].map(|name| kept(name, &[("model.offsets", "16")]))
+}
+
 /// Losses of the e-drive with 16 offsets, and what superfinishing changes.
 fn drive_losses(law: GapLaw) -> Vec<Gate> {
-    let kept = ["e-drive", "e-drive-superfinished"].map(|name| {
-        let keys = [gap_law_key(law), ("model.offsets", "16")];
-        Kept::new(with(name, &keys))
-    });
+    let kept = drives();
     let rows = ["40 °C", "60 °C", "90 °C", "120 °C"].map(|celsius| {
         let [ground, fine] = kept.each_ref().map(|kept| {
-            let found = kept.at(&[("operation.bulk_temperature", celsius)]);
+            let found = kept.at(&[gap_law_key(law), ("operation.bulk_temperature", celsius)]);
             found.mean(&|row| row.loss_w)
         });
         let row = |what: &str, measured: &str, value, unit| {
@@ -559,15 +556,11 @@ fn the_gap_law_power_keeps_its_losses() {
         ("120 °C", [694.3, 395.2]),
     ];
     let found = before.map(|(celsius, _)| {
-        let loss = |name| {
-            let keys = [
-                gap_law_key(GapLaw::Power),
-                ("model.offsets", "16"),
-                ("operation.bulk_temperature", celsius),
-            ];
-            losses(&with(name, &keys)).summary.loss_w
-        };
-        ["e-drive", "e-drive-superfinished"].map(loss)
+        let keys = [
+            gap_law_key(GapLaw::Power),
+            ("operation.bulk_temperature", celsius),
+        ];
+        drives().map(|kept| kept.at(&keys).losses.summary.loss_w)
     });
     let held = before.iter().flat_map(|(_, losses)| losses);
     let mut pairs = found.as_flattened().iter().zip(held);

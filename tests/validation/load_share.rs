@@ -1,17 +1,24 @@
 //! The solved load share in whole cases: what moves the loss, what must not, and what was measured.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock};
 
 use asperity::case::{CaseInput, LoadedCase, load};
 use asperity::pipeline::{contacts, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity_tests::assert_close;
 
+use crate::measured_cases::kept;
+
+/// A shipped case, read once.
 pub fn shipped(name: &str) -> LoadedCase {
+    static READ: Mutex<BTreeMap<String, LoadedCase>> = Mutex::new(BTreeMap::new());
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases");
-    load(&folder.join(format!("{name}.toml")), None).unwrap()
+    let read = || load(&folder.join(format!("{name}.toml")), None).unwrap();
+    let mut known = READ.lock().unwrap();
+    known.entry(name.to_owned()).or_insert_with(read).clone()
 }
 
 /// A shipped case with these keys changed.
@@ -50,8 +57,12 @@ pub const REFERENCE: [(&str, &str); 6] = [
     ("model.load_distribution", "mean-length"),
 ];
 
+/// Summary with few offsets, on the contacts of the case itself unless the keys change what they depend on.
 pub fn few(name: &str, keys: &[(&str, &str)]) -> Summary {
-    summary(name, &[&FEW[..], keys].concat())
+    let kept = kept(name, &FEW);
+    let case = kept.with(keys);
+    let found = losses_with(&kept.tables, &case).unwrap_or_else(|_| losses(&case));
+    found.summary
 }
 
 #[test]

@@ -1,14 +1,14 @@
 //! The numbers of the independent computation that the load share was made with, next to what was measured.
 
 use std::fmt::Write as _;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use asperity_ehl_regime::GapLaw;
 use asperity_tests::petry_johnson;
 
 use crate::gates::{britton_at, measured_loss, null_pair, petry_johnson_by};
-use crate::load_share::{FEW, REFERENCE, few, losses, summary, with};
-use crate::measured_cases::{FZG_SPEEDS, Kept, measured, turns};
+use crate::load_share::{FEW, REFERENCE, few};
+use crate::measured_cases::{FZG_SPEEDS, Kept, kept, turns};
 
 /// Speeds 1/min of the Petry-Johnson gears and the losses \[W\] of the independent computation.
 const PETRY_JOHNSON: [(u32, f64); 5] = [
@@ -87,10 +87,9 @@ fn references() -> &'static [Reference] {
 }
 
 fn drive_references() -> Vec<Reference> {
-    let kept =
-        |name: &str, keys: &[(&str, &str)]| Kept::new(with(name, &[&FEW[..], keys].concat()));
+    let of = |name: &str, keys: &[(&str, &str)]| kept(name, &[&FEW[..], keys].concat());
     let pairs = ["e-drive", "e-drive-superfinished"];
-    let [ground, fine] = pairs.map(|name| [kept(name, &REFERENCE), kept(name, &[])]);
+    let [ground, fine] = pairs.map(|name| [of(name, &REFERENCE), of(name, &[])]);
     let mut rows = Vec::new();
     let temperatures = [
         (40, 530.0, 495.0),
@@ -100,7 +99,7 @@ fn drive_references() -> Vec<Reference> {
     ];
     for (celsius, on_ground, on_fine) in temperatures {
         let temperature = format!("{celsius} °C");
-        let at = |kept: &Kept| {
+        let at = |kept: &Arc<Kept>| {
             let found = kept.at(&[("operation.bulk_temperature", &temperature)]);
             found.losses.summary.sliding_w
         };
@@ -128,16 +127,15 @@ fn drive_references() -> Vec<Reference> {
 }
 
 fn fzg_references() -> Vec<Reference> {
-    let fzg =
-        |keys: &[(&str, &str)]| Kept::new(measured("fzg-c-ground", &[&FEW[..], keys].concat()));
+    let fzg = |keys: &[(&str, &str)]| kept("../measured/fzg-c-ground", &[&FEW[..], keys].concat());
     // The mineral oil of the independent computation has an Eyring stress of 5 MPa.
     let eyring = "{ source = \"the independent computation\", \
         eyring_stress = { value = \"5 MPa\", low = \"4.9 MPa\", high = \"5.1 MPa\" } }";
     let alike = [&REFERENCE[..], &[("calibration", eyring)]].concat();
-    let kept = [fzg(&alike), fzg(&[])];
+    let both = [fzg(&alike), fzg(&[])];
     let rows = FZG_SPEEDS.iter().map(|(speed, independent)| {
         let turns = turns(*speed);
-        let [alike, default] = kept
+        let [alike, default] = both
             .each_ref()
             .map(|kept| kept.at(&[("operation.speed", &turns)]).friction().value);
         Reference {
@@ -194,7 +192,7 @@ fn the_load_share_gives_what_was_computed_elsewhere() {
 #[test]
 fn superfinishing_pays_on_hot_thin_oil_and_not_in_thick_films() {
     let change = |keys: &[(&str, &str)]| {
-        let loss = |name: &str| summary(name, &[&FEW[..], keys].concat()).loss_w;
+        let loss = |name: &str| few(name, keys).loss_w;
         loss("e-drive-superfinished") / loss("e-drive") - 1.0
     };
     let [cold, hot] = ["40 °C", "120 °C"].map(|t| change(&[("operation.bulk_temperature", t)]));
@@ -210,10 +208,11 @@ pub fn cold_table() -> String {
             "| oil at | thermal reduction of the film | factor over the path | sliding W | rolling W | film friction | central gap um |\n\
              |---|---|---|---|---|---|---|\n",
         );
+        let fine = kept("e-drive-superfinished", &FEW);
         for temperature in ["-20 °C", "-30 °C"] {
             for law in ["gupta", "murch-wilson"] {
                 let keys = [("operation.bulk_temperature", temperature), ("model.thermal", law)];
-                let found = losses(&with("e-drive-superfinished", &[&FEW[..], &keys].concat()));
+                let found = fine.at(&keys).losses;
                 let span = |of: fn(&asperity::result::PositionRow) -> f64| {
                     let values = || found.path.iter().map(of);
                     [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)]

@@ -1,5 +1,8 @@
 //! The cases of the gates of measurement, and estimates of their results with the sampling error of the flanks.
 
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock};
+
 use asperity::Contacts;
 use asperity::case::LoadedCase;
 use asperity::pipeline::{contacts, losses_with};
@@ -108,6 +111,15 @@ fn deviation(values: &[f64]) -> f64 {
 pub struct Kept {
     pub case: LoadedCase,
     pub tables: Contacts,
+}
+
+/// A shipped case with keys changed, whose contacts are solved once for all tables and tests.
+pub fn kept(name: &str, keys: &[(&str, &str)]) -> Arc<Kept> {
+    static KEPT: Mutex<BTreeMap<String, Arc<OnceLock<Arc<Kept>>>>> = Mutex::new(BTreeMap::new());
+    let name_and_keys = format!("{name} {keys:?}");
+    let place = Arc::clone(KEPT.lock().unwrap().entry(name_and_keys).or_default());
+    let made = place.get_or_init(|| Arc::new(Kept::new(with(name, keys))));
+    Arc::clone(made)
 }
 
 impl Kept {

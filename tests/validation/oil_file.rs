@@ -10,9 +10,10 @@ use asperity::uncertainty::predictive;
 use asperity::{Contacts, Run};
 use asperity_calibration::evidence::{Effort, EvidenceTable};
 use asperity_calibration::oil::fit::PointErrors;
-use asperity_calibration::oil::problem::Zero;
+use asperity_calibration::oil::problem::{Priors, TractionProblem, Zero};
 use asperity_calibration::oil::{
-    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, read_table,
+    ConstantsOf, FitSettings, Machine, OilBase, OilFit, OilPlan, PlanSettings, Reading, SetPoint,
+    Setting, read_table, set_points, simulated,
 };
 use asperity_core::numerics::standard_normal_quantile;
 
@@ -159,32 +160,52 @@ fn simulated_oil_files(case: &LoadedCase) -> Vec<String> {
     let oil = OilBase::of_case(&case.case, ConstantsOf::Family).unwrap();
     let machine = Machine::USUAL;
     let (zero, errors, is_wide) = (Zero::Curve, PointErrors::default(), false);
-    let of_seed = |seed: usize| {
-        let simulate = Some(seed as u64);
-        let settings = PlanSettings {
-            machine,
-            is_wide,
-            zero,
-            errors,
-            simulate,
-        };
-        let plan = OilPlan::of(&oil, None, &settings).unwrap();
-        let mut table =
-            String::from("load_n,mean_speed_m_s,slide_roll_percent,temperature_c,traction\n");
-        for point in &plan.points {
-            for sign in [1.0, -1.0] {
-                let _ = writeln!(
-                    table,
-                    "{},{},{},{},{}",
-                    point.load_n,
-                    point.mean_speed_m_s,
-                    sign * point.slide_roll_percent,
-                    point.temperature_c,
-                    sign * point.simulated_traction.unwrap()
-                );
-            }
+    let settings = PlanSettings {
+        machine,
+        is_wide,
+        zero,
+        errors,
+        simulate: None,
+    };
+    let plan = OilPlan::of(&oil, None, &settings).unwrap();
+    let mut table =
+        String::from("load_n,mean_speed_m_s,slide_roll_percent,temperature_c,traction\n");
+    for point in &plan.points {
+        for sign in [1.0, -1.0] {
+            let _ = writeln!(
+                table,
+                "{},{},{},{},{}",
+                point.load_n,
+                point.mean_speed_m_s,
+                sign * point.slide_roll_percent,
+                point.temperature_c,
+                sign * point.expected_traction
+            );
         }
-        let readings = read_table("simulated.csv", &table, &machine).unwrap();
+    }
+    let planned = read_table("simulated.csv", &table, &machine).unwrap();
+    let points = set_points(&planned);
+    let law = oil.rheology.laws().1;
+    let priors = Priors::family(oil.deviations);
+    let problem = TractionProblem::new(&oil, law, priors, zero, &points);
+    let of_seed = |seed: usize| {
+        let (_, friction) = simulated(&problem, false, errors, seed as u64).unwrap();
+        let measured = |reading: &Reading| {
+            let mut reading = reading.clone();
+            let key = |at: &Setting| {
+                let slide = at.slide_to_roll.abs();
+                [at.load.si(), at.mean_speed.si(), slide, at.temperature.si()]
+            };
+            let own = key(&reading.setting);
+            let same = |point: &SetPoint| {
+                let pairs = key(&point.reading.setting).into_iter().zip(own);
+                pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-9 * b)
+            };
+            let k = points.iter().position(same).unwrap();
+            reading.traction = friction[k].copysign(reading.setting.slide_to_roll);
+            reading
+        };
+        let readings: Vec<Reading> = planned.iter().map(measured).collect();
         let settings = FitSettings {
             is_wide,
             zero,

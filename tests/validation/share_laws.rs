@@ -7,8 +7,8 @@ use std::sync::OnceLock;
 use asperity_report::chart::{Axis, Chart, Dress, Line, Series};
 use asperity_tests::picture::hold_picture;
 
-use crate::load_share::{FEW, losses, with};
-use crate::measured_cases::Kept;
+use crate::load_share::{FEW, losses};
+use crate::measured_cases::kept;
 
 /// erf to 1.5e-7 (Abramowitz and Stegun 7.1.26).
 pub fn erf(x: f64) -> f64 {
@@ -37,7 +37,7 @@ const LAWS: [&str; 3] = ["lambda-star", "zhu-hu", "masjedi-khonsari"];
 fn shares() -> &'static [ShareRow] {
     static SHARES: OnceLock<Vec<ShareRow>> = OnceLock::new();
     SHARES.get_or_init(|| {
-        let kept = Kept::new(with("e-drive", &FEW));
+        let kept = kept("e-drive", &FEW);
         let speeds = [100, 300, 1000, 3000, 9000, 25_000];
         let mut rows: Vec<ShareRow> = Vec::new();
         let colder = [9000, 25_000];

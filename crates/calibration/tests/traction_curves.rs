@@ -399,19 +399,22 @@ fn coverage(is_mineral: bool, oils: u64) -> [f64; 4] {
     std::array::from_fn(|k| held.iter().filter(|one| one[k]).count() as f64 / oils as f64)
 }
 
-fn check_coverage(oils: u64) {
+/// At least the share `least` of the bands of `oils` oils holds each constant.
+fn check_coverage(oils: u64, least: f64) {
     for is_mineral in [false, true] {
         let shares = coverage(is_mineral, oils);
         println!("mineral {is_mineral}: {shares:?}");
         for share in shares {
-            assert!((0.88..=1.0).contains(&share), "{is_mineral}: {shares:?}");
+            assert!(share >= least, "{is_mineral}: {shares:?}");
         }
     }
 }
 
 #[test]
 fn bands_hold_the_constants_of_oils_drawn_from_their_family() {
-    check_coverage(17);
+    // Bands hold with 0.976, with 0.74 if they were half as wide. Fewer than seven of nine hold with a probability of 0.1 % for
+    // each of eight constants, and all eight hold seven times with 2 % if they were half as wide.
+    check_coverage(9, 0.77);
 }
 
 /// Expected standard deviations of an independent program with 2.5 % and 0.001 a point and one common zero, rounded as it
@@ -463,5 +466,5 @@ fn a_plan_leaves_the_errors_of_an_independent_program() {
 #[test]
 #[ignore = "the same with more oils"]
 fn bands_hold_the_constants_of_a_hundred_oils() {
-    check_coverage(100);
+    check_coverage(100, 0.88);
 }

@@ -516,6 +516,8 @@ fn traces_needed(most: &Quantile, of_traces: f64) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::OnceLock;
+
     use asperity::case::load_with;
 
     use super::*;
@@ -574,6 +576,12 @@ mod tests {
         Process::of(&case, (0.1, seed), 24).unwrap()
     }
 
+    /// The process of both tests of a call-out.
+    fn shared() -> &'static Process {
+        static PROCESS: OnceLock<Process> = OnceLock::new();
+        PROCESS.get_or_init(|| e_drive(1))
+    }
+
     /// Share of `count` lots of `process` with the inspected mean within a percent of the limit of `found` that meet its
     /// loss.
     fn share(process: &Process, found: &CallOut, count: usize) -> f64 {
@@ -598,10 +606,9 @@ mod tests {
 
     #[test]
     fn a_loss_that_no_finish_has_is_refused_with_the_losses_that_finishes_have() {
-        let process = e_drive(1);
         let of = |loss: &str| {
             let settings = CallOutSettings::of(loss.parse().unwrap());
-            of_process(&process, &settings, &|_, _| {}).unwrap_err()
+            of_process(shared(), &settings, &|_, _| {}).unwrap_err()
         };
         let CallOutError::BelowSmooth { smooth_w, .. } = of("300 W") else {
             panic!("smooth flanks lose more than 300 W");
@@ -617,7 +624,7 @@ mod tests {
     fn most_lots_at_the_limit_meet_the_loss_and_few_of_those_above_it() {
         let mut settings = CallOutSettings::of("560 W".parse().unwrap());
         settings.lots = 24;
-        let mut found = of_process(&e_drive(1), &settings, &|_, _| {}).unwrap();
+        let mut found = of_process(shared(), &settings, &|_, _| {}).unwrap();
         assert!(found.limits.len() == 1 && found.limits[0].limit < found.limits[0].recipe);
         assert!(found.smooth_loss_w < found.mean_loss_w && found.mean_loss_w < 560.0);
         let others = e_drive(7);
