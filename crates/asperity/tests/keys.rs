@@ -196,7 +196,7 @@ fn a_place_that_no_flank_has_is_refused_with_what_was_wrong() {
 /// Mistakes of case files, each with its code and with the words that name it; an unusual number is a warning.
 #[test]
 fn deliberate_mistakes_are_named() {
-    let mistakes: [(&str, &str, &str, &str); 35] = [
+    let mistakes: [(&str, &str, &str, &str); 36] = [
         (
             "operation.torque",
             "145 kN m",
@@ -276,6 +276,12 @@ fn deliberate_mistakes_are_named() {
         (
             "gears.pinion.tip_relief",
             "{ amount = \"20 mm\", length = \"2 mm\" }",
+            "E209",
+            "must be below 1 mm",
+        ),
+        (
+            "gears.wheel.crowning",
+            "-20 mm",
             "E209",
             "must be below 1 mm",
         ),
