@@ -6,8 +6,8 @@ use asperity::result::ridges::{RidgeRow, Ridges};
 
 /// Explanation of the numbers.
 pub const NOTE: &str = "A ridge is a part of a prepared trace above its mean line. \"first\" is what pressing it to the mean \
-    line saves by the gradient of the loss; \"mean\" uses the mean of the gradients before and after all listed ridges are \
-    pressed. The saving by all of them together is from a second run. These values are with the constants at their \
+    line saves by the gradient of the loss; \"mean\" uses the mean of the gradients before, half-way and after all listed ridges \
+    are pressed. The saving by all of them together is from a second run. These values are with the constants at their \
     medians; in brackets are the 5 and 95 % quantiles. Sets of the contacts, windows and relief are held in the gradient. \
     Running-in, which presses ridges too, is not included. These are answers of the model, not measurements. \
     docs/howto/what-matters.md describes the method.";

@@ -59,8 +59,8 @@ pub struct RidgeRow {
     pub height_um: f64,
     /// Saving by pressing it to the mean line, according to the gradient before \[W\].
     pub first_order_w: f64,
-    /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before and
-    /// after \[W\].
+    /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before, half-way
+    /// and after ([`mean_gradient`](crate::pipeline::mean_gradient)) \[W\].
     pub mean_gradient_w: f64,
     /// 5 % quantile of it by the uncertainty of the constants and of the model and by the sampling of the flanks \[W\].
     pub low_w: Option<f64>,

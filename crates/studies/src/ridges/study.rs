@@ -4,7 +4,7 @@ use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::flanks::Texture;
 use asperity::pipeline::{
-    LossGradient, Progress, check_gradient, gradient, gradient_with, settled,
+    LossGradient, Progress, check_gradient, gradient, gradient_with, mean_gradient, settled,
 };
 use asperity::result::RunResult;
 use asperity::result::ridges::{FlankWatts, OctaveRow, RidgeRow, Ridges, height_of_mean_line};
@@ -24,8 +24,8 @@ const NEAR: usize = 3;
 const SHORTEST: f64 = 2.5e-6;
 /// Least part of the watts of a ridge in the offsets of the lay at which they show how it depends on the lay.
 const COVERED: f64 = 0.25;
-/// Steps of a study: the gradients before and after pressing, the draws, and the gradients at both ends of the lay.
-const STEPS: usize = 4;
+/// Steps of a study: the gradients before, half-way and after pressing, the draws, and the gradients at both ends of the lay.
+const STEPS: usize = 5;
 
 /// The costliest ridges, with the whole traces.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -51,15 +51,20 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
     checkpoint()?;
     let traces = traces(&mesh)?;
     let mut rows = costliest(&traces, &before);
-    let pressed = pressed(&traces, &rows);
-    let mut changed = before.case.clone();
-    changed.surfaces = changed.surfaces.with_traces(pressed.clone());
-    let after = gradient(&changed)?;
+    let pressed = |part: f64| {
+        let mut case = before.case.clone();
+        case.surfaces = case.surfaces.with_traces(pressed(&traces, &rows, part));
+        gradient(&case)
+    };
+    let half = pressed(0.5)?;
     progress(2, STEPS);
+    checkpoint()?;
+    let after = pressed(1.0)?;
+    progress(3, STEPS);
     checkpoint()?;
     let cases = [&before, &after].map(|found| (&found.case, &found.contacts));
     let draws = ChangeDraws::of(cases)?;
-    progress(3, STEPS);
+    progress(4, STEPS);
     checkpoint()?;
     let by_lay = match draws.as_ref().and_then(ChangeDraws::ends_of_lay) {
         Some(ends) => by_lay(&before, ends, (&traces, &rows))?,
@@ -71,17 +76,11 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
         Some(draws) => Some(draws.quantiles(base, by_window, by_lay)),
         None => sampling_interval(base.0, base.1, by_window),
     };
+    let mean_gradient = mean_gradient([&before, &half, &after]);
     for (row, by_lay) in rows.iter_mut().zip(by_lay) {
-        let body = body_of(row);
-        let fall = |i: usize| traces[body].heights()[i] - pressed[body].heights()[i];
-        let saving = |gradients: [&[Vec<f64>; 2]; 2]| {
-            let mean = |i: usize| 0.5 * (gradients[0][body][i] + gradients[1][body][i]);
-            let points = row.first_point..=row.last_point;
-            points.map(|i| mean(i) * fall(i)).sum::<f64>()
-        };
-        let offsets = before.by_offset.iter().zip(&after.by_offset);
-        let by_window: Vec<f64> = offsets.map(|(a, b)| saving([a, b])).collect();
-        row.mean_gradient_w = saving([&before.by_height, &after.by_height]);
+        let of_offset = |by_height| saving(row, &traces, by_height);
+        let by_window: Vec<f64> = mean_gradient.iter().map(of_offset).collect();
+        row.mean_gradient_w = by_window.iter().sum::<f64>() / by_window.len() as f64;
         let found = quantiles(&by_window, by_lay);
         [row.low_w, row.high_w] = [0, 1].map(|k: usize| found.map(|both| both[k]));
     }
@@ -147,7 +146,7 @@ fn body_of(row: &RidgeRow) -> usize {
 }
 
 /// Saving by pressing a ridge to the mean line according to a gradient \[W\].
-fn first_order(row: &RidgeRow, traces: &[Profile; 2], by_height: &[Vec<f64>; 2]) -> f64 {
+fn saving(row: &RidgeRow, traces: &[Profile; 2], by_height: &[Vec<f64>; 2]) -> f64 {
     let body = body_of(row);
     let (z, line) = (traces[body].heights(), height_of_mean_line(&traces[body]));
     let points = row.first_point..=row.last_point;
@@ -164,7 +163,7 @@ fn by_lay(
     let case = settled(&case, Some(&contacts))?;
     let watts = |by_offset: &[[Vec<f64>; 2]]| -> Vec<f64> {
         let of = |row: &RidgeRow| -> f64 {
-            let each = by_offset.iter().map(|one| first_order(row, traces, one));
+            let each = by_offset.iter().map(|one| saving(row, traces, one));
             each.sum()
         };
         rows.iter().map(of).collect()
@@ -225,13 +224,15 @@ fn costliest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
     rows
 }
 
-/// The traces with these ridges at the mean line.
-fn pressed(traces: &[Profile; 2], rows: &[RidgeRow]) -> [Profile; 2] {
+/// The traces with `part` of the height of these ridges above the mean line taken off.
+fn pressed(traces: &[Profile; 2], rows: &[RidgeRow], part: f64) -> [Profile; 2] {
     let mut heights = traces.each_ref().map(|trace| trace.heights().to_vec());
     for (body, z) in heights.iter_mut().enumerate() {
         let line = height_of_mean_line(&traces[body]);
         for row in rows.iter().filter(|row| row.flank == BODIES[body]) {
-            z[row.first_point..=row.last_point].fill(line);
+            for z in &mut z[row.first_point..=row.last_point] {
+                *z = line + (1.0 - part) * (*z - line);
+            }
         }
     }
     [0, 1].map(|body: usize| {
