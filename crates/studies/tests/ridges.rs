@@ -7,6 +7,7 @@ use asperity::pipeline::{LossGradient, gradient, gradient_with, mean_gradient};
 use asperity::result::ridges::{RidgeRow, height_of_mean_line};
 use asperity::uncertainty::{UncertainParameter, sampling_interval};
 use asperity_core::Profile;
+use asperity_roughness::preparation::prepare;
 use asperity_studies::ridges::ridges;
 use asperity_studies::sensitivity::sensitivity;
 
@@ -93,6 +94,22 @@ fn a_ridge_pressed_to_half_its_height_saves_what_the_mean_gradient_predicts() {
         );
         let error = predicted / saved - 1.0;
         assert!(error.abs() < 0.2, "{row:?}: {predicted} W, {saved} W");
+        // The preparation is linear: heights taken off the measured trace are prepared like a trace.
+        let body = usize::from(row[0].flank == "wheel");
+        let record = before.case.flanks[body].preparation.clone().unwrap();
+        let [from, to] = [&before.case, &cases[1]].map(|case| case.surfaces.traces().unwrap());
+        let [from, to] = [from[body].heights(), to[body].heights()];
+        let mut fall = vec![0.0; record.points_before];
+        for (i, (from, to)) in from.iter().zip(to).enumerate() {
+            fall[record.dropped_each_end + i] = 2.0 * (from - to);
+        }
+        let fall = Profile::new(record.spacing, fall).unwrap();
+        let fall = prepare(&fall, &record.recipe).unwrap().profile;
+        let products = fall.heights().iter().zip(&before.by_height[body]);
+        let expected: f64 = products.map(|(fall, g)| fall * g).sum();
+        let measured = row[0].measured_first_order_w.unwrap();
+        assert!((measured / expected - 1.0).abs() < 1e-9);
+        assert!((measured / row[0].first_order_w - 1.0).abs() > 1e-3);
     }
 }
 

@@ -59,6 +59,10 @@ pub struct RidgeRow {
     pub height_um: f64,
     /// Saving by pressing it to the mean line, according to the gradient before \[W\].
     pub first_order_w: f64,
+    /// Saving by taking the same heights off the measured trace, whose filters then move the mean line too, according to the
+    /// gradient before; `None` if the preparation is not linear, and in older results \[W\].
+    #[serde(default)]
+    pub measured_first_order_w: Option<f64>,
     /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before, half-way
     /// and after ([`mean_gradient`](crate::pipeline::mean_gradient)) \[W\].
     pub mean_gradient_w: f64,

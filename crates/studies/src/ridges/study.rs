@@ -13,6 +13,7 @@ use asperity::{Error, PositionError};
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_report::tables::BODIES;
+use asperity_roughness::composite::spaced;
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use serde::Serialize;
 
@@ -37,6 +38,9 @@ pub struct RidgeStudy {
     /// Both traces with the gradient.
     #[serde(skip)]
     pub flanks: [FlankWatts; 2],
+    /// Both traces as they were read, with the gradient; `None` of a trace whose preparation is not linear.
+    #[serde(skip)]
+    pub measured: [Option<FlankWatts>; 2],
 }
 
 /// Computes the costliest ridges of `case`; `progress` is called with the number of completed steps.
@@ -92,6 +96,13 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
         trace: traces[body].clone(),
         by_height: before.by_height[body].clone(),
     });
+    let measured = measured(&before)?;
+    for row in &mut rows {
+        row.measured_first_order_w = match &measured[body_of(row)] {
+            Some(flank) => measured_saving(row, &traces, (flank, &before))?,
+            None => None,
+        };
+    }
     let near = rows.iter().take(NEAR);
     let near = near.map(|row| flanks[body_of(row)].near(row));
     let found = Ridges {
@@ -115,7 +126,11 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
         rows,
         octaves,
     };
-    Ok(RidgeStudy { found, flanks })
+    Ok(RidgeStudy {
+        found,
+        flanks,
+        measured,
+    })
 }
 
 /// Adds the costliest ridges of `case` to its `result`, or why there are none.
@@ -151,6 +166,45 @@ fn saving(row: &RidgeRow, traces: &[Profile; 2], by_height: &[Vec<f64>; 2]) -> f
     let (z, line) = (traces[body].heights(), height_of_mean_line(&traces[body]));
     let points = row.first_point..=row.last_point;
     points.map(|i| by_height[body][i] * (z[i] - line)).sum()
+}
+
+/// Both traces as they were read, with the gradient of the loss.
+fn measured(gradient: &LossGradient) -> Result<[Option<FlankWatts>; 2], Error> {
+    let [pinion, wheel] = gradient.by_measured_height()?;
+    let of = |body: usize, by_height: Option<Vec<f64>>| {
+        let trace = gradient.case.flanks[body].trace.clone();
+        let both = trace.zip(by_height);
+        both.map(|(trace, by_height)| FlankWatts { trace, by_height })
+    };
+    Ok([of(0, pinion), of(1, wheel)])
+}
+
+/// Saving by taking the heights of a ridge above the mean line off the measured trace \[W\]; `None` if the trace was not prepared.
+fn measured_saving(
+    row: &RidgeRow,
+    traces: &[Profile; 2],
+    (measured, gradient): (&FlankWatts, &LossGradient),
+) -> Result<Option<f64>, Error> {
+    let body = body_of(row);
+    let flank = &gradient.case.flanks[body];
+    let Some(record) = &flank.preparation else {
+        return Ok(None);
+    };
+    let (z, line) = (traces[body].heights(), height_of_mean_line(&traces[body]));
+    let mut fall = vec![0.0; z.len()];
+    for i in row.first_point..=row.last_point {
+        fall[i] = z[i] - line;
+    }
+    let fall = Profile::new(traces[body].spacing(), fall)
+        .and_then(|fall| spaced(&fall, record.spacing))
+        .map_err(|error| Box::new(PositionError::from(error)))?;
+    let mut by_height = measured.by_height.clone();
+    if flank.mirrored {
+        by_height.reverse();
+    }
+    let kept = by_height.iter().skip(record.dropped_each_end);
+    let products = kept.zip(fall.heights()).map(|(g, fall)| g * fall);
+    Ok(Some(products.sum()))
 }
 
 /// First-order watts of each ridge at both `ends` of the lay over those `before`, over the same ratio of all ridges together.
@@ -210,6 +264,7 @@ fn costliest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
                 width_um: 1e6 * dx * cells.len() as f64,
                 height_um: 1e6 * (z[highest] - line),
                 first_order_w: (first..=last).map(|i| by_height[i] * (z[i] - line)).sum(),
+                measured_first_order_w: None,
                 mean_gradient_w: 0.0,
                 low_w: None,
                 high_w: None,
