@@ -71,6 +71,12 @@ pub fn notes(ridges: &Ridges) -> Vec<String> {
     if let Some(content) = content {
         notes.push(format!("The quantiles are over {content}."));
     }
+    if let Some(pairs) = ridges.first_of_pairs {
+        notes.push(format!(
+            "The case has {pairs} pairs of teeth. All these numbers, also the loss, are of the first trace of each flank only; \
+             other teeth have other ridges."
+        ));
+    }
     if ridges.without_gearbox {
         notes.push(
             "Only the mesh: the losses of bearings, seals, churning and other parts of the gearbox are left out."

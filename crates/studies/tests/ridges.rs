@@ -7,6 +7,7 @@ use asperity::pipeline::{LossGradient, gradient, gradient_with, mean_gradient};
 use asperity::result::ridges::{RidgeRow, height_of_mean_line};
 use asperity::uncertainty::{UncertainParameter, sampling_interval};
 use asperity_core::Profile;
+use asperity_report::ridges::notes;
 use asperity_roughness::preparation::prepare;
 use asperity_studies::ridges::ridges;
 use asperity_studies::sensitivity::sensitivity;
@@ -170,4 +171,28 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
         }
     }
     assert!(beyond_sampling > 0, "the interval needs the constants");
+}
+
+#[test]
+fn ridges_of_several_teeth_are_the_ridges_of_the_first_pair() {
+    let file = Path::new("../../fixtures/cases/e-drive.toml");
+    let of = |pinion: &str| {
+        let few = |input: &mut case::CaseInput| {
+            (input.model.positions, input.model.offsets) = (Some(3), Some(2));
+            input.set("surface.pinion", pinion).unwrap();
+        };
+        ridges(&case::load_with(file, &few).unwrap(), &|_, _| {})
+            .unwrap()
+            .found
+    };
+    let first = of(r#"{ file = "../profiles/ground_pinion.csv" }"#);
+    let traces =
+        r#"{ traces = ["../profiles/ground_pinion.csv", "../profiles/ground_wheel.csv"] }"#;
+    let several = of(traces);
+    assert_eq!(
+        (first.first_of_pairs, several.first_of_pairs),
+        (None, Some(2))
+    );
+    assert!(notes(&several).iter().any(|note| note.contains("2 pairs")));
+    assert_eq!((several.loss_w, several.rows), (first.loss_w, first.rows));
 }

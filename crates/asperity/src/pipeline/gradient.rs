@@ -218,6 +218,9 @@ fn heat_balance(
 pub fn refuse(loaded: &LoadedCase) -> Result<(), PositionError> {
     let (case, surfaces) = (&loaded.case, &loaded.surfaces);
     surfaces.check_one_pair()?;
+    if surfaces.is_surrogate() {
+        return Err(PositionError::NoProfile);
+    }
     surfaces.traces()?;
     let model = &case.model;
     check_heights(loaded)?;
@@ -495,7 +498,7 @@ mod tests {
     /// The e-drive case with these traces in place of those of its files.
     fn with_files(traces: &[Profile; 2]) -> LoadedCase {
         let folder = std::path::Path::new("../../fixtures/cases");
-        let text = std::fs::read(folder.join("e-drive.toml")).unwrap();
+        let text = asperity_storage::whole_file(&folder.join("e-drive.toml"), 1 << 16).unwrap();
         let source = Source::from_bytes("e-drive.toml", &text).unwrap();
         let names = ["pinion", "wheel"].map(|of| format!("../profiles/ground_{of}.csv"));
         let held = [0, 1].map(|body: usize| (names[body].clone().into(), traces[body].clone()));
@@ -564,6 +567,12 @@ mod tests {
             }
         }
         assert!(worst_of_prepared > 0.05, "{worst_of_prepared}");
+    }
+
+    #[test]
+    fn a_flank_without_a_measured_trace_has_no_gradient() {
+        let error = gradient(&e_drive(&[("surface.wheel", r#"{ rq = "0.3 um" }"#)])).unwrap_err();
+        assert_eq!(error.code(), "E303", "{error}");
     }
 
     #[test]

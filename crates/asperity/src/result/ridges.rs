@@ -33,6 +33,9 @@ pub struct Ridges {
     /// Whether the case states losses of a gearbox, which are left out.
     #[serde(default)]
     pub without_gearbox: bool,
+    /// Number of pairs of teeth of a case with several traces for each flank: all numbers are of its first pair.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first_of_pairs: Option<usize>,
     /// Windows at or next to a kink of the loss; none in older results.
     #[serde(default)]
     pub kinks: Kinks,

@@ -185,6 +185,7 @@ mod tests {
             heat_balance: 1.0,
             unresolved_w: 0.0,
             without_gearbox: false,
+            first_of_pairs: None,
             kinks: Kinks::default(),
             octaves: Vec::new(),
             along: [flank.along(), flank.along()],

@@ -43,12 +43,12 @@ pub struct RidgeStudy {
     pub measured: [Option<FlankWatts>; 2],
 }
 
-/// Computes the costliest ridges of `case`; `progress` is called with the number of completed steps.
+/// Computes the costliest ridges of `case`, of the first pair of traces if several teeth were measured; `progress` is called with the number of completed steps.
 ///
 /// # Errors
 /// As [`gradient`].
 pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, Error> {
-    let mut mesh = case.clone();
+    let mut mesh = one_pair(case);
     mesh.case.gearbox = None;
     let before = gradient(&mesh)?;
     progress(1, STEPS);
@@ -120,6 +120,7 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
         heat_balance: before.heat_balance,
         unresolved_w: before.unresolved_w,
         without_gearbox: case.case.gearbox.is_some(),
+        first_of_pairs: case.surfaces.teeth().map(|_| case.surfaces.pairs()),
         kinks: before.kinks,
         near: near.collect(),
         along: flanks.each_ref().map(FlankWatts::along),
@@ -142,11 +143,19 @@ pub fn add_ridges(
     case: &LoadedCase,
     progress: Progress<'_>,
 ) -> Result<(), Error> {
-    match check_gradient(case) {
+    match check_gradient(&one_pair(case)) {
         Ok(()) => result.ridges = Some(ridges(case, progress)?.found),
         Err(error) => result.no_ridges = Some(error.to_string()),
     }
     Ok(())
+}
+
+/// The case, with several measured teeth the first pair of traces in the first zone of the face.
+fn one_pair(case: &LoadedCase) -> LoadedCase {
+    match case.surfaces.teeth() {
+        Some(_) => case.first_pair(),
+        None => case.clone(),
+    }
 }
 
 fn traces(case: &LoadedCase) -> Result<[Profile; 2], Error> {
