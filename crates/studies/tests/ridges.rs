@@ -1,5 +1,7 @@
 //! The study of ridges against runs and the study of sensitivities.
 
+#![allow(clippy::unwrap_used, reason = "tests may panic")]
+
 use std::path::Path;
 
 use asperity::case::{self, LoadedCase};
