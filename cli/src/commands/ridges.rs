@@ -9,8 +9,8 @@ use crate::args::{Common, RidgesArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
 
-/// Runs whose time a study takes: two with exact contacts, the gradient of each, their draws, and two gradients at the ends of the lay.
-pub(super) const RUNS: usize = 8;
+/// Runs whose time a study takes: three with exact contacts, the gradient of each, draws of two, and two gradients at the ends of the lay.
+pub(super) const RUNS: usize = 10;
 
 /// Counted work of a study.
 pub(super) const GRADIENTS: &str = "gradients";

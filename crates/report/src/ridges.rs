@@ -6,8 +6,9 @@ use asperity::result::ridges::{RidgeRow, Ridges};
 
 /// Explanation of the numbers.
 pub const NOTE: &str = "A ridge is a part of a prepared trace above its mean line. \"first\" is what pressing it to the mean \
-    line saves by the gradient of the loss; \"mean\" uses the mean of the gradients before and after all listed ridges are \
-    pressed. The saving by all of them together is from a second run. These values are with the constants at their \
+    line saves by the gradient of the loss; \"measured\" is the same for the measured trace, whose filtered mean line moves too \
+    (- if the preparation is not linear); \"mean\" uses the mean of the gradients before, half-way and after all listed ridges \
+    are pressed. The saving by all of them together is from a second run. These values are with the constants at their \
     medians; in brackets are the 5 and 95 % quantiles. Sets of the contacts, windows and relief are held in the gradient. \
     Running-in, which presses ridges too, is not included. These are answers of the model, not measurements. \
     docs/howto/what-matters.md describes the method.";
@@ -18,6 +19,11 @@ const LEAST_W: f64 = 0.5;
 /// Watts with the digits that a scatter of a tenth over the windows leaves, and at most one decimal.
 pub fn watts(value: f64) -> String {
     rounded(value, (0.1 * value.abs()).max(LEAST_W))
+}
+
+/// Saving by taking a ridge off the measured trace, according to the gradient before.
+pub fn measured(row: &RidgeRow) -> String {
+    row.measured_first_order_w.map_or("-".to_owned(), watts)
 }
 
 /// The saving of all listed ridges together, by a run.
@@ -64,6 +70,12 @@ pub fn notes(ridges: &Ridges) -> Vec<String> {
     };
     if let Some(content) = content {
         notes.push(format!("The quantiles are over {content}."));
+    }
+    if let Some(pairs) = ridges.first_of_pairs {
+        notes.push(format!(
+            "The case has {pairs} pairs of teeth. All these numbers, also the loss, are of the first trace of each flank only; \
+             other teeth have other ridges."
+        ));
     }
     if ridges.without_gearbox {
         notes.push(

@@ -166,6 +166,80 @@ pub fn mean_line(
     })
 }
 
+/// Gradient of a number over the heights of a trace, from its gradient `of_line` over the mean line at each point.
+///
+/// ```text
+/// ∂J/∂z = Wᵀ ∂J/∂w̄,  w̄ = W z                                                                [Gauss-5]
+/// ```
+///
+/// # Errors
+/// As [`mean_line`] of a trace with as many points.
+///
+/// ```
+/// use asperity_core::quantity::Length;
+/// use asperity_roughness::gaussian_filter::{Ends, mean_line_gradient};
+/// // The mean height of the mean line: every height inside the trace counts equally.
+/// let [dx, cutoff] = [1e-6, 80e-6].map(Length::from_si);
+/// let gradient = mean_line_gradient(&vec![2e-3; 500], dx, cutoff, Ends::Reflect)?;
+/// assert!(gradient.iter().all(|g| (g - 2e-3).abs() < 1e-17));
+/// # Ok::<(), asperity_roughness::RoughnessError>(())
+/// ```
+pub fn mean_line_gradient(
+    of_line: &[f64],
+    spacing: Length,
+    cutoff: Length,
+    ends: Ends,
+) -> Result<Vec<f64>, RoughnessError> {
+    cite!("Gauss-5");
+    let w = weights(cutoff, spacing)?;
+    let (n, m) = (of_line.len(), w.len() - 1);
+    if n <= m {
+        return Err(RoughnessError::TooShort {
+            length: spacing * n.saturating_sub(1) as f64,
+            needed: cutoff,
+            purpose: "the Gaussian filter",
+        });
+    }
+    let moments = Moments::new(&w, n);
+    Ok(match ends {
+        Ends::Cut | Ends::Reg0 => {
+            let over = of_line.iter().enumerate();
+            let over: Vec<f64> = over.map(|(i, g)| g / moments.sum_at(i)).collect();
+            convolve(&over, &w)
+        }
+        Ends::Reg1 => {
+            // w̄ᵢ = a T₀ − b T₁ with T₁ = Σ w (x_j − xᵢ) z_j; inside the trace b is zero.
+            let x = |i: usize| i as f64 - 0.5 * n as f64;
+            let over = of_line.iter().enumerate().map(|(i, g)| {
+                let [s0, s1, s2] = moments.at(i);
+                let determinant = s0 * s2 - s1 * s1;
+                match determinant > 0.0 {
+                    true => (g * s2 / determinant, g * s1 / determinant),
+                    false => (g / s0, 0.0),
+                }
+            });
+            let (a, b): (Vec<f64>, Vec<f64>) = over.unzip();
+            let own: Vec<f64> = (a.iter().zip(&b).enumerate())
+                .map(|(i, (a, b))| a + x(i) * b)
+                .collect();
+            let levered = convolve(&b, &w).into_iter().enumerate();
+            let both = convolve(&own, &w).into_iter().zip(levered);
+            both.map(|(own, (i, b))| own - x(i) * b).collect()
+        }
+        Ends::Reflect => {
+            let mut extended = vec![0.0; n + 2 * m];
+            extended[m..m + n].copy_from_slice(of_line);
+            let sums = convolve(&extended, &w);
+            let mut gradient = sums[m..m + n].to_vec();
+            for k in 0..m {
+                gradient[m - 1 - k] += sums[k];
+                gradient[n - 1 - k] += sums[m + n + k];
+            }
+            gradient
+        }
+    })
+}
+
 /// Σ w_k zᵢ₊ₖ over the points that exist.
 fn convolve(z: &[f64], w: &[f64]) -> Vec<f64> {
     // A λ_s filter has few weights; up to this number a direct sum is faster than transforms.

@@ -3,15 +3,15 @@
 //! Form first, then the short-wave filter λ_s, then the roughness profile R = P − mean line(λ_c) (ISO 21920-2, ISO
 //! 16610-21). With [`Ends::Cut`] half a λ_c is dropped at both ends, but nothing for λ_s.
 
-use asperity_core::Profile;
 use asperity_core::cite;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, Profile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
 use crate::form::{self, Form};
-use crate::gaussian_filter::{Ends, alpha, mean_line};
+use crate::gaussian_filter::{Ends, alpha, mean_line, mean_line_gradient};
 use crate::robust_filter::{RobustEvidence, robust_mean_line};
 use crate::warning::{POINTS_PER_LAMBDA_S, Warning};
 
@@ -222,6 +222,54 @@ pub fn profiles(
         primary,
         roughness,
     })
+}
+
+impl PreparationRecord {
+    /// Gradient of a number over the heights before the preparation, from its gradient over the prepared heights, with the
+    /// points that were dropped held; `None` if the preparation is not linear: a circle was fitted, or the filter is robust.
+    ///
+    /// ```text
+    /// ∂J/∂z = (I − F)ᵀ Sᵀ (I − W)ᵀ ∂J/∂R                                         [Prep-3]
+    /// ```
+    ///
+    /// F is the projection on the form, S and W are the filters of λ_s and λ_c.
+    ///
+    /// # Errors
+    /// When the number of heights differs from the number of prepared points.
+    pub fn gradient(&self, over_prepared: &[f64]) -> Result<Option<Vec<f64>>, RoughnessError> {
+        cite!("Prep-3");
+        let Self {
+            recipe, spacing, ..
+        } = self;
+        let is_linear = recipe.form != Form::Circle && self.filter == RoughnessFilter::Gaussian;
+        if !is_linear {
+            return Ok(None);
+        }
+        DomainError::require(
+            over_prepared.len() == self.points_after,
+            "number of heights",
+            over_prepared.len() as f64,
+            "-",
+            "must be the number of prepared points",
+        )?;
+        let mut gradient = vec![0.0; self.points_before];
+        let kept = gradient.iter_mut().skip(self.dropped_each_end);
+        for (of_height, over_prepared) in kept.zip(over_prepared) {
+            *of_height = *over_prepared;
+        }
+        if let Some(lambda_c) = recipe.lambda_c {
+            let line = mean_line_gradient(&gradient, *spacing, lambda_c, recipe.ends)?;
+            for (sum, of_line) in gradient.iter_mut().zip(line) {
+                *sum -= of_line;
+            }
+        }
+        if let Some(lambda_s) = recipe.lambda_s {
+            gradient = mean_line_gradient(&gradient, *spacing, lambda_s, recipe.ends)?;
+        }
+        // I − F is an orthogonal projection, which equals its transpose.
+        let rest = form::remove(&Profile::new(*spacing, gradient)?, recipe.form)?;
+        Ok(Some(rest.heights().to_vec()))
+    }
 }
 
 /// P = S(z − form; λ_s), with a warning if the spacing is too coarse for λ_s.

@@ -7,8 +7,11 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use crate::common::{close, profile};
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
+use asperity_roughness::composite::{spaced, spaced_gradient};
 use asperity_roughness::form::Form;
-use asperity_roughness::gaussian_filter::{Ends, alpha, mean_line, transmission, weights};
+use asperity_roughness::gaussian_filter::{
+    Ends, alpha, mean_line, mean_line_gradient, transmission, weights,
+};
 use asperity_roughness::generate::{Pits, SelfAffine};
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::material_ratio::rk_parameters;
@@ -112,6 +115,76 @@ fn the_fast_filter_equals_direct_sums_with_every_treatment_of_the_ends() {
             }
         }
     }
+}
+
+/// Σ a b, with the sum of the sizes of its terms.
+fn product(a: &[f64], b: &[f64]) -> [f64; 2] {
+    let terms = || a.iter().zip(b).map(|(a, b)| a * b);
+    [terms().sum(), terms().map(f64::abs).sum()]
+}
+
+#[test]
+fn gradients_over_raw_heights_are_transposes_of_filter_preparation_and_resampling() {
+    let transposed = |[forward, backward]: [(&[f64], &[f64]); 2], what: &dyn std::fmt::Debug| {
+        let [a, b] = [forward, backward].map(|(a, b)| product(a, b));
+        let scale = a[1].max(b[1]);
+        assert!((a[0] - b[0]).abs() < 1e-12 * scale, "{what:?}: {a:?} {b:?}");
+    };
+    let dx = Length::from_si(1e-6);
+    let (few, many) = (rough(110), rough(30_000));
+    for ends in [Ends::Cut, Ends::Reg0, Ends::Reg1, Ends::Reflect] {
+        for (z, reach) in [(&few, 50.0), (&few, 70.0), (&few, 5.0), (&many, 700.0)] {
+            let cutoff = Length::from_si(reach * 1e-6);
+            let other: Vec<f64> = z.iter().map(|z| (9.0 * z).sin()).collect();
+            let line = mean_line(&Profile::new(dx, z.clone()).unwrap(), cutoff, ends).unwrap();
+            let back = mean_line_gradient(&other, dx, cutoff, ends).unwrap();
+            transposed([(&line, &other), (z, &back)], &(ends, z.len(), reach));
+            assert!(mean_line_gradient(&other[..reach as usize], dx, cutoff, ends).is_err());
+        }
+        for form in [
+            Form::None,
+            Form::Mean,
+            Form::Level,
+            Form::Poly2,
+            Form::Circle,
+        ] {
+            for [lambda_s, lambda_c] in [
+                [Some(2.5e-6), Some(80e-6)],
+                [None, Some(8e-5)],
+                [None, None],
+            ] {
+                let recipe = Preparation {
+                    form,
+                    ends,
+                    lambda_s: lambda_s.map(Length::from_si),
+                    lambda_c: lambda_c.map(Length::from_si),
+                };
+                let z: Vec<f64> = rough(500).iter().map(|z| 1e-6 * z).collect();
+                let raw = Profile::new(dx, z).unwrap();
+                let prepared = prepare(&raw, &recipe).unwrap();
+                let over: Vec<f64> = prepared.profile.heights().iter().rev().copied().collect();
+                let back = prepared.record.gradient(&over).unwrap();
+                assert_eq!(back.is_none(), form == Form::Circle);
+                let Some(back) = back else { continue };
+                let forward = (prepared.profile.heights(), &over[..]);
+                transposed([forward, (raw.heights(), &back)], &recipe);
+                assert!(prepared.record.gradient(&over[1..]).is_err());
+            }
+        }
+    }
+    let raw = Profile::new(dx, few).unwrap();
+    for to in [0.37e-6, 1e-6, 2.3e-6] {
+        let to = Length::from_si(to);
+        let other = spaced(&raw, to).unwrap();
+        let over: Vec<f64> = other.heights().iter().rev().copied().collect();
+        let back = spaced_gradient(&over, (raw.len(), dx), to);
+        transposed([(other.heights(), &over), (raw.heights(), &back)], &to);
+    }
+    let recipe = Preparation::default();
+    let raw = profile(0.5e-6, 4000, |x| 1e-7 * (x / 20e-6).sin());
+    let robust = prepare_with(&raw, &recipe, RoughnessFilter::RobustGaussian).unwrap();
+    let heights = robust.profile.heights();
+    assert_eq!(robust.record.gradient(heights).unwrap(), None);
 }
 
 #[test]

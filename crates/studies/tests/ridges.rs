@@ -1,12 +1,16 @@
 //! The study of ridges against runs and the study of sensitivities.
 
+#![allow(clippy::unwrap_used, reason = "tests may panic")]
+
 use std::path::Path;
 
-use asperity::case;
-use asperity::pipeline::{LossGradient, gradient, gradient_with};
+use asperity::case::{self, LoadedCase};
+use asperity::pipeline::{LossGradient, gradient, gradient_with, mean_gradient};
 use asperity::result::ridges::{RidgeRow, height_of_mean_line};
 use asperity::uncertainty::{UncertainParameter, sampling_interval};
 use asperity_core::Profile;
+use asperity_report::ridges::notes;
+use asperity_roughness::preparation::prepare;
 use asperity_studies::ridges::ridges;
 use asperity_studies::sensitivity::sensitivity;
 
@@ -32,8 +36,9 @@ fn the_octaves_add_up_to_the_change_that_the_sensitivity_finds() {
     );
 }
 
-/// Heights of the traces of a case with these ridges at the mean line.
-fn pressed(traces: [&Profile; 2], rows: &[RidgeRow]) -> [Vec<f64>; 2] {
+/// The case with traces from which `part` of the height of these ridges above the mean line is taken off.
+fn pressed(case: &LoadedCase, rows: &[RidgeRow], part: f64) -> LoadedCase {
+    let traces = case.surfaces.traces().unwrap();
     let of = |body: usize| {
         let mut z = traces[body].heights().to_vec();
         let line = height_of_mean_line(traces[body]);
@@ -41,11 +46,74 @@ fn pressed(traces: [&Profile; 2], rows: &[RidgeRow]) -> [Vec<f64>; 2] {
             .iter()
             .filter(|row| row.flank == ["pinion", "wheel"][body])
         {
-            z[row.first_point..=row.last_point].fill(line);
+            for z in &mut z[row.first_point..=row.last_point] {
+                *z = line + (1.0 - part) * (*z - line);
+            }
         }
-        z
+        Profile::new(traces[body].spacing(), z).unwrap()
     };
-    [of(0), of(1)]
+    let mut changed = case.clone();
+    changed.surfaces = changed.surfaces.with_traces([of(0), of(1)]);
+    changed
+}
+
+/// Change of the loss of a case from one to another set of heights by a gradient over the heights of both traces.
+fn change(gradient: &[Vec<f64>; 2], [from, to]: [&LoadedCase; 2]) -> f64 {
+    let heights = |case: &LoadedCase| -> Vec<f64> {
+        let traces = case.surfaces.traces().unwrap().into_iter();
+        traces.flat_map(|trace| trace.heights().to_vec()).collect()
+    };
+    let moved = heights(from).into_iter().zip(heights(to));
+    let products = gradient.iter().flatten().zip(moved);
+    products.map(|(g, (from, to))| g * (to - from)).sum()
+}
+
+/// Presses ridges of the e-drive case one at a time; with `ASPERITY_RIDGES=10`, those of the record in
+/// docs/records/load-share.md.
+#[test]
+fn a_ridge_pressed_to_half_its_height_saves_what_the_mean_gradient_predicts() {
+    const FEW: usize = 3;
+    let wanted = std::env::var("ASPERITY_RIDGES").ok();
+    let wanted = wanted.and_then(|text| text.parse::<usize>().ok());
+    let few = |input: &mut case::CaseInput| {
+        if wanted.is_none() {
+            (input.model.positions, input.model.offsets) = (Some(8), Some(8));
+        }
+    };
+    let case = case::load_with(Path::new("../../fixtures/cases/e-drive.toml"), &few).unwrap();
+    let rows = ridges(&case, &|_, _| {}).unwrap().found.rows;
+    let before = gradient(&case).unwrap();
+    for row in rows.chunks(1).take(wanted.unwrap_or(FEW)) {
+        let cases = [0.25, 0.5].map(|part| pressed(&before.case, row, part));
+        let [half, after] = cases.each_ref().map(|case| gradient(case).unwrap());
+        let saved = before.losses.summary.loss_w - after.losses.summary.loss_w;
+        let of = |gradient: &[Vec<f64>; 2]| -change(gradient, [&before.case, &cases[1]]);
+        let mean = mean_gradient([&before, &half, &after]);
+        let predicted = mean.iter().map(of).sum::<f64>() / mean.len() as f64;
+        let of_ends = 0.5 * (of(&before.by_height) + of(&after.by_height));
+        println!(
+            "{} at {:.4} mm: {saved:.2} W by a run, {predicted:.2} W; {of_ends:.2} W by both ends",
+            row[0].flank, row[0].place_mm
+        );
+        let error = predicted / saved - 1.0;
+        assert!(error.abs() < 0.2, "{row:?}: {predicted} W, {saved} W");
+        // The preparation is linear: heights taken off the measured trace are prepared like a trace.
+        let body = usize::from(row[0].flank == "wheel");
+        let record = before.case.flanks[body].preparation.clone().unwrap();
+        let [from, to] = [&before.case, &cases[1]].map(|case| case.surfaces.traces().unwrap());
+        let [from, to] = [from[body].heights(), to[body].heights()];
+        let mut fall = vec![0.0; record.points_before];
+        for (i, (from, to)) in from.iter().zip(to).enumerate() {
+            fall[record.dropped_each_end + i] = 2.0 * (from - to);
+        }
+        let fall = Profile::new(record.spacing, fall).unwrap();
+        let fall = prepare(&fall, &record.recipe).unwrap().profile;
+        let products = fall.heights().iter().zip(&before.by_height[body]);
+        let expected: f64 = products.map(|(fall, g)| fall * g).sum();
+        let measured = row[0].measured_first_order_w.unwrap();
+        assert!((measured / expected - 1.0).abs() < 1e-9);
+        assert!((measured / row[0].first_order_w - 1.0).abs() > 1e-3);
+    }
 }
 
 #[test]
@@ -57,13 +125,10 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
     };
     let case = case::load_with(file, &few).unwrap();
     let study = ridges(&case, &|_, _| {}).unwrap();
-    let (found, traces) = (&study.found, study.flanks.each_ref().map(|f| &f.trace));
-    let lower = pressed(traces, &found.rows);
-    let mut changed = case.clone();
-    let profile = |body: usize| Profile::new(traces[body].spacing(), lower[body].clone()).unwrap();
-    changed.surfaces = changed.surfaces.with_traces([0, 1].map(profile));
-    let exact = [&case, &changed].map(|case| gradient(case).unwrap());
-    let pressed_w = exact[1].losses.summary.loss_w;
+    let found = &study.found;
+    let changed = [0.5, 1.0].map(|part| pressed(&case, &found.rows, part));
+    let exact = [&case, &changed[0], &changed[1]].map(|case| gradient(case).unwrap());
+    let pressed_w = exact[2].losses.summary.loss_w;
     assert!((pressed_w / found.pressed_loss_w - 1.0).abs() < 1e-9);
     let wider = |[low, high]: [f64; 2], of_sampling: [f64; 2]| {
         low < high && high - low > 1.1 * (of_sampling[1] - of_sampling[0])
@@ -71,18 +136,11 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
     let of_saving = found.saving_quantiles_w.unwrap();
     assert!(wider(of_saving, found.sampling_quantiles_w.unwrap()));
     // Watts of a ridge at each offset, by the mean of the gradients.
-    let by_window = |row: &RidgeRow, gradients: &[LossGradient; 2]| -> Vec<f64> {
-        let body = usize::from(row.flank == "wheel");
-        let fall = |i: usize| traces[body].heights()[i] - lower[body][i];
-        let of = |gradient: &[Vec<f64>; 2]| -> f64 {
-            let points = row.first_point..=row.last_point;
-            points.map(|i| gradient[body][i] * fall(i)).sum()
-        };
-        let [before, after] = gradients.each_ref().map(|one| one.by_offset.iter());
-        before
-            .zip(after)
-            .map(|(a, b)| 0.5 * (of(a) + of(b)))
-            .collect()
+    let by_window = |row: &RidgeRow, gradients: &[LossGradient; 3]| -> Vec<f64> {
+        let one = pressed(&case, std::slice::from_ref(row), 1.0);
+        let of_offset = |gradient| -change(gradient, [&case, &one]);
+        let mean = mean_gradient(gradients.each_ref());
+        mean.iter().map(of_offset).collect()
     };
     let of_rows = found.rows.iter().map(|row| {
         let sampled = by_window(row, &exact);
@@ -100,7 +158,7 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
                 kind.set(&mut case, end).unwrap();
                 gradient_with(&found.contacts, &case).unwrap()
             });
-            let [a, b] = moved.each_ref().map(|one| one.losses.summary.loss_w);
+            let [a, _, b] = moved.each_ref().map(|one| one.losses.summary.loss_w);
             let [low, high] = of_saving;
             assert!((low..high).contains(&(a - b)), "{kind:?} {end}: {a} {b}");
             let [low, high] = found.sampling_quantiles_w.unwrap();
@@ -115,4 +173,28 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
         }
     }
     assert!(beyond_sampling > 0, "the interval needs the constants");
+}
+
+#[test]
+fn ridges_of_several_teeth_are_the_ridges_of_the_first_pair() {
+    let file = Path::new("../../fixtures/cases/e-drive.toml");
+    let of = |pinion: &str| {
+        let few = |input: &mut case::CaseInput| {
+            (input.model.positions, input.model.offsets) = (Some(3), Some(2));
+            input.set("surface.pinion", pinion).unwrap();
+        };
+        ridges(&case::load_with(file, &few).unwrap(), &|_, _| {})
+            .unwrap()
+            .found
+    };
+    let first = of(r#"{ file = "../profiles/ground_pinion.csv" }"#);
+    let traces =
+        r#"{ traces = ["../profiles/ground_pinion.csv", "../profiles/ground_wheel.csv"] }"#;
+    let several = of(traces);
+    assert_eq!(
+        (first.first_of_pairs, several.first_of_pairs),
+        (None, Some(2))
+    );
+    assert!(notes(&several).iter().any(|note| note.contains("2 pairs")));
+    assert_eq!((several.loss_w, several.rows), (first.loss_w, first.rows));
 }

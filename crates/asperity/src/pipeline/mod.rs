@@ -20,7 +20,7 @@ mod stages;
 mod survey;
 
 pub use gradient::{
-    LossGradient, check_heights, gradient, gradient_with, refuse as check_gradient,
+    LossGradient, check_heights, gradient, gradient_with, mean_gradient, refuse as check_gradient,
 };
 pub use kept_fields::KeptFields;
 pub use offsets::chooses_offsets;

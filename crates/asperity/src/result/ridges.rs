@@ -33,6 +33,9 @@ pub struct Ridges {
     /// Whether the case states losses of a gearbox, which are left out.
     #[serde(default)]
     pub without_gearbox: bool,
+    /// Number of pairs of teeth of a case with several traces for each flank: all numbers are of its first pair.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first_of_pairs: Option<usize>,
     /// Windows at or next to a kink of the loss; none in older results.
     #[serde(default)]
     pub kinks: Kinks,
@@ -59,8 +62,12 @@ pub struct RidgeRow {
     pub height_um: f64,
     /// Saving by pressing it to the mean line, according to the gradient before \[W\].
     pub first_order_w: f64,
-    /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before and
-    /// after \[W\].
+    /// Saving by taking the same heights off the measured trace, whose filters then move the mean line too, according to the
+    /// gradient before; `None` if the preparation is not linear, and in older results \[W\].
+    #[serde(default)]
+    pub measured_first_order_w: Option<f64>,
+    /// Saving by pressing it together with all other listed ridges, according to the mean of the gradients before, half-way
+    /// and after ([`mean_gradient`](crate::pipeline::mean_gradient)) \[W\].
     pub mean_gradient_w: f64,
     /// 5 % quantile of it by the uncertainty of the constants and of the model and by the sampling of the flanks \[W\].
     pub low_w: Option<f64>,

@@ -43,7 +43,7 @@ def ridges(case: CaseLike, *, threads: Optional[int] = None, progress: Optional[
     """The ridges of both flanks that cost most, and the loss of a run with all of them pressed to the mean line.
 
     Args:
-        case: the case; one trace a flank.
+        case: the case; of several traces of a flank, the first.
         threads, progress: as in `Case.run`.
     """
     with Told(progress, "gradients") as told:

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 
 use super::page::figure;
 use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
-use crate::ridges::{NOTE, notes, saving, saving_of, watts};
+use crate::ridges::{NOTE, measured, notes, saving, saving_of, watts};
 use crate::tables::BODIES;
 
 /// Explanation of the colours.
@@ -36,11 +36,11 @@ pub(super) fn section(result: &RunResult) -> Markup {
 pub fn table(rows: &[RidgeRow]) -> Markup {
     html! { div.scroll { table {
         thead { tr { th.number { "ridge" } th { "flank" } th.number { "place [mm]" } th.number { "width [µm]" } th.number { "height [µm]" }
-            th.number { "first [W]" } th.number { "mean [W]" } } }
+            th.number { "first [W]" } th.number { "measured [W]" } th.number { "mean [W]" } } }
         tbody { @for (k, row) in rows.iter().enumerate() { tr {
             td.number { (k + 1) } td { (row.flank) } td.number { (format!("{:.4}", row.place_mm)) }
             td.number { (format!("{:.1}", row.width_um)) } td.number { (format!("{:.3}", row.height_um)) }
-            td.number { (watts(row.first_order_w)) } td.number { (saving_of(row)) }
+            td.number { (watts(row.first_order_w)) } td.number { (measured(row)) } td.number { (saving_of(row)) }
         } } }
     } } }
 }
@@ -168,6 +168,7 @@ mod tests {
             width_um: 50.0,
             height_um: 0.975,
             first_order_w: 195.0,
+            measured_first_order_w: Some(180.0),
             mean_gradient_w: 100.0,
             low_w: Some(50.0),
             high_w: Some(150.0),
@@ -184,6 +185,7 @@ mod tests {
             heat_balance: 1.0,
             unresolved_w: 0.0,
             without_gearbox: false,
+            first_of_pairs: None,
             kinks: Kinks::default(),
             octaves: Vec::new(),
             along: [flank.along(), flank.along()],

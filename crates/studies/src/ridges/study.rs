@@ -4,7 +4,7 @@ use asperity::case::LoadedCase;
 use asperity::core::cancel::checkpoint;
 use asperity::flanks::Texture;
 use asperity::pipeline::{
-    LossGradient, Progress, check_gradient, gradient, gradient_with, settled,
+    LossGradient, Progress, check_gradient, gradient, gradient_with, mean_gradient, settled,
 };
 use asperity::result::RunResult;
 use asperity::result::ridges::{FlankWatts, OctaveRow, RidgeRow, Ridges, height_of_mean_line};
@@ -13,6 +13,7 @@ use asperity::{Error, PositionError};
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_report::tables::BODIES;
+use asperity_roughness::composite::spaced;
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 use serde::Serialize;
 
@@ -24,8 +25,8 @@ const NEAR: usize = 3;
 const SHORTEST: f64 = 2.5e-6;
 /// Least part of the watts of a ridge in the offsets of the lay at which they show how it depends on the lay.
 const COVERED: f64 = 0.25;
-/// Steps of a study: the gradients before and after pressing, the draws, and the gradients at both ends of the lay.
-const STEPS: usize = 4;
+/// Steps of a study: the gradients before, half-way and after pressing, the draws, and the gradients at both ends of the lay.
+const STEPS: usize = 5;
 
 /// The costliest ridges, with the whole traces.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -37,9 +38,12 @@ pub struct RidgeStudy {
     /// Both traces with the gradient.
     #[serde(skip)]
     pub flanks: [FlankWatts; 2],
+    /// Both traces as they were read, with the gradient; `None` of a trace whose preparation is not linear.
+    #[serde(skip)]
+    pub measured: [Option<FlankWatts>; 2],
 }
 
-/// Computes the costliest ridges of `case`; `progress` is called with the number of completed steps.
+/// Computes the costliest ridges of `case`, of the first pair of traces if several teeth were measured; `progress` is called with the number of completed steps.
 ///
 /// # Errors
 /// As [`gradient`].
@@ -49,26 +53,31 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
 
 /// The study, with intervals if `band` is set.
 fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeStudy, Error> {
-    check(case).map_err(Box::new)?;
-    let mut mesh = case.clone();
+    let mut mesh = one_pair(case);
+    check(&mesh).map_err(Box::new)?;
     mesh.case.gearbox = None;
     let before = gradient(&mesh)?;
     progress(1, STEPS);
     checkpoint()?;
     let traces = traces(&mesh)?;
     let mut rows = costliest(&traces, &before);
-    let pressed = pressed(&traces, &rows);
-    let mut changed = before.case.clone();
-    changed.surfaces = changed.surfaces.with_traces(pressed.clone());
-    let after = gradient(&changed)?;
+    let pressed = |part: f64| {
+        let mut case = before.case.clone();
+        case.surfaces = case.surfaces.with_traces(pressed(&traces, &rows, part));
+        gradient(&case)
+    };
+    let half = pressed(0.5)?;
     progress(2, STEPS);
+    checkpoint()?;
+    let after = pressed(1.0)?;
+    progress(3, STEPS);
     checkpoint()?;
     let cases = [&before, &after].map(|found| (&found.case, &found.contacts));
     let draws = match band {
         true => ChangeDraws::of(cases)?,
         false => None,
     };
-    progress(3, STEPS);
+    progress(4, STEPS);
     checkpoint()?;
     let by_lay = match draws.as_ref().and_then(ChangeDraws::ends_of_lay) {
         Some(ends) => by_lay(&before, ends, (&traces, &rows))?,
@@ -84,17 +93,11 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
         Some(draws) => Some(draws.quantiles(base, by_window, by_lay)),
         None => sampled(by_window),
     };
+    let mean_gradient = mean_gradient([&before, &half, &after]);
     for (row, by_lay) in rows.iter_mut().zip(by_lay) {
-        let body = body_of(row);
-        let fall = |i: usize| traces[body].heights()[i] - pressed[body].heights()[i];
-        let saving = |gradients: [&[Vec<f64>; 2]; 2]| {
-            let mean = |i: usize| 0.5 * (gradients[0][body][i] + gradients[1][body][i]);
-            let points = row.first_point..=row.last_point;
-            points.map(|i| mean(i) * fall(i)).sum::<f64>()
-        };
-        let offsets = before.by_offset.iter().zip(&after.by_offset);
-        let by_window: Vec<f64> = offsets.map(|(a, b)| saving([a, b])).collect();
-        row.mean_gradient_w = saving([&before.by_height, &after.by_height]);
+        let of_offset = |by_height| saving(row, &traces, by_height);
+        let by_window: Vec<f64> = mean_gradient.iter().map(of_offset).collect();
+        row.mean_gradient_w = by_window.iter().sum::<f64>() / by_window.len() as f64;
         let found = quantiles(&by_window, by_lay);
         [row.low_w, row.high_w] = [0, 1].map(|k: usize| found.map(|both| both[k]));
     }
@@ -106,6 +109,13 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
         trace: traces[body].clone(),
         by_height: before.by_height[body].clone(),
     });
+    let measured = measured(&before)?;
+    for row in &mut rows {
+        row.measured_first_order_w = match &measured[body_of(row)] {
+            Some(flank) => measured_saving(row, &traces, (flank, &before))?,
+            None => None,
+        };
+    }
     let near = rows.iter().take(NEAR);
     let near = near.map(|row| flanks[body_of(row)].near(row));
     let found = Ridges {
@@ -123,13 +133,18 @@ fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeS
         heat_balance: before.heat_balance,
         unresolved_w: before.unresolved_w,
         without_gearbox: case.case.gearbox.is_some(),
+        first_of_pairs: case.surfaces.teeth().map(|_| case.surfaces.pairs()),
         kinks: before.kinks,
         near: near.collect(),
         along: flanks.each_ref().map(FlankWatts::along),
         rows,
         octaves,
     };
-    Ok(RidgeStudy { found, flanks })
+    Ok(RidgeStudy {
+        found,
+        flanks,
+        measured,
+    })
 }
 
 /// Adds the costliest ridges of `case` to its `result`, or why there are none; without intervals if the result has no
@@ -142,7 +157,7 @@ pub fn add_ridges(
     case: &LoadedCase,
     progress: Progress<'_>,
 ) -> Result<(), Error> {
-    match check(case) {
+    match check(&one_pair(case)) {
         Ok(()) => {
             let band = result.uncertainty.is_some();
             result.ridges = Some(study(case, band, progress)?.found);
@@ -160,6 +175,14 @@ fn check(case: &LoadedCase) -> Result<(), PositionError> {
     }
 }
 
+/// The case, with several measured teeth the first pair of traces in the first zone of the face.
+fn one_pair(case: &LoadedCase) -> LoadedCase {
+    match case.surfaces.teeth() {
+        Some(_) => case.first_pair(),
+        None => case.clone(),
+    }
+}
+
 fn traces(case: &LoadedCase) -> Result<[Profile; 2], Error> {
     match case.surfaces.textures() {
         [Texture::Trace(pinion), Texture::Trace(wheel)] => Ok([pinion.clone(), wheel.clone()]),
@@ -172,11 +195,50 @@ fn body_of(row: &RidgeRow) -> usize {
 }
 
 /// Saving by pressing a ridge to the mean line according to a gradient \[W\].
-fn first_order(row: &RidgeRow, traces: &[Profile; 2], by_height: &[Vec<f64>; 2]) -> f64 {
+fn saving(row: &RidgeRow, traces: &[Profile; 2], by_height: &[Vec<f64>; 2]) -> f64 {
     let body = body_of(row);
     let (z, line) = (traces[body].heights(), height_of_mean_line(&traces[body]));
     let points = row.first_point..=row.last_point;
     points.map(|i| by_height[body][i] * (z[i] - line)).sum()
+}
+
+/// Both traces as they were read, with the gradient of the loss.
+fn measured(gradient: &LossGradient) -> Result<[Option<FlankWatts>; 2], Error> {
+    let [pinion, wheel] = gradient.by_measured_height()?;
+    let of = |body: usize, by_height: Option<Vec<f64>>| {
+        let trace = gradient.case.flanks[body].trace.clone();
+        let both = trace.zip(by_height);
+        both.map(|(trace, by_height)| FlankWatts { trace, by_height })
+    };
+    Ok([of(0, pinion), of(1, wheel)])
+}
+
+/// Saving by taking the heights of a ridge above the mean line off the measured trace \[W\]; `None` if the trace was not prepared.
+fn measured_saving(
+    row: &RidgeRow,
+    traces: &[Profile; 2],
+    (measured, gradient): (&FlankWatts, &LossGradient),
+) -> Result<Option<f64>, Error> {
+    let body = body_of(row);
+    let flank = &gradient.case.flanks[body];
+    let Some(record) = &flank.preparation else {
+        return Ok(None);
+    };
+    let (z, line) = (traces[body].heights(), height_of_mean_line(&traces[body]));
+    let mut fall = vec![0.0; z.len()];
+    for i in row.first_point..=row.last_point {
+        fall[i] = z[i] - line;
+    }
+    let fall = Profile::new(traces[body].spacing(), fall)
+        .and_then(|fall| spaced(&fall, record.spacing))
+        .map_err(|error| Box::new(PositionError::from(error)))?;
+    let mut by_height = measured.by_height.clone();
+    if flank.mirrored {
+        by_height.reverse();
+    }
+    let kept = by_height.iter().skip(record.dropped_each_end);
+    let products = kept.zip(fall.heights()).map(|(g, fall)| g * fall);
+    Ok(Some(products.sum()))
 }
 
 /// First-order watts of each ridge at both `ends` of the lay over those `before`, over the same ratio of all ridges together.
@@ -189,7 +251,7 @@ fn by_lay(
     let case = settled(&case, Some(&contacts))?;
     let watts = |by_offset: &[[Vec<f64>; 2]]| -> Vec<f64> {
         let of = |row: &RidgeRow| -> f64 {
-            let each = by_offset.iter().map(|one| first_order(row, traces, one));
+            let each = by_offset.iter().map(|one| saving(row, traces, one));
             each.sum()
         };
         rows.iter().map(of).collect()
@@ -236,6 +298,7 @@ fn costliest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
                 width_um: 1e6 * dx * cells.len() as f64,
                 height_um: 1e6 * (z[highest] - line),
                 first_order_w: (first..=last).map(|i| by_height[i] * (z[i] - line)).sum(),
+                measured_first_order_w: None,
                 mean_gradient_w: 0.0,
                 low_w: None,
                 high_w: None,
@@ -250,13 +313,15 @@ fn costliest(traces: &[Profile; 2], gradient: &LossGradient) -> Vec<RidgeRow> {
     rows
 }
 
-/// The traces with these ridges at the mean line.
-fn pressed(traces: &[Profile; 2], rows: &[RidgeRow]) -> [Profile; 2] {
+/// The traces with `part` of the height of these ridges above the mean line taken off.
+fn pressed(traces: &[Profile; 2], rows: &[RidgeRow], part: f64) -> [Profile; 2] {
     let mut heights = traces.each_ref().map(|trace| trace.heights().to_vec());
     for (body, z) in heights.iter_mut().enumerate() {
         let line = height_of_mean_line(&traces[body]);
         for row in rows.iter().filter(|row| row.flank == BODIES[body]) {
-            z[row.first_point..=row.last_point].fill(line);
+            for z in &mut z[row.first_point..=row.last_point] {
+                *z = line + (1.0 - part) * (*z - line);
+            }
         }
     }
     [0, 1].map(|body: usize| {

@@ -2,7 +2,7 @@
 
 use asperity::result::loss_band::rounded;
 use asperity::result::ridges::{Kinks, OctaveRow, Ridges};
-use asperity_report::ridges::{NOTE, notes, saving, saving_of, watts};
+use asperity_report::ridges::{NOTE, measured, notes, saving, saving_of, watts};
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
@@ -11,17 +11,18 @@ pub(super) fn summary(study: &Ridges) -> String {
     let mut text = format!("{}\n{}\n", one_line(&study.title), headline(study));
     text.push_str(&format!("{}\n", saving(study)));
     text.push_str(&format!(
-        "{:6} {:>9} {:>9} {:>10} {:>8} {:>14}\n",
-        "flank", "place mm", "width um", "height um", "first W", "mean W"
+        "{:6} {:>9} {:>9} {:>10} {:>8} {:>11} {:>14}\n",
+        "flank", "place mm", "width um", "height um", "first W", "measured W", "mean W"
     ));
     for row in &study.rows {
         text.push_str(&format!(
-            "{:6} {:>9.4} {:>9.1} {:>10.3} {:>8} {:>14}\n",
+            "{:6} {:>9.4} {:>9.1} {:>10.3} {:>8} {:>11} {:>14}\n",
             row.flank,
             row.place_mm,
             row.width_um,
             row.height_um,
             watts(row.first_order_w),
+            measured(row),
             saving_of(row),
         ));
     }

@@ -30,11 +30,37 @@ impl StudyResult for RidgeStudy {
         for (name, flank) in BODIES.iter().zip(&self.flanks) {
             write_table(&folder.join(format!("{name}.csv")), points(flank))?;
         }
+        for (name, flank) in BODIES.iter().zip(&self.measured) {
+            if let Some(flank) = flank {
+                let file = folder.join(format!("{name}_measured.csv"));
+                write_table(&file, measured_points(flank))?;
+            }
+        }
         Ok(())
     }
 }
 
-/// A point of a trace.
+/// A point of a measured trace.
+#[derive(Serialize)]
+struct MeasuredRow {
+    x_mm: f64,
+    height_um: f64,
+    /// d(loss)/d(height) per length of the trace.
+    loss_w_per_um_mm: f64,
+}
+
+fn measured_points(flank: &FlankWatts) -> impl Iterator<Item = MeasuredRow> {
+    let dx = flank.trace.spacing().si();
+    let both = flank.trace.heights().iter().zip(&flank.by_height);
+    both.enumerate()
+        .map(move |(i, (z, by_height))| MeasuredRow {
+            x_mm: 1e3 * dx * i as f64,
+            height_um: 1e6 * z,
+            loss_w_per_um_mm: 1e-9 * by_height / dx,
+        })
+}
+
+/// A point of a prepared trace.
 #[derive(Serialize)]
 struct PointRow {
     x_mm: f64,
