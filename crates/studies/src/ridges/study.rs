@@ -54,7 +54,6 @@ pub fn ridges(case: &LoadedCase, progress: Progress<'_>) -> Result<RidgeStudy, E
 /// The study, with intervals if `band` is set.
 fn study(case: &LoadedCase, band: bool, progress: Progress<'_>) -> Result<RidgeStudy, Error> {
     let mut mesh = one_pair(case);
-    check(&mesh).map_err(Box::new)?;
     mesh.case.gearbox = None;
     let before = gradient(&mesh)?;
     progress(1, STEPS);
@@ -157,7 +156,7 @@ pub fn add_ridges(
     case: &LoadedCase,
     progress: Progress<'_>,
 ) -> Result<(), Error> {
-    match check(&one_pair(case)) {
+    match check_gradient(&one_pair(case)) {
         Ok(()) => {
             let band = result.uncertainty.is_some();
             result.ridges = Some(study(case, band, progress)?.found);
@@ -165,14 +164,6 @@ pub fn add_ridges(
         Err(error) => result.no_ridges = Some(error.to_string()),
     }
     Ok(())
-}
-
-/// The loss of `case` has a gradient, over measured traces and not over surrogates.
-fn check(case: &LoadedCase) -> Result<(), PositionError> {
-    match case.surfaces.is_surrogate() {
-        true => Err(PositionError::NoProfile),
-        false => check_gradient(case),
-    }
 }
 
 /// The case, with several measured teeth the first pair of traces in the first zone of the face.
