@@ -4,7 +4,8 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::chromium::{self, Look};
+use crate::chromium;
+use crate::looks::first_look;
 use crate::pages::{self, Page};
 
 /// A table by its columns.
@@ -502,19 +503,10 @@ fn drawn_extremes_are_those_of_the_tables() {
     let Some(browser) = chromium::find() else {
         return;
     };
-    let texts: Vec<(&str, &str)> = (pages::all().iter())
-        .map(|page| (page.name.as_str(), page.text.as_str()))
-        .collect();
-    let look = Look {
-        drives: false,
-        ..Look::at(&[1400])
-    };
     let mut faults = Vec::new();
     let mut compared = 0;
-    for (page, opened) in pages::all()
-        .iter()
-        .zip(chromium::open(browser, &texts, &look))
-    {
+    // The curves are read before the charts are driven.
+    for (page, [opened, _]) in pages::all().iter().zip(first_look(browser)) {
         for drawn in opened.found["curves"].as_array().unwrap() {
             let text = |key: &str| drawn[key].as_str().unwrap();
             let (chart, curve) = (text("chart"), text("curve"));
@@ -558,12 +550,9 @@ fn a_map_leaves_blank_what_has_no_efficiency() {
     let Some(browser) = chromium::find() else {
         return;
     };
-    let map = pages::all()
-        .iter()
-        .find(|page| page.name == "map/map.html")
-        .unwrap();
-    let opened = chromium::open(browser, &[("map", &map.text)], &Look::at(&[1400]));
-    let curves = opened[0].found["curves"].as_array().unwrap();
+    let mut all = pages::all().iter().zip(first_look(browser));
+    let (_, [opened, _]) = all.find(|(page, _)| page.name == "map/map.html").unwrap();
+    let curves = opened.found["curves"].as_array().unwrap();
     let field = curves
         .iter()
         .find(|drawn| drawn["chart"] == "efficiency-0-0")

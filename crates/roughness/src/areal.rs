@@ -270,9 +270,13 @@ impl Grid {
             transform(&mut padded, width, height);
             padded.into_iter().map(|cell| cell.re).collect()
         };
+        let is_whole = self.z.iter().all(|z| z.is_finite());
         LagSums {
             products: squares(&|z| if z.is_finite() { z } else { 0.0 }),
-            overlaps: squares(&|z| f64::from(u8::from(z.is_finite()))),
+            overlaps: match is_whole {
+                true => whole_overlaps([self.columns, self.rows]),
+                false => squares(&|z| f64::from(u8::from(z.is_finite()))),
+            },
             width,
             height,
         }
@@ -463,11 +467,24 @@ impl Lags {
     }
 }
 
+/// Points over which a grid without missing points overlaps itself at each lag, times the number of lags: sums of two
+/// transforms without a factor.
+fn whole_overlaps([columns, rows]: [usize; 2]) -> Vec<f64> {
+    let [along, across] = [columns, rows].map(|n| (0..2 * n).map(move |lag| n.abs_diff(lag)));
+    let lags = (4 * columns * rows) as f64;
+    let row = |above: usize| along.clone().map(move |left| (left * above) as f64 * lags);
+    across.flat_map(row).collect()
+}
+
 /// Transforms rows and columns in place, without a factor.
 pub(crate) fn transform(cells: &mut [Complex<f64>], width: usize, height: usize) {
     let along = complex_inverse(width);
+    let zero = Complex::new(0.0, 0.0);
     for row in cells.chunks_mut(width) {
-        along.process(row);
+        // A row of padding stays as it is.
+        if row.iter().any(|cell| *cell != zero) {
+            along.process(row);
+        }
     }
     let across = complex_inverse(height);
     let mut column = vec![Complex::new(0.0, 0.0); height];

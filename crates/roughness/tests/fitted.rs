@@ -93,10 +93,10 @@ pub fn rank_sum(a: &[f64], b: &[f64]) -> f64 {
     2.0 * standard_normal_below(-z)
 }
 
-/// The parameters of 20 seeds like `fitted` that differ from those of `left_out` with p up to 0.01.
+/// The parameters of ten seeds like `fitted` that differ from those of `left_out` with p up to 0.01.
 fn different(fitted: &[Profile], left_out: &[Profile]) -> Vec<String> {
     let mut recipe = Fitted::to(&fitted[0], &fitted[1..], 0).unwrap();
-    let made: Vec<_> = (1..=20)
+    let made: Vec<_> = (1..=10)
         .map(|seed| {
             recipe.seed = seed;
             parameters(&recipe.generate().unwrap().profile)

@@ -117,7 +117,8 @@ fn eighteen_of_twenty_parameters_are_those_of_surfaces_left_out() {
     let only = |list: Vec<(usize, Vec<f64>)>| list.into_iter().map(|(_, z)| z).collect::<Vec<_>>();
     let [fitted, left_out] = [fitted, left_out].map(only);
     let fit = FittedSurface::to(&fitted, COLUMNS, SPACINGS).unwrap();
-    let made: Vec<_> = (1..=20).map(|seed| of(&fit.generate(seed))).collect();
+    // Ten and six that do not overlap differ with p 0.001.
+    let made: Vec<_> = (1..=10).map(|seed| of(&fit.generate(seed))).collect();
     let kept: Vec<_> = left_out.iter().map(|z| of(z)).collect();
     let column = |rows: &[[f64; 20]], k: usize| rows.iter().map(|row| row[k]).collect::<Vec<_>>();
     let mean = |rows: &[[f64; 20]], k| column(rows, k).iter().sum::<f64>() / rows.len() as f64;
