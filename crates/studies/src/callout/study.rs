@@ -614,7 +614,12 @@ mod tests {
             panic!("smooth flanks lose more than 300 W");
         };
         assert!((400.0..500.0).contains(&smooth_w));
-        let CallOutError::AboveRough { rough_w, ra_um, .. } = of("2 kW") else {
+        let error = of("2 kW");
+        assert!(
+            error.to_string().contains("no limit is needed for 2"),
+            "{error}"
+        );
+        let CallOutError::AboveRough { rough_w, ra_um, .. } = error else {
             panic!("no finish loses 2 kW");
         };
         assert!((700.0..2000.0).contains(&rough_w) && (1.6..2.5).contains(&ra_um));
