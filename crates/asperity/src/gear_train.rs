@@ -22,7 +22,7 @@ use asperity_case::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
 use asperity_case::error::{Error, PositionError};
 
 /// The result of a gear train, in addition to the results of its meshes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct TrainResult {
     /// The program and its version.
@@ -159,7 +159,7 @@ pub struct ShaftRow {
 }
 
 /// A mesh of a gear train, or one of the equal ones of a planetary set.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct MeshRow {
     /// Gears of the mesh.

@@ -114,7 +114,7 @@ explanations! {
     "E138" "a table of losses cannot be used": "The file is not a table of loss torques: a column is missing, a cell is not a number, a loss is negative, or the rows do not form a complete grid of torques and speeds at each temperature." => "Give the columns speed_rpm and loss_torque_nm and, if the loss depends on them, torque_nm and temperature_c, with a row for every combination.";
     "E201" "the case file cannot be opened": "The system refused to open the case file." => "Check the path.";
     "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: each line is key = value, text is in quotation marks, the encoding is UTF-8.";
-    "E203" "unknown key": "The case file has a key that does not exist." => "Correct the spelling or remove the key.";
+    "E203" "unknown key": "The case file has a key that does not exist, or a study a key or column." => "Correct the spelling or remove the key.";
     "E204" "a value cannot be read": "A value is missing, of the wrong kind, or lacks its unit. Quantities are text with a unit: \"1.3 mm\"." => "Write the value as the message shows.";
     "E205" "keys or options do not go together": "Two keys or options exclude each other, one needs another that is missing, or the command does not work with a choice of the case: the gradient of the loss, for example, is known for the default model only. The message names them." => "";
     "E206" "the gear pair cannot mesh": "The geometry given leads to interference, pointed teeth or too short a path of contact, or does not determine the gears." => "Check teeth, profile shifts, centre distance and tip diameters.";

@@ -83,7 +83,7 @@ pub use calibration::cholesky;
 pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput};
 pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
-pub use error::CaseError;
+pub use error::{CaseError, did_you_mean};
 pub use files::{FILE_KEYS, FileSums};
 pub use finish::FinishName;
 pub use flank_place::{FlankPlaceInput, TraceStart};
