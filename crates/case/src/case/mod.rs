@@ -80,7 +80,7 @@ pub use builder::CaseBuilder;
 pub use bulk::{BulkModel, BulkReport, FoundBulk};
 pub use bulk_input::{BulkInput, BulkLaw, Lubrication};
 pub use calibration::cholesky;
-pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput};
+pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput, SIMULATED};
 pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::{CaseError, did_you_mean};
