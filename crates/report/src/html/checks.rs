@@ -185,7 +185,7 @@ fn oil(result: &RunResult) -> Markup {
         let mut defaults = result.defaults.iter();
         let default = defaults.find(|default| default.key == key);
         match default.map(|default| (&default.value, &default.source)) {
-            None => "case file".to_owned(),
+            None => "stated in the case".to_owned(),
             Some((value, None)) => value.clone(),
             Some((value, Some(source))) => format!("{value}: {source}"),
         }

@@ -10,7 +10,7 @@ use crate::error::ReportError;
 pub(super) fn section(result: &RunResult) -> Result<Markup, ReportError> {
     let rows = keys(result)?;
     Ok(html! {
-        p { (result.defaults.len()) " defaults. Values marked " span.default { "default" } " are not in the case file." }
+        p { (result.defaults.len()) " defaults. Values marked " span.default { "default" } " are not stated in the case." }
         div.scroll { table.inputs {
             thead { tr { th { "key" } th { "value" } th { "from" } } }
             tbody {
@@ -18,7 +18,7 @@ pub(super) fn section(result: &RunResult) -> Result<Markup, ReportError> {
                     tr {
                         th scope="row" { code { (row.key) } } td { (row.value) }
                         td { @match &row.origin {
-                            None => "case file",
+                            None => "stated",
                             Some(source) if source.is_empty() => span.default { "default" },
                             Some(source) => { span.default { "default" } " " (source) },
                         } }

@@ -40,7 +40,7 @@ fn ridge_chart(study: &Ridges) -> Drawing {
     });
     Drawing::Bars(BarChart {
         id: "ridges".to_owned(),
-        title: "Saving by each ridge, by the gradient".to_owned(),
+        title: "Saving by each ridge, first order of the gradient".to_owned(),
         source: "ridges.csv".to_owned(),
         axis: Axis::new("saving", "W"),
         bars: bars.collect(),
