@@ -753,8 +753,8 @@ mod tests {
         let shaft = ShaftRow {
             shaft: "out".to_owned(),
             speed_rad_per_s: 80.0,
-            carried_nm: 1654.395_712,
-            torque_nm: -1654.395_712,
+            carried_nm: 1654.3957,
+            torque_nm: -1654.3957,
             power_w: -132_351.66,
             by_losses_nm: -16.6,
         };

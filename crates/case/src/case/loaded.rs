@@ -9,7 +9,7 @@ use asperity_gear::LoadConditions;
 use asperity_storage::whole_file;
 use asperity_tribo_friction::XuCalibration;
 
-use super::calibration::simulated;
+use super::calibration::SIMULATED;
 use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
@@ -22,6 +22,7 @@ use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
 use super::lay::Lays;
 use super::model::Formulation;
+use super::oil_file::OilFile;
 use super::oil_file::oil_file;
 use super::plausibility::{SYMBOLS, at_pitch_point, divided_shifts, of_files, step_up, unusual};
 use super::resolve::{Case, resolve_checked};
@@ -621,4 +622,18 @@ fn read_as_keys(source: &Source) -> Option<Warning> {
         .map(|[symbol, key]| format!("{symbol} is {key}"))
         .collect();
     (!pairs.is_empty()).then(|| Warning::new(SYMBOLS, pairs.join(", ")))
+}
+
+/// W446: constants of the case that were fitted to simulated measurements.
+fn simulated(input: &CaseInput, oil_file: Option<&OilFile>) -> Vec<Warning> {
+    let of_oil = oil_file.map(|file| ("lubricant.oil_file", &file.film_friction.source));
+    let calibration = input.calibration.as_ref();
+    let of_rig = calibration.and_then(|fit| Some(("calibration", fit.source.as_ref()?)));
+    let sources = of_oil.into_iter().chain(of_rig);
+    let simulated = sources.filter(|(_, source)| source.contains(SIMULATED));
+    let warning = |(key, source)| {
+        let text = format!("{key}: constants were fitted to simulated measurements: {source}");
+        Warning::new("W446", text)
+    };
+    simulated.map(warning).collect()
 }

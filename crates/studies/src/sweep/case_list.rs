@@ -11,7 +11,7 @@ use super::amount::{Amount, text_of};
 use super::axes::{Axes, MOST_POINTS};
 use super::draws::{DIMENSIONS, Draws, LONGEST};
 use super::error::SweepError;
-use super::run::known_columns;
+use super::known_columns::known_columns;
 use super::settings::{Settings, set};
 use super::study::Study;
 use super::study_input::{Distribution, Method, SampleInput};

@@ -12,6 +12,7 @@ mod columns;
 mod draws;
 mod effects;
 mod error;
+mod known_columns;
 mod merge;
 mod merged;
 mod page;
