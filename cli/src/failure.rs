@@ -189,6 +189,14 @@ impl Failure {
 
 impl From<ReportError> for Failure {
     fn from(error: ReportError) -> Self {
-        Self::new(error.code(), error.to_string())
+        let failure = Self::new(error.code(), error.to_string());
+        match error {
+            ReportError::NoSuchPosition { .. } => failure
+                .advising("Positions are numbered from 1, as in the column position of path.csv."),
+            ReportError::NoFields { .. } => {
+                failure.advising("Run the case again with this position in --fields.")
+            }
+            _ => failure,
+        }
     }
 }

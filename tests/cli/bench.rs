@@ -85,7 +85,7 @@ impl Said {
         self.failed(2, "E119", says);
     }
 
-    fn failed(&self, status: i32, code: &str, says: &[&str]) {
+    pub fn failed(&self, status: i32, code: &str, says: &[&str]) {
         assert_eq!(self.status, status, "{self:?}");
         assert!(self.err.starts_with(&format!("{code} ")), "{}", self.err);
         let message = self.err.lines().next().unwrap();

@@ -49,7 +49,7 @@ fn a_mesh_that_keeps_no_temperature_from_a_hot_start_is_warned_of() {
     let warned = text.lines().find(|line| line.starts_with("W426"));
     let warned = warned.unwrap_or_else(|| panic!("{text}"));
     assert!(
-        warned.contains("the flanks keep up") && warned.contains("started at 70 °C"),
+        warned.contains("W426 bulk temperature") && warned.contains("started at 70 °C"),
         "{warned}"
     );
 }

@@ -64,6 +64,36 @@ fn constant(result: &Value, name: &str) -> f64 {
 }
 
 #[test]
+fn constants_from_simulated_measurements_are_warned_of() {
+    let bench = bench();
+    let checked = |case: &str| {
+        bench.write("run.toml", case);
+        let said = bench.run(&["check", "run.toml"]).well();
+        let text = said.unwrapped();
+        let lines = text.lines().filter(|line| line.starts_with("W446"));
+        lines.map(str::to_owned).collect::<Vec<String>>()
+    };
+    let constant = "eyring_stress = { value = \"5 MPa\", low = \"4.5 MPa\", high = \"5.6 MPa\" }\n";
+    let calibrated = |source: &str| format!("\n[calibration]\nsource = \"{source}\"\n{constant}");
+    assert_eq!(checked(&case("", &calibrated("losses.csv"))), [""; 0]);
+    let of_rig = checked(&case("", &calibrated("SIMULATED losses of rig.csv")));
+    assert_eq!(
+        of_rig,
+        [
+            "W446 calibration: constants were fitted to simulated measurements: SIMULATED losses of rig.csv"
+        ]
+    );
+    let simulated = OIL_FILE.replace("source = \"", "source = \"simulated.csv (SIMULATED) ");
+    assert_ne!(simulated, OIL_FILE);
+    bench.write("oil.toml", simulated);
+    let of_oil = checked(&case("", ""));
+    assert_eq!(of_oil.len(), 1, "{of_oil:?}");
+    assert!(
+        of_oil[0].contains("lubricant.oil_file") && of_oil[0].contains("simulated.csv (SIMULATED)")
+    );
+}
+
+#[test]
 fn keys_of_the_case_and_its_calibration_replace_constants_of_the_oil_file() {
     let bench = bench();
     let plain = result(&bench, &case("", ""));

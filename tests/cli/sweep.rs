@@ -219,6 +219,80 @@ fn failed_cases_are_rows_with_their_code_and_the_rest_has_effects() {
 }
 
 #[test]
+fn unknown_keys_and_columns_are_refused_before_the_first_case() {
+    let bench = quick();
+    let head = "case = \"quick.toml\"\n";
+    let axis = |key: &str| format!("[[axis]]\nkey = \"{key}\"\nvalues = [\"90 N m\"]\n");
+    let choice =
+        "[[axis]]\nname = \"a\"\nchoice.one = { title = \"1\" }\nchoice.two = { titel = \"2\" }\n";
+    let sample = "[sample]\nmethod = \"sobol\"\ncount = 2\n";
+    let columns = |names: &str| format!("columns = [{names}]\n{}", axis("operation.torque"));
+    for (text, says) in [
+        (
+            axis("operation.torqe"),
+            ["\"operation.torqe\"", "\"torque\""],
+        ),
+        (
+            axis("gears.profil_shift.0"),
+            ["\"gears.profil_shift\"", "\"profile_shift\""],
+        ),
+        (choice.to_owned(), ["\"titel\"", "\"title\""]),
+        (
+            format!(
+                "{sample}vary.\"operation.sped\" = {{ uniform = [\"1 1/min\", \"2 1/min\"] }}\n"
+            ),
+            ["\"operation.sped\"", "\"speed\""],
+        ),
+        (
+            columns("\"loss_w\", \"loss_medan_w\""),
+            ["\"loss_medan_w\"", "\"loss_median_w\""],
+        ),
+        (
+            columns("\"efficency\""),
+            ["\"efficency\"", "\"efficiency\""],
+        ),
+        // An array and a text of the summary are not columns.
+        (
+            columns("\"deformation_w\""),
+            ["\"deformation_w\"", "study.toml"],
+        ),
+        (columns("\"scope\""), ["\"scope\"", "study.toml"]),
+    ] {
+        bench.write("study.toml", format!("{head}{text}"));
+        let said = bench.run(&["sweep", "run", "study.toml"]);
+        said.refused(2, "E203", &says);
+        assert!(!bench.path("parts").exists());
+    }
+}
+
+#[test]
+fn a_study_without_a_single_result_has_the_exit_status_of_its_cases() {
+    let bench = quick();
+    let study = |torques: &str| {
+        let axis = format!("[[axis]]\nkey = \"operation.torque\"\nvalues = [{torques}]\n");
+        bench.write("study.toml", format!("case = \"quick.toml\"\n{axis}"));
+    };
+    study("\"90 Nm/s\", \"95 s\"");
+    for arguments in [
+        &["sweep", "run", "study.toml", "--quiet"][..],
+        &["sweep", "status", "study.toml"],
+        &["sweep", "merge", "study.toml", "-o", "out"],
+    ] {
+        let said = bench.run(arguments);
+        said.failed(2, "E204", &["none of 2 cases has a result: E204 in 2"]);
+    }
+    assert!(bench.path("out/sweep.csv").exists());
+    let json = bench.run(&["sweep", "status", "study.toml", "--json"]);
+    assert_eq!((json.status, json.json()["done"].as_u64()), (2, Some(2)));
+    // A single case with a result is enough.
+    study("\"90 N m\", \"95 s\"");
+    assert_eq!(
+        bench.run(&["sweep", "run", "study.toml", "--quiet"]).status,
+        0
+    );
+}
+
+#[test]
 fn indices_of_a_study_tell_which_input_matters() {
     let study = r#"case = "case.toml"
 columns = ["boundary_w"]

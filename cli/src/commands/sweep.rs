@@ -1,9 +1,10 @@
 //! `asperity sweep`: many cases, in shards.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use asperity::message::Warning;
+use asperity::message::{self, Warning};
 use asperity_studies::sweep::{
     self, Event, Merged, Plan, Refused, Shard, Status, Study, SweepError,
 };
@@ -36,19 +37,21 @@ fn parts(args: &SweepArgs, study: &Study) -> PathBuf {
 fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
     let study = args.study.display();
     match error {
-        SweepError::Open { .. } => Failure::new("E103", error.to_string()),
-        SweepError::Study { .. } => Failure::new("E202", error.to_string())
+        SweepError::Study { .. } => Failure::new(error.code(), error.to_string())
             .advising("docs/files/sweeps.md lists the keys of a study."),
-        SweepError::Key { .. } => Failure::new("E204", format!("{study}: {error}"))
+        SweepError::Key { .. } => Failure::new(error.code(), format!("{study}: {error}"))
             .advising("docs/files/sweeps.md lists the keys of a study."),
+        SweepError::Column { .. } => Failure::new(error.code(), format!("{study}: {error}"))
+            .advising("docs/files/sweeps.md says which columns a study can have."),
         SweepError::Case(error) => Failure::of(error).adding(&format!(" (case of {study})")),
-        SweepError::Storage(_) => Failure::new("E401", error.to_string()),
-        SweepError::Report(error) => Failure::new(error.code(), error.to_string()),
         SweepError::Missing { .. } | SweepError::Changed { .. } => {
-            Failure::new("E309", format!("{study}: {error}"))
+            Failure::new(error.code(), format!("{study}: {error}"))
         }
-        _ => Failure::new("E402", error.to_string())
-            .advising("Remove this part; its cases are then run again."),
+        SweepError::Part { .. } | SweepError::Contradiction { .. } => {
+            Failure::new(error.code(), error.to_string())
+                .advising("Remove this part; its cases are then run again.")
+        }
+        _ => Failure::new(error.code(), error.to_string()),
     }
 }
 
@@ -114,7 +117,37 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
             begin.elapsed().as_secs_f64()
         )
     };
-    print(common, || &status, text)
+    print(common, || &status, text)?;
+    refuse_if_all_failed(status.cases, &status.failed, common)
+}
+
+/// Error if all `cases` have an error code; `failed` is their number by code. The result is already on standard output.
+fn refuse_if_all_failed(
+    cases: usize,
+    failed: &BTreeMap<String, usize>,
+    common: &Common,
+) -> Result<(), Failure> {
+    let most = failed.iter().max_by_key(|(_, count)| **count);
+    match most.and_then(|(code, _)| message::explain(code)) {
+        Some(entry) if failed.values().sum::<usize>() == cases => {
+            let codes: Vec<_> = failed
+                .iter()
+                .map(|(code, n)| format!("{code} in {n}"))
+                .collect();
+            let message = format!("none of {cases} cases has a result: {}", codes.join(", "));
+            Err(already_shown(Failure::new(entry.code, message), common))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The error of a command whose result is already on standard output.
+fn already_shown(failure: Failure, common: &Common) -> Failure {
+    if common.json {
+        failure.print();
+        return failure.printed();
+    }
+    failure
 }
 
 fn text_of(status: &Status) -> String {
@@ -134,20 +167,14 @@ fn status(args: &SweepArgs, common: &Common) -> Result<(), Failure> {
     let status = sweep::status(&study, &folder).map_err(|error| refused(args, &error))?;
     print(common, || &status, || text_of(&status))?;
     if status.done == status.cases {
-        return Ok(());
+        return refuse_if_all_failed(status.cases, &status.failed, common);
     }
     let missing = status.cases - status.done;
     let message = format!(
         "{missing} of {} cases are in no part: {}",
         status.cases, status.missing
     );
-    let failure = Failure::new("E309", message);
-    // The status is already on standard output.
-    if common.json {
-        failure.print();
-        return Err(failure.printed());
-    }
-    Err(failure)
+    Err(already_shown(Failure::new("E309", message), common))
 }
 
 fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
@@ -156,5 +183,10 @@ fn merge(args: &SweepMergeArgs, common: &Common) -> Result<(), Failure> {
     let (name, title) = (study.name.as_ref(), &study.case.title);
     let target = study::folder::<Merged>(args.output.as_deref(), name, "sweep", title)?;
     let merged = sweep::merge(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
-    study::finish(&merged, (), &target, None, common)
+    study::finish(&merged, (), &target, None, common)?;
+    if merged.failed < merged.cases {
+        return Ok(());
+    }
+    let status = sweep::status(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
+    refuse_if_all_failed(status.cases, &status.failed, common)
 }

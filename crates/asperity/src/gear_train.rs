@@ -22,7 +22,7 @@ use asperity_case::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
 use asperity_case::error::{Error, PositionError};
 
 /// The result of a gear train, in addition to the results of its meshes.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct TrainResult {
     /// The program and its version.
@@ -159,7 +159,7 @@ pub struct ShaftRow {
 }
 
 /// A mesh of a gear train, or one of the equal ones of a planetary set.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct MeshRow {
     /// Gears of the mesh.
@@ -588,7 +588,7 @@ impl TrainResult {
     #[must_use]
     pub fn with_bands(&self) -> [String; 2] {
         let Some(drawn) = &self.loss_distribution else {
-            return [self.loss_w, 100.0 * self.efficiency].map(|value| format!("{value:.4}"));
+            return without_interval(self.loss_w, self.efficiency);
         };
         with_interval(drawn.median_w, drawn.quantiles_w, self.power_in_w, ["", ""])
     }
@@ -599,8 +599,7 @@ impl TrainResult {
     pub fn gearbox_with_bands(&self) -> Option<[String; 2]> {
         let gearbox = self.gearbox.as_ref()?;
         let Some(drawn) = &self.loss_distribution else {
-            let values = [gearbox.loss_w, 100.0 * gearbox.efficiency];
-            return Some(values.map(|value| format!("{value:.4}")));
+            return Some(without_interval(gearbox.loss_w, gearbox.efficiency));
         };
         let with_parts = |loss: f64| loss + gearbox.parts_w;
         let quantiles = drawn.quantiles_w.map(with_parts);
@@ -613,18 +612,25 @@ impl TrainResult {
         ))
     }
 
-    /// Half of the interval of the loss over the loss; zero without one.
+    /// Half of the interval of the loss over the loss; without one two steps of its last place, which leave that place.
     fn half_band(&self) -> f64 {
-        self.loss_distribution.map_or(0.0, |drawn| {
-            let [low, high] = drawn.quantiles_w;
-            0.5 * (high - low) / self.loss_w
-        })
+        let half = match self.loss_distribution {
+            Some(Quantiles {
+                quantiles_w: [low, high],
+                ..
+            }) => 0.5 * (high - low),
+            None => 2.0 * self.digits().step(),
+        };
+        half / self.loss_w
     }
 
-    /// The digits that the interval of the loss leaves.
+    /// The digits that the interval of the loss leaves, without one the digits of a power.
     #[must_use]
     pub fn digits(&self) -> Digits {
-        Digits::of_uncertainty(self.half_band() * self.loss_w)
+        match self.loss_distribution {
+            Some(drawn) => Digits::of_interval(drawn.quantiles_w),
+            None => Digits::of_power(self.loss_w),
+        }
     }
 
     /// Name, text \[W\] and share of each kind of loss that occurs: the kinds of the run scaled to the median, to which they
@@ -675,6 +681,14 @@ impl TrainResult {
     }
 }
 
+/// Loss \[W\] and efficiency \[%\] without an interval, as text.
+fn without_interval(loss_w: f64, efficiency: f64) -> [String; 2] {
+    [
+        Digits::of_power(loss_w).rounded(loss_w),
+        format!("{:.4}", 100.0 * efficiency),
+    ]
+}
+
 impl MeshRow {
     /// Loss \[W\], efficiency \[%\] and μ_eq with the digits that the interval of the loss leaves: medians with it, the loss with
     /// its quantiles; μ_eq of the run.
@@ -683,8 +697,8 @@ impl MeshRow {
         // The losses of a mesh are its power times the rest of its efficiency.
         let power = self.loss_w / (1.0 - self.efficiency);
         let Some((median, [low, high])) = self.drawn_w() else {
-            return [self.loss_w, 100.0 * self.efficiency, self.mu_equivalent]
-                .map(|value| rounded(value, 0.0));
+            let [loss, efficiency] = without_interval(self.loss_w, self.efficiency);
+            return [loss, efficiency, rounded(self.mu_equivalent, 0.0)];
         };
         let [loss, efficiency] = with_interval(median, [low, high], power, ["", ""]);
         let efficiency = efficiency.split(' ').next().unwrap_or_default().to_owned();
@@ -697,7 +711,7 @@ impl MeshRow {
     pub fn parts_with_digits(&self) -> Vec<String> {
         let (median, digits) = match self.drawn_w() {
             Some((median, quantiles)) => (median, Digits::of_interval(quantiles)),
-            None => (self.loss_w, Digits::of_uncertainty(0.0)),
+            None => (self.loss_w, Digits::of_power(self.loss_w)),
         };
         let parts = [self.sliding_w, self.rolling_w];
         digits.texts_of_parts(median, &parts.map(|part| part * median / self.loss_w))
@@ -706,5 +720,45 @@ impl MeshRow {
     /// Median and quantiles of the loss \[W\]; `None` without an interval.
     fn drawn_w(&self) -> Option<(f64, [f64; 2])> {
         Some((self.loss_median_w?, [self.loss_q05_w?, self.loss_q95_w?]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_train_without_an_interval_has_the_digits_of_a_pair() {
+        let mesh = MeshRow {
+            loss_w: 663.2771,
+            sliding_w: 625.4321,
+            rolling_w: 37.845,
+            efficiency: 0.995_150_4,
+            mu_equivalent: 0.032_312_34,
+            ..MeshRow::default()
+        };
+        assert_eq!(mesh.with_digits(), ["663", "99.5150", "0.0323"]);
+        assert_eq!(mesh.parts_with_digits(), ["625", "38"]);
+        let mut train = TrainResult {
+            loss_w: 1370.2773,
+            efficiency: 0.989_523,
+            ..TrainResult::default()
+        };
+        (train.kinds.film_w, train.kinds.rolling_w) = (1000.1, 370.1773);
+        assert_eq!(train.with_bands(), ["1370", "98.9523"]);
+        let kinds = train.kinds_with_digits();
+        assert_eq!(kinds[0].1, "1000");
+        assert_eq!(kinds[1].1, "370");
+        // The torque of the losses is known to as many digits as the loss.
+        let shaft = ShaftRow {
+            shaft: "out".to_owned(),
+            speed_rad_per_s: 80.0,
+            carried_nm: 1654.395_712,
+            torque_nm: -1654.395_712,
+            power_w: -132_351.66,
+            by_losses_nm: -16.6,
+        };
+        let [carried, torque, _] = train.shaft_with_digits(&shaft);
+        assert_eq!([carried, torque], ["1654.40", "-1654.40"]);
     }
 }

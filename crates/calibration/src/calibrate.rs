@@ -22,7 +22,7 @@ use crate::result::{
     SCHEMA_VERSION,
 };
 use crate::rig::{Rig, RigCase};
-use crate::rig_table::{RigTable, Scope};
+use crate::rig_table::{RigTable, SIMULATED, Scope};
 
 /// Callbacks of a calibration.
 pub struct Watch<'a> {
@@ -120,8 +120,8 @@ fn report(
     let (largest, in_sigma) = surface_error(rig, fit)?;
     let table = &rig.table;
     let origin = match table.is_simulated {
-        true => "SIMULATED losses of ",
-        false => "",
+        true => format!("{SIMULATED} losses of "),
+        false => String::new(),
     };
     let assemblies = table.assemblies();
     let source = format!(

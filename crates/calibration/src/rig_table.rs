@@ -156,8 +156,7 @@ const STEMS: [(&str, &str); 6] = [
     ("loss", "loss_w"),
     ("sigma", "sigma_w"),
 ];
-/// Word in a comment that declares the losses as simulated.
-pub const SIMULATED: &str = "SIMULATED";
+pub use asperity::case::SIMULATED;
 
 /// Whether a comment of a table declares its values as simulated.
 pub(crate) fn is_simulated(text: &str) -> bool {

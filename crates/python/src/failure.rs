@@ -231,14 +231,7 @@ impl From<SweepError> for Failure {
     fn from(error: SweepError) -> Self {
         match error {
             SweepError::Case(error) => (*error).into(),
-            SweepError::Open { .. } => Self::new("E103", error.to_string()),
-            SweepError::Study { .. } => Self::new("E202", error.to_string()),
-            SweepError::Key { .. } => Self::new("E204", error.to_string()),
-            SweepError::Storage(_) | SweepError::Report(_) => Self::new("E401", error.to_string()),
-            SweepError::Missing { .. } | SweepError::Changed { .. } => {
-                Self::new("E309", error.to_string())
-            }
-            _ => Self::new("E402", error.to_string()),
+            error => Self::new(error.code(), error.to_string()),
         }
     }
 }

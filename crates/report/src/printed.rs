@@ -30,7 +30,7 @@ impl PrintedLoss {
         uncertainty: Option<&Uncertainty>,
     ) -> Self {
         let powers = Powers {
-            digits: uncertainty.map_or_else(|| digits_of(s.loss_w), Uncertainty::digits),
+            digits: uncertainty.map_or_else(|| Digits::of_power(s.loss_w), Uncertainty::digits),
             is_banded: uncertainty.is_some(),
             is_in_kilowatts: uncertainty.is_none() && s.loss_w >= KILOWATTS_FROM,
         };
@@ -112,24 +112,13 @@ pub(crate) fn gearbox_with_interval(gearbox: &GearboxReport, of_mesh: &Uncertain
 /// Power from which losses are printed in kW \[W\].
 const KILOWATTS_FROM: f64 = 10_000.0;
 
-/// Three or four digits of a power: 12.35 kW, 571 W, 8.12 W; two digits below 0.1 W.
-fn digits_of(power: f64) -> Digits {
-    Digits::of_decimals(match power {
-        power if power >= KILOWATTS_FROM => -1,
-        power if power >= 100.0 => 0,
-        power if power >= 0.1 => 2,
-        power if power > 0.0 => 1 - power.log10().floor() as i32,
-        _ => 0,
-    })
-}
-
 /// A power with three or four significant digits.
 pub(crate) fn watts(power: f64) -> String {
     if power > 0.0 && power < 0.1 {
         return format!("{power:.1e} W");
     }
     let powers = Powers {
-        digits: digits_of(power),
+        digits: Digits::of_power(power),
         is_banded: false,
         is_in_kilowatts: power >= KILOWATTS_FROM,
     };

@@ -132,13 +132,13 @@ fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
         return;
     };
     let hot = match (report.hotter_c, report.runs_away_from_c) {
-        (Some(hotter), _) => format!("once hotter they keep up {hotter:.0} °C as well"),
+        (Some(hotter), _) => format!("a second equilibrium exists at {hotter:.0} °C"),
         (None, Some(from)) => {
-            format!("started at {from:.0} °C they find no temperature that keeps itself up")
+            format!("an iteration started at {from:.0} °C finds no equilibrium")
         }
         (None, None) => return,
     };
-    let text = format!("the flanks keep up {:.0} °C, but {hot}", report.bulk_c);
+    let text = format!("bulk temperature {:.0} °C; {hot}", report.bulk_c);
     found.push(Warning::new("W426", text));
 }
 

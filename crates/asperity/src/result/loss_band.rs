@@ -383,6 +383,24 @@ impl Digits {
         Self { decimals }
     }
 
+    /// Three or four digits of a power without an interval; two below 0.1 W.
+    ///
+    /// ```
+    /// use asperity::result::loss_band::Digits;
+    /// let text = |power| Digits::of_power(power).rounded(power);
+    /// assert_eq!([12_347.0, 1370.28, 571.3, 8.123, 0.0456].map(text), ["12350", "1370", "571", "8.12", "0.046"]);
+    /// ```
+    #[must_use]
+    pub fn of_power(power: f64) -> Self {
+        Self::of_decimals(match power {
+            power if power >= 10_000.0 => -1,
+            power if power >= 100.0 => 0,
+            power if power >= 0.1 => 2,
+            power if power > 0.0 => 1 - power.log10().floor() as i32,
+            _ => 0,
+        })
+    }
+
     /// Digits of a percentage of `power` for losses with these digits.
     #[must_use]
     pub fn of_percent(self, power: f64) -> Self {
@@ -472,7 +490,7 @@ impl Digits {
         self.text(1.0)
     }
 
-    fn step(self) -> f64 {
+    pub(crate) fn step(self) -> f64 {
         10f64.powi(-self.decimals)
     }
 }

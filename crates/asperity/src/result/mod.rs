@@ -133,7 +133,7 @@ impl RunResult {
 }
 
 /// Efficiency and losses of the mesh, mean over the offsets of the traces.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Summary {
     /// Scope of the result. All numbers here are of the mesh, except those named `gearbox`.

@@ -7,7 +7,7 @@ use super::machine::Machine;
 use super::pcs_text::{Probe, is_pcs, read_pcs};
 use super::reading::Reading;
 use super::table::read_table;
-use crate::rig_table::is_simulated;
+use crate::rig_table::{SIMULATED, is_simulated};
 
 /// Readings of a table or of a text export; `machine` has what they do not state.
 ///
@@ -29,8 +29,8 @@ pub fn read_text(
 #[must_use]
 pub fn source(name: &str, text: &str) -> [String; 2] {
     let mark = match is_simulated(text) {
-        true => " (SIMULATED)",
-        false => "",
+        true => format!(" ({SIMULATED})"),
+        false => String::new(),
     };
     [format!("{name}{mark}"), sha256(text.as_bytes())]
 }

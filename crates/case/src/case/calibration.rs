@@ -5,6 +5,10 @@ use asperity_core::quantity::{Length, Pressure};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::input::CaseInput;
+use super::oil_file::OilFile;
+use crate::message::Warning;
+
 /// Parameters calibrated on a rig, each with the 95 % band that the band of the loss is drawn from.
 ///
 /// `asperity calibrate` writes this table. A parameter that is left out keeps its default and its range.
@@ -24,6 +28,23 @@ pub struct CalibrationInput {
     /// Correlations of the logarithms, pair by pair: `[{ between = ["boundary_friction", "boundary_layer"],
     /// value = -0.9 }]`; default none.
     pub correlations: Option<Vec<CorrelationInput>>,
+}
+
+/// Word in the source of constants, or a comment of a table, that declares the measurements as simulated.
+pub const SIMULATED: &str = "SIMULATED";
+
+/// W446: constants of the case that were fitted to simulated measurements.
+pub(super) fn simulated(input: &CaseInput, oil_file: Option<&OilFile>) -> Vec<Warning> {
+    let of_oil = oil_file.map(|file| ("lubricant.oil_file", &file.film_friction.source));
+    let calibration = input.calibration.as_ref();
+    let of_rig = calibration.and_then(|fit| Some(("calibration", fit.source.as_ref()?)));
+    let sources = of_oil.into_iter().chain(of_rig);
+    let simulated = sources.filter(|(_, source)| source.contains(SIMULATED));
+    let warning = |(key, source)| {
+        let text = format!("{key}: constants were fitted to simulated measurements: {source}");
+        Warning::new("W446", text)
+    };
+    simulated.map(warning).collect()
 }
 
 /// A calibrated value with its 95 % band.

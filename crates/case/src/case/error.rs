@@ -265,7 +265,8 @@ fn no_traces(folder: Option<&str>) -> String {
     }
 }
 
-fn did_you_mean(nearest: Option<&str>) -> String {
+/// The end of a message about an unknown name, with the most similar known name.
+pub fn did_you_mean(nearest: Option<&str>) -> String {
     nearest
         .map(|key| format!(". Did you mean \"{key}\"?"))
         .unwrap_or_default()

@@ -9,6 +9,7 @@ use asperity_gear::LoadConditions;
 use asperity_storage::whole_file;
 use asperity_tribo_friction::XuCalibration;
 
+use super::calibration::simulated;
 use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
@@ -512,6 +513,7 @@ pub(super) fn complete(
     warnings.extend(read_as_keys(source));
     let oil = case.oil_file.iter();
     warnings.extend(oil.flat_map(|oil| oil.warnings(&case.input, case.temperature)));
+    warnings.extend(simulated(&case.input, case.oil_file.as_deref()));
     provenance.include(&of_flanks);
     Ok(LoadedCase {
         case,

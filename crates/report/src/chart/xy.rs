@@ -261,12 +261,15 @@ impl Chart {
             self.draw_legend(&mut canvas);
         }
         let clip = format!("clip-{}", self.id);
+        // Dots on the frame are drawn whole.
+        let radii = self.series.iter().filter_map(|series| radius(series.line));
+        let dots = radii.fold(0.0, f64::max);
         canvas.raw(&format!(
             "<clipPath id=\"{clip}\"><rect x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/></clipPath>",
-            frame.left,
-            frame.top,
-            frame.right - frame.left,
-            frame.bottom - frame.top
+            frame.left - dots,
+            frame.top - dots,
+            frame.right - frame.left + 2.0 * dots,
+            frame.bottom - frame.top + 2.0 * dots
         ));
         self.draw_marks(&mut canvas, &frame);
         canvas.raw(&format!("<g class=\"curves\" clip-path=\"url(#{clip})\">"));
@@ -377,7 +380,7 @@ impl Chart {
                 };
                 let mut data = json!({"name": series.name, "points": flat(&series.drawn(&self.x, ZOOM_BINS)),
                     "joined": series.line != Line::Scatter,
-                    "radius": match series.line { Line::Dots => 2.0, Line::Scatter => 3.5, _ => 0.0 }});
+                    "radius": radius(series.line).unwrap_or(0.0)});
                 if series.line.is_filled() {
                     data["filled"] = json!(true);
                     data["told"] = json!(flat(&series.readings));
@@ -435,13 +438,18 @@ fn class(index: usize, line: Line) -> String {
     format!("curve c{} {kind}", index % COLOURS)
 }
 
-/// SVG path of a curve, with a circle at each point of a line with dots.
-fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
-    let radius = match line {
+/// Radius of the circles at the points of a line.
+fn radius(line: Line) -> Option<f64> {
+    match line {
         Line::Dots => Some(2.0),
         Line::Scatter => Some(3.5),
         _ => None,
-    };
+    }
+}
+
+/// SVG path of a curve, with a circle at each point of a line with dots.
+fn outline(frame: &Frame, line: Line, points: &[[f64; 2]]) -> String {
+    let radius = radius(line);
     let (mut d, mut dots) = (String::new(), String::new());
     // The previous point, in tenths of a unit of the drawing.
     let mut before: Option<[i64; 2]> = None;

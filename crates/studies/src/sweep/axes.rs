@@ -49,10 +49,14 @@ impl Axes {
 
     /// Keys that each axis sets.
     pub(super) fn keys(&self) -> impl Iterator<Item = BTreeSet<&str>> {
-        self.0.iter().map(|axis| {
-            let settings = axis.nodes.iter().flat_map(|(_, settings)| settings);
-            settings.map(|(key, _)| key.as_str()).collect()
-        })
+        self.0
+            .iter()
+            .map(|axis| axis.settings().map(|(key, _)| key.as_str()).collect())
+    }
+
+    /// Keys and values of all nodes of all axes.
+    pub(super) fn settings(&self) -> impl Iterator<Item = &(String, String)> {
+        self.0.iter().flat_map(CrossedAxis::settings)
     }
 
     /// Text and settings of each axis at the point `number`, in row-major order.
@@ -88,6 +92,11 @@ impl Axes {
 }
 
 impl CrossedAxis {
+    /// Keys and values of all nodes.
+    fn settings(&self) -> impl Iterator<Item = &(String, String)> {
+        self.nodes.iter().flat_map(|(_, settings)| settings)
+    }
+
     /// Whether the axis sets a key that names files, or a part or a parent of such a key.
     fn names_files(&self) -> bool {
         let is_within = |part: &str, whole: &str| {
@@ -99,8 +108,9 @@ impl CrossedAxis {
             let mut keys = FILE_KEYS.iter().chain([&"gearbox.tables"]);
             keys.any(|file| is_within(file, key) || is_within(key, file))
         };
-        let settings = self.nodes.iter().flat_map(|(_, settings)| settings);
-        settings.map(|(key, _)| key.as_str()).any(names_files)
+        self.settings()
+            .map(|(key, _)| key.as_str())
+            .any(names_files)
     }
 }
 

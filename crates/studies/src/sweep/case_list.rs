@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use asperity::case::LoadedCase;
 use asperity::case::gear_train::LoadedTrain;
+use asperity::case::{LoadedCase, nearest_name};
 use asperity_core::numerics::standard_normal_quantile;
 use toml::Value;
 
@@ -11,6 +11,7 @@ use super::amount::{Amount, text_of};
 use super::axes::{Axes, MOST_POINTS};
 use super::draws::{DIMENSIONS, Draws, LONGEST};
 use super::error::SweepError;
+use super::run::known_columns;
 use super::settings::{Settings, set};
 use super::study::Study;
 use super::study_input::{Distribution, Method, SampleInput};
@@ -107,7 +108,11 @@ impl CaseList {
             .product::<f64>();
         let cases = cases * list.samples() as f64;
         match cases <= MOST_CASES {
-            true => list.check_keys().map(|()| list),
+            true => {
+                list.check_keys()?;
+                list.check_known(study)?;
+                Ok(list)
+            }
             false => Err(SweepError::key(
                 "axis",
                 format!("{cases:.0} cases are more than {MOST_CASES:.0}: use fewer values"),
@@ -127,6 +132,31 @@ impl CaseList {
             all.extend(keys);
         }
         Ok(())
+    }
+
+    /// Every key is one of a case, and every column one of a result.
+    fn check_known(&self, study: &Study) -> Result<(), SweepError> {
+        let sampled = self.inputs(0).settings;
+        let mut checked = BTreeSet::new();
+        for (key, value) in self.axes.settings().chain(&sampled) {
+            if checked.insert(key) {
+                let mut input = study.case.input.clone();
+                match set(&mut input, &study.case.defaults, key, value) {
+                    Err(unknown) if unknown.code() == "E203" => return Err(unknown),
+                    // A value that cannot be set is an error of its cases.
+                    _ => {}
+                }
+            }
+        }
+        let known = known_columns(&study.case);
+        let columns = study.input.columns.iter().flatten();
+        match columns.into_iter().find(|column| !known.contains(column)) {
+            None => Ok(()),
+            Some(column) => Err(SweepError::Column {
+                column: column.clone(),
+                nearest: nearest_name(column, &known),
+            }),
+        }
     }
 
     pub(super) fn count(&self) -> usize {

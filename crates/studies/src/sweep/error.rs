@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use asperity::case::did_you_mean;
+
 fn with_other_inputs(others: &[PathBuf]) -> String {
     let others: Vec<_> = others
         .iter()
@@ -43,6 +45,14 @@ pub enum SweepError {
         key: String,
         /// Rule.
         rule: String,
+    },
+    /// No result has a column of this name.
+    #[error("unknown column \"{column}\"{}", did_you_mean(.nearest.as_deref()))]
+    Column {
+        /// The column.
+        column: String,
+        /// The most similar known column.
+        nearest: Option<String>,
     },
     /// The case of the study cannot be read.
     #[error("{0}")]
@@ -102,6 +112,22 @@ impl SweepError {
 }
 
 impl SweepError {
+    /// Stable code.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Open { .. } => "E103",
+            Self::Study { .. } => "E202",
+            Self::Column { .. } => "E203",
+            Self::Key { .. } => "E204",
+            Self::Case(error) => error.code(),
+            Self::Storage(_) => "E401",
+            Self::Report(error) => error.code(),
+            Self::Missing { .. } | Self::Changed { .. } => "E309",
+            Self::Part { .. } | Self::Contradiction { .. } => "E402",
+        }
+    }
+
     /// Error code of a single case, for its row.
     pub(super) fn code_of_case(&self) -> String {
         match self {

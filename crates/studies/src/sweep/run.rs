@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use asperity::case::LoadedCase;
 use asperity::case::gear_train::LoadedTrain;
 use asperity::core::cancel::checkpoint;
-use asperity::gear_train::{TrainResult, run_train, train_losses};
+use asperity::gear_train::{MeshRow, TrainResult, run_train, train_losses};
 use asperity::pipeline::{KeptFields, contacts, losses, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity::uncertainty::{Predictive, Quantiles, predictive};
@@ -257,6 +257,35 @@ fn numbers_of(result: &TrainResult) -> Value {
         add(format!("mesh.{}.", mesh.mesh), json!(mesh));
     }
     numbers
+}
+
+/// Names of all numbers that a case of the study can have in its row.
+pub(super) fn known_columns(case: &LoadedTrain) -> Vec<String> {
+    let numbers = match case.pair() {
+        Some(_) => {
+            let mut summary = Summary::default();
+            summary.gearbox_efficiency = Some(0.0);
+            summary.gearbox_loss_w = Some(0.0);
+            summary.asperity_share_standard_error = Some(0.0);
+            json!(summary)
+        }
+        None => {
+            let mut train = TrainResult::default();
+            train.meshes.extend(case.meshes().map(|mesh| {
+                let mut row = MeshRow::default();
+                row.mesh.clone_from(&mesh.name);
+                row.loss_median_w = Some(0.0);
+                row.loss_q05_w = Some(0.0);
+                row.loss_q95_w = Some(0.0);
+                row
+            }));
+            numbers_of(&train)
+        }
+    };
+    let numbers = numbers.as_object().into_iter().flatten();
+    let numbers = numbers.filter(|(_, value)| value.is_number() || value.is_null());
+    let names = numbers.map(|(name, _)| name.as_str());
+    names.chain(DRAWN).map(str::to_owned).collect()
 }
 
 /// The contact tables of a mesh, computed on first use.

@@ -36,8 +36,12 @@ pub(super) fn set(
         Some(Value::Array(values)) => Some(values.clone()),
         _ => by_default(),
     };
-    let none = || SweepError::key(key, "is not a list of the case");
-    let mut values = given.ok_or_else(none)?;
+    let Some(mut values) = given else {
+        return Err(match input.clone().set(list, value) {
+            Err(error) if error.code() == "E203" => error.into(),
+            _ => SweepError::key(key, "is not a list of the case"),
+        });
+    };
     let Some(entry) = values.get_mut(index) else {
         return Err(SweepError::key(key, "is beyond the end of the list"));
     };
