@@ -457,7 +457,8 @@ fn losses_are_said_with_the_digits_of_their_band() {
     (exact.loss_q05_w, exact.loss_q95_w) = (None, None);
     assert!(digits(&exact) > with);
     result.loss_distribution = None;
-    let expected = [result.loss_w, 100.0 * result.efficiency].map(|value| format!("{value:.4}"));
+    let (loss, efficiency) = (result.loss_w, 100.0 * result.efficiency);
+    let expected = [format!("{loss:.0}"), format!("{efficiency:.4}")];
     assert_eq!(result.with_bands(), expected);
 }
 
