@@ -9,7 +9,8 @@ use crate::args::{Common, RidgesArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
 
-/// Runs whose time a study takes: three with exact contacts, the gradient of each, draws of two, and two gradients at the ends of the lay.
+/// Runs whose time a study takes: three with exact contacts, the gradient of each, draws of two, and two gradients at the ends of
+/// the lay.
 pub(super) const RUNS: usize = 10;
 
 /// Counted work of a study.

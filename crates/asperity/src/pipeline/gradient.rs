@@ -105,7 +105,7 @@ pub fn gradient_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<LossGra
     gradient_of(loaded, Some(contacts))
 }
 
-/// Gradient of the loss over the heights at each offset, as a mean over a change of the heights by Simpson's rule: from the
+/// Gradient of the loss over the heights \[W/m\] at each offset, as a mean over a change of the heights by Simpson's rule: from the
 /// gradients before the change, half-way and after it.
 ///
 /// ```text

@@ -111,11 +111,8 @@ pub(super) fn efficiency(finish: &FinishResult) -> String {
 
 /// Loss, difference and change of a finish, each with its quantiles.
 pub(super) fn cells(comparison: &Comparison, finish: &FinishResult) -> [String; 3] {
-    let first = comparison
-        .is_later(finish)
-        .then(|| comparison.finishes[0].loss_w);
     texts(
-        (finish.loss_w, first),
+        (finish.loss_w, comparison.first_w(finish)),
         finish.drawn_w(),
         finish.difference.as_ref(),
     )
@@ -176,8 +173,13 @@ fn signed(digits: Digits, value: f64) -> String {
 }
 
 impl Comparison {
+    /// Loss of the first finish, from which the difference of `finish` is taken \[W\]; `None` for the first itself.
+    pub(super) fn first_w(&self, finish: &FinishResult) -> Option<f64> {
+        self.is_later(finish).then(|| self.finishes[0].loss_w)
+    }
+
     /// Whether `finish` is not the first one, from which the differences are taken.
-    pub(super) fn is_later(&self, finish: &FinishResult) -> bool {
+    fn is_later(&self, finish: &FinishResult) -> bool {
         self.finishes
             .first()
             .is_some_and(|first| first.name != finish.name)

@@ -68,9 +68,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         comparison.finishes.iter().map(|finish| {
             let loss = finish.drawn_w();
             let difference = finish.difference.as_ref();
-            let first = comparison
-                .is_later(finish)
-                .then(|| comparison.finishes[0].loss_w);
+            let first = comparison.first_w(finish);
             let of_runs = first.map(|first| [finish.loss_w - first, finish.loss_w / first - 1.0]);
             FinishRow {
                 finish: cell(&finish.name),

@@ -43,7 +43,8 @@ pub struct RidgeStudy {
     pub measured: [Option<FlankWatts>; 2],
 }
 
-/// Computes the costliest ridges of `case`, of the first pair of traces if several teeth were measured; `progress` is called with the number of completed steps.
+/// Computes the costliest ridges of `case`, of the first pair of traces if several teeth were measured; `progress` is called with
+/// the number of completed steps.
 ///
 /// # Errors
 /// As [`gradient`].
