@@ -108,7 +108,10 @@ pub struct RunResult {
     #[serde(default)]
     pub film_constants: Vec<FilmConstant>,
     /// The case as read.
-    #[serde(deserialize_with = "CaseInput::stored")]
+    #[serde(
+        serialize_with = "CaseInput::store",
+        deserialize_with = "CaseInput::stored"
+    )]
     pub inputs: CaseInput,
     /// Every default that was used.
     pub defaults: Vec<DefaultUsed>,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity_core::quantity::{AngularSpeed, Torque};
 use serde::de::Error as _;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::case_file::CaseFile;
 use super::input::{CaseInput, MapInput, OperationInput, VehicleInput};
@@ -14,8 +14,7 @@ use super::train_input::TrainCaseInput;
 use crate::error::Error;
 
 /// A case of any kind: a pair of gears, or a gear train or planetary set.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum AnyInput {
     /// A pair of gears.
     Mesh(Box<CaseInput>),
@@ -88,6 +87,15 @@ impl From<CaseInput> for AnyInput {
 impl From<TrainCaseInput> for AnyInput {
     fn from(input: TrainCaseInput) -> Self {
         Self::Train(Box::new(input))
+    }
+}
+
+impl Serialize for AnyInput {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Mesh(input) => input.store(to),
+            Self::Train(input) => erased_serde::serialize(input, to),
+        }
     }
 }
 

@@ -14,6 +14,7 @@ use super::place::Place;
 use super::plain_words::plain;
 use super::source::{Source, from_table};
 use super::symbols::with_keys;
+use super::written;
 
 /// A kind of case file.
 pub(super) trait CaseFile: Serialize + DeserializeOwned {
@@ -84,7 +85,7 @@ surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
 
 /// The table of the keys of a case.
 pub(super) fn table_of<T: Serialize>(case: &T, place: &Place) -> Result<Table, CaseError> {
-    Table::try_from(case).map_err(|error| CaseError::Value {
+    written::table(case).map_err(|error| CaseError::Value {
         place: place.clone(),
         key: None,
         message: error.to_string(),

@@ -19,6 +19,7 @@ use super::loaded::{LoadedCase, complete};
 use super::plain_words::plain;
 use super::plausibility::impossible;
 use super::source::{MeshKeys, Source, from_table};
+use super::written;
 use crate::error::Error;
 
 /// No case has more errors than keys.
@@ -262,7 +263,7 @@ fn part_of(key: &str) -> &str {
 }
 
 fn put_right(input: &mut CaseInput, part: &str, right: &Table) -> Option<()> {
-    let mut table = Table::try_from(&*input).ok()?;
+    let mut table = written::table(input).ok()?;
     change(&mut table, part, value_at(right, part)).then_some(())?;
     let of_part = part.rsplit_once('.').map_or("", |(above, _)| above);
     if let Some(Value::Table(inner)) = table.get_mut(of_part) {

@@ -94,9 +94,39 @@ impl<'de> Deserializer<'de> for Keyed<'_> {
         }
     }
 
+    /// A table only: fields of a list have no names, and the code that reads them by place would be compiled for every type.
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Error> {
+        match self.value {
+            Value::Table(table) => visitor.visit_map(Keys {
+                entries: table.into_iter(),
+                value: None,
+                path: self.path,
+            }),
+            value => Err(Error::invalid_type(unexpected(&value), &visitor)),
+        }
+    }
+
     forward_to_deserialize_any! {
         bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf unit unit_struct seq tuple
-        tuple_struct map struct identifier ignored_any
+        tuple_struct map identifier ignored_any
+    }
+}
+
+/// A value as errors name it.
+fn unexpected(value: &Value) -> Unexpected<'_> {
+    match value {
+        Value::String(text) => Unexpected::Str(text),
+        Value::Integer(number) => Unexpected::Signed(*number),
+        Value::Float(number) => Unexpected::Float(*number),
+        Value::Boolean(truth) => Unexpected::Bool(*truth),
+        Value::Datetime(_) => Unexpected::Other("time"),
+        Value::Array(_) => Unexpected::Seq,
+        Value::Table(_) => Unexpected::Map,
     }
 }
 

@@ -73,6 +73,7 @@ mod train_gearbox;
 mod train_heat_input;
 mod train_input;
 mod train_parts;
+mod written;
 
 pub use any_input::AnyInput;
 pub use assumed_relief::AssumedRelief;

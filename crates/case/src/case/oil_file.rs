@@ -17,6 +17,7 @@ use super::input::CaseInput;
 use super::model::{Formulation, ModelInput};
 use super::section::Section;
 use super::source::Source;
+use super::written;
 use crate::message::Warning;
 
 /// Squares of the residuals per point above which the law explains the curves poorly.
@@ -580,7 +581,7 @@ impl OilFile {
 
     /// Keys of the oil that the case states with another value.
     fn other_properties(&self, own: &LubricantInput) -> Vec<String> {
-        let table = |input: &LubricantInput| toml::Table::try_from(input).unwrap_or_default();
+        let table = |input: &LubricantInput| written::table(input).unwrap_or_default();
         let file = table(&self.lubricant);
         let differs = |(key, value): (String, toml::Value)| {
             let other = file.get(&key).is_some_and(|other| *other != value);

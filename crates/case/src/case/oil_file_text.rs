@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::calibration::CorrelationInput;
 use super::oil_file::{FitQuality, FittedFriction, FittedName, OilConstant, OilFile};
+use super::written;
 
 /// The file as TOML.
 impl fmt::Display for OilFile {
@@ -21,7 +22,7 @@ impl fmt::Display for OilFile {
             film_friction,
             other_law,
         } = self;
-        let oil = toml::to_string(&Oil { lubricant }).map_err(|_| fmt::Error)?;
+        let oil = written::file(&Oil { lubricant }).map_err(|_| fmt::Error)?;
         write!(f, "schema = {}\n\n{oil}", inline(schema)?)?;
         table(f, "film_friction", film_friction)?;
         match other_law {
@@ -106,6 +107,6 @@ fn constant<T: Serialize>(
 
 /// A value on one line.
 fn inline<T: Serialize>(value: &T) -> Result<String, fmt::Error> {
-    let value = toml::Value::try_from(value).map_err(|_| fmt::Error)?;
+    let value = written::value(value).map_err(|_| fmt::Error)?;
     Ok(value.to_string())
 }

@@ -1,7 +1,7 @@
 //! Keys of a case set by their path; the case as text.
 
 use serde::de::{DeserializeOwned, Error as _};
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serializer};
 use toml::Value;
 
 use super::case_file::{CaseFile, read_table, table_of};
@@ -10,6 +10,7 @@ use super::input::CaseInput;
 use super::source::{Source, from_table, stated};
 use super::symbols::with_keys;
 use super::train_input::TrainCaseInput;
+use super::written;
 use crate::error::Error;
 
 impl CaseInput {
@@ -68,6 +69,14 @@ impl CaseInput {
         of_json(serde_json::Value::deserialize(from)?).map_err(D::Error::custom)
     }
 
+    /// Writes the case into a stored result: for `#[serde(serialize_with)]`, compiled once as [`stored`](Self::stored) is.
+    ///
+    /// # Errors
+    /// When the format cannot write a value.
+    pub fn store<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        erased_serde::serialize(self, to)
+    }
+
     /// The case as the text of a case file, which reads back to the same case.
     ///
     /// # Errors
@@ -79,7 +88,7 @@ impl CaseInput {
             key: None,
             message,
         };
-        let text = toml::to_string_pretty(self).map_err(|error| unwritten(error.to_string()))?;
+        let text = written::long_file(self).map_err(|error| unwritten(error.to_string()))?;
         Ok(text)
     }
 }

@@ -30,6 +30,7 @@ use super::train_flow::StageKind;
 use super::train_gearbox::{Hand, MeshPlace, TrainGearboxInput, train_gearbox};
 use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, refused};
+use super::written;
 
 /// A case of several meshes as the user writes it, on named shafts or of a single planetary set. Torque and speed of the
 /// operation are those of the input shaft, or of the sun.
@@ -632,7 +633,7 @@ fn own_tables(name: &str, mesh: &MeshInput) -> Vec<(String, String)> {
         };
         stated.map(key).collect()
     };
-    let mut tables = keys("material", toml::Table::try_from(&mesh.material));
-    tables.extend(keys("surface", toml::Table::try_from(&mesh.surface)));
+    let mut tables = keys("material", written::table(&mesh.material));
+    tables.extend(keys("surface", written::table(&mesh.surface)));
     tables
 }
