@@ -301,5 +301,7 @@ fn the_dense_reference_solver_is_behind_a_feature() {
         assert!(of_oracle.iter().any(is_faer), "{folder}");
         let default = features.get("default").and_then(toml::Value::as_array);
         assert!(default.is_none_or(Vec::is_empty), "{folder}");
+        let for_tests = package["dev-dependencies"].as_table().unwrap();
+        assert!(!for_tests.contains_key("asperity-ehl"), "{folder}");
     }
 }

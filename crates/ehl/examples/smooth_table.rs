@@ -1,7 +1,7 @@
 //! Reference table of smooth films over Moes' numbers, by extrapolation on graded grids.
 //!
 //! ```text
-//! cargo run --release -p asperity-ehl --example smooth_table [doublings]
+//! cargo run --release -p asperity-ehl --features oracle --example smooth_table [doublings]
 //! ```
 //!
 //! Laws: IV isoviscous, BI Barus and RC Roelands z = 0.6 with α = 20 1/GPa, the last one compressible. Rows
