@@ -146,9 +146,9 @@ pub(crate) fn regime(s: &Summary) -> String {
     };
     let mixed = format!("mixed on {} of the path", percent(s.mixed_share));
     let regime = match s.regime() {
-        Regime::FullFilm if s.mixed_share == 0.0 => "full film all along the path".to_owned(),
+        Regime::FullFilm => "full film all along the path".to_owned(),
         Regime::Mixed => mixed,
-        regime => format!("{}, {mixed}", regime.name()),
+        Regime::Boundary => format!("{}, {mixed}", Regime::Boundary.name()),
     };
     match s.mixed_share == 0.0 && s.asperity_share < 0.005 {
         true => regime,
@@ -542,9 +542,9 @@ mod tests {
             regime(&serde_json::from_value(summary).unwrap())
         };
         assert_eq!(of(0.0, 0.0, 0.0), "full film all along the path");
-        let expected = "full film all along the path, 2 % of the load on asperities";
-        assert_eq!(of(0.0, 0.02, 0.0), expected);
-        let expected = "full film, mixed on 25 % of the path, 7 % of the load on asperities";
+        let expected = "full film all along the path, 1 % of the load on asperities";
+        assert_eq!(of(0.0, 0.01, 0.0), expected);
+        let expected = "mixed on 25 % of the path, 7 % of the load on asperities";
         assert_eq!(of(0.25, 0.07, 1.0), expected);
         let expected = "boundary, mixed on 100 % of the path, 61 % of the load on asperities";
         assert_eq!(of(1.0, 0.61, 50.0), expected);
