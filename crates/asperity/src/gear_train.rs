@@ -11,7 +11,7 @@ use crate::contacts::Contacts;
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::{GearboxReport, Scope};
 use crate::result::loss_band::{Digits, EvidenceRow};
-use crate::result::{LossDistribution, Losses, Outcome, PositionRow, RunResult, Summary};
+use crate::result::{Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
 use crate::train_gearbox;
 use crate::train_heat::{self, FoundOil, HeatReport};
@@ -241,7 +241,7 @@ impl TrainOutcome {
 struct MeshLosses<'a> {
     summary: &'a Summary,
     path: &'a [PositionRow],
-    drawn: Option<&'a LossDistribution>,
+    drawn: Option<(f64, [f64; 2])>,
 }
 
 impl<'a> MeshLosses<'a> {
@@ -249,7 +249,8 @@ impl<'a> MeshLosses<'a> {
         Self {
             summary: &run.summary,
             path: &run.path,
-            drawn: run.uncertainty.as_ref().map(|found| &found.loss),
+            drawn: { run.uncertainty.as_ref() }
+                .map(|found| (found.loss.median_w, found.loss.quantiles_w)),
         }
     }
 }
@@ -267,10 +268,13 @@ pub fn train_losses(loaded: &LoadedTrain, of_mesh: LossesOfMesh<'_>) -> Result<T
     let loaded = &settled;
     let meshes = loaded.meshes().map(|mesh| of_mesh(&mesh.case));
     let meshes = meshes.collect::<Result<Vec<_>, Error>>()?;
-    let runs = meshes.iter().map(|(losses, _)| MeshLosses {
+    let runs = meshes.iter().map(|(losses, drawn)| MeshLosses {
         summary: &losses.summary,
         path: &losses.path,
-        drawn: None,
+        drawn: drawn.as_ref().map(|drawn| {
+            let found = Quantiles::of(&drawn.draws_w());
+            (found.median_w, found.quantiles_w)
+        }),
     });
     let runs: Vec<MeshLosses<'_>> = runs.collect();
     let mut result = result(loaded, &runs).map_err(|error| Error::Whole(Box::new(error)))?;
@@ -555,9 +559,9 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
         torque_nm: mesh.case.case.torque.si(),
         speed_rad_per_s: mesh.case.case.speed.si(),
         loss_w: summary.loss_w,
-        loss_median_w: drawn.map(|loss| loss.median_w),
-        loss_q05_w: drawn.map(|loss| loss.quantiles_w[0]),
-        loss_q95_w: drawn.map(|loss| loss.quantiles_w[1]),
+        loss_median_w: drawn.map(|(median, _)| median),
+        loss_q05_w: drawn.map(|(_, [low, _])| low),
+        loss_q95_w: drawn.map(|(_, [_, high])| high),
         sliding_w: summary.sliding_w,
         rolling_w: summary.rolling_w,
         efficiency: summary.efficiency,
