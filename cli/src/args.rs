@@ -199,7 +199,7 @@ pub enum Command {
         #[arg(value_enum)]
         kind: CompletionKind,
     },
-    /// Film thickness, Lambda* and regime along the path of contact, without the rough contact
+    /// Film thickness, Lambda*, load share and regime along the path of contact, without friction
     Regime(CaseArgs),
     /// Geometry, stiffness, transmission error, and the loss factor of every load distribution law
     Gear(CaseArgs),

@@ -283,6 +283,8 @@ fn diff_names_the_key_that_differs_and_what_follows() {
         "operation.torque",
         "145 N m -> 200 N m",
         "loss_w",
+        "loss_median_w",
+        "efficiency_p95",
         "largest difference along the path",
     ] {
         assert!(said.contains(says), "{says} is not in {said}");

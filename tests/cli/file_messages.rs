@@ -240,6 +240,7 @@ fn noted() -> Vec<Noted> {
         (trace("x_um,z_um", long), &["--dx", "0.4um"], "W117", &["spacing 400 nm was stated, the x column says 500 nm"]),
         (trace("# dx = 0.4 um\nx_um,z_um", long), &[], "W325", &["states a spacing of 400", "Pass --dx to choose"]),
         (trace("x_um,z_um", long) + &"NaN,NaN\n".repeat(9), &[], "W326", &["9 rows hold neither a position nor a height"]),
+        (format!("x_um,z_um\n{}", rows(long, |i, _| format!("{:.1},3.25", 0.5 * i as f64))), &[], "W327", &["all heights are equal", "perfectly smooth"]),
         (trace("roughness profile\nx_um,z_um", long), &[], "W118", &["already filtered roughness profile", "--lambda-c none"]),
     ]
 }

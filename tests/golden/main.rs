@@ -12,7 +12,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use asperity::case::{Formulation, load};
-use asperity::result::RunResult;
+use asperity::ehl_regime::FULL_FILM;
+use asperity::result::{Regime, RunResult};
 use asperity_tests::{assert_close, run};
 use serde_json::{Map, Value, json};
 
@@ -51,7 +52,15 @@ fn values(result: &RunResult) -> Map<String, Value> {
 
 fn computed(case: &Path, formulation: Formulation) -> Map<String, Value> {
     let loaded = load(case, Some(formulation)).unwrap();
-    values(&run(&loaded).result)
+    let result = run(&loaded).result;
+    if formulation == Formulation::Corrected {
+        for row in &result.path {
+            let touches = row.film_share <= 1.0 - FULL_FILM;
+            assert!(!touches || row.regime != Regime::FullFilm, "{row:?}");
+            assert_eq!(row.mixed_share == 0.0, row.regime == Regime::FullFilm);
+        }
+    }
+    values(&result)
 }
 
 /// Both formulations of a case, with what the file says of itself.

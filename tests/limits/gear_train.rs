@@ -370,9 +370,9 @@ fn a_planetary_set_is_the_sum_of_its_meshes_at_relative_speeds() {
 
 /// The numbers of "95.4 (80..110)".
 fn numbers(text: &str) -> [f64; 3] {
-    let cleared = text.replace(['(', ')'], "").replace("..", " ");
+    let cleared = text.replace(['(', ')', 'W', '%'], "").replace("..", " ");
     let found: Vec<f64> = cleared
-        .split(' ')
+        .split_whitespace()
         .map(|word| word.parse().unwrap())
         .collect();
     found.try_into().unwrap()
@@ -458,7 +458,7 @@ fn losses_are_said_with_the_digits_of_their_band() {
     assert!(digits(&exact) > with);
     result.loss_distribution = None;
     let (loss, efficiency) = (result.loss_w, 100.0 * result.efficiency);
-    let expected = [format!("{loss:.0}"), format!("{efficiency:.4}")];
+    let expected = [format!("{loss:.0} W"), format!("{efficiency:.4} %")];
     assert_eq!(result.with_bands(), expected);
 }
 

@@ -1,4 +1,4 @@
-//! `asperity regime`: film thickness and regime along the path, without the rough contact.
+//! `asperity regime`: film thickness, load share and regime along the path, without friction.
 
 use asperity::case::LoadedCase;
 use asperity::case::gear_train::LoadedMesh;

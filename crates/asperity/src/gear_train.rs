@@ -11,7 +11,7 @@ use crate::contacts::Contacts;
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::{GearboxReport, Scope};
 use crate::result::loss_band::{Digits, EvidenceRow};
-use crate::result::{LossDistribution, Losses, Outcome, PositionRow, RunResult, Summary};
+use crate::result::{Losses, Outcome, PositionRow, RunResult, Summary};
 use crate::result::{rounded, with_interval};
 use crate::train_gearbox;
 use crate::train_heat::{self, FoundOil, HeatReport};
@@ -241,7 +241,7 @@ impl TrainOutcome {
 struct MeshLosses<'a> {
     summary: &'a Summary,
     path: &'a [PositionRow],
-    drawn: Option<&'a LossDistribution>,
+    drawn: Option<(f64, [f64; 2])>,
 }
 
 impl<'a> MeshLosses<'a> {
@@ -249,7 +249,8 @@ impl<'a> MeshLosses<'a> {
         Self {
             summary: &run.summary,
             path: &run.path,
-            drawn: run.uncertainty.as_ref().map(|found| &found.loss),
+            drawn: { run.uncertainty.as_ref() }
+                .map(|found| (found.loss.median_w, found.loss.quantiles_w)),
         }
     }
 }
@@ -267,10 +268,13 @@ pub fn train_losses(loaded: &LoadedTrain, of_mesh: LossesOfMesh<'_>) -> Result<T
     let loaded = &settled;
     let meshes = loaded.meshes().map(|mesh| of_mesh(&mesh.case));
     let meshes = meshes.collect::<Result<Vec<_>, Error>>()?;
-    let runs = meshes.iter().map(|(losses, _)| MeshLosses {
+    let runs = meshes.iter().map(|(losses, drawn)| MeshLosses {
         summary: &losses.summary,
         path: &losses.path,
-        drawn: None,
+        drawn: drawn.as_ref().map(|drawn| {
+            let found = Quantiles::of(&drawn.draws_w());
+            (found.median_w, found.quantiles_w)
+        }),
     });
     let runs: Vec<MeshLosses<'_>> = runs.collect();
     let mut result = result(loaded, &runs).map_err(|error| Error::Whole(Box::new(error)))?;
@@ -555,9 +559,9 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
         torque_nm: mesh.case.case.torque.si(),
         speed_rad_per_s: mesh.case.case.speed.si(),
         loss_w: summary.loss_w,
-        loss_median_w: drawn.map(|loss| loss.median_w),
-        loss_q05_w: drawn.map(|loss| loss.quantiles_w[0]),
-        loss_q95_w: drawn.map(|loss| loss.quantiles_w[1]),
+        loss_median_w: drawn.map(|(median, _)| median),
+        loss_q05_w: drawn.map(|(_, [low, _])| low),
+        loss_q95_w: drawn.map(|(_, [_, high])| high),
         sliding_w: summary.sliding_w,
         rolling_w: summary.rolling_w,
         efficiency: summary.efficiency,
@@ -588,9 +592,9 @@ impl TrainResult {
     #[must_use]
     pub fn with_bands(&self) -> [String; 2] {
         let Some(drawn) = &self.loss_distribution else {
-            return without_interval(self.loss_w, self.efficiency);
+            return with_units(without_interval(self.loss_w, self.efficiency));
         };
-        with_interval(drawn.median_w, drawn.quantiles_w, self.power_in_w, ["", ""])
+        with_interval(drawn.median_w, drawn.quantiles_w, self.power_in_w, UNITS)
     }
 
     /// Loss \[W\] and efficiency \[%\] of meshes, seals and bearings together with the bands of the meshes; `None` without
@@ -599,17 +603,13 @@ impl TrainResult {
     pub fn gearbox_with_bands(&self) -> Option<[String; 2]> {
         let gearbox = self.gearbox.as_ref()?;
         let Some(drawn) = &self.loss_distribution else {
-            return Some(without_interval(gearbox.loss_w, gearbox.efficiency));
+            let run = without_interval(gearbox.loss_w, gearbox.efficiency);
+            return Some(with_units(run));
         };
         let with_parts = |loss: f64| loss + gearbox.parts_w;
         let quantiles = drawn.quantiles_w.map(with_parts);
         let median = with_parts(drawn.median_w);
-        Some(with_interval(
-            median,
-            quantiles,
-            gearbox.power_in_w,
-            ["", ""],
-        ))
+        Some(with_interval(median, quantiles, gearbox.power_in_w, UNITS))
     }
 
     /// Half of the interval of the loss over the loss; without one two steps of its last place, which leave that place.
@@ -654,10 +654,15 @@ impl TrainResult {
     #[must_use]
     pub fn shaft_with_digits(&self, row: &ShaftRow) -> [String; 3] {
         let half = self.half_band() * row.by_losses_nm.abs();
+        let text = |value: f64, half: f64| match half > 0.0 {
+            true => rounded(value, half),
+            // Stated, or zero.
+            false => format!("{}", (value * 1e4).round() / 1e4 + 0.0),
+        };
         [
-            rounded(row.carried_nm, half),
-            rounded(row.torque_nm, half),
-            rounded(1e-3 * row.power_w, 1e-3 * half * row.speed_rad_per_s.abs()),
+            text(row.carried_nm, half),
+            text(row.torque_nm, half),
+            text(1e-3 * row.power_w, 1e-3 * half * row.speed_rad_per_s.abs()),
         ]
     }
 
@@ -679,6 +684,13 @@ impl TrainResult {
         let sets = self.sets.iter().map(|(name, set)| (name.as_str(), set));
         self.set.iter().map(|set| ("", set)).chain(sets)
     }
+}
+
+/// Units of a loss and an efficiency as text.
+const UNITS: [&str; 2] = [" W", " %"];
+
+fn with_units([loss, efficiency]: [String; 2]) -> [String; 2] {
+    [loss + UNITS[0], efficiency + UNITS[1]]
 }
 
 /// Loss \[W\] and efficiency \[%\] without an interval, as text.
@@ -745,7 +757,7 @@ mod tests {
             ..TrainResult::default()
         };
         (train.kinds.film_w, train.kinds.rolling_w) = (1000.1, 370.1773);
-        assert_eq!(train.with_bands(), ["1370", "98.9523"]);
+        assert_eq!(train.with_bands(), ["1370 W", "98.9523 %"]);
         let kinds = train.kinds_with_digits();
         assert_eq!(kinds[0].1, "1000");
         assert_eq!(kinds[1].1, "370");
@@ -760,5 +772,11 @@ mod tests {
         };
         let [carried, torque, _] = train.shaft_with_digits(&shaft);
         assert_eq!([carried, torque], ["1654.40", "-1654.40"]);
+        let stated = ShaftRow {
+            by_losses_nm: 0.0,
+            torque_nm: 145.0,
+            ..shaft
+        };
+        assert_eq!(train.shaft_with_digits(&stated)[1], "145");
     }
 }

@@ -23,12 +23,14 @@ fn the_ends_of_a_range_are_in_or_out_as_its_rule_says() {
     // A starved inlet needs this gap law.
     let case = e_drive().with_key("model.gap_law", "power").unwrap();
     // Key, values that may be, values that may not.
-    let ranges: [(&str, &[&str], &[&str]); 15] = [
+    let ranges: [(&str, &[&str], &[&str]); 17] = [
         ("positions", &["2", "10000"], &["1", "10001"]),
         ("offsets", &["1", "10000"], &["0", "10001"]),
         ("depths", &["0", "1000"], &["1001"]),
         ("position", &["0", "1", "C"], &["-0.001", "1.001"]),
         ("window", &["1.5", "100"], &["1.49", "100.1"]),
+        ("stiffness_factor", &["0.05", "20"], &["0", "20.1"]),
+        ("face_coupling", &["0.05", "20"], &["0", "20.1"]),
         ("friction_scale", &["0.001", "10"], &["0", "10.01"]),
         ("boundary_friction", &["0", "2"], &["-0.01", "2.01"]),
         ("boundary_layer", &["0 nm", "1 um"], &["-1 nm", "1.01 um"]),
@@ -196,7 +198,7 @@ fn a_place_that_no_flank_has_is_refused_with_what_was_wrong() {
 /// Mistakes of case files, each with its code and with the words that name it; an unusual number is a warning.
 #[test]
 fn deliberate_mistakes_are_named() {
-    let mistakes: [(&str, &str, &str, &str); 36] = [
+    let mistakes: [(&str, &str, &str, &str); 40] = [
         (
             "operation.torque",
             "145 kN m",
@@ -279,6 +281,20 @@ fn deliberate_mistakes_are_named() {
             "E209",
             "must be below 1 mm",
         ),
+        (
+            "gears.pinion.tip_relief",
+            "{ amount = \"20 um\", length = \"2 m\" }",
+            "E209",
+            "longer than twice the path of contact",
+        ),
+        (
+            "gears.end_relief",
+            "{ amount = \"20 um\", length = \"60 mm\" }",
+            "E209",
+            "longer than the face width",
+        ),
+        ("gears.wheel.fillet_radius", "3", "E209", "must be 0 to 1"),
+        ("gears.wheel.dedendum", "0.1", "E209", "must be 0.5 to 3"),
         (
             "gears.wheel.crowning",
             "-20 mm",

@@ -47,6 +47,6 @@ pub use film_thickness_law::FilmThicknessLaw;
 pub use gap_law::GapLaw;
 pub use inlet_flow::{CentralFilm, Lay};
 pub use lambda_star::{AsperityShape, LambdaStar, Orientation, lambda_star};
-pub use regime::{LoadShareLaw, Regime, film_ratio};
+pub use regime::{FULL_FILM, LoadShareLaw, Regime, film_ratio};
 pub use rough_inlet::{PairSpectrum, RoughInlet};
 pub use thermal_reduction::{ThermalLaw, thermal_loading};

@@ -8,8 +8,9 @@
 //! | h | film thickness (central or minimum, as the comparison asks) | m |
 //! | Sq | combined root-mean-square roughness √(Rq₁² + Rq₂²) | m |
 //!
-//! Full film from Λ* = 1 on (Hansen et al. 2021). Below, friction is mixed; boundary friction is
-//! mixed friction with a negligible film share and has no threshold of its own.
+//! A contact is in full film if asperities carry less than 2 % of its load, by whatever law of the load share: their
+//! friction is then within the error of the film friction. Otherwise it is mixed, or boundary if the boundary layer makes
+//! more than half of the friction. The 2022 paper decides by Λ*: full film from Λ* = 1 on (Hansen et al. 2021).
 //!
 //! The share by Λ* is this model's: a parabola that is 1 with a flat top at Λ* = 1, so that
 //! regimes join without a step, and 75 % at Λ* = 0.5 where the 2022 paper quotes 60 to 80 %.
@@ -29,20 +30,23 @@ const ZHU_HU_RISE: (f64, f64) = (1.21, 0.64);
 /// Zhu and Hu 2001: factor and exponent of the denominator.
 const ZHU_HU_FALL: (f64, f64) = (0.37, 1.26);
 
+/// Share of the load on asperities below which a film is called full and its friction taken as that of smooth flanks.
+pub const FULL_FILM: f64 = 0.02;
+
 /// Lubrication regime: separation of the flanks, and the origin of their friction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Regime {
-    /// The film separates the flanks, Λ* ≥ 1.
+    /// Asperities carry less than [`FULL_FILM`] of the load; in the 2022 paper Λ* ≥ 1.
     FullFilm,
-    /// Film and asperities share the load, Λ* < 1.
+    /// Film and asperities share the load.
     Mixed,
     /// As mixed, and the boundary layer of touching asperities makes more than half of the friction.
     Boundary,
 }
 
 impl Regime {
-    /// Full film from Λ* = 1 on.
+    /// Regime of the 2022 paper: full film from Λ* = 1 on.
     ///
     /// # Errors
     /// When Λ* is negative or NaN.
@@ -61,21 +65,36 @@ impl Regime {
         })
     }
 
+    /// Mixed where the film carries at most 98 % of the load.
+    ///
+    /// ```
+    /// use asperity_ehl_regime::Regime;
+    /// assert_eq!(Regime::of_film_share(0.981), Regime::FullFilm);
+    /// assert_eq!(Regime::of_film_share(0.52), Regime::Mixed);
+    /// ```
+    #[must_use]
+    pub fn of_film_share(film_share: f64) -> Self {
+        match 1.0 - film_share < FULL_FILM {
+            true => Self::FullFilm,
+            false => Self::Mixed,
+        }
+    }
+
     /// Regime of a contact, or of a path of contact, with this share of it in mixed lubrication, its friction and the part
-    /// of that in the boundary layer: boundary from half of the friction, mixed from half of the contact.
+    /// of that in the boundary layer: boundary from half of the friction, and full film only if no part of it is mixed.
     ///
     /// ```
     /// use asperity_ehl_regime::Regime;
     /// assert_eq!(Regime::of_friction(0.9, 51.0, 100.0), Regime::Boundary);
-    /// assert_eq!(Regime::of_friction(0.5, 50.0, 100.0), Regime::Mixed);
-    /// assert_eq!(Regime::of_friction(0.1, 2.0, 100.0), Regime::FullFilm);
+    /// assert_eq!(Regime::of_friction(0.1, 50.0, 100.0), Regime::Mixed);
+    /// assert_eq!(Regime::of_friction(0.0, 2.0, 100.0), Regime::FullFilm);
     /// ```
     #[must_use]
     pub fn of_friction(mixed_share: f64, boundary: f64, friction: f64) -> Self {
-        match mixed_share >= 0.5 {
-            _ if boundary > 0.5 * friction => Self::Boundary,
-            true => Self::Mixed,
+        match mixed_share > 0.0 {
             false => Self::FullFilm,
+            true if boundary > 0.5 * friction => Self::Boundary,
+            true => Self::Mixed,
         }
     }
 

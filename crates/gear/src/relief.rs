@@ -299,11 +299,18 @@ impl Separation {
         let width = pair.face_width.si();
         let end_relief = match micro.end_relief {
             None => None,
-            Some(end) => Some((
-                normal("end relief", end.amount)?,
-                DomainError::positive("length of the end relief", end.length)? / width,
-                end.shape == ReliefShape::Parabolic,
-            )),
+            Some(end) => {
+                let name = "length of the end relief";
+                let length = DomainError::positive(name, end.length)?;
+                let rule = "must not be longer than the face width";
+                DomainError::require(length <= width, name, length, "m", rule)?;
+                let is_squared = end.shape == ReliefShape::Parabolic;
+                Some((
+                    normal("end relief", end.amount)?,
+                    length / width,
+                    is_squared,
+                ))
+            }
         };
         let pitch = (micro.pitch.iter())
             .map(|p| normal("pitch deviation", *p))
@@ -422,7 +429,12 @@ fn roll_length(
     cite!("Relief-2");
     let diameter = match extent {
         ReliefExtent::RollLength(length) => {
-            return Ok(DomainError::positive("roll length of the relief", length)?);
+            let name = "roll length of the relief";
+            let rolled = DomainError::positive(name, length)?;
+            let longest = 2.0 * (pair.path.e - pair.path.a).si();
+            let rule = "must not be longer than twice the path of contact";
+            DomainError::require(rolled <= longest, name, rolled, "m", rule)?;
+            return Ok(rolled);
         }
         ReliefExtent::StartDiameter(diameter) => diameter,
     };

@@ -112,6 +112,9 @@ pub enum Warning {
         /// Slopes with their likely cause.
         steepness: Steepness,
     },
+    /// No roughness was measured.
+    #[error("all heights are equal: the trace is a perfectly smooth flank")]
+    EqualHeights,
     /// Slightly uneven points are treated as even.
     #[error(
         "x is up to {:.1} % of a spacing off an even grid, so slopes are off by up to {:.1} %", 100.0 * off, 100.0 * slopes
@@ -252,6 +255,7 @@ impl Warning {
             Self::PositionsKept { .. } => "W324",
             Self::HeaderDisagrees { .. } => "W325",
             Self::EmptyRows { .. } => "W326",
+            Self::EqualHeights => "W327",
         }
     }
 }

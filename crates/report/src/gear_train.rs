@@ -160,7 +160,7 @@ fn warnings_of(outcome: &TrainOutcome) -> Vec<Warning> {
 pub fn tables_of_train(result: &TrainResult) -> String {
     let [loss, efficiency] = result.with_bands();
     let mut text = format!(
-        "{}\nefficiency (meshes only)  {efficiency} %   loss {loss} W\n  power in {:.2} kW\n",
+        "{}\nefficiency (meshes only)  {efficiency}   loss {loss}\n  power in {:.2} kW\n",
         asperity_storage::one_line(&result.title),
         1e-3 * result.power_in_w,
     );
@@ -168,7 +168,7 @@ pub fn tables_of_train(result: &TrainResult) -> String {
         (result.gearbox_with_bands(), &result.gearbox)
     {
         text.push_str(&format!(
-            "efficiency (gearbox)      {efficiency} %   loss {loss} W\n"
+            "efficiency (gearbox)      {efficiency}   loss {loss}\n"
         ));
         text.push_str(&format!("{}\n", wrapped(&besides_the_mesh(gearbox), "  ")));
         for part in &gearbox.parts {
@@ -259,12 +259,12 @@ fn headline(result: &TrainResult) -> Vec<[String; 2]> {
     let [loss, efficiency] = result.with_bands();
     let row = |name: &str, value: String| [name.to_owned(), value];
     let mut rows = vec![
-        row("efficiency (meshes only)", format!("{efficiency} %")),
-        row("loss of all meshes", format!("{loss} W")),
+        row("efficiency (meshes only)", efficiency),
+        row("loss of all meshes", loss),
     ];
     if let Some([loss, efficiency]) = result.gearbox_with_bands() {
-        rows.push(row("efficiency (gearbox)", format!("{efficiency} %")));
-        rows.push(row("loss of the gearbox", format!("{loss} W")));
+        rows.push(row("efficiency (gearbox)", efficiency));
+        rows.push(row("loss of the gearbox", loss));
     }
     let kw = |power_w: f64| format!("{:.3} kW", 1e-3 * power_w);
     rows.push(row("power in", kw(result.power_in_w)));

@@ -54,7 +54,8 @@ pub fn headline(result: &RunResult) -> String {
 const LARGE_LOAD_ERROR: f64 = 0.011;
 /// Codes of warnings about inputs that make the result doubtful, the most important first.
 const DOUBTFUL: &[&str] = &[
-    "W402", "W426", "W412", "W405", "W201", "W124", "W128", "W112", "W118", "W111", "W125", "W117",
+    "W402", "W426", "W412", "W405", "W201", "W124", "W327", "W128", "W112", "W118", "W111", "W125",
+    "W117",
 ];
 /// Component of the uncertainty that a warning is about, by the code and a word of the text.
 const COMPONENTS: &[(&str, &str, &str)] = &[
@@ -146,9 +147,9 @@ pub(crate) fn regime(s: &Summary) -> String {
     };
     let mixed = format!("mixed on {} of the path", percent(s.mixed_share));
     let regime = match s.regime() {
-        Regime::FullFilm if s.mixed_share == 0.0 => "full film all along the path".to_owned(),
+        Regime::FullFilm => "full film all along the path".to_owned(),
         Regime::Mixed => mixed,
-        regime => format!("{}, {mixed}", regime.name()),
+        Regime::Boundary => format!("{}, {mixed}", Regime::Boundary.name()),
     };
     match s.mixed_share == 0.0 && s.asperity_share < 0.005 {
         true => regime,
@@ -542,9 +543,9 @@ mod tests {
             regime(&serde_json::from_value(summary).unwrap())
         };
         assert_eq!(of(0.0, 0.0, 0.0), "full film all along the path");
-        let expected = "full film all along the path, 2 % of the load on asperities";
-        assert_eq!(of(0.0, 0.02, 0.0), expected);
-        let expected = "full film, mixed on 25 % of the path, 7 % of the load on asperities";
+        let expected = "full film all along the path, 1 % of the load on asperities";
+        assert_eq!(of(0.0, 0.01, 0.0), expected);
+        let expected = "mixed on 25 % of the path, 7 % of the load on asperities";
         assert_eq!(of(0.25, 0.07, 1.0), expected);
         let expected = "boundary, mixed on 100 % of the path, 61 % of the load on asperities";
         assert_eq!(of(1.0, 0.61, 50.0), expected);

@@ -280,6 +280,16 @@ fn primary(
     let (mut warnings, spacing) = (Vec::new(), profile.spacing());
     let mut current = form::remove(profile, recipe.form)?;
     if let Some(lambda_s) = recipe.lambda_s {
+        // Filters without a band between them would leave a smooth flank.
+        let longest = recipe.lambda_c.map_or(f64::INFINITY, Length::si);
+        let rule = "must be shorter than the cut-off lambda_c";
+        DomainError::require(
+            lambda_s.si() < longest,
+            "cut-off lambda_s",
+            lambda_s.si(),
+            "m",
+            rule,
+        )?;
         if spacing.si() * POINTS_PER_LAMBDA_S > lambda_s.si() * (1.0 + 1e-9) {
             warnings.push(Warning::CoarseForLambdaS { spacing, lambda_s });
         }

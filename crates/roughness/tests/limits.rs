@@ -102,6 +102,16 @@ fn a_trace_too_short_for_its_cutoff_is_refused_with_the_length_needed() {
         Err(RoughnessError::TooShort { needed, .. }) => assert_eq!(needed, Length::from_si(1.6e-3)),
         other => panic!("{other:?}"),
     }
+    let crossed = Preparation {
+        lambda_s: Some(Length::from_si(0.3e-3)),
+        lambda_c: Some(Length::from_si(0.25e-3)),
+        ..Preparation::default()
+    };
+    let refused = prepare(&rough(1500), &crossed).unwrap_err().to_string();
+    assert!(
+        refused.contains("shorter than the cut-off lambda_c"),
+        "{refused}"
+    );
     assert!(height_parameters(&rough(500), Mode::Iso4287, Length::from_si(0.8e-3)).is_err());
     assert!(in_sections(&rough(30), Mode::Iso4287, 5).is_err());
     assert!(rk_parameters(&[1.0; 9]).is_err());

@@ -13,7 +13,7 @@ use serde_json::Value;
 pub struct ResultDiff {
     /// Changed keys of the cases and defaults.
     pub inputs: Vec<Change>,
-    /// Changed efficiency and losses.
+    /// Changed efficiency and losses: of the run with every constant at its median, and the quantiles of the draws.
     pub summary: Vec<Change>,
     /// Largest difference in each column of the path; empty if the numbers of positions differ.
     pub path: Vec<PathChange>,
@@ -94,6 +94,18 @@ pub fn diff(first: &RunResult, second: &RunResult) -> Result<ResultDiff, serde_j
     let summary = |result: &RunResult| -> Result<BTreeMap<String, Value>, serde_json::Error> {
         let mut values = BTreeMap::new();
         flatten("", &serde_json::to_value(&result.summary)?, &mut values);
+        if let Some(band) = &result.uncertainty {
+            let ([low, high], [least, most]) = (band.loss.quantiles_w, band.efficiency_quantiles);
+            let drawn = [
+                ("loss_median_w", band.loss.median_w),
+                ("loss_p05_w", low),
+                ("loss_p95_w", high),
+                ("efficiency_median", band.efficiency_median),
+                ("efficiency_p05", least),
+                ("efficiency_p95", most),
+            ];
+            values.extend(drawn.map(|(key, value)| (key.to_owned(), value.into())));
+        }
         Ok(values)
     };
     let warnings = |result: &RunResult| -> BTreeSet<String> {

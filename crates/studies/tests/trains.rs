@@ -274,7 +274,7 @@ fn a_sweep_of_a_train_has_the_numbers_of_its_runs() {
         ],
         "columns": ["loss_w", "efficiency", "film_w", "loss_p95_w", "mesh.first.loss_w", "mesh.second.loss_w"]
     }"#;
-    let cases = Cases::of(Study::of_case(case, study, Path::new(".")).unwrap()).unwrap();
+    let cases = Cases::of(Study::of_case(case.clone(), study, Path::new(".")).unwrap()).unwrap();
     let rows = cases.rows(0..cases.count()).unwrap();
     assert_eq!(rows.len(), 4);
     let ids: std::collections::BTreeSet<&String> = rows.iter().map(|row| &row[1]).collect();
@@ -283,7 +283,7 @@ fn a_sweep_of_a_train_has_the_numbers_of_its_runs() {
         ("mesh.second.gears.face_width", "50 mm"),
         ("operation.speed", "3000 1/min"),
     ];
-    let run = run(&train(TWO_STAGES, &keys), true);
+    let of_run = run(&train(TWO_STAGES, &keys), true);
     let row = &rows[2];
     assert_eq!((row[2].as_str(), row[3].as_str()), ("50 mm", "3000 1/min"));
     let found: Vec<f64> = row[4..10]
@@ -291,12 +291,12 @@ fn a_sweep_of_a_train_has_the_numbers_of_its_runs() {
         .map(|cell| cell.parse().unwrap())
         .collect();
     let expected = [
-        run.loss_w,
-        run.efficiency,
-        run.kinds.film_w,
-        run.loss_distribution.unwrap().quantiles_w[1],
-        run.meshes[0].loss_w,
-        run.meshes[1].loss_w,
+        of_run.loss_w,
+        of_run.efficiency,
+        of_run.kinds.film_w,
+        of_run.loss_distribution.unwrap().quantiles_w[1],
+        of_run.meshes[0].loss_w,
+        of_run.meshes[1].loss_w,
     ];
     for (found, expected) in found.iter().zip(expected) {
         assert!((found / expected - 1.0).abs() < 1e-12, "{row:?} {expected}");
@@ -306,6 +306,17 @@ fn a_sweep_of_a_train_has_the_numbers_of_its_runs() {
     // Only the second mesh has another face.
     assert_eq!(rows[0][8], rows[2][8]);
     assert_ne!(rows[0][9], rows[2][9]);
+    // The draws of a mesh without a column of the train's.
+    let study = r#"{ "axis": [{ "key": "mesh.second.gears.face_width", "values": ["50 mm"] },
+            { "key": "operation.speed", "values": ["3000 1/min"] }],
+        "columns": ["mesh.first.loss_median_w"] }"#;
+    let cases = Cases::of(Study::of_case(case, study, Path::new(".")).unwrap()).unwrap();
+    let median: f64 = cases.rows(0..1).unwrap()[0][4].parse().unwrap();
+    let expected = of_run.meshes[0].loss_median_w.unwrap();
+    assert!(
+        (median / expected - 1.0).abs() < 1e-12,
+        "{median} {expected}"
+    );
 }
 
 #[test]

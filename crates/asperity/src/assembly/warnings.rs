@@ -556,7 +556,12 @@ fn roughness(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut 
         // W438 reports them, and there is no trace to improve.
         return;
     }
-    let mixed = |offset: &&LubricatedWindow| offset.regime == Regime::Mixed;
+    // A solved or recorded load share does not depend on Λ*.
+    let is_paper = loaded.case.formulation == Formulation::Paper;
+    let by_ratio = |offset: &LubricatedWindow| {
+        is_paper || (offset.solved.is_none() && offset.recorded.is_none())
+    };
+    let mixed = |offset: &&LubricatedWindow| offset.regime == Regime::Mixed && by_ratio(offset);
     let offsets = || {
         positions
             .iter()

@@ -10,7 +10,7 @@ use super::chosen_laws::ChosenLaws;
 use super::friction;
 use crate::mesh::MeshPosition;
 use crate::records::RecordedShare;
-use asperity_case::case::Case;
+use asperity_case::case::{Case, Formulation};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Roughness, WindowPair};
 use asperity_case::formula_film::FormulaFilm;
@@ -87,12 +87,20 @@ impl<'a> Undecided<'a> {
         }
     }
 
-    /// The regime from Λ*, or from the classical film ratio where Λ* is not known.
-    pub(crate) fn decided(&self, shared: SharedLoad) -> Result<Decision, PositionError> {
+    /// The regime from the load share; the paper's from Λ*, or from the classical film ratio where Λ* is not known.
+    pub(crate) fn decided(
+        &self,
+        formulation: Formulation,
+        shared: SharedLoad,
+    ) -> Result<Decision, PositionError> {
+        let regime = match formulation {
+            Formulation::Corrected => Regime::of_film_share(shared.film_share),
+            Formulation::Paper => Regime::of(self.lambda_star.unwrap_or(self.film_ratio))?,
+        };
         Ok(Decision {
             lambda_star: self.lambda_star,
             film_ratio: self.film_ratio,
-            regime: Regime::of(self.lambda_star.unwrap_or(self.film_ratio))?,
+            regime,
             shared,
         })
     }

@@ -200,7 +200,7 @@ impl Lubrication<'_> {
         let with_share = open.into_iter().zip(shared);
         with_share
             .map(|((share, pair, undecided), shared)| {
-                let decision = undecided.decided(shared)?;
+                let decision = undecided.decided(self.case.formulation, shared)?;
                 Ok(Decided {
                     share,
                     pair,

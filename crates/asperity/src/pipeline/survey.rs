@@ -1,4 +1,4 @@
-//! Film and regime along the path of contact without friction, which the paper evaluates before it branches.
+//! Film, load share and regime along the path of contact without friction, which the paper evaluates before it branches.
 
 use asperity_core::quantity::Length;
 use asperity_ns_film::{FluidModel, pressure_difference_across};
@@ -40,7 +40,7 @@ pub struct RegimeRow {
     pub film_ratio: Option<f64>,
     /// Share of the load the film carries.
     pub film_share: f64,
-    /// Share of the offsets in the mixed regime.
+    /// Share of the offsets whose asperities carry 2 % of the load and more; with `formulation = "paper"`, Λ* < 1.
     pub mixed_share: f64,
 }
 

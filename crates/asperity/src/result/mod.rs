@@ -194,8 +194,8 @@ pub struct Summary {
     pub loss_factor_local: f64,
     /// Share of the path (by mesh time) in mixed or boundary lubrication.
     pub mixed_share: f64,
-    /// Lubrication regime: boundary if the boundary layer makes more than half of the sliding loss; absent from older
-    /// results.
+    /// Lubrication regime: full film if no part of the path is mixed, boundary if the boundary layer makes more than half
+    /// of the sliding loss; absent from older results.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub regime: Option<Regime>,
     /// Mesh positions computed.
@@ -301,9 +301,9 @@ pub struct PositionRow {
     pub lambda_star: Option<f64>,
     /// Minimum film over composite Rq; absent when both flanks are flat.
     pub film_ratio: Option<f64>,
-    /// Share of the offsets in the mixed regime.
+    /// Share of the offsets whose asperities carry 2 % of the load and more; with `formulation = "paper"`, Λ* < 1.
     pub mixed_share: f64,
-    /// Regime of most offsets; boundary if the boundary layer makes more than half of the friction.
+    /// Full film if no offset is mixed; boundary if the boundary layer makes more than half of the friction.
     pub regime: Regime,
     /// Share of the load the film carries; asperities carry the rest, φ.
     pub film_share: f64,

@@ -18,7 +18,7 @@
 
 use asperity_core::cite;
 use asperity_core::numerics::interpolate;
-use asperity_ehl_regime::GapLaw;
+use asperity_ehl_regime::{FULL_FILM, GapLaw};
 use serde::{Deserialize, Serialize};
 
 use super::draw::{DRAWS, Draw, flank_draws, shared_draws};
@@ -41,8 +41,6 @@ const SMOOTH_ERROR: f64 = 0.03;
 const ROUGH_ERROR: [(f64, f64); 4] = [(1.5, 0.05), (2.1, 0.09), (2.7, 0.12), (3.3, 0.25)];
 /// The same of rough films by the gap law `power`.
 const POWER_ERROR: f64 = 0.05;
-/// Asperity share below which a film is smooth.
-const SMOOTH: f64 = 0.02;
 
 /// The ingredients of the draws of one case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -523,7 +521,7 @@ pub fn model_deviation(law: GapLaw, roughness_over_film: f64, asperity_share: f6
         GapLaw::Power => [0.2, 0.16, 2.0],
     };
     let error = match law {
-        _ if asperity_share < SMOOTH => SMOOTH_ERROR,
+        _ if asperity_share < FULL_FILM => SMOOTH_ERROR,
         GapLaw::Inlet => interpolate(&ROUGH_ERROR, roughness_over_film),
         GapLaw::Power => POWER_ERROR,
     };

@@ -172,6 +172,17 @@ pub(super) fn micro_geometry(
         };
         Ok::<_, CaseError>([one(0)?, one(1)?])
     };
+    for (flank, section) in &flanks {
+        let check = |name: &'static str, value: Option<f64>, [least, most]: [f64; 2], rule| {
+            let number = value.unwrap_or(least);
+            DomainError::require((least..=most).contains(&number), name, number, "-", rule)
+                .map_err(section.domain(name))
+        };
+        let rule = "must be 0.5 to 3 modules";
+        check("dedendum", flank.dedendum, [0.5, 3.0], rule)?;
+        let rule = "must be 0 to 1 module";
+        check("fillet_radius", flank.fillet_radius, [0.0, 1.0], rule)?;
+    }
     let section = Section::of(source, "gears");
     let end_relief = |EndReliefInput {
                           amount,

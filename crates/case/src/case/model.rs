@@ -68,11 +68,13 @@ choices! {
     /// Correction factor C_M of the tooth stiffness, theoretical to measured; default 0.8.
     #[serde(skip_serializing_if = "Option::is_none")]
     stiffness_factor: f64 =
-        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().stiffness_factor);
+        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().stiffness_factor),
+        check("stiffness factor", |k| (0.05..=20.0).contains(&k), "must be 0.05 to 20");
     /// Length over which a tooth spreads a load along its face width, in modules; default 1.55.
     #[serde(skip_serializing_if = "Option::is_none")]
     face_coupling: f64 =
-        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().face_coupling);
+        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().face_coupling),
+        check("face coupling", |l| (0.05..=20.0).contains(&l), "must be 0.05 to 20 modules");
     /// Include contact of tip edges outside the path of contact; default false.
     #[serde(skip_serializing_if = "Option::is_none")]
     edge_contact: bool = listed_if(load_distribution.is_elastic(), false);

@@ -107,13 +107,22 @@ impl Reading {
     /// The reading with its profile replaced, for example after the replacement of spikes, and checked again.
     #[must_use]
     pub fn corrected(mut self, profile: Profile) -> Self {
-        let is_of_heights = |w: &Warning| matches!(w, Warning::ImplausibleHeights { .. });
+        let is_of_heights = |w: &Warning| {
+            matches!(
+                w,
+                Warning::ImplausibleHeights { .. } | Warning::EqualHeights
+            )
+        };
         self.record.warnings.retain(|w| !is_of_heights(w));
         Self { profile, ..self }.checked()
     }
 
-    /// Adds the warning about implausible heights, if they are.
+    /// Adds the warning about implausible or equal heights, if they are.
     pub(super) fn checked(mut self) -> Self {
+        let heights = self.profile.heights();
+        if heights.iter().all(|height| *height == heights[0]) {
+            self.record.warnings.push(Warning::EqualHeights);
+        }
         if let Some(mut steepness) = implausible(&self.profile, self.z_unit) {
             if self.is_scaled {
                 steepness.suspicion = steepness.suspicion.of_scaled();

@@ -133,9 +133,9 @@ impl fmt::Display for Steepness {
         };
         write!(
             f,
-            "no flank is as {how} as these heights: slopes of {:.3e} root mean square, {:.3e} after point {}",
-            self.rdq,
-            self.steepest,
+            "no flank is as {how} as these heights: slopes of {} root mean square, {} after point {}",
+            three_digits(self.rdq),
+            three_digits(self.steepest),
             self.at + 1
         )?;
         match self.suspicion {
@@ -167,6 +167,15 @@ impl fmt::Display for Steepness {
             ),
             Suspicion::Unknown => Ok(()),
         }
+    }
+}
+
+/// A slope with three digits, with an exponent only beyond usual sizes.
+fn three_digits(slope: f64) -> String {
+    let rounded: f64 = format!("{slope:.2e}").parse().unwrap_or(slope);
+    match (1e-3..1e4).contains(&rounded) {
+        true => rounded.to_string(),
+        false => format!("{rounded:e}"),
     }
 }
 

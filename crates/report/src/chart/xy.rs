@@ -311,8 +311,9 @@ impl Chart {
             };
             canvas.label(
                 "letter",
-                [frame.left + 6.0, text],
-                Anchor::Start,
+                // The position shown first is at the left.
+                [frame.right - 6.0, text],
+                Anchor::End,
                 &level.label,
             );
         }

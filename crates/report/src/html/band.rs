@@ -122,7 +122,7 @@ fn sampling(part: &SamplingPart) -> String {
 }
 
 /// Value and range of a constant as text.
-fn values(constant: &DrawnConstant) -> [String; 3] {
+pub(super) fn values(constant: &DrawnConstant) -> [String; 3] {
     let (factor, unit, digits) = match constant.unit.as_str() {
         "m" => (1e9, " nm", 1),
         "Pa" => (1e-6, " MPa", 1),

@@ -242,7 +242,7 @@
         if (at < this.y.low || at > this.y.high) continue;
         const y = this.py(at);
         text += `<line class="level" x1="${this.left}" y1="${y}" x2="${this.right}" y2="${y}"/>` +
-          `<text class="letter" x="${this.left + 6}" y="${y - this.top < 18 ? y + 14 : y - 5}" text-anchor="start">${escaped(label)}</text>`;
+          `<text class="letter" x="${this.right - 6}" y="${y - this.top < 18 ? y + 14 : y - 5}" text-anchor="end">${escaped(label)}</text>`;
       }
       this.svg.querySelector(".marks").innerHTML = text;
     }

@@ -5,6 +5,7 @@ use asperity::result::{FilmConstant, PositionRow, RunResult, Scope};
 use asperity_core::quantity::{Angle, Length};
 use maud::{Markup, html};
 
+use super::band::values;
 use super::temperatures;
 
 /// Name, value, and key in `result.json` of a number; an empty key for a number that is derived from several.
@@ -213,13 +214,20 @@ fn oil(result: &RunResult) -> Markup {
         ),
     ];
     let temperature = format!("{:.1} °C", oil.temperature.celsius());
+    let drawn = result.uncertainty.iter().flat_map(|band| &band.constants);
+    let alpha = { drawn }.find(|constant| constant.name == "pressure-viscosity");
+    let alpha = alpha.map(|alpha| {
+        let [_, low, high] = values(alpha);
+        format!("{low} to {high}")
+    });
     html! {
         h3 { "Oil at " (temperature) }
         div.scroll { table {
             thead { tr { th { "quantity" } th.number { "value" } th.number { "band" } th { "source" } } }
             tbody {
                 @for (name, value, source) in &state {
-                    tr { th scope="row" { (name) } td.number { (value) " at " (temperature) } td.number { "–" } td { (source) } }
+                    @let band = alpha.as_deref().filter(|_| name.ends_with('α')).unwrap_or("–");
+                    tr { th scope="row" { (name) } td.number { (value) " at " (temperature) } td.number { (band) } td { (source) } }
                 }
                 @for constant in &result.film_constants {
                     @let [value, band] = texts(constant);

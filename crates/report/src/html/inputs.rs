@@ -44,7 +44,10 @@ fn keys(result: &RunResult) -> Result<Vec<KeyRow>, ReportError> {
     for entry in &result.defaults {
         rows.push(KeyRow {
             key: entry.key.to_string(),
-            value: entry.value.replace('"', ""),
+            value: match serde_json::from_str(&entry.value) {
+                Ok(value) => listed(&value),
+                Err(_) => entry.value.clone(),
+            },
             origin: Some(entry.source.as_deref().unwrap_or_default().to_owned()),
         });
     }
@@ -66,26 +69,32 @@ fn flatten(path: &str, value: &Value, rows: &mut Vec<KeyRow>) {
                 flatten(&key, inner, rows);
             }
         }
-        Value::Array(items) => {
-            let texts: Vec<String> = items.iter().map(plain).collect();
-            rows.push(KeyRow {
-                key: path.to_owned(),
-                value: texts.join(", "),
-                origin: None,
-            });
-        }
-        single => rows.push(KeyRow {
+        given => rows.push(KeyRow {
             key: path.to_owned(),
-            value: plain(single),
+            value: listed(given),
             origin: None,
         }),
     }
 }
 
-fn plain(value: &Value) -> String {
-    value
-        .as_str()
-        .map_or_else(|| value.to_string(), str::to_owned)
+/// A value, or the values of a list, with at most six significant digits.
+fn listed(value: &Value) -> String {
+    match value {
+        Value::Array(items) => items.iter().map(listed).collect::<Vec<_>>().join(", "),
+        Value::String(text) => text.clone(),
+        Value::Number(number) if number.is_f64() => {
+            let rounded = number.as_f64().map(|value| format!("{value:.5e}"));
+            let rounded: Option<f64> = rounded.and_then(|text| text.parse().ok());
+            rounded.map_or_else(
+                || number.to_string(),
+                |value| match (1e-4..1e7).contains(&value.abs()) || value == 0.0 {
+                    true => value.to_string(),
+                    false => format!("{value:e}"),
+                },
+            )
+        }
+        other => other.to_string(),
+    }
 }
 
 fn files(result: &RunResult) -> Markup {
@@ -124,5 +133,24 @@ fn equations(result: &RunResult) -> Markup {
         }
         h3 { "References" }
         ol.references { @for entry in &result.references { li { (entry.text) } } }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn values_have_at_most_six_digits() {
+        let texts = [
+            json!(1.0 / 12.0),
+            json!([0.0, 0.5]),
+            json!("23.4 deg"),
+            json!(1e-8),
+            json!(24),
+        ];
+        let shown = ["0.0833333", "0, 0.5", "23.4 deg", "1e-8", "24"];
+        assert_eq!(texts.each_ref().map(listed), shown);
     }
 }

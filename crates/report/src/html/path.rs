@@ -156,7 +156,7 @@ fn curves(result: &RunResult) -> Vec<Drawing> {
             chart = chart.with(Series::new(name, line(number), &s, &values));
         }
         if along_path.id == "lambda-star" {
-            chart = chart.level(1.0, "full film from 1");
+            chart = chart.level(1.0, "as high as the peaks");
         }
         Drawing::Curves(chart)
     };

@@ -8,8 +8,17 @@ use serde_json::{Value, json};
 /// Columns that need the draws of a case.
 pub(super) const DRAWN: [&str; 3] = ["loss_median_w", "loss_p05_w", "loss_p95_w"];
 
+/// Columns of the draws of a mesh of a gear train.
+const DRAWN_OF_MESH: [&str; 3] = ["loss_median_w", "loss_q05_w", "loss_q95_w"];
+
 pub(super) fn is_drawn(name: &str) -> bool {
     DRAWN.contains(&name)
+}
+
+/// Whether a column requires the draws of a case, as its own or as one of a mesh.
+pub(super) fn needs_draws(name: &str) -> bool {
+    let of_mesh = name.rsplit_once('.').map(|(_, column)| column);
+    is_drawn(name) || of_mesh.is_some_and(|column| DRAWN_OF_MESH.contains(&column))
 }
 
 /// The numbers of a gear train by the names of their columns, which are those of a pair of gears where both have them; those

@@ -18,7 +18,7 @@ use serde_json::Value;
 
 use super::case_list::{CaseList, key_of_tables, resolved};
 use super::error::SweepError;
-use super::known_columns::{DRAWN, is_drawn, numbers_of};
+use super::known_columns::{DRAWN, is_drawn, needs_draws, numbers_of};
 use super::parts::{Rows, close, make_folder_of_parts, outputs, read};
 use super::refused::{Refused, refusals};
 use super::study::Study;
@@ -146,14 +146,14 @@ pub(super) fn row_of(
                 study,
                 &case,
                 shared,
-                names.iter().any(|name| is_drawn(name)),
+                names.iter().any(|name| needs_draws(name)),
             );
             (id, found.map_err(|error| error.code().to_owned()))
         }
     };
     let mut row = vec![number.to_string(), id];
     row.extend(inputs.columns);
-    match found.and_then(|found| values(&found, &names)) {
+    match found.map(|found| values(&found, &names)) {
         Ok(values) => {
             row.extend(values);
             row.push(String::new());
@@ -240,17 +240,17 @@ fn tables(case: &LoadedCase, shared: &SharedTables) -> Option<Arc<Contacts>> {
     Some(made)
 }
 
-/// The columns of a case, or an error code.
-fn values((value, drawn): &Found, names: &[String]) -> Result<Vec<String>, String> {
+/// The columns of a case.
+fn values((value, drawn): &Found, names: &[String]) -> Vec<String> {
     let of_draws = |name: &str| {
         let place = DRAWN.iter().position(|drawn| *drawn == name)?;
         Some(drawn.as_ref()?[place].to_string())
     };
     let of = |name: &String| match value.get(name) {
-        _ if is_drawn(name) => Ok(of_draws(name).unwrap_or_default()),
-        Some(Value::Number(number)) => Ok(number.to_string()),
-        Some(Value::Null) => Ok(String::new()),
-        _ => Err("E402".to_owned()),
+        _ if is_drawn(name) => of_draws(name).unwrap_or_default(),
+        Some(Value::Number(number)) => number.to_string(),
+        // A known column without a number in this case.
+        _ => String::new(),
     };
     names.iter().map(of).collect()
 }
