@@ -108,8 +108,10 @@ pub(crate) fn warmed(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundO
         contacts.push(pipeline::contacts_beside(&mesh.case, &contacts)?);
     }
     let losses = |train: &LoadedTrain| -> Result<Power, Error> {
-        let of_mesh =
-            |(case, contacts): (&LoadedCase, &Contacts)| pipeline::loss_with(contacts, case);
+        let of_mesh = |(case, contacts): (&LoadedCase, &Contacts)| {
+            let losses = pipeline::coldest_losses_with(contacts, case)?;
+            Ok(Power::from_si(losses.summary.loss_w))
+        };
         let cases = train.meshes().map(|mesh| &mesh.case);
         let of_meshes = cases.zip(&contacts).map(of_mesh);
         let of_meshes = of_meshes.collect::<Result<Vec<Power>, Error>>()?;

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::Contacts;
 use asperity::LoadedCase;
-use asperity::pipeline::{contacts, losses_with};
+use asperity::pipeline::{coldest_losses_with, contacts};
 use asperity::uncertainty::UncertainParameter;
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;
@@ -206,7 +206,7 @@ impl RigModel {
             let set = UncertainParameter::from(parameter.name).set(&mut case, value);
             set.map_err(named)?;
         }
-        let result = losses_with(&group.tables, &case).map_err(named)?;
+        let result = coldest_losses_with(&group.tables, &case).map_err(named)?;
         let mut ratios: Vec<f64> = result
             .path
             .iter()

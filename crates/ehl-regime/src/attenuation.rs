@@ -128,6 +128,11 @@ impl Attenuation {
     #[must_use]
     pub fn ratio(&self, wavelength: Length) -> f64 {
         cite!("Venner");
+        self.ratio_of(wavelength)
+    }
+
+    /// [`ratio`](Self::ratio) for a loop over many waves, around which the equation is cited.
+    pub(crate) fn ratio_of(&self, wavelength: Length) -> f64 {
         self.ratio_at(self.nabla_per_length * wavelength.si())
     }
 
@@ -221,7 +226,8 @@ impl TraceSpectrum {
     /// ```
     #[must_use]
     pub fn attenuated(&self, attenuation: &Attenuation) -> Vec<f64> {
-        self.filtered(|wavelength| attenuation.ratio(wavelength))
+        cite!("Venner");
+        self.filtered(|wavelength| attenuation.ratio_of(wavelength))
     }
 
     /// Heights \[m\] of two traces in the contact, as [`TraceSpectrum::attenuated`] gives each.
@@ -234,8 +240,9 @@ impl TraceSpectrum {
     ) -> [Vec<f64>; 2] {
         if first.points == second.points && first.spacing == second.spacing {
             cite!("Attenuated-trace");
+            cite!("Venner");
             Self::transformed(first, Some(second), |wavelength| {
-                attenuation.ratio(wavelength)
+                attenuation.ratio_of(wavelength)
             })
         } else {
             [first, second].map(|trace| trace.attenuated(attenuation))

@@ -50,14 +50,16 @@ impl PairSpectrum {
         waves.retain(|[_, variance]| *variance > 0.0);
         waves.sort_by(|a, b| b[0].total_cmp(&a[0]));
         let (mut bands, mut starts) = (Vec::new(), Vec::new());
-        while let Some([longest, _]) = waves.first() {
+        let mut rest = &waves[..];
+        while let Some([longest, _]) = rest.first() {
             let shortest = (1.0 - BAND) * longest;
-            let count = waves.partition_point(|[length, _]| *length > shortest);
-            let variance: f64 = waves[..count].iter().map(|[_, v]| v).sum();
-            let length = waves[..count].iter().map(|[l, v]| l * v).sum::<f64>() / variance;
+            let count = rest.partition_point(|[length, _]| *length > shortest);
+            let (band, shorter) = rest.split_at(count);
+            let variance: f64 = band.iter().map(|[_, v]| v).sum();
+            let length = band.iter().map(|[l, v]| l * v).sum::<f64>() / variance;
             bands.push([length, variance]);
             starts.push(*longest);
-            waves.drain(..count);
+            rest = shorter;
         }
         Self {
             bands,
@@ -73,8 +75,9 @@ impl PairSpectrum {
     #[must_use]
     pub fn roughness(&self, attenuation: &Attenuation) -> Length {
         cite!("Pair-roughness");
+        cite!("Venner");
         let left = self.bands.iter().map(|[length, variance]| {
-            variance * attenuation.ratio(Length::from_si(*length)).powi(2)
+            variance * attenuation.ratio_of(Length::from_si(*length)).powi(2)
         });
         Length::from_si(left.sum::<f64>().sqrt())
     }

@@ -32,6 +32,9 @@ const TOLERANCE: f64 = 1e-9;
 /// Relative step in φ^¼ at which the direct solves end: 4e-8 of the share.
 const DIRECT_TOLERANCE: f64 = 1e-8;
 
+/// Shear stress of every spot of some contacts at the last temperature \[Pa\], if known.
+type Stresses = Vec<Vec<Option<f64>>>;
+
 /// Friction coefficient that no lubricated contact reaches: the upper end of its bracket.
 const MOST_FRICTION: f64 = 1.0;
 /// Least share that is solved for directly: below it the spots are single cells.
@@ -520,7 +523,10 @@ impl<'a> PositionFilm<'a> {
         let is_cold = unit_rise == 0.0 || self.film.heat() == FilmHeat::Isothermal;
         // Other windows at a position rub alike; the first starts from the friction of cold surfaces.
         let begun = self.before.filter(|_| !is_cold);
-        let ([film, slope], first) = self.parts_at(unit_rise * begun.unwrap_or(0.0), spots)?;
+        let none = |(spots, _): &(&[Spot], f64)| vec![None; spots.len()];
+        let mut stresses: Stresses = spots.iter().map(none).collect();
+        let begin = unit_rise * begun.unwrap_or(0.0);
+        let ([film, slope], first) = self.parts_at(begin, spots, &mut stresses)?;
         let found = self.shared(phi, film, &first).parts()?.total();
         if is_cold {
             let evidence = Solved {
@@ -536,7 +542,7 @@ impl<'a> PositionFilm<'a> {
         let start = from + (found - from) / steepness;
         let mut failed = None;
         let root = secant_root(
-            |mu| match self.total_at(phi, unit_rise * mu, spots) {
+            |mu| match self.total_at(phi, unit_rise * mu, spots, &mut stresses) {
                 Ok(total) => mu - total,
                 Err(error) => {
                     failed = Some(error);
@@ -557,7 +563,7 @@ impl<'a> PositionFilm<'a> {
             source,
         })?;
         self.before = Some(evidence.value);
-        let ([film, _], spot) = self.parts_at(unit_rise * evidence.value, spots)?;
+        let ([film, _], spot) = self.parts_at(unit_rise * evidence.value, spots, &mut stresses)?;
         Ok((self.shared(phi, film, &spot), spot.film, evidence))
     }
 
@@ -566,22 +572,25 @@ impl<'a> PositionFilm<'a> {
         phi: f64,
         rise: f64,
         spots: &[(&[Spot], f64)],
+        stresses: &mut Stresses,
     ) -> Result<f64, LoadShareError> {
-        let ([film, _], spot) = self.parts_at(rise, spots)?;
+        let ([film, _], spot) = self.parts_at(rise, spots, stresses)?;
         Ok(self.shared(phi, film, &spot).parts()?.total())
     }
 
-    /// Film friction with its slope, and the spots', at a rise of the surface temperature.
+    /// Film friction with its slope, and the spots', at a rise of the surface temperature; `stresses` of the last rise are
+    /// replaced.
     fn parts_at(
         &mut self,
         rise: f64,
         spots: &[(&[Spot], f64)],
+        stresses: &mut Stresses,
     ) -> Result<([f64; 2], SpotFriction), LoadShareError> {
         let film = self.film.friction_at(rise)?;
         let conditions = self.spot_conditions(rise);
         let mut sum = SpotFriction::default();
-        for (spots, weight) in spots {
-            sum.add(&conditions.friction(spots)?, *weight);
+        for ((spots, weight), stresses) in spots.iter().zip(stresses) {
+            sum.add(&conditions.friction_from(spots, stresses)?, *weight);
         }
         Ok((film, sum))
     }

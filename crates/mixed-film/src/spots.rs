@@ -85,13 +85,25 @@ impl SpotConditions<'_> {
     /// # Errors
     /// When a spot has no film.
     pub(crate) fn friction(&self, spots: &[Spot]) -> Result<SpotFriction, LoadShareError> {
+        self.friction_from(spots, &mut vec![None; spots.len()])
+    }
+
+    /// [`friction`](Self::friction) with the shear stress of each spot at a temperature nearby, if known; it is replaced.
+    ///
+    /// # Errors
+    /// When a spot has no film.
+    pub(crate) fn friction_from(
+        &self,
+        spots: &[Spot],
+        stresses: &mut [Option<f64>],
+    ) -> Result<SpotFriction, LoadShareError> {
         cite!("Spot-friction");
         let state = self.rheology.state(self.wall)?;
         let (mut total, mut sum) = (0.0, SpotFriction::default());
-        for spot in spots {
+        for (spot, stress) in spots.iter().zip(stresses) {
             let f = spot.load.si();
             let contact = [spot.joint_load.si(), spot.width.si()];
-            sum.add(&self.of_spot(&state, contact)?, f);
+            sum.add(&self.of_spot(&state, contact, stress)?, f);
             total += f;
         }
         let mut mean = SpotFriction::default();
@@ -109,7 +121,7 @@ impl SpotConditions<'_> {
         let state = self.rheology.state(self.wall)?;
         for spot in spots {
             let contact = [spot.joint_load.si(), spot.width.si()];
-            if self.of_spot(&state, contact)?.film < THINNEST {
+            if self.of_spot(&state, contact, &mut None)?.film < THINNEST {
                 return Ok(true);
             }
         }
@@ -134,12 +146,14 @@ impl SpotConditions<'_> {
     ) -> Result<Vec<BySpot>, LoadShareError> {
         cite!("Spot-gradient");
         let state = self.rheology.state(self.wall)?;
-        let at = |f: f64, b: f64| -> Result<f64, LoadShareError> {
-            Ok(self.of_spot(&state, [f, b])?.total(boundary))
-        };
         let total: f64 = spots.iter().map(|spot| spot.load.si()).sum();
-        let mean = self.friction(spots)?.total(boundary);
-        let slopes = |spot: &Spot| {
+        let mut stresses = vec![None; spots.len()];
+        let mean = self.friction_from(spots, &mut stresses)?.total(boundary);
+        let slopes = |(spot, mut stress): (&Spot, Option<f64>)| {
+            let mut at = |f: f64, b: f64| -> Result<f64, LoadShareError> {
+                let of_spot = self.of_spot(&state, [f, b], &mut stress)?;
+                Ok(of_spot.total(boundary))
+            };
             let (f, h) = (spot.load.si(), SLOPE_STEP);
             let (joint, b) = (spot.joint_load.si(), spot.width.si());
             let by_joint_load = (at(joint * (1.0 + h), b)? - at(joint * (1.0 - h), b)?) / joint;
@@ -148,14 +162,15 @@ impl SpotConditions<'_> {
             let by_load = (at(joint, b)? - mean) / total;
             Ok([by_load, of_contact[0], of_contact[1]])
         };
-        spots.iter().map(slopes).collect()
+        spots.iter().zip(stresses).map(slopes).collect()
     }
 
-    /// Friction and film of a contact with load and width `[f, b]`.
+    /// Friction and film of a contact with load and width `[f, b]`; `stress` is its shear stress nearby, if known, and then here.
     fn of_spot(
         &self,
         state: &FilmOilState,
         [f, b]: [f64; 2],
+        stress: &mut Option<f64>,
     ) -> Result<SpotFriction, LoadShareError> {
         let modulus = 2.0 * self.modulus;
         let material = state.pressure_viscosity.si() * modulus;
@@ -168,15 +183,17 @@ impl SpotConditions<'_> {
         let film = moes(&groups, Length::from_si(radius))?;
         let beta = boundary_share(film, self.boundary_layer)?.clamp(0.0, 1.0);
         let pressure = f / b;
-        let stress = self.rheology.shear_stress(
+        let (sliding, sheared) = (Speed::from_si(self.sliding), film.si().max(THINNEST));
+        let place = (
             Pressure::from_si(pressure),
-            self.wall,
-            Speed::from_si(self.sliding),
-            Length::from_si(film.si().max(THINNEST)),
-        )?;
+            sliding,
+            Length::from_si(sheared),
+        );
+        let found = self.rheology.shear_stress_from(place, self.wall, *stress)?;
+        *stress = Some(found.value);
         Ok(SpotFriction {
             boundary_share: beta,
-            lubricated: (1.0 - beta) * stress.value / pressure,
+            lubricated: (1.0 - beta) * found.value / pressure,
             film: film.si(),
         })
     }

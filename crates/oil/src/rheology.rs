@@ -42,6 +42,8 @@ const LARGEST_ROELANDS: f64 = 200.0;
 const FILM_MEAN: f64 = 1.0 / 12.0;
 /// Relative step at which the Newton iteration of a shear stress ends; the error is its square.
 const STRESS_TOLERANCE: f64 = 1e-8;
+/// Largest stress that a start is taken to be near to, over the start.
+const START_REACH: f64 = 2.0;
 /// Above this ln(η γ̇/τ₀) the hyperbolic sine is its exponential to 3e-11 of the stress.
 const STEEP: f64 = 12.0;
 
@@ -445,13 +447,27 @@ impl FilmRheology {
         sliding: Speed,
         film: Length,
     ) -> Result<Solved, LubricantError> {
+        self.shear_stress_from((pressure, sliding, film), wall_temperature, None)
+    }
+
+    /// [`shear_stress`](Self::shear_stress) at a pressure, a sliding speed and a film thickness, with a guess of it as in
+    /// [`heated_stress`](Self::heated_stress).
+    ///
+    /// # Errors
+    /// As [`shear_stress`](Self::shear_stress).
+    pub fn shear_stress_from(
+        &self,
+        (pressure, sliding, film): (Pressure, Speed, Length),
+        wall_temperature: Temperature,
+        start: Option<f64>,
+    ) -> Result<Solved, LubricantError> {
         cite!("Limiting-shear");
         cite!("Larsson-Andersson");
         let p = DomainError::positive("pressure", pressure)?;
         let t = DomainError::positive("temperature of the walls", wall_temperature)?;
         let v = DomainError::finite(Speed::NAME, sliding)?.abs();
         let h = DomainError::positive("film", film)?;
-        Ok(self.heated_stress(&self.film_point(p, v, h), t, None)?.0)
+        Ok(self.heated_stress(&self.film_point(p, v, h), t, start)?.0)
     }
 
     /// τ with its own heat between walls at a temperature \[K\], and its slope over this temperature.
@@ -474,38 +490,43 @@ impl FilmRheology {
             };
             return Ok((rest, 0.0));
         }
-        let cold = self.stress(point, wall_temperature);
-        let mut slope = cold[1];
         if point.heating == 0.0 {
+            let [value, slope] = self.stress(point, wall_temperature);
             let isothermal = Solved {
-                value: cold[0],
+                value,
                 residual: 0.0,
                 iterations: 1,
             };
             return Ok((isothermal, slope));
         }
         cite!("Film-heat");
-        // Where the limit rises with the temperature, the stress may rise above the unheated one, even if it falls at first.
-        let highest = match self.constants.limiting_shear_fall.si() < 0.0 {
-            true => 2.0 * cold[0],
-            false => cold[0],
-        };
-        let start = start.filter(|tau| *tau < highest).unwrap_or_else(|| {
-            // One Newton step from the unheated stress.
-            cold[0] / (1.0 - point.heating * cold[1])
-        });
-        let solved = newton_root(
-            |tau| {
+        let mut slope = 0.0;
+        let mut root = |highest: f64, start: f64| {
+            let excess = |tau: f64| {
                 let at = wall_temperature + point.heating * tau;
                 let [law, falls] = self.stress(point, at);
                 slope = falls;
                 (tau - law, 1.0 - point.heating * falls)
+            };
+            newton_root(excess, [0.0, highest], start, STRESS_TOLERANCE)
+        };
+        let near = start.filter(|tau| *tau > 0.0);
+        let near = near.and_then(|tau| root(START_REACH * tau, tau).ok());
+        let solved = near.map_or_else(
+            || {
+                let cold = self.stress(point, wall_temperature);
+                // Where the limit rises with the temperature, the stress may rise above the unheated one, even if it falls at
+                // first.
+                let highest = match self.constants.limiting_shear_fall.si() < 0.0 {
+                    true => 2.0 * cold[0],
+                    false => cold[0],
+                };
+                // One Newton step from the unheated stress.
+                root(highest, cold[0] / (1.0 - point.heating * cold[1]))
             },
-            [0.0, highest],
-            start,
-            STRESS_TOLERANCE,
-        )
-        .map_err(LubricantError::HeatedStress)?;
+            Ok,
+        );
+        let solved = solved.map_err(LubricantError::HeatedStress)?;
         Ok((solved, slope / (1.0 - point.heating * slope)))
     }
 }

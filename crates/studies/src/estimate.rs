@@ -126,15 +126,17 @@ pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
         return Ok(work.estimate(loaded, kept, 1.0));
     }
     let model = &loaded.case.model;
+    let few = loaded.with(|input| {
+        input.model.positions = Some(model.positions.min(SAMPLED));
+        input.model.run_in = None;
+        input
+            .operation
+            .set_bulk_temperature(loaded.case.temperature);
+    })?;
     let of_offsets = |offsets: usize| -> Result<[f64; 2], Error> {
-        let few = loaded.with(|input| {
-            input.model.positions = Some(model.positions.min(SAMPLED));
-            input.model.offsets = Some(offsets);
-            input.model.run_in = None;
-            input
-                .operation
-                .set_bulk_temperature(loaded.case.temperature);
-        })?;
+        let mut few = few.first_pair();
+        few.case.model.offsets = offsets;
+        few.case.input.model.offsets = Some(offsets);
         let begin = Instant::now();
         single_thread.install(|| Run::new(&few).without_pictures().execute())?;
         let modelled = Work::of(&few)?.of_contacts;

@@ -125,13 +125,13 @@ pub struct FilmFrictionSolution {
     pub evidence: Solved,
 }
 
-/// A Gauss node of the contact, and the stress there at the last temperature.
+/// A Gauss node of the contact, and the stress there at the last temperature with its slope \[Pa/K\].
 #[derive(Debug, Clone)]
 struct Node {
     point: FilmPoint,
     /// Friction coefficient per stress \[1/Pa\].
     weight: f64,
-    stress: Option<f64>,
+    stress: Option<[f64; 2]>,
 }
 
 /// The film of one contact, for evaluation at any surface temperature.
@@ -141,6 +141,8 @@ struct Node {
 pub struct LoadedFilm<'a> {
     rheology: &'a FilmRheology,
     nodes: Vec<Node>,
+    /// Rise of the surface temperature at which the nodes have their stress \[K\].
+    last_rise: f64,
     /// T_s − T₀ per friction coefficient \[K\].
     rise_per_friction: f64,
     bulk: f64,
@@ -258,6 +260,7 @@ impl<'a> LoadedFilm<'a> {
         Ok(Self {
             rheology,
             nodes: area.nodes.iter().map(node).collect(),
+            last_rise: 0.0,
             rise_per_friction: area.rise_per_friction,
             bulk: area.bulk,
             load: area.load,
@@ -291,12 +294,13 @@ impl<'a> LoadedFilm<'a> {
         cite!("Larsson-Andersson");
         cite!("Alpha-T");
         let wall = self.bulk + rise;
+        let warmer = rise - self.last_rise;
+        self.last_rise = rise;
         let mut sum = [0.0, 0.0];
         for node in &mut self.nodes {
-            let (stress, slope) = self
-                .rheology
-                .heated_stress(&node.point, wall, node.stress)?;
-            node.stress = Some(stress.value);
+            let start = node.stress.map(|[before, slope]| before + slope * warmer);
+            let (stress, slope) = self.rheology.heated_stress(&node.point, wall, start)?;
+            node.stress = Some([stress.value, slope]);
             sum[0] += node.weight * stress.value;
             sum[1] += node.weight * slope;
         }
@@ -362,7 +366,7 @@ impl<'a> LoadedFilm<'a> {
         self.friction_at(rise)?;
         let (mut largest, mut mean, mut limited, mut weights) = (0.0_f64, 0.0, 0.0, 0.0);
         for node in &self.nodes {
-            let stress = node.stress.unwrap_or(0.0);
+            let stress = node.stress.map_or(0.0, |[stress, _]| stress);
             let film_rise = node.point.heating() * stress;
             let load = node.weight * node.point.pressure();
             let limit = self

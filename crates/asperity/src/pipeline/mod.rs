@@ -24,7 +24,9 @@ pub use gradient::{
 };
 pub use kept_fields::KeptFields;
 pub use offsets::chooses_offsets;
-pub use stages::{Progress, check, contacts, contacts_beside, losses, losses_with, settled};
+pub use stages::{
+    Progress, check, coldest_losses_with, contacts, contacts_beside, losses, losses_with, settled,
+};
 pub use survey::{FilmRow, FilmSurvey, RegimeRow, film, survey};
 
-pub(crate) use stages::{loss_with, losses_of, outcome};
+pub(crate) use stages::{losses_of, outcome};

@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity_core::provenance::Provenance;
-use asperity_core::quantity::Power;
 use rayon::prelude::*;
 
 use super::bulk_temperature;
@@ -218,16 +217,15 @@ pub fn settled<'a>(
     Ok(Cow::Owned(warmed(&sampled, &contacts, true)?.into_owned()))
 }
 
-/// The loss of a case with contacts computed before, as [`losses_with`] gives it, without a search for a hotter equilibrium
-/// of its bulk temperature.
+/// The losses of a case with contacts computed before, as [`losses_with`] gives them, without a search for a hotter
+/// equilibrium of its bulk temperature.
 ///
 /// # Errors
 /// As [`losses_with`].
-pub(crate) fn loss_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Power, Error> {
+pub fn coldest_losses_with(contacts: &Contacts, loaded: &LoadedCase) -> Result<Losses, Error> {
     let (sampled, contacts) = sampled(loaded, Some(contacts), &[])?;
     let warmed = warmed(&sampled, &contacts, false)?;
-    let losses = losses_with(&contacts, &warmed)?;
-    Ok(Power::from_si(losses.summary.loss_w))
+    losses_with(&contacts, &warmed)
 }
 
 /// The case at its equilibrium bulk temperature, with its contacts; a hotter one is sought if `seeks_hotter` is set.

@@ -96,8 +96,9 @@ impl Draw {
 
 /// The draws that all flanks share, with the flanks of the run.
 pub(super) fn shared_draws() -> impl Iterator<Item = Draw> {
-    static ORDERS: OnceLock<Vec<Vec<usize>>> = OnceLock::new();
-    draws_in(ORDERS.get_or_init(|| orders(SEED)))
+    static SHARED: OnceLock<Vec<Draw>> = OnceLock::new();
+    let drawn = SHARED.get_or_init(|| draws_in(&orders(SEED)).collect());
+    drawn.iter().copied()
 }
 
 /// The strata of all draws on every axis.
@@ -127,20 +128,23 @@ pub(super) fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
 
 /// The draws of flanks number `flanks`.
 pub(super) fn flank_draws(flanks: usize) -> impl Iterator<Item = FlankDraw> {
-    static FIRST_FLANKS: OnceLock<Vec<Vec<usize>>> = OnceLock::new();
-    let orders = || permutations(DRAWS, 4, SEED + 1 + flanks as u64);
-    // A run takes the draws of its own flanks for every component of its uncertainty.
-    let orders = match flanks {
-        0 => Cow::Borrowed(FIRST_FLANKS.get_or_init(orders)),
-        _ => Cow::Owned(orders()),
+    static FIRST_FLANKS: OnceLock<Vec<FlankDraw>> = OnceLock::new();
+    let drawn = || -> Vec<FlankDraw> {
+        let (orders, normal) = (permutations(DRAWS, 4, SEED + 1 + flanks as u64), normal());
+        let draw = |j: usize| FlankDraw {
+            model: normal[orders[0][j]],
+            sampling: normal[orders[1][j]],
+            place: place(orders[2][j]),
+            form: normal[orders[3][j]],
+        };
+        (0..DRAWS).map(draw).collect()
     };
-    let normal = normal();
-    (0..DRAWS).map(move |j| FlankDraw {
-        model: normal[orders[0][j]],
-        sampling: normal[orders[1][j]],
-        place: place(orders[2][j]),
-        form: normal[orders[3][j]],
-    })
+    // A run takes the draws of its own flanks for every component of its uncertainty.
+    let drawn = match flanks {
+        0 => Cow::Borrowed(&FIRST_FLANKS.get_or_init(drawn)[..]),
+        _ => Cow::Owned(drawn()),
+    };
+    (0..DRAWS).map(move |j| drawn[j])
 }
 
 /// The middle of a stratum.

@@ -155,11 +155,10 @@ fn after_losses(meshes: &[MeshDraws<'_>], deviation: f64) -> Quantiles {
         let result = shared[by_truth[(place(k) * shared.len() as f64) as usize]] + noise;
         let weight = |shared: &f64| (-0.5 * ((shared - result) / error).powi(2)).exp();
         let weights: Vec<f64> = shared.iter().map(weight).collect();
-        let weight = |j: usize| weights[j];
-        let [low, median, high] = weighted_quantiles(&own, &order, weight);
+        let [low, median, high] = weighted_quantiles(&own, &order, &weights);
         sums[0] += low - median;
         sums[1] += high - median;
-        sums[2] += weighted_variance(&own, weight);
+        sums[2] += weighted_variance(&own, &weights);
     }
     let [low, high, variance] = sums.map(|sum| sum / TRUTHS as f64);
     Quantiles {
@@ -305,21 +304,26 @@ fn sorted(values: &[f64]) -> Vec<usize> {
 }
 
 /// 5 %, 50 % and 95 % of weighted values.
-fn weighted_quantiles(values: &[f64], order: &[usize], weight: impl Fn(usize) -> f64) -> [f64; 3] {
-    let total: f64 = order.iter().map(|j| weight(*j)).sum();
-    PROBABILITIES.map(|probability| {
-        let mut below = 0.0;
-        let mut passed = order.iter().find(|j| {
-            below += weight(**j);
-            below >= probability * total
-        });
-        passed.take().map_or(f64::NAN, |j| values[*j])
-    })
+fn weighted_quantiles(values: &[f64], order: &[usize], weights: &[f64]) -> [f64; 3] {
+    let total: f64 = order.iter().map(|j| weights[*j]).sum();
+    let (mut below, mut found) = (0.0, [f64::NAN; 3]);
+    let mut open = found.iter_mut().zip(PROBABILITIES).peekable();
+    for j in order {
+        below += weights[*j];
+        while let Some((quantile, _)) = open.next_if(|(_, share)| below >= share * total) {
+            *quantile = values[*j];
+        }
+    }
+    found
 }
 
-fn weighted_variance(values: &[f64], weight: impl Fn(usize) -> f64) -> f64 {
-    let sum = |of: &dyn Fn(usize) -> f64| (0..values.len()).map(|j| weight(j) * of(j)).sum::<f64>();
-    let total = sum(&|_| 1.0);
-    let mean = sum(&|j| values[j]) / total;
-    sum(&|j| (values[j] - mean).powi(2)) / total
+fn weighted_variance(values: &[f64], weights: &[f64]) -> f64 {
+    let weighted = || values.iter().zip(weights);
+    let total: f64 = weights.iter().sum();
+    let mean = weighted()
+        .map(|(value, weight)| weight * value)
+        .sum::<f64>()
+        / total;
+    let squares = weighted().map(|(value, weight)| weight * (value - mean).powi(2));
+    squares.sum::<f64>() / total
 }

@@ -170,7 +170,8 @@ fn uncertainty(
         .collect();
     // A cancelled model is not one without solution.
     checkpoint()?;
-    let quantiles = predictive.quantiles();
+    let draws_w = predictive.draws_w();
+    let quantiles = Quantiles::of(&draws_w);
     let [low, high] = quantiles.quantiles_w;
     let power = predictive.power_in_w;
     if high >= power {
@@ -200,7 +201,7 @@ fn uncertainty(
         constants: predictive.constants.iter().map(drawn_constant).collect(),
         held,
         draws: Predictive::count(),
-        beyond_power: predictive.beyond_power(),
+        beyond_power: draws_w.iter().filter(|loss| **loss >= power).count(),
         evaluations,
         interpolation_error: predictive.surface_rms,
         roughness_over_film: predictive.roughness_over_film,
@@ -209,7 +210,7 @@ fn uncertainty(
         other_models: others,
         trust: trust(loaded),
         with_traces_w: predictive.with_traces().map(|found| found.quantiles_w),
-        path_sliding_w_per_m: along_path(nominal.path, &predictive, &of_positions),
+        path_sliding_w_per_m: along_path(nominal.path, (&predictive, &draws_w), &of_positions),
         evidence: Vec::new(),
     };
     Ok((found, predictive))
@@ -351,10 +352,10 @@ fn trust(loaded: &LoadedCase) -> Trust {
 /// Quantiles of the sliding loss of every position over the draws, its own sampling error among them.
 fn along_path(
     nominal: &[PositionRow],
-    predictive: &Predictive,
+    (predictive, draws_w): (&Predictive, &[f64]),
     of_positions: &[surface::QuadraticSurface],
 ) -> Vec<[f64; 2]> {
-    let draws = predictive.factors_of_sliding();
+    let draws = predictive.factors_of_sliding(draws_w);
     let at = |(k, row): (usize, &PositionRow)| {
         let ln = |z: &[f64]| of_positions.get(k).map_or(0.0, |surface| surface.at(z));
         let drawn = draws

@@ -238,14 +238,6 @@ impl Predictive {
         }
     }
 
-    /// Draws whose loss exceeds the power into the mesh.
-    pub(super) fn beyond_power(&self) -> usize {
-        self.draws_w()
-            .iter()
-            .filter(|loss| **loss >= self.power_in_w)
-            .count()
-    }
-
     /// Median, quantiles and spread of the draws.
     #[must_use]
     pub fn quantiles(&self) -> Quantiles {
@@ -377,12 +369,12 @@ impl Predictive {
     }
 
     /// The factor of each draw on the sliding loss at constants, relief and model error, for the rows of a path: without
-    /// the constants' own part, which differs from position to position.
-    pub(super) fn factors_of_sliding(&self) -> Vec<(Vec<f64>, f64)> {
+    /// the constants' own part, which differs from position to position. `draws_w` are the losses of all draws.
+    pub(super) fn factors_of_sliding(&self, draws_w: &[f64]) -> Vec<(Vec<f64>, f64)> {
         let law = self.law();
         let [sliding, _, other] = self.parts_w;
-        let draws = shared_draws().zip(self.losses(0));
-        let factor = |(draw, loss): (Draw, f64)| {
+        let draws = shared_draws().zip(draws_w);
+        let factor = |(draw, loss): (Draw, &f64)| {
             let z = &self.standardised(&draw, &self.correlations)[..self.constants.len()];
             let sheared = sliding * self.sliding.as_ref().map_or(0.0, |s| s.at(z)).exp();
             let factor = ((loss - law.rolling(&draw, z) - other) / sheared).max(0.0);

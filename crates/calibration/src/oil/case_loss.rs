@@ -1,6 +1,6 @@
 //! Sensitivity of the loss of a case to the constants of its oil.
 
-use asperity::pipeline::{contacts, losses_with};
+use asperity::pipeline::{coldest_losses_with, contacts};
 use asperity::{Contacts, LoadedCase};
 use nalgebra::DVector;
 use rayon::prelude::*;
@@ -48,7 +48,7 @@ pub(super) fn loss_slopes(
         x[k] = step;
         let mut moved = case.clone();
         moved.case.rheology = Some(problem.rheology(&x)?);
-        let losses = losses_with(contacts, &moved).map_err(named)?;
+        let losses = coldest_losses_with(contacts, &moved).map_err(named)?;
         let summary = losses.summary;
         Ok((summary.sliding_w + summary.rolling_w).ln())
     };

@@ -166,10 +166,14 @@ impl<'a> DiscreteProblem<'a> {
 
     /// ½ ∫ (p + prescribed)·u dx
     pub(crate) fn elastic_energy(&self, pressure: &[f64], displacement: &[f64]) -> LineEnergy {
-        let prescribed = |cell: usize| self.problem.prescribed_pressure.map_or(0.0, |p| p[cell]);
-        let work: f64 = (0..pressure.len())
-            .map(|i| (pressure[i] + prescribed(i)) * displacement[i])
-            .sum();
+        let cells = pressure.iter().zip(displacement);
+        let work: f64 = match self.problem.prescribed_pressure {
+            None => cells.map(|(p, u)| p * u).sum(),
+            Some(prescribed) => {
+                let cells = cells.zip(prescribed);
+                cells.map(|((p, u), prescribed)| (p + prescribed) * u).sum()
+            }
+        };
         LineEnergy::from_si(0.5 * work * self.problem.spacing.si())
     }
 
@@ -211,10 +215,15 @@ impl<'a> DiscreteProblem<'a> {
 
 /// Points under pressure, or, if there are none, points where the undeformed bodies overlap.
 pub(crate) fn touching(gap: &[f64], pressure: &[f64]) -> Vec<usize> {
-    let points = |holds: &dyn Fn(usize) -> bool| (0..gap.len()).filter(|&i| holds(i)).collect();
-    let loaded: Vec<usize> = points(&|i| pressure[i] > 0.0);
+    fn places(values: &[f64], holds: impl Fn(f64) -> bool) -> Vec<usize> {
+        let numbered = values.iter().enumerate();
+        numbered
+            .filter_map(|(i, &value)| holds(value).then_some(i))
+            .collect()
+    }
+    let loaded = places(pressure, |p| p > 0.0);
     if loaded.is_empty() {
-        points(&|i| gap[i] < 0.0)
+        places(gap, |h| h < 0.0)
     } else {
         loaded
     }
