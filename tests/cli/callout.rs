@@ -9,6 +9,7 @@ fn bench() -> Bench {
     let bench = Bench::new();
     bench.write_flanks();
     bench.write("case.toml", E_DRIVE);
+    bench.shorten_flanks();
     bench
 }
 

@@ -271,7 +271,7 @@ fn curves_that_give_no_constants_are_refused() {
     );
     let light = table.replace("\n30,2,", "\n0.5,2,");
     fit(&light, &[]).refused(2, "E318", &["at least 0.4 GPa"]);
-    let high = curves(&bench, |traction| 3.0 * traction);
+    let high = curves(&bench, |traction| 2.0 * traction);
     let machine = fit(&high, &[]);
     machine.refused(2, "E319", &["the machine would have to read the friction"]);
     let scattered = every(6, &bench, |traction| match (1e7 * traction) as i64 % 2 {
