@@ -88,12 +88,13 @@ pub fn pixels(bytes: &[u8]) -> Pixels {
 
 /// Of the left, the upper and the upper left sample the one next to left + upper - upper left.
 fn paeth(a: u8, b: u8, c: u8) -> u8 {
-    let [x, y, z] = [a, b, c].map(i16::from);
-    let guess = x + y - z;
-    let far = |value: i16| (guess - value).abs();
-    if far(x) <= far(y) && far(x) <= far(z) {
+    // Plain arithmetic, as it is not optimised: |guess - value| of the three.
+    let (up, left) = (i32::from(b) - i32::from(c), i32::from(a) - i32::from(c));
+    let far = |way: i32| if way < 0 { -way } else { way };
+    let (x, y, z) = (far(up), far(left), far(up + left));
+    if x <= y && x <= z {
         a
-    } else if far(y) <= far(z) {
+    } else if y <= z {
         b
     } else {
         c

@@ -1,6 +1,7 @@
 //! `asperity calibrate` through the command.
 
 use std::fs;
+use std::sync::OnceLock;
 
 use crate::bench::Bench;
 
@@ -49,26 +50,75 @@ impl Bench {
     }
 }
 
-/// A design with simulated losses in the folder `design`.
-fn designed(bench: &Bench) -> String {
-    let axes = ["--torque", "60,183.4", "--speed", "25..4400:7:log"];
-    let mut arguments = vec![
-        "calibrate",
-        "--design",
-        "case.toml",
-        "--simulate",
-        "4",
-        "-o",
-        "design",
-    ];
-    arguments.extend(axes);
-    bench.run(&arguments).well().out
+/// A design with simulated losses and its calibration, which several tests need: text printed, and files.
+struct Rehearsal {
+    designed: String,
+    calibrated: String,
+    files: Vec<(&'static str, String)>,
+}
+
+impl Rehearsal {
+    fn new() -> Self {
+        let bench = bench();
+        let design = [
+            "calibrate",
+            "--design",
+            "case.toml",
+            "--simulate",
+            "4",
+            "-o",
+            "design",
+        ];
+        let axes = ["--torque", "60,183.4", "--speed", "25..4400:7:log"];
+        let designed = bench.run(&[&design[..], &axes].concat()).well().out;
+        let calibrate = [
+            "calibrate",
+            "design/simulated.csv",
+            "case.toml",
+            "-o",
+            "found",
+        ];
+        // Measured losses hold what their table says, whatever the case adds to its mesh.
+        let seals = "gearbox.seals=[{ shaft = \"pinion\", diameter = \"40 mm\" }]";
+        let calibrated = bench
+            .run(&[&calibrate[..], &["--set", seals]].concat())
+            .well()
+            .out;
+        let files = [
+            "design/design.csv",
+            "design/simulated.csv",
+            "found/calibration.html",
+            "found/calibration.json",
+            "found/calibration.toml",
+            "found/points.csv",
+        ];
+        let read = |name| (name, fs::read_to_string(bench.path(name)).unwrap());
+        Self {
+            designed,
+            calibrated,
+            files: files.map(read).to_vec(),
+        }
+    }
+}
+
+/// A bench with the files of the rehearsal, which is made once.
+fn rehearsed() -> (Bench, &'static Rehearsal) {
+    static MADE: OnceLock<Rehearsal> = OnceLock::new();
+    let made = MADE.get_or_init(Rehearsal::new);
+    let bench = bench();
+    for folder in ["design", "found"] {
+        fs::create_dir(bench.path(folder)).unwrap();
+    }
+    for (name, content) in &made.files {
+        bench.write(name, content);
+    }
+    (bench, made)
 }
 
 #[test]
 fn a_design_is_rehearsed_and_its_calibration_narrows_the_band_of_a_run() {
-    let bench = bench();
-    let told = designed(&bench);
+    let (bench, made) = rehearsed();
+    let told = &made.designed;
     assert!(
         told.contains("16 points for each of 2 assemblies"),
         "{told}"
@@ -77,17 +127,7 @@ fn a_design_is_rehearsed_and_its_calibration_narrows_the_band_of_a_run() {
     // The table to fill in is refused as it is: nothing was measured.
     let empty = bench.run(&["calibrate", "design/design.csv", "case.toml"]);
     empty.refused(2, "E134", &["design.csv:2: ", "is missing"]);
-    let said = bench.run(&[
-        "calibrate",
-        "design/simulated.csv",
-        "case.toml",
-        "-o",
-        "found",
-        // Measured losses hold what their table says, whatever the case adds to its mesh.
-        "--set",
-        "gearbox.seals=[{ shaft = \"pinion\", diameter = \"40 mm\" }]",
-    ]);
-    let text = said.well().out;
+    let text = &made.calibrated;
     assert!(
         text.contains("W431 the gearbox of the case is ignored"),
         "{text}"
@@ -206,8 +246,7 @@ fn stated(cells: &mut [String], sigma: f64) {
 
 #[test]
 fn outliers_and_points_that_the_model_does_not_explain_are_named() {
-    let bench = bench();
-    designed(&bench);
+    let (bench, _) = rehearsed();
     rewritten(&bench, "outlier.csv", |k, cells| {
         if k == 7 {
             cells[3] = format!("{:.4}", 2.0 * cells[3].parse::<f64>().unwrap());
@@ -254,19 +293,15 @@ fn outliers_and_points_that_the_model_does_not_explain_are_named() {
         };
         parameters.map(width).collect()
     };
-    bench
-        .run(&["calibrate", "design/simulated.csv", "case.toml", "-o", "t"])
-        .well();
     // Nuisance terms and priors are widened too, so that the bands are not narrower than those of the true errors.
-    for (widened, honest) in widths(&bench, "s").iter().zip(widths(&bench, "t")) {
+    for (widened, honest) in widths(&bench, "s").iter().zip(widths(&bench, "found")) {
         assert!(*widened > 0.9 * honest, "{widened} {honest}");
     }
 }
 
 #[test]
 fn too_few_rows_to_confirm_their_errors_are_refused() {
-    let bench = bench();
-    designed(&bench);
+    let (bench, _) = rehearsed();
     let text = fs::read_to_string(bench.path("design/simulated.csv")).unwrap();
     let few: Vec<&str> = text.lines().take(2 + 5).collect();
     bench.write("few.csv", few.join("\n"));
@@ -286,12 +321,8 @@ fn too_few_rows_to_confirm_their_errors_are_refused() {
 
 #[test]
 fn residuals_that_drift_with_the_order_are_reported() {
-    let bench = bench();
-    designed(&bench);
-    bench
-        .run(&["calibrate", "design/simulated.csv", "case.toml", "-o", "s"])
-        .well();
-    let points = bench.calibrated("s")["points"].clone();
+    let (bench, _) = rehearsed();
+    let points = bench.calibrated("found")["points"].clone();
     let residual = |k: usize| points[k]["residual_sigma"].as_f64().unwrap();
     let first = points[0]["line"].as_u64().unwrap() as usize - 1;
     rewritten(&bench, "drift.csv", |k, cells| {

@@ -9,6 +9,7 @@ fn bench() -> Bench {
     let bench = Bench::new();
     bench.write_flanks();
     bench.write("case.toml", E_DRIVE);
+    bench.shorten_flanks();
     bench
 }
 
@@ -19,13 +20,15 @@ fn call(loss: &'static str, options: &[&'static str]) -> Vec<&'static str> {
 #[test]
 fn limits_are_printed_and_written_with_traces_and_wavelengths() {
     let bench = bench();
-    let smooth = |bench: &Bench| {
-        let text = std::fs::read_to_string(bench.path("results/case-callout/callout.json"));
-        let json: serde_json::Value = serde_json::from_str(&text.unwrap()).unwrap();
-        json
-    };
-    let many = ["--parameter", "rpk", "--traces", "64"];
-    let said = bench.run(&call("600 W", &many)).well().out;
+    let few = [
+        "--parameter",
+        "rpk",
+        "--traces",
+        "1",
+        "--confidence",
+        "98 %",
+    ];
+    let said = bench.run(&call("600 W", &few)).well().out;
     for words in [
         "both flanks: mean R",
         "inspect ",
@@ -34,8 +37,8 @@ fn limits_are_printed_and_written_with_traces_and_wavelengths() {
     ] {
         assert!(said.contains(words), "{words}: {said}");
     }
-    let found = smooth(&bench);
-    let limit = |found: &serde_json::Value| found["limits"][0]["limit"].as_f64().unwrap();
+    let text = std::fs::read_to_string(bench.path("results/case-callout/callout.json"));
+    let found: serde_json::Value = serde_json::from_str(&text.unwrap()).unwrap();
     let losses =
         ["smooth_loss_w", "mean_loss_w", "loss_w"].map(|name| found[name].as_f64().unwrap());
     assert!(losses.is_sorted(), "{losses:?}");
@@ -52,19 +55,7 @@ fn limits_are_printed_and_written_with_traces_and_wavelengths() {
                 .is_file()
         );
     }
-    // One trace says less than many, and a higher confidence takes a lower limit.
-    let other = [
-        "--parameter",
-        "rpk",
-        "--traces",
-        "1",
-        "--confidence",
-        "98 %",
-    ];
-    bench.run(&call("600 W", &other)).well();
-    let sure = smooth(&bench);
-    assert!(limit(&sure) < limit(&found), "{sure}");
-    let settings = [&sure["traces"], &sure["confidence"]];
+    let settings = [&found["traces"], &found["confidence"]];
     assert_eq!(settings.map(|value| value.as_f64().unwrap()), [1.0, 0.98]);
 }
 

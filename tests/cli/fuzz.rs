@@ -178,8 +178,9 @@ fn cases(count: u32) -> ProptestConfig {
     }
 }
 
+// A fault that one case in a thousand meets is found with a probability of 1 − 0.999^4000 = 98 %.
 proptest! {
-    #![proptest_config(cases(10_000))]
+    #![proptest_config(cases(4_000))]
 
     #[test]
     fn a_damaged_case_is_read_or_refused_with_a_code(
@@ -264,8 +265,9 @@ fn loaded(text: &str) -> Option<LoadedCase> {
 
 #[test]
 fn a_case_with_wild_numbers_has_a_finite_efficiency_or_a_coded_reason() {
+    // 26 of 1500 run on average: a fault in one of ten of them is found with a probability of 93 %.
     let ran = Cell::new(0);
-    let found = TestRunner::new(cases(3_000)).run(&wild_case(), |text| {
+    let found = TestRunner::new(cases(1_500)).run(&wild_case(), |text| {
         let Some(case) = loaded(&text) else {
             return Ok(());
         };
@@ -300,6 +302,7 @@ fn a_case_with_wild_numbers_has_a_finite_efficiency_or_a_coded_reason() {
     });
     println!("{} cases ran", ran.get());
     found.unwrap();
-    // Numbers that are refused before anything is computed would prove nothing.
-    assert!(ran.get() >= 20, "{} cases ran", ran.get());
+    // Numbers that are refused before anything is computed would prove nothing. Poisson's law with a mean of 26 is below 8
+    // once in 100 000 runs.
+    assert!(ran.get() >= 8, "{} cases ran", ran.get());
 }

@@ -1,4 +1,5 @@
-//! README and gallery: their commands print what they show, and their pictures are figures of the pages that they write.
+//! README, gallery and tutorial run in one folder, as they share commands: they print what they show, and the pictures are figures
+//! of the pages that they write.
 
 use std::fs;
 
@@ -31,7 +32,7 @@ const PICTURES: [(&str, &str, &str); 11] = [
 ];
 
 #[test]
-fn the_readme_and_the_gallery_print_what_they_show_and_their_pictures_are_drawn() {
+fn readme_gallery_and_tutorial_print_what_they_show_and_their_pictures_are_drawn() {
     let bench = bench();
     holds("README.md", &bench, 10);
     let read = |page: &str| fs::read_to_string(bench.path("results").join(page)).unwrap();
@@ -58,4 +59,5 @@ fn the_readme_and_the_gallery_print_what_they_show_and_their_pictures_are_drawn(
         hold_picture(&file, &Figure::of(&page, figure).alone());
         assert!(document.contains(&format!("]({file})")), "{file}");
     }
+    holds("docs/TUTORIAL.md", &bench, 40);
 }

@@ -42,13 +42,16 @@ fn the_gear_command_tells_geometry_stiffness_and_every_law() {
 #[test]
 fn unrelieved_tips_are_noted_and_relieved_ones_are_not() {
     let plain = bench(E_DRIVE)
-        .run(&["run", "case.toml", "--json"])
+        .run(&["run", "case.toml", "--no-output", "--no-band", "--json"])
         .well()
         .json();
     assert!(codes(&plain).contains(&"W421"));
     assert!(plain["load"]["band"]["low"].as_f64() < plain["load"]["loss_factor"].as_f64());
     let relieved = bench(&E_DRIVE.replace(NO_RELIEF, RELIEF));
-    let relieved = relieved.run(&["run", "case.toml", "--json"]).well().json();
+    let relieved = relieved
+        .run(&["run", "case.toml", "--no-output", "--no-band", "--json"])
+        .well()
+        .json();
     assert!(!codes(&relieved).contains(&"W421"));
     let factor =
         |result: &serde_json::Value| result["summary"]["loss_factor_local"].as_f64().unwrap();
@@ -64,7 +67,7 @@ fn cells_that_carry_almost_nothing_are_counted() {
         .replace("\"pinion.csv\"", "\"pinion.csv\", dx = \"1.7 um\"")
         .replace("\"wheel.csv\"", "\"wheel.csv\", dx = \"1.7 um\"");
     let result = bench(&case)
-        .run(&["run", "case.toml", "--json"])
+        .run(&["run", "case.toml", "--no-output", "--no-band", "--json"])
         .well()
         .json();
     assert!(codes(&result).contains(&"W422"), "{:?}", codes(&result));
@@ -77,14 +80,14 @@ fn a_root_that_cannot_be_drawn_and_tips_that_may_foul_are_told() {
         "face_width = \"32 mm\"\npinion.dedendum = 5.0",
     );
     let result = bench(&root)
-        .run(&["run", "case.toml", "--json"])
+        .run(&["run", "case.toml", "--no-output", "--no-band", "--json"])
         .well()
         .json();
     assert!(codes(&result).contains(&"W424"), "{:?}", codes(&result));
     let ring = with_line("teeth", "teeth = [60, -68]")
         .replace("helix = \"23.4 deg\"\n", "")
         .replace("positions = 4", "positions = 16");
-    let said = bench(&ring).run(&["run", "case.toml", "--json"]);
+    let said = bench(&ring).run(&["run", "case.toml", "--no-output", "--no-band", "--json"]);
     let result = said.well().json();
     assert!(codes(&result).contains(&"W425"), "{:?}", codes(&result));
 }
@@ -92,10 +95,12 @@ fn a_root_that_cannot_be_drawn_and_tips_that_may_foul_are_told() {
 #[test]
 fn the_load_map_is_written_when_it_is_asked_for() {
     let bench = bench(E_DRIVE);
-    bench.run(&["run", "case.toml", "-o", "plain"]).well();
+    bench
+        .run(&["run", "case.toml", "--no-band", "-o", "plain"])
+        .well();
     assert!(!bench.path("plain/map.csv").exists());
     bench
-        .run(&["run", "case.toml", "-o", "whole", "--load-map"])
+        .run(&["run", "case.toml", "--no-band", "-o", "whole", "--load-map"])
         .well();
     let map = fs::read_to_string(bench.path("whole/map.csv")).unwrap();
     assert!(map.starts_with("phase,xi,s_mm,y_mm,load_n_per_mm,weight_mm\n"));
@@ -103,14 +108,16 @@ fn the_load_map_is_written_when_it_is_asked_for() {
     let page = fs::read_to_string(bench.path("whole/report.html")).unwrap();
     assert!(page.contains("Load over the flank, from A to E and across the face"));
     // A result with its map is replaced as a whole.
-    bench.run(&["run", "case.toml", "-o", "whole"]).well();
+    bench
+        .run(&["run", "case.toml", "--no-band", "-o", "whole"])
+        .well();
     assert!(!bench.path("whole/map.csv").exists());
 }
 
 #[test]
 fn a_tip_that_reaches_into_the_mating_fillet_is_told() {
     let bench = bench(&with_line("helix", "helix = \"23.4 deg\"\naddendum = 1.2"));
-    let arguments = ["run", "case.toml", "--no-output", "--json"];
+    let arguments = ["run", "case.toml", "--no-output", "--no-band", "--json"];
     let long = bench.run(&arguments).well().json();
     assert!(codes(&long).contains(&"W433"), "{long:#}");
     let text = long.to_string();
@@ -208,7 +215,8 @@ bulk = { law = "iso", lubrication = "dip" }"#;
         .lines()
         .find(|line| line.starts_with("bulk_temperature"));
     let bench = bench(&SET.replace(line.unwrap(), heated));
-    bench.run(&["run", "case.toml", "-o", "set"]).well();
+    let run = ["run", "case.toml", "--no-band", "-o", "set"];
+    bench.run(&run).well();
     for mesh in ["sun_planet", "planet_ring"] {
         let text = fs::read_to_string(bench.path("set").join(mesh).join("result.json")).unwrap();
         let result: serde_json::Value = serde_json::from_str(&text).unwrap();
@@ -223,17 +231,24 @@ fn a_planetary_set_takes_keys_and_standard_input_and_is_checked() {
     let other = SET.replace("120 N m", "100 N m");
     bench.write("other.toml", &other);
     let loss = |arguments: &[&str]| bench.run(arguments).well().json()["loss_w"].clone();
-    let of_file = loss(&["run", "other.toml", "--no-output", "--json"]);
-    let by_key = ["run", "case.toml", "--no-output", "--json", "--set"];
+    let of_file = loss(&["run", "other.toml", "--no-output", "--no-band", "--json"]);
+    let by_key = [
+        "run",
+        "case.toml",
+        "--no-output",
+        "--no-band",
+        "--json",
+        "--set",
+    ];
     assert_eq!(
         loss(&[&by_key[..], &["operation.torque=100 N m"]].concat()),
         of_file
     );
     assert_ne!(
-        loss(&["run", "case.toml", "--no-output", "--json"]),
+        loss(&["run", "case.toml", "--no-output", "--no-band", "--json"]),
         of_file
     );
-    let piped = bench.run_with_input(&["run", "-", "--no-output", "--json"], &other);
+    let piped = bench.run_with_input(&["run", "-", "--no-output", "--no-band", "--json"], &other);
     assert_eq!(piped.well().json()["loss_w"], of_file);
     bench
         .run(&["run", "case.toml", "--set", "planetary.plantes=4"])
@@ -359,6 +374,8 @@ fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it()
         "case.toml",
         "--set",
         "model.offsets=1",
+        "--set",
+        "model.positions=4",
         "--json",
     ];
     let found = bench.run(&changes).well().json();

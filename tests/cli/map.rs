@@ -295,7 +295,15 @@ fn coast_flanks_carry_the_load_at_a_negative_torque() {
     assert!(at(-100.0) < 0.8 * at(100.0), "{} {}", at(-100.0), at(100.0));
     let run = |torque: &str| {
         let set = format!("operation.torque={torque} N m");
-        let arguments = ["run", "case.toml", "--no-output", "--json", "--set", &set];
+        let arguments = [
+            "run",
+            "case.toml",
+            "--no-output",
+            "--no-band",
+            "--json",
+            "--set",
+            &set,
+        ];
         let speed = ["--set", "operation.speed=500 1/min"];
         let json = bench
             .run(&[&arguments[..], &speed[..]].concat())
@@ -461,6 +469,7 @@ fn with_power_from_the_wheel_efficiency_is_one_minus_loss_over_power() {
         "run",
         "case.toml",
         "--no-output",
+        "--no-band",
         "--json",
         "--set",
         "operation.torque=-145 N m",

@@ -37,9 +37,26 @@ fn json(bench: &Bench, file: &str) -> Value {
 /// Result of a run.
 fn result(bench: &Bench, case: &str) -> Value {
     bench.write("run.toml", case);
-    let arguments = ["run", "run.toml", "-o", "out", "-q"];
-    bench.run(&arguments).well();
-    json(bench, "out/result.json")
+    bench
+        .run(&["run", "run.toml", "--no-output", "--json"])
+        .well()
+        .json()
+}
+
+/// Result of a run without draws.
+fn at_medians(bench: &Bench, case: &str) -> Value {
+    bench.write("run.toml", case);
+    let arguments = ["run", "run.toml", "--no-output", "--no-band", "--json"];
+    bench.run(&arguments).well().json()
+}
+
+/// Result of a run and its page.
+fn with_page(bench: &Bench, case: &str) -> (Value, String) {
+    bench.write("run.toml", case);
+    let arguments = ["run", "run.toml", "-o", "out", "--json"];
+    let result = bench.run(&arguments).well().json();
+    let page = fs::read_to_string(bench.path("out/report.html")).unwrap();
+    (result, page)
 }
 
 /// Names of the constants that were drawn.
@@ -96,13 +113,12 @@ fn constants_from_simulated_measurements_are_warned_of() {
 #[test]
 fn keys_of_the_case_and_its_calibration_replace_constants_of_the_oil_file() {
     let bench = bench();
-    let plain = result(&bench, &case("", ""));
+    let (plain, page) = with_page(&bench, &case("", ""));
     assert!(drawn(&plain).contains(&"pressure-viscosity factor of the friction"));
     assert!(drawn(&plain).contains(&"fall of the limiting shear"));
     assert_eq!(constant(&plain, "eyring_stress_pa"), 4.8e6);
     assert_eq!(warned(&plain, "W442"), "");
     assert_eq!(warned(&plain, "W443"), "");
-    let page = fs::read_to_string(bench.path("out/report.html")).unwrap();
     assert!(page.contains(">pressure-viscosity factor of the friction</th>"));
 
     let of_case = result(
@@ -125,7 +141,7 @@ fn keys_of_the_case_and_its_calibration_replace_constants_of_the_oil_file() {
     );
 
     let calibrated = "\n[calibration]\neyring_stress = { value = \"5 MPa\", low = \"4.5 MPa\", high = \"5.6 MPa\" }\n";
-    let of_rig = result(&bench, &case("", calibrated));
+    let of_rig = at_medians(&bench, &case("", calibrated));
     assert_eq!(constant(&of_rig, "eyring_stress_pa"), 5e6);
     assert_eq!(constant(&of_rig, "limiting_shear"), 0.035);
     let said = warned(&of_rig, "W442");
@@ -145,7 +161,7 @@ fn keys_of_the_case_and_its_calibration_replace_constants_of_the_oil_file() {
         .map(|line| format!("{line}\n"))
         .collect();
     let own = own.replacen("[lubricant]\n", "[lubricant]\noil_file = \"oil.toml\"\n", 1);
-    let of_file = result(&bench, &own);
+    let of_file = at_medians(&bench, &own);
     assert_eq!(of_file["summary"]["loss_w"], plain["summary"]["loss_w"]);
 
     // An oil file whose family was assumed is enough as well, and the law of its fit is listed.
@@ -155,7 +171,7 @@ fn keys_of_the_case_and_its_calibration_replace_constants_of_the_oil_file() {
         "oil.toml",
         file.replacen("base_oil = ", "assume_base_oil = ", 1),
     );
-    let of_assumed = result(&bench, &own);
+    let of_assumed = at_medians(&bench, &own);
     assert_eq!(of_assumed["summary"]["loss_w"], plain["summary"]["loss_w"]);
     let defaults = of_assumed["defaults"].to_string();
     for key in ["lubricant.base_oil", "model.film_pressure_law"] {
@@ -264,7 +280,8 @@ fn the_error_of_a_temperature_is_drawn_where_the_case_states_it() {
         "[operation]\ntemperature_deviation = \"10 K\"\n",
         1,
     );
-    let [plain, wide] = [E_DRIVE, &stated].map(|case| result(&bench, case));
+    let plain = result(&bench, E_DRIVE);
+    let (wide, page) = with_page(&bench, &stated);
     assert!(!drawn(&plain).contains(&"error of the temperature"));
     let part = |result: &Value| {
         let parts = result["uncertainty"]["loss"]["parts"]
@@ -279,7 +296,9 @@ fn the_error_of_a_temperature_is_drawn_where_the_case_states_it() {
     // The ends are runs at the ends of the temperature, 16.4 K to either side.
     let at = |celsius: &str| {
         let text = E_DRIVE.replacen("\"90 °C\"", celsius, 1);
-        result(&bench, &text)["summary"]["loss_w"].as_f64().unwrap()
+        at_medians(&bench, &text)["summary"]["loss_w"]
+            .as_f64()
+            .unwrap()
     };
     let found = part(&wide).unwrap();
     let expected = (at("\"73.55 °C\"") / at("\"106.45 °C\"")).ln().abs();
@@ -298,8 +317,7 @@ fn the_error_of_a_temperature_is_drawn_where_the_case_states_it() {
         .collect();
     assert!(keys.contains(&Value::from("thermocouple")), "{keys:?}");
     assert!(rows(&plain).iter().all(|row| row["key"] != "thermocouple"));
-    let page = fs::read_to_string(bench.path("out/report.html")).unwrap();
-    let first = rows(&json(&bench, "out/result.json"))[0]["measurement"].clone();
+    let first = rows(&wide)[0]["measurement"].clone();
     assert!(
         page.contains("What would narrow the interval most")
             && page.contains(first.as_str().unwrap())
@@ -423,7 +441,7 @@ fn a_fit_writes_an_oil_file_that_fits_and_cases_read() {
     // The file states the oil, and the fit starts at its family: no constant counts twice.
     assert_eq!(fit("oil.toml", "second"), first);
     assert_eq!(fit("case.toml", "third"), first);
-    let found = result(&bench, &case("", ""));
+    let found = at_medians(&bench, &case("", ""));
     let stress = json(&bench, "first/oil_fit.json")["constants"][0]["value"].clone();
     let stress = 1e6 * stress.as_f64().unwrap();
     assert!((constant(&found, "eyring_stress_pa") / stress - 1.0).abs() < 1e-3);

@@ -23,7 +23,7 @@ fn a_case_of_slices_loses_what_the_command_says_to_the_last_digit() {
     let case = root().join("fixtures/cases/e-drive.toml");
     let case = case.to_str().unwrap();
     let said = Bench::new()
-        .run(&["run", case, "--no-output", "--json"])
+        .run(&["run", case, "--no-output", "--no-band", "--json"])
         .well();
     let loss = case_without_files::loss_w(
         &heights("ground_pinion.csv"),

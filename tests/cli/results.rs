@@ -23,7 +23,9 @@ fn the_demo_runs_as_it_is_written() {
         "{}",
         said.out
     );
-    let said = bench.run(&["run", "demo/case.toml"]).well();
+    let few = ["--set", "model.positions=4", "--set", "model.offsets=2"];
+    let run = [&["run", "demo/case.toml", "--no-band"], &few[..]].concat();
+    let said = bench.run(&run).well();
     assert!(
         said.out.contains("efficiency (mesh only)  99."),
         "{}",
@@ -100,14 +102,14 @@ fn quiet_says_nothing_but_errors() {
 #[test]
 fn an_older_result_is_replaced_as_a_whole() {
     let bench = small_case();
-    let run = ["run", "case.toml", "-o", "out", "-q", "--fields", "all"];
-    bench.run(&run).well();
+    let run = ["run", "case.toml", "-o", "out", "-q", "--no-band"];
+    bench.run(&[&run[..], &["--fields", "all"]].concat()).well();
     assert!(bench.path("out/position_04").is_dir());
     bench.write(
         "case.toml",
         E_DRIVE.replace("positions = 4", "positions = 3"),
     );
-    bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
+    bench.run(&run).well();
     assert!(!bench.path("out/position_04").exists());
     assert_eq!(
         bench.listing(),
@@ -125,7 +127,13 @@ fn folders_on_the_way_are_made_and_blanks_in_names_do_no_harm() {
         fs::copy(flanks.path(name), bench.path("with blank").join(name)).unwrap();
     }
     let said = bench
-        .run(&["run", "with blank/case.toml", "-o", "new/and deep/out"])
+        .run(&[
+            "run",
+            "with blank/case.toml",
+            "--no-band",
+            "-o",
+            "new/and deep/out",
+        ])
         .well();
     assert!(
         said.out.contains("report: new/and deep/out/report.html"),
@@ -133,7 +141,9 @@ fn folders_on_the_way_are_made_and_blanks_in_names_do_no_harm() {
         said.out
     );
     assert!(bench.path("new/and deep/out/result.json").is_file());
-    bench.run(&["run", "with blank/case.toml"]).well();
+    bench
+        .run(&["run", "with blank/case.toml", "--no-band"])
+        .well();
     let folder = "results/with blank-case/result.json";
     assert!(bench.path(folder).is_file());
 }
@@ -150,19 +160,16 @@ fn no_output_writes_nothing() {
 #[test]
 fn every_default_used_is_listed_on_request() {
     let bench = small_case();
-    let result = bench
-        .run(&["run", "case.toml", "--no-output", "--json"])
-        .well()
-        .json();
+    let run = |more: &[&str]| {
+        let run = ["run", "case.toml", "--no-output", "--no-band"];
+        bench.run(&[&run[..], more].concat()).well()
+    };
+    let result = run(&["--json"]).json();
     let defaults = result["defaults"].as_array().unwrap();
-    let notes = ["run", "case.toml", "--no-output", "--notes"];
-    let said = bench.run(&notes).well().out;
+    let said = run(&["--notes"]).out;
     let count = format!("defaults used: {} (--explain-defaults)", defaults.len());
     assert!(said.contains(&count), "{said}");
-    let said = bench
-        .run(&["run", "case.toml", "--no-output", "--explain-defaults"])
-        .well()
-        .out;
+    let said = run(&["--explain-defaults"]).out;
     for default in defaults {
         let line = format!(
             "  {} = {}",
@@ -247,7 +254,10 @@ fn a_reader_that_goes_away_is_no_fault() {
 fn no_colour_comes_out_of_a_pipe() {
     let bench = small_case();
     for environment in [&[][..], &[("NO_COLOR", "1")], &[("TERM", "xterm-256color")]] {
-        let said = bench.run_with(&["run", "case.toml", "--no-output"], environment);
+        let said = bench.run_with(
+            &["run", "case.toml", "--no-output", "--no-band"],
+            environment,
+        );
         assert!(!said.out.contains('\u{1b}') && !said.err.contains('\u{1b}'));
         let said = bench.run_with(&["run", "nosuch.toml"], environment);
         assert!(!said.err.contains('\u{1b}'), "{}", said.err);
@@ -262,7 +272,7 @@ fn the_first_screen_has_at_most_ten_lines_of_80_columns_and_the_rest_is_behind_n
         let bench = Bench::new();
         let run = |more: &[&str]| {
             let run = ["run", case.to_str().unwrap(), "--no-output"];
-            let few = ["--set", "model.positions=6", "--set", "model.offsets=4"];
+            let few = ["--set", "model.positions=4", "--set", "model.offsets=2"];
             bench.run(&[&run[..], &few, more].concat()).well().out
         };
         let (said, whole) = (run(&[]), run(&["--notes"]));
@@ -292,12 +302,13 @@ fn the_first_screen_has_at_most_ten_lines_of_80_columns_and_the_rest_is_behind_n
 #[test]
 fn a_result_of_another_case_is_not_replaced_unless_it_is_named() {
     let bench = small_case();
-    let first = bench.run(&["run", "case.toml"]).well().out;
+    let run = ["run", "case.toml", "--no-band"];
+    let first = bench.run(&run).well().out;
     assert!(
         first.ends_with("notes: --notes\n")
             && first.contains("\nreport: results/case/report.html ")
     );
-    let again = bench.run(&["run", "case.toml"]).well().out;
+    let again = bench.run(&run).well().out;
     assert!(
         again.contains("\nreplaced results/case (same title)\n"),
         "{again}"
@@ -311,7 +322,7 @@ fn a_result_of_another_case_is_not_replaced_unless_it_is_named() {
     let kept = fs::read_to_string(bench.path("results/case/result.json")).unwrap();
     assert_eq!(kept, before);
     let named = bench
-        .run(&["run", "case.toml", "-o", "results/case"])
+        .run(&[&run[..], &["-o", "results/case"]].concat())
         .well()
         .out;
     assert!(
@@ -325,7 +336,7 @@ fn a_result_of_another_case_is_not_replaced_unless_it_is_named() {
 fn a_study_of_another_case_is_not_replaced_unless_it_is_named() {
     let bench = small_case();
     let studies: [&[&str]; 3] = [
-        &["sensitivity", "case.toml"],
+        &["sensitivity", "case.toml", "--set", "model.positions=2"],
         &[
             "map",
             "case.toml",
@@ -359,7 +370,7 @@ fn a_study_of_another_case_is_not_replaced_unless_it_is_named() {
     // Without titles the gears tell the cases apart.
     let untitled = E_DRIVE.replace("title = \"small case\"", "");
     bench.write("untitled.toml", &untitled);
-    bench.run(&["run", "untitled.toml"]).well();
+    bench.run(&["run", "untitled.toml", "--no-band"]).well();
     bench.write("untitled.toml", untitled.replace("[23, 68]", "[24, 68]"));
     let refused =
         "results/untitled: holds the result of another case (untitled, 23/68 teeth, module 1.8 mm)";
@@ -405,7 +416,7 @@ fn the_rows_of_the_path_multiply_to_the_sliding_loss() {
     bench.write_flanks();
     bench.write("case.toml", E_DRIVE);
     let json = bench
-        .run(&["run", "case.toml", "-o", "out", "--json"])
+        .run(&["run", "case.toml", "-o", "out", "--no-band", "--json"])
         .well();
     let expected = json.json()["summary"]["sliding_w"].as_f64().unwrap();
     let text = fs::read_to_string(bench.path("out/path.csv")).unwrap();

@@ -258,6 +258,8 @@ fn all_stages_become_one_case() {
         "--no-band",
         "--set",
         "model.positions=4",
+        "--set",
+        "model.offsets=1",
     ];
     let train = bench.run(&[&run[..], &flanks].concat()).well().json();
     assert_eq!(train["meshes"].as_array().unwrap().len(), 2);
@@ -280,6 +282,8 @@ fn all_stages_become_one_case() {
         "--no-band",
         "--set",
         "model.positions=4",
+        "--set",
+        "model.offsets=1",
     ];
     let two = fs::read_to_string(bench.path("two.toml")).unwrap();
     let surface = "[surface]\nfinish = \"ground\"\npinion.ra = \"0.4 um\"";

@@ -108,6 +108,8 @@ fn traces_of_no_name_too_many_teeth_and_single_contacts_are_told() {
             &many[0],
             "--set",
             &many[1],
+            "--set",
+            "model.load_share=lambda-star",
             "--json",
         ])
         .well()

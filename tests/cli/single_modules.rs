@@ -135,8 +135,10 @@ fn regime_film_and_contact_evaluate_every_shipped_case() {
             assert!((0.0..=1.0).contains(&share), "{case}: {row}");
             assert!(row["film_central_um"].as_f64() > row["film_minimum_um"].as_f64());
         }
-        let table = bench.run(&["regime", &case]).well().out;
-        assert_eq!(table.lines().count(), 1 + rows.as_array().unwrap().len());
+        if case.contains("fzg") {
+            let table = bench.run(&["regime", &case]).well().out;
+            assert_eq!(table.lines().count(), 1 + rows.as_array().unwrap().len());
+        }
         let film = bench
             .run(&["film", &case, "--position", "A", "--json"])
             .well()
@@ -162,11 +164,10 @@ fn regime_agrees_with_the_run() {
         .into_iter()
         .find(|name| name.contains("fzg"))
         .unwrap();
-    let alone = bench.run(&["regime", &case, "--json"]).well().json();
-    let run = bench
-        .run(&["run", &case, "--no-output", "--json"])
-        .well()
-        .json();
+    let few = ["--set", "model.positions=6", "--set", "model.offsets=4"];
+    let of = |command: &[&str]| bench.run(&[command, &few].concat()).well().json();
+    let alone = of(&["regime", &case, "--json"]);
+    let run = of(&["run", &case, "--no-output", "--no-band", "--json"]);
     let path = run["path"].as_array().unwrap();
     assert_eq!(path.len(), alone.as_array().unwrap().len());
     for (row, same) in alone.as_array().unwrap().iter().zip(path) {

@@ -115,7 +115,7 @@ fn a_case_takes_lines_of_a_surface() {
     bench.write("flank.sur", sur(6000, 3, 2, 0));
     let run = |line: &str| {
         bench.write("case.toml", with_line("pinion", line));
-        bench.run(&["run", "case.toml", "--no-output", "--json"])
+        bench.run(&["run", "case.toml", "--no-output", "--no-band", "--json"])
     };
     let of = |line: &str| {
         run(line).well().json()["summary"]["loss_w"]
@@ -224,7 +224,9 @@ fn rows_of_too_many_pairs_are_fewer_and_still_spread_evenly() {
     let pinion = "pinion = { file = \"flank.sur\", rows = 20 }";
     bench.write("case.toml", with_line("pinion", pinion));
     let wheel = "surface.wheel={ file = \"flank.sur\", rows = 32 }";
-    let checked = bench.run(&["check", "case.toml", "--set", wheel, "--json"]);
+    let formula = ["--set", "model.load_share=lambda-star"];
+    let check = ["check", "case.toml", "--set", wheel, "--json"];
+    let checked = bench.run(&[&check[..], &formula].concat());
     let checked = checked.well().json();
     assert_eq!(checked["traced"][0]["teeth"], serde_json::json!([8, 8]));
     let mut warnings = checked["warnings"].as_array().unwrap().iter();

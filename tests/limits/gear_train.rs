@@ -27,7 +27,7 @@ bulk_temperature = "90 °C"
 [lubricant]
 oil = "m100"
 [model]
-positions = 6
+positions = 4
 offsets = 2
 depths = 0
 "#;
@@ -361,6 +361,7 @@ fn a_planetary_set_is_the_sum_of_its_meshes_at_relative_speeds() {
     let keys = [
         ("operation.torque", "120 N m"),
         ("operation.speed", "3000 1/min"),
+        ("model.positions", "6"),
     ];
     let keys = keys.map(|(key, value)| (key.to_owned(), value.to_owned()));
     let train = run(&load_set(source, &profiles(), &keys, None).unwrap(), false);

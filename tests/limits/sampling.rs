@@ -169,7 +169,8 @@ fn deviation(values: &[f64]) -> f64 {
 
 #[test]
 fn intervals_of_ninety_percent_cover_the_mean_of_the_flank() {
-    const REPEATS: u64 = 400;
+    /// The share that is covered, 91 to 98 %, has a standard deviation of 2 to 1 %; intervals half as wide cover 61 to 75 %.
+    const REPEATS: u64 = 200;
     const LONG: usize = 40_000;
     /// Real positions scatter by 0.75 of their sum at one place of the flank; these lose alike there.
     const COMMON: f64 = 0.75;
@@ -226,7 +227,7 @@ fn part_load_takes_the_offsets_that_it_needs() {
     let case = |torque: &str, offsets: Option<usize>| {
         let case = load_with(&file, &|input| {
             input.operation.torque = torque.parse().unwrap();
-            input.model.offsets = offsets;
+            (input.model.positions, input.model.offsets) = (Some(8), offsets);
         });
         case.unwrap()
     };
