@@ -263,20 +263,14 @@ fn a_flank_known_by_ra_or_rz_alone_runs_and_lists_what_follows() {
 fn diff_names_the_key_that_differs_and_what_follows() {
     let bench = bench();
     bench
-        .run(&["run", "case.toml", "-o", "one", "--quiet", "--no-band"])
+        .run(&["run", "case.toml", "-o", "one", "--quiet"])
         .well();
     bench
-        .run(&["run", "case.toml", "-o", "same", "--quiet", "--no-band"])
+        .run(&["run", "case.toml", "-o", "same", "--quiet"])
         .well();
     let set = ["--set", "operation.torque=200 N m"];
     bench
-        .run(
-            &[
-                &["run", "case.toml", "-o", "two", "--quiet", "--no-band"][..],
-                &set,
-            ]
-            .concat(),
-        )
+        .run(&[&["run", "case.toml", "-o", "two", "--quiet"][..], &set].concat())
         .well();
     assert_eq!(
         bench.run(&["diff", "one", "same"]).well().out,

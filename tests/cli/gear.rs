@@ -77,7 +77,7 @@ fn cells_that_carry_almost_nothing_are_counted() {
 fn a_root_that_cannot_be_drawn_and_tips_that_may_foul_are_told() {
     let root = with_line(
         "face_width",
-        "face_width = \"32 mm\"\npinion.dedendum = 5.0",
+        "face_width = \"32 mm\"\npinion.dedendum = 3.0",
     );
     let result = bench(&root)
         .run(&["run", "case.toml", "--no-output", "--no-band", "--json"])
