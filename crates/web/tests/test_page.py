@@ -345,7 +345,7 @@ def test_a_gear_train_runs_as_the_command_runs_it_and_has_a_report_of_each_mesh(
     assert run(page) == "done"
     found, expected = json.loads(result(page, "train.json")), command("train.toml", folder=tmp_path)
     assert compare(found, expected) > 80
-    assert tile(page, "loss of all meshes").endswith("W")
+    assert " W (" in tile(page, "loss of all meshes")
     assert page.inner_text("#reports").split("\n") == ["Whole gearbox", "Mesh pair", "Mesh set, sun and planet", "Mesh set, planet and ring"]
     frame = page.frame_locator("#report")
     frame.locator("a[href='set_sun_planet/report.html']").click()
