@@ -546,18 +546,21 @@ mod tests {
         let found = Evaluated::of(&lots, 0, &settings);
         // z = 1.2816: (0.05 + ln 1.02/1.2816)² − 0.05² = 0.001784, and 0.16² over it is 14.4.
         assert!((14..=16).contains(&found.traces), "{}", found.traces);
-        for traces in [1, 4, 16, 64] {
+        let all =
+            [(0.9, 1.2816), (0.98, 2.0537)].map(|way| [1, 4, 16, 64].map(|traces| (way, traces)));
+        for ((confidence, z), traces) in all.into_iter().flatten() {
+            settings.confidence = confidence;
             settings.traces = Some(traces);
             let found = Evaluated::of(&lots, 1, &settings).quantile;
             // The mean of n lognormal numbers is above their median by half their variance.
             let square = 0.16_f64.powi(2);
             let deviation = (0.05_f64.powi(2) + square / traces as f64).sqrt();
-            let expected = 0.5 * square * (1.0 - 1.0 / traces as f64) - 1.2816 * deviation;
+            let expected = 0.5 * square * (1.0 - 1.0 / traces as f64) - z * deviation;
             // Four standard errors, of 4000 lots.
-            let error = 4.0 * deviation * ((1.0 + 0.5 * 1.2816_f64.powi(2)) / 4000.0).sqrt();
+            let error = 4.0 * deviation * ((1.0 + 0.5 * z * z) / 4000.0_f64).sqrt();
             assert!(
                 (found.limit.ln() - expected).abs() < error + 0.001,
-                "{traces} {}",
+                "{confidence} {traces} {}",
                 found.limit
             );
         }
