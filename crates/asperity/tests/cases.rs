@@ -222,6 +222,12 @@ fn a_key_that_cannot_be_set_is_refused_and_changes_nothing() {
         ("model.film", "thick", "E204", "unknown choice `thick`"),
         ("model.positions", "-3", "E204", "whole number"),
         ("title.more", "x", "E204", "title"),
+        (
+            "surface.pinion.columns",
+            "[1, 2]",
+            "E204",
+            "a list does not fit, expected a table",
+        ),
     ] {
         let mut changed = case.clone();
         let error = changed.set(path, value).unwrap_err();

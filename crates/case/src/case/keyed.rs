@@ -55,11 +55,7 @@ impl<'de> Deserializer<'de> for Keyed<'_> {
                     _ => Err(Error::invalid_length(count, &"fewer elements in array")),
                 }
             }
-            Value::Table(table) => visitor.visit_map(Keys {
-                entries: table.into_iter(),
-                value: None,
-                path: self.path,
-            }),
+            Value::Table(table) => visitor.visit_map(Keys::of(table, self.path)),
         }
     }
 
@@ -102,11 +98,7 @@ impl<'de> Deserializer<'de> for Keyed<'_> {
         visitor: V,
     ) -> Result<V::Value, Error> {
         match self.value {
-            Value::Table(table) => visitor.visit_map(Keys {
-                entries: table.into_iter(),
-                value: None,
-                path: self.path,
-            }),
+            Value::Table(table) => visitor.visit_map(Keys::of(table, self.path)),
             value => Err(Error::invalid_type(unexpected(&value), &visitor)),
         }
     }
@@ -135,6 +127,16 @@ struct Keys<'p> {
     entries: map::IntoIter<String, Value>,
     value: Option<Value>,
     path: Option<&'p Path>,
+}
+
+impl<'p> Keys<'p> {
+    fn of(table: Table, path: Option<&'p Path>) -> Self {
+        Self {
+            entries: table.into_iter(),
+            value: None,
+            path,
+        }
+    }
 }
 
 impl<'de> MapAccess<'de> for Keys<'_> {
