@@ -141,7 +141,8 @@ pub enum Command {
         --finish superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv \\\n    \
         --export vecto,modelica,fmu\n\n\
         The losses are of the mesh only, without bearings, seals and churning. Every point is that of\n\
-        asperity run at this torque, speed and temperature.")]
+        asperity run at this torque, speed and temperature, with the number of offsets that the case\n\
+        needs at its own speed and temperature.")]
     Map(MapArgs),
     /// Energy lost over a driving cycle, from a map
     #[command(

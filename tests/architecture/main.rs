@@ -57,6 +57,17 @@ const ALLOWED: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "crates/uncertainty",
+        &[
+            "asperity-core",
+            "asperity-oil",
+            "asperity-ehl-regime",
+            "asperity-tribo-friction",
+            "asperity-mixed-film",
+            "asperity-case",
+        ],
+    ),
+    (
         "crates/asperity",
         &[
             "asperity-core",
@@ -73,6 +84,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "asperity-efficiency",
             "asperity-storage",
             "asperity-case",
+            "asperity-uncertainty",
         ],
     ),
     (

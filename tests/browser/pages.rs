@@ -201,6 +201,9 @@ const COMMANDS: [(&[&str], &[&str]); 12] = [
             "20",
             "--set",
             "model.positions=2",
+            // A law without contacts: the page draws the same.
+            "--set",
+            "model.load_share=zhu-hu",
             "-o",
             "limited",
         ],

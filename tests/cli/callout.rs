@@ -2,8 +2,15 @@
 
 use crate::bench::{Bench, E_DRIVE};
 
-/// A case with few positions, and few lots.
-const FEW: [&str; 4] = ["--set", "model.positions=2", "--lots", "20"];
+/// A case with few positions and a law of load sharing that needs no contacts, and few lots.
+const FEW: [&str; 6] = [
+    "--set",
+    "model.positions=2",
+    "--set",
+    "model.load_share=zhu-hu",
+    "--lots",
+    "20",
+];
 
 fn bench() -> Bench {
     let bench = Bench::new();

@@ -451,7 +451,9 @@ fn what_cannot_be_solved_is_refused_with_its_reason() {
 fn a_record_too_short_for_a_standard_error_says_so() {
     let bench = Bench::new();
     bench.write("fine.csv", wave(0.1));
-    let short = gear(&["--profile1", "fine.csv", "--periodic", "--half-widths", "1"]);
+    let wavy = ["--profile1", "fine.csv", "--periodic", "--cells", "128"];
+    let record = ["--half-widths", "1", "--start", "1"];
+    let short = gear(&[&wavy[..], &record].concat());
     let said = bench.run(&short).well().out;
     assert!(
         said.contains("record too short for a standard error"),

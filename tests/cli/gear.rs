@@ -297,7 +297,7 @@ fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it()
         refused.refused(2, "E205", &says);
     }
     // A comparison, a map, a sweep and a study of changes take all meshes.
-    let few = ["--set", "model.offsets=2"];
+    let few = ["--set", "model.offsets=2", "--set", "model.positions=4"];
     let compared = [
         &["compare", "case.toml", "-o", "compared"],
         &finishes[..],
@@ -362,7 +362,7 @@ fn gear_and_regime_tell_of_each_mesh_of_a_set_and_commands_of_a_pair_refuse_it()
         "--speed",
         "3000",
     ];
-    let map = [&axes[..], &["--set", "model.offsets=1"], &finishes[..]].concat();
+    let map = [&axes[..], &few, &finishes[..]].concat();
     let said = bench.run(&map).well().out;
     assert!(said.contains("loss of the meshes only"), "{said}");
     assert!(

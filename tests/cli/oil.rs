@@ -557,6 +557,21 @@ fn stribeck_curves_without_a_boundary_friction_are_refused() {
         .filter(|line| !line.starts_with("50,0.00"))
         .collect();
     given(&one_speed.join("\n"), &[]).refused(2, "E322", &["at least 4"]);
+    let rolling: Vec<String> = table
+        .lines()
+        .map(|row| {
+            let mut cells: Vec<&str> = row.split(',').collect();
+            if row.starts_with("50,") {
+                cells[2] = "0";
+            }
+            cells.join(",")
+        })
+        .collect();
+    let says = [
+        "0 of 20 set points",
+        "slide-to-roll ratio of at least 0.5 %",
+    ];
+    given(&rolling.join("\n"), &[]).refused(2, "E322", &says);
     let falling = stribeck(|speed, _| 0.1 * speed.powf(-0.06));
     given(&falling, &[]).refused(2, "E322", &["-14 % per decade of speed"]);
     let mut slow = String::from(table.lines().next().unwrap());

@@ -25,10 +25,7 @@ fn stages_are_listed() {
         said.contains("stage 2: Second stage, 19/47 teeth"),
         "{said}"
     );
-    assert!(
-        said.contains("load case 2: 60.00000 % of the time"),
-        "{said}"
-    );
+    assert!(said.contains("load case 2: 60 % of the time"), "{said}");
     assert!(
         said.contains("stage 3: Bevel, bevel_stage, not modelled"),
         "{said}"
@@ -196,7 +193,7 @@ fn each_version_gives_its_modifications_roughness_oil_and_tools() {
         has("# profile_twist 207, 307: nothing", "1.2");
         has("# concept_bearing 51: nothing", "1.0");
         has("# cylindrical_gear 2: u_coordinate_on_shaft", "1.0");
-        assert!(listed.contains("35.00000 % of the time"), "{listed}");
+        assert!(listed.contains("35 % of the time"), "{listed}");
         // The first version with the roughness, and the last.
         if *version == "1.2" || number + 1 == VERSIONS.len() {
             bench.run(&["check", "case.toml"]).well();

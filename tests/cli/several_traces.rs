@@ -94,12 +94,14 @@ fn traces_of_no_name_too_many_teeth_and_single_contacts_are_told() {
             "no file in . has such a name",
         ],
     );
-    let nine = ["\"pinion_1.csv\""; 9].join(", ");
-    let eight = ["\"wheel_1.csv\""; 8].join(", ");
-    let many = [
-        format!("surface.pinion.traces=[{nine}]"),
-        format!("surface.wheel.traces=[{eight}]"),
-    ];
+    let many = [("pinion", 9), ("wheel", 8)].map(|(name, teeth)| {
+        let first = fs::read(bench.path(&format!("{name}_1.csv"))).unwrap();
+        let files = (1..=teeth).map(|k| format!("tooth_{k}_{name}.csv"));
+        files.for_each(|file| {
+            bench.write(&file, &first);
+        });
+        format!("surface.{name}.traces=tooth_*_{name}.csv")
+    });
     let checked = bench
         .run(&[
             "check",

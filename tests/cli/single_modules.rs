@@ -128,15 +128,20 @@ fn cases() -> Vec<String> {
 #[test]
 fn regime_film_and_contact_evaluate_every_shipped_case() {
     let bench = Bench::new();
+    let few = ["--set", "model.positions=4", "--set", "model.offsets=2"];
     for case in cases() {
-        let rows = bench.run(&["regime", &case, "--json"]).well().json();
+        let regime = |more: &[&str]| {
+            let regime = [&["regime", &case], &few[..], more].concat();
+            bench.run(&regime).well()
+        };
+        let rows = regime(&["--json"]).json();
         for row in rows.as_array().unwrap() {
             let share = row["film_share"].as_f64().unwrap();
             assert!((0.0..=1.0).contains(&share), "{case}: {row}");
             assert!(row["film_central_um"].as_f64() > row["film_minimum_um"].as_f64());
         }
         if case.contains("fzg") {
-            let table = bench.run(&["regime", &case]).well().out;
+            let table = regime(&[]).out;
             assert_eq!(table.lines().count(), 1 + rows.as_array().unwrap().len());
         }
         let film = bench

@@ -74,7 +74,11 @@ fn a_surface_gives_a_row_or_its_mean() {
         let all = ["profile", "info", "flank.sur", "--lambda-c", "0.25 mm"];
         bench.run(&[&all, more].concat())
     };
-    let none = info(&[]);
+    // The lines for a case take rows of the surface, and the form that was removed.
+    let none = info(&["--form", "poly2"]);
+    for line in ["{ file = \"flank.sur\", rows = 3 }", "form = \"poly2\""] {
+        assert!(none.out.contains(line), "{}", none.out);
+    }
     none.surveyed(&[
         "flank.sur: the file holds 3 profiles",
         "--row",
@@ -127,6 +131,11 @@ fn a_case_takes_lines_of_a_surface() {
     assert_ne!(row, mean);
     // Rows 1 and 3 of three, each a tooth of its own.
     let rows = of("pinion = { file = \"flank.sur\", rows = 2 }");
+    let warned = |line: &str| run(line).well().json()["warnings"].to_string();
+    let said = warned("pinion = { file = \"flank.sur\", rows = 2 }");
+    let says = "surface.pinion: 2 lines of flank.sur count as teeth of their own";
+    assert!(said.contains("W447") && said.contains(says), "{said}");
+    assert!(!warned("pinion = { file = \"flank.sur\", row = 2 }").contains("W447"));
     let listed = of(
         "pinion = { traces = [{ file = \"flank.sur\", row = 1 }, { file = \"flank.sur\", row = 3 }] }",
     );
@@ -240,7 +249,7 @@ fn rows_of_too_many_pairs_are_fewer_and_still_spread_evenly() {
 fn a_surface_is_generated_like_a_measured_one() {
     let bench = Bench::new();
     bench.write_flanks();
-    bench.write("flank.sur", digital_surf(&changing(3000, 60, 0.8), 2.0));
+    bench.write("flank.sur", digital_surf(&changing(3000, 30, 0.8), 2.0));
     let like = |seed: &str, output: &str| {
         let run = [
             "profile",
@@ -287,7 +296,7 @@ fn a_surface_is_generated_like_a_measured_one() {
         "other.csv",
     ]);
     said.refused(2, "E401", &["name it .x3p"]);
-    bench.write("short.sur", digital_surf(&changing(2000, 60, 0.8), 2.0));
+    bench.write("short.sur", digital_surf(&changing(2000, 30, 0.8), 2.0));
     let both = [
         "profile",
         "generate",

@@ -6,6 +6,7 @@ use asperity::case::{self, DefaultUsed, LoadedCase};
 use asperity::message::Warning;
 use asperity::pipeline;
 use asperity::pipeline::{KeptFields, chooses_offsets};
+use asperity_core::unique;
 use asperity_studies::estimate::{Estimate, estimate, estimate_of_train, measured};
 use serde_json::{Value, json};
 
@@ -120,12 +121,7 @@ fn of_train(train: LoadedTrain) -> Result<ValidCase, Error> {
     let fields = KeptFields::Highest;
     let work = estimate_of_train(&train, &fields, measured)
         .or_else(|_| estimate_of_train(&train, &fields, estimate))?;
-    let mut warnings: Vec<Warning> = Vec::new();
-    for warning in cases().flat_map(|case| &case.warnings) {
-        if !warnings.contains(warning) {
-            warnings.push(warning.clone());
-        }
-    }
+    let warnings = unique(cases().flat_map(|case| case.warnings.iter().cloned()));
     let may_need_more = cases().any(chooses_offsets);
     Ok(ValidCase {
         traced: cases().filter_map(traced).collect(),

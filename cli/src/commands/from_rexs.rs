@@ -155,7 +155,9 @@ fn point_text(point: &OperatingPoint) -> String {
     ];
     let values: Vec<String> = values
         .iter()
-        .filter_map(|(value, unit)| value.map(|value| format!("{value:.5} {unit}")))
+        .filter_map(|(value, unit)| {
+            value.map(|value| format!("{} {unit}", (1e5 * value).round() / 1e5))
+        })
         .collect();
     match values.is_empty() {
         true => format!("{name}: nothing known"),

@@ -637,9 +637,7 @@ impl TrainResult {
     /// add up.
     #[must_use]
     pub fn kinds_with_digits(&self) -> Vec<(&'static str, String, f64)> {
-        let median = self
-            .loss_distribution
-            .map_or(self.loss_w, |drawn| drawn.median_w);
+        let median = self.median_w();
         let kinds = self.kinds.rows();
         let scaled = kinds.map(|(_, loss)| loss * median / self.loss_w);
         let texts = self.digits().texts_of_parts(median, &scaled);
@@ -649,34 +647,63 @@ impl TrainResult {
             .collect()
     }
 
-    /// Carried torque \[N m\], torque into the train \[N m\] and power \[kW\] of a shaft, with the digits that the band of the
-    /// loss leaves.
+    /// Median of the loss of all meshes \[W\], without an interval the loss of the run.
+    fn median_w(&self) -> f64 {
+        self.loss_distribution
+            .map_or(self.loss_w, |drawn| drawn.median_w)
+    }
+
+    /// Carried torque \[N m\], torque into the train \[N m\] and power \[kW\] of a shaft at the median of the loss, with the
+    /// digits that its band leaves.
     #[must_use]
     pub fn shaft_with_digits(&self, row: &ShaftRow) -> [String; 3] {
         let half = self.half_band() * row.by_losses_nm.abs();
+        let more = row.by_losses_nm * (self.median_w() - self.loss_w) / self.losses().si();
+        let into = match row.torque_nm == 0.0 {
+            true => 0.0,
+            false => more * row.torque_nm.signum(),
+        };
         let text = |value: f64, half: f64| match half > 0.0 {
             true => rounded(value, half),
             // Stated, or zero.
             false => format!("{}", (value * 1e4).round() / 1e4 + 0.0),
         };
         [
-            text(row.carried_nm, half),
-            text(row.torque_nm, half),
-            text(1e-3 * row.power_w, 1e-3 * half * row.speed_rad_per_s.abs()),
+            text(row.carried_nm + more, half),
+            text(row.torque_nm + into, half),
+            text(
+                1e-3 * (row.power_w + into * row.speed_rad_per_s),
+                1e-3 * half * row.speed_rad_per_s.abs(),
+            ),
         ]
     }
 
-    /// Power in and power out \[kW\] with the digits that the band of the loss leaves: the one of them that does not follow
-    /// from stated torques differs from the other by the loss.
+    fn drives(&self) -> bool {
+        self.shafts.first().is_none_or(|input| input.power_w >= 0.0)
+    }
+
+    /// Power in and power out \[W\] at the median of the loss: the one of them that does not follow from stated torques
+    /// differs from the other by it.
+    #[must_use]
+    pub fn powers_w(&self) -> [f64; 2] {
+        let more = self.median_w() - self.loss_w;
+        match self.drives() {
+            true => [self.power_in_w, self.power_out_w - more],
+            false => [self.power_in_w + more, self.power_out_w],
+        }
+    }
+
+    /// Power in and power out \[kW\] with the digits that the band of the loss leaves.
     #[must_use]
     pub fn powers_with_digits(&self) -> [String; 2] {
         let half = 1e-3 * self.half_band() * self.loss_w;
-        let drives = self.shafts.first().is_none_or(|input| input.power_w >= 0.0);
-        let [of_in, of_out] = if drives { [0.0, half] } else { [half, 0.0] };
-        [
-            rounded(1e-3 * self.power_in_w, of_in),
-            rounded(1e-3 * self.power_out_w, of_out),
-        ]
+        let [of_in, of_out] = if self.drives() {
+            [0.0, half]
+        } else {
+            [half, 0.0]
+        };
+        let [power_in, power_out] = self.powers_w().map(|power| 1e-3 * power);
+        [rounded(power_in, of_in), rounded(power_out, of_out)]
     }
 
     /// Every planetary set, with the name of its stage if the train has several.
@@ -775,8 +802,20 @@ mod tests {
         let stated = ShaftRow {
             by_losses_nm: 0.0,
             torque_nm: 145.0,
-            ..shaft
+            ..shaft.clone()
         };
         assert_eq!(train.shaft_with_digits(&stated)[1], "145");
+        // With an interval the power that leaves is less by the rest of the median.
+        train.loss_distribution = Some(Quantiles {
+            median_w: 1450.0,
+            quantiles_w: [1400.0, 1500.0],
+            sd_ln: 0.02,
+        });
+        let all = ShaftRow {
+            by_losses_nm: -1370.2773 / 80.0,
+            ..shaft
+        };
+        // 132351.66 W - (1450 - 1370.28) W, in steps of 10 W.
+        assert_eq!(train.shaft_with_digits(&all)[2], "-132.27");
     }
 }

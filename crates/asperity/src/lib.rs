@@ -40,7 +40,6 @@ pub mod gear_train;
 pub mod lubrication;
 pub mod mesh;
 pub mod paper;
-mod parameters;
 mod pictures;
 pub mod pipeline;
 pub mod prelude;

@@ -151,7 +151,10 @@ fn every_pair_loses_what_it_loses_alone() {
 #[test]
 fn identical_traces_lose_what_one_loses_without_any_error() {
     let one = case("file = \"0\"", "file = \"2\"");
-    let same = case("traces = [\"0\", \"0\"]", "traces = [\"2\", \"2\", \"2\"]");
+    let same = case(
+        "traces = [\"0\", \"00\"]",
+        "traces = [\"2\", \"02\", \"002\"]",
+    );
     let found = losses(&same).unwrap();
     assert!((found.summary.loss_w / loss(&one) - 1.0).abs() < 1e-15);
     let sampling = found.pairs.unwrap();
@@ -436,6 +439,18 @@ fn what_several_traces_cannot_mean_is_refused() {
             "E209",
             "must not exceed the face width",
         ),
+        (
+            "traces = [{ file = \"0\", tooth = 24 }]",
+            wheel,
+            "E209",
+            "must not exceed the number of teeth",
+        ),
+        (
+            "traces = [\"0\", \"1\", \"0\"]",
+            wheel,
+            "E205",
+            "of several teeth",
+        ),
         ("traces = [{ tooth = 1 }]", wheel, "E204", "file"),
         (
             "traces = [{ file = \"0\", teeth = 1 }]",
@@ -467,7 +482,10 @@ fn what_several_traces_cannot_mean_is_refused() {
 
 #[test]
 fn above_64_pairs_the_first_eight_teeth_are_taken_and_it_is_said() {
-    let nine = (0..9).map(|_| "\"0\"").collect::<Vec<_>>().join(", ");
+    let nine = (0..9)
+        .map(|k| format!("\"{k}\""))
+        .collect::<Vec<_>>()
+        .join(", ");
     let many = case(&format!("traces = [{nine}]"), &format!("traces = [{nine}]"));
     assert_eq!(many.surfaces.teeth(), Some([8, 8]));
     let said = many

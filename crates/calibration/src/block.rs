@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use asperity::case::CalibratedName;
 use nalgebra::DMatrix;
 
 use crate::result::{FittedParameter, Verdict};
+use crate::summary::unit_of;
 
 /// Factors on the correlations. The first one is used for which the rounded correlations are positive definite: a case
 /// rejects contradictory correlations.
@@ -100,14 +100,9 @@ fn is_identified(parameter: &FittedParameter) -> bool {
 
 /// A value in the unit of a case file.
 fn quantity(key: &str, value: f64) -> String {
-    match key {
-        key if key == CalibratedName::BoundaryLayer.key() => {
-            format!("\"{} nm\"", digits(1e9 * value))
-        }
-        key if key == CalibratedName::EyringStress.key() => {
-            format!("\"{} MPa\"", digits(1e-6 * value))
-        }
-        _ => digits(value),
+    match unit_of(key) {
+        ("", ..) => digits(value),
+        (unit, factor, _) => format!("\"{} {unit}\"", digits(factor * value)),
     }
 }
 

@@ -3,9 +3,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::case::CalibratedName;
+use asperity::fingerprint::sha256;
 use asperity::message::Warning;
 use nalgebra::DVector;
-use sha2::{Digest, Sha256};
 
 use crate::birge::Scatter;
 use crate::block::block;
@@ -142,10 +142,7 @@ fn report(
         program: format!("asperity {}", env!("CARGO_PKG_VERSION")),
         title: rig.title.clone(),
         table: table.name.clone(),
-        sha256: Sha256::digest(text.as_bytes())
-            .iter()
-            .map(|byte| format!("{byte:02x}"))
-            .collect(),
+        sha256: sha256(text.as_bytes()),
         is_simulated: table.is_simulated,
         assemblies,
         identifiability,
@@ -189,8 +186,7 @@ fn samples(rig: &Rig, fit: &Fit) -> Vec<Vec<f64>> {
                 ..*observation
             })
         });
-        let mut part = problem.with(drawn.collect());
-        part.assemblies = problem.assemblies;
+        let part = problem.with(drawn.collect());
         let mut start = fit.minimum.x.clone();
         for (number, group) in sample.iter().enumerate() {
             start[part.scale(number)] = fit.minimum.x[problem.scale(*group)];
@@ -422,6 +418,14 @@ fn warnings(rig: &Rig, fit: &Fit, residuals: &[f64]) -> Vec<Warning> {
                 100.0 * ASSEMBLY
             ),
         ));
+    }
+    let repeated = rig.table.repeated();
+    if repeated > 0 {
+        let text = format!(
+            "{repeated} of {} rows repeat an earlier row in every cell and count as measurements of their own; leave copies out, and number measurements that were repeated in the column run",
+            rig.table.rows.len()
+        );
+        warnings.push(Warning::new("W420", text));
     }
     let mut states: Vec<&str> = rig
         .table

@@ -323,10 +323,6 @@ fn slopes(problem: &Problem<'_>, point: usize) -> DMatrix<f64> {
 /// Information of the priors only.
 fn of_priors(problem: &Problem<'_>) -> DMatrix<f64> {
     let none = problem.with(Vec::new());
-    let none = Problem {
-        assemblies: problem.assemblies,
-        ..none
-    };
     information(&none.slopes(&DVector::zeros(problem.variables())))
 }
 

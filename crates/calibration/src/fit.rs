@@ -193,10 +193,7 @@ impl Rig {
                 continue;
             }
             let points = taken.len();
-            let mut part = problem.with(taken);
-            // Keeps the indices of the assemblies.
-            part.assemblies = problem.assemblies;
-            x = minimum(&part, &x, &free)?.x;
+            x = minimum(&problem.with(taken), &x, &free)?.x;
             let value = |k: &usize| {
                 let parameter = &self.parameters[*k];
                 (parameter.words().to_owned(), parameter.centre * x[*k].exp())

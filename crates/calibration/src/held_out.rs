@@ -32,8 +32,7 @@ impl Rig {
                 .observations
                 .iter()
                 .partition(|observation| group_of(observation) == Some(k));
-            let mut part = problem.with(fitted);
-            part.assemblies = problem.assemblies;
+            let part = problem.with(fitted);
             let minimum = minimum(&part, &fit.minimum.x, &all)?;
             let covariance = spread(&part, &minimum)?;
             let (mut sum, mut squares, mut expected) = (0.0, 0.0, 0.0);

@@ -1,8 +1,10 @@
 //! Identifiability of the parameters by the points of a rig, and the most useful further measurements, before the fit.
 
 use asperity::case::CalibratedName;
+use asperity_core::numerics::range;
 use nalgebra::{DMatrix, DVector};
 
+use crate::bootstrap::median;
 use crate::error::CalibrationError;
 use crate::information::{correlations, covariance, deviation_without_prior, information};
 use crate::parameters::Parameter;
@@ -98,12 +100,7 @@ pub fn check_share(
 pub(crate) fn lambda_star_range(all: impl Iterator<Item = Option<f64>>) -> Option<[f64; 2]> {
     let known: Option<Vec<f64>> = all.collect();
     let known = known.filter(|values| !values.is_empty())?;
-    let ends = known
-        .iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-            [low.min(*value), high.max(*value)]
-        });
-    Some(ends)
+    Some(range(known))
 }
 
 impl Rig {
@@ -164,13 +161,8 @@ impl Rig {
         let model = self.model.at_points(&candidates);
         let region = slope_region(&self.parameters);
         let planes = tangents(&model, &region, progress)?;
-        let sigma = median(
-            problem
-                .observations
-                .iter()
-                .map(|observation| observation.sigma)
-                .collect(),
-        );
+        let sigmas = problem.observations.iter().map(|one| one.sigma);
+        let sigma = median(sigmas).unwrap_or(f64::NAN);
         let Some(before) = covariance(whole) else {
             return Ok(Vec::new());
         };
@@ -221,16 +213,11 @@ impl Rig {
     fn candidates(&self) -> Vec<OperatingPoint> {
         const SPEEDS: usize = 6;
         let reach = &self.table.reach;
-        let range = |k: usize| {
-            let all = self.operating_points.iter().map(|point| point.at[k]);
-            all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-                [low.min(value), high.max(value)]
-            })
-        };
-        let [least, most] = range(1);
+        let ends = |k: usize| range(self.operating_points.iter().map(|point| point.at[k]));
+        let [least, most] = ends(1);
         let high = reach.speed_max_rpm.unwrap_or(most);
         let low = least.min(high);
-        let [cold, hot] = range(2);
+        let [cold, hot] = ends(2);
         let middle = vec![cold, (0.5 * (cold + hot)).round(), hot];
         let mut temperatures = reach.temperatures_c.clone().unwrap_or(middle);
         temperatures.dedup();
@@ -283,11 +270,6 @@ fn worst_correlation(
     let worst = pairs.max_by(|a, b| correlations[*a].abs().total_cmp(&correlations[*b].abs()))?;
     let name = |k: usize| parameters[k].words().to_owned();
     Some((name(worst.0), name(worst.1), correlations[worst]))
-}
-
-pub(crate) fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 #[cfg(test)]

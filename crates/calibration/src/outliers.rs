@@ -26,8 +26,7 @@ impl Rig {
         for _ in 0..=most {
             let measurements: Vec<Observation> =
                 rows.iter().map(|k| problem.observations[*k]).collect();
-            let mut part = problem.with(measurements);
-            part.assemblies = problem.assemblies;
+            let part = problem.with(measurements);
             x = minimum(&part, &x, &all)?.x;
             let residuals = part.of_measurements(&x);
             let worst =

@@ -1,6 +1,7 @@
 //! Pages of a calibration and of a design.
 
 use asperity::message::Warning;
+use asperity_core::numerics::distinct;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use asperity_report::wrapped;
@@ -10,7 +11,7 @@ use crate::birge::Scatter;
 use crate::design::Design;
 use crate::result::{Calibration, FittedParameter, FittedPoint, Verdict};
 use crate::rig_table::SIMULATED;
-use crate::summary::{percent, range, scatter, shown, tenths};
+use crate::summary::{percent, range, scatter, shown, tenths, unit_of};
 
 /// Table of the points.
 const POINTS: &str = "points.csv";
@@ -92,8 +93,7 @@ fn verdict(calibration: &Calibration) -> String {
 
 /// A range with its unit.
 fn with_unit(key: &str, band: [f64; 2]) -> String {
-    let value = shown(key, band[0]);
-    let unit = value.split_once(' ').map_or("", |(_, unit)| unit);
+    let (unit, ..) = unit_of(key);
     format!("{} {unit}", range(key, band)).trim_end().to_owned()
 }
 
@@ -238,16 +238,7 @@ fn profiles(calibration: &Calibration) -> Markup {
         freedom: calibration.freedom,
     };
     let drawn = |one: &FittedParameter| {
-        let factor = match one.key.as_str() {
-            "boundary_layer" => 1e9,
-            "eyring_stress" => 1e-6,
-            _ => 1.0,
-        };
-        let unit = match one.key.as_str() {
-            "boundary_layer" => "nm",
-            "eyring_stress" => "MPa",
-            _ => "",
-        };
+        let (unit, factor, _) = unit_of(&one.key);
         let x: Vec<f64> = one.profile.iter().map(|[at, _]| factor * at).collect();
         let y: Vec<f64> = one.profile.iter().map(|[_, rise]| *rise).collect();
         let chart = Chart::new(
@@ -315,9 +306,7 @@ fn provenance(calibration: &Calibration) -> Markup {
 
 pub(crate) fn render_design(design: &Design) -> String {
     let points = &design.points;
-    let mut temperatures: Vec<f64> = points.iter().map(|point| point.temperature_c).collect();
-    temperatures.sort_by(f64::total_cmp);
-    temperatures.dedup();
+    let temperatures = distinct(points.iter().map(|point| point.temperature_c));
     // The same point may be measured at several temperatures.
     let at_temperature = |at: &f64| {
         let chosen = points.iter().filter(|point| point.temperature_c == *at);

@@ -74,30 +74,6 @@ impl Parameter {
     pub fn words(&self) -> &'static str {
         UncertainParameter::from(self.name).name()
     }
-
-    /// A value in the display unit.
-    #[must_use]
-    pub fn shown(&self, value: f64) -> f64 {
-        value * self.factor()
-    }
-
-    const fn factor(&self) -> f64 {
-        match self.name {
-            CalibratedName::BoundaryLayer => 1e9,
-            CalibratedName::EyringStress => 1e-6,
-            _ => 1.0,
-        }
-    }
-
-    /// Display unit; empty for a number.
-    #[must_use]
-    pub const fn unit(&self) -> &'static str {
-        match self.name {
-            CalibratedName::BoundaryLayer => "nm",
-            CalibratedName::EyringStress => "MPa",
-            _ => "",
-        }
-    }
 }
 
 /// Standard deviation of the scale of an assembly.

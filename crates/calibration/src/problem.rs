@@ -21,6 +21,7 @@ use asperity_core::cite;
 use nalgebra::{DMatrix, DVector};
 
 use crate::birge::Scatter;
+use crate::bootstrap::median;
 use crate::least_squares::Residuals;
 use crate::parameters::{ASSEMBLY, BEARINGS, NO_LOAD, ROLLING, TEMPERATURE};
 use crate::response::{Region, Response};
@@ -110,28 +111,23 @@ impl<'a> Problem<'a> {
             .iter()
             .map(|observation| observation.assembly + 1)
             .max();
-        let mut torques: Vec<f64> = observations.iter().map(Observation::loss_torque).collect();
-        torques.sort_by(f64::total_cmp);
+        let torques = observations.iter().map(Observation::loss_torque);
         Self {
             surfaces,
             region,
             priors,
             assemblies: assemblies.unwrap_or(0),
-            no_load: NO_LOAD * torques.get(torques.len() / 2).copied().unwrap_or(1.0),
+            no_load: NO_LOAD * median(torques).unwrap_or(1.0),
             observations,
         }
     }
 
-    /// The problem with other measurements of the same operating points, and the same prior of the loss without load.
+    /// The problem with other measurements of the same operating points: the assemblies keep their numbers, the loss without
+    /// load its prior.
     #[must_use]
     pub fn with(&self, observations: Vec<Observation>) -> Self {
-        let assemblies = observations
-            .iter()
-            .map(|observation| observation.assembly + 1)
-            .max();
         Self {
             observations,
-            assemblies: assemblies.unwrap_or(0),
             ..self.clone()
         }
     }

@@ -10,6 +10,7 @@ use asperity::uncertainty::UncertainParameter;
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;
 
+use crate::bootstrap::median;
 use crate::error::CalibrationError;
 use crate::parameters::Parameter;
 
@@ -129,30 +130,6 @@ impl RigModel {
         of_case.map(|group| group.torque).collect()
     }
 
-    /// Number of points.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.points.len()
-    }
-
-    /// Whether there are no points.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.points.is_empty()
-    }
-
-    /// The parameters, in the order of a setting.
-    #[must_use]
-    pub fn parameters(&self) -> &[Parameter] {
-        &self.parameters
-    }
-
-    /// Number of evaluations so far.
-    #[must_use]
-    pub fn evaluations(&self) -> usize {
-        self.evaluations.load(Ordering::Relaxed)
-    }
-
     /// Evaluates all points at all `settings`: the logarithms of the parameters relative to their centres, then an offset
     /// of the temperature \[K\]. Returns the losses by point.
     ///
@@ -207,17 +184,11 @@ impl RigModel {
             set.map_err(named)?;
         }
         let result = coldest_losses_with(&group.tables, &case).map_err(named)?;
-        let mut ratios: Vec<f64> = result
-            .path
-            .iter()
-            .filter_map(|row| row.lambda_star)
-            .collect();
-        ratios.sort_by(f64::total_cmp);
         Ok(PointLosses {
             sliding_w: result.summary.sliding_w * place.torque_factor,
             rolling_w: result.summary.rolling_w,
             boundary_share: result.summary.boundary_share,
-            lambda_star: ratios.get(ratios.len() / 2).copied(),
+            lambda_star: median(result.path.iter().filter_map(|row| row.lambda_star)),
         })
     }
 }

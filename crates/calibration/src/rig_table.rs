@@ -216,6 +216,20 @@ impl RigTable {
         names
     }
 
+    /// Number of rows that equal an earlier row in everything but the line.
+    #[must_use]
+    pub fn repeated(&self) -> usize {
+        let is_equal = |a: &RigRow, b: &RigRow| {
+            *a == RigRow {
+                line: a.line,
+                ..b.clone()
+            }
+        };
+        let rows = self.rows.iter().enumerate();
+        rows.filter(|(k, row)| self.rows[..*k].iter().any(|other| is_equal(row, other)))
+            .count()
+    }
+
     /// Names of the assemblies, in the order of their first rows.
     #[must_use]
     pub fn assemblies(&self) -> Vec<String> {

@@ -4,6 +4,7 @@ use asperity_core::numerics::standard_normal_quantile;
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
+use crate::bootstrap::median;
 use crate::error::CalibrationError;
 use crate::parameters::{ASSEMBLY, NO_LOAD, ROLLING, TEMPERATURE};
 use crate::rig_model::RigModel;
@@ -62,16 +63,10 @@ pub fn losses(
             scales[one.assembly] * (parts.sliding_w + rolling * parts.rolling_w)
         })
         .collect();
-    let mut torques: Vec<f64> = clean
-        .iter()
-        .zip(measurements)
-        .map(|(loss, one)| loss / one.omega)
-        .collect();
-    torques.sort_by(f64::total_cmp);
-    let offset = without_load * torques.get(torques.len() / 2).copied().unwrap_or(0.0);
-    let measured = clean
-        .iter()
-        .zip(measurements)
-        .map(|(loss, one)| (loss + offset * one.omega) * (sigma * normal()).exp());
+    let with_speed = || clean.iter().zip(measurements);
+    let torques = with_speed().map(|(loss, one)| loss / one.omega);
+    let offset = without_load * median(torques).unwrap_or(0.0);
+    let measured =
+        with_speed().map(|(loss, one)| (loss + offset * one.omega) * (sigma * normal()).exp());
     Ok(measured.collect())
 }

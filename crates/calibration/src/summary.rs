@@ -8,19 +8,25 @@ use asperity_report::wrapped;
 use crate::design::Design;
 use crate::result::{Calibration, FittedParameter, Identifiability, IdentifiedParameter};
 
+/// Display unit of a key with its size in units of SI, and the decimals of its values.
+pub(crate) fn unit_of(key: &str) -> (&'static str, f64, usize) {
+    match key {
+        "boundary_layer" => ("nm", 1e9, 2),
+        "eyring_stress" => ("MPa", 1e-6, 3),
+        _ => ("", 1.0, 4),
+    }
+}
+
 /// A value with its display unit.
 pub(crate) fn shown(key: &str, value: f64) -> String {
-    match key {
-        "boundary_layer" => format!("{:.2} nm", 1e9 * value),
-        "eyring_stress" => format!("{:.3} MPa", 1e-6 * value),
-        _ => format!("{value:.4}"),
-    }
+    let (unit, ..) = unit_of(key);
+    format!("{} {unit}", bare(key, value)).trim_end().to_owned()
 }
 
 /// A value in its display unit, without the unit.
 fn bare(key: &str, value: f64) -> String {
-    let text = shown(key, value);
-    text.split(' ').next().unwrap_or_default().to_owned()
+    let (_, factor, decimals) = unit_of(key);
+    format!("{:.decimals$}", factor * value)
 }
 
 pub(crate) fn range(key: &str, [low, high]: [f64; 2]) -> String {

@@ -47,6 +47,19 @@ fn a_loss_torque_is_a_power_and_semicolons_bring_decimal_commas() {
 }
 
 #[test]
+fn rows_that_repeat_an_earlier_row_are_counted() {
+    let [row, same, other] = [
+        "183,2166,90,300,9,mesh",
+        "183.0,2166,90,300,9,mesh",
+        "183,2166,90,301,9,mesh",
+    ];
+    let table = read(&format!("{HEAD}\n{row}\n{other}\n{same}\n{same}\n")).unwrap();
+    assert_eq!(table.repeated(), 2);
+    let numbered = read(&format!("{HEAD},run\n{row},1\n{same},2\n")).unwrap();
+    assert_eq!(numbered.repeated(), 0);
+}
+
+#[test]
 fn rows_without_sigma_or_scope_are_named_all_at_once() {
     let text = refused("183,2166,90,300,,mesh\n183,2166,90,300,9,mesh\n183,2166,90,300,9,");
     assert!(text.contains("rig.csv:2: sigma_w: is missing"), "{text}");

@@ -1,20 +1,9 @@
 //! SHA-256 of everything that a stored result depends on.
 
+pub use asperity_storage::sha256;
+
+use asperity_storage::hex;
 use sha2::{Digest, Sha256};
-
-/// SHA-256 of `bytes` in hexadecimal digits.
-///
-/// ```
-/// assert!(asperity_case::fingerprint::sha256(b"abc").starts_with("ba7816bf"));
-/// ```
-#[must_use]
-pub fn sha256(bytes: &[u8]) -> String {
-    hex(Sha256::digest(bytes).as_slice())
-}
-
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
-}
 
 /// SHA-256 of several inputs and of the version of the program: another version may compute other numbers from them.
 ///
@@ -47,6 +36,6 @@ impl Fingerprint {
     /// 64 hexadecimal digits.
     #[must_use]
     pub fn hex(self) -> String {
-        hex(self.0.finalize().as_slice())
+        hex(&self.0.finalize())
     }
 }

@@ -112,11 +112,28 @@ pub struct FittedRange {
 }
 
 impl FittedRange {
+    /// Makes the range `low` to `high` of the input `name` of `correlation`.
+    pub const fn new(
+        name: &'static str,
+        low: f64,
+        high: f64,
+        unit: &'static str,
+        correlation: &'static str,
+    ) -> Self {
+        Self {
+            name,
+            low,
+            high,
+            unit,
+            correlation,
+        }
+    }
+
     /// Adds a note to `outside` if `value` is not within the range (NaN never is); the correlation is extrapolated.
     ///
     /// ```
     /// use asperity_core::FittedRange;
-    /// let range = FittedRange { name: "SRR", low: -0.7, high: 0.7, unit: "-", correlation: "Xu" };
+    /// let range = FittedRange::new("SRR", -0.7, 0.7, "-", "Xu");
     /// let mut outside = Vec::new();
     /// range.check(0.5, &mut outside);
     /// range.check(0.9, &mut outside);
@@ -130,7 +147,7 @@ impl FittedRange {
     ///
     /// ```
     /// use asperity_core::{FittedRange, Treatment};
-    /// let range = FittedRange { name: "S", low: 0.0, high: 0.6, unit: "um", correlation: "Xu" };
+    /// let range = FittedRange::new("S", 0.0, 0.6, "um", "Xu");
     /// let mut outside = Vec::new();
     /// range.check_as(Treatment::Held, 0.9, &mut outside);
     /// assert_eq!(outside[0].treatment, Treatment::Held);

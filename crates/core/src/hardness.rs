@@ -35,13 +35,13 @@ const SCALES: [(f64, f64, f64); 11] = [
 ];
 
 /// Hardnesses that the regression was fitted to \[HV\].
-const REGRESSION: FittedRange = FittedRange {
-    name: "hardness",
-    low: 129.0,
-    high: 632.0,
-    unit: "HV",
-    correlation: "yield strength from hardness (Pavlina and Van Tyne 2008)",
-};
+const REGRESSION: FittedRange = FittedRange::new(
+    "hardness",
+    129.0,
+    632.0,
+    "HV",
+    "yield strength from hardness (Pavlina and Van Tyne 2008)",
+);
 
 /// Scale of a hardness.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

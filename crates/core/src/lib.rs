@@ -18,6 +18,7 @@ pub mod profile;
 pub mod provenance;
 pub mod quantity;
 pub mod remedy;
+mod unique;
 mod unit_text;
 
 pub use checked::{Checked, FittedRange, OutOfRange, Treatment};
@@ -25,6 +26,7 @@ pub use error::DomainError;
 pub use profile::Profile;
 pub use quantity::Quantity;
 pub use remedy::{Action, Remedy, Setting};
+pub use unique::unique;
 
 /// The examples of the README are tests.
 #[cfg(doctest)]

@@ -19,13 +19,13 @@ pub const PORE_FREE: Density = Density::from_si(7830.0);
 const MOST_POROSITY: f64 = 0.2;
 
 /// Densities of the rows that modulus and strength were fitted to \[kg/m³\].
-const FITTED: FittedRange = FittedRange {
-    name: "density",
-    low: 6700.0,
-    high: 7400.0,
-    unit: "kg/m3",
-    correlation: "modulus and strength of sintered steel from its density (MPIF Standard 35)",
-};
+const FITTED: FittedRange = FittedRange::new(
+    "density",
+    6700.0,
+    7400.0,
+    "kg/m3",
+    "modulus and strength of sintered steel from its density (MPIF Standard 35)",
+);
 
 /// P = 1 − ρ/ρ₀.
 ///

@@ -4,7 +4,7 @@
 //! not extrapolated.
 
 use asperity_core::cite;
-use asperity_core::numerics::NodeInterval;
+use asperity_core::numerics::{NodeInterval, distinct};
 
 use crate::error::EfficiencyError;
 
@@ -74,7 +74,7 @@ impl LossTable {
                 });
             }
         }
-        let temperatures = rising(rows.iter().filter_map(|row| row.temperature_c));
+        let temperatures = distinct(rows.iter().filter_map(|row| row.temperature_c));
         let grids = match temperatures.as_slice() {
             [] => vec![Grid::new(rows)?],
             given => {
@@ -135,8 +135,8 @@ impl LossTable {
 
 impl Grid {
     fn new(rows: &[LossRow]) -> Result<Self, EfficiencyError> {
-        let torques = rising(rows.iter().filter_map(|row| row.torque_nm));
-        let speeds = rising(rows.iter().map(|row| row.speed_rpm));
+        let torques = distinct(rows.iter().filter_map(|row| row.torque_nm));
+        let speeds = distinct(rows.iter().map(|row| row.speed_rpm));
         let nodes = torques.len().max(1) * speeds.len();
         let mut values = vec![f64::NAN; nodes];
         for row in rows {
@@ -176,13 +176,6 @@ fn no_grid(rows: &[LossRow], torques: &[f64], speeds: &[f64]) -> EfficiencyError
         torques: torques.len(),
         speeds: speeds.len(),
     }
-}
-
-fn rising(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values.dedup();
-    values
 }
 
 /// Interval of the nodes that holds `value`; `None` beyond the nodes.

@@ -12,13 +12,8 @@ use crate::error::EfficiencyError;
 
 /// Usual range of the mean friction coefficient of a lubricated steel gear mesh, from full films on
 /// superfinished flanks to boundary lubrication on ground flanks. A plausibility range, not a fit.
-pub const LUBRICATED_STEEL: FittedRange = FittedRange {
-    name: "mu_eq",
-    low: 0.01,
-    high: 0.12,
-    unit: "-",
-    correlation: "lubricated steel gears",
-};
+pub const LUBRICATED_STEEL: FittedRange =
+    FittedRange::new("mu_eq", 0.01, 0.12, "-", "lubricated steel gears");
 
 /// μ_eq = (1 − η)/H_V                                                          `[Plausible-1]`
 ///

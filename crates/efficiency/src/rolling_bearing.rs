@@ -95,21 +95,21 @@ const BROKEN_FILM: f64 = 2.6e-8;
 /// Factor of φ_ish (SKF).
 const SHEAR_HEATING: f64 = 1.84e-9;
 /// Permitted ratio of axial to radial load of a cylindrical roller bearing.
-const AXIAL_OVER_RADIAL: FittedRange = FittedRange {
-    name: "axial over radial load",
-    low: 0.0,
-    high: 0.5,
-    unit: "-",
-    correlation: "SKF's torque of a cylindrical roller bearing",
-};
+const AXIAL_OVER_RADIAL: FittedRange = FittedRange::new(
+    "axial over radial load",
+    0.0,
+    0.5,
+    "-",
+    "SKF's torque of a cylindrical roller bearing",
+);
 /// Permitted ratio of the axial load to C₀ of a deep groove ball bearing.
-const AXIAL_OVER_RATING: FittedRange = FittedRange {
-    name: "axial load over static rating",
-    low: 0.0,
-    high: 0.5,
-    unit: "-",
-    correlation: "SKF's torque of a deep groove ball bearing",
-};
+const AXIAL_OVER_RATING: FittedRange = FittedRange::new(
+    "axial load over static rating",
+    0.0,
+    0.5,
+    "-",
+    "SKF's torque of a deep groove ball bearing",
+);
 
 impl RollingBearing {
     /// Checks the dimensions and constants.

@@ -58,13 +58,7 @@ const RANGES: [FittedRange; 4] = [
 ];
 
 const fn range(name: &'static str, low: f64, high: f64) -> FittedRange {
-    FittedRange {
-        name,
-        low,
-        high,
-        unit: "-",
-        correlation: NAME,
-    }
+    FittedRange::new(name, low, high, "-", NAME)
 }
 
 fn notes(groups: &FilmGroups, ellipticity: f64) -> Vec<OutOfRange> {

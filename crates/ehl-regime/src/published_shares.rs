@@ -28,13 +28,13 @@ const INNER: (f64, f64, f64, f64, f64, f64) = (4470.0, 6.015, 1.168, 0.485, -3.7
 const FILM_POWER: f64 = 6.3;
 
 /// The fit exceeds the whole load for thin films at low load.
-const SHARE: FittedRange = FittedRange {
-    name: "asperity share",
-    low: 0.0,
-    high: 1.0,
-    unit: "-",
-    correlation: "Masjedi-Khonsari (held at the whole load)",
-};
+const SHARE: FittedRange = FittedRange::new(
+    "asperity share",
+    0.0,
+    1.0,
+    "-",
+    "Masjedi-Khonsari (held at the whole load)",
+);
 
 /// Share of the load on the asperities by Masjedi and Khonsari.
 ///

@@ -29,32 +29,27 @@ use crate::error::RegimeError;
 const LEAST_NUMERATOR: f64 = 0.3;
 
 /// Range in which Gupta's numerator is above its lower bound: no published range is narrower.
-const GUPTA_NUMERATOR: FittedRange = FittedRange {
-    name: "13.2 (p0/E') L^0.42",
-    low: 0.0,
-    high: 1.0 - LEAST_NUMERATOR,
-    unit: "-",
-    correlation: "Gupta (numerator held at 0.3)",
-};
+const GUPTA_NUMERATOR: FittedRange = FittedRange::new(
+    "13.2 (p0/E') L^0.42",
+    0.0,
+    1.0 - LEAST_NUMERATOR,
+    "-",
+    "Gupta (numerator held at 0.3)",
+);
 
 /// Range in which the factor falls less steeply with the speed than the isothermal film rises (V_e^0.69, Dowson and
 /// Toyoda); outside it the film would thin as the gears turn faster.
-const GUPTA_FALL: FittedRange = FittedRange {
-    name: "-d ln(factor)/d ln(speed)",
-    low: 0.0,
-    high: 0.69,
-    unit: "-",
-    correlation: "Gupta (film falls as the speed rises)",
-};
+const GUPTA_FALL: FittedRange = FittedRange::new(
+    "-d ln(factor)/d ln(speed)",
+    0.0,
+    0.69,
+    "-",
+    "Gupta (film falls as the speed rises)",
+);
 
 /// Murch and Wilson's analysis has equal surface speeds (Wilson and Sheu 1983).
-const PURE_ROLLING: FittedRange = FittedRange {
-    name: "slide-to-roll ratio",
-    low: 0.0,
-    high: 0.0,
-    unit: "-",
-    correlation: "Murch-Wilson",
-};
+const PURE_ROLLING: FittedRange =
+    FittedRange::new("slide-to-roll ratio", 0.0, 0.0, "-", "Murch-Wilson");
 
 /// Gupta et al. 1992: factor and exponent of the pressure term.
 const PRESSURE_TERM: (f64, f64) = (13.2, 0.42);

@@ -8,6 +8,7 @@
 //! | tip chamfer | 0 to 0.1 m_n | drawings that name none |
 //! | amounts of tip relief | given tolerance | drawing |
 
+use asperity_core::numerics::range;
 use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};
 
@@ -94,10 +95,7 @@ impl LoadMap {
         }
         let mut parts = Vec::new();
         let mut part = |source, factors: Vec<f64>| {
-            let ends = factors.into_iter().chain([self.loss_factor()]);
-            let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| {
-                (low.min(h), high.max(h))
-            });
+            let [low, high] = range(factors.into_iter().chain([self.loss_factor()]));
             parts.push(BandPart { source, low, high });
         };
         let settings = self.settings();

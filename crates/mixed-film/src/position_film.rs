@@ -41,13 +41,13 @@ const MOST_FRICTION: f64 = 1.0;
 const LEAST_DIRECT_SHARE: f64 = 1e-6;
 
 /// Range in which the inlet supply was compared with mixed-EHL solutions.
-const COMPARED: FittedRange = FittedRange {
-    name: "attenuated roughness over film",
-    low: 0.0,
-    high: 3.0,
-    unit: "-",
-    correlation: "the mixed-EHL solutions that the load share was compared with",
-};
+const COMPARED: FittedRange = FittedRange::new(
+    "attenuated roughness over film",
+    0.0,
+    3.0,
+    "-",
+    "the mixed-EHL solutions that the load share was compared with",
+);
 
 /// Mean gap that the inlet supplies without asperity contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]

@@ -316,12 +316,6 @@ impl RoughContact {
         }
         gradient
     }
-
-    /// Largest Hertz pressure on the cells.
-    #[must_use]
-    pub fn hertz_pressure(&self) -> Pressure {
-        Pressure::from_si(self.max_hertz)
-    }
 }
 
 /// Runs of neighbouring cells under pressure.

@@ -16,13 +16,7 @@ use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 const WATER: f64 = 999.0;
 /// Range of temperature of one of his formulas.
 const fn range(correlation: &'static str) -> FittedRange {
-    FittedRange {
-        name: "temperature",
-        low: 0.0,
-        high: 200.0,
-        unit: "°C",
-        correlation,
-    }
+    FittedRange::new("temperature", 0.0, 200.0, "°C", correlation)
 }
 
 /// k = 0.1172/d·(1 − 0.00054·t)  W/(m K)                                     [Cragoe-1]

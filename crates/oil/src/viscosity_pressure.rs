@@ -31,13 +31,7 @@ const ROELANDS_ZERO: f64 = 138.0;
 /// Largest exponent α·p of Barus' law below a limiting shear stress: beyond it the shear stress is the limit.
 pub const LARGEST_BARUS_EXPONENT: f64 = 40.0;
 /// Range in which Barus' law has no serious error (Stachowiak and Batchelor 2014).
-const BARUS_RANGE: FittedRange = FittedRange {
-    name: "pressure",
-    low: 0.0,
-    high: 0.5,
-    unit: "GPa",
-    correlation: "Barus",
-};
+const BARUS_RANGE: FittedRange = FittedRange::new("pressure", 0.0, 0.5, "GPa", "Barus");
 const PASCAL_PER_GPA: f64 = 1e9;
 
 /// η(p) = η₀·exp(α·p)                                                        [Barus-1]

@@ -28,22 +28,17 @@ const MM2_PER_M2: f64 = 1e6;
 /// The two temperatures of a data sheet, 40 °C and 100 °C \[K\].
 const DATA_SHEET: [Temperature; 2] = [Temperature::from_si(313.15), Temperature::from_si(373.15)];
 /// Range of the short form of ASTM D341 (constant 0.7).
-const ASTM_RANGE: FittedRange = FittedRange {
-    name: "kinematic viscosity",
-    low: 2.0,
-    high: 2e7,
-    unit: "mm2/s",
-    correlation: "ASTM D341",
-};
+const ASTM_RANGE: FittedRange =
+    FittedRange::new("kinematic viscosity", 2.0, 2e7, "mm2/s", "ASTM D341");
 /// Range of Reynolds' exponential around its temperature. Own choice: over 20 K it departs from
 /// ASTM D341 by a tenth for an ISO VG 100 mineral oil at 60 °C.
-const REYNOLDS_RANGE: FittedRange = FittedRange {
-    name: "distance from the temperature of the given viscosity",
-    low: -20.0,
-    high: 20.0,
-    unit: "K",
-    correlation: "the exponential viscosity law",
-};
+const REYNOLDS_RANGE: FittedRange = FittedRange::new(
+    "distance from the temperature of the given viscosity",
+    -20.0,
+    20.0,
+    "K",
+    "the exponential viscosity law",
+);
 
 /// The ASTM D341 law of one oil: log₁₀ log₁₀ (ν + 0.7) = A − B·log₁₀ T.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -3,6 +3,7 @@
 use asperity::core::DomainError;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::failure::Failure;
 
@@ -17,6 +18,18 @@ pub fn copied(array: &Input<'_>) -> Vec<f64> {
 /// An array that owns `values`.
 pub fn owned(py: Python<'_>, values: Vec<f64>) -> Bound<'_, PyArray1<f64>> {
     values.into_pyarray(py)
+}
+
+/// Arrays by name.
+pub fn columns<'py>(
+    py: Python<'py>,
+    all: impl IntoIterator<Item = (&'static str, Vec<f64>)>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let arrays = PyDict::new(py);
+    for (name, values) in all {
+        arrays.set_item(name, owned(py, values))?;
+    }
+    Ok(arrays)
 }
 
 /// Arrays of one length.

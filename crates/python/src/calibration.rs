@@ -112,8 +112,7 @@ pub fn design(
     let held = hold.iter().map(|key| named("hold", key));
     let held = held.collect::<Result<Vec<CalibratedName>, Failure>>()?;
     let case = case.pair()?;
-    let stated: StatedLimits =
-        serde_json::from_str(limits).map_err(|error| Failure::new("E204", error.to_string()))?;
+    let stated: StatedLimits = failure::asked(limits)?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let usual = Limits::usual(
             &case.case,

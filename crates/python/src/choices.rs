@@ -13,8 +13,11 @@ use asperity::roughness::gaussian_filter::Ends;
 use asperity::roughness::generate::{Amplitudes, Surface};
 use asperity::roughness::height_parameters::Mode;
 use asperity::tribo_friction::friction_law::FrictionLaw;
+use asperity_calibration::oil::Probe;
+use asperity_calibration::oil::problem::Zero;
 use asperity_studies::callout::Parameter;
 use asperity_studies::export::Format;
+use asperity_studies::map::MapBand;
 use pyo3::prelude::*;
 use serde::de::value::Error;
 use serde::de::{DeserializeOwned, Deserializer, Error as _, Visitor};
@@ -42,16 +45,10 @@ macro_rules! choices {
 choices! {
     /// Detail of a run.
     Detail { Losses, Contacts, Fields }
-    /// Interval of the losses of a map.
-    Band { None, Nodes }
     /// Form that is removed from a profile.
     FormOfProfile { None, Mean, Level, Poly2, Circle, Involute }
     /// Ends of a contact.
     BoundaryOfContact { Free, Periodic, PeriodicSpectral }
-    /// Zero of traction curves.
-    ZeroOfCurves { Curve, Common, None }
-    /// Probe of the oil temperature.
-    ProbeOfOil { Lube, Pot }
     /// Law that a user-defined one replaces.
     LawOf { FilmFriction, FilmThickness, LoadShare, LoadDistribution }
 }
@@ -109,7 +106,7 @@ pub fn choices() -> Vec<Listed> {
     vec![
         ("Formulation", names::<Formulation>()),
         ("Detail", names::<Detail>()),
-        ("Band", names::<Band>()),
+        ("Band", names::<MapBand>()),
         ("ExportFormat", names::<Format>()),
         ("Form", names::<FormOfProfile>()),
         ("Ends", names::<Ends>()),
@@ -119,8 +116,8 @@ pub fn choices() -> Vec<Listed> {
         ("ThermalLaw", names::<ThermalLaw>()),
         ("FrictionLaw", names::<FrictionLaw>()),
         ("LawOf", names::<LawOf>()),
-        ("Zero", names::<ZeroOfCurves>()),
-        ("TemperatureColumn", names::<ProbeOfOil>()),
+        ("Zero", names::<Zero>()),
+        ("TemperatureColumn", names::<Probe>()),
         ("CalibratedParameter", names::<CalibratedName>()),
         ("RoughnessParameter", names::<Parameter>()),
         ("SurfaceKind", names::<Surface>()),

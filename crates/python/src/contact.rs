@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
 
-use crate::arrays::{Input, copied, owned};
+use crate::arrays::{Input, columns, copied};
 use crate::choices::{BoundaryOfContact, named};
 use crate::failure::{self, Failure};
 use crate::trace::Trace;
@@ -36,10 +36,6 @@ struct Asked {
 }
 
 impl Asked {
-    fn of(text: &str) -> Result<Self, Failure> {
-        serde_json::from_str(text).map_err(|error| Failure::new("E204", error.to_string()))
-    }
-
     fn boundary(&self) -> Result<Boundary, Failure> {
         Ok(match named("boundary", &self.boundary)? {
             BoundaryOfContact::Free => Boundary::FreeEnds,
@@ -100,7 +96,7 @@ pub fn solve_contact<'py>(
     prescribed_pressure: Option<Input<'py>>,
     start: Option<Input<'py>>,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
-    let asked = Asked::of(asked)?;
+    let asked: Asked = failure::asked(asked)?;
     let gap = copied(&gap);
     let prescribed = prescribed_pressure.as_ref().map(copied);
     let start = start.as_ref().map(copied);
@@ -137,11 +133,8 @@ pub fn press_flanks<'py>(
     asked: &str,
     run_in: Option<&str>,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
-    let asked = Asked::of(asked)?;
-    let run_in: Option<RunIn> = run_in
-        .map(serde_json::from_str)
-        .transpose()
-        .map_err(|error| Failure::new("E204", error.to_string()))?;
+    let asked: Asked = failure::asked(asked)?;
+    let run_in: Option<RunIn> = run_in.map(failure::asked).transpose()?;
     let (solution, gap, spacing, more) = alone(py, || {
         let load = asked
             .load
@@ -245,18 +238,15 @@ pub fn found<'py>(
     let x = (0..gap.len())
         .map(|i| (i as f64 - middle) * spacing)
         .collect();
-    let arrays = PyDict::new(py);
-    for (name, values) in [
+    let arrays = [
         ("x", x),
         ("undeformed", gap),
         ("pressure", solution.pressure),
         ("gap", solution.gap),
         ("displacement", solution.displacement),
         ("plastic_displacement", solution.plastic_displacement),
-    ] {
-        arrays.set_item(name, owned(py, values))?;
-    }
-    Ok((failure::json(&numbers)?, arrays))
+    ];
+    Ok((failure::json(&numbers)?, columns(py, arrays)?))
 }
 
 /// Stress under a surface: numbers as JSON; arrays with a row per depth, flat.
@@ -283,15 +273,12 @@ pub fn subsurface_stress<'py>(
         "von_mises_position_m": peak.map(|peak| peak.position.si()),
         "von_mises_depth_m": peak.map(|peak| peak.depth.si()),
     });
-    let arrays = PyDict::new(py);
-    for (name, values) in [
+    let arrays = [
         ("depths", field.depths),
         ("sigma_xx", field.sigma_xx),
         ("sigma_zz", field.sigma_zz),
         ("tau_xz", field.tau_xz),
         ("von_mises", von_mises),
-    ] {
-        arrays.set_item(name, owned(py, values))?;
-    }
-    Ok((failure::json(&numbers)?, arrays))
+    ];
+    Ok((failure::json(&numbers)?, columns(py, arrays)?))
 }

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
 
-use crate::arrays::owned;
+use crate::arrays::columns;
 use crate::case::{Case, on_the_path};
 use crate::failure::{self, Failure};
 use crate::work::in_parallel;
@@ -40,8 +40,7 @@ pub fn ehl<'py>(
     threads: Option<isize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
-    let asked: Asked =
-        serde_json::from_str(asked).map_err(|error| Failure::new("E204", error.to_string()))?;
+    let asked: Asked = failure::asked(asked)?;
     let loaded = case.pair()?;
     let (numbers, record) = in_parallel(py, threads, progress.as_ref(), |told| {
         let place = on_the_path(asked.position)?.unwrap_or(loaded.case.model.position);
@@ -102,17 +101,15 @@ pub fn ehl<'py>(
         record.scales.half_width.si(),
         record.scales.max_pressure.si(),
     );
-    let arrays = PyDict::new(py);
     let scaled = |values: &[f64], factor: f64| values.iter().map(|value| value * factor).collect();
     let film = record.mean_film_on_nodes.iter();
     let film = film
         .map(|film| record.scales.film_length(*film).si())
         .collect();
-    arrays.set_item("x", owned(py, scaled(&record.x, a)))?;
-    arrays.set_item(
-        "mean_pressure",
-        owned(py, scaled(&record.mean_pressure, p_0)),
-    )?;
-    arrays.set_item("mean_film", owned(py, film))?;
-    Ok((failure::json(&numbers)?, arrays))
+    let arrays = [
+        ("x", scaled(&record.x, a)),
+        ("mean_pressure", scaled(&record.mean_pressure, p_0)),
+        ("mean_film", film),
+    ];
+    Ok((failure::json(&numbers)?, columns(py, arrays)?))
 }

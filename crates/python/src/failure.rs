@@ -16,6 +16,8 @@ use asperity::tribo_friction::FrictionError;
 use asperity_calibration::CalibrationError;
 use asperity_calibration::oil::OilError;
 use asperity_report::ReportError;
+use asperity_report::library::LibraryError;
+use asperity_rexs::RexsError;
 use asperity_studies::export::ExportError;
 use asperity_studies::map::{AxisError, MapError};
 use asperity_studies::sweep::SweepError;
@@ -91,9 +93,49 @@ fn raised(py: Python<'_>, failure: &Failure) -> PyResult<PyErr> {
     Ok(PyErr::from_value(error))
 }
 
+/// The settings in a text of JSON.
+pub fn asked<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Failure> {
+    serde_json::from_str(text).map_err(|error| Failure::new("E204", error.to_string()))
+}
+
 /// A value as JSON text.
 pub fn json<T: serde::Serialize>(value: &T) -> Result<String, Failure> {
     serde_json::to_string(value).map_err(|error| Failure::new("E501", error.to_string()))
+}
+
+/// Failures by the code of each error.
+macro_rules! failures {
+    ($($error:ty: $code:expr),+ $(,)?) => {$(
+        impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                let code: fn(&$error) -> &'static str = $code;
+                Self::new(code(&error), error.to_string())
+            }
+        }
+    )+};
+}
+
+failures! {
+    AxisError: |_| "E209",
+    CalibrationError: CalibrationError::code,
+    DomainError: |_| "E209",
+    EhlError: EhlError::code,
+    ExportError: |_| "E205",
+    FrictionError: |error| match error {
+        FrictionError::MissingSetting { .. } => "E205",
+        _ => "E209",
+    },
+    LibraryError: LibraryError::code,
+    MapError: |_| "E402",
+    OilError: OilError::code,
+    QuantityError: |_| "E204",
+    RegimeError: |error| match error {
+        RegimeError::MissingInput { .. } => "E205",
+        _ => "E209",
+    },
+    ReportError: ReportError::code,
+    RexsError: RexsError::code,
+    RoughnessError: |_| "E120",
 }
 
 impl From<asperity::Error> for Failure {
@@ -119,42 +161,6 @@ impl From<ReadError> for Failure {
     }
 }
 
-impl From<RoughnessError> for Failure {
-    fn from(error: RoughnessError) -> Self {
-        Self::new("E120", error.to_string())
-    }
-}
-
-impl From<DomainError> for Failure {
-    fn from(error: DomainError) -> Self {
-        Self::new("E209", error.to_string())
-    }
-}
-
-impl From<QuantityError> for Failure {
-    fn from(error: QuantityError) -> Self {
-        Self::new("E204", error.to_string())
-    }
-}
-
-impl From<RegimeError> for Failure {
-    fn from(error: RegimeError) -> Self {
-        match error {
-            RegimeError::MissingInput { .. } => Self::new("E205", error.to_string()),
-            error => Self::new("E209", error.to_string()),
-        }
-    }
-}
-
-impl From<FrictionError> for Failure {
-    fn from(error: FrictionError) -> Self {
-        match error {
-            FrictionError::MissingSetting { .. } => Self::new("E205", error.to_string()),
-            error => Self::new("E209", error.to_string()),
-        }
-    }
-}
-
 impl From<ContactError> for Failure {
     fn from(error: ContactError) -> Self {
         let set = |key, why: &'static str| Remedy::set(Setting::Key(key), Value::Any).because(why);
@@ -174,12 +180,6 @@ impl From<ContactError> for Failure {
     }
 }
 
-impl From<EhlError> for Failure {
-    fn from(error: EhlError) -> Self {
-        Self::new(error.code(), error.to_string())
-    }
-}
-
 impl From<ReferenceError> for Failure {
     fn from(error: ReferenceError) -> Self {
         match error {
@@ -188,42 +188,6 @@ impl From<ReferenceError> for Failure {
             ReferenceError::NoBaseOil => Self::new("E208", error.to_string()),
             error => Self::new("E305", error.to_string()),
         }
-    }
-}
-
-impl From<ReportError> for Failure {
-    fn from(error: ReportError) -> Self {
-        Self::new(error.code(), error.to_string())
-    }
-}
-
-impl From<CalibrationError> for Failure {
-    fn from(error: CalibrationError) -> Self {
-        Self::new(error.code(), error.to_string())
-    }
-}
-
-impl From<OilError> for Failure {
-    fn from(error: OilError) -> Self {
-        Self::new(error.code(), error.to_string())
-    }
-}
-
-impl From<AxisError> for Failure {
-    fn from(error: AxisError) -> Self {
-        Self::new("E209", error.to_string())
-    }
-}
-
-impl From<MapError> for Failure {
-    fn from(error: MapError) -> Self {
-        Self::new("E402", error.to_string())
-    }
-}
-
-impl From<ExportError> for Failure {
-    fn from(error: ExportError) -> Self {
-        Self::new("E205", error.to_string())
     }
 }
 

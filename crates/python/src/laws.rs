@@ -12,9 +12,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
 
-use crate::arrays::{Input, copied, owned, same_length};
+use crate::arrays::{Input, columns, copied, owned, same_length};
 use crate::choices::named;
-use crate::failure::Failure;
+use crate::failure::{Failure, asked};
 use crate::work::alone;
 
 /// What left the range that a law was fitted to, each once.
@@ -67,7 +67,7 @@ pub fn hertz<'py>(
         ("radius", radius.len()),
         ("modulus", modulus.len()),
     ])?;
-    let [width, largest, mean] = alone(py, || {
+    let found = alone(py, || {
         let mut found = [(); 3].map(|()| Vec::with_capacity(count));
         for i in 0..count {
             let contact = HertzLine::new(
@@ -81,11 +81,8 @@ pub fn hertz<'py>(
         }
         Ok(found)
     })?;
-    let arrays = PyDict::new(py);
-    arrays.set_item("half_width", owned(py, width))?;
-    arrays.set_item("max_pressure", owned(py, largest))?;
-    arrays.set_item("mean_pressure", owned(py, mean))?;
-    Ok(arrays)
+    let names = ["half_width", "max_pressure", "mean_pressure"];
+    columns(py, names.into_iter().zip(found))
 }
 
 type Films<'py> = (Bound<'py, PyDict>, Outside);
@@ -98,13 +95,13 @@ pub fn film_thickness<'py>(
     given: HashMap<String, Input<'py>>,
 ) -> PyResult<Films<'py>> {
     let law: FilmLaw = named("law", law)?;
-    let columns = Columns::of(given)?;
+    let given = Columns::of(given)?;
     let (central, minimum, marks, outside) = alone(py, || {
         let (mut central, mut minimum, mut marks) = (Vec::new(), Vec::new(), Vec::new());
         let mut outside = Outside::new();
-        for i in 0..columns.1 {
-            let at = |name| columns.at(name, i);
-            let length = columns.0.contains_key("contact_length");
+        for i in 0..given.1 {
+            let at = |name| given.at(name, i);
+            let length = given.0.contains_key("contact_length");
             let film = law.film(&FilmConditions {
                 entrainment: Speed::from_si(at("entrainment")),
                 radius: Length::from_si(at("radius")),
@@ -120,9 +117,7 @@ pub fn film_thickness<'py>(
         }
         Ok((central, minimum, marks, outside))
     })?;
-    let arrays = PyDict::new(py);
-    arrays.set_item("central", owned(py, central))?;
-    arrays.set_item("minimum", owned(py, minimum))?;
+    let arrays = columns(py, [("central", central), ("minimum", minimum)])?;
     arrays.set_item("outside", marks.into_pyarray(py))?;
     Ok((arrays, outside))
 }
@@ -146,11 +141,11 @@ pub fn thermal_reduction<'py>(
     given: HashMap<String, Input<'py>>,
 ) -> PyResult<Factors<'py>> {
     let law: ThermalLaw = named("law", law)?;
-    let columns = Columns::of(given)?;
+    let given = Columns::of(given)?;
     let found = alone(py, || {
         let (mut values, mut marks, mut outside) = (Vec::new(), Vec::new(), Outside::new());
-        for i in 0..columns.1 {
-            let at = |name| columns.at(name, i);
+        for i in 0..given.1 {
+            let at = |name| given.at(name, i);
             let factor = law.reduction(
                 Pressure::from_si(at("max_pressure")),
                 Pressure::from_si(at("modulus")),
@@ -174,13 +169,12 @@ pub fn friction_coefficient<'py>(
     settings: &str,
 ) -> PyResult<Factors<'py>> {
     let law: FrictionLaw = named("law", law)?;
-    let settings: FrictionSettings =
-        serde_json::from_str(settings).map_err(|error| Failure::new("E204", error.to_string()))?;
-    let columns = Columns::of(given)?;
+    let settings: FrictionSettings = asked(settings)?;
+    let given = Columns::of(given)?;
     let found = alone(py, || {
         let (mut values, mut marks, mut outside) = (Vec::new(), Vec::new(), Outside::new());
-        for i in 0..columns.1 {
-            let friction = law.coefficient(&settings, &conditions(&columns, i))?;
+        for i in 0..given.1 {
+            let friction = law.coefficient(&settings, &conditions(&given, i))?;
             values.push(friction.value);
             marks.push(note(&friction.outside, &mut outside));
         }

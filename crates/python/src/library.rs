@@ -17,18 +17,6 @@ use crate::work::alone;
 /// Bytes of the largest gearbox file that is read.
 const LARGEST: u64 = 100_000_000;
 
-impl From<LibraryError> for Failure {
-    fn from(error: LibraryError) -> Self {
-        Self::new(error.code(), error.to_string())
-    }
-}
-
-impl From<RexsError> for Failure {
-    fn from(error: RexsError) -> Self {
-        Self::new(error.code(), error.to_string())
-    }
-}
-
 fn listed<T>(
     found: Result<Vec<T>, LibraryError>,
     row: fn(&T) -> Result<Value, LibraryError>,

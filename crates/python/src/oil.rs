@@ -15,7 +15,7 @@ use asperity_calibration::table_text;
 use pyo3::prelude::*;
 
 use crate::case::Case;
-use crate::choices::{ProbeOfOil, ZeroOfCurves, named};
+use crate::choices::named;
 use crate::failure::Failure;
 use crate::study::Study;
 use crate::work::{alone, in_parallel};
@@ -58,11 +58,7 @@ fn machine((ball, second, roughness): Specimens) -> Result<Machine, Failure> {
 type Errors = (String, f64, f64);
 
 fn errors((zero, relative, floor): Errors) -> Result<(Zero, PointErrors), Failure> {
-    let zero = match named("zero", &zero)? {
-        ZeroOfCurves::Curve => Zero::Curve,
-        ZeroOfCurves::Common => Zero::Common,
-        ZeroOfCurves::None => Zero::None,
-    };
+    let zero: Zero = named("zero", &zero)?;
     let is_valid = |value: f64| value > 0.0 && value < 1.0;
     match is_valid(relative) && is_valid(floor) {
         true => Ok((zero, PointErrors { relative, floor })),
@@ -81,10 +77,7 @@ fn readings(
     machine: &Machine,
     column: &str,
 ) -> Result<(Vec<Reading>, Vec<[String; 2]>), Failure> {
-    let probe = match named("temperature_column", column)? {
-        ProbeOfOil::Lube => Probe::Lube,
-        ProbeOfOil::Pot => Probe::Pot,
-    };
+    let probe: Probe = named("temperature_column", column)?;
     let (mut all, mut sources) = (Vec::new(), Vec::new());
     for (name, text) in tables {
         let text = match text {

@@ -9,7 +9,7 @@ use asperity_report::{Fields, write_folder, write_train};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arrays::owned;
+use crate::arrays::columns;
 use crate::failure::{self, Failure};
 use crate::work::alone;
 
@@ -90,8 +90,7 @@ impl Outcome {
                 format!("the fields of position {position} were not kept"),
             )
         })?;
-        let arrays = PyDict::new(py);
-        for (name, values) in [
+        let mut arrays = vec![
             ("x", &found.x),
             ("height_pinion", &found.height_pinion),
             ("height_wheel", &found.height_wheel),
@@ -103,21 +102,18 @@ impl Outcome {
             ("pressure_solid", &found.pressure_solid),
             ("pressure_fluid", &found.pressure_fluid),
             ("shear", &found.shear),
-        ] {
-            arrays.set_item(name, owned(py, values.clone()))?;
-        }
+        ];
         if let Some(below) = &found.subsurface {
-            for (name, values) in [
+            arrays.extend([
                 ("depths", &below.depths),
                 ("sigma_xx", &below.sigma_xx),
                 ("sigma_zz", &below.sigma_zz),
                 ("tau_xz", &below.tau_xz),
                 ("von_mises", &below.von_mises),
-            ] {
-                arrays.set_item(name, owned(py, values.clone()))?;
-            }
+            ]);
         }
-        Ok(arrays)
+        let arrays = arrays.into_iter();
+        columns(py, arrays.map(|(name, values)| (name, values.clone())))
     }
 
     /// Outcomes of all meshes of a gear train.

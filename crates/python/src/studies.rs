@@ -19,7 +19,7 @@ use pyo3::types::PyDict;
 
 use crate::arrays::owned;
 use crate::case::Case;
-use crate::choices::{Band, named};
+use crate::choices::named;
 use crate::failure::{self, Failure};
 use crate::study::Study;
 use crate::work::{alone, in_parallel};
@@ -156,10 +156,7 @@ pub fn map(
         &temperature.unwrap_or_else(|| Axes::default_temperature(case)),
     )
     .map_err(Failure::from)?;
-    let band = match named("band", band)? {
-        Band::None => MapBand::None,
-        Band::Nodes => MapBand::Nodes,
-    };
+    let band: MapBand = named("band", band)?;
     in_parallel(py, threads, progress.as_ref(), |told| {
         let found = mapping::map(&finishes, &axes, band, &|done, total| {
             told.tell(done, total)

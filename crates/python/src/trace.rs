@@ -130,10 +130,6 @@ struct Plan {
 }
 
 impl Plan {
-    fn of(text: &str) -> Result<Self, Failure> {
-        serde_json::from_str(text).map_err(|error| Failure::new("E204", error.to_string()))
-    }
-
     fn recipe(&self, trace: &Trace) -> Result<Preparation, Failure> {
         let usual = Preparation::default();
         let of = |given: Option<f64>, stated: Option<Length>, usual: Option<Length>| match given {
@@ -221,8 +217,7 @@ impl Trace {
         stated: [Option<f64>; 2],
     ) -> PyResult<Self> {
         let profile = Profile::new(Length::from_si(spacing), copied(&heights));
-        let about: Value =
-            serde_json::from_str(about).map_err(|error| Failure::new("E204", error.to_string()))?;
+        let about: Value = failure::asked(about)?;
         let metadata = about.get("metadata").cloned().map(serde_json::from_value);
         Ok(Self {
             metadata: metadata.and_then(Result::ok).unwrap_or_default(),
@@ -271,7 +266,7 @@ impl Trace {
     /// Without form, filtered as the plan in JSON says: primary profile, waviness where a filter parts it, roughness.
     fn prepare(&self, py: Python<'_>, plan: &str) -> PyResult<(Self, Option<Self>, Self)> {
         alone(py, || {
-            let plan = Plan::of(plan)?;
+            let plan: Plan = failure::asked(plan)?;
             let recipe = plan.recipe(self)?;
             let involute = plan.involute()?;
             let without = involute
@@ -366,16 +361,14 @@ impl Trace {
 /// Reads a profile file; `options` is a JSON object with the keys of a flank in a case file.
 #[pyfunction]
 pub fn read_profile(py: Python<'_>, path: PathBuf, options: &str) -> PyResult<Trace> {
-    let options: ReadOptions =
-        serde_json::from_str(options).map_err(|error| Failure::new("E204", error.to_string()))?;
+    let options: ReadOptions = failure::asked(options)?;
     alone(py, || Trace::read(read(Path::new(&path), &options)?))
 }
 
 /// A synthetic profile by a recipe in JSON.
 #[pyfunction]
 pub fn generate(py: Python<'_>, recipe: &str) -> PyResult<Trace> {
-    let recipe: Recipe =
-        serde_json::from_str(recipe).map_err(|error| Failure::new("E204", error.to_string()))?;
+    let recipe: Recipe = failure::asked(recipe)?;
     alone(py, || {
         let made = recipe.generate()?;
         let about = json!({

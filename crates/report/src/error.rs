@@ -106,7 +106,7 @@ pub enum TableFault {
         /// Row, from 1 below the header.
         row: usize,
         /// Name of the column.
-        column: &'static str,
+        column: String,
     },
     /// The rows do not form a rectangular field, or the columns differ in length.
     #[error("its rows do not form a field of equally long rows")]

@@ -162,7 +162,7 @@ pub fn tables_of_train(result: &TrainResult) -> String {
     let mut text = format!(
         "{}\nefficiency (meshes only)  {efficiency}   loss {loss}\n  power in {:.2} kW\n",
         asperity_storage::one_line(&result.title),
-        1e-3 * result.power_in_w,
+        1e-3 * result.powers_w()[0],
     );
     if let (Some([loss, efficiency]), Some(gearbox)) =
         (result.gearbox_with_bands(), &result.gearbox)
@@ -267,7 +267,7 @@ fn headline(result: &TrainResult) -> Vec<[String; 2]> {
         rows.push(row("loss of the gearbox", loss));
     }
     let kw = |power_w: f64| format!("{:.3} kW", 1e-3 * power_w);
-    rows.push(row("power in", kw(result.power_in_w)));
+    rows.push(row("power in", kw(result.powers_w()[0])));
     for (name, set) in result.planetary_sets() {
         let of = if name.is_empty() {
             String::new()

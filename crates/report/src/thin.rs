@@ -1,5 +1,7 @@
 //! Thinning of rows for display: the lowest and the highest value of every drawn column remain in each bin of the axis.
 
+use asperity_core::numerics::range;
+
 use std::array::from_fn;
 use std::collections::BTreeSet;
 
@@ -29,9 +31,7 @@ pub fn thin<R: Copy, const N: usize>(
     }
     let coordinates: Vec<f64> = rows.iter().map(coordinate).collect();
     let finite = coordinates.iter().copied().filter(|at| at.is_finite());
-    let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
-        (low.min(at), high.max(at))
-    });
+    let [low, high] = range(finite);
     // The cast saturates, and an undefined coordinate is in the first bin.
     let bin = |at: &f64| (((at - low) / (high - low) * bins as f64) as usize).min(bins - 1);
     let cells: Vec<[f64; N]> = rows.iter().map(columns).collect();
@@ -67,10 +67,7 @@ mod tests {
     }
 
     fn extremes(rows: &[[f64; 3]], column: usize) -> [f64; 2] {
-        let values = rows.iter().map(|row| row[column]);
-        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-            [a.min(v), b.max(v)]
-        })
+        super::range(rows.iter().map(|row| row[column]))
     }
 
     #[test]

@@ -5,7 +5,7 @@ use crate::model::{Component, Model};
 use crate::operating_points::operating_points_of;
 use crate::set_text;
 use crate::stages::{Stage, StageKind, stages, teeth};
-use crate::writer::{CaseText, Text, source};
+use crate::writer::{CaseText, Text};
 
 /// Names of the trace files of the flanks for the case.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -134,10 +134,8 @@ fn pair(
     let z = [teeth(gears[0])?, teeth(gears[1])?];
     case.heading("gears");
     let sign = if is_ring { "-" } else { "" };
-    case.sourced_line(
-        &format!("teeth = [{}, {sign}{}]", z[0], z[1]),
-        &source(&gears, "number_of_teeth"),
-    );
+    let teeth = format!("[{}, {sign}{}]", z[0], z[1]);
+    case.entry("teeth", &teeth, &gears, "number_of_teeth");
     let shifts = case.geometry(mesh, &gears, &z.map(f64::from))?;
     if !is_ring {
         case.check_distance(mesh, &gears, &z.map(f64::from), shifts.as_deref())?;

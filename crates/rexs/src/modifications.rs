@@ -12,7 +12,7 @@
 use crate::error::RexsError;
 use crate::model::Component;
 use crate::units::Unit;
-use crate::writer::{Text, rounded, source};
+use crate::writer::{Text, quantity, rounded, source};
 
 /// Attributes of a relief at the tip or the root.
 struct Relief {
@@ -227,10 +227,9 @@ impl Text<'_> {
             ));
         }
         let names: Vec<&str> = stated.iter().map(|(_, attribute)| *attribute).collect();
-        self.sourced_line(
-            &format!("{name}.{key} = \"{} um\"", rounded(mean)),
-            &source(&[part], &names.join(", ")),
-        );
+        let mean = quantity(rounded(mean), "um");
+        let key = format!("{name}.{key}");
+        self.entry(&key, &mean, &[part], &names.join(", "));
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 use crate::error::RexsError;
 use crate::model::Component;
 use crate::units::Unit;
-use crate::writer::{Text, rounded, source};
+use crate::writer::{Text, quantity, rounded, source};
 
 /// Oil of a file without a lubricant.
 const OIL: &str = "m100";
@@ -96,10 +96,8 @@ impl Text<'_> {
         let density = "density_at_15_degree_celsius";
         let rho = oil.required(density, Unit::KilogramPerCubicMetre)?;
         self.viscosity(oil, mesh, temperature, rho)?;
-        self.sourced_line(
-            &format!("density = \"{} kg/m3\"", rounded(rho)),
-            &source(&[oil], density),
-        );
+        let rho = quantity(rounded(rho), "kg/m3");
+        self.entry("density", &rho, &[oil], density);
         self.pressure_viscosity(oil, mesh)?;
         let optional = [
             (
@@ -117,10 +115,7 @@ impl Text<'_> {
         ];
         for (attribute, key, unit, written) in optional {
             if let Some(value) = oil.number(attribute, unit)? {
-                self.sourced_line(
-                    &format!("{key} = \"{value} {written}\""),
-                    &source(&[oil], attribute),
-                );
+                self.entry(key, &quantity(value, written), &[oil], attribute);
             }
         }
         self.base_oil(oil);
@@ -164,8 +159,7 @@ impl Text<'_> {
                     &format!("{from} times the density at 15 °C"),
                 );
                 self.note(
-                    "the viscosity is known at the operating temperature only: write lubricant.viscosity with at_40 and at_100 for other temperatures"
-                        .into(),
+                    "the viscosity is known at the operating temperature only: write lubricant.viscosity with at_40 and at_100 for other temperatures",
                 );
             }
             _ => {
@@ -191,10 +185,8 @@ impl Text<'_> {
         let stated = oil.first_of(&COEFFICIENTS, Unit::SquareMillimetrePerNewton)?;
         let stated = stated.filter(|(alpha, _)| *alpha > 0.0);
         if let Some((alpha, from)) = stated {
-            self.sourced_line(
-                &format!("pressure_viscosity = \"{alpha} mm2/N\""),
-                &source(&[oil], from),
-            );
+            let alpha = quantity(alpha, "mm2/N");
+            self.entry("pressure_viscosity", &alpha, &[oil], from);
             return Ok(());
         }
         for [k, s, eta] in PARAMETERS {
@@ -237,7 +229,7 @@ impl Text<'_> {
         }
         match basis {
             Some("mineral") => {
-                self.sourced_line("base_oil = \"mineral\"", &source(&[oil], "basis"));
+                self.entry("base_oil", "\"mineral\"", &[oil], "basis");
             }
             _ => {
                 let family = basis.map_or("mineral", assumed);

@@ -31,8 +31,7 @@ pub fn gears(
         return Ok(());
     }
     case.note(
-        "the ring is assumed to be fixed and the sun to be driven: write planetary.ring_speed if the ring turns"
-            .into(),
+        "the ring is assumed to be fixed and the sun to be driven: write planetary.ring_speed if the ring turns",
     );
     Ok(())
 }

@@ -6,7 +6,7 @@
 use crate::error::RexsError;
 use crate::model::Component;
 use crate::units::Unit;
-use crate::writer::{Text, rounded, source};
+use crate::writer::{Text, rounded};
 
 /// Tools whose reference profile is the counterpart of the basic rack.
 const RACKS: [&str; 2] = ["rack_shaped_tool", "profile_tool"];
@@ -28,16 +28,11 @@ impl<'a> Text<'a> {
             &["addendum_reference_profile"],
         )?;
         if let Some((addendum, from)) = addendum.filter(|(addendum, _)| *addendum > 0.0) {
-            let generated = match settings {
-                Some(settings) => {
-                    settings.number("generated_addendum_modification_coefficient", Unit::None)?
-                }
-                None => None,
+            let of = |part: Option<&Component>, attribute| {
+                part.map_or(Ok(None), |part| part.number(attribute, Unit::None))
             };
-            let nominal = match self.flank(gear) {
-                Some(flank) => flank.number("addendum_modification_coefficient", Unit::None)?,
-                None => None,
-            };
+            let generated = of(settings, "generated_addendum_modification_coefficient")?;
+            let nominal = of(self.flank(gear), "addendum_modification_coefficient")?;
             let (less, from) = match generated.zip(nominal) {
                 Some((generated, nominal)) => (
                     generated - nominal,
@@ -47,10 +42,8 @@ impl<'a> Text<'a> {
                 ),
                 None => (0.0, from.to_owned()),
             };
-            self.sourced_line(
-                &format!("{name}.dedendum = {}", rounded(addendum - less)),
-                &source(&[tool], &from),
-            );
+            let key = format!("{name}.dedendum");
+            self.entry(&key, &rounded(addendum - less), &[tool], &from);
         }
         let radius = relative(
             &[
@@ -60,10 +53,8 @@ impl<'a> Text<'a> {
             &["tip_corner_radius_reference_profile", "tip_radius"],
         )?;
         if let Some((radius, from)) = radius.filter(|(radius, _)| *radius > 0.0) {
-            self.sourced_line(
-                &format!("{name}.fillet_radius = {}", rounded(radius)),
-                &source(&[tool], from),
-            );
+            let key = format!("{name}.fillet_radius");
+            self.entry(&key, &rounded(radius), &[tool], from);
         }
         Ok(())
     }
@@ -104,30 +95,19 @@ impl<'a> Text<'a> {
     /// Writes the addendum of the basic rack if the flanks of all gears state the same one.
     pub fn addendum(&mut self, gears: &[&Component]) -> Result<(), RexsError> {
         const ATTRIBUTE: &str = "addendum_coefficient_basic_profile";
-        let mut stated = Vec::new();
-        for gear in gears {
-            if let Some(flank) = self.flank(gear)
-                && let Some(addendum) = flank.number(ATTRIBUTE, Unit::None)?
-            {
-                stated.push((addendum, flank));
-            }
-        }
-        let Some((first, _)) = stated.first().copied() else {
+        let (stated, flanks) = self.on_flanks(gears, ATTRIBUTE, Unit::None)?;
+        let Some(first) = stated.first().copied() else {
             return Ok(());
         };
-        if stated.len() < gears.len() || stated.iter().any(|(other, _)| *other != first) {
-            let texts: Vec<String> = stated.iter().map(|(value, _)| rounded(*value)).collect();
+        if stated.len() < gears.len() || stated.iter().any(|other| *other != first) {
+            let texts: Vec<String> = stated.iter().map(|value| rounded(*value)).collect();
             self.note(format!(
                 "a case has one addendum for all gears: {ATTRIBUTE} {} is left out, write tip_diameter",
                 texts.join(", ")
             ));
             return Ok(());
         }
-        let flanks: Vec<&Component> = stated.iter().map(|(_, flank)| *flank).collect();
-        self.sourced_line(
-            &format!("addendum = {}", rounded(first)),
-            &source(&flanks, ATTRIBUTE),
-        );
+        self.entry("addendum", &rounded(first), &flanks, ATTRIBUTE);
         Ok(())
     }
 }

@@ -73,8 +73,7 @@ pub fn train_text(
         case.line("# pinion.ra = \"0.4 um\"");
         case.note(
             "the file has no roughness of some flanks: state surface.finish and surface.pinion.ra, which hold for all of \
-             them, or name their traces"
-                .into(),
+             them, or name their traces",
         );
     }
     Ok(case.done())
@@ -185,23 +184,17 @@ fn write_ends(case: &mut Text<'_>, ends: &[End<'_>], input: usize) {
         &format!("input = {name}"),
         "the fastest shaft end with torque and speed",
     );
-    let mut others = ends
-        .iter()
-        .enumerate()
-        .filter(|(number, _)| *number != input);
-    if let (Some((_, output)), None) = (others.next(), others.next()) {
-        case.line(&format!("output = {}", quoted(output.name)));
+    let others = ends.iter().enumerate();
+    let others = others.filter(|(number, _)| *number != input);
+    let others: Vec<String> = others.map(|(_, end)| quoted(end.name)).collect();
+    if let [output] = &others[..] {
+        case.line(&format!("output = {output}"));
         return;
     }
-    for (_, end) in ends
-        .iter()
-        .enumerate()
-        .filter(|(number, _)| *number != input)
-    {
-        case.line(&format!("# output = {}", quoted(end.name)));
+    for end in others {
+        case.line(&format!("# output = {end}"));
     }
     case.note(
-        "the train has several other ends: write train.output, and leave out stages that run idle"
-            .into(),
+        "the train has several other ends: write train.output, and leave out stages that run idle",
     );
 }

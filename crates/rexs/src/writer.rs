@@ -38,13 +38,15 @@ fn one_line(text: &str) -> String {
     text.chars().map(shown).collect()
 }
 
+/// A quantity as a case file has it.
+pub fn quantity(value: impl std::fmt::Display, unit: &str) -> String {
+    format!("\"{value} {unit}\"")
+}
+
 /// `"1 mm", "2 mm"`
 fn quantities(values: &[f64], unit: &str) -> String {
-    let texts: Vec<String> = values
-        .iter()
-        .map(|value| format!("\"{value} {unit}\""))
-        .collect();
-    texts.join(", ")
+    let texts = values.iter().map(|value| quantity(value, unit));
+    texts.collect::<Vec<String>>().join(", ")
 }
 
 /// Text of a case under construction.
@@ -128,8 +130,14 @@ impl<'a> Text<'a> {
         self.line(&format!("{text}  # {from}"));
     }
 
+    /// A line for `key` with the value of an attribute of `components`.
+    pub fn entry(&mut self, key: &str, value: &str, components: &[&Component], attribute: &str) {
+        self.sourced_line(&format!("{key} = {value}"), &source(components, attribute));
+    }
+
     /// Adds a note for the reader of the case.
-    pub fn note(&mut self, text: String) {
+    pub fn note(&mut self, text: impl Into<String>) {
+        let text = text.into();
         if !self.notes.contains(&text) {
             self.notes.push(text);
         }
@@ -167,6 +175,23 @@ impl<'a> Text<'a> {
         self.model.components.get(side)
     }
 
+    /// Values of an attribute of the flanks of `gears`, and those flanks that state it.
+    pub fn on_flanks(
+        &self,
+        gears: &[&Component],
+        attribute: &'static str,
+        unit: Unit,
+    ) -> Result<(Vec<f64>, Vec<&'a Component>), RexsError> {
+        let (mut values, mut flanks) = (Vec::new(), Vec::new());
+        for flank in gears.iter().filter_map(|gear| self.flank(gear)) {
+            if let Some(value) = flank.number(attribute, unit)? {
+                values.push(value);
+                flanks.push(flank);
+            }
+        }
+        Ok((values, flanks))
+    }
+
     /// Writes the keys common to pairs and planetary sets; returns the profile shifts if the file has all of them.
     pub fn geometry(
         &mut self,
@@ -176,10 +201,8 @@ impl<'a> Text<'a> {
     ) -> Result<Option<Vec<f64>>, RexsError> {
         self.shared_geometry(gears)?;
         let widths = self.all(gears, "face_width", Unit::Millimetre)?;
-        self.sourced_line(
-            &format!("face_width = [{}]", quantities(&widths, "mm")),
-            &source(gears, "face_width"),
-        );
+        let widths = format!("[{}]", quantities(&widths, "mm"));
+        self.entry("face_width", &widths, gears, "face_width");
         let shifts = self.shifts(gears)?;
         self.centre_distance(mesh, shifts.is_some())?;
         let has_tips = self.tips(gears, z)?;
@@ -196,10 +219,8 @@ impl<'a> Text<'a> {
     fn shared_geometry(&mut self, gears: &[&Component]) -> Result<(), RexsError> {
         let modules = self.all(gears, "normal_module", Unit::Millimetre)?;
         self.agree(gears, "normal_module", &modules)?;
-        self.sourced_line(
-            &format!("module = \"{} mm\"", modules[0]),
-            &source(gears, "normal_module"),
-        );
+        let module = quantity(modules[0], "mm");
+        self.entry("module", &module, gears, "normal_module");
         let helix = self.all(gears, "helix_angle_reference_diameter", Unit::Degree)?;
         let sizes: Vec<f64> = helix.iter().map(|angle| angle.abs()).collect();
         self.agree(gears, "helix_angle_reference_diameter", &sizes)?;
@@ -210,24 +231,15 @@ impl<'a> Text<'a> {
                 &format!("{from}, without sign"),
             );
         }
-        let mut angles = Vec::new();
-        for gear in gears {
-            if let Some(flank) = self.flank(gear)
-                && let Some(angle) = flank.number("normal_pressure_angle", Unit::Degree)?
-            {
-                angles.push((angle, format!("{} {}", flank.kind, flank.id)));
-            }
-        }
-        if let Some((angle, from)) = angles.first().cloned() {
-            let all: Vec<f64> = angles.iter().map(|(angle, _)| *angle).collect();
-            self.agree(gears, "normal_pressure_angle", &all)?;
-            self.sourced_line(
-                &format!("pressure_angle = \"{angle} deg\""),
-                &format!("{from}: normal_pressure_angle"),
-            );
+        const ANGLE: &str = "normal_pressure_angle";
+        let (angles, flanks) = self.on_flanks(gears, ANGLE, Unit::Degree)?;
+        if let Some(angle) = angles.first() {
+            self.agree(gears, ANGLE, &angles)?;
+            let angle = quantity(angle, "deg");
+            self.entry("pressure_angle", &angle, &flanks[..1], ANGLE);
         } else {
             self.line("# pressure_angle: not in the file, 20 deg by default");
-            self.note("the file has no normal_pressure_angle: 20 deg".into());
+            self.note("the file has no normal_pressure_angle: 20 deg");
         }
         Ok(())
     }
@@ -249,25 +261,15 @@ impl<'a> Text<'a> {
 
     /// Writes the profile shift coefficients if every gear has one.
     fn shifts(&mut self, gears: &[&Component]) -> Result<Option<Vec<f64>>, RexsError> {
-        let mut shifts = Vec::new();
-        let mut from = Vec::new();
-        for gear in gears {
-            if let Some(flank) = self.flank(gear)
-                && let Some(x) = flank.number("addendum_modification_coefficient", Unit::None)?
-            {
-                shifts.push(x);
-                from.push(flank);
-            }
-        }
+        const SHIFT: &str = "addendum_modification_coefficient";
+        let (shifts, flanks) = self.on_flanks(gears, SHIFT, Unit::None)?;
         if shifts.len() < gears.len() {
-            self.note("not every gear has an addendum_modification_coefficient".into());
+            self.note("not every gear has an addendum_modification_coefficient");
             return Ok(None);
         }
         let texts: Vec<String> = shifts.iter().map(|x| rounded(*x)).collect();
-        self.sourced_line(
-            &format!("profile_shift = [{}]", texts.join(", ")),
-            &source(&from, "addendum_modification_coefficient"),
-        );
+        let texts = format!("[{}]", texts.join(", "));
+        self.entry("profile_shift", &texts, &flanks, SHIFT);
         Ok(Some(shifts))
     }
 
@@ -283,10 +285,8 @@ impl<'a> Text<'a> {
                 ));
             }
             Some(distance) => {
-                self.sourced_line(
-                    &format!("centre_distance = \"{distance} mm\""),
-                    &source(&[mesh], "center_distance"),
-                );
+                let distance = quantity(distance, "mm");
+                self.entry("centre_distance", &distance, &[mesh], "center_distance");
             }
             None if shifts => {}
             None => {
@@ -363,15 +363,12 @@ impl<'a> Text<'a> {
             }
         }
         if tips.len() == gears.len() {
-            self.sourced_line(
-                &format!("tip_diameter = [{}]", quantities(&tips, "mm")),
-                &source(gears, "tip_diameter"),
-            );
+            let tips = format!("[{}]", quantities(&tips, "mm"));
+            self.entry("tip_diameter", &tips, gears, "tip_diameter");
         } else {
             self.line("# tip_diameter: not in the file for every gear, from the addendum");
             self.note(
-                "not every gear has a plausible tip_diameter: it follows from the addendum, 1 module by default"
-                    .into(),
+                "not every gear has a plausible tip_diameter: it follows from the addendum, 1 module by default",
             );
         }
         Ok(tips.len() == gears.len())
@@ -400,8 +397,7 @@ impl<'a> Text<'a> {
         };
         if ring_offset.max(sun_offset) >= DISTANCE_TOLERANCE {
             self.note(
-                "the profile shifts do not follow from the centre distance: write profile_shift"
-                    .into(),
+                "the profile shifts do not follow from the centre distance: write profile_shift",
             );
             return Ok(());
         }
@@ -409,7 +405,7 @@ impl<'a> Text<'a> {
             &format!("profile_shift = [{}]", vec!["0"; z.len()].join(", ")),
             "default: the centre distance is the reference centre distance",
         );
-        self.note("the profile shifts are zero by the centre distance".into());
+        self.note("the profile shifts are zero by the centre distance");
         Ok(())
     }
 
@@ -425,8 +421,13 @@ impl<'a> Text<'a> {
             && let Some(chamfer) = flank.number("tooth_tip_chamfer", Unit::Millimetre)?
             && chamfer > 0.0
         {
-            let from = source(&[flank], "tooth_tip_chamfer");
-            self.sourced_line(&format!("{name}.tip_chamfer = \"{chamfer} mm\""), &from);
+            let key = format!("{name}.tip_chamfer");
+            self.entry(
+                &key,
+                &quantity(chamfer, "mm"),
+                &[flank],
+                "tooth_tip_chamfer",
+            );
         }
         Ok(())
     }

@@ -124,13 +124,7 @@ impl Grid {
     ) -> Result<Self, RoughnessError> {
         const LEAST: usize = 2;
         let rows = z.len().checked_div(columns).unwrap_or(0);
-        if columns < LEAST || rows < LEAST {
-            return Err(RoughnessError::TooFewPoints {
-                points: columns.min(rows),
-                needed: LEAST,
-                purpose: "rows and columns of a surface",
-            });
-        }
+        RoughnessError::at_least(columns.min(rows), LEAST, "rows and columns of a surface")?;
         z.truncate(rows * columns);
         Ok(Self {
             z,

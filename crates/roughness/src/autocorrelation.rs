@@ -51,14 +51,7 @@ pub fn autocorrelation(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
 }
 
 fn at_least_two(heights: &[f64]) -> Result<&[f64], RoughnessError> {
-    const MIN_POINTS: usize = 2;
-    if heights.len() < MIN_POINTS {
-        return Err(RoughnessError::TooFewPoints {
-            points: heights.len(),
-            needed: MIN_POINTS,
-            purpose: "the autocorrelation",
-        });
-    }
+    RoughnessError::at_least(heights.len(), 2, "the autocorrelation")?;
     Ok(heights)
 }
 

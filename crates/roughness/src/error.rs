@@ -76,3 +76,24 @@ pub enum RoughnessError {
         residual: f64,
     },
 }
+
+impl RoughnessError {
+    /// Checks the number of points.
+    ///
+    /// # Errors
+    /// When `points` are fewer than `needed`.
+    pub(crate) fn at_least(
+        points: usize,
+        needed: usize,
+        purpose: &'static str,
+    ) -> Result<(), Self> {
+        match points >= needed {
+            true => Ok(()),
+            false => Err(Self::TooFewPoints {
+                points,
+                needed,
+                purpose,
+            }),
+        }
+    }
+}

@@ -103,13 +103,7 @@ pub fn fit(heights: &[f64], degree: usize) -> Result<Polynomial, RoughnessError>
         "-",
         "must be 0, 1 or 2",
     )?;
-    if n <= degree {
-        return Err(RoughnessError::TooFewPoints {
-            points: n,
-            needed: degree + 1,
-            purpose: "fitting the form",
-        });
-    }
+    RoughnessError::at_least(n, degree + 1, "fitting the form")?;
     let square = mean_square(n);
     let basis = |k: usize, t: f64| match k {
         0 => 1.0,

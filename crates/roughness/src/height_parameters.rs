@@ -158,13 +158,7 @@ pub fn in_sections(
     let z = profile.heights();
     let n = sections;
     DomainError::require(n > 0, "sections", 0.0, "-", "must be at least one")?;
-    if z.len() / n < MIN_POINTS {
-        return Err(RoughnessError::TooFewPoints {
-            points: z.len() / n,
-            needed: MIN_POINTS,
-            purpose: "the slope of a section",
-        });
-    }
+    RoughnessError::at_least(z.len() / n, MIN_POINTS, "the slope of a section")?;
     let parts: Vec<&[f64]> = (0..n)
         .map(|i| &z[i * z.len() / n..(i + 1) * z.len() / n])
         .collect();

@@ -76,13 +76,11 @@ pub fn hurst_fit(
         "must be above the shortest, within the profile, and the shortest at least two spacings",
     )?;
     let points = bands(profile, long, short)?;
-    if points.len() < MIN_BANDS {
-        return Err(RoughnessError::TooFewPoints {
-            points: points.len(),
-            needed: MIN_BANDS,
-            purpose: "a Hurst fit, counted in bands of a tenth of a decade",
-        });
-    }
+    RoughnessError::at_least(
+        points.len(),
+        MIN_BANDS,
+        "a Hurst fit, counted in bands of a tenth of a decade",
+    )?;
     let (slope, error) = line(&points);
     Ok(HurstFit {
         hurst: -0.5 * (slope + 1.0),

@@ -138,6 +138,18 @@ pub fn lay_of_rows(
     if measured < LEAST_ROWS {
         return Ok(Err(LayUnknown::TooFewRows { rows: measured }));
     }
+    // The filter leaves a constant of a curved form, which would be correlated at every distance.
+    let known = prepared
+        .iter()
+        .flatten()
+        .flatten()
+        .filter(|z| z.is_finite());
+    let mean = known.clone().sum::<f64>() / known.count().max(1) as f64;
+    prepared
+        .iter_mut()
+        .flatten()
+        .flatten()
+        .for_each(|z| *z -= mean);
     let surface = Rows {
         rows: prepared,
         width,

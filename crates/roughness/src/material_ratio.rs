@@ -110,13 +110,7 @@ pub(crate) fn rk_of_both_lines(heights: &[f64]) -> Result<[RkParameters; 2], Rou
 /// The material ratio curve of at least ten heights; quantised heights are distributed over their steps.
 pub(crate) fn curve(heights: &[f64]) -> Result<Vec<f64>, RoughnessError> {
     const MIN_POINTS: usize = 10;
-    if heights.len() < MIN_POINTS {
-        return Err(RoughnessError::TooFewPoints {
-            points: heights.len(),
-            needed: MIN_POINTS,
-            purpose: "the material ratio curve",
-        });
-    }
+    RoughnessError::at_least(heights.len(), MIN_POINTS, "the material ratio curve")?;
     Ok(spread(abbott_curve(heights)?))
 }
 

@@ -37,13 +37,7 @@ pub struct SectionHeights {
 /// ```
 pub fn section_heights(heights: &[f64]) -> Result<SectionHeights, RoughnessError> {
     cite!("Section-2");
-    if heights.is_empty() {
-        return Err(RoughnessError::TooFewPoints {
-            points: 0,
-            needed: 1,
-            purpose: "a section",
-        });
-    }
+    RoughnessError::at_least(heights.len(), 1, "a section")?;
     let n = heights.len() as f64;
     let (low, high) = extremes(heights);
     Ok(SectionHeights {

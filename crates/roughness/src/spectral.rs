@@ -75,13 +75,7 @@ pub fn moments(profile: &Profile) -> Result<SpectralMoments, RoughnessError> {
     cite!("Moment-1");
     const MIN_POINTS: usize = 7;
     let (z, dx) = (profile.heights(), profile.spacing().si());
-    if z.len() < MIN_POINTS {
-        return Err(RoughnessError::TooFewPoints {
-            points: z.len(),
-            needed: MIN_POINTS,
-            purpose: "spectral moments",
-        });
-    }
+    RoughnessError::at_least(z.len(), MIN_POINTS, "spectral moments")?;
     let mean = sum(z, |z| z) / z.len() as f64;
     let curvature = |z: &[f64]| (z[0] - 2.0 * z[1] + z[2]) / (dx * dx);
     Ok(SpectralMoments {
@@ -151,13 +145,7 @@ pub fn power_spectrum(profile: &Profile) -> Result<PowerSpectrum, RoughnessError
     cite!("PSD-1");
     const MIN_POINTS: usize = 4;
     let (n, dx) = (profile.len(), profile.spacing().si());
-    if n < MIN_POINTS {
-        return Err(RoughnessError::TooFewPoints {
-            points: n,
-            needed: MIN_POINTS,
-            purpose: "a spectrum",
-        });
-    }
+    RoughnessError::at_least(n, MIN_POINTS, "a spectrum")?;
     let window = |i: usize| 0.5 * (1.0 - (TAU * i as f64 / (n - 1) as f64).cos());
     let (plan, _) = real_transforms(n);
     // The window would leak a mean height into the longest waves.

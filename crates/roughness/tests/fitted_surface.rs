@@ -14,8 +14,8 @@ use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare};
 use crate::fitted::rank_sum;
 use crate::lay::smoothed;
 
-const COLUMNS: usize = 700;
-const ROWS: usize = 160;
+const COLUMNS: usize = 512;
+const ROWS: usize = 128;
 const SPACINGS: [Length; 2] = [Length::from_si(1e-6), Length::from_si(1e-6)];
 const LAMBDA_C: Length = Length::from_si(0.08e-3);
 const NAMES: [&str; 20] = [

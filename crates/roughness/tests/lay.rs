@@ -79,18 +79,19 @@ fn lay(z: &[f64], columns: usize, dy: f64) -> LayFinding {
 fn the_lay_of_filtered_noise_is_the_ratio_of_its_widths() {
     for (widths, expected) in [([3.0, 30.0], 0.1), ([4.0, 16.0], 0.25)] {
         let (mut inside, mut sum) = (0, 0.0);
-        for seed in 1..=12 {
+        for seed in 1..=8 {
             let found = lay(&smoothed(COLUMNS, 400, widths, seed), COLUMNS, 1e-6).unwrap();
             let [low, high] = found.range;
             assert!(!found.is_bound && high / low < 2.0, "{found:?}");
             inside += usize::from(low <= expected && expected <= high);
             sum += found.gamma.ln();
         }
-        let mean = (sum / 12.0_f64).exp();
-        println!("γ = {expected}: mean {mean:.4}, {inside} of 12 intervals hold it");
+        let mean = (sum / 8.0_f64).exp();
+        println!("γ = {expected}: mean {mean:.4}, {inside} of 8 intervals hold it");
         assert!((mean / expected - 1.0).abs() < 0.06, "{mean} {expected}");
-        // Of 95 % intervals, fewer than ten of twelve hold the value with a probability of 2 %.
-        assert!(inside >= 10, "{inside}");
+        // Of 95 % intervals, fewer than six of eight hold the value with a probability of 0.6 %; of intervals half as wide,
+        // fewer than six with 52 %, in one of both surfaces with 77 %.
+        assert!(inside >= 6, "{inside}");
     }
 }
 
@@ -101,8 +102,19 @@ fn filtering_along_the_rows_lowers_the_lay_a_little() {
     let spacings = [Length::from_si(1e-6); 2];
     let (recipe, filter) = (Preparation::default(), RoughnessFilter::Gaussian);
     let filtered = lay_of_rows(&z, COLUMNS, spacings, &recipe, filter).unwrap();
-    let ratio = filtered.unwrap().gamma / lay(&z, COLUMNS, 1e-6).unwrap().gamma;
+    let filtered = filtered.unwrap();
+    let ratio = filtered.gamma / lay(&z, COLUMNS, 1e-6).unwrap().gamma;
     assert!((0.85..1.0).contains(&ratio), "{ratio}");
+    // The filter turns a parabola, the curvature of a flank of 10 mm radius, into a constant.
+    let curved = |(i, z): (usize, &f64)| z - (1e-6 * (i % COLUMNS) as f64).powi(2) / (2.0 * 10e-3);
+    let curved: Vec<f64> = z.iter().enumerate().map(curved).collect();
+    let curved = lay_of_rows(&curved, COLUMNS, spacings, &recipe, filter)
+        .unwrap()
+        .unwrap();
+    assert!(
+        (curved.gamma / filtered.gamma - 1.0).abs() < 0.01 && !curved.is_bound,
+        "{curved:?} {filtered:?}"
+    );
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::draft::clear;
 use crate::error::StorageError;
 use crate::file::save;
-use crate::manifest::{MANIFEST, Manifest, sum_of};
+use crate::manifest::{MANIFEST, Manifest, sha256};
 use crate::system::look;
 
 /// Checks that the files `names` may be written into `folder`: each is absent, or is listed in the manifest and
@@ -64,12 +64,12 @@ pub fn write_among(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Sto
     let mut manifest = Manifest::read(folder).unwrap_or_else(Manifest::new);
     for (name, bytes) in files {
         let sums = manifest.sha256.entry(name.clone()).or_default();
-        sums.insert(sum_of(bytes));
+        sums.insert(sha256(bytes));
     }
     save(&manifest_path, &manifest.bytes())?;
     for (name, bytes) in files {
         save(&folder.join(name), bytes)?;
-        let only = BTreeSet::from([sum_of(bytes)]);
+        let only = BTreeSet::from([sha256(bytes)]);
         manifest.sha256.insert(name.clone(), only);
     }
     save(&manifest_path, &manifest.bytes())

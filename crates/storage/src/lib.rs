@@ -31,6 +31,6 @@ pub use error::StorageError;
 pub use file::{save, save_new};
 pub use finite::{NotFinite, check_finite};
 pub use folder::{check_folder, new_folder, new_folder_of, replace_folder};
-pub use manifest::MANIFEST;
+pub use manifest::{MANIFEST, hex, sha256};
 pub use plain_text::{cell, one_line, printable};
 pub use read::{regular_file, whole_file, whole_text};

@@ -171,8 +171,12 @@ fn entries(folder: &Path) -> io::Result<Vec<String>> {
     Ok(names)
 }
 
-/// SHA-256 of `bytes`.
-pub fn sum_of(bytes: &[u8]) -> String {
+/// SHA-256 of `bytes` in hexadecimal digits.
+///
+/// ```
+/// assert!(asperity_storage::sha256(b"abc").starts_with("ba7816bf"));
+/// ```
+pub fn sha256(bytes: &[u8]) -> String {
     hex(&Sha256::digest(bytes))
 }
 
@@ -189,6 +193,7 @@ fn sum_of_file(file: &Path) -> io::Result<String> {
     }
 }
 
-fn hex(bytes: &[u8]) -> String {
+/// `bytes` in hexadecimal digits.
+pub fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }

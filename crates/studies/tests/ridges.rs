@@ -72,7 +72,7 @@ fn change(gradient: &[Vec<f64>; 2], [from, to]: [&LoadedCase; 2]) -> f64 {
 /// docs/records/load-share.md.
 #[test]
 fn a_ridge_pressed_to_half_its_height_saves_what_the_mean_gradient_predicts() {
-    const FEW: usize = 3;
+    const FEW: usize = 2;
     let wanted = std::env::var("ASPERITY_RIDGES").ok();
     let wanted = wanted.and_then(|text| text.parse::<usize>().ok());
     let few = |input: &mut case::CaseInput| {

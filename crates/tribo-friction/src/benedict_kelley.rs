@@ -29,41 +29,36 @@ const GROUP: f64 = 29_700.0;
 const POLE: f64 = 1.13;
 
 /// Range in which the roughness factor is at most 3: Ra ≤ 1.13 (1 − 1/3).
-const ROUGHNESS: FittedRange = FittedRange {
-    name: "mean Ra",
-    low: 0.0,
-    high: POLE * (1.0 - 1.0 / 3.0),
-    unit: "um",
-    correlation: "Benedict-Kelley",
-};
+const ROUGHNESS: FittedRange = FittedRange::new(
+    "mean Ra",
+    0.0,
+    POLE * (1.0 - 1.0 / 3.0),
+    "um",
+    "Benedict-Kelley",
+);
 
 /// Range in which the logarithm is not negative.
-const ARGUMENT: FittedRange = FittedRange {
-    name: "29700 w/(eta Vs Vsum^2)",
-    low: 1.0,
-    high: f64::INFINITY,
-    unit: "-",
-    correlation: "Benedict-Kelley (held at zero friction)",
-};
+const ARGUMENT: FittedRange = FittedRange::new(
+    "29700 w/(eta Vs Vsum^2)",
+    1.0,
+    f64::INFINITY,
+    "-",
+    "Benedict-Kelley (held at zero friction)",
+);
 
 /// Viscosities of mineral gear oils at their working temperature; the oils of the tests were not
 /// available (judgement).
-const VISCOSITY: FittedRange = FittedRange {
-    name: "viscosity",
-    low: 5.0,
-    high: 500.0,
-    unit: "mPa s",
-    correlation: "Benedict-Kelley",
-};
+const VISCOSITY: FittedRange =
+    FittedRange::new("viscosity", 5.0, 500.0, "mPa s", "Benedict-Kelley");
 
 /// Sum of the surface speeds of roller and gear tests of their time (judgement).
-const SPEED: FittedRange = FittedRange {
-    name: "sum of the surface speeds",
-    low: 0.5,
-    high: 40.0,
-    unit: "m/s",
-    correlation: "Benedict-Kelley",
-};
+const SPEED: FittedRange = FittedRange::new(
+    "sum of the surface speeds",
+    0.5,
+    40.0,
+    "m/s",
+    "Benedict-Kelley",
+);
 
 /// Inputs of Benedict and Kelley's law at a mesh position.
 #[derive(Debug, Clone, Copy, PartialEq)]

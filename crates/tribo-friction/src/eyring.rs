@@ -27,32 +27,16 @@ use crate::error::FrictionError;
 pub const MINERAL_OIL_LIMIT: f64 = 0.047;
 
 /// Arana et al. 2019: pressures up to the gears they compare with.
-const PRESSURE: FittedRange = FittedRange {
-    name: "maximum pressure",
-    low: 0.0,
-    high: 1.4,
-    unit: "GPa",
-    correlation: "Eyring (Arana)",
-};
+const PRESSURE: FittedRange =
+    FittedRange::new("maximum pressure", 0.0, 1.4, "GPa", "Eyring (Arana)");
 
 /// Arana et al. 2019: viscosity in the film that Barus' law can mean at their pressures and oils; beyond
 /// it the limit rules (judgement).
-const VISCOSITY: FittedRange = FittedRange {
-    name: "viscosity in the film",
-    low: 0.1,
-    high: 1e9,
-    unit: "Pa s",
-    correlation: "Eyring (Arana)",
-};
+const VISCOSITY: FittedRange =
+    FittedRange::new("viscosity in the film", 0.1, 1e9, "Pa s", "Eyring (Arana)");
 
 /// Arana et al. 2019: sliding speeds of their twin-disc tests and gears.
-const SLIDING: FittedRange = FittedRange {
-    name: "sliding speed",
-    low: 0.0,
-    high: 16.0,
-    unit: "m/s",
-    correlation: "Eyring (Arana)",
-};
+const SLIDING: FittedRange = FittedRange::new("sliding speed", 0.0, 16.0, "m/s", "Eyring (Arana)");
 
 /// Inputs of Eyring's law at a mesh position.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -45,22 +45,12 @@ const LIMITED: f64 = 0.7;
 /// Relative step at which the iteration for the surface temperature ends; the error is its square.
 const TEMPERATURE_TOLERANCE: f64 = 1e-9;
 
-const fn range(name: &'static str, low: f64, high: f64, unit: &'static str) -> FittedRange {
-    FittedRange {
-        name,
-        low,
-        high,
-        unit,
-        correlation: "film friction",
-    }
-}
-
 /// Range in which the law was compared with measured gears.
 const RANGES: [FittedRange; 4] = [
-    range("bulk temperature", -30.0, 120.0, "°C"),
-    range("viscosity", 2.0, 5000.0, "mPa s"),
-    range("maximum pressure", 0.3, 2.5, "GPa"),
-    range("entrainment speed", 0.1, 30.0, "m/s"),
+    FittedRange::new("bulk temperature", -30.0, 120.0, "°C", "film friction"),
+    FittedRange::new("viscosity", 2.0, 5000.0, "mPa s", "film friction"),
+    FittedRange::new("maximum pressure", 0.3, 2.5, "GPa", "film friction"),
+    FittedRange::new("entrainment speed", 0.1, 30.0, "m/s", "film friction"),
 ];
 
 /// A smooth film in a line contact.

@@ -25,31 +25,14 @@ const SPEED: (f64, f64) = (3.239, 0.70);
 const NAME: &str = "ISO/TR 14179-1";
 
 /// ISO/TR 14179-1, range of the pitch line speed.
-const SPEED_RANGE: FittedRange = FittedRange {
-    name: "pitch line speed",
-    low: 2.0,
-    high: 25.0,
-    unit: "m/s",
-    correlation: NAME,
-};
+const SPEED_RANGE: FittedRange = FittedRange::new("pitch line speed", 2.0, 25.0, "m/s", NAME);
 
 /// ISO/TR 14179-1, range of the load intensity.
-const LOAD_RANGE: FittedRange = FittedRange {
-    name: "load intensity K",
-    low: 1.4,
-    high: 14.0,
-    unit: "N/mm2",
-    correlation: NAME,
-};
+const LOAD_RANGE: FittedRange = FittedRange::new("load intensity K", 1.4, 14.0, "N/mm2", NAME);
 
 /// Mineral gear oils of ISO VG 32 to 1000 at the sump temperature (judgement).
-const VISCOSITY_RANGE: FittedRange = FittedRange {
-    name: "kinematic viscosity",
-    low: 5.0,
-    high: 500.0,
-    unit: "mm2/s",
-    correlation: NAME,
-};
+const VISCOSITY_RANGE: FittedRange =
+    FittedRange::new("kinematic viscosity", 5.0, 500.0, "mm2/s", NAME);
 
 /// Mesh coefficient of friction of ISO/TR 14179-1.
 ///

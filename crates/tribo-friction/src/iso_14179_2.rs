@@ -30,31 +30,14 @@ const ROUGHNESS_POWER: f64 = 0.25;
 const NAME: &str = "ISO/TR 14179-2 (Schlenk)";
 
 /// Usual lower limit of the line load; there is no upper one.
-const LOAD_RANGE: FittedRange = FittedRange {
-    name: "base line load Fbt/b",
-    low: 150.0,
-    high: f64::INFINITY,
-    unit: "N/mm",
-    correlation: NAME,
-};
+const LOAD_RANGE: FittedRange =
+    FittedRange::new("base line load Fbt/b", 150.0, f64::INFINITY, "N/mm", NAME);
 
 /// Usual range of the pitch line speed.
-const SPEED_RANGE: FittedRange = FittedRange {
-    name: "pitch line speed",
-    low: 1.0,
-    high: 50.0,
-    unit: "m/s",
-    correlation: NAME,
-};
+const SPEED_RANGE: FittedRange = FittedRange::new("pitch line speed", 1.0, 50.0, "m/s", NAME);
 
 /// Gear oils at the temperature of the FZG tests (judgement).
-const VISCOSITY_RANGE: FittedRange = FittedRange {
-    name: "viscosity",
-    low: 3.0,
-    high: 500.0,
-    unit: "mPa s",
-    correlation: NAME,
-};
+const VISCOSITY_RANGE: FittedRange = FittedRange::new("viscosity", 3.0, 500.0, "mPa s", NAME);
 
 /// Schlenk's mean friction coefficient.
 ///

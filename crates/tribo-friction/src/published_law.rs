@@ -110,13 +110,7 @@ impl PublishedLaw {
         let mut outside = Vec::new();
         if let Some([low, high]) = range {
             let correlation = self.judged;
-            let range = FittedRange {
-                name,
-                low,
-                high,
-                unit,
-                correlation,
-            };
+            let range = FittedRange::new(name, low, high, unit, correlation);
             range.check(value, &mut outside);
         }
         outside

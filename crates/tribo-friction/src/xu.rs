@@ -181,30 +181,21 @@ pub struct XuConditions {
 
 const NAME: &str = "Xu";
 
-const fn range(name: &'static str, low: f64, high: f64, unit: &'static str) -> FittedRange {
-    FittedRange {
-        name,
-        low,
-        high,
-        unit,
-        correlation: NAME,
-    }
-}
-
 /// Usual ranges of |SR|, P_h, V_e, R and ν₀ (see the header).
 const RANGES: [FittedRange; 5] = [
-    range("slide-to-roll ratio", 0.0, 1.0, "-"),
-    range("maximum pressure", 0.5, 2.5, "GPa"),
-    range("entrainment speed", 1.0, 20.0, "m/s"),
-    range("radius", 5.0, 80.0, "mm"),
+    FittedRange::new("slide-to-roll ratio", 0.0, 1.0, "-", NAME),
+    FittedRange::new("maximum pressure", 0.5, 2.5, "GPa", NAME),
+    FittedRange::new("entrainment speed", 1.0, 20.0, "m/s", NAME),
+    FittedRange::new("radius", 5.0, 80.0, "mm", NAME),
     // A 75W90 from about 120 °C down to 40 °C (judgement).
-    range("viscosity", 5.0, 50.0, "mPa s"),
+    FittedRange::new("viscosity", 5.0, 50.0, "mPa s", NAME),
 ];
 
 impl RoughnessReading {
     /// S [um] as it enters the formula; notes one that is too large.
     fn read(self, roughness: f64, outside: &mut Vec<OutOfRange>) -> f64 {
-        let mut range = range("combined roughness S", 0.0, LARGEST_ROUGHNESS, "um");
+        let mut range =
+            FittedRange::new("combined roughness S", 0.0, LARGEST_ROUGHNESS, "um", NAME);
         match self {
             Self::Clamped => {
                 range.correlation = "Xu (S is held at 0.6 um)";

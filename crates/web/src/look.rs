@@ -3,7 +3,7 @@
 use asperity::core::Profile;
 use asperity::profile_io::read::{LengthUnit, ReadOptions, read_bytes};
 use asperity::quantity::Length;
-use asperity_report::chart::{Axis, Chart, Dress, Line, Series};
+use asperity_report::chart::{Axis, Chart, Dress, Line};
 use asperity_report::html::on_flank;
 use serde::{Deserialize, Serialize};
 
@@ -62,7 +62,7 @@ fn drawing(profile: &Profile, flank: &str, is_mirrored: bool) -> Chart {
     );
     Chart {
         height: HEIGHT,
-        ..chart.with(Series::new("height", Line::Solid, &x, &z))
+        ..chart.curve("height", Line::Solid, &x, &z)
     }
 }
 

@@ -5,13 +5,24 @@ use std::path::Path;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::Setting;
 use asperity_profile_io::read::Columns;
+use asperity_roughness::form::Form;
 use serde_json::json;
 
-use crate::args::ProfileInfoArgs;
+use super::plan::form;
+use crate::args::{FormArg, ProfileInfoArgs};
+
+/// Rows of a surface that are taken as traces: with as many of the other flank, all 64 pairs that a run computes.
+const USUAL_ROWS: usize = 8;
 
 /// The table `surface` for the file and the options, with the cut-off λc of the evaluation; zero means unfiltered. The flank is
-/// the pinion's unless the name of the file says that it is the wheel's.
-pub(super) fn case_lines(file: &Path, args: &ProfileInfoArgs, lambda_c: Option<Length>) -> String {
+/// the pinion's unless the name of the file says that it is the wheel's. `rows` is the number of rows of a surface of which
+/// none was chosen.
+pub(super) fn case_lines(
+    file: &Path,
+    args: &ProfileInfoArgs,
+    lambda_c: Option<Length>,
+    rows: Option<usize>,
+) -> String {
     let (reading, preparing) = (&args.reading, &args.preparing);
     let text = |value: Option<String>| value.map(|value| json!(value).to_string());
     fn named<T: std::fmt::Display>(value: &Option<T>) -> Option<String> {
@@ -32,6 +43,10 @@ pub(super) fn case_lines(file: &Path, args: &ProfileInfoArgs, lambda_c: Option<L
         (Setting::Gaps, text(named(&reading.gaps))),
         (Setting::Row, named(&reading.row)),
         (Setting::Line, text(named(&reading.line))),
+        (
+            Setting::Key("rows"),
+            rows.map(|rows| rows.min(USUAL_ROWS).to_string()),
+        ),
         (Setting::Abscissa, text(named(&reading.abscissa))),
         (Setting::Uneven, text(named(&reading.uneven))),
     ];
@@ -44,13 +59,23 @@ pub(super) fn case_lines(file: &Path, args: &ProfileInfoArgs, lambda_c: Option<L
         true => "wheel",
         false => "pinion",
     };
+    let (form, is_unfiltered) = (form(preparing), preparing.as_is || preparing.level);
     let mut lines = format!(
         "  in a case:\n    [surface]\n    {flank} = {{ file = {name}{} }}\n",
         stated.collect::<String>()
     );
+    if form != Form::default() && preparing.form != Some(FormArg::Involute) {
+        lines += &format!("    {} = {}\n", Setting::Form.key(), json!(form));
+    }
+    if let Some(ends) = preparing.ends {
+        lines += &format!("    ends = {}\n", json!(ends));
+    }
+    let lambda_s = preparing
+        .lambda_s
+        .or(is_unfiltered.then_some(Length::from_si(0.0)));
     let cutoffs = [
         (Setting::Cutoff, lambda_c),
-        (Setting::NoiseCutoff, preparing.lambda_s),
+        (Setting::NoiseCutoff, lambda_s),
     ];
     for (setting, length) in cutoffs {
         if let Some(length) = length {

@@ -5,6 +5,7 @@ use std::path::Path;
 use asperity_core::Profile;
 use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;
+use asperity_core::unique;
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::{
     FilterState, Metadata, ReadError, ReadOptions, Reading, Surface, Trace, read_surface,
@@ -104,13 +105,7 @@ impl Evaluated {
         let evaluated = [&self.parts.roughness.warnings, &self.iso4287.warnings];
         let evaluated = evaluated.into_iter().flatten().chain(&self.involute_left);
         let evaluated = self.outliers_replaced.iter().chain(evaluated);
-        let mut all = Vec::new();
-        for note in read.map(Note::Read).chain(evaluated.map(Note::Evaluated)) {
-            if !all.contains(&note) {
-                all.push(note);
-            }
-        }
-        all
+        unique(read.map(Note::Read).chain(evaluated.map(Note::Evaluated)))
     }
 }
 

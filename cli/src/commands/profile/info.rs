@@ -37,7 +37,7 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
             Ok(evaluated_file) => {
                 let details = Details::of(&evaluated_file, args);
                 let used = evaluated_file.plan.recipe.lambda_c;
-                let lines = case_lines(file, args, Some(used.unwrap_or_default()));
+                let lines = case_lines(file, args, Some(used.unwrap_or_default()), None);
                 let report = text::report(&evaluated_file, &facts, &details);
                 print_text(common, &(report + &lines))
             }
@@ -49,7 +49,7 @@ pub fn info(args: &ProfileInfoArgs, common: &Common) -> Result<(), Failure> {
                 Err(within_json(failure))
             }
             Err(failure) => {
-                let lines = case_lines(file, args, args.preparing.lambda_c);
+                let lines = case_lines(file, args, args.preparing.lambda_c, None);
                 let reason = "  no parameters: the error says why\n";
                 print_text(common, &(facts.text() + reason + &lines))?;
                 Err(failure)

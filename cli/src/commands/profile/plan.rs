@@ -175,7 +175,7 @@ pub fn as_is(reading: &Reading) -> String {
 }
 
 /// Form removed by the recipe; an involute includes the line.
-fn form(args: &PreparingArgs) -> Form {
+pub(super) fn form(args: &PreparingArgs) -> Form {
     match args.form {
         None if args.as_is => Form::None,
         None => Form::Level,

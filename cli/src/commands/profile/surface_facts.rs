@@ -82,7 +82,8 @@ pub(super) fn print(
         }
         Err(reason) => format!("lay of traces along the rows unknown: {reason}"),
     });
-    text += &case_lines(file, args, args.preparing.lambda_c);
+    let rows = args.reading.line.is_none().then_some(surface.rows);
+    text += &case_lines(file, args, args.preparing.lambda_c, rows);
     print_text(common, &text).map(|()| true)
 }
 

@@ -5,12 +5,12 @@
 //! safety factor, and in no case a verdict.
 
 use asperity_contact::plasticity::softer_flow_pressure;
+use asperity_core::numerics::mean;
 use asperity_core::quantity::{Length, Pressure, Temperature};
 use asperity_core::{FittedRange, Profile};
 use asperity_ehl_regime::micropitting::{OilAt, RatedContact, specific_film};
 use asperity_roughness::gaussian_filter::{Ends, mean_line};
 
-use super::statistics::mean;
 use crate::lubrication::LubricatedPosition;
 use crate::mesh::MeshPosition;
 use crate::result::ContactView;
@@ -36,13 +36,7 @@ const SCOPE: [FittedRange; 5] = [
 ];
 
 const fn range(name: &'static str, low: f64, high: f64, unit: &'static str) -> FittedRange {
-    FittedRange {
-        name,
-        low,
-        high,
-        unit,
-        correlation: "ISO/TS 6336-22",
-    }
+    FittedRange::new(name, low, high, unit, "ISO/TS 6336-22")
 }
 
 /// Rating of a solved path, `None` unless the case requests it; `ends` are the points A and E, if they were solved.

@@ -7,7 +7,6 @@ mod provenance;
 mod published_laws;
 mod reversed;
 mod solved;
-mod statistics;
 mod warnings;
 
 pub use reversed::Reversed;
@@ -15,8 +14,8 @@ pub use reversed::Reversed;
 pub(crate) use cycle::operation;
 pub(crate) use provenance::equations_used;
 pub(crate) use solved::Solved;
-pub(crate) use statistics::{deviation, mean, median};
 
+use asperity_core::numerics::{deviation, mean, median};
 use asperity_core::quantity::Power;
 use asperity_efficiency::output_torque::power_flow;
 use asperity_efficiency::{LossKind, MeshEfficiency, MeshOperation, equivalent_friction};
@@ -480,7 +479,7 @@ fn row(case: &Case, position: &LubricatedPosition, rolling: f64, per_width: f64)
         roughness_over_film: {
             let solved = offsets.iter().filter_map(|offset| offset.solved);
             let ratios: Vec<f64> = solved.map(|share| share.roughness_over_film).collect();
-            (!ratios.is_empty()).then(|| mean(ratios.into_iter()))
+            (!ratios.is_empty()).then(|| mean(ratios))
         },
         full_film: position.full_film.as_ref().map(|film| film.row),
         mu_film: over(|offset| offset.friction.mu),

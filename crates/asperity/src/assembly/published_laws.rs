@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use asperity_core::OutOfRange;
+use asperity_core::numerics::mean;
 use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Power;
 use asperity_efficiency::LossKind;
@@ -11,7 +12,6 @@ use asperity_tribo_friction::{FilmFriction, FrictionLaw, NamedFriction};
 
 use super::cycle::{efficiency_at, operation};
 use super::solved::Solved;
-use super::statistics::mean;
 use crate::lubrication::{LubricatedPosition, film_contact};
 use crate::result::{PublishedLawRow, PublishedOutcome};
 use asperity_case::error::PositionError;

@@ -1,11 +1,11 @@
 //! The same mesh under the torque of the other sign.
 
+use asperity_core::numerics::deviation;
 use asperity_core::quantity::Power;
 use asperity_efficiency::equivalent_friction;
 use asperity_efficiency::output_torque::{MeshOperation, power_flow};
 
 use super::cycle::operation;
-use super::statistics::deviation;
 use crate::result::Losses;
 use asperity_case::case::Case;
 use asperity_case::error::{Error, PositionError};

@@ -12,10 +12,10 @@ use asperity_efficiency::bulk_temperature::{
 use asperity_tribo_friction::flash::heat_share;
 
 use crate::mesh::Mesh;
-use crate::parameters::at_temperature;
 use crate::result::Losses;
 use asperity_case::case::{BulkModel, BulkReport, FoundBulk, LoadedCase, Lubrication};
 use asperity_case::error::{Error, PositionError};
+use asperity_uncertainty::at_temperature;
 
 /// The case at the bulk temperature of `model`; `losses` computes a case whose bulk temperature is stated, and `mesh` its mesh.
 /// A hotter equilibrium is sought if `seeks_hotter` is set.

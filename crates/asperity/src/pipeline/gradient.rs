@@ -16,10 +16,10 @@ use rayon::prelude::*;
 use super::bulk_temperature::rise_exponent;
 use super::stages::{Stages, losses_with, numbered, sampled, warmed};
 use crate::contacts::Contacts;
-use crate::parameters::at_temperature;
 use crate::result::Losses;
 use asperity_case::case::{Formulation, LoadShareName, LoadedCase};
 use asperity_case::error::{Error, PositionError};
+use asperity_uncertainty::at_temperature;
 
 /// Step of the difference quotient of the loss over the bulk temperature \[K\].
 const TEMPERATURE_STEP: f64 = 0.1;
@@ -151,7 +151,7 @@ fn gradient_of(loaded: &LoadedCase, known: Option<&Contacts>) -> Result<LossGrad
         .filter(|(_, gradient)| gradient.is_none())
         .map(|((at, position), _)| {
             let forces = position.offsets.iter().map(|offset| offset.friction_force);
-            at.weight * at.mean_sliding() * crate::assembly::mean(forces)
+            at.weight * at.mean_sliding() * asperity_core::numerics::mean(forces)
         })
         .sum();
     let losses = stages.summed(|| stages.solved(positions)?.losses())?;

@@ -10,9 +10,9 @@
 use std::borrow::Cow;
 
 use asperity_core::cite;
+use asperity_core::numerics::{deviation, mean};
 use asperity_core::quantity::Length;
 
-use crate::assembly::{deviation, mean};
 use crate::lubrication::LubricatedPosition;
 use crate::sampling::{Scatter, windows_of_traces};
 use asperity_case::case::{Formulation, LoadedCase};

@@ -1,5 +1,6 @@
 //! Film, load share and regime along the path of contact without friction, which the paper evaluates before it branches.
 
+use asperity_core::numerics::{mean, median};
 use asperity_core::quantity::Length;
 use asperity_ns_film::{FluidModel, pressure_difference_across};
 use serde::Serialize;
@@ -7,7 +8,6 @@ use serde::Serialize;
 use asperity_core::provenance::Provenance;
 
 use super::stages::{Stages, sampled, settled, warmed};
-use crate::assembly::{mean, median};
 use crate::lubrication::{Decision, FormulaFilm, check_mesh_position, plausible_film};
 use crate::mesh::{MeshPosition, position_at};
 use crate::paper::film_at;

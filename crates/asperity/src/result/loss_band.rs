@@ -1,5 +1,6 @@
 //! The uncertainty of a loss as plain data, and the digits that it leaves.
 
+use asperity_uncertainty::Quantiles;
 use serde::{Deserialize, Serialize};
 
 /// The uncertainty of the loss with its components, and the loss by other models.
@@ -69,6 +70,26 @@ pub struct EvidenceRow {
 }
 
 impl EvidenceRow {
+    /// The row of a measurement that takes `hours` and leaves `left` of the present interval `now`.
+    #[must_use]
+    pub fn new((key, words, hours): (&str, String, f64), now: Quantiles, left: Quantiles) -> Self {
+        let log_width = |found: Quantiles| {
+            let [low, high] = found.quantiles_w;
+            (high / low).ln()
+        };
+        let moved = now.median_w / left.median_w;
+        let [low_w, high_w] = left.quantiles_w.map(|end| moved * end);
+        Self {
+            key: key.to_owned(),
+            measurement: words,
+            hours,
+            low_w,
+            high_w,
+            sd_ln: left.sd_ln,
+            width: log_width(left) / log_width(now),
+        }
+    }
+
     /// Its interval \[W\].
     #[must_use]
     pub fn interval(&self) -> [f64; 2] {

@@ -1,12 +1,10 @@
 //! Sampling error of the loss: over windows of a trace, and over pairs of teeth.
 
-mod error;
 mod pairs;
 mod windows;
 
 pub use pairs::pair_sampling;
 pub use windows::{independent_windows, window_sampling};
 
-pub(crate) use error::SamplingError;
 pub(crate) use pairs::means_of_pairs;
 pub(crate) use windows::{Scatter, length_for, windows_of_traces};

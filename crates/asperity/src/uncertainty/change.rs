@@ -8,21 +8,19 @@
 //! | SE, ν | standard error of the watts by the windows of the traces, its degrees of freedom | W, - |
 
 use asperity_core::cite;
-use asperity_core::numerics::{interpolate, student_t_quantile};
+use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 
-use super::draw::{flank_draws, shared_draws};
 use super::evaluations::{OFFSETS, predictive, widest};
-use super::hypercube::StudentOfNormal;
-use super::predictive::Predictive;
-use super::quantiles::sorted_quantiles;
-use crate::assembly::{deviation, mean};
 use crate::contacts::Contacts;
-use crate::parameters::{Ranged, UncertainParameter};
 use crate::pipeline::losses_with;
 use crate::result::Losses;
-use crate::sampling::{SamplingError, means_of_pairs, pair_sampling, windows_of_traces};
+use crate::sampling::{means_of_pairs, pair_sampling, windows_of_traces};
 use asperity_case::case::LoadedCase;
 use asperity_case::error::Error;
+use asperity_uncertainty::{
+    Predictive, Ranged, SamplingError, StudentOfNormal, UncertainParameter, flank_draws,
+    sorted_quantiles,
+};
 
 /// Change of a loss in all draws, relative to its change with every constant at its median.
 #[derive(Debug, Clone)]
@@ -158,17 +156,6 @@ fn sampling_error_of_changes(
     Some([deviation(differences)? / effective.sqrt(), effective - 1.0])
 }
 
-impl Predictive {
-    /// A constant with its value in all draws; `None` if it is not drawn.
-    fn drawn(&self, kind: UncertainParameter) -> Option<(Ranged, Vec<f64>)> {
-        let k = self.constants.iter().position(|one| one.kind == kind)?;
-        let constant = self.constants[k];
-        let values =
-            shared_draws().map(|draw| constant.at(self.standardised(&draw, &self.correlations)[k]));
-        Some((constant, values.collect()))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use asperity_core::Profile;
@@ -176,8 +163,8 @@ mod tests {
 
     use super::*;
     use crate::pipeline::{LossGradient, gradient, gradient_with};
-    use crate::uncertainty::draw::Draw;
     use asperity_case::case::load_with;
+    use asperity_uncertainty::Draw;
 
     /// Loss \[W\] that the gradients before and after a change of the heights give to it.
     fn watts(gradients: [&LossGradient; 2], heights: &[[Vec<f64>; 2]; 2]) -> f64 {
@@ -227,7 +214,7 @@ mod tests {
                 let loss = |predictive: &Predictive| {
                     let mut draw = Draw::medians();
                     draw.constants[kind as usize] = z;
-                    predictive.losses_by(0, |one| *one = draw)[0]
+                    predictive.losses_by(0, &|one| *one = draw)[0]
                 };
                 let [a, b] = drawn.each_ref().map(loss);
                 let by_draws = (a - b) / (drawn[0].at_medians_w - drawn[1].at_medians_w);

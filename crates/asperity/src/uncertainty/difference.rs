@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::predictive::Predictive;
-use super::quantiles::{PROBABILITIES, sorted_quantiles};
 use crate::result::{AlternativeRow, Uncertainty};
+use asperity_uncertainty::{PROBABILITIES, Predictive, sorted_quantiles};
 
 /// Probability from which the sign of a difference holds.
 const SURE: f64 = 0.95;

@@ -3,24 +3,21 @@
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use asperity_core::numerics::deviation;
 use asperity_core::quantity::Length;
 use rayon::prelude::*;
 
-use super::hypercube::latin_hypercube;
-use super::predictive::{FilmLaw, OtherLaw, Predictive, Structure};
-use super::relief::ReliefFactors;
-use super::surface::QuadraticSurface;
-use crate::assembly::deviation;
 use crate::contacts::Contacts;
-use crate::parameters::{Ranged, UncertainParameter, parameters};
 use crate::pipeline::{contacts as contacts_of, losses, losses_with, settled};
 use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summary};
-use crate::sampling::{
-    SamplingError, means_of_pairs, pair_sampling, window_sampling, windows_of_traces,
-};
+use crate::sampling::{means_of_pairs, pair_sampling, window_sampling, windows_of_traces};
 use asperity_case::case::{Formulation, FullFilmName, LoadShareName, LoadedCase, cholesky};
 use asperity_case::error::Error;
 use asperity_mixed_film::SpotSpeed;
+use asperity_uncertainty::{
+    FilmLaw, OtherLaw, Predictive, QuadraticSurface, Ranged, ReliefFactors, SamplingError,
+    Structure, UncertainParameter, latin_hypercube, least_squares, parameters,
+};
 
 /// Offsets of the evaluations: a ratio of losses, or of their changes, needs fewer than a loss.
 pub(super) const OFFSETS: usize = 16;
@@ -367,17 +364,14 @@ fn plane(constants: &[Ranged], points: &[Vec<f64>], values: &[f64]) -> [f64; 3] 
         place(UncertainParameter::BoundaryLayer),
     ];
     let row = |z: &Vec<f64>| {
-        [
+        vec![
             1.0,
             axes[0].map_or(0.0, |k| z[k]),
             axes[1].map_or(0.0, |k| z[k]),
         ]
     };
-    let rows: Vec<[f64; 3]> = points.iter().map(row).collect();
-    let matrix = nalgebra::DMatrix::from_row_iterator(rows.len(), 3, rows.into_iter().flatten());
-    let found = matrix
-        .svd(true, true)
-        .solve(&nalgebra::DVector::from_column_slice(values), 1e-10);
+    let rows: Vec<Vec<f64>> = points.iter().map(row).collect();
+    let found = least_squares(&rows, values);
     found.map_or([0.0; 3], |found| [found[0], found[1], found[2]])
 }
 

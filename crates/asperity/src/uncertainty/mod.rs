@@ -20,15 +20,8 @@
 
 mod change;
 mod difference;
-mod draw;
 mod evaluations;
-mod expected;
-mod hypercube;
 mod other_models;
-mod predictive;
-mod quantiles;
-mod relief;
-mod surface;
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -39,33 +32,31 @@ use asperity_core::provenance::Provenance;
 
 use crate::assembly::equations_used;
 use crate::contacts::Contacts;
-use crate::parameters::{Measured, Ranged, UncertainParameter as Constant};
 use crate::pipeline::{KeptFields, Progress, outcome};
 use crate::result::{
-    AlternativeRow, DrawnConstant, LossDistribution, Losses, Outcome, PairSampling, PositionRow,
-    RunResult, SamplingPart, Trust, Uncertainty, UncertaintyPart,
+    AlternativeRow, DrawnConstant, LossDistribution, Losses, Outcome, PairSampling, RunResult,
+    SamplingPart, Trust, Uncertainty, UncertaintyPart,
 };
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::balance::Unbalanced;
-use asperity_case::case::LoadedCase;
+use asperity_case::case::{AssumedRelief, LoadedCase};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::Warning;
+use asperity_uncertainty::{Component, Measured, Ranged, State, UncertainParameter as Constant};
 
-pub use crate::parameters::UncertainParameter;
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
+pub use asperity_uncertainty::{
+    Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter, expected_after,
+    model_deviation,
+};
 pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
 pub use difference::{
     DrawnMesh, PairedDifference, Verdict, difference, difference_of_meshes, losses_of_meshes,
 };
 pub use evaluations::{has_band, predictive};
-pub use expected::{Measurement, MeshDraws, expected_after};
-pub use predictive::{Predictive, model_deviation};
-pub use quantiles::Quantiles;
 
 use evaluations::{Evaluated, Nominal, count, evaluate, evaluated, losses_of_positions, widest};
 use other_models::{OtherModel, other_models};
-use predictive::{Component, State};
-use quantiles::sorted_quantiles;
 
 /// Error of ln loss by the interpolation of the draws that is worth a warning.
 const PRECISE: f64 = 0.02;
@@ -109,7 +100,7 @@ pub(crate) fn run_and_draw(
     let of_relief = loaded.case.assumed_relief.as_ref();
     if let Some((assumed, ends)) = of_relief.zip(predictive.at_ends_of_relief()) {
         let internal = loaded.case.gears.internal;
-        warnings.insert(0, relief::warning(assumed, ends, internal));
+        warnings.insert(0, relief_warning(assumed, ends, internal));
     }
     if predictive.surface_rms > PRECISE {
         let percent = 100.0 * predictive.surface_rms;
@@ -127,6 +118,27 @@ pub(crate) fn run_and_draw(
 /// As [`losses`](crate::losses), of misplaced traces.
 pub fn standard_error(loaded: &LoadedCase, nominal: &Losses) -> Result<f64, Error> {
     evaluations::standard_error(loaded, &Nominal::of(nominal))
+}
+
+/// W439: the amounts that the tip relief may have, and the loss at both ends.
+fn relief_warning(assumed: &AssumedRelief, at_ends: [f64; 2], internal: bool) -> Warning {
+    let gears = match assumed.gears {
+        [true, false] => "of the pinion",
+        [false, true] => "of the wheel",
+        _ => "of both gears",
+    };
+    let [none, whole] = at_ends.map(|ratio| 100.0 * (ratio - 1.0));
+    let edges = match internal {
+        true => "",
+        false => ", with contact of the tip edges,",
+    };
+    let most = 1e6 * assumed.approach.si();
+    Warning::new(
+        "W439",
+        format!(
+            "tip relief {gears} not stated, taken from 0 to {most:.0} um: none{edges} changes the loss by {none:+.0} %, {most:.0} um by {whole:+.0} %"
+        ),
+    )
 }
 
 /// Adds the equations of the uncertainty to the equations of the run.
@@ -188,6 +200,7 @@ fn uncertainty(
             refuted_by: String::new(),
         })
     });
+    let sliding_w_per_m = nominal.path.iter().map(|row| row.sliding_w_per_m);
     let found = Uncertainty {
         loss: LossDistribution {
             median_w: quantiles.median_w,
@@ -210,7 +223,11 @@ fn uncertainty(
         other_models: others,
         trust: trust(loaded),
         with_traces_w: predictive.with_traces().map(|found| found.quantiles_w),
-        path_sliding_w_per_m: along_path(nominal.path, (&predictive, &draws_w), &of_positions),
+        path_sliding_w_per_m: predictive.quantiles_along_path(
+            &draws_w,
+            &sliding_w_per_m.collect::<Vec<_>>(),
+            &of_positions,
+        ),
         evidence: Vec::new(),
     };
     Ok((found, predictive))
@@ -347,23 +364,6 @@ fn trust(loaded: &LoadedCase) -> Trust {
         (true, Some(_)) => Trust::SolvedContact,
         (true, None) => Trust::ShareFormula,
     }
-}
-
-/// Quantiles of the sliding loss of every position over the draws, its own sampling error among them.
-fn along_path(
-    nominal: &[PositionRow],
-    (predictive, draws_w): (&Predictive, &[f64]),
-    of_positions: &[surface::QuadraticSurface],
-) -> Vec<[f64; 2]> {
-    let draws = predictive.factors_of_sliding(draws_w);
-    let at = |(k, row): (usize, &PositionRow)| {
-        let ln = |z: &[f64]| of_positions.get(k).map_or(0.0, |surface| surface.at(z));
-        let drawn = draws
-            .iter()
-            .map(|(z, factor)| row.sliding_w_per_m * factor * ln(z).exp());
-        sorted_quantiles(&drawn.collect::<Vec<_>>(), [0.05, 0.95])
-    };
-    nominal.iter().enumerate().map(at).collect()
 }
 
 /// Contribution of the sampling of the flanks, or the reason why there is none.

@@ -46,7 +46,7 @@ pub enum OilError {
     NotRubbed,
     /// Too few points in boundary lubrication.
     #[error(
-        "{kept} of {points} set points after rubbing have a film of at most {ratio} times the roughness (thinnest: {thinnest:.2} times); at least {least} at two speeds are needed"
+        "{kept} of {points} set points after rubbing have a film of at most {ratio} times the roughness (thinnest: {thinnest:.2} times) and a slide-to-roll ratio of at least 0.5 %; at least {least} at two speeds are needed"
     )]
     FewBoundary {
         /// Such points.
@@ -106,13 +106,13 @@ pub enum OilError {
         pot: f64,
     },
     /// Too few points for a fit.
-    #[error("{kept} of {points} set points can be used; at least 6 are needed ({dropped})")]
+    #[error("{kept} of {points} set points can be used; at least 6 are needed{dropped}")]
     FewPoints {
         /// Points that can be used.
         kept: usize,
         /// Set points.
         points: usize,
-        /// Points dropped by each rule.
+        /// Points dropped by each rule, in parentheses; empty if there are none.
         dropped: String,
     },
     /// A pressure that does not stiffen the oil.

@@ -412,10 +412,15 @@ fn refuse_points(points: &[SetPoint], judged: &[Judged], kept: usize) -> Result<
                 .count();
             (count > 0).then(|| format!("{count}: {rule}"))
         });
+        let dropped = counted.collect::<Vec<String>>().join("; ");
         return Err(OilError::FewPoints {
             kept,
             points: points.len(),
-            dropped: counted.collect::<Vec<String>>().join("; "),
+            dropped: if dropped.is_empty() {
+                dropped
+            } else {
+                format!(" ({dropped})")
+            },
         });
     }
     let kept = judged.iter().filter(|one| one.dropped.is_none());

@@ -31,7 +31,8 @@ const AIR: f64 = 15.0;
 const SAME: [f64; 2] = [0.02, 1.5e-4];
 
 /// Probe whose temperature is taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Probe {
     /// In the oil at the contact.
     #[default]

@@ -57,7 +57,8 @@ const STEP: f64 = 1e-3;
 const LEAST_RISE: f64 = 1e-6;
 
 /// Zeros of the friction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Zero {
     /// One for each curve.
     #[default]

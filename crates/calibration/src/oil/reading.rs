@@ -129,7 +129,8 @@ fn turned(mut negative: Reading, is_signed: bool) -> Reading {
 
 /// The set points of readings, in the order of curves and slide-to-roll ratios; whatever the order of the readings.
 ///
-/// A set point with a negative slide-to-roll ratio only has the sign of ratio and friction changed.
+/// A set point with a negative slide-to-roll ratio only has the sign of ratio and friction changed. So has the friction of a
+/// curve that is negative at positive ratios: the force is the one on the other body.
 #[must_use]
 pub fn set_points(readings: &[Reading]) -> Vec<SetPoint> {
     let mut curves: Vec<Vec<&Reading>> = Vec::new();
@@ -177,7 +178,15 @@ fn points_of(curve: usize, readings: &[&Reading]) -> Vec<SetPoint> {
             _ => settings.push(vec![reading]),
         }
     }
-    let means: Vec<(Reading, usize)> = settings.iter().map(|all| (mean(all), all.len())).collect();
+    let mut means: Vec<(Reading, usize)> =
+        settings.iter().map(|all| (mean(all), all.len())).collect();
+    let ahead = means
+        .iter()
+        .filter(|(one, _)| one.setting.slide_to_roll > 0.0);
+    if ahead.map(|(one, _)| one.traction).sum::<f64>() < 0.0 {
+        // The machine states the force on the other body.
+        means.iter_mut().for_each(|(one, _)| one.traction *= -1.0);
+    }
     let (negative, positive): (Vec<_>, Vec<_>) = means
         .into_iter()
         .partition(|(one, _)| one.setting.slide_to_roll < 0.0);
@@ -277,6 +286,12 @@ mod tests {
         assert_eq!(points[0].reading.set_temperature_c, 80.0);
         all.reverse();
         assert_eq!(set_points(&all).len(), 3);
+        // The force on the other body.
+        let opposed: Vec<Reading> = all
+            .iter()
+            .map(|one| reading(one.setting.slide_to_roll, -one.traction))
+            .collect();
+        assert_eq!(set_points(&opposed), set_points(&all));
         assert!((set_points(&all)[0].reading.traction - 0.019).abs() < 1e-12);
     }
 }

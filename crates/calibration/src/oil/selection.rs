@@ -10,7 +10,7 @@ use super::reading::SetPoint;
 use super::traction::LEAST_RATIO;
 
 /// Least slide-to-roll ratio: below, the creep of the bodies and the elastic film count.
-const LEAST_SLIDE: f64 = 0.005;
+pub(super) const LEAST_SLIDE: f64 = 0.005;
 /// Largest rise of the surface temperature \[K\].
 const LARGEST_RISE: f64 = 40.0;
 /// Tolerance of the limits, which settings meet exactly.

@@ -13,6 +13,7 @@ use super::base::OilBase;
 use super::error::OilError;
 use super::problem::distinct;
 use super::reading::{Reading, SetPoint, set_points};
+use super::selection::LEAST_SLIDE;
 use super::traction::BOUNDARY_RATIO;
 
 /// Fewest points in boundary lubrication.
@@ -64,7 +65,7 @@ pub struct StribeckPoint {
     pub film_ratio: f64,
     /// Friction coefficient.
     pub traction: f64,
-    /// Whether the boundary layer carries all.
+    /// Whether the boundary layer carries all, and the surfaces slide.
     pub is_boundary: bool,
 }
 
@@ -132,7 +133,7 @@ impl Stribeck {
                 readings: point.readings,
                 film_ratio,
                 traction: reading.traction,
-                is_boundary: film_ratio <= BOUNDARY_RATIO,
+                is_boundary: film_ratio <= BOUNDARY_RATIO && at.slide_to_roll >= LEAST_SLIDE,
             })
         };
         let found = set_points(readings);

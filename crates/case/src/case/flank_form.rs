@@ -11,6 +11,7 @@
 //! the load over the teeth, the rest is pressed into the mating flank; the two parts do not overlap.
 
 use asperity_contact::hertz_line::HertzLine;
+use asperity_core::numerics::range;
 use asperity_core::quantity::{Length, LineLoad};
 use asperity_core::{Profile, cite};
 use asperity_gear::{FlankPoint, Gear, MeasuredForm};
@@ -181,9 +182,7 @@ pub(super) fn measured(
     let is_active = |at: &&Length| (shortest..=longest).contains(*at);
     let inner = form.roll_length.iter().filter(is_active).copied();
     let active = inner.chain([shortest, longest]).map(|at| form.at(at));
-    let (lowest, highest) = active.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| {
-        (low.min(z), high.max(z))
-    });
+    let [lowest, highest] = range(active);
     let largest = case.gears.normal_module * LARGEST;
     let range = Length::from_si(highest - lowest);
     if range > largest {

@@ -84,6 +84,16 @@ pub(super) fn listed(
         if let Some(y) = trace.y {
             DomainError::non_negative("y", y).map_err(section.domain("traces"))?;
         }
+        let is_again = |other: &Listed| {
+            other.tooth != tooth
+                && other.input.file.as_ref() == Some(&trace.file)
+                && other.input.row == trace.row.or(flank.row)
+        };
+        if traces.iter().any(is_again) {
+            return Err(conflict(
+                "names a trace of several teeth: the scatter between teeth needs a trace of each",
+            ));
+        }
         let same = traces.iter().filter(|other| other.tooth == tooth);
         for other in same {
             if trace.y.is_none() || other.y.is_none() {

@@ -105,6 +105,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
             inputs.map(|input| input.rows.is_some()),
         ));
     }
+    warnings.extend(lists.iter().zip(&keys).filter_map(of_one_tooth));
     let is_several = lists.iter().any(|list| list.len() > 1);
     let mut flanks: [Vec<Flank>; 2] = Default::default();
     for (body, list) in lists.iter().enumerate() {
@@ -205,6 +206,29 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     })
 }
 
+/// W447: traces of a list that are lines of one surface, which is of one tooth.
+fn of_one_tooth((list, keys): (&Vec<Listed>, &Keys)) -> Option<Warning> {
+    let file = |trace: &Listed| trace.input.file.clone();
+    let mut others = list.iter().enumerate().skip(1);
+    let shared = others
+        .find(|(k, trace)| {
+            list[..*k]
+                .iter()
+                .any(|other| other.tooth != trace.tooth && file(other) == file(trace))
+        })?
+        .1;
+    let rows = list
+        .iter()
+        .filter(|trace| file(trace) == file(shared))
+        .count();
+    let text = format!(
+        "{}: {rows} lines of {} count as teeth of their own, and a surface is of one tooth: the scatter between teeth is not in the interval of the loss",
+        keys.table,
+        shared.input.file.as_ref()?.display()
+    );
+    Some(Warning::new("W447", text))
+}
+
 /// W427: teeth that are in no pair.
 fn left_out(named: [usize; 2], teeth: [usize; 2], of_rows: [bool; 2]) -> Warning {
     let which = |body: usize| match of_rows[body] {
@@ -224,7 +248,8 @@ fn left_out(named: [usize; 2], teeth: [usize; 2], of_rows: [bool; 2]) -> Warning
     )
 }
 
-/// Refuses traces outside of the face width, and zones of the face if a single position represents the mesh.
+/// Refuses traces outside of the face width or of teeth that the gear lacks, and zones of the face if a single position
+/// represents the mesh.
 fn check_across(
     case: &Case,
     lists: &[Vec<Listed>; 2],
@@ -233,10 +258,15 @@ fn check_across(
     source: &Source,
 ) -> Result<(), CaseError> {
     let width = case.gears.face_width;
-    for (list, keys) in lists.iter().zip(keys) {
+    for ((list, keys), teeth) in lists.iter().zip(keys).zip(case.gears.teeth) {
         for y in list.iter().filter_map(|trace| trace.y) {
             let rule = "must not exceed the face width";
             DomainError::require(y <= width, "y", y.si(), "m", rule)
+                .map_err(domain(source, keys.traces()))?;
+        }
+        for tooth in list.iter().filter_map(|trace| trace.number) {
+            let rule = "must not exceed the number of teeth";
+            DomainError::require(tooth <= teeth, "tooth", f64::from(tooth), "-", rule)
                 .map_err(domain(source, keys.traces()))?;
         }
     }

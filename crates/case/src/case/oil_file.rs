@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
+use asperity_core::numerics::range;
 use asperity_core::quantity::{PerKelvin, Pressure, Temperature};
 use asperity_oil::{LubricantError, LubricantInput, PressureLaw, TractionConstants};
 use schemars::JsonSchema;
@@ -307,10 +308,7 @@ impl FittedFriction {
     #[must_use]
     pub fn temperature_range(&self) -> [Temperature; 2] {
         let kelvin = self.temperatures.iter().map(|one| one.si());
-        let ends = kelvin.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], t| {
-            [low.min(t), high.max(t)]
-        });
-        ends.map(Temperature::from_si)
+        range(kelvin).map(Temperature::from_si)
     }
 
     /// Whether a temperature is so far from the curves that the error of the law grows.

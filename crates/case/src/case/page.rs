@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use asperity_core::unique;
 use serde_json::Value;
 
 use super::input::schema;
@@ -207,16 +208,8 @@ fn text_of(node: &Value) -> String {
 
 /// Values a key accepts, in words.
 fn takes(schema: &Value, node: &Value) -> String {
-    let mut kinds: Vec<String> = Vec::new();
-    for kind in resolved(schema, node)
-        .into_iter()
-        .map(|node| kind(schema, node))
-    {
-        if !kinds.contains(&kind) {
-            kinds.push(kind);
-        }
-    }
-    kinds.join(", ")
+    let nodes = resolved(schema, node).into_iter();
+    unique(nodes.map(|node| kind(schema, node))).join(", ")
 }
 
 fn kind(schema: &Value, node: &Value) -> String {

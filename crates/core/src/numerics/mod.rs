@@ -1,4 +1,4 @@
-//! The little numerics that is not physics: transforms, convolution, factors, roots, sums, elliptic integrals, Student's t.
+//! The little numerics that is not physics: transforms, convolution, factors, roots, sums, statistics, elliptic integrals, Student's t.
 
 mod cholesky;
 mod convolution;
@@ -8,6 +8,7 @@ mod increasing_root;
 mod interpolation;
 mod normal;
 mod root;
+mod statistics;
 mod student_t;
 mod sums;
 
@@ -20,8 +21,9 @@ pub use increasing_root::{Solved, newton_root, secant_root};
 pub use interpolation::{NodeInterval, interpolate, interpolate_between};
 pub use normal::{Z_95, Z_975, standard_normal_below, standard_normal_quantile};
 pub use root::{Root, RootError, find_root};
+pub use statistics::{deviation, distinct, mean, median};
 pub use student_t::{student_t_below, student_t_quantile, student_t_within};
-pub use sums::{extremes, sum};
+pub use sums::{extremes, range, sum};
 
 /// ∫ y dx by the trapezoidal rule over points `x`, `y` of equal number (fewer than two give 0).
 pub fn trapezoid(x: &[f64], y: &[f64]) -> f64 {

@@ -31,6 +31,18 @@ pub fn extremes(z: &[f64]) -> (f64, f64) {
     rest.iter().fold(all, |all, z| widened(all, *z))
 }
 
+/// Lowest and highest of `values`, of which those that are not numbers do not count; \[∞, −∞\] for none.
+///
+/// ```
+/// use asperity_core::numerics::range;
+/// assert_eq!(range([2.0, f64::NAN, -1.0]), [-1.0, 2.0]);
+/// ```
+pub fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    let wider = |[low, high]: [f64; 2], value| [low.min(value), high.max(value)];
+    values.into_iter().fold(none, wider)
+}
+
 /// Σ f(z) in eight running parts, which do not wait for each other.
 ///
 /// ```

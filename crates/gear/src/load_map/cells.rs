@@ -11,7 +11,7 @@
 //! constant friction. For μ ~ f^0.2 V_s^−0.1 the error of the loss is 1.5e-3 with K = 16, and 3.8e-3 at a tenth of the
 //! torque with relief. With the arithmetic mean of f it would be two to three times larger.
 
-use asperity_core::numerics::interpolate_between;
+use asperity_core::numerics::{interpolate_between, range};
 use asperity_core::quantity::{Force, Length, LineLoad};
 use asperity_core::{DomainError, cite};
 use serde::Serialize;
@@ -206,9 +206,7 @@ impl LoadMap {
     /// Ends of the loaded path, the pitch point, and the changes of the number of pairs in contact.
     fn cell_breaks(&self) -> Vec<f64> {
         let loaded = || self.samples.iter().filter(|sample| sample.load.si() > 0.0);
-        let (mut low, mut high) = loaded().fold((f64::INFINITY, f64::NEG_INFINITY), |ends, at| {
-            (ends.0.min(at.xi), ends.1.max(at.xi))
-        });
+        let [mut low, mut high] = range(loaded().map(|at| at.xi));
         // The outermost samples lie inside the ends of a fully loaded path.
         let eps_alpha = self.pair.path.eps_alpha;
         let slack = 1.0 / 16.0;

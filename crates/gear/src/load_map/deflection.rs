@@ -7,6 +7,7 @@
 //! | c_γ | mesh stiffness per metre of face width | N/m² |
 
 use asperity_core::cite;
+use asperity_core::numerics::range;
 use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};
 
@@ -64,9 +65,7 @@ impl LoadMap {
         let errors = || curve.iter().map(|(_, error)| error.si());
         let count = curve.len() as f64;
         let transverse = self.force * cos / self.pair.face_width.si();
-        let (low, high) = errors().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), te| {
-            (low.min(te), high.max(te))
-        });
+        let [low, high] = range(errors());
         Ok(Some(TransmissionError {
             mean: Length::from_si(errors().sum::<f64>() / count),
             peak_to_peak: Length::from_si(high - low),

@@ -9,6 +9,7 @@ use zip::ZipArchive;
 
 use super::error::ReadFault;
 use super::format::Format;
+use super::metadata::number;
 use super::text::Stream;
 
 /// Unpacked size that is always permitted, in bytes.
@@ -88,11 +89,11 @@ impl<'a> Archive<'a> {
         let packed = member.compressed_size().min(self.size);
         let limit = most_unpacked(packed);
         if member.size() > limit {
-            return Err(ReadFault::TooLarge {
-                what: "an unpacked member",
-                bytes: member.size(),
-                most: limit,
-            });
+            return Err(ReadFault::too_large(
+                "an unpacked member",
+                member.size(),
+                limit,
+            ));
         }
         let mut bounded = Bounded {
             inner: Box::new(member),
@@ -101,11 +102,7 @@ impl<'a> Archive<'a> {
         };
         let result = read(&mut bounded);
         if bounded.over {
-            return Err(ReadFault::TooLarge {
-                what: "an unpacked member",
-                bytes: limit + 1,
-                most: limit,
-            });
+            return Err(ReadFault::too_large("an unpacked member", limit + 1, limit));
         }
         result
     }
@@ -151,4 +148,31 @@ pub(super) fn damaged(format: Format, what: &'static str, seen: &str) -> ReadFau
         what,
         seen: super::table::shortened(seen),
     }
+}
+
+/// The height in `field`.
+pub(super) fn height(format: Format, field: &str) -> Result<f64, ReadFault> {
+    number(field).ok_or_else(|| damaged(format, "a height is not a number", field))
+}
+
+/// The height in `field`, NaN for a point that the format marks as missing.
+pub(super) fn height_or_gap(format: Format, field: &str) -> Result<f64, ReadFault> {
+    let is_gap = ["bad", "nan"]
+        .iter()
+        .any(|gap| field.eq_ignore_ascii_case(gap));
+    if is_gap {
+        Ok(f64::NAN)
+    } else {
+        height(format, field)
+    }
+}
+
+/// The error for `found` heights where the header states another number.
+pub(super) fn miscounted(
+    format: Format,
+    found: usize,
+    stated: impl std::fmt::Display,
+) -> ReadFault {
+    let what = "the number of heights is not that of the header";
+    damaged(format, what, &format!("{found} of {stated}"))
 }

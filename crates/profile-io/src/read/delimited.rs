@@ -122,10 +122,10 @@ pub(super) fn surface(
         return Ok(points.surface(unit(options.x_unit, x), unit(options.z_unit, z)));
     }
     if sniffed.columns < FEWEST || labels.iter().any(|label| label.role.is_some()) {
-        return Err(ReadFault::NotHeights {
-            format: Format::DelimitedText,
-            content: "no matrix of heights",
-        });
+        return Err(ReadFault::no_heights(
+            Format::DelimitedText,
+            "no matrix of heights",
+        ));
     }
     matrix::surface(text, first, &lines, &sniffed, &HeaderValues::of(header))
 }
@@ -316,16 +316,10 @@ impl Parsed<'_> {
             Axis::Height => self.values.z_unit.as_ref(),
         };
         let label = self.labels.get(column);
-        match (
-            stated,
-            label.and_then(|label| label.unit.as_ref()).or(of_header),
-        ) {
-            (Some(unit), _) | (None, Some(&header::Stated::Length(unit))) => Ok(Some(unit)),
-            (None, Some(header::Stated::Other(unit))) => Err(ReadFault::UnknownUnit {
-                axis,
-                unit: table::shortened(unit),
-            }),
-            (None, None) => Ok(None),
+        let of_file = label.and_then(|label| label.unit.as_ref()).or(of_header);
+        match stated {
+            Some(unit) => Ok(Some(unit)),
+            None => of_file.map(|unit| unit.length(axis)).transpose(),
         }
     }
 
@@ -348,14 +342,6 @@ impl Parsed<'_> {
         found::unit_overridden(axis, stated, found?)
     }
 
-    fn no_spacing(&self, hint: SpacingHint) -> ReadFault {
-        ReadFault::NoSpacing { hint }
-    }
-
-    fn no_unit(&self, axis: Axis, span: f64) -> ReadFault {
-        ReadFault::NoUnit { axis, span }
-    }
-
     /// Spacing and units: as stated, from the header, or the only possible ones.
     fn measure(
         &self,
@@ -367,18 +353,18 @@ impl Parsed<'_> {
     ) -> Result<Measured, ReadFault> {
         let (low, high) = extremes(heights);
         let span = high - low;
+        let extent = |spacing: f64| Extent {
+            length: spacing * (heights.len() - 1) as f64,
+            span,
+            slope: root_mean_square_step(heights) / spacing,
+        };
+        let no_spacing = |hint| Err(ReadFault::NoSpacing { hint });
         let z_stated = self.unit(Axis::Height, self.chosen.z)?.or(special.unit);
         warnings.extend(self.unit_overridden(Axis::Height, self.chosen.z, special.unit));
         if let Some(dx) = self.options.dx {
             warnings.extend(x.and_then(|x| self.overridden(x, dx)));
-            let length = dx.si() * (heights.len() - 1) as f64;
-            let slope = root_mean_square_step(heights) / dx.si();
-            let extent = Extent {
-                length,
-                span,
-                slope,
-            };
-            return self.with_stated_spacing(dx, z_stated, extent, warnings);
+            let spacing = (dx.si(), SpacingSource::Stated);
+            return without_x(spacing, z_stated, extent(dx.si()), warnings);
         }
         if let (Some(spacing), Some(z_unit)) = (special.spacing, z_stated) {
             return Ok(Measured {
@@ -389,38 +375,22 @@ impl Parsed<'_> {
             });
         }
         if let (None, Some(spacing)) = (x, self.values.spacing) {
-            let length = spacing * (heights.len() - 1) as f64;
-            let slope = root_mean_square_step(heights) / spacing;
-            let extent = Extent {
-                length,
-                span,
-                slope,
-            };
-            let dx = Length::from_si(spacing);
-            return Ok(Measured {
-                source: SpacingSource::Header,
-                ..self.with_stated_spacing(dx, z_stated, extent, warnings)?
-            });
+            let of_header = (spacing, SpacingSource::Header);
+            return without_x(of_header, z_stated, extent(spacing), warnings);
         }
         let (Some(x), Some(x_column), Some(column)) = (x, self.chosen.x, column) else {
-            return Err(self.no_spacing(SpacingHint::None));
+            return no_spacing(SpacingHint::None);
         };
         let x_stated = self.unit(Axis::Trace, x_column)?;
         warnings.extend(self.unit_overridden(Axis::Trace, x_column, None));
         if x_stated.is_none() && grid::counts_points(x) {
-            return Err(self.no_spacing(SpacingHint::XCounts));
+            return no_spacing(SpacingHint::XCounts);
         }
-        let length = column.mean * (x.len() - 1) as f64;
-        let slope = root_mean_square_step(heights) / column.mean;
-        let extent = Extent {
-            length,
-            span,
-            slope,
-        };
+        let extent = extent(column.mean);
         let found = units::pair(extent, x_stated, z_stated);
         let (x_unit, z_unit) = found.ok_or_else(|| match z_stated {
-            None => self.no_unit(Axis::Height, span),
-            Some(_) => self.no_unit(Axis::Trace, length),
+            None => no_unit(Axis::Height, span),
+            Some(_) => no_unit(Axis::Trace, extent.length),
         })?;
         for (axis, stated, unit) in [
             (Axis::Trace, x_stated, x_unit),
@@ -451,30 +421,6 @@ impl Parsed<'_> {
             spacing,
             source,
             x_unit: Some(x_unit),
-            z_unit,
-        })
-    }
-
-    fn with_stated_spacing(
-        &self,
-        dx: Length,
-        z_stated: Option<LengthUnit>,
-        extent: Extent,
-        warnings: &mut Vec<Warning>,
-    ) -> Result<Measured, ReadFault> {
-        let z_unit = z_stated.or_else(|| units::heights_only(extent));
-        let z_unit = z_unit.ok_or_else(|| self.no_unit(Axis::Height, extent.span))?;
-        if z_stated.is_none() {
-            warnings.push(Warning::UnitAssumed {
-                axis: Axis::Height,
-                unit: z_unit,
-            });
-        }
-        let (spacing, source) = (dx.si(), SpacingSource::Stated);
-        Ok(Measured {
-            spacing,
-            source,
-            x_unit: None,
             z_unit,
         })
     }
@@ -524,4 +470,31 @@ impl Parsed<'_> {
     fn stated_spacing(&self) -> Option<f64> {
         self.values.spacing.filter(|_| self.options.dx.is_none())
     }
+}
+
+fn no_unit(axis: Axis, span: f64) -> ReadFault {
+    ReadFault::NoUnit { axis, span }
+}
+
+/// Spacing \[m\] of heights without x, with their unit: as stated, or the only possible one.
+fn without_x(
+    (spacing, source): (f64, SpacingSource),
+    z_stated: Option<LengthUnit>,
+    extent: Extent,
+    warnings: &mut Vec<Warning>,
+) -> Result<Measured, ReadFault> {
+    let z_unit = z_stated.or_else(|| units::heights_only(extent));
+    let z_unit = z_unit.ok_or_else(|| no_unit(Axis::Height, extent.span))?;
+    if z_stated.is_none() {
+        warnings.push(Warning::UnitAssumed {
+            axis: Axis::Height,
+            unit: z_unit,
+        });
+    }
+    Ok(Measured {
+        spacing,
+        source,
+        x_unit: None,
+        z_unit,
+    })
 }

@@ -274,6 +274,16 @@ pub enum ReadFault {
 }
 
 impl ReadFault {
+    /// The error of a file of `format` that holds `content`.
+    pub(crate) fn no_heights(format: Format, content: &'static str) -> Self {
+        Self::NotHeights { format, content }
+    }
+
+    /// The error of `what` with more `bytes` than `most`.
+    pub(crate) fn too_large(what: &'static str, bytes: u64, most: u64) -> Self {
+        Self::TooLarge { what, bytes, most }
+    }
+
     /// The error of `file`.
     pub fn in_file(self, file: &str) -> ReadError {
         ReadError {

@@ -82,6 +82,21 @@ pub(super) fn enough(points: usize) -> Result<(), ReadFault> {
     })
 }
 
+/// The row asked for, from 0, of `rows` profiles of `points` points each; a single one needs not be asked for.
+pub(super) fn chosen_row(
+    row: Option<usize>,
+    rows: usize,
+    points: usize,
+) -> Result<usize, ReadFault> {
+    let asked = row.unwrap_or(usize::from(rows == 1));
+    let at = asked.checked_sub(1).filter(|at| *at < rows);
+    at.ok_or(ReadFault::SeveralProfiles {
+        rows,
+        points,
+        asked,
+    })
+}
+
 /// Checks order and evenness of x and returns its spacing. A descending x is reversed.
 pub(super) fn spacing(x: &mut [f64], place: &mut Place<'_>) -> Result<Spacing, ReadFault> {
     let (first, last) = (x[0], x[x.len() - 1]);

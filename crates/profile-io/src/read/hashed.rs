@@ -2,6 +2,7 @@
 
 use std::io::Read;
 
+use asperity_storage::hex;
 use md5::{Digest, Md5};
 
 /// A reader that computes the MD5 checksum of the bytes read.
@@ -19,8 +20,7 @@ impl<R: Read> Hashed<R> {
     }
 
     pub(super) fn finish(self) -> String {
-        let digest = self.hash.finalize();
-        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+        hex(&self.hash.finalize())
     }
 }
 

@@ -2,10 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::error::ReadFault;
 use super::format::extension;
 use super::layout::Dialect;
 use super::metadata;
-use super::options::{Abscissa, LengthUnit};
+use super::options::{Abscissa, Axis, LengthUnit};
+use super::table::shortened;
 use super::text::Line;
 
 /// Whether the heights are filtered, according to the file.
@@ -43,6 +45,19 @@ pub(super) enum Stated {
     Length(LengthUnit),
     /// Text in brackets that is not a known unit of length.
     Other(String),
+}
+
+impl Stated {
+    /// The unit of length of `axis`.
+    pub(super) fn length(&self, axis: Axis) -> Result<LengthUnit, ReadFault> {
+        match self {
+            Self::Length(unit) => Ok(*unit),
+            Self::Other(unit) => Err(ReadFault::UnknownUnit {
+                axis,
+                unit: shortened(unit),
+            }),
+        }
+    }
 }
 
 /// Label of a column in the header.

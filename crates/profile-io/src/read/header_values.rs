@@ -2,8 +2,10 @@
 
 use asperity_core::quantity::Length;
 
+use super::error::ReadFault;
 use super::header::{self, FilterState, Stated};
 use super::metadata;
+use super::options::{Axis, LengthUnit};
 use super::text::Line;
 
 /// Names of the distance between two points, in lower case, with blanks instead of other marks.
@@ -122,6 +124,12 @@ impl HeaderValues {
             () if name == FILTER => self.filter = filter(value),
             () => {}
         }
+    }
+
+    /// The unit of the heights.
+    pub(super) fn unit(&self) -> Result<Option<LengthUnit>, ReadFault> {
+        let stated = self.z_unit.as_ref();
+        stated.map(|unit| unit.length(Axis::Height)).transpose()
     }
 
     /// Spacings along the rows and columns of a matrix of `columns` by `rows` heights \[m\].

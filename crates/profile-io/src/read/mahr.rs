@@ -3,7 +3,7 @@
 //! A point is `index=X Y Z C Lock`, all in millimetres; a locked point has no height. X and Z carry the
 //! offset of the machine. The layout is known from files, not from a definition.
 
-use super::archive::damaged;
+use super::archive::{damaged, miscounted};
 use super::decimal;
 use super::error::ReadFault;
 use super::format::Format;
@@ -50,9 +50,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
         }
     }
     if let Some(stated) = header.points.filter(|stated| *stated != heights.len()) {
-        let seen = format!("{} of {stated}", heights.len());
-        let what = "the number of heights is not that of the header";
-        return Err(damaged(FORMAT, what, &seen));
+        return Err(miscounted(FORMAT, heights.len(), stated));
     }
     // Some programs write only zeros for X.
     let is_constant = x.iter().all(|place| Some(place) == x.first());

@@ -6,10 +6,10 @@ use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
-use super::header::{Label, Stated};
+use super::header::Label;
 use super::header_values::HeaderValues;
 use super::layout::TableLayout;
-use super::options::{Columns, LengthUnit, ReadOptions};
+use super::options::{Columns, ReadOptions};
 use super::table;
 use super::text::{Line, Text};
 use super::{grid, options, units};
@@ -42,7 +42,7 @@ pub(super) fn surface(
         }
     }
     grid::unmark(&mut values);
-    let unit = unit(header)?;
+    let unit = header.unit()?;
     if let Some(unit) = unit {
         values.iter_mut().for_each(|z| *z = unit.metres(*z));
     }
@@ -54,18 +54,6 @@ pub(super) fn surface(
         },
         ..Areal::new(FORMAT, Heights::Values { values, columns })
     })
-}
-
-/// The unit of the heights in the header.
-fn unit(header: &HeaderValues) -> Result<Option<LengthUnit>, ReadFault> {
-    match &header.z_unit {
-        None => Ok(None),
-        Some(Stated::Length(unit)) => Ok(Some(*unit)),
-        Some(Stated::Other(unit)) => Err(ReadFault::UnknownUnit {
-            axis: options::Axis::Height,
-            unit: table::shortened(unit),
-        }),
-    }
 }
 
 /// The heights of a line.
@@ -120,7 +108,7 @@ pub(super) fn read(
     };
     grid::unmark(&mut heights);
     let stated = match options.z_unit {
-        None => unit(header)?,
+        None => header.unit()?,
         stated => stated,
     };
     let z_unit = match stated {

@@ -233,11 +233,7 @@ fn not_larger(bytes: u64, most: u64) -> Result<(), ReadFault> {
     if bytes <= most {
         return Ok(());
     }
-    Err(ReadFault::TooLarge {
-        what: "the file",
-        bytes,
-        most,
-    })
+    Err(ReadFault::too_large("the file", bytes, most))
 }
 
 /// Reads the profile in `bytes`, the content of a file called `name`.

@@ -3,7 +3,7 @@
 //! No schema was found; the layout is that of the published samples (NavierPy/surface-roughness-profile-analyser), whose
 //! spacing is in the unit of the heights: a softgauge of 8000 points in 4 mm states the spacing 0.5 and the unit um.
 
-use super::archive::damaged;
+use super::archive::{damaged, height, miscounted};
 use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
@@ -48,14 +48,10 @@ pub(super) fn read(stream: &mut dyn Stream) -> Result<Found, ReadFault> {
     })?;
     let heights: Vec<f64> = values
         .split_whitespace()
-        .map(|value| number(value).ok_or_else(|| fault("a height is not a number", value)))
+        .map(|value| height(FORMAT, value))
         .collect::<Result<_, _>>()?;
     if let Some(stated) = points.filter(|stated| *stated != heights.len()) {
-        let seen = format!("{} of {stated}", heights.len());
-        return Err(fault(
-            "the number of heights is not that of the header",
-            &seen,
-        ));
+        return Err(miscounted(FORMAT, heights.len(), stated));
     }
     Ok(Found {
         z_unit: unit,

@@ -4,6 +4,7 @@ use super::areal::trace::{Areal, HeightUnit, Heights};
 use super::dialect::Sniffed;
 use super::error::ReadFault;
 use super::format::Format;
+use super::grid::chosen_row;
 use super::header::{Label, Role};
 use super::options::{LengthUnit, ReadOptions, TraceLine};
 use super::rows::{self, Rows};
@@ -127,15 +128,7 @@ impl Points {
             let sum = |i| (0..count).map(|line| at(i, line)).sum::<f64>();
             ((0..x.len()).map(|i| sum(i) / count as f64).collect(), 0)
         } else {
-            let asked = options.row.unwrap_or(usize::from(count == 1));
-            if asked == 0 || asked > count {
-                return Err(ReadFault::SeveralProfiles {
-                    rows: count,
-                    points: x.len(),
-                    asked,
-                });
-            }
-            let line = asked - 1;
+            let line = chosen_row(options.row, count, x.len())?;
             let before = if as_stored { line * x.len() } else { 0 };
             ((0..x.len()).map(|i| at(i, line)).collect(), before)
         };

@@ -5,7 +5,7 @@
 //! `points/scanline`); heights in micrometres follow. The layout follows a public writer of the format; no original PTB
 //! file was available. The length is not used, because writers state it in millimetres or micrometres.
 
-use super::archive::damaged;
+use super::archive::{damaged, height, miscounted};
 use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
@@ -42,15 +42,12 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let mut heights = Vec::new();
     while let Some(line) = lines.next()? {
         if !line.is_blank() {
-            let broken = || damaged(FORMAT, "a height is not a number", line.text);
-            heights.push(number(line.text).ok_or_else(broken)?);
+            heights.push(height(FORMAT, line.text)?);
             take_numbers(&mut lines, usize::MAX, &mut heights);
         }
     }
     if heights.len() as f64 != points {
-        let seen = format!("{} of {points}", heights.len());
-        let what = "the number of heights is not that of the header";
-        return Err(damaged(FORMAT, what, &seen));
+        return Err(miscounted(FORMAT, heights.len(), points));
     }
     let dx = Some(1.0 / per_millimetre).filter(|dx| dx.is_finite() && *dx > 0.0);
     Ok(Found {

@@ -3,12 +3,12 @@
 //! A header of `name = value` lines, `*`, the heights in any number per line, `*`, a trailer. A height is value ·
 //! Zscale metres; `BAD` marks a missing height. Of several rows the requested one is read.
 
-use super::archive::damaged;
+use super::archive::{damaged, height_or_gap, miscounted};
 use super::areal::trace::{Areal, Heights};
 use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
-use super::grid::SpacingSource;
+use super::grid::{SpacingSource, chosen_row};
 use super::metadata::{Metadata, number, short};
 use super::options::ReadOptions;
 use super::plain_row::take_numbers;
@@ -93,16 +93,11 @@ fn matrix(
         return Err(missing("the heights are compressed"));
     }
     let rows = header.profiles.unwrap_or(1).max(1);
-    let single = row.map(|row| row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64);
-    if let Some(asked) = single.filter(|asked| *asked == 0 || *asked > rows) {
-        return Err(ReadFault::SeveralProfiles {
-            rows: rows as usize,
-            points: points as usize,
-            asked: asked as usize,
-        });
-    }
-    let (first, wanted) = match single {
-        Some(asked) => ((asked - 1).saturating_mul(points), points),
+    let (first, wanted) = match row {
+        Some(row) => {
+            let row = chosen_row(row, rows as usize, points as usize)? as u64;
+            (row.saturating_mul(points), points)
+        }
         None => (0, points.saturating_mul(rows)),
     };
     let mut heights = Vec::new();
@@ -113,7 +108,7 @@ fn matrix(
                 break 'data;
             }
             if passed >= first {
-                heights.push(value(field)?);
+                heights.push(height_or_gap(FORMAT, field)?);
             }
             passed += 1;
         }
@@ -125,20 +120,8 @@ fn matrix(
         }
     }
     if heights.len() as u64 != wanted {
-        let seen = format!("{} of {wanted}", heights.len());
-        let what = "the number of heights is not that of the header";
-        return Err(damaged(FORMAT, what, &seen));
+        return Err(miscounted(FORMAT, heights.len(), wanted));
     }
     heights.iter_mut().for_each(|z| *z *= z_scale);
     Ok((header, first_line, heights))
-}
-
-fn value(field: &str) -> Result<f64, ReadFault> {
-    match number(field) {
-        Some(value) => Ok(value),
-        None if field.eq_ignore_ascii_case("bad") || field.eq_ignore_ascii_case("nan") => {
-            Ok(f64::NAN)
-        }
-        None => Err(damaged(FORMAT, "a height is not a number", field)),
-    }
 }

@@ -1,6 +1,6 @@
 //! SigmaSurf text (`.sig`): `NAME: value` lines, then the heights in micrometres under `PROFILE_UM:`.
 
-use super::archive::damaged;
+use super::archive::{damaged, height, miscounted};
 use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
@@ -22,9 +22,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
         let (at, line) = (line.number, line.text.trim());
         if let Some(heights) = &mut heights {
             if !line.is_empty() {
-                let value = number(line);
-                heights
-                    .push(value.ok_or_else(|| damaged(FORMAT, "a height is not a number", line))?);
+                heights.push(height(FORMAT, line)?);
                 take_numbers(&mut lines, usize::MAX, heights);
             }
             continue;
@@ -44,9 +42,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     }
     let heights = heights.ok_or_else(|| damaged(FORMAT, "there is no PROFILE_UM", ""))?;
     if let Some(stated) = points.filter(|stated| *stated != heights.len()) {
-        let seen = format!("{} of {stated}", heights.len());
-        let what = "the number of heights is not that of the header";
-        return Err(damaged(FORMAT, what, &seen));
+        return Err(miscounted(FORMAT, heights.len(), stated));
     }
     Ok(Found {
         z_unit: LengthUnit::Micrometre,

@@ -9,7 +9,7 @@
 //! | `CX I 22401 mm 1.0e0 D 2.5e-4` | axis, incremental, points, unit, factor, type, spacing |
 //! | `CZ A 22401 um 1.0e0 D` | axis, absolute, points, unit, factor, type |
 
-use super::archive::damaged;
+use super::archive::{damaged, height_or_gap, miscounted};
 use super::decimal;
 use super::error::ReadFault;
 use super::format::Format;
@@ -105,7 +105,7 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
                 if heights.len() > stated {
                     break;
                 }
-                heights.push(value(first)?);
+                heights.push(height_or_gap(FORMAT, first)?);
             }
             (_, Some(first)) => checksum = checksum.or_else(|| Some(check(first, sum_before))),
         }
@@ -116,9 +116,7 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
     let axes = x.zip(z);
     let (x, z) = axes.ok_or_else(|| damaged(FORMAT, "an axis CX or CZ is missing", ""))?;
     if heights.len() != z.points || x.points != z.points {
-        let seen = format!("{} of {}", heights.len(), z.points);
-        let what = "the number of heights is not that of the header";
-        return Err(damaged(FORMAT, what, &seen));
+        return Err(miscounted(FORMAT, heights.len(), z.points));
     }
     heights.iter_mut().for_each(|h| *h *= z.factor);
     Ok(Found {
@@ -131,16 +129,6 @@ pub(super) fn read(head: &Head, text: &mut Text<'_>) -> Result<Found, ReadFault>
         first_line,
         ..Found::new(FORMAT, heights)
     })
-}
-
-fn value(text: &str) -> Result<f64, ReadFault> {
-    if let Some(value) = number(text) {
-        return Ok(value);
-    }
-    match text.to_ascii_lowercase().as_str() {
-        "nan" | "bad" => Ok(f64::NAN),
-        _ => Err(damaged(FORMAT, "a height is not a number", text)),
-    }
 }
 
 fn axis(fields: &[&str]) -> Result<AxisRecord, ReadFault> {

@@ -15,6 +15,7 @@
 use std::fmt;
 
 use asperity_core::Profile;
+use asperity_core::numerics::range;
 use asperity_core::profile::WIDEST_SPIKE;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
@@ -273,9 +274,7 @@ fn sentinel(profile: &Profile, unit: LengthUnit) -> Option<Suspicion> {
         .max_by(|a, b| (**a - middle).abs().total_cmp(&(**b - middle).abs()))?;
     let points = z.iter().filter(|z| *z == far).count();
     let others = || z.iter().copied().filter(|z| z != far);
-    let (low, high) = others().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| {
-        (low.min(z), high.max(z))
-    });
+    let [low, high] = range(others());
     let is_far = high > low && (far - middle).abs() > FAR * (high - low);
     let is_rare = points as f64 <= MOST_MARKED * z.len() as f64;
     let is_mark = is_far && is_rare && Slopes::of(others(), profile.spacing().si()).are_plausible();

@@ -11,7 +11,7 @@ use std::path::Path;
 
 use asperity_core::quantity::Length;
 
-use super::archive::damaged;
+use super::archive::height;
 use asperity_storage::whole_file;
 
 use super::conditions::conditions_of;
@@ -66,8 +66,7 @@ pub(super) fn read(
     let mut heights = Vec::new();
     while let Some(line) = lines.next()? {
         if !line.is_blank() {
-            let broken = || damaged(FORMAT, "a height is not a number", line.text);
-            heights.push(number(line.text).ok_or_else(broken)?);
+            heights.push(height(FORMAT, line.text)?);
         }
     }
     let points = heights.len();

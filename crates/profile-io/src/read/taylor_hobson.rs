@@ -11,7 +11,7 @@
 //! Records end with `EOR`, the file with `EOF`. There is no public definition; the layout follows NPL's published
 //! example.
 
-use super::archive::damaged;
+use super::archive::{damaged, height, miscounted};
 use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
@@ -79,8 +79,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
             }
             Some(_) if record == 3 => {
                 for field in line.text.split_whitespace() {
-                    let broken = || damaged(FORMAT, "a height is not a number", field);
-                    heights.push(number(field).ok_or_else(broken)?);
+                    heights.push(height(FORMAT, field)?);
                 }
                 take_numbers(&mut lines, usize::MAX, &mut heights);
             }
@@ -90,9 +89,7 @@ pub(super) fn read(text: &mut Text<'_>) -> Result<Found, ReadFault> {
     let axes = header.x.zip(header.z);
     let (x, z) = axes.ok_or_else(|| damaged(FORMAT, "an axis CX or CZ is missing", ""))?;
     if heights.len() != z.points {
-        let seen = format!("{} of {}", heights.len(), z.points);
-        let what = "the number of heights is not that of the header";
-        return Err(damaged(FORMAT, what, &seen));
+        return Err(miscounted(FORMAT, heights.len(), z.points));
     }
     heights.iter_mut().for_each(|h| *h *= z.factor);
     let dx = header.spacing.map(|dx| dx * x.factor);

@@ -231,11 +231,11 @@ impl Lines<'_, '_> {
         (self.start, self.complete) = (0, 0);
         let before = self.buffer.len();
         if before > LONGEST_LINE {
-            return Err(ReadFault::TooLarge {
-                what: "a line",
-                bytes: before as u64,
-                most: LONGEST_LINE as u64,
-            });
+            return Err(ReadFault::too_large(
+                "a line",
+                before as u64,
+                LONGEST_LINE as u64,
+            ));
         }
         let count = self.read()?;
         self.left -= count as u64;

@@ -81,10 +81,7 @@ pub(super) fn read(
     };
     let Some((sheet, block)) = asked.checked_sub(1).and_then(|at| longest.get(at)) else {
         return Err(match longest.first() {
-            None => ReadFault::NotHeights {
-                format,
-                content: "no columns of a hundred numbers",
-            },
+            None => ReadFault::no_heights(format, "no columns of a hundred numbers"),
             Some((_, block)) => ReadFault::SeveralProfiles {
                 rows: longest.len(),
                 points: block.rows,

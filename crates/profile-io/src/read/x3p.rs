@@ -8,12 +8,12 @@
 use std::io::Read;
 use std::ops::Range;
 
-use super::archive::{Archive, damaged};
+use super::archive::{Archive, damaged, miscounted};
 use super::areal::trace::{Areal, HeightUnit, Heights};
 use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;
-use super::grid::SpacingSource;
+use super::grid::{SpacingSource, chosen_row};
 use super::hashed::Hashed;
 use super::metadata::{self, Metadata};
 use super::options::ReadOptions;
@@ -285,10 +285,10 @@ fn coordinate(main: &mut Main, axis: usize, text: &str) -> f64 {
 /// The rows to read, counted from 0.
 fn chosen_rows(main: &Main, wanted: Wanted) -> Result<Range<u64>, ReadFault> {
     if main.axes[0].absolute && !(main.has_own_x() && wanted != Wanted::FirstLayer) {
-        return Err(ReadFault::NotHeights {
-            format: FORMAT,
-            content: "points with an x of their own, and only profiles of such are read",
-        });
+        return Err(ReadFault::no_heights(
+            FORMAT,
+            "points with an x of their own, and only profiles of such are read",
+        ));
     }
     let points = main.points();
     let size = points
@@ -299,15 +299,8 @@ fn chosen_rows(main: &Main, wanted: Wanted) -> Result<Range<u64>, ReadFault> {
         // Further layers are not rows of the first.
         return Ok(0..main.size[1].unwrap_or(1));
     };
-    let asked = row.unwrap_or(if rows == 1 { 1 } else { 0 }) as u64;
-    if asked == 0 || asked > rows {
-        return Err(ReadFault::SeveralProfiles {
-            rows: rows as usize,
-            points: points as usize,
-            asked: asked as usize,
-        });
-    }
-    Ok(asked - 1..asked)
+    let row = chosen_row(row, rows as usize, points as usize)? as u64;
+    Ok(row..row + 1)
 }
 
 fn text(main: &mut Main, rows: Range<u64>) -> Result<Points, ReadFault> {
@@ -320,9 +313,7 @@ fn text(main: &mut Main, rows: Range<u64>) -> Result<Points, ReadFault> {
         .unwrap_or(0)
         .saturating_mul(rows.end - rows.start);
     if points.z.len() as u64 != stated {
-        let seen = format!("{} of {stated}", points.z.len());
-        let what = "the number of heights is not that of the header";
-        return Err(damaged(FORMAT, what, &seen));
+        return Err(miscounted(FORMAT, points.z.len(), stated));
     }
     Ok(points)
 }
@@ -346,11 +337,7 @@ fn binary(
     let first = rows.start.checked_mul(width);
     let start = first.and_then(|n| n.checked_mul(stride as u64));
     let length = points.checked_mul(stride as u64);
-    let too_large = || ReadFault::TooLarge {
-        what: "the matrix",
-        bytes: u64::MAX,
-        most: i64::MAX as u64,
-    };
+    let too_large = || ReadFault::too_large("the matrix", u64::MAX, i64::MAX as u64);
     let (start, length) = start.zip(length).ok_or_else(too_large)?;
     let name = archive_name(archive, folder, link);
     let (window, found) = archive.read(&name, |stream| {

@@ -2,6 +2,7 @@
 
 use std::io::{Cursor, Write};
 
+use asperity_storage::hex;
 use md5::{Digest, Md5};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
@@ -61,8 +62,7 @@ pub(super) fn write_rows(
 }
 
 fn checksum(bytes: &[u8]) -> String {
-    let digest = Md5::digest(bytes);
-    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    hex(&Md5::digest(bytes))
 }
 
 fn main_xml(

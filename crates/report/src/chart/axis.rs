@@ -1,19 +1,21 @@
 //! Axes: range, ticks and labels.
 
+use asperity_core::numerics::range;
 use serde::Serialize;
 
 /// Scale of an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scale {
     /// Equal steps.
+    #[default]
     Linear,
     /// Equal ratios; only positive values are shown.
     Log,
 }
 
 /// Axis without its range.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Axis {
     /// Quantity along the axis.
     pub label: String,
@@ -37,11 +39,7 @@ impl Axis {
         Self {
             label: label.to_owned(),
             unit: unit.to_owned(),
-            scale: Scale::Linear,
-            zero: false,
-            downward: false,
-            limits: None,
-            is_shared: false,
+            ..Self::default()
         }
     }
 
@@ -102,9 +100,7 @@ impl Axis {
             };
         }
         let shown = values.filter(|v| v.is_finite() && (self.scale == Scale::Linear || *v > 0.0));
-        let (mut low, mut high) = shown.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(v), b.max(v))
-        });
+        let [mut low, mut high] = range(shown);
         if low > high {
             (low, high) = (if self.scale == Scale::Log { 0.1 } else { 0.0 }, 1.0);
         }

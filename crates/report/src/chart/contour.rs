@@ -14,7 +14,7 @@ use super::text_width::{DESCENT, NAME, TICK, name_lines, widest};
 const BANDS: usize = 10;
 
 /// A field on a grid.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Contour {
     /// Identifier for links.
     pub id: String,

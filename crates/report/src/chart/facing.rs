@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use asperity_core::numerics::range;
 use serde_json::{Value, json};
 
 use super::axis::{Axis, Range};
@@ -140,9 +141,7 @@ impl Facing {
         let places = frames()
             .map(|frame| frame.at)
             .chain(self.marks.iter().map(|m| m.at));
-        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(v), b.max(v))
-        });
+        let [low, high] = range(places);
         let x = Axis::new("", "")
             .within(-self.reach, self.reach)
             .range(std::iter::empty());

@@ -1,5 +1,7 @@
 //! Strip along the path of contact: share of the load on the film, and lubrication regime.
 
+use asperity_core::numerics::range;
+
 use super::axis::{Axis, Range, Scale};
 use super::canvas::{Anchor, Canvas};
 use super::dress::Dress;
@@ -91,9 +93,7 @@ impl Strip {
 
     fn range(&self) -> Range {
         let distances = self.at.iter().chain(self.marks.iter().map(|mark| &mark.at));
-        let (low, high) = distances.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(*v), b.max(*v))
-        });
+        let [low, high] = range(distances.copied());
         Range {
             low,
             high,

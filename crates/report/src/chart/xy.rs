@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use asperity_core::numerics;
 use serde_json::{Value, json};
 
 use super::axis::{Axis, Range, Scale};
@@ -207,6 +208,11 @@ impl Chart {
         self
     }
 
+    /// Adds a curve through `x` and `y`.
+    pub fn curve(self, name: &str, line: Line, x: &[f64], y: &[f64]) -> Self {
+        self.with(Series::new(name, line, x, y))
+    }
+
     /// Adds marked positions on the horizontal axis.
     pub fn marked(mut self, marks: &[Mark]) -> Self {
         self.marks = marks.to_vec();
@@ -410,11 +416,7 @@ impl Chart {
 
 /// Range of `values` without margin.
 fn tight(range: Range, values: impl Iterator<Item = f64>) -> Range {
-    let (low, high) = values
-        .filter(|v| v.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(v), b.max(v))
-        });
+    let [low, high] = numerics::range(values.filter(|v| v.is_finite()));
     if low < high {
         Range { low, high, ..range }
     } else {
@@ -512,12 +514,7 @@ mod tests {
         let x = Axis::new("position", "mm");
         let y = Axis::new("load", "N/mm").from_zero();
         Chart::new("ramp", "A ramp & more", "ramp.csv", x, y)
-            .with(Series::new(
-                "load",
-                Line::Solid,
-                &[0.0, 1.0, 2.0],
-                &[1.0, f64::NAN, 3.0],
-            ))
+            .curve("load", Line::Solid, &[0.0, 1.0, 2.0], &[1.0, f64::NAN, 3.0])
             .marked(&[Mark {
                 at: 0.5,
                 label: "C".to_owned(),

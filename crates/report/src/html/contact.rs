@@ -2,6 +2,7 @@
 
 use asperity::case::Formulation;
 use asperity::result::{PositionRow, RunResult};
+use asperity_core::numerics::range;
 use asperity_core::quantity::{Pressure, Ratio};
 use maud::{Markup, html};
 use serde::de::DeserializeOwned;
@@ -119,8 +120,7 @@ fn flank_charts(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Vec<Drawi
     );
     // Heights are relative to the middle between the highest and the lowest point of the pinion, which thinning preserves.
     let pressed = column(&rows, SurfaceRow::pinion_pressed_um);
-    let ends = [f64::INFINITY, f64::NEG_INFINITY];
-    let [low, high] = (pressed.iter()).fold(ends, |[low, high], z| [low.min(*z), high.max(*z)]);
+    let [low, high] = range(pressed.iter().copied());
     let middle = 0.5 * (low + high);
     let pressed: Vec<f64> = pressed.iter().map(|height| height - middle).collect();
     let gap = column(&rows, |row| row.gap_um);
@@ -139,8 +139,8 @@ fn facing([id, title]: [&str; 2], x: &[f64], pinion: &[f64], gap: &[f64], source
     let wheel: Vec<f64> = pinion.iter().zip(gap).map(|(z, g)| z + g).collect();
     let heights = Axis::new("height", "µm");
     let chart = Chart::new(id, title, source, across(), heights)
-        .with(Series::new("pinion, below", Line::Solid, x, pinion))
-        .with(Series::new("wheel, above", Line::Solid, x, &wheel));
+        .curve("pinion, below", Line::Solid, x, pinion)
+        .curve("wheel, above", Line::Solid, x, &wheel);
     Drawing::Curves(chart)
 }
 
@@ -158,8 +158,8 @@ fn change(at: &PositionRow, all: &[SurfaceRow], source: &str) -> Option<Drawing>
     let pinion = column(&rows, |row| -NANOMETRES * row.plastic_pinion_um);
     let wheel = column(&rows, |row| -NANOMETRES * row.plastic_wheel_um);
     let chart = Chart::new("flanks-change", title, source, across(), axis)
-        .with(Series::new("pinion", Line::Solid, &x, &pinion))
-        .with(Series::new("wheel", Line::Dashed, &x, &wheel));
+        .curve("pinion", Line::Solid, &x, &pinion)
+        .curve("wheel", Line::Dashed, &x, &wheel);
     Some(Drawing::Curves(chart))
 }
 
@@ -215,9 +215,6 @@ fn von_mises(
     let limit_mpa = limit.si() * 1e-6;
     let passes = values.iter().any(|stress| *stress > limit_mpa);
     Some(Drawing::Contour(Contour {
-        levels: None,
-        hatched: Vec::new(),
-        dots: Vec::new(),
         id: "von-mises".to_owned(),
         title: match passes {
             true => format!(
@@ -238,6 +235,7 @@ fn von_mises(
         rows: levels.iter().map(|level| level[0].depth_um).collect(),
         values,
         height: 250.0,
+        ..Contour::default()
     }))
 }
 
@@ -266,13 +264,8 @@ fn load(row: &PositionRow, steps: &[ConvergenceRow], source: &str) -> Drawing {
         Axis::new("approach from first touch", "µm"),
         Axis::new("load", "N/mm").from_zero(),
     )
-    .with(Series::new(
-        "film and asperities",
-        Line::Dots,
-        &approach,
-        &total,
-    ))
-    .with(Series::new("film", Line::Dashed, &approach, &fluid))
+    .curve("film and asperities", Line::Dots, &approach, &total)
+    .curve("film", Line::Dashed, &approach, &fluid)
     .level(row.line_load_n_per_mm, "load to carry");
     Drawing::Curves(chart)
 }
@@ -300,12 +293,12 @@ fn load_error(
         )
     };
     let chart = Chart::new("convergence", title, source, Axis::new("step", ""), axis)
-        .with(Series::new(
+        .curve(
             "load error",
             Line::Dots,
             &column(steps, |step| step.step as f64),
             &column(steps, |step| step.load_error),
-        ))
+        )
         .level(tolerance, "tolerance");
     Ok(Drawing::Curves(chart))
 }

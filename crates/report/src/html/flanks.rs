@@ -129,12 +129,12 @@ fn abbott(
         Axis::new("material ratio", "%"),
         Axis::new("height", "µm"),
     )
-    .with(Series::new(
+    .curve(
         "material ratio",
         Line::Solid,
         &column(rows, |row| row.material_ratio_percent),
         &column(rows, |row| row.height_um),
-    ));
+    );
     Drawing::Curves(match material {
         Some(material) => with_construction(chart, material),
         None => chart,
@@ -148,24 +148,24 @@ fn with_construction(chart: Chart, material: &RkParameters) -> Chart {
     let (top, floor) = (upper + um(material.rpk), lower - um(material.rvk));
     let (mr1, mr2) = (material.mr1, material.mr2);
     chart
-        .with(Series::new(
+        .curve(
             "equivalent line",
             Line::Dashed,
             &[0.0, 100.0],
             &[upper, lower],
-        ))
-        .with(Series::new(
+        )
+        .curve(
             "Rpk",
             Line::Solid,
             &[0.0, 0.0, mr1, 0.0],
             &[upper, top, upper, upper],
-        ))
-        .with(Series::new(
+        )
+        .curve(
             "Rvk",
             Line::Solid,
             &[mr2, 100.0, 100.0, mr2],
             &[lower, floor, lower, lower],
-        ))
+        )
 }
 
 /// Power spectral densities of both flanks, with the cut-offs of the filters; `None` without a trace.
@@ -179,12 +179,12 @@ fn spectra(result: &RunResult, tables: &PageTables) -> Option<Drawing> {
     );
     for (body, flank) in BODIES.iter().zip(&tables.flanks) {
         let Some(flank) = flank else { continue };
-        chart = chart.with(Series::new(
+        chart = chart.curve(
             body,
             Line::Solid,
             &column(&flank.spectrum, |row| row.frequency_per_mm),
             &column(&flank.spectrum, |row| row.density_um3),
-        ));
+        );
     }
     let mut records = result.flanks.iter();
     let recipe = &records.find_map(|flank| flank.preparation.as_ref())?.recipe;

@@ -3,7 +3,7 @@
 use asperity::result::LoadRow;
 use asperity::result::RunResult;
 
-use crate::chart::{Axis, Chart, Contour, Drawing, Line, Mark, Series};
+use crate::chart::{Axis, Chart, Contour, Drawing, Line, Mark};
 use crate::page_tables::PageTables;
 
 /// Line load along the path, of the map and of its cells.
@@ -22,36 +22,21 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, points: &[Mark]) ->
         Axis::new("line load", "N/mm").from_zero(),
     )
     .marked(points)
-    .with(Series::new(
+    .curve(
         "mean over the face",
         Line::Solid,
         &s,
         &of(|row| row.mean_n_per_mm),
-    ));
+    );
     if rows
         .iter()
         .any(|row| row.highest_n_per_mm > 1.01 * row.lowest_n_per_mm)
     {
         chart = chart
-            .with(Series::new(
-                "highest",
-                Line::Dashed,
-                &s,
-                &of(|row| row.highest_n_per_mm),
-            ))
-            .with(Series::new(
-                "lowest",
-                Line::Dashed,
-                &s,
-                &of(|row| row.lowest_n_per_mm),
-            ));
+            .curve("highest", Line::Dashed, &s, &of(|row| row.highest_n_per_mm))
+            .curve("lowest", Line::Dashed, &s, &of(|row| row.lowest_n_per_mm));
     }
-    Drawing::Curves(chart.with(Series::new(
-        "contacts evaluated",
-        Line::Scatter,
-        &cells,
-        &loads,
-    )))
+    Drawing::Curves(chart.curve("contacts evaluated", Line::Scatter, &cells, &loads))
 }
 
 /// Load over path and face; `None` without a load map.
@@ -69,10 +54,6 @@ pub(super) fn map(tables: &PageTables, axis: Axis) -> Option<Drawing> {
         values = values.repeat(2);
     }
     Some(Drawing::Contour(Contour {
-        levels: None,
-        hatched: Vec::new(),
-        dots: Vec::new(),
-        isoline: None,
         id: "load-map".to_owned(),
         title: "Load over the flank, from A to E and across the face".to_owned(),
         source: tables.source("load_map.csv"),
@@ -83,5 +64,6 @@ pub(super) fn map(tables: &PageTables, axis: Axis) -> Option<Drawing> {
         rows: across,
         values,
         height: 250.0,
+        ..Contour::default()
     }))
 }

@@ -40,14 +40,14 @@ pub(super) fn along_the_path(result: &RunResult) -> Drawing {
     chart.height = HEIGHT;
     if rows.len() < 2 {
         for (name, part) in PARTS {
-            chart = chart.with(Series::new(name, Line::Scatter, &s, &of(&part)));
+            chart = chart.curve(name, Line::Scatter, &s, &of(&part));
         }
-        return Drawing::Curves(chart.with(Series::new(
+        return Drawing::Curves(chart.curve(
             "all",
             Line::Scatter,
             &s,
             &of(&PositionRow::loss_w_per_m),
-        )));
+        ));
     }
     let mut low = vec![0.0; rows.len()];
     for (name, part) in PARTS {
@@ -66,10 +66,5 @@ pub(super) fn along_the_path(result: &RunResult) -> Drawing {
         });
         chart = chart.with(Series::band("5 to 95 %", &s, &low, &high));
     }
-    Drawing::Curves(chart.with(Series::new(
-        "all",
-        Line::Ink,
-        &s,
-        &of(&PositionRow::loss_w_per_m),
-    )))
+    Drawing::Curves(chart.curve("all", Line::Ink, &s, &of(&PositionRow::loss_w_per_m)))
 }

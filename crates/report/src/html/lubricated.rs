@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::page::{figure, page};
 use super::policy::FRAMES;
-use crate::chart::{Axis, Chart, Drawing, Line, Series};
+use crate::chart::{Axis, Chart, Drawing, Line};
 
 /// Width of the animation.
 const WIDTH: f64 = 900.0;
@@ -115,12 +115,7 @@ fn films(contact: &LubricatedContact) -> Markup {
     let hertz: Vec<f64> = smooth.x.iter().map(hertz).collect();
     let pressure_axis = Axis::new("pressure", "GPa").from_zero();
     let mut pressure = Chart::new("pressure", "Pressure", "this page", across(), pressure_axis)
-        .with(Series::new(
-            "smooth, solved",
-            Line::Solid,
-            &smooth.x,
-            &smooth.pressure,
-        ));
+        .curve("smooth, solved", Line::Solid, &smooth.x, &smooth.pressure);
     let within: Vec<f64> = smooth
         .x
         .iter()
@@ -137,34 +132,29 @@ fn films(contact: &LubricatedContact) -> Markup {
             .collect()
     };
     let film_axis = Axis::new("film", "µm").from_zero();
-    let mut film = Chart::new("film", "Film", "this page", across(), film_axis).with(Series::new(
+    let mut film = Chart::new("film", "Film", "this page", across(), film_axis).curve(
         "smooth, solved",
         Line::Solid,
         &smooth.x,
         &shown(&smooth.film),
-    ));
+    );
     if let Some(mean) = &contact.mean {
-        pressure = pressure.with(Series::new(
+        pressure = pressure.curve(
             "rough, mean over time",
             Line::Solid,
             &mean.x,
             &mean.pressure,
-        ));
-        film = film.with(Series::new(
+        );
+        film = film.curve(
             "rough, mean over time",
             Line::Solid,
             &mean.x,
             &shown(&mean.film),
-        ));
+        );
     }
-    pressure = pressure.with(Series::new("Hertz", Line::Dashed, &smooth.x, &hertz));
+    pressure = pressure.curve("Hertz", Line::Dashed, &smooth.x, &hertz);
     film = film
-        .with(Series::new(
-            "formula, smooth gap",
-            Line::Dashed,
-            &within,
-            &flat,
-        ))
+        .curve("formula, smooth gap", Line::Dashed, &within, &flat)
         .level(minimum, "formula, minimum");
     let mut charts = vec![Drawing::Curves(pressure), Drawing::Curves(film)];
     charts.extend(shares(contact));
@@ -199,19 +189,9 @@ fn shares(contact: &LubricatedContact) -> Option<Drawing> {
         axis,
         Axis::new("share of the load", "").from_zero(),
     )
-    .with(Series::new("mean", Line::Dots, &films, &of(0.0)))
-    .with(Series::new(
-        "minus one standard error",
-        Line::Dashed,
-        &films,
-        &of(-1.0),
-    ))
-    .with(Series::new(
-        "plus one standard error",
-        Line::Dashed,
-        &films,
-        &of(1.0),
-    ));
+    .curve("mean", Line::Dots, &films, &of(0.0))
+    .curve("minus one standard error", Line::Dashed, &films, &of(-1.0))
+    .curve("plus one standard error", Line::Dashed, &films, &of(1.0));
     Some(Drawing::Curves(chart))
 }
 
@@ -225,7 +205,7 @@ fn history(contact: &LubricatedContact) -> Markup {
         let axis = Axis::new("travel in half-widths", "");
         let values = Axis::new(&title.to_lowercase(), unit).from_zero();
         let chart = Chart::new(id, title, "this page", axis, values);
-        Drawing::Curves(chart.with(Series::new(title, Line::Solid, &travel, &column(k))))
+        Drawing::Curves(chart.curve(title, Line::Solid, &travel, &column(k)))
     };
     let charts = [
         chart("share-in-time", "Share of the load on thin films", "", 1),

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 use super::along::{SOURCE, along, points};
 use super::page::figure;
 use super::{facing, load, relief, temperatures};
-use crate::chart::{Axis, Chart, Drawing, Line, Series, Strip};
+use crate::chart::{Axis, Chart, Drawing, Line, Strip};
 use crate::page_tables::PageTables;
 
 pub(super) fn section(result: &RunResult, tables: &PageTables) -> Markup {
@@ -153,7 +153,7 @@ fn curves(result: &RunResult) -> Vec<Drawing> {
                 .iter()
                 .map(|row| value(row).unwrap_or(f64::NAN))
                 .collect();
-            chart = chart.with(Series::new(name, line(number), &s, &values));
+            chart = chart.curve(name, line(number), &s, &values);
         }
         if along_path.id == "lambda-star" {
             chart = chart.level(1.0, "as high as the peaks");

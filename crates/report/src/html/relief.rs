@@ -3,7 +3,7 @@
 use asperity::result::RunResult;
 
 use super::along::{along, points};
-use crate::chart::{Axis, Chart, Drawing, Line, Series};
+use crate::chart::{Axis, Chart, Drawing, Line};
 use crate::tables::BODIES;
 
 /// Missing material on each flank, relative to the mean over the active flank; `None` if no relief is derived from a
@@ -34,7 +34,7 @@ pub(super) fn along_the_path(result: &RunResult) -> Option<Drawing> {
             .unzip();
         let mean = heights.iter().sum::<f64>() / heights.len().max(1) as f64;
         let missing: Vec<f64> = heights.iter().map(|height| mean - height).collect();
-        chart = chart.with(Series::new(BODIES[body], Line::Solid, &s, &missing));
+        chart = chart.curve(BODIES[body], Line::Solid, &s, &missing);
     }
     (!is_empty).then_some(Drawing::Curves(chart))
 }

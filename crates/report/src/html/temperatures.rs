@@ -3,7 +3,7 @@
 use asperity::result::{PositionRow, RunResult};
 
 use super::along::SOURCE;
-use crate::chart::{Axis, Chart, Drawing, Line, Mark, Series};
+use crate::chart::{Axis, Chart, Drawing, Line, Mark};
 
 /// Bulk temperature of film and friction \[°C\].
 pub(super) fn bulk(result: &RunResult) -> f64 {
@@ -63,20 +63,15 @@ pub(super) fn along_the_path(result: &RunResult, axis: Axis, marks: &[Mark]) -> 
         1 => "contact",
         _ => "contact, mean of the offsets",
     };
-    chart = chart.with(Series::new(name, line(Line::Solid), &s, &mean));
+    chart = chart.curve(name, line(Line::Solid), &s, &mean);
     let largest = above(|row| row.flash_max_k);
     if result.summary.offsets > 1 && largest.iter().any(|value| value.is_finite()) {
-        chart = chart.with(Series::new(
-            "contact, hottest offset",
-            line(Line::Dashed),
-            &s,
-            &largest,
-        ));
+        chart = chart.curve("contact, hottest offset", line(Line::Dashed), &s, &largest);
     }
     let path = &result.gears.path;
     let ends = [path.a, path.e].map(|end| 1e3 * end.si());
     for (name, value) in constant(result) {
-        chart = chart.with(Series::new(&name, Line::Dashed, &ends, &[value; 2]));
+        chart = chart.curve(&name, Line::Dashed, &ends, &[value; 2]);
     }
     Drawing::Curves(chart)
 }

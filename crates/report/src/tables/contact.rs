@@ -3,41 +3,41 @@
 use std::path::Path;
 
 use asperity::result::{PositionFields, PositionRow, SubsurfaceFields};
+use asperity_core::numerics::range;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::csv_table::{Row, check_field, finite, read, row};
+use super::csv_table::{check_field, finite, read};
 use crate::error::{ReportError, TableFault};
 use crate::thin::{BINS, thin};
 use crate::units::{MEGA, MICRO};
 
-row! {
-    /// Row of `surface.csv`: fields along the contact, with the pressure of the smooth dry contact.
-    SurfaceRow {
-        /// Distance from the middle of the contact \[µm\].
-        x_um,
-        /// Height of the pinion's flank before contact \[µm\].
-        height_pinion_um,
-        /// Height of the wheel's flank before contact \[µm\].
-        height_wheel_um,
-        /// Displacement of the pinion in contact \[µm\].
-        displacement_pinion_um,
-        /// Displacement of the wheel in contact \[µm\].
-        displacement_wheel_um,
-        /// Plastic displacement of the pinion \[µm\].
-        plastic_pinion_um,
-        /// Plastic displacement of the wheel \[µm\].
-        plastic_wheel_um,
-        /// Gap in contact \[µm\].
-        gap_um,
-        /// Pressure of touching asperities \[MPa\].
-        pressure_solid_mpa,
-        /// Pressure in the film \[MPa\].
-        pressure_fluid_mpa,
-        /// Shear stress on the surface \[MPa\].
-        shear_mpa,
-        /// Pressure of the smooth dry contact \[MPa\].
-        pressure_hertz_mpa,
-    }
+/// Row of `surface.csv`: fields along the contact, with the pressure of the smooth dry contact.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SurfaceRow {
+    /// Distance from the middle of the contact \[µm\].
+    pub x_um: f64,
+    /// Height of the pinion's flank before contact \[µm\].
+    pub height_pinion_um: f64,
+    /// Height of the wheel's flank before contact \[µm\].
+    pub height_wheel_um: f64,
+    /// Displacement of the pinion in contact \[µm\].
+    pub displacement_pinion_um: f64,
+    /// Displacement of the wheel in contact \[µm\].
+    pub displacement_wheel_um: f64,
+    /// Plastic displacement of the pinion \[µm\].
+    pub plastic_pinion_um: f64,
+    /// Plastic displacement of the wheel \[µm\].
+    pub plastic_wheel_um: f64,
+    /// Gap in contact \[µm\].
+    pub gap_um: f64,
+    /// Pressure of touching asperities \[MPa\].
+    pub pressure_solid_mpa: f64,
+    /// Pressure in the film \[MPa\].
+    pub pressure_fluid_mpa: f64,
+    /// Shear stress on the surface \[MPa\].
+    pub shear_mpa: f64,
+    /// Pressure of the smooth dry contact \[MPa\].
+    pub pressure_hertz_mpa: f64,
 }
 
 /// Row of `subsurface.csv`: stress at a point below the surface, six digits.
@@ -63,22 +63,12 @@ pub struct SubsurfaceRow {
     pub von_mises_mpa: f64,
 }
 
-impl Row for SubsurfaceRow {
-    fn numbers(&self) -> Vec<(&'static str, f64)> {
-        vec![
-            ("x_um", self.x_um),
-            ("depth_um", self.depth_um),
-            ("sigma_xx_mpa", self.sigma_xx_mpa),
-            ("sigma_zz_mpa", self.sigma_zz_mpa),
-            ("tau_xz_mpa", self.tau_xz_mpa),
-            ("von_mises_mpa", self.von_mises_mpa),
-        ]
-    }
-}
-
 /// Six digits: the fields are large and serve for display.
 fn six_digits<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(&format_args!("{value:.5e}"))
+    match value.is_finite() {
+        true => serializer.collect_str(&format_args!("{value:.5e}")),
+        false => serializer.serialize_f64(*value),
+    }
 }
 
 /// A number, or a number as text.
@@ -115,17 +105,6 @@ pub struct ConvergenceRow {
     pub load_fluid_n_per_mm: f64,
     /// |F − F_target|/F_target.
     pub load_error: f64,
-}
-
-impl Row for ConvergenceRow {
-    fn numbers(&self) -> Vec<(&'static str, f64)> {
-        vec![
-            ("approach_um", self.approach_um),
-            ("load_solid_n_per_mm", self.load_solid_n_per_mm),
-            ("load_fluid_n_per_mm", self.load_fluid_n_per_mm),
-            ("load_error", self.load_error),
-        ]
-    }
 }
 
 /// Rows of `convergence.csv` for one position.
@@ -312,10 +291,7 @@ fn subsurface(x: &[f64], below: &SubsurfaceFields, at: &PositionRow) -> Vec<Subs
         let stresses = levels
             .clone()
             .map(|level| below.von_mises[level * count + i]);
-        let ends = [f64::INFINITY, f64::NEG_INFINITY];
-        stresses.fold(ends, |[low, high], stress| {
-            [low.min(stress), high.max(stress)]
-        })
+        range(stresses)
     };
     let points: Vec<usize> = (0..count).collect();
     let coordinate = |i: &usize| across(x[*i] * MICRO, at);

@@ -11,28 +11,6 @@ use crate::error::{ReportError, TableFault};
 /// Largest table in bytes that is read back.
 const LARGEST: u64 = 1_000_000_000;
 
-/// Row of a table that can be read back.
-pub trait Row: Serialize + DeserializeOwned {
-    /// Names and values of the numbers.
-    fn numbers(&self) -> Vec<(&'static str, f64)>;
-}
-
-/// Declares a row type whose columns are all numbers.
-macro_rules! row {
-    ($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident),+ $(,)? }) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
-        pub struct $name { $($(#[$field_doc])* pub $field: f64),+ }
-
-        impl $crate::tables::csv_table::Row for $name {
-            fn numbers(&self) -> Vec<(&'static str, f64)> {
-                vec![$((stringify!($field), self.$field)),+]
-            }
-        }
-    };
-}
-pub(crate) use row;
-
 /// Writes `rows` with their header.
 ///
 /// # Errors
@@ -80,7 +58,7 @@ fn fill<W: std::io::Write, R: Serialize>(
 ///
 /// # Errors
 /// When the file is missing or empty, lacks a column, or has a cell that is not a finite number.
-pub fn read<R: Row>(file: &Path) -> Result<Vec<R>, ReportError> {
+pub fn read<R: Serialize + DeserializeOwned>(file: &Path) -> Result<Vec<R>, ReportError> {
     let bad = |reason| ReportError::BadTable {
         path: file.to_owned(),
         reason,
@@ -100,14 +78,12 @@ pub fn read<R: Row>(file: &Path) -> Result<Vec<R>, ReportError> {
 ///
 /// # Errors
 /// Names the first number that is not finite.
-pub fn finite<R: Row>(rows: &[R]) -> Result<(), TableFault> {
+pub fn finite<R: Serialize>(rows: &[R]) -> Result<(), TableFault> {
     for (index, row) in rows.iter().enumerate() {
-        if let Some((column, _)) = row.numbers().into_iter().find(|(_, v)| !v.is_finite()) {
-            return Err(TableFault::NotFinite {
-                row: index + 1,
-                column,
-            });
-        }
+        check_finite(row).map_err(|number| TableFault::NotFinite {
+            row: index + 1,
+            column: number.path,
+        })?;
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use asperity_roughness::preparation::{Prepared, prepare};
 use asperity_roughness::spectral::power_spectrum;
 use serde::{Deserialize, Serialize};
 
-use super::csv_table::{Row, read, row, write};
+use super::csv_table::{read, write};
 use crate::error::ReportError;
 use crate::thin::{BINS, thin};
 use crate::units::MICRO;
@@ -32,38 +32,24 @@ pub struct TraceRow {
     pub roughness_um: Option<f64>,
 }
 
-impl Row for TraceRow {
-    fn numbers(&self) -> Vec<(&'static str, f64)> {
-        let rough = self.roughness_um.map(|z| ("roughness_um", z));
-        let always = [
-            ("x_um", self.x_um),
-            ("measured_um", self.measured_um),
-            ("form_removed_um", self.form_removed_um),
-        ];
-        always.into_iter().chain(rough).collect()
-    }
+/// Row of `abbott_*.csv`: a point of the material ratio curve.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct MaterialRatioRow {
+    /// Material ratio \[%\].
+    pub material_ratio_percent: f64,
+    /// Height \[µm\].
+    pub height_um: f64,
 }
 
-row! {
-    /// Row of `abbott_*.csv`: a point of the material ratio curve.
-    MaterialRatioRow {
-        /// Material ratio \[%\].
-        material_ratio_percent,
-        /// Height \[µm\].
-        height_um,
-    }
-}
-
-row! {
-    /// Row of `psd_*.csv`: a point of the one-sided power spectral density.
-    SpectrumRow {
-        /// Spatial frequency \[1/mm\].
-        frequency_per_mm,
-        /// Wavelength \[µm\].
-        wavelength_um,
-        /// Density \[µm³\].
-        density_um3,
-    }
+/// Row of `psd_*.csv`: a point of the one-sided power spectral density.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SpectrumRow {
+    /// Spatial frequency \[1/mm\].
+    pub frequency_per_mm: f64,
+    /// Wavelength \[µm\].
+    pub wavelength_um: f64,
+    /// Density \[µm³\].
+    pub density_um3: f64,
 }
 
 /// Tables of a measured flank.

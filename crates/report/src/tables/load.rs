@@ -1,25 +1,22 @@
 //! Tables of the load over the flanks.
 
 use asperity::gear::{LoadMap, LoadSample};
-use serde::Serialize;
-
-use super::csv_table::row;
+use serde::{Deserialize, Serialize};
 
 /// Number of strips along the path in the table of the chart.
 const STRIPS_ALONG: usize = 48;
 /// Number of strips across the face for a load that varies over the face.
 const STRIPS_ACROSS: usize = 32;
 
-row! {
-    /// Row of `load_map.csv`: mean load in a cell of the flank, path by face.
-    LoadMapRow {
-        /// Distance along the line of action from T1 \[mm\].
-        s_mm,
-        /// Position across the face \[mm\].
-        y_mm,
-        /// Mean load per length of contact line \[N/mm\].
-        load_n_per_mm,
-    }
+/// Row of `load_map.csv`: mean load in a cell of the flank, path by face.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct LoadMapRow {
+    /// Distance along the line of action from T1 \[mm\].
+    pub s_mm: f64,
+    /// Position across the face \[mm\].
+    pub y_mm: f64,
+    /// Mean load per length of contact line \[N/mm\].
+    pub load_n_per_mm: f64,
 }
 
 /// Row of `map.csv`: a point of a line of contact with its load.

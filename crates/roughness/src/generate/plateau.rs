@@ -77,13 +77,11 @@ pub fn lower_envelope(first: &Profile, second: &Profile) -> Result<Profile, Roug
         first: dx1,
         second: dx2,
     })?;
-    if first.len() != second.len() {
-        return Err(RoughnessError::TooFewPoints {
-            points: first.len().min(second.len()),
-            needed: first.len().max(second.len()),
-            purpose: "the lower envelope of two profiles",
-        });
-    }
+    RoughnessError::at_least(
+        first.len().min(second.len()),
+        first.len().max(second.len()),
+        "the lower envelope of two profiles",
+    )?;
     let least = first
         .heights()
         .iter()

@@ -1,6 +1,6 @@
 //! Page of a call-out: the limit, how it follows from the number of traces, and the loss by the height of the flanks.
 
-use asperity_report::chart::{Axis, Chart, Drawing, Level, Line, Series};
+use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
 
@@ -35,13 +35,10 @@ fn traces_chart(study: &CallOut) -> Drawing {
         Axis::new("inspected traces", ""),
         Axis::new("limit over recipe", ""),
     );
-    let mut chart = Chart::new("traces", &title, "traces.csv", x, y);
+    let chart = Chart::new("traces", &title, "traces.csv", x, y);
     let points = study.by_traces.iter();
     let points = points.map(|row| [row.traces as f64, row.limit_over_recipe]);
-    chart
-        .series
-        .push(Series::through("limit", Line::Dots, points));
-    Drawing::Curves(chart)
+    Drawing::Curves(chart.with(Series::through("limit", Line::Dots, points)))
 }
 
 fn curve_chart(study: &CallOut) -> Drawing {
@@ -50,15 +47,10 @@ fn curve_chart(study: &CallOut) -> Drawing {
         Axis::new("mean loss of lots of the recipe", "W"),
     );
     let title = "Loss by the height of the flanks";
-    let mut chart = Chart::new("curve", title, "curve.csv", x, y);
     let points = study.curve.iter().map(|point| [point.height, point.loss_w]);
-    chart
-        .series
-        .push(Series::through("loss", Line::Dots, points));
-    chart.levels.push(Level {
-        at: study.loss_w,
-        label: "stated loss".to_owned(),
-    });
+    let chart = Chart::new("curve", title, "curve.csv", x, y)
+        .with(Series::through("loss", Line::Dots, points))
+        .level(study.loss_w, "stated loss");
     Drawing::Curves(chart)
 }
 

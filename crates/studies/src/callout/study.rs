@@ -7,7 +7,7 @@ use asperity::core::cancel::checkpoint;
 use asperity::pipeline::Progress;
 use asperity_core::DomainError;
 use asperity_core::cite;
-use asperity_core::numerics::{interpolate, student_t_quantile};
+use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 use asperity_core::quantity::Power;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -457,10 +457,8 @@ impl Quantile {
 
 /// Mean and standard deviation.
 fn moments(values: &[f64]) -> [f64; 2] {
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let squares = values.iter().map(|value| (value - mean).powi(2));
-    [mean, (squares.sum::<f64>() / (count - 1.0)).sqrt()]
+    let deviation = deviation(values).unwrap_or(f64::NAN);
+    [mean(values.iter().copied()), deviation]
 }
 
 /// A parameter with the number of its traces.

@@ -9,6 +9,7 @@ use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
 use asperity::uncertainty::{DrawnMesh, PairedDifference, Quantiles, difference_of_meshes};
 use asperity::{Error, PositionError};
+use asperity_core::unique;
 use asperity_report::tables::FlankTables;
 use serde::Serialize;
 
@@ -268,16 +269,10 @@ fn finish_result(
     let difference = compared
         .as_ref()
         .map(|[first, own]| difference_of_meshes(first, own));
-    let mut files_read: Vec<[String; 2]> = Vec::new();
-    for file in case.meshes().flat_map(|mesh| files(&mesh.case)) {
-        if !files_read.contains(&file) {
-            files_read.push(file);
-        }
-    }
     let result = &outcome.result;
     let mut finish = FinishResult {
         name: name.to_owned(),
-        files: files_read,
+        files: unique(case.meshes().flat_map(|mesh| files(&mesh.case))),
         efficiency: result.efficiency,
         power_in_w: result.meshes_power_in_w(),
         loss_w: result.loss_w,
@@ -363,19 +358,15 @@ fn warnings(outcome: &TrainOutcome) -> Vec<String> {
             .collect()
     };
     let all: Vec<Vec<String>> = outcome.meshes.iter().map(of).collect();
-    let mut distinct: Vec<String> = Vec::new();
-    for (row, warnings) in outcome.result.meshes.iter().zip(&all) {
-        for warning in warnings {
-            let text = match all.iter().all(|other| other.contains(warning)) {
+    let texts = outcome.result.meshes.iter().zip(&all);
+    unique(texts.flat_map(|(row, warnings)| {
+        warnings.iter().map(
+            |warning| match all.iter().all(|other| other.contains(warning)) {
                 true => warning.clone(),
                 false => format!("{warning} [{}]", row.mesh),
-            };
-            if !distinct.contains(&text) {
-                distinct.push(text);
-            }
-        }
-    }
-    distinct
+            },
+        )
+    }))
 }
 
 /// One of equal meshes.

@@ -99,7 +99,7 @@ fn along_the_path(comparison: &Comparison) -> Drawing {
         let rows = &pair.result.path;
         let s: Vec<f64> = rows.iter().map(|row| row.s_mm).collect();
         let loss: Vec<f64> = rows.iter().map(|row| KILO * row.loss_w_per_m()).collect();
-        chart = chart.with(Series::new(&finish.name, Line::Solid, &s, &loss));
+        chart = chart.curve(&finish.name, Line::Solid, &s, &loss);
     }
     for (index, (finish, pair)) in comparison.pairs().enumerate() {
         let Some(ends) = pair.result.path_loss_quantiles() else {
@@ -303,7 +303,7 @@ fn scatter(comparison: &Comparison, parameter: &str) -> Option<Drawing> {
     for finish in &comparison.finishes {
         let x: Vec<f64> = finish.roughness().iter().map(of).collect();
         let y: Vec<f64> = finish.offsets.iter().map(|row| row.loss_w).collect();
-        chart = chart.with(Series::new(&finish.name, Line::Scatter, &x, &y));
+        chart = chart.curve(&finish.name, Line::Scatter, &x, &y);
     }
     Some(Drawing::Curves(chart))
 }

@@ -1,5 +1,6 @@
 //! Page of a cycle.
 
+use asperity_core::numerics::range;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
@@ -82,9 +83,7 @@ fn operating_points(result: &CycleResult, map: &Map) -> Markup {
 /// Energy lost with each finish by torque, in steps of a round width.
 fn by_torque(result: &CycleResult) -> Option<Drawing> {
     let torques = || result.points.iter().map(|point| point.torque_nm);
-    let (low, high) = torques().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-        (a.min(v), b.max(v))
-    });
+    let [low, high] = range(torques());
     let width = round_step((high - low) / BINS);
     if !width.is_finite() || width <= 0.0 {
         return None;
@@ -124,12 +123,7 @@ fn over_time(result: &CycleResult) -> Drawing {
         Axis::new("loss", "W").from_zero(),
     );
     for finish in &result.finishes {
-        chart = chart.with(Series::new(
-            &finish.name,
-            Line::Solid,
-            &time,
-            &finish.loss_w,
-        ));
+        chart = chart.curve(&finish.name, Line::Solid, &time, &finish.loss_w);
     }
     Drawing::Curves(chart)
 }

@@ -4,8 +4,7 @@ use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
 use std::process::Command;
 
-use asperity_storage::whole_file;
-use sha2::{Digest, Sha256};
+use asperity_storage::{sha256, whole_file};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
@@ -132,8 +131,7 @@ fn library(source: &str) -> Option<Library> {
 
 /// Identifier computed from the content, so that a description matches only its source.
 fn guid(fields: &[Field]) -> String {
-    let mut sum = Sha256::new();
-    sum.update(CODE.as_bytes());
+    let mut bytes = CODE.as_bytes().to_vec();
     let none = Vec::new();
     for field in fields {
         let added = field.added_nm.as_ref().unwrap_or(&none);
@@ -146,18 +144,11 @@ fn guid(fields: &[Field]) -> String {
             added,
         ];
         for values in tables.into_iter().chain(parts) {
-            sum.update(values.len().to_le_bytes());
-            for value in values {
-                sum.update(value.to_le_bytes());
-            }
+            bytes.extend(values.len().to_le_bytes());
+            bytes.extend(values.iter().flat_map(|value| value.to_le_bytes()));
         }
     }
-    let hex: String = sum
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
-    format!("{{{}}}", &hex[..32])
+    format!("{{{}}}", &sha256(&bytes)[..32])
 }
 
 /// Value reference of the temperature, an input of maps of several; the parts of the meshes follow it.

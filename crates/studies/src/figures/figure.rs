@@ -2,7 +2,7 @@
 
 use asperity::{Error, PositionError};
 use asperity_report::ReportError;
-use asperity_report::chart::Drawing;
+use asperity_report::chart::{Chart, Drawing};
 
 /// Error of a figure.
 #[derive(Debug, thiserror::Error)]
@@ -34,4 +34,11 @@ impl From<PositionError> for FigureError {
 pub(super) struct Figure {
     pub name: &'static str,
     pub drawing: Drawing,
+}
+
+impl Figure {
+    pub(super) fn curves(name: &'static str, chart: Chart) -> Self {
+        let drawing = Drawing::Curves(chart);
+        Self { name, drawing }
+    }
 }

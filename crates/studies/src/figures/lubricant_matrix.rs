@@ -7,9 +7,10 @@ use asperity::case::LoadedCase;
 use asperity::lubrication::formula_film;
 use asperity::mesh::Mesh;
 use asperity::paper::film_at;
+use asperity_core::numerics::range;
 use asperity_core::quantity::{Density, DynamicViscosity, KinematicViscosity};
 use asperity_ns_film::{FluidModel, pressure_difference_across};
-use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
+use asperity_report::chart::{Axis, Chart, Line, Series};
 use asperity_report::tables::write;
 use serde::Serialize;
 
@@ -45,14 +46,8 @@ pub(super) fn figures(case: &LoadedCase, folder: &Path) -> Result<Vec<Figure>, F
     }
     write(&folder.join(TABLE), rows.iter())?;
     Ok(vec![
-        Figure {
-            name: "fig07a_lubricants",
-            drawing: Drawing::Curves(differences(&rows)),
-        },
-        Figure {
-            name: "fig07b_efficiency",
-            drawing: Drawing::Curves(efficiencies(&rows)),
-        },
+        Figure::curves("fig07a_lubricants", differences(&rows)),
+        Figure::curves("fig07b_efficiency", efficiencies(&rows)),
     ])
 }
 
@@ -64,10 +59,12 @@ fn curve(
     density: f64,
     value: fn(&OilRow) -> f64,
 ) -> Series {
-    let here = || rows.iter().filter(|row| row.density_kg_per_m3 == density);
-    let x: Vec<f64> = here().map(|row| row.viscosity_mpa_s).collect();
-    let y: Vec<f64> = here().map(value).collect();
-    Series::new(name, line, &x, &y)
+    let here = rows.iter().filter(|row| row.density_kg_per_m3 == density);
+    Series::through(
+        name,
+        line,
+        here.map(|row| [row.viscosity_mpa_s, value(row)]),
+    )
 }
 
 fn chart(id: &str, title: &str, y: Axis) -> Chart {
@@ -93,9 +90,7 @@ fn efficiencies(rows: &[OilRow]) -> Chart {
     let mixed = rows.iter().filter(|row| row.viscosity_mpa_s < MOST_SHOWN);
     let values =
         mixed.flat_map(|row| [row.efficiency_with_percent, row.efficiency_without_percent]);
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-        (low.min(value), high.max(value))
-    });
+    let [low, high] = range(values);
     let margin = 0.08 * (high - low).max(1e-6);
     let axis = Axis::new("efficiency", "%").within(low - margin, high + margin);
     let mut chart = chart("fig07b", title, axis);

@@ -9,6 +9,7 @@ use asperity_contact::subsurface::{graded_depths, subsurface_stress};
 use asperity_contact::two_flanks::TwoFlanks;
 use asperity_contact::{ContactSolution, SolverSettings};
 use asperity_core::Profile;
+use asperity_core::numerics::range;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
 use asperity_report::chart::{Axis, Chart, Contour, Drawing, Line, Series};
 use asperity_report::tables::write;
@@ -63,7 +64,7 @@ pub(super) fn figures(folder: &Path) -> Result<Vec<Figure>, FigureError> {
     let rows = rows(&surfaces, &gap, &solution);
     write(&folder.join(TABLE), rows.iter())?;
     let x: Vec<f64> = rows.iter().map(|row| row.x_um).collect();
-    let mut figures = charts(&rows, &x);
+    let mut figures = charts(&rows);
     let stress = below(&x, &solution, folder)?;
     figures.push(Figure {
         name: "fig06d_subsurface",
@@ -72,10 +73,9 @@ pub(super) fn figures(folder: &Path) -> Result<Vec<Figure>, FigureError> {
     Ok(figures)
 }
 
-fn charts(rows: &[ContactRow], x: &[f64]) -> Vec<Figure> {
+fn charts(rows: &[ContactRow]) -> Vec<Figure> {
     let curve = |name: &str, line: Line, of: fn(&ContactRow) -> f64| {
-        let y: Vec<f64> = rows.iter().map(of).collect();
-        Series::new(name, line, x, &y)
+        Series::through(name, line, rows.iter().map(|row| [row.x_um, of(row)]))
     };
     let chart = |id: &str, title: &str, y: Axis| Chart::new(id, title, TABLE, across(), y);
     let shape = chart(
@@ -108,14 +108,10 @@ fn charts(rows: &[ContactRow], x: &[f64]) -> Vec<Figure> {
     .with(curve("Hertz, smooth", Line::Dashed, |row| {
         row.pressure_hertz_mpa
     }));
-    let figure = |name, chart| Figure {
-        name,
-        drawing: Drawing::Curves(chart),
-    };
     vec![
-        figure("fig06a_surfaces", shape),
-        figure("fig06b_deformation", deformed),
-        figure("fig06c_contact_stress", pressure),
+        Figure::curves("fig06a_surfaces", shape),
+        Figure::curves("fig06b_deformation", deformed),
+        Figure::curves("fig06c_contact_stress", pressure),
     ]
 }
 
@@ -190,11 +186,7 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
     let near: Vec<usize> = (0..x.len())
         .filter(|i| x[*i].abs() <= REACH[0] * HALF_WIDTH.si() * MICRO)
         .collect();
-    let extremes = |i: &usize| {
-        let stresses = rows.iter().map(|j| stress[j * x.len() + i]);
-        let ends = [f64::INFINITY, f64::NEG_INFINITY];
-        stresses.fold(ends, |[low, high], s| [low.min(s), high.max(s)])
-    };
+    let extremes = |i: &usize| range(rows.iter().map(|j| stress[j * x.len() + i]));
     let columns = thin(&near, BINS, |i| x[*i], extremes);
     let cells: Vec<StressRow> = rows
         .iter()
@@ -207,10 +199,6 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
         .collect();
     write(&folder.join(TABLE), cells.iter())?;
     Ok(Contour {
-        levels: None,
-        hatched: Vec::new(),
-        dots: Vec::new(),
-        isoline: None,
         id: "fig06d".to_owned(),
         title: "Fig. 6d: stress below the surface".to_owned(),
         source: TABLE.to_owned(),
@@ -221,5 +209,6 @@ fn below(x: &[f64], solution: &ContactSolution, folder: &Path) -> Result<Contour
         rows: rows.iter().map(|j| depths[*j] * MICRO).collect(),
         values: cells.iter().map(|cell| cell.von_mises_mpa).collect(),
         height: 230.0,
+        ..Contour::default()
     })
 }

@@ -145,10 +145,7 @@ fn zoomed(drawing: &Drawing) -> Option<Figure> {
                 title: "Fig. 10b: contact stress, near".to_owned(),
                 ..chart.clone()
             };
-            Some(Figure {
-                name: "fig10b_contact_stress_near",
-                drawing: Drawing::Curves(chart),
-            })
+            Some(Figure::curves("fig10b_contact_stress_near", chart))
         }
         Drawing::Contour(contour) => {
             let mut contour = contour.clone();

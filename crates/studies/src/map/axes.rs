@@ -1,6 +1,7 @@
 //! Axes of a map.
 
 use asperity::case::gear_train::LoadedTrain;
+use asperity_core::numerics::distinct;
 use serde::{Deserialize, Serialize};
 
 /// Nodes of a map, ascending along each axis.
@@ -216,12 +217,9 @@ fn check(
     }
 }
 
-fn rising(mut values: Vec<f64>) -> Vec<f64> {
+fn rising(values: Vec<f64>) -> Vec<f64> {
     // −0 becomes 0.
-    values.iter_mut().for_each(|value| *value += 0.0);
-    values.sort_by(f64::total_cmp);
-    values.dedup();
-    values
+    distinct(values.into_iter().map(|value| value + 0.0))
 }
 
 fn rounded(value: f64) -> f64 {

@@ -8,14 +8,15 @@
 //! the constants, the structure and the tip relief of a draw hold for the whole map.
 
 use asperity::uncertainty::{Predictive, Quantiles};
-use asperity_core::numerics::NodeInterval;
+use asperity_core::numerics::{NodeInterval, distinct};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
 
 /// Points of a map whose draws are computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum MapBand {
     /// None: the map has no quantiles.
     None,
@@ -84,7 +85,7 @@ impl Nodes {
         Self {
             torque_nm: three(torques),
             speed_rpm: three(&axes.speed_rpm),
-            temperature_c: distinct(temperatures.into_iter()),
+            temperature_c: distinct(temperatures),
         }
     }
 
@@ -108,13 +109,6 @@ fn three(values: &[f64]) -> Vec<f64> {
     let off = |value: &&f64| (*value * *value / (low * high)).ln().abs();
     let middle = all.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
     distinct([low, high].into_iter().chain(middle.copied()))
-}
-
-fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values.dedup();
-    values
 }
 
 /// L_j at the nodes of one side.

@@ -15,6 +15,7 @@ use asperity::result::gearbox::{self, OperatingPoint};
 use asperity::train_gearbox;
 use asperity::uncertainty::{Predictive, predictive};
 use asperity::{Contacts, Error, PositionError};
+use asperity_core::numerics::distinct;
 use asperity_core::quantity::{AngularSpeed, Power, Temperature, Torque};
 use rayon::prelude::*;
 
@@ -59,14 +60,7 @@ pub(super) const CRAWL: f64 = 1.0;
 
 /// Speeds at which a map is computed \[1/min\].
 pub(super) fn computed_speeds(axes: &Axes) -> Vec<f64> {
-    let mut speeds: Vec<f64> = axes
-        .speed_rpm
-        .iter()
-        .map(|speed| computed_speed(*speed))
-        .collect();
-    speeds.sort_by(f64::total_cmp);
-    speeds.dedup();
-    speeds
+    distinct(axes.speed_rpm.iter().map(|speed| computed_speed(*speed)))
 }
 
 /// Speed at which `speed` is computed.

@@ -4,15 +4,17 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use asperity::balance::{self, Unbalanced, sum};
+use asperity::case::MeshLoad;
 use asperity::case::gear_train::{LoadedMesh, LoadedTrain};
-use asperity::case::{LoadedCase, MeshLoad};
 use asperity::core::cancel::checkpoint;
 use asperity::fingerprint::Fingerprint;
 use asperity::flanks::Surfaces;
 use asperity::pipeline::Progress;
 use asperity::result::{Losses, OffsetRow};
 use asperity::{Error, PositionError};
+use asperity_core::numerics::{deviation, distinct};
 use asperity_core::quantity::{AngularSpeed, Power};
+use asperity_core::unique;
 use rayon::prelude::*;
 
 use super::axes::Axes;
@@ -130,15 +132,11 @@ impl Sides {
             let side = usize::from(differ && torque < 0.0);
             torques[side].push(torque.abs().max(from[side]));
         }
-        for torques in &mut torques {
-            torques.sort_by(f64::total_cmp);
-            torques.dedup();
-        }
         Ok(Self {
             from,
             has_coast,
             differ,
-            torques,
+            torques: torques.map(distinct),
         })
     }
 
@@ -210,8 +208,8 @@ fn of_finish(
     let mut map = FinishMap {
         name: finish.name.clone(),
         fingerprint: fingerprint.hex(),
-        files: files_of(&drives),
-        coast_files: files_of(&coasts),
+        files: unique(drives.iter().flat_map(files)),
+        coast_files: unique(coasts.iter().flat_map(files)),
         has_flanks_of_first: false,
         resolved_from_nm: sides.from,
         draws: draws(train, &computed, drawn, sides.differ, (axes, speeds)),
@@ -224,17 +222,6 @@ fn of_finish(
     add_quantiles(&mut map);
     let of_sides = drives.into_iter().chain(coasts);
     Ok((map, of_sides.map(|case| case.surfaces).collect()))
-}
-
-/// Names and sums of the distinct files of `cases`.
-fn files_of(cases: &[LoadedCase]) -> Vec<[String; 2]> {
-    let mut distinct: Vec<[String; 2]> = Vec::new();
-    for file in cases.iter().flat_map(files) {
-        if !distinct.contains(&file) {
-            distinct.push(file);
-        }
-    }
-    distinct
 }
 
 /// Loss torques of each mesh at all points.
@@ -483,7 +470,7 @@ fn deformation(losses: &Losses) -> f64 {
 /// The losses as computed, or with the other gear driving.
 fn numbers(evaluated: &EvaluatedMesh, omega: f64, is_reversed: bool) -> Numbers {
     let summary = &evaluated.losses.summary;
-    let (efficiency, deviation, mu) = match (is_reversed, &evaluated.reversed) {
+    let (efficiency, efficiency_deviation, mu) = match (is_reversed, &evaluated.reversed) {
         (false, _) => (
             Some(summary.efficiency),
             summary.efficiency_deviation,
@@ -505,11 +492,11 @@ fn numbers(evaluated: &EvaluatedMesh, omega: f64, is_reversed: bool) -> Numbers 
     Numbers {
         loss_w: summary.loss_w,
         loss_torque_nm: summary.loss_w / omega,
-        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / omega),
+        loss_torque_deviation_nm: deviation(&losses).map(|loss| loss / omega),
         loss_median_w: None,
         loss_quantiles_w: None,
         efficiency,
-        efficiency_deviation: deviation,
+        efficiency_deviation,
         sliding_w: summary.sliding_w,
         film_w: summary.film_w,
         lubricated_asperity_w: summary.lubricated_asperity_w,
@@ -545,11 +532,11 @@ fn extended(evaluated: &EvaluatedMesh, omega: f64, torque_nm: f64, at: f64) -> N
     Numbers {
         loss_w,
         loss_torque_nm: loss_w / omega,
-        loss_torque_deviation_nm: deviation_of(&losses).map(|loss| loss / omega),
+        loss_torque_deviation_nm: deviation(&losses).map(|loss| loss / omega),
         loss_median_w: None,
         loss_quantiles_w: None,
         efficiency,
-        efficiency_deviation: is_whole.then(|| deviation_of(&efficiencies)).flatten(),
+        efficiency_deviation: is_whole.then(|| deviation(&efficiencies)).flatten(),
         sliding_w: share * summary.sliding_w,
         film_w: share * summary.film_w,
         lubricated_asperity_w: share * summary.lubricated_asperity_w,
@@ -575,17 +562,6 @@ fn at_standstill(numbers: Numbers) -> Numbers {
         deformation_w: 0.0,
         ..numbers
     }
-}
-
-/// Sample standard deviation; `None` for fewer than two values.
-fn deviation_of(values: &[f64]) -> Option<f64> {
-    let n = values.len();
-    if n < 2 {
-        return None;
-    }
-    let mean = values.iter().sum::<f64>() / n as f64;
-    let square: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-    Some((square / (n - 1) as f64).sqrt())
 }
 
 /// Inputs out of range in a finish, and points without a result.

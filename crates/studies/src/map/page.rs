@@ -1,5 +1,6 @@
 //! Page of a map.
 
+use asperity_core::numerics::range;
 use asperity_report::chart::{Axis, Contour, Drawing};
 use asperity_report::html::{figure, page};
 use maud::{Markup, html};
@@ -226,20 +227,15 @@ fn field(map: &Map, finish: &FinishMap, temperature: usize, of: &dyn Fn(&Point) 
         hatched.clear();
     }
     Contour {
-        id: String::new(),
-        title: String::new(),
         source: "map.csv".to_owned(),
         x: Axis::new("torque", "N m"),
         y: Axis::new("speed", "1/min"),
-        value: String::new(),
         columns: axes.torque_nm.clone(),
         rows: axes.speed_rpm.clone(),
         values: nodes().map(|node| of(at(node))).collect(),
         hatched,
-        dots: Vec::new(),
-        levels: None,
-        isoline: None,
         height: 300.0,
+        ..Contour::default()
     }
 }
 
@@ -265,8 +261,7 @@ fn usual<'a>(map: &Map, finish: &'a FinishMap) -> Vec<&'a str> {
 
 /// Lower edges of bands at round numbers within the range of the values.
 fn round_levels(values: &[f64]) -> Vec<f64> {
-    let ends = |[low, high]: [f64; 2], value: &f64| [low.min(*value), high.max(*value)];
-    let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], ends);
+    let [low, high] = range(values.iter().copied());
     if low >= high {
         return vec![if low.is_finite() { low } else { 0.0 }];
     }
@@ -489,11 +484,8 @@ mod tests {
             columns: vec![0.0, 1.0],
             rows: vec![0.0, 1.0],
             values,
-            levels: None,
-            hatched: Vec::new(),
-            dots: Vec::new(),
-            isoline: None,
             height: 100.0,
+            ..Contour::default()
         }
     }
 

@@ -234,16 +234,6 @@ impl FinishMap {
     pub fn drawn(&self, flanks: usize, sampling: f64) -> Option<Drawn<'_>> {
         Drawn::of(&self.draws, self.meshes.len().max(1), flanks, sampling)
     }
-
-    /// Number of points without a result, by code.
-    #[must_use]
-    pub fn failures(&self) -> std::collections::BTreeMap<&str, usize> {
-        let mut failures = std::collections::BTreeMap::new();
-        for code in self.points.iter().filter_map(|point| point.code.as_deref()) {
-            *failures.entry(code).or_insert(0) += 1;
-        }
-        failures
-    }
 }
 
 impl Point {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity::result::loss_band::Digits;
+use asperity_core::numerics::range;
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
@@ -216,13 +217,8 @@ fn bands(map: &Map) -> String {
             (median > 0.0).then(|| [percent(low), percent(high)])
         });
         let shares: Vec<[f64; 2]> = shares.collect();
-        let low = shares
-            .iter()
-            .fold(f64::INFINITY, |least, [low, _]| least.min(*low));
-        let high = shares
-            .iter()
-            .fold(f64::NEG_INFINITY, |most, [_, high]| most.max(*high));
         let points = shares.len();
+        let [low, high] = range(shares.into_iter().flatten());
         (points > 0).then(|| {
             let text = format!(
                 "{}: 5 and 95 % quantiles of the loss at most {low:+.0} and {high:+.0} % from its median, over {points} points",

@@ -49,6 +49,22 @@ pub(super) struct Change {
     pub(super) keeps_contacts: bool,
 }
 
+impl Change {
+    /// Makes the changes of a group from what is changed, to what, and the changed case.
+    fn of(
+        group: &'static str,
+        keeps_contacts: bool,
+    ) -> impl Fn(String, String, Result<LoadedCase, Error>) -> Self {
+        move |what, to, case| Self {
+            group,
+            what,
+            to,
+            case,
+            keeps_contacts,
+        }
+    }
+}
+
 /// All changes that apply to `case`.
 pub(super) fn changes(case: &LoadedCase) -> Vec<Change> {
     let mut changes = flanks(case);
@@ -60,13 +76,7 @@ pub(super) fn changes(case: &LoadedCase) -> Vec<Change> {
 }
 
 fn flanks(loaded: &LoadedCase) -> Vec<Change> {
-    let change = |what: String, to: String, case| Change {
-        group: "flanks",
-        what,
-        to,
-        case,
-        keeps_contacts: false,
-    };
+    let change = Change::of("flanks", false);
     let mut changes: Vec<Change> = HEIGHTS
         .into_iter()
         .map(|factor| {
@@ -98,13 +108,7 @@ fn cutoffs(loaded: &LoadedCase) -> Vec<Change> {
     if range(loaded).is_none() {
         return Vec::new();
     }
-    let change = |what: String, to: String, case| Change {
-        group: "filters",
-        what,
-        to,
-        case,
-        keeps_contacts: false,
-    };
+    let change = Change::of("filters", false);
     let recipe = &loaded.case.preparation;
     let mut changes = Vec::new();
     if let Some(present) = recipe.lambda_c {
@@ -174,13 +178,7 @@ fn range(loaded: &LoadedCase) -> Option<[Length; 2]> {
 
 fn boundary(loaded: &LoadedCase) -> Vec<Change> {
     let model = &loaded.case.model;
-    let change = |what: &str, to: String, case| Change {
-        group: "boundary layer",
-        what: what.to_owned(),
-        to,
-        case,
-        keeps_contacts: true,
-    };
+    let change = Change::of("boundary layer", true);
     let friction = [-FRICTION, FRICTION].map(|step| {
         let to = model.boundary_friction + step;
         let case = loaded.with(|input| {
@@ -191,7 +189,7 @@ fn boundary(loaded: &LoadedCase) -> Vec<Change> {
             }
         });
         let what = format!("boundary friction {}", model.boundary_friction);
-        change(&what, digits(to, 4), case)
+        change(what, digits(to, 4), case)
     });
     let nm = |length: Length| format!("{} nm", digits(1e9 * length.si(), 3));
     let layer = LAYER.map(|factor| {
@@ -204,7 +202,7 @@ fn boundary(loaded: &LoadedCase) -> Vec<Change> {
             }
         });
         let what = format!("boundary layer {}", nm(model.boundary_layer));
-        change(&what, nm(to), case)
+        change(what, nm(to), case)
     });
     friction.into_iter().chain(layer).collect()
 }
@@ -220,17 +218,11 @@ fn scale<T: Copy + std::ops::Mul<f64, Output = T>>(fitted: &mut Calibrated<T>, f
 }
 
 fn oil(loaded: &LoadedCase) -> Vec<Change> {
-    let change = |what: &str, to: String, case| Change {
-        group: "oil",
-        what: what.to_owned(),
-        to,
-        case,
-        keeps_contacts: true,
-    };
+    let change = Change::of("oil", true);
     let viscosity = VISCOSITY.map(|factor| {
         let case = viscosity(loaded, factor)
             .and_then(|law| loaded.with(|input| input.lubricant.viscosity = Some(law)));
-        change("viscosity", format!("× {factor}"), case)
+        change("viscosity".to_owned(), format!("× {factor}"), case)
     });
     let temperature = loaded.case.temperature.celsius();
     let celsius = |temperature: f64| format!("{} °C", digits(temperature, 5));
@@ -249,7 +241,7 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
             (input.operation).set_temperature(Temperature::from_celsius(temperature));
         });
         let to = celsius(temperature);
-        change(&format!("temperature {from}"), to, case)
+        change(format!("temperature {from}"), to, case)
     });
     let present = loaded.case.lubricant.base_oil();
     // The constants of an oil file are those of its oil, whatever the family.
@@ -266,7 +258,7 @@ fn oil(loaded: &LoadedCase) -> Vec<Change> {
             Some(present) => format!("base oil {}", present.name()),
             None => "base oil".to_owned(),
         };
-        change(&what, oil.name().to_owned(), case)
+        change(what, oil.name().to_owned(), case)
     });
     viscosity
         .into_iter()
@@ -368,13 +360,7 @@ fn relief(loaded: &LoadedCase) -> Vec<Change> {
                     gear.get_or_insert_default().tip_relief = Some(TipRelief::Drawn(drawn));
                 }
             });
-            Change {
-                group: "gears",
-                what: format!("tip relief {}", named(amounts)),
-                to: named(to),
-                case,
-                keeps_contacts: false,
-            }
+            Change::of("gears", false)(format!("tip relief {}", named(amounts)), named(to), case)
         })
         .collect()
 }

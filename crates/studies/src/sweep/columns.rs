@@ -1,5 +1,6 @@
 //! The inputs of a merged study, column by column: numbers with one unit, or choices.
 
+use asperity_core::unique;
 use toml::Value;
 
 use super::amount::Amount;
@@ -73,17 +74,6 @@ impl InputColumn {
         }
     }
 
-    /// Distinct choices in the order of the cases.
-    pub(super) fn choices(names: &[String]) -> Vec<&String> {
-        let mut distinct: Vec<&String> = Vec::new();
-        for name in names {
-            if !distinct.contains(&name) {
-                distinct.push(name);
-            }
-        }
-        distinct
-    }
-
     /// The input in a regression over the cases `at`: a number, or each choice but the first.
     pub(super) fn regressors(&self, at: &[usize]) -> Vec<Regressor> {
         match &self.values {
@@ -101,7 +91,7 @@ impl InputColumn {
                         .collect(),
                     is_choice: true,
                 };
-                Self::choices(names).into_iter().skip(1).map(of).collect()
+                unique(names).into_iter().skip(1).map(of).collect()
             }
         }
     }

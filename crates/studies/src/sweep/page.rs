@@ -1,5 +1,7 @@
 //! Page of a study: each result over each axis, then the effects of all inputs.
 
+use asperity_core::numerics::distinct;
+use asperity_core::unique;
 use asperity_report::chart::{
     Axis, Bar, BarChart, Chart, Drawing, Interval, Line, Series, Tornado,
 };
@@ -74,9 +76,7 @@ fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
     };
     match &axis.values {
         InputValues::Numbers { unit, values, .. } => {
-            let mut nodes = values.clone();
-            nodes.sort_by(f64::total_cmp);
-            nodes.dedup();
+            let nodes = distinct(values.iter().copied());
             let points: Vec<(f64, [f64; 3])> = nodes
                 .iter()
                 .filter_map(|node| Some((*node, group(&|k| values[k] == *node)?)))
@@ -95,12 +95,11 @@ fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
                 Axis::new(&input_name(&axis.name), unit),
                 y,
             )
-            .with(Series::new("mean", Line::Dots, &x, &of(0)))
+            .curve("mean", Line::Dots, &x, &of(0))
             .with(Series::band("lowest to highest", &x, &of(1), &of(2)));
             (points.len() > 1).then_some(Drawing::Curves(chart))
         }
         InputValues::Choices(names) => {
-            let choices = InputColumn::choices(names);
             let interval = |choice: &&String| {
                 let [mean, low, high] = group(&|k| names[k] == **choice)?;
                 let mean = output.text(mean / output.factor);
@@ -110,7 +109,7 @@ fn over(axis: &InputColumn, name: &str, values: &[f64]) -> Option<Drawing> {
                     text: format!("mean {mean}"),
                 })
             };
-            let intervals: Vec<Interval> = choices.iter().filter_map(interval).collect();
+            let intervals: Vec<Interval> = unique(names).iter().filter_map(interval).collect();
             let [middle, ..] = group(&|_| true)?;
             // Of a single case at each choice there is no range to draw.
             if intervals.iter().all(|of| of.ends[0] == of.ends[1]) {

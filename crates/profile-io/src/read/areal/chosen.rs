@@ -18,10 +18,7 @@ pub(super) fn chosen<T>(
     };
     let at = match all.len() {
         0 => {
-            return Err(ReadFault::NotHeights {
-                format,
-                content: "no array of real numbers",
-            });
+            return Err(ReadFault::no_heights(format, "no array of real numbers"));
         }
         1 => 0,
         _ => all.iter().position(is_named).ok_or_else(|| {

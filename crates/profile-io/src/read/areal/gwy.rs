@@ -104,10 +104,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
         }
         return Ok(found);
     }
-    Err(ReadFault::NotHeights {
-        format: FORMAT,
-        content: "no surface of heights in a unit of length",
-    })
+    Err(ReadFault::no_heights(
+        FORMAT,
+        "no surface of heights in a unit of length",
+    ))
 }
 
 /// Items by name.

@@ -11,11 +11,7 @@ const MOST_BYTES: u64 = 1 << 30;
 /// The bytes of a file of `size` bytes.
 pub(super) fn whole(stream: &mut dyn Stream, size: u64) -> Result<Vec<u8>, ReadFault> {
     if size > MOST_BYTES {
-        return Err(ReadFault::TooLarge {
-            what: "the file",
-            bytes: size,
-            most: MOST_BYTES,
-        });
+        return Err(ReadFault::too_large("the file", size, MOST_BYTES));
     }
     let mut bytes = Vec::new();
     stream.rewind()?;

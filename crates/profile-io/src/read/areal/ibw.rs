@@ -51,10 +51,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
         bytes,
         is_big: bytes.first() == Some(&0),
     };
-    let refused = |content| ReadFault::NotHeights {
-        format: FORMAT,
-        content,
-    };
+    let refused = |content| ReadFault::no_heights(FORMAT, content);
     let size = |at| header.size(at).ok_or_else(short_file);
     let mut sides = [0; 4];
     for (k, side) in sides.iter_mut().enumerate() {

@@ -29,10 +29,7 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let intensities: u32 = big(&bytes, 60).ok_or_else(cut)?;
     let (columns, rows) = (short_at(68)?, short_at(70)?);
     if columns == 0 || rows == 0 {
-        return Err(ReadFault::NotHeights {
-            format: FORMAT,
-            content: "intensities alone",
-        });
+        return Err(ReadFault::no_heights(FORMAT, "intensities alone"));
     }
     let (scale, wavelength, obliquity) = (float(164)?, float(168)?, float(176)?);
     let spacing = float(184)?;

@@ -94,10 +94,7 @@ pub(super) fn read(mut bytes: Vec<u8>) -> Result<Areal, ReadFault> {
         found.metadata.instrument = Some("Nanosurf".to_owned());
         return Ok(found);
     }
-    Err(ReadFault::NotHeights {
-        format: FORMAT,
-        content: "no channel of heights",
-    })
+    Err(ReadFault::no_heights(FORMAT, "no channel of heights"))
 }
 
 /// The lines `name=value` of each section.

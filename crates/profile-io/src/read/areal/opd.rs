@@ -52,10 +52,7 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
         .iter()
         .find_map(|name| block(name).filter(|block| block.kind == ARRAY));
     let Some(heights) = heights else {
-        return Err(ReadFault::NotHeights {
-            format: FORMAT,
-            content: "no block of heights",
-        });
+        return Err(ReadFault::no_heights(FORMAT, "no block of heights"));
     };
     let count = |at| little::<u16>(&bytes, heights.first + at).map(usize::from);
     let [Some(columns), Some(rows), Some(width)] = [count(0), count(2), count(4)] else {

@@ -76,10 +76,10 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
         Some("Surface Profile") => profile(&tree, bytes)?,
         Some("Surface Height") => surface(&tree, bytes)?,
         _ => {
-            return Err(ReadFault::NotHeights {
-                format: FORMAT,
-                content: "neither a profile nor a surface",
-            });
+            return Err(ReadFault::no_heights(
+                FORMAT,
+                "neither a profile nor a surface",
+            ));
         }
     };
     let said = |path| tree.text(path).and_then(short);

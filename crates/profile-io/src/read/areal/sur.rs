@@ -57,10 +57,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     let fault = |what, seen: &str| damaged(FORMAT, what, seen);
     let kind: i16 = field(bytes, 0, 18)?;
     if let Some((_, content)) = OTHERS.iter().find(|(number, _)| *number == kind) {
-        return Err(ReadFault::NotHeights {
-            format: FORMAT,
-            content,
-        });
+        return Err(ReadFault::no_heights(FORMAT, content));
     }
     if ![PROFILE, SURFACE, PROFILES, WITH_INTENSITY, WITH_COLOUR].contains(&kind) {
         return Err(fault(
@@ -146,11 +143,11 @@ fn unpacked(bytes: &[u8], at: usize, length: usize) -> Result<(Vec<u8>, usize), 
     let fault = |what| damaged(FORMAT, what, "");
     let most = most_unpacked((bytes.len() as u64).saturating_sub(at as u64));
     if length as u64 > most {
-        return Err(ReadFault::TooLarge {
-            what: "the unpacked matrix",
-            bytes: length as u64,
+        return Err(ReadFault::too_large(
+            "the unpacked matrix",
+            length as u64,
             most,
-        });
+        ));
     }
     let cut = || fault("the list of its streams is cut off");
     let streams: u32 = little(bytes, at).ok_or_else(cut)?;

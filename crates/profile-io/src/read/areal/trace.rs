@@ -1,10 +1,12 @@
 //! A surface of a file, and the extraction of its traces.
 
+use asperity_core::numerics::range;
+
 use super::raw::Raw;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::found::{Found, unit_overridden};
-use crate::read::grid::SpacingSource;
+use crate::read::grid::{SpacingSource, chosen_row};
 use crate::read::metadata::Metadata;
 use crate::read::options::{Axis, LengthUnit, ReadOptions, TraceLine};
 use crate::read::surface::Surface;
@@ -101,15 +103,8 @@ impl Areal {
                 (0..points).map(mean).collect()
             }
             TraceLine::Row | TraceLine::Column => {
-                let asked = options.row.unwrap_or(usize::from(across == 1));
-                if asked == 0 || asked > across {
-                    return Err(ReadFault::SeveralProfiles {
-                        rows: across,
-                        points,
-                        asked,
-                    });
-                }
-                (0..points).map(|point| at(point, asked - 1)).collect()
+                let line = chosen_row(options.row, across, points)?;
+                (0..points).map(|point| at(point, line)).collect()
             }
         };
         if options.line.is_mean() && across > 1 {
@@ -192,11 +187,7 @@ fn mean(heights: impl Iterator<Item = f64>) -> f64 {
 fn span(heights: &Heights) -> f64 {
     let [columns, rows] = heights.size();
     let all = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for z in all.map(|(column, row)| heights.height(column, row)) {
-        if z.is_finite() {
-            (low, high) = (low.min(z), high.max(z));
-        }
-    }
+    let all = all.map(|(column, row)| heights.height(column, row));
+    let [low, high] = range(all.filter(|z| z.is_finite()));
     high - low
 }

@@ -63,10 +63,7 @@ fn image(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     let conditions = at(0, CONDITIONS)? as usize;
     let image = at(0, HEIGHTS)? as usize;
     if image == 0 {
-        return Err(ReadFault::NotHeights {
-            format: FORMAT,
-            content: "pictures alone",
-        });
+        return Err(ReadFault::no_heights(FORMAT, "pictures alone"));
     }
     let (columns, rows) = (at(image, 0)? as usize, at(image, 4)? as usize);
     let bits = at(image, 8)?;

@@ -10,9 +10,20 @@ use asperity_core::cite;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
+/// The shortest x with the least Σ_k (y_k − row_k·x)²; `None` without rows.
+#[must_use]
+pub fn least_squares(rows: &[Vec<f64>], values: &[f64]) -> Option<Vec<f64>> {
+    let columns = rows.first()?.len();
+    let matrix = DMatrix::from_row_iterator(rows.len(), columns, rows.iter().flatten().copied());
+    let found = matrix
+        .svd(true, true)
+        .solve(&DVector::from_column_slice(values), 1e-10);
+    Some(found.ok()?.iter().copied().collect())
+}
+
 /// y(z) = g·z + z·H z/2, which is 0 at the medians.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct QuadraticSurface {
+pub struct QuadraticSurface {
     /// Coefficients of z₁ .. z_n, then of z_i z_j, i ≤ j.
     coefficients: Vec<f64>,
 }
@@ -34,14 +45,8 @@ impl QuadraticSurface {
     pub fn fit(points: &[Vec<f64>], values: &[f64]) -> Option<Self> {
         cite!("Quadratic-surface");
         let rows: Vec<Vec<f64>> = points.iter().map(|point| terms(point)).collect();
-        let columns = rows.first()?.len();
-        let matrix = DMatrix::from_row_iterator(rows.len(), columns, rows.into_iter().flatten());
-        let found = matrix
-            .svd(true, true)
-            .solve(&DVector::from_column_slice(values), 1e-10);
-        Some(Self {
-            coefficients: found.ok()?.iter().copied().collect(),
-        })
+        let coefficients = least_squares(&rows, values)?;
+        Some(Self { coefficients })
     }
 
     /// y at `z`.
@@ -67,7 +72,7 @@ fn terms(z: &[f64]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::uncertainty::hypercube::latin_hypercube;
+    use crate::hypercube::latin_hypercube;
 
     #[test]
     fn a_quadratic_function_is_found_again() {

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 use asperity_core::numerics::standard_normal_quantile;
 
-use super::hypercube::permutations;
+use crate::hypercube::permutations;
 use crate::parameters::AXES;
 
 /// Number of draws: with 4096 the ends of the interval of the ground e-drive differ by 2 % between seeds, and the error
@@ -36,7 +36,7 @@ const fn order(k: usize) -> usize {
 
 /// One draw of everything that is uncertain: standard normal where not said otherwise.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Draw {
+pub struct Draw {
     /// Constants by their axis.
     pub constants: [f64; AXES.len()],
     /// State of the structure, 0 to 1.
@@ -55,12 +55,13 @@ pub(super) struct Draw {
     pub film_law: f64,
     /// Law of pressure where traction curves do not decide it, 0 to 1.
     pub pressure_law: f64,
+    /// Its part by the flanks.
     pub of_flanks: FlankDraw,
 }
 
 /// The part of a draw that differs from flanks to other flanks.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct FlankDraw {
+pub struct FlankDraw {
     /// Error of the model.
     pub model: f64,
     /// Sampling of the flanks.
@@ -95,19 +96,19 @@ impl Draw {
 }
 
 /// The draws that all flanks share, with the flanks of the run.
-pub(super) fn shared_draws() -> impl Iterator<Item = Draw> {
+pub fn shared_draws() -> impl Iterator<Item = Draw> {
     static SHARED: OnceLock<Vec<Draw>> = OnceLock::new();
     let drawn = SHARED.get_or_init(|| draws_in(&orders(SEED)).collect());
     drawn.iter().copied()
 }
 
 /// The strata of all draws on every axis.
-pub(super) fn orders(seed: u64) -> Vec<Vec<usize>> {
+pub fn orders(seed: u64) -> Vec<Vec<usize>> {
     permutations(DRAWS, PRESSURE_LAW + 1, seed)
 }
 
 /// The draws with their strata in these orders.
-pub(super) fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
+pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
     let (cut, normal) = (cut_normal(), normal());
     (0..DRAWS).map(move |j| {
         let factor = |k: usize| orders[FIRST + k][j];
@@ -127,7 +128,7 @@ pub(super) fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
 }
 
 /// The draws of flanks number `flanks`.
-pub(super) fn flank_draws(flanks: usize) -> impl Iterator<Item = FlankDraw> {
+pub fn flank_draws(flanks: usize) -> impl Iterator<Item = FlankDraw> {
     static FIRST_FLANKS: OnceLock<Vec<FlankDraw>> = OnceLock::new();
     let drawn = || -> Vec<FlankDraw> {
         let (orders, normal) = (permutations(DRAWS, 4, SEED + 1 + flanks as u64), normal());

@@ -8,12 +8,11 @@ use std::collections::BTreeMap;
 use asperity_core::cite;
 use asperity_core::numerics::standard_normal_quantile;
 
-use super::draw::Draw;
-use super::predictive::{FilmLaw, Predictive};
-use super::quantiles::{PROBABILITIES, Quantiles};
+use crate::draw::Draw;
 use crate::parameters::{AXES, UncertainParameter};
-use crate::result::loss_band::EvidenceRow;
-use crate::sampling::SamplingError;
+use crate::predictive::{FilmLaw, Predictive};
+use crate::quantiles::{PROBABILITIES, Quantiles};
+use crate::sampling_error::SamplingError;
 use asperity_case::case::law_error;
 
 /// Simulated results of a measurement of losses.
@@ -56,28 +55,6 @@ pub enum Measurement {
         /// Standard deviation of the logarithm of their mean.
         deviation: f64,
     },
-}
-
-impl EvidenceRow {
-    /// The row of a measurement that takes `hours` and leaves `left` of the present interval `now`.
-    #[must_use]
-    pub fn new((key, words, hours): (&str, String, f64), now: Quantiles, left: Quantiles) -> Self {
-        let log_width = |found: Quantiles| {
-            let [low, high] = found.quantiles_w;
-            (high / low).ln()
-        };
-        let moved = now.median_w / left.median_w;
-        let [low_w, high_w] = left.quantiles_w.map(|end| moved * end);
-        Self {
-            key: key.to_owned(),
-            measurement: words,
-            hours,
-            low_w,
-            high_w,
-            sd_ln: left.sd_ln,
-            width: log_width(left) / log_width(now),
-        }
-    }
 }
 
 /// Draws of a mesh, the number of its equal meshes, and the number of its flanks: equal flanks have the same errors of model
@@ -135,7 +112,7 @@ fn total(
 fn after_losses(meshes: &[MeshDraws<'_>], deviation: f64) -> Quantiles {
     cite!("Expected-losses");
     let shared = total(meshes, |_, predictive, _| {
-        predictive.losses_by(0, |draw| {
+        predictive.losses_by(0, &|draw| {
             hold_relief(draw);
             draw.of_flanks = Draw::medians().of_flanks;
         })
@@ -197,7 +174,7 @@ impl Predictive {
         use UncertainParameter as P;
         let mut left = self.clone();
         let narrowed = |scales: [f64; AXES.len()], left: &Self| {
-            left.losses_by(flanks, |draw| {
+            left.losses_by(flanks, &|draw| {
                 for (z, scale) in draw.constants.iter_mut().zip(scales) {
                     *z *= scale;
                 }
@@ -248,7 +225,7 @@ impl Predictive {
                 .then(|| narrowed(scaled(&[P::Lay], 0.0), &left)),
             Measurement::TipRelief => {
                 self.relief.as_ref()?;
-                Some(self.losses_by(flanks, hold_relief))
+                Some(self.losses_by(flanks, &hold_relief))
             }
             Measurement::Traces { times } => {
                 let known = self.sampling.standard_error > 0.0 && self.sampling.form == 0.0;
@@ -265,7 +242,7 @@ impl Predictive {
     }
 
     /// Whether a constant is drawn from its family.
-    pub(super) fn draws(&self, kind: UncertainParameter) -> bool {
+    pub fn draws(&self, kind: UncertainParameter) -> bool {
         let mut own = self.constants.iter();
         own.any(|constant| constant.kind == kind && constant.measured.is_none())
     }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Probabilities of the lower quantile, the median and the upper quantile.
-pub(super) const PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
+pub const PROBABILITIES: [f64; 3] = [0.05, 0.5, 0.95];
 
 /// Median, 5 % and 95 % quantiles of drawn losses, and the standard deviation of their logarithms.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -20,7 +20,7 @@ impl Quantiles {
     /// Of drawn losses, interpolated between order statistics.
     ///
     /// ```
-    /// use asperity::uncertainty::Quantiles;
+    /// use asperity_uncertainty::Quantiles;
     /// let found = Quantiles::of(&(0..=20).map(|k| 100.0 + f64::from(k)).collect::<Vec<_>>());
     /// assert_eq!((found.median_w, found.quantiles_w), (110.0, [101.0, 119.0]));
     /// ```
@@ -40,10 +40,7 @@ impl Quantiles {
 }
 
 /// Quantiles of `values` at `probabilities`, interpolated between order statistics; not numbers of no values.
-pub(crate) fn sorted_quantiles<const N: usize>(
-    values: &[f64],
-    probabilities: [f64; N],
-) -> [f64; N] {
+pub fn sorted_quantiles<const N: usize>(values: &[f64], probabilities: [f64; N]) -> [f64; N] {
     let Some(last) = values.len().checked_sub(1) else {
         return [f64::NAN; N];
     };

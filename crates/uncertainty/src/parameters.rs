@@ -40,7 +40,7 @@ use serde::{Deserialize, Serialize};
 
 /// Constants that can be drawn, each along its own axis of the hypercube whatever the others are. A further constant is
 /// appended, so that the draws of the others remain.
-pub(crate) const AXES: [UncertainParameter; 9] = [
+pub const AXES: [UncertainParameter; 9] = [
     UncertainParameter::BoundaryFriction,
     UncertainParameter::BoundaryLayer,
     UncertainParameter::Lay,
@@ -88,7 +88,7 @@ pub enum UncertainParameter {
 /// Measurements that state the distribution of a constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Measured {
+pub enum Measured {
     /// Losses on a rig, in the table `calibration` of the case; older results name the constant here.
     #[serde(alias = "boundary_friction", alias = "boundary_layer")]
     #[serde(alias = "limiting_shear", alias = "eyring_stress")]
@@ -101,12 +101,14 @@ pub(crate) enum Measured {
 
 /// A constant with its distribution in a case.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Ranged {
+pub struct Ranged {
+    /// The constant.
     pub kind: UncertainParameter,
     /// The median.
     pub value: f64,
-    /// 5 % and 95 % quantiles, 2.5 % and 97.5 % of a measured one.
+    /// 5 % quantile, 2.5 % of a measured one.
     pub low: f64,
+    /// 95 % quantile, 97.5 % of a measured one.
     pub high: f64,
     /// Measurements that state value and range.
     #[serde(rename = "calibrated")]
@@ -165,7 +167,7 @@ impl UncertainParameter {
     }
 
     /// Correlation with `other`, which the same measurements state; 0 if they state none.
-    pub(crate) fn correlation(self, other: Self, measured: Measured, case: &Case) -> f64 {
+    pub fn correlation(self, other: Self, measured: Measured, case: &Case) -> f64 {
         let of_calibration = || {
             let names = (self.calibrated_name()?, other.calibrated_name()?);
             let given = case.input.calibration.as_ref()?;
@@ -338,7 +340,7 @@ impl UncertainParameter {
 }
 
 /// The uncertain constants of a case, and names of those that the case states.
-pub(crate) fn parameters(loaded: &LoadedCase) -> Result<(Vec<Ranged>, Vec<String>), PositionError> {
+pub fn parameters(loaded: &LoadedCase) -> Result<(Vec<Ranged>, Vec<String>), PositionError> {
     let (mut drawn, mut held) = (Vec::new(), Vec::new());
     for kind in AXES.into_iter().filter(|kind| kind.acts(loaded)) {
         match kind.ranged(loaded)? {
@@ -359,7 +361,7 @@ impl Ranged {
     ///
     /// The lay is the mean of both flanks; measured on a surface it is v₀ exp(s± z), at most 1, or uniform up to its bound.
     /// v± are the 5 % and 95 % quantiles, on either side of v₀ its own; z₉₅ = 1.645, and 1.960 of a measured constant.
-    pub(crate) fn at(&self, z: f64) -> f64 {
+    pub fn at(&self, z: f64) -> f64 {
         asperity_core::cite!("Constant-draw");
         let end = if z < 0.0 { self.low } else { self.high };
         let z_end = match self.measured {
@@ -428,7 +430,7 @@ impl UncertainParameter {
 }
 
 /// The case with its flanks at a temperature, its uncertain parameters where they are.
-pub(crate) fn at_temperature(loaded: &LoadedCase, bulk: Temperature) -> Result<LoadedCase, Error> {
+pub fn at_temperature(loaded: &LoadedCase, bulk: Temperature) -> Result<LoadedCase, Error> {
     let mut warmed = loaded.with(|input| {
         input.operation.set_bulk_temperature(bulk);
     })?;

@@ -11,7 +11,7 @@ use rand_core::{Rng, SeedableRng};
 /// ```text
 /// u_jk = (π_k(j) + 1/2)/N,  j = 0 .. N − 1                                    [Latin-hypercube]
 /// ```
-pub(super) fn latin_hypercube(draws: usize, dimensions: usize, seed: u64) -> Vec<Vec<f64>> {
+pub fn latin_hypercube(draws: usize, dimensions: usize, seed: u64) -> Vec<Vec<f64>> {
     let axes = permutations(draws, dimensions, seed);
     let point = |j: usize| {
         let place = |axis: &Vec<usize>| (axis[j] as f64 + 0.5) / draws as f64;
@@ -21,7 +21,7 @@ pub(super) fn latin_hypercube(draws: usize, dimensions: usize, seed: u64) -> Vec
 }
 
 /// A random order of the strata along each axis.
-pub(super) fn permutations(draws: usize, dimensions: usize, seed: u64) -> Vec<Vec<usize>> {
+pub fn permutations(draws: usize, dimensions: usize, seed: u64) -> Vec<Vec<usize>> {
     cite!("Latin-hypercube");
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let axis = |_| {
@@ -44,7 +44,7 @@ fn uniform(random: &mut ChaCha8Rng) -> f64 {
 /// Quantiles of Student's t distribution where the standard normal one has its quantiles z.
 ///
 /// The ratio t/z is smooth, so that a table of it over z is interpolated.
-pub(super) struct StudentOfNormal {
+pub struct StudentOfNormal {
     ratios: Vec<f64>,
 }
 

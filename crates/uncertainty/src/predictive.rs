@@ -21,13 +21,13 @@ use asperity_core::numerics::interpolate;
 use asperity_ehl_regime::{FULL_FILM, GapLaw};
 use serde::{Deserialize, Serialize};
 
-use super::draw::{DRAWS, Draw, flank_draws, shared_draws};
-use super::hypercube::StudentOfNormal;
-use super::quantiles::Quantiles;
-use super::relief::ReliefFactors;
-use super::surface::QuadraticSurface;
+use crate::draw::{DRAWS, Draw, flank_draws, shared_draws};
+use crate::hypercube::StudentOfNormal;
 use crate::parameters::{AXES, Ranged, UncertainParameter};
-use crate::sampling::SamplingError;
+use crate::quantiles::{Quantiles, sorted_quantiles};
+use crate::relief::ReliefFactors;
+use crate::sampling_error::SamplingError;
+use crate::surface::QuadraticSurface;
 
 /// Probability of the exponential boundary rule with spots fed at the entrainment speed, and with the step rule added.
 const STATES: [f64; 2] = [0.65, 0.90];
@@ -44,53 +44,52 @@ const POWER_ERROR: f64 = 0.05;
 
 /// The ingredients of the draws of one case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[non_exhaustive]
 pub struct Predictive {
     /// Loss of the run, with every constant at its median \[W\].
     pub at_medians_w: f64,
     /// Power into the mesh \[W\].
     pub power_in_w: f64,
     /// Its sliding, rolling and other losses \[W\].
-    pub(crate) parts_w: [f64; 3],
+    pub parts_w: [f64; 3],
     /// Constants that are drawn.
-    pub(crate) constants: Vec<Ranged>,
+    pub constants: Vec<Ranged>,
     /// Rows of the lower triangle of the correlations of the measured constants, in their order.
-    pub(crate) correlations: Vec<Vec<f64>>,
+    pub correlations: Vec<Vec<f64>>,
     /// ln of the sliding loss relative to the medians; `None` if nothing is drawn.
-    pub(crate) sliding: Option<QuadraticSurface>,
+    pub sliding: Option<QuadraticSurface>,
     /// ln of the rolling loss relative to the medians, where the temperature is drawn, on which it depends most.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) rolling: Option<QuadraticSurface>,
+    pub rolling: Option<QuadraticSurface>,
     /// φ less that at the medians.
-    pub(crate) share: Option<QuadraticSurface>,
+    pub share: Option<QuadraticSurface>,
     /// Root mean square error of the first surface at points that it was not fitted to.
-    pub(crate) surface_rms: f64,
+    pub surface_rms: f64,
     /// φ at the medians.
-    pub(crate) asperity_share: f64,
+    pub asperity_share: f64,
     /// Film friction whose constants traction curves state; `None` without them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) film_law: Option<FilmLaw>,
+    pub film_law: Option<FilmLaw>,
     /// The other law of pressure, where traction curves do not decide between two.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) other_law: Option<OtherLaw>,
+    pub other_law: Option<OtherLaw>,
     /// Open choices of a solved contact; `None` if the share of the asperities follows from a formula.
-    pub(crate) structure: Option<Structure>,
+    pub structure: Option<Structure>,
     /// Loss factors over tip reliefs; `None` if the case states its relief.
-    pub(crate) relief: Option<ReliefFactors>,
+    pub relief: Option<ReliefFactors>,
     /// Law of the gap that the inlet supplies.
     #[serde(default = "former_gap_law")]
-    pub(crate) gap_law: GapLaw,
+    pub gap_law: GapLaw,
     /// s; `None` if it is not known.
-    pub(crate) roughness_over_film: Option<f64>,
+    pub roughness_over_film: Option<f64>,
     /// Film weighted with the sliding loss \[m\].
-    pub(crate) film_m: f64,
+    pub film_m: f64,
     /// Error by the sampling of the flanks.
-    pub(crate) sampling: SamplingError,
+    pub sampling: SamplingError,
 }
 
 /// Structural choices of the solved share of the asperities.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Structure {
+pub struct Structure {
     /// ln of the ratio of the sliding losses with spots fed at half the sliding speed and at the entrainment speed:
     /// constant, and slopes over the standardised boundary friction and boundary layer.
     pub half_sliding: [f64; 3],
@@ -104,7 +103,7 @@ pub(crate) struct Structure {
 
 /// Error of the law of film friction whose constants traction curves state.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(crate) struct FilmLaw {
+pub struct FilmLaw {
     /// Share of the film friction in the sliding loss.
     pub share: f64,
     /// Standard deviation of ln of the film friction.
@@ -113,7 +112,7 @@ pub(crate) struct FilmLaw {
 
 /// The sliding loss by another law of pressure that traction curves admit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct OtherLaw {
+pub struct OtherLaw {
     /// Its probability.
     pub probability: f64,
     /// Rows of the lower triangle of the correlations of its constants.
@@ -140,13 +139,17 @@ impl FilmLaw {
 
 /// The state of the structure in a draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum State {
+pub enum State {
+    /// Spots fed at the entrainment speed.
     Entrainment,
+    /// Step rule of the boundary layer.
     StepRule,
+    /// Spots fed at half the sliding speed.
     HalfSliding,
 }
 
 impl State {
+    /// All states, the likeliest first.
     pub const ALL: [Self; 3] = [Self::Entrainment, Self::StepRule, Self::HalfSliding];
 
     fn of(probability: f64) -> Self {
@@ -157,6 +160,8 @@ impl State {
         }
     }
 
+    /// Its name.
+    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Entrainment => "spots fed at the entrainment speed",
@@ -177,16 +182,24 @@ impl State {
 
 /// A component of the uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Component {
+pub enum Component {
+    /// A constant, by its place among those drawn.
     Constant(usize),
     /// All constants together, with the law and its error that traction curves leave.
     Constants,
+    /// Sampling of the flanks.
     Sampling,
+    /// Tip relief that is not stated.
     Relief,
+    /// Error of the fast model.
     Model,
+    /// Boundary rule and feed of the spots.
     Structure,
+    /// Rolling loss.
     Rolling,
+    /// Error of the law of film friction.
     FilmLaw,
+    /// Law of pressure where traction curves do not decide it.
     PressureLaw,
 }
 
@@ -204,12 +217,12 @@ impl Predictive {
     }
 
     /// The losses of all draws with model error and sampling of the flanks drawn as for flanks number `flanks`.
-    pub(super) fn losses(&self, flanks: usize) -> Vec<f64> {
-        self.losses_by(flanks, |_| {})
+    pub fn losses(&self, flanks: usize) -> Vec<f64> {
+        self.losses_by(flanks, &|_| {})
     }
 
     /// The same with every draw changed.
-    pub(super) fn losses_by(&self, flanks: usize, change: impl Fn(&mut Draw)) -> Vec<f64> {
+    pub fn losses_by(&self, flanks: usize, change: &dyn Fn(&mut Draw)) -> Vec<f64> {
         cite!("Predictive-draw");
         let law = self.law();
         let draws = shared_draws().zip(flank_draws(flanks));
@@ -232,7 +245,7 @@ impl Predictive {
     }
 
     /// Adds `count` times the losses of all draws, as of flanks number `flanks`, to `total` \[W\].
-    pub(crate) fn add_draws(&self, total: &mut [f64], count: f64, flanks: usize) {
+    pub fn add_draws(&self, total: &mut [f64], count: f64, flanks: usize) {
         for (total, loss) in total.iter_mut().zip(self.losses(flanks)) {
             *total += count * loss;
         }
@@ -246,7 +259,7 @@ impl Predictive {
 
     /// The same without the scatter and the form of surrogate flanks, as by traces with the same mean; none unless the
     /// flanks are surrogates.
-    pub(super) fn with_traces(&self) -> Option<Quantiles> {
+    pub fn with_traces(&self) -> Option<Quantiles> {
         let measured = Self {
             sampling: SamplingError::NONE,
             ..self.clone()
@@ -262,12 +275,12 @@ impl Predictive {
     }
 
     /// Median, quantiles and spread with only `component` drawn; `None` if it changes nothing.
-    pub(super) fn alone(&self, component: Component) -> Option<Quantiles> {
+    pub fn alone(&self, component: Component) -> Option<Quantiles> {
         self.law().alone(component)
     }
 
     /// Loss at the medians in a state of the structure \[W\]; `None` without a choice.
-    pub(super) fn in_state(&self, state: State) -> Option<f64> {
+    pub fn in_state(&self, state: State) -> Option<f64> {
         self.structure.as_ref()?;
         let draw = Draw {
             state: state.place(),
@@ -277,7 +290,7 @@ impl Predictive {
     }
 
     /// The loss without tip relief and with the largest, relative to the run; `None` if the relief is stated.
-    pub(super) fn at_ends_of_relief(&self) -> Option<[f64; 2]> {
+    pub fn at_ends_of_relief(&self) -> Option<[f64; 2]> {
         self.relief.as_ref()?;
         let law = self.law();
         let at = |relief: f64| {
@@ -291,7 +304,7 @@ impl Predictive {
     }
 
     /// The loss of one draw after another.
-    pub(super) fn law(&self) -> DrawnLoss<'_> {
+    pub fn law(&self) -> DrawnLoss<'_> {
         DrawnLoss {
             of: self,
             bias: self.model_deviation()[0],
@@ -302,7 +315,7 @@ impl Predictive {
     }
 
     /// Standardised constants of a draw, measured ones correlated; beyond the constants 0.
-    pub(super) fn standardised(&self, draw: &Draw, correlations: &[Vec<f64>]) -> [f64; AXES.len()] {
+    pub fn standardised(&self, draw: &Draw, correlations: &[Vec<f64>]) -> [f64; AXES.len()] {
         let mut z = [0.0; AXES.len()];
         for (z, constant) in z.iter_mut().zip(&self.constants) {
             *z = draw.constants[constant.kind as usize];
@@ -357,7 +370,9 @@ impl Predictive {
         model_deviation(self.gap_law, s, self.asperity_share)
     }
 
-    pub(super) fn model_error(&self) -> f64 {
+    /// Standard deviation of ln loss by the model and the surface.
+    #[must_use]
+    pub fn model_error(&self) -> f64 {
         let [_, error] = self.model_deviation();
         error.hypot(self.surface_rms)
     }
@@ -370,7 +385,7 @@ impl Predictive {
 
     /// The factor of each draw on the sliding loss at constants, relief and model error, for the rows of a path: without
     /// the constants' own part, which differs from position to position. `draws_w` are the losses of all draws.
-    pub(super) fn factors_of_sliding(&self, draws_w: &[f64]) -> Vec<(Vec<f64>, f64)> {
+    fn factors_of_sliding(&self, draws_w: &[f64]) -> Vec<(Vec<f64>, f64)> {
         let law = self.law();
         let [sliding, _, other] = self.parts_w;
         let draws = shared_draws().zip(draws_w);
@@ -383,6 +398,36 @@ impl Predictive {
         draws.map(factor).collect()
     }
 
+    /// 5 % and 95 % quantiles of the sliding loss of positions \[W/m\] over the draws with the losses `draws_w`. Each position
+    /// has its loss in the run, and the surface of ln of its loss relative to the medians, 0 beyond the surfaces.
+    #[must_use]
+    pub fn quantiles_along_path(
+        &self,
+        draws_w: &[f64],
+        sliding_w_per_m: &[f64],
+        of_positions: &[QuadraticSurface],
+    ) -> Vec<[f64; 2]> {
+        let draws = self.factors_of_sliding(draws_w);
+        let at = |(k, sliding): (usize, &f64)| {
+            let ln = |z: &[f64]| of_positions.get(k).map_or(0.0, |surface| surface.at(z));
+            let drawn = draws
+                .iter()
+                .map(|(z, factor)| sliding * factor * ln(z).exp());
+            sorted_quantiles(&drawn.collect::<Vec<_>>(), [0.05, 0.95])
+        };
+        sliding_w_per_m.iter().enumerate().map(at).collect()
+    }
+
+    /// A constant with its value in all draws; `None` if it is not drawn.
+    #[must_use]
+    pub fn drawn(&self, kind: UncertainParameter) -> Option<(Ranged, Vec<f64>)> {
+        let k = self.constants.iter().position(|one| one.kind == kind)?;
+        let constant = self.constants[k];
+        let values =
+            shared_draws().map(|draw| constant.at(self.standardised(&draw, &self.correlations)[k]));
+        Some((constant, values.collect()))
+    }
+
     /// Number of draws.
     #[must_use]
     pub const fn count() -> usize {
@@ -391,7 +436,7 @@ impl Predictive {
 }
 
 /// The loss of one draw after another, with what all draws share.
-pub(super) struct DrawnLoss<'a> {
+pub struct DrawnLoss<'a> {
     of: &'a Predictive,
     bias: f64,
     model_error: f64,
@@ -500,7 +545,7 @@ impl DrawnLoss<'_> {
 /// with a weight of 0 to 1, as the records have errors of their own.
 ///
 /// ```
-/// use asperity::uncertainty::model_deviation;
+/// use asperity_uncertainty::model_deviation;
 /// use asperity_ehl_regime::GapLaw;
 /// assert_eq!(model_deviation(GapLaw::Inlet, 1.0, 0.2), [0.0, 0.05]);
 /// assert_eq!(model_deviation(GapLaw::Inlet, 1.0, 0.0), [0.0, 0.03]);
@@ -530,8 +575,8 @@ fn former_gap_law() -> GapLaw {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::{draws_in, orders};
     use super::*;
+    use crate::draw::{draws_in, orders};
     use crate::parameters::Measured;
 
     /// A case of which nothing is uncertain but the error of the model and the rolling loss.
@@ -760,7 +805,7 @@ mod tests {
 
     #[test]
     fn losses_narrow_what_all_flanks_share() {
-        use super::super::expected::{Measurement, expected_after};
+        use crate::expected::{Measurement, expected_after};
         // μ_b alone is shared, 0.3 of ln loss; error of the model 0.05, of the measurement 0.04.
         let friction = constant(UncertainParameter::BoundaryFriction, [0.066, 0.09, 0.123]);
         let points: Vec<Vec<f64>> = (-4..=4).map(|k| vec![0.5 * f64::from(k)]).collect();

@@ -1,13 +1,15 @@
-//! Mean, median and standard deviation of a few values.
+//! Mean, median, standard deviation and order of a few values.
 
 /// Mean of equally weighted values.
-pub(crate) fn mean(values: impl Iterator<Item = f64>) -> f64 {
-    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+pub fn mean(values: impl IntoIterator<Item = f64>) -> f64 {
+    let (sum, count) = values
+        .into_iter()
+        .fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
     sum / count
 }
 
 /// Median; none of no values.
-pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
+pub fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     let n = values.len();
     let upper = *values.get(n / 2)?;
@@ -18,7 +20,7 @@ pub(crate) fn median(mut values: Vec<f64>) -> Option<f64> {
 }
 
 /// Sample standard deviation; none for fewer than two values.
-pub(crate) fn deviation(values: &[f64]) -> Option<f64> {
+pub fn deviation(values: &[f64]) -> Option<f64> {
     let n = values.len();
     if n < 2 {
         return None;
@@ -26,6 +28,19 @@ pub(crate) fn deviation(values: &[f64]) -> Option<f64> {
     let middle = mean(values.iter().copied());
     let squares: f64 = values.iter().map(|value| (value - middle).powi(2)).sum();
     Some((squares / (n - 1) as f64).sqrt())
+}
+
+/// The values in ascending order, without repetitions.
+///
+/// ```
+/// use asperity_core::numerics::distinct;
+/// assert_eq!(distinct([2.0, -1.0, 2.0]), [-1.0, 2.0]);
+/// ```
+pub fn distinct(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
+    let mut values: Vec<f64> = values.into_iter().collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// Error of ln loss by the sampling of the flanks: Student's t with a standard error, and a shift of placed traces.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(crate) struct SamplingError {
+pub struct SamplingError {
     /// Standard error; 0 if it is not known.
     pub standard_error: f64,
     /// Its degrees of freedom.

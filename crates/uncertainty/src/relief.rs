@@ -12,7 +12,6 @@ use serde::{Deserialize, Serialize};
 
 use asperity_case::case::{AssumedRelief, Case};
 use asperity_case::error::PositionError;
-use asperity_case::message::Warning;
 
 /// Places c of the table.
 const AMOUNTS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -21,7 +20,7 @@ const LENGTHS: [f64; 2] = [0.5, 1.0];
 
 /// Loss factors over amount and length of the tip relief.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct ReliefFactors {
+pub struct ReliefFactors {
     /// By length, then by amount.
     factors: [[f64; 5]; 2],
     /// With the relief of the run.
@@ -62,27 +61,6 @@ impl ReliefFactors {
         let [short, long] = [at(&self.factors[0]), at(&self.factors[1])];
         (short + length * (long - short)) / self.of_run
     }
-}
-
-/// W439: the amounts that the tip relief may have, and the loss at both ends.
-pub(super) fn warning(assumed: &AssumedRelief, at_ends: [f64; 2], internal: bool) -> Warning {
-    let gears = match assumed.gears {
-        [true, false] => "of the pinion",
-        [false, true] => "of the wheel",
-        _ => "of both gears",
-    };
-    let [none, whole] = at_ends.map(|ratio| 100.0 * (ratio - 1.0));
-    let edges = match internal {
-        true => "",
-        false => ", with contact of the tip edges,",
-    };
-    let most = 1e6 * assumed.approach.si();
-    Warning::new(
-        "W439",
-        format!(
-            "tip relief {gears} not stated, taken from 0 to {most:.0} um: none{edges} changes the loss by {none:+.0} %, {most:.0} um by {whole:+.0} %"
-        ),
-    )
 }
 
 /// H_V with the relief c δ over the roll length l L; edge contact of the tips where there is none.

@@ -1,0 +1,34 @@
+//! Draws of the loss of a gear mesh over its uncertain constants.
+//!
+//! | step | type |
+//! |---|---|
+//! | uncertain constants of a case with their distributions | [`UncertainParameter`], [`Ranged`] |
+//! | even draws of all of them, the same for every case | [`Draw`], [`latin_hypercube`] |
+//! | a surface through evaluations of the loss | [`QuadraticSurface`] |
+//! | the loss of every draw, its median and quantiles | [`Predictive`], [`Quantiles`] |
+//! | its interval as a further measurement would leave it | [`expected_after`] |
+//!
+//! No loss is evaluated here: the crate `asperity` does that, fills [`Predictive`], and re-exports what a result needs. This crate
+//! is apart because the draws are arithmetic on some 16 000 values, and are compiled for speed in every profile.
+
+mod draw;
+mod expected;
+mod hypercube;
+mod parameters;
+mod predictive;
+mod quantiles;
+mod relief;
+mod sampling_error;
+mod surface;
+
+pub use draw::{Draw, FlankDraw, flank_draws};
+pub use expected::{Measurement, MeshDraws, expected_after};
+pub use hypercube::{StudentOfNormal, latin_hypercube};
+pub use parameters::{AXES, Measured, Ranged, UncertainParameter, at_temperature, parameters};
+pub use predictive::{
+    Component, DrawnLoss, FilmLaw, OtherLaw, Predictive, State, Structure, model_deviation,
+};
+pub use quantiles::{PROBABILITIES, Quantiles, sorted_quantiles};
+pub use relief::ReliefFactors;
+pub use sampling_error::SamplingError;
+pub use surface::{QuadraticSurface, least_squares};
