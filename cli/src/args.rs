@@ -140,9 +140,9 @@ pub enum Command {
         --finish ground=demo/ground_pinion.csv,demo/ground_wheel.csv \\\n    \
         --finish superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv \\\n    \
         --export vecto,modelica,fmu\n\n\
-        The losses are of the mesh only, without bearings, seals and churning. Every point is that of\n\
-        asperity run at this torque, speed and temperature, with the number of offsets that the case\n\
-        needs at its own speed and temperature.")]
+        The losses are of the mesh only, without bearings, seals and churning. Every point is the\n\
+        run at this torque, speed and temperature, with the number of offsets that the case needs at\n\
+        its own speed and temperature.")]
     Map(MapArgs),
     /// Energy lost over a driving cycle, from a map
     #[command(

@@ -54,8 +54,13 @@ pub fn surfaces(
     region: &Region,
     progress: Progress<'_>,
 ) -> Result<Vec<PointSurfaces>, CalibrationError> {
-    let settings = region.settings();
-    made(model, region, (&settings, Response::through), progress)
+    made(
+        model,
+        region,
+        &region.settings(),
+        Response::through,
+        progress,
+    )
 }
 
 /// Planes of every point of `model` about the centre of `region`.
@@ -67,14 +72,20 @@ pub fn tangents(
     region: &Region,
     progress: Progress<'_>,
 ) -> Result<Vec<PointSurfaces>, CalibrationError> {
-    let settings = region.forward_settings();
-    made(model, region, (&settings, Response::tangent), progress)
+    made(
+        model,
+        region,
+        &region.forward_settings(),
+        Response::tangent,
+        progress,
+    )
 }
 
 fn made(
     model: &RigModel,
     region: &Region,
-    (settings, through): (&[Vec<f64>], fn(usize, &[f64]) -> Response),
+    settings: &[Vec<f64>],
+    through: fn(usize, &[f64]) -> Response,
     progress: Progress<'_>,
 ) -> Result<Vec<PointSurfaces>, CalibrationError> {
     let axes = region.centre.len();

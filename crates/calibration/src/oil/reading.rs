@@ -113,9 +113,44 @@ fn half_difference(positive: &Reading, negative: &Reading) -> Reading {
     }
 }
 
-/// Whether the friction at negative slide-to-roll ratios has their sign, and is not only a magnitude.
-fn is_signed(negative: &[(Reading, usize)]) -> bool {
-    negative.iter().map(|(one, _)| one.traction).sum::<f64>() <= 0.0
+/// How a file states the sign of the friction.
+///
+/// A curve cannot tell it: its friction may be small beside the zero of the machine.
+#[derive(Debug, Clone, Copy, Default)]
+struct Signs {
+    /// Sum of the friction at positive slide-to-roll ratios.
+    ahead: f64,
+    /// Sum of the friction at negative ratios.
+    behind: f64,
+}
+
+impl Signs {
+    fn by_file(readings: &[Reading]) -> BTreeMap<&str, Self> {
+        let mut files: BTreeMap<&str, Self> = BTreeMap::new();
+        for reading in readings {
+            let signs = files.entry(&reading.file).or_default();
+            match reading.setting.slide_to_roll {
+                slide if slide > 0.0 => signs.ahead += reading.traction,
+                slide if slide < 0.0 => signs.behind += reading.traction,
+                _ => {}
+            }
+        }
+        files
+    }
+
+    /// Whether the force is the one on the other body.
+    fn is_opposed(self) -> bool {
+        self.ahead < 0.0
+    }
+
+    /// Whether the friction at negative slide-to-roll ratios has their sign, and is not only a magnitude.
+    fn is_signed(self) -> bool {
+        if self.is_opposed() {
+            self.behind >= 0.0
+        } else {
+            self.behind <= 0.0
+        }
+    }
 }
 
 /// A reading at a negative slide-to-roll ratio as one at a positive ratio.
@@ -130,7 +165,7 @@ fn turned(mut negative: Reading, is_signed: bool) -> Reading {
 /// The set points of readings, in the order of curves and slide-to-roll ratios; whatever the order of the readings.
 ///
 /// A set point with a negative slide-to-roll ratio only has the sign of ratio and friction changed. So has the friction of a
-/// curve that is negative at positive ratios: the force is the one on the other body.
+/// file that is negative at positive ratios: the force is the one on the other body.
 #[must_use]
 pub fn set_points(readings: &[Reading]) -> Vec<SetPoint> {
     let mut curves: Vec<Vec<&Reading>> = Vec::new();
@@ -156,13 +191,14 @@ pub fn set_points(readings: &[Reading]) -> Vec<SetPoint> {
         let order = order.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then);
         order.then(places[0].cmp(&places[1]))
     });
+    let signs = Signs::by_file(readings);
     let curves = curves.iter().enumerate();
     curves
-        .flat_map(|(number, curve)| points_of(number, curve))
+        .flat_map(|(number, curve)| points_of(number, curve, signs[curve[0].file.as_str()]))
         .collect()
 }
 
-fn points_of(curve: usize, readings: &[&Reading]) -> Vec<SetPoint> {
+fn points_of(curve: usize, readings: &[&Reading], signs: Signs) -> Vec<SetPoint> {
     let mut sorted = readings.to_vec();
     sorted.sort_by(|a, b| {
         let slides = [a, b].map(|one| one.setting.slide_to_roll);
@@ -180,11 +216,7 @@ fn points_of(curve: usize, readings: &[&Reading]) -> Vec<SetPoint> {
     }
     let mut means: Vec<(Reading, usize)> =
         settings.iter().map(|all| (mean(all), all.len())).collect();
-    let ahead = means
-        .iter()
-        .filter(|(one, _)| one.setting.slide_to_roll > 0.0);
-    if ahead.map(|(one, _)| one.traction).sum::<f64>() < 0.0 {
-        // The machine states the force on the other body.
+    if signs.is_opposed() {
         means.iter_mut().for_each(|(one, _)| one.traction *= -1.0);
     }
     let (negative, positive): (Vec<_>, Vec<_>) = means
@@ -201,7 +233,7 @@ fn points_of(curve: usize, readings: &[&Reading]) -> Vec<SetPoint> {
         // Positive numbers are in the order of their bits.
         points.insert(point.reading.setting.slide_to_roll.to_bits(), point);
     };
-    let is_signed = is_signed(&negative);
+    let is_signed = signs.is_signed();
     let mut unpaired = negative;
     for (reading, count) in positive {
         let slide = reading.setting.slide_to_roll;

@@ -146,7 +146,7 @@ pub(super) fn damaged(format: Format, what: &'static str, seen: &str) -> ReadFau
     ReadFault::Damaged {
         format,
         what,
-        seen: super::table::shortened(seen),
+        seen: super::error::shortened(seen),
     }
 }
 

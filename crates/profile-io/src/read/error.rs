@@ -494,3 +494,13 @@ impl std::fmt::Display for SpacingHint {
         }
     }
 }
+
+/// At most forty characters of `text`, for a message.
+pub(super) fn shortened(text: &str) -> String {
+    const MOST: usize = 40;
+    let text = text.trim();
+    match text.char_indices().nth(MOST) {
+        Some((at, _)) => format!("{}…", &text[..at]),
+        None => text.to_owned(),
+    }
+}

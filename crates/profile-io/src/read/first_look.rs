@@ -1,7 +1,7 @@
 //! Detection of the dialect of a table, and errors of texts without a table.
 
 use super::dialect::{self, Sniffed};
-use super::error::{FirstLine, ReadFault};
+use super::error::{FirstLine, ReadFault, shortened};
 use super::layout::Dialect;
 use super::options::ReadOptions;
 use super::table;
@@ -14,7 +14,7 @@ pub(super) fn no_data(text: &mut Text<'_>) -> Result<ReadFault, ReadFault> {
     while let Some(line) = lines.next()? {
         if !line.is_blank() {
             count += 1;
-            first.get_or_insert_with(|| table::shortened(line.text));
+            first.get_or_insert_with(|| shortened(line.text));
         }
     }
     Ok(ReadFault::NoData {

@@ -2,12 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::error::ReadFault;
+use super::error::{ReadFault, shortened};
 use super::format::extension;
 use super::layout::Dialect;
 use super::metadata;
 use super::options::{Abscissa, Axis, LengthUnit};
-use super::table::shortened;
 use super::text::Line;
 
 /// Whether the heights are filtered, according to the file.

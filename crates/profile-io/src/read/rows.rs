@@ -4,7 +4,7 @@
 //! by cell, with the same results.
 
 use super::dialect::{Cell, Sniffed};
-use super::error::ReadFault;
+use super::error::{ReadFault, shortened};
 use super::layout::Dialect;
 use super::plain_row::Plain;
 use super::table::{self, Chosen};
@@ -69,7 +69,7 @@ pub(super) fn place(
             continue;
         }
         if before == 0 {
-            return Ok((line.number, table::shortened(line.text)));
+            return Ok((line.number, shortened(line.text)));
         }
         before -= 1;
     }

@@ -201,7 +201,7 @@ fn check(stated: &str, sum: u32) -> Option<Warning> {
         .is_ok_and(|stated| stated % u64::from(MODULUS) == u64::from(sum));
     (!agrees).then(|| Warning::ChecksumDiffers {
         what: "file".into(),
-        stated: super::table::shortened(stated),
+        stated: super::error::shortened(stated),
         found: sum.to_string(),
     })
 }

@@ -1,7 +1,7 @@
 //! Choice of the columns of a detected table, and errors of cells and rows.
 
 use super::dialect::{Cell, Sniffed, Stated, sniff};
-use super::error::{CellRemedy, ReadFault};
+use super::error::{CellRemedy, ReadFault, shortened};
 use super::header::{self, Label, Role};
 use super::layout::Dialect;
 use super::options::{Columns, DecimalSign, ReadOptions, Separator};
@@ -164,15 +164,5 @@ pub(super) fn check_commas(table: &[Line<'_>], sniffed: &Sniffed) -> Result<(), 
             text: shortened(line.text),
         }),
         _ => Ok(()),
-    }
-}
-
-/// At most forty characters of `text`, for a message.
-pub(super) fn shortened(text: &str) -> String {
-    const MOST: usize = 40;
-    let text = text.trim();
-    match text.char_indices().nth(MOST) {
-        Some((at, _)) => format!("{}…", &text[..at]),
-        None => text.to_owned(),
     }
 }

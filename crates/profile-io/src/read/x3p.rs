@@ -360,7 +360,7 @@ fn binary(
     {
         warnings.push(Warning::ChecksumDiffers {
             what: "point data".into(),
-            stated: super::table::shortened(stated),
+            stated: super::error::shortened(stated),
             found,
         });
     }
@@ -453,7 +453,7 @@ fn main_checksum(
     if stated != found {
         warnings.push(Warning::ChecksumDiffers {
             what: "main.xml".into(),
-            stated: super::table::shortened(stated),
+            stated: super::error::shortened(stated),
             found: found.to_owned(),
         });
     }

@@ -1,8 +1,7 @@
 //! The array of heights among the arrays of a file.
 
-use crate::read::error::ReadFault;
+use crate::read::error::{ReadFault, shortened};
 use crate::read::format::Format;
-use crate::read::table::shortened;
 
 /// Names of the array of heights among several arrays.
 const NAMES: [&str; 4] = ["z", "heights", "height", "profile"];

@@ -8,11 +8,10 @@ use super::opdx_items::{Item, items};
 use super::raw::{Layout, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
 use crate::read::archive::damaged;
-use crate::read::error::ReadFault;
+use crate::read::error::{ReadFault, shortened};
 use crate::read::format::Format;
 use crate::read::metadata::short;
 use crate::read::options::LengthUnit;
-use crate::read::table::shortened;
 
 const FORMAT: Format = Format::Opdx;
 /// Bytes of the mark at the start.

@@ -224,7 +224,7 @@ fn unit(bytes: &[u8], at: usize, axis: Axis) -> Result<Unit, ReadFault> {
         None => {
             return Err(ReadFault::UnknownUnit {
                 axis,
-                unit: crate::read::table::shortened(&name),
+                unit: crate::read::error::shortened(&name),
             });
         }
     })
