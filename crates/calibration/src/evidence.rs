@@ -8,7 +8,7 @@ use asperity::gear_train::{TrainOutcome, run_train};
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::EvidenceRow;
 use asperity::result::{Outcome, with_interval};
-use asperity::uncertainty::{Measurement, MeshDraws, Quantiles, expected_after, has_band};
+use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
 use asperity::{Contacts, LoadedCase, Run};
 use asperity_report::html::page;
 use asperity_report::{ReportError, StudyResult, tables, wrapped};
@@ -99,7 +99,7 @@ impl EvidenceTable {
     /// The table of a gear train or of a pair of gears, with the hours of `efforts`.
     ///
     /// Each row is the interval of the draws with the quantity of the measurement known in all meshes as well as the
-    /// measurement leaves it ([`expected_after`]). Quantities that the case states or has measured have no row.
+    /// measurement leaves it ([`Expected`]). Quantities that the case states or has measured have no row.
     ///
     /// # Errors
     /// When the case has no loss or no interval.
@@ -214,12 +214,13 @@ fn rows(
         }
         of_meshes.push(measurements);
     }
+    let expected = Expected::of(drawn);
     let row = |effort: &Effort| {
         let is_known = |known: &&Known| known.0 == effort.key;
         let of_mesh = |known: &Vec<Known>| known.iter().find(is_known).map(|known| known.2);
         let words = of_meshes.iter().flatten().find(is_known)?.1.clone();
         let measurements: Vec<Option<Measurement>> = of_meshes.iter().map(of_mesh).collect();
-        let left = narrowed(drawn, loss, &measurements)?;
+        let left = narrowed(&expected, loss, &measurements)?;
         Some(EvidenceRow::new(
             (effort.key, words, effort.hours),
             loss,
@@ -233,13 +234,13 @@ fn rows(
 
 /// The interval that a measurement is expected to leave, if it is narrower.
 fn narrowed(
-    drawn: &[MeshDraws<'_>],
+    expected: &Expected<'_>,
     now: Quantiles,
     measurements: &[Option<Measurement>],
 ) -> Option<Quantiles> {
     /// Least gain that is worth a row.
     const LEAST: f64 = 0.995;
-    let found = expected_after(drawn, measurements)?;
+    let found = expected.after(measurements)?;
     (found.sd_ln < LEAST * now.sd_ln).then_some(found)
 }
 

@@ -3,6 +3,7 @@
 //! The draws of the case are narrowed about their medians by what the measurement leaves of its own quantity; all other
 //! parts are drawn as before.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use asperity_core::cite;
@@ -61,29 +62,45 @@ pub enum Measurement {
 /// and sampling.
 pub type MeshDraws<'a> = (&'a Predictive, u32, usize);
 
-/// Median, interval and spread of the loss of all meshes as a measurement is expected to leave them, with what it leaves of each
-/// mesh; `None` if its quantity is drawn in no mesh: it is stated, measured already, or without effect. Constants of the oil and
-/// the boundary layer are drawn once for all meshes.
-#[must_use]
-pub fn expected_after(
-    meshes: &[MeshDraws<'_>],
-    measurements: &[Option<Measurement>],
-) -> Option<Quantiles> {
-    let of_losses = measurements.iter().flatten().find_map(|known| match known {
-        Measurement::Losses { deviation } => Some(*deviation),
-        _ => None,
-    });
-    if let Some(deviation) = of_losses {
-        return Some(after_losses(meshes, deviation));
+/// What measurements are expected to leave of the loss of all meshes.
+pub struct Expected<'a> {
+    meshes: &'a [MeshDraws<'a>],
+    /// What all measurements of losses start from.
+    shared: OnceCell<SharedLosses>,
+}
+
+impl<'a> Expected<'a> {
+    /// Of `meshes`.
+    #[must_use]
+    pub fn of(meshes: &'a [MeshDraws<'a>]) -> Self {
+        Self {
+            meshes,
+            shared: OnceCell::new(),
+        }
     }
-    let mut is_known = false;
-    let found = total(meshes, |k, predictive, flanks| {
-        let after = measurements.get(k).copied().flatten();
-        let after = after.and_then(|measurement| predictive.losses_after(measurement, flanks));
-        is_known |= after.is_some();
-        after.unwrap_or_else(|| predictive.losses(flanks))
-    });
-    is_known.then(|| Quantiles::of(&found))
+
+    /// Median, interval and spread of the loss of all meshes as a measurement is expected to leave them, with what it leaves of
+    /// each mesh; `None` if its quantity is drawn in no mesh: it is stated, measured already, or without effect. Constants of the
+    /// oil and the boundary layer are drawn once for all meshes.
+    #[must_use]
+    pub fn after(&self, measurements: &[Option<Measurement>]) -> Option<Quantiles> {
+        let of_losses = measurements.iter().flatten().find_map(|known| match known {
+            Measurement::Losses { deviation } => Some(*deviation),
+            _ => None,
+        });
+        if let Some(deviation) = of_losses {
+            let shared = self.shared.get_or_init(|| SharedLosses::of(self.meshes));
+            return Some(shared.after(deviation));
+        }
+        let mut is_known = false;
+        let found = total(self.meshes, |k, predictive, flanks| {
+            let after = measurements.get(k).copied().flatten();
+            let after = after.and_then(|measurement| predictive.losses_after(measurement, flanks));
+            is_known |= after.is_some();
+            after.unwrap_or_else(|| predictive.losses(flanks))
+        });
+        is_known.then(|| Quantiles::of(&found))
+    }
 }
 
 /// Sum of the losses `of` all meshes, by the number of the mesh, its draws and its flanks.
@@ -100,48 +117,77 @@ fn total(
     total
 }
 
-/// The mean interval after losses with this error were measured on other flanks, over simulated results.
-///
-/// ```text
-/// w_j ∝ exp(−(ln P_j' − y)²/2s²),  s² = s_m² + s_e²                                   [Expected-losses]
-/// ```
-///
-/// P_j': loss of a draw with the constants, structure, weight of the bias and rolling loss that all flanks share, at the
-/// medians of the rest; y: the simulated result; s_m, s_e: errors of the measurement and of the model. Errors of the model of
-/// different flanks are independent.
-fn after_losses(meshes: &[MeshDraws<'_>], deviation: f64) -> Quantiles {
-    cite!("Expected-losses");
-    let shared = total(meshes, |_, predictive, _| {
-        predictive.losses_by(0, &|draw| {
-            hold_relief(draw);
-            draw.of_flanks = Draw::medians().of_flanks;
-        })
-    });
-    let shared: Vec<f64> = shared.into_iter().map(f64::ln).collect();
-    let drawn_w = total(meshes, |_, predictive, flanks| predictive.losses(flanks));
-    let median_w = Quantiles::of(&drawn_w).median_w;
-    let own: Vec<f64> = drawn_w.into_iter().map(f64::ln).collect();
-    let order = sorted(&own);
-    let by_truth = sorted(&shared);
-    let error = deviation.hypot(model_error(meshes));
-    let mut sums = [0.0; 3];
-    for k in 0..TRUTHS {
-        let place = |k: usize| (k as f64 + 0.5) / TRUTHS as f64;
-        // Errors in another order than the truths.
-        let noise = error * standard_normal_quantile(place((29 * k + 7) % TRUTHS));
-        let result = shared[by_truth[(place(k) * shared.len() as f64) as usize]] + noise;
-        let weight = |shared: &f64| (-0.5 * ((shared - result) / error).powi(2)).exp();
-        let weights: Vec<f64> = shared.iter().map(weight).collect();
-        let [low, median, high] = weighted_quantiles(&own, &order, &weights);
-        sums[0] += low - median;
-        sums[1] += high - median;
-        sums[2] += weighted_variance(&own, &weights);
+/// The draws that the losses of other flanks tell about.
+struct SharedLosses {
+    /// ln of the losses of all draws, from the smallest on.
+    own: Vec<f64>,
+    /// ln of the losses of the same draws by what all flanks share.
+    shared: Vec<f64>,
+    /// The latter from the smallest on.
+    truths: Vec<f64>,
+    /// Median of the losses \[W\].
+    median_w: f64,
+    /// Standard deviation of their logarithm by the errors of the model.
+    model_error: f64,
+}
+
+impl SharedLosses {
+    fn of(meshes: &[MeshDraws<'_>]) -> Self {
+        let shared_w = total(meshes, |_, predictive, _| {
+            predictive.losses_by(0, &|draw| {
+                hold_relief(draw);
+                draw.of_flanks = Draw::medians().of_flanks;
+            })
+        });
+        let drawn_w = total(meshes, |_, predictive, flanks| predictive.losses(flanks));
+        let median_w = Quantiles::of(&drawn_w).median_w;
+        let mut pairs: Vec<[f64; 2]> = (drawn_w.into_iter().zip(shared_w))
+            .map(|(own, shared)| [own.ln(), shared.ln()])
+            .collect();
+        pairs.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let [own, shared] = [0, 1].map(|k| pairs.iter().map(|pair| pair[k]).collect::<Vec<_>>());
+        let mut truths = shared.clone();
+        truths.sort_unstable_by(f64::total_cmp);
+        Self {
+            own,
+            shared,
+            truths,
+            median_w,
+            model_error: model_error(meshes),
+        }
     }
-    let [low, high, variance] = sums.map(|sum| sum / TRUTHS as f64);
-    Quantiles {
-        median_w,
-        quantiles_w: [low, high].map(|end| median_w * end.exp()),
-        sd_ln: variance.sqrt(),
+
+    /// The mean interval after losses with this error were measured on other flanks, over simulated results.
+    ///
+    /// ```text
+    /// w_j ∝ exp(−(ln P_j' − y)²/2s²),  s² = s_m² + s_e²                                   [Expected-losses]
+    /// ```
+    ///
+    /// P_j': loss of a draw with the constants, structure, weight of the bias and rolling loss that all flanks share, at the
+    /// medians of the rest; y: the simulated result; s_m, s_e: errors of the measurement and of the model. Errors of the model
+    /// of different flanks are independent.
+    fn after(&self, deviation: f64) -> Quantiles {
+        cite!("Expected-losses");
+        let error = deviation.hypot(self.model_error);
+        let mut sums = [0.0; 3];
+        for k in 0..TRUTHS {
+            let place = |k: usize| (k as f64 + 0.5) / TRUTHS as f64;
+            // Errors in another order than the truths.
+            let noise = error * standard_normal_quantile(place((29 * k + 7) % TRUTHS));
+            let result = self.truths[(place(k) * self.truths.len() as f64) as usize] + noise;
+            let weight = |shared: &f64| (-0.5 * ((shared - result) / error).powi(2)).exp();
+            let weights: Vec<f64> = self.shared.iter().map(weight).collect();
+            let ([low, median, high], variance) = weighted(&self.own, &weights);
+            sums[0] += low - median;
+            sums[1] += high - median;
+            sums[2] += variance;
+        }
+        let [low, high, variance] = sums.map(|sum| sum / TRUTHS as f64);
+        Quantiles {
+            median_w: self.median_w,
+            quantiles_w: [low, high].map(|end| self.median_w * end.exp()),
+            sd_ln: variance.sqrt(),
+        }
     }
 }
 
@@ -273,34 +319,20 @@ fn hold_relief(draw: &mut Draw) {
     (draw.relief, draw.length, draw.power) = (medians.relief, medians.length, medians.power);
 }
 
-/// Numbers of the values from the smallest on.
-fn sorted(values: &[f64]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
-    order
-}
-
-/// 5 %, 50 % and 95 % of weighted values.
-fn weighted_quantiles(values: &[f64], order: &[usize], weights: &[f64]) -> [f64; 3] {
-    let total: f64 = order.iter().map(|j| weights[*j]).sum();
-    let (mut below, mut found) = (0.0, [f64::NAN; 3]);
-    let mut open = found.iter_mut().zip(PROBABILITIES).peekable();
-    for j in order {
-        below += weights[*j];
+/// 5 %, 50 % and 95 %, and the variance, of weighted values from the smallest on.
+fn weighted(values: &[f64], weights: &[f64]) -> ([f64; 3], f64) {
+    let total: f64 = weights.iter().sum();
+    let both = || values.iter().zip(weights);
+    let mean = both().map(|(value, weight)| weight * value).sum::<f64>() / total;
+    let squares = both().map(|(value, weight)| weight * (value - mean).powi(2));
+    let variance = squares.sum::<f64>() / total;
+    let (mut below, mut quantiles) = (0.0, [f64::NAN; 3]);
+    let mut open = quantiles.iter_mut().zip(PROBABILITIES).peekable();
+    for (value, weight) in both() {
+        below += weight;
         while let Some((quantile, _)) = open.next_if(|(_, share)| below >= share * total) {
-            *quantile = values[*j];
+            *quantile = *value;
         }
     }
-    found
-}
-
-fn weighted_variance(values: &[f64], weights: &[f64]) -> f64 {
-    let weighted = || values.iter().zip(weights);
-    let total: f64 = weights.iter().sum();
-    let mean = weighted()
-        .map(|(value, weight)| weight * value)
-        .sum::<f64>()
-        / total;
-    let squares = weighted().map(|(value, weight)| weight * (value - mean).powi(2));
-    squares.sum::<f64>() / total
+    (quantiles, variance)
 }

@@ -6,7 +6,7 @@
 //! | even draws of all of them, the same for every case | [`Draw`], [`latin_hypercube`] |
 //! | a surface through evaluations of the loss | [`QuadraticSurface`] |
 //! | the loss of every draw, its median and quantiles | [`Predictive`], [`Quantiles`] |
-//! | its interval as a further measurement would leave it | [`expected_after`] |
+//! | its interval as a further measurement would leave it | [`Expected`] |
 //!
 //! No loss is evaluated here: the crate `asperity` does that, fills [`Predictive`], and re-exports what a result needs. This crate
 //! is apart because the draws are arithmetic on some 16 000 values, and are compiled for speed in every profile.
@@ -22,7 +22,7 @@ mod sampling_error;
 mod surface;
 
 pub use draw::{Draw, FlankDraw, flank_draws};
-pub use expected::{Measurement, MeshDraws, expected_after};
+pub use expected::{Expected, Measurement, MeshDraws};
 pub use hypercube::{StudentOfNormal, latin_hypercube};
 pub use parameters::{AXES, Measured, Ranged, UncertainParameter, at_temperature, parameters};
 pub use predictive::{

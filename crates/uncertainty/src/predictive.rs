@@ -805,7 +805,7 @@ mod tests {
 
     #[test]
     fn losses_narrow_what_all_flanks_share() {
-        use crate::expected::{Measurement, expected_after};
+        use crate::expected::{Expected, Measurement};
         // μ_b alone is shared, 0.3 of ln loss; error of the model 0.05, of the measurement 0.04.
         let friction = constant(UncertainParameter::BoundaryFriction, [0.066, 0.09, 0.123]);
         let points: Vec<Vec<f64>> = (-4..=4).map(|k| vec![0.5 * f64::from(k)]).collect();
@@ -816,7 +816,7 @@ mod tests {
             sliding: QuadraticSurface::fit(&points, &values),
             ..plain()
         };
-        let after = |measurement| expected_after(&[(&found, 1, 0)], &[Some(measurement)]);
+        let after = |measurement| Expected::of(&[(&found, 1, 0)]).after(&[Some(measurement)]);
         let losses = Measurement::Losses { deviation: 0.04 };
         let left = after(losses).unwrap();
         // Normal distributions: 1/(1/0.3² + 1/(0.04² + 0.05²)), and the error of the model of the own flanks.
@@ -840,7 +840,8 @@ mod tests {
         assert_eq!(after(Measurement::Lay), None);
         // Two such meshes: the constant is common, the errors of the model are independent unless the flanks are equal.
         let two = |flanks: usize, known: [Option<Measurement>; 2]| {
-            expected_after(&[(&found, 1, 0), (&found, 3, flanks)], &known)
+            Expected::of(&[(&found, 1, 0), (&found, 3, flanks)])
+                .after(&known)
                 .unwrap()
                 .sd_ln
         };

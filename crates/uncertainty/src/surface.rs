@@ -51,13 +51,17 @@ impl QuadraticSurface {
 
     /// y at `z`.
     pub fn at(&self, z: &[f64]) -> f64 {
-        // Every draw comes here: the terms of the fit, without storing them.
+        // Every draw comes here: the terms of the fit, without storing them, and without those of constants at their medians.
         let (slopes, mut curvatures) = self.coefficients.split_at(z.len());
+        let end = z.iter().rposition(|z| *z != 0.0).map_or(0, |k| k + 1);
         let mut sum = 0.0;
-        for (i, (own, slope)) in z.iter().zip(slopes).enumerate() {
+        for (i, (own, slope)) in z[..end].iter().zip(slopes).enumerate() {
             let (row, rest) = curvatures.split_at(z.len() - i);
-            let bent: f64 = row.iter().zip(&z[i..]).map(|(c, other)| c * other).sum();
-            sum += own * (slope + bent);
+            if *own != 0.0 {
+                let others = row.iter().zip(&z[i..end]);
+                let bent: f64 = others.map(|(c, other)| c * other).sum();
+                sum += own * (slope + bent);
+            }
             curvatures = rest;
         }
         sum

@@ -30,7 +30,7 @@ use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::Z_95;
 use asperity_core::provenance::Provenance;
 
-use crate::assembly::equations_used;
+use crate::assembly::{equations_used, sources};
 use crate::contacts::Contacts;
 use crate::pipeline::{KeptFields, Progress, outcome};
 use crate::result::{
@@ -46,8 +46,7 @@ use asperity_uncertainty::{Component, Measured, Ranged, State, UncertainParamete
 
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
-    Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter, expected_after,
-    model_deviation,
+    Expected, Measurement, MeshDraws, Predictive, Quantiles, UncertainParameter, model_deviation,
 };
 pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
 pub use difference::{
@@ -149,7 +148,7 @@ fn note(result: &mut RunResult, tags: &BTreeSet<&'static str>) {
     let all: BTreeSet<&'static str> = known
         .filter(|tag| before.contains(tag) || tags.contains(tag))
         .collect();
-    (result.equations, result.references) = equations_used(&all);
+    (result.equations, result.references) = (equations_used(&all), sources(&all));
 }
 
 fn uncertainty(
