@@ -13,7 +13,7 @@ use asperity::pipeline::{contacts, contacts_beside, losses_with};
 use asperity::uncertainty::{independent_windows, window_sampling};
 use asperity_core::numerics::{real_transforms, student_t_quantile};
 use asperity_core::quantity::Length;
-use rand_chacha::ChaCha8Rng;
+use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
 use realfft::num_complex::Complex;

@@ -11,7 +11,7 @@ use asperity::pipeline::{contacts, losses_with};
 use asperity::result::loss_band::SamplingPart;
 use asperity::uncertainty::{difference, pair_sampling};
 use asperity::{Error, Run, losses};
-use rand_chacha::ChaCha8Rng;
+use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
 /// Spacing of the traces \[m\].

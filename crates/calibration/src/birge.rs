@@ -58,7 +58,7 @@ impl Scatter {
 #[cfg(test)]
 mod tests {
     use nalgebra::DVector;
-    use rand_chacha::ChaCha8Rng;
+    use chacha20::ChaCha8Rng;
     use rand_core::{Rng, SeedableRng};
 
     use super::*;

@@ -1,7 +1,7 @@
 //! Bootstrap over groups: scatter of an estimate when whole assemblies are resampled.
 
 use asperity_core::cite;
-use rand_chacha::ChaCha8Rng;
+use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
 /// Estimates from `draws` samples of `groups` groups, drawn with replacement. Samples without an estimate are

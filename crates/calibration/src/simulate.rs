@@ -1,7 +1,7 @@
 //! Simulated rigs: losses of the model with the errors of a rig. All files that hold them declare them as simulated.
 
 use asperity_core::numerics::standard_normal_quantile;
-use rand_chacha::ChaCha8Rng;
+use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
 use crate::bootstrap::median;

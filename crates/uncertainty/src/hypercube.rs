@@ -2,7 +2,7 @@
 
 use asperity_core::cite;
 use asperity_core::numerics::student_t_quantile;
-use rand_chacha::ChaCha8Rng;
+use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
 /// `draws` points of the unit cube of `dimensions`: along each axis one in the middle of each of as many even strata,

@@ -1,6 +1,6 @@
 //! Random numbers that depend only on the seed, also after updates of dependencies.
 
-use rand_chacha::ChaCha8Rng;
+use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
 /// A stream of random numbers.

@@ -13,7 +13,7 @@ use asperity_core::{DomainError, Profile};
 use asperity_roughness::generate::Fitted;
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::{Parameters, RoughnessError};
-use rand_chacha::ChaCha8Rng;
+use chacha20::ChaCha8Rng;
 use rand_core::Rng;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};

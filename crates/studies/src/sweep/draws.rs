@@ -1,6 +1,6 @@
 //! Numbers between 0 and 1 for the inputs of a sample. Each depends only on its index, so that any shard can draw it.
 
-use rand_chacha::ChaCha8Rng;
+use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
 use super::study_input::Method;
