@@ -115,7 +115,7 @@ fn half_difference(positive: &Reading, negative: &Reading) -> Reading {
 
 /// How a file states the sign of the friction.
 ///
-/// A curve cannot tell it: its friction may be small beside the zero of the machine.
+/// A curve cannot tell it: its friction may be smaller than the zero error of the machine.
 #[derive(Debug, Clone, Copy, Default)]
 struct Signs {
     /// Sum of the friction at positive slide-to-roll ratios.
