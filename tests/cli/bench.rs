@@ -265,7 +265,7 @@ pinion = { file = "pinion.csv" }
 wheel = { file = "wheel.csv", mirrored = true }
 
 [model]
-positions = 4
+positions = 2
 offsets = 2
 depths = 0
 "#;

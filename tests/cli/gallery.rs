@@ -1,4 +1,4 @@
-//! README, gallery and tutorial run in one folder, as they share commands: they print what they show, and the pictures are figures
+//! README, gallery, tutorial and other pages of the demo run in one folder, as they share commands: they print what they show, and the pictures are figures
 //! of the pages that they write.
 
 use std::fs;
@@ -28,15 +28,15 @@ const PICTURES: [(&str, &str, &str); 11] = [
     ("own_law", "own-law/report.html", "friction"),
     ("rig", "rig/calibration.html", "measured"),
     ("traction", "m100-traction/traction.html", "over-slide"),
-    ("cycle", "map-urban/cycle.html", "loss-0-0"),
+    ("cycle", "demo-case-map-urban/cycle.html", "loss-0-0"),
 ];
 
 #[test]
-fn readme_gallery_and_tutorial_print_what_they_show_and_their_pictures_are_drawn() {
+fn pages_of_the_demo_print_what_they_show_and_their_pictures_are_drawn() {
     let bench = bench();
     holds("README.md", &bench, 10);
     let read = |page: &str| fs::read_to_string(bench.path("results").join(page)).unwrap();
-    let report = read("e-drive/report.html");
+    let report = read("demo-case/report.html");
     hold_picture("figures/mesh.svg", &animated(&report));
     for (name, figure) in [("band", "band"), ("local_loss", "local-loss")] {
         let file = format!("figures/{name}.svg");
@@ -60,4 +60,7 @@ fn readme_gallery_and_tutorial_print_what_they_show_and_their_pictures_are_drawn
         assert!(document.contains(&format!("]({file})")), "{file}");
     }
     holds("docs/TUTORIAL.md", &bench, 40);
+    holds("docs/howto/rig.md", &bench, 30);
+    holds("docs/howto/vehicle.md", &bench, 12);
+    holds("docs/howto/what-matters.md", &bench, 15);
 }

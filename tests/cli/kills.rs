@@ -47,6 +47,8 @@ fn caught_writing(child: &mut Child, bench: &Bench, place: &str) -> bool {
     }
 }
 
+const RUN: [&str; 6] = ["run", "case.toml", "-o", "out", "-q", "--no-band"];
+
 fn bench() -> Bench {
     let bench = Bench::new();
     bench.write_flanks();
@@ -106,7 +108,7 @@ fn is_page(file: &Path) {
 fn a_killed_run_leaves_the_older_result() {
     let bench = bench();
     let run = Killed {
-        arguments: &["run", "case.toml", "-o", "out"],
+        arguments: &RUN,
         place: "",
     };
     kill(&bench, &run, || {
@@ -121,7 +123,7 @@ fn a_killed_run_leaves_the_older_result() {
 #[test]
 fn a_killed_report_leaves_a_whole_page() {
     let bench = bench();
-    bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
+    bench.run(&RUN).well();
     let report = Killed {
         arguments: &["report", "out"],
         place: "out",
@@ -132,23 +134,22 @@ fn a_killed_report_leaves_a_whole_page() {
 #[test]
 fn a_result_whose_report_was_killed_is_replaced_by_the_next_run() {
     let bench = bench();
-    let run = ["run", "case.toml", "-o", "out", "-q"];
-    bench.run(&run).well();
+    bench.run(&RUN).well();
     for _ in 0..kills() {
         let mut child = start(&bench, &["report", "out"]);
         caught_writing(&mut child, &bench, "out");
         let _ = child.kill();
         child.wait().unwrap();
         // A draft that was killed before it had its lock is taken for one that is being made for some seconds.
-        if bench.run(&run).status != 0 {
+        if bench.run(&RUN).status != 0 {
             std::thread::sleep(Duration::from_secs(6));
-            bench.run(&run).well();
+            bench.run(&RUN).well();
         }
     }
     // What a report that is killed while it writes always leaves: a draft whose lock nobody holds.
     std::fs::create_dir_all(bench.path("out/.asperity-abc123/new")).unwrap();
     bench.write("out/.asperity-abc123/lock", "asperity draft of process 1\n");
-    bench.run(&run).well();
+    bench.run(&RUN).well();
     assert_eq!(drafts_in(&bench, "out"), Vec::<String>::new());
 }
 
@@ -207,22 +208,7 @@ fn killed_first_figures_are_all_there_or_none() {
 }
 
 #[test]
-fn figures_among_files_of_the_user_leave_them_there() {
-    let bench = bench();
-    bench.write("case.toml", E_DRIVE.replace("depths = 0", "depths = 8"));
-    let figures = ["figures", "case.toml", "-o", "out", "-q"];
-    bench.run(&figures).well();
-    bench.write("out/notes.txt", "mine");
-    bench.run(&figures).well();
-    assert_eq!(fs::read(bench.path("out/notes.txt")).unwrap(), b"mine");
-    assert_eq!(
-        fs::read_dir(bench.path("out")).unwrap().count(),
-        FIGURES + 1
-    );
-}
-
-#[test]
-fn killed_figures_are_whole_or_the_older_ones() {
+fn killed_figures_are_whole_or_the_older_ones_and_leave_files_of_the_user() {
     let bench = bench();
     // The stress below the surface is one of the figures.
     bench.write("case.toml", E_DRIVE.replace("depths = 0", "depths = 8"));
@@ -250,6 +236,14 @@ fn killed_figures_are_whole_or_the_older_ones() {
             }
         }
     });
+    // Files of the user stay among them.
+    bench.write("out/notes.txt", "mine");
+    bench.run(figures.arguments).well();
+    assert_eq!(fs::read(bench.path("out/notes.txt")).unwrap(), b"mine");
+    assert_eq!(
+        fs::read_dir(bench.path("out")).unwrap().count(),
+        FIGURES + 1
+    );
 }
 
 /// A trace so long that writing it takes a while, converted to `out.csv`.
@@ -257,7 +251,7 @@ const CONVERT: [&str; 4] = ["profile", "convert", "long.csv", "out.csv"];
 
 fn with_a_long_trace() -> Bench {
     let bench = Bench::new();
-    bench.write("long.csv", trace("x_um,z_um", 300_000));
+    bench.write("long.csv", trace("x_um,z_um", 100_000));
     bench
 }
 
@@ -313,9 +307,8 @@ fn a_signal_in_the_middle_of_writing_leaves_no_draft() {
     });
     assert!(caught > 0);
     let bench = self::bench();
-    let run = ["run", "case.toml", "-o", "out", "-q"];
-    bench.run(&run).well();
-    let caught = signalled_while_writing(&bench, &run, || {
+    bench.run(&RUN).well();
+    let caught = signalled_while_writing(&bench, &RUN, || {
         is_json(&bench.path("out/result.json"));
         is_page(&bench.path("out/report.html"));
     });
@@ -326,11 +319,11 @@ fn a_signal_in_the_middle_of_writing_leaves_no_draft() {
 #[test]
 fn a_signal_leaves_nothing_behind() {
     let bench = bench();
-    bench.write("case.toml", E_DRIVE.replace("offsets = 2", "offsets = 32"));
-    bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
+    bench.run(&RUN).well();
+    bench.write("case.toml", E_DRIVE.replace("offsets = 2", "offsets = 64"));
     let before = fs::read(bench.path("out/result.json")).unwrap();
     for (k, signal) in ["-INT", "-TERM", "-INT", "-TERM"].into_iter().enumerate() {
-        let mut child = start(&bench, &["run", "case.toml", "-o", "out"]);
+        let mut child = start(&bench, &RUN);
         std::thread::sleep(Duration::from_millis(40 + 45 * k as u64));
         let sent = Command::new("kill")
             .args([signal, &child.id().to_string()])

@@ -477,7 +477,7 @@ fn the_interval_of_every_command_is_drawn_from_the_oil_file() {
     let bench = bench();
     bench.write(
         "cycle.csv",
-        "time_s,torque_nm,speed_rpm\n0,100,9000\n1,140,9000\n2,120,9000\n",
+        "time_s,torque_nm,speed_rpm\n0,145,9000\n1,145,9000\n2,145,9000\n",
     );
     let [family, fitted] = ["family", "case"].map(|name| {
         let case = format!("{name}.toml");
@@ -494,7 +494,7 @@ fn the_interval_of_every_command_is_drawn_from_the_oil_file() {
             format!("{folder}/{file}")
         };
         let run = json(&bench, &of("run CASE", "result.json"));
-        let map = of("map CASE --torque 100,145 --speed 8000,9000", "map.csv");
+        let map = of("map CASE --torque 145 --speed 9000", "map.csv");
         let cycle = json(&bench, &of("cycle MAP cycle.csv", "cycle.json"));
         let compare = of("compare CASE --finish a=pinion.csv --finish b=wheel.csv", "compare.csv");
         bench.run(&["sweep", "run", "study.toml", "-q", "--parts", &format!("{name}-parts")]).well();

@@ -23,7 +23,7 @@ fn every_gear_pair_of_the_library_runs_as_its_demo_writes_it() {
         bench.run(&["demo", "--gears", name]).well();
         let case = format!("{name}/case.toml");
         let run = ["run", &case, "--no-output", "--no-band", "--json"];
-        let few = ["--set", "model.offsets=2"];
+        let few = ["--set", "model.positions=4", "--set", "model.offsets=2"];
         let run = bench.run(&[&run[..], &few].concat()).well().json();
         let summary = &run["summary"];
         let efficiency = summary["efficiency"].as_f64().unwrap();
@@ -61,7 +61,9 @@ fn finishes_of_a_preset_can_be_compared() {
         "--finish",
         &fine,
         "--offsets",
-        "4",
+        "2",
+        "--set",
+        "model.positions=4",
         "--json",
     ];
     let said = bench.run(&arguments).well().json();

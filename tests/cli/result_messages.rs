@@ -32,7 +32,7 @@ fn points_too_far_apart_for_the_contact_are_refused() {
         );
     }
     let says = [
-        "position 1 of 4",
+        "position 1 of 2",
         "dx 20.000 um gives ",
         "points per Hertz half-width (at least 20 needed)",
     ];
@@ -43,7 +43,7 @@ fn points_too_far_apart_for_the_contact_are_refused() {
 fn a_trace_shorter_than_the_contact_is_refused() {
     let bench = bench_with("offsets", "window = 99");
     let says = [
-        "position 1 of 4",
+        "position 1 of 2",
         "2750 um is shorter than the",
         "set model.window to fewer half-widths",
     ];
@@ -64,6 +64,7 @@ fn traces_whose_windows_cannot_differ_are_refused() {
         "run",
         "case.toml",
         "--no-output",
+        "--no-band",
         "--set",
         "model.offsets=1",
     ];
@@ -150,7 +151,7 @@ fn a_run_that_does_not_converge_says_where_saves_the_gap_and_reports_no_efficien
 fn a_surface_too_soft_for_the_load_is_outside_the_model() {
     let bench = bench_with("flow_pressure", "flow_pressure = \"100 MPa\"");
     let says = [
-        "position 1 of 4",
+        "position 1 of 2",
         "flow pressure 100 MPa is below",
         "one and a half times the Hertz pressure",
     ];
@@ -190,7 +191,7 @@ fn marching_that_misses_the_load_is_not_converged() {
 fn an_oil_thinner_than_a_law_takes_is_outside_the_model() {
     let bench = bench_with("bulk_temperature", "bulk_temperature = \"240 °C\"");
     let says = [
-        "position 1 of 4",
+        "position 1 of 2",
         "viscosity = 0.",
         "above 1 mPa s for Xu's law",
     ];
@@ -217,7 +218,9 @@ fn a_folder_that_is_no_result_is_refused_and_untouched() {
     // Many programs write a result.json; only ours may be replaced.
     std::fs::create_dir(bench.path("other")).unwrap();
     bench.write("other/result.json", "{ \"program\": \"another\" }");
-    bench.run(&["run", "case.toml", "-o", "mixed"]).well();
+    bench
+        .run(&["run", "case.toml", "--no-band", "-o", "mixed"])
+        .well();
     bench.write("mixed/notes.txt", "keep me");
     for (folder, says) in [
         ("notes", "(diary.txt is not part of a result)"),
@@ -227,7 +230,7 @@ fn a_folder_that_is_no_result_is_refused_and_untouched() {
         ("case.toml/out", "case.toml: cannot be written"),
     ] {
         let before = bench.listing();
-        let said = bench.run(&["run", "case.toml", "-o", folder]);
+        let said = bench.run(&["run", "case.toml", "--no-band", "-o", folder]);
         said.refused(2, "E401", &[says]);
         assert_eq!(bench.listing(), before);
     }
@@ -248,7 +251,7 @@ fn a_folder_that_is_no_result_is_refused_and_untouched() {
 fn the_page_of_what_is_no_result_is_refused() {
     let bench = bench_with("title", "title = \"x\"");
     bench
-        .run(&["run", "case.toml", "-o", "out", "--quiet"])
+        .run(&["run", "case.toml", "--no-band", "-o", "out", "--quiet"])
         .well();
     std::fs::create_dir(bench.path("set")).unwrap();
     bench.write("set/train.json", "{}");
@@ -267,7 +270,7 @@ fn the_page_of_what_is_no_result_is_refused() {
         ),
         (
             &["report", "out", "--position", "99"],
-            "position 99 is not among the 4",
+            "position 99 is not among the 2",
         ),
     ] {
         bench.run(arguments).refused(2, "E402", &[says]);
@@ -359,7 +362,7 @@ fn what_calls_for_attention_in_a_result_is_said_with_it() {
         &plain,
         &[],
         "W409",
-        &["asperities yield at", "of 4 positions"],
+        &["asperities yield at", "of 2 positions"],
     );
     warns(
         &plain,
@@ -464,7 +467,7 @@ fn what_calls_for_attention_in_the_flanks_is_said_with_the_result() {
     };
     grooves.write("pinion.csv", table(|i| if i % 40 < 20 { 0.5 } else { 0.0 }));
     grooves.write("wheel.csv", table(|_| 0.0));
-    let says = ["no peaks above the core in 8 of 8 mixed contacts"];
+    let says = ["no peaks above the core in 4 of 4 mixed contacts"];
     warns(&grooves, &by_lambda_star, "W411", &says);
     let options = ["run", "case.toml", "-o", "out", "--no-band"];
     let solved = grooves.run(&options).well();

@@ -4,6 +4,8 @@ use std::fs;
 
 use crate::bench::{Bench, E_DRIVE, root};
 
+const RUN: [&str; 6] = ["run", "case.toml", "-o", "out", "-q", "--no-band"];
+
 fn bench() -> Bench {
     let bench = Bench::new();
     bench.write_flanks();
@@ -14,9 +16,7 @@ fn bench() -> Bench {
 #[test]
 fn files_of_the_user_in_a_result_survive() {
     let bench = bench();
-    bench
-        .run(&["run", "case.toml", "-o", "out", "--fields", "all", "-q"])
-        .well();
+    bench.run(&[&RUN[..], &["--fields", "all"]].concat()).well();
     for (file, says) in [
         ("out/position_99", "(position_99 is not part of a result)"),
         (
@@ -27,9 +27,7 @@ fn files_of_the_user_in_a_result_survive() {
     ] {
         let before = fs::read(bench.path(file)).ok();
         bench.write(file, "mine");
-        bench
-            .run(&["run", "case.toml", "-o", "out", "-q"])
-            .refused(2, "E401", &[says]);
+        bench.run(&RUN).refused(2, "E401", &[says]);
         assert_eq!(fs::read(bench.path(file)).unwrap(), b"mine");
         match before {
             Some(bytes) => fs::write(bench.path(file), bytes).unwrap(),
@@ -49,7 +47,7 @@ fn files_of_the_user_in_a_result_survive() {
 fn a_manifest_that_names_a_file_outside_its_folder_removes_nothing() {
     let bench = bench();
     std::fs::create_dir(bench.path("box")).unwrap();
-    let run = ["run", "case.toml", "-o", "box/out", "-q"];
+    let run = ["run", "case.toml", "-o", "box/out", "-q", "--no-band"];
     bench.run(&run).well();
     bench.write("victim.txt", "mine");
     bench.write("box/victim.txt", "mine");
@@ -75,7 +73,7 @@ fn a_manifest_that_names_a_file_outside_its_folder_removes_nothing() {
 fn a_link_is_not_followed_onto_the_file_behind_it() {
     use std::os::unix::fs::symlink;
     let bench = bench();
-    bench.run(&["run", "case.toml", "-o", "out", "-q"]).well();
+    bench.run(&RUN).well();
     bench.write("precious.html", "mine");
     fs::remove_file(bench.path("out/report.html")).unwrap();
     symlink(bench.path("precious.html"), bench.path("out/report.html")).unwrap();
@@ -97,6 +95,10 @@ fn a_link_is_not_followed_onto_the_file_behind_it() {
 #[test]
 fn the_default_result_is_small_and_fields_are_kept_on_request() {
     let bench = bench();
+    bench.write(
+        "case.toml",
+        E_DRIVE.replace("positions = 2", "positions = 3"),
+    );
     let said = |arguments: &[&str]| {
         let mut all = vec!["run", "case.toml", "-o", "out", "-q"];
         all.extend(arguments);
@@ -124,19 +126,19 @@ fn the_default_result_is_small_and_fields_are_kept_on_request() {
     ];
     assert_eq!(names("out"), small);
     let kept = ["report", "out", "--position", "1"];
-    let other = ["report", "out", "--position", "4"];
+    let other = ["report", "out", "--position", "3"];
     let refused = [bench.run(&kept), bench.run(&other)];
     assert!(
         refused
             .iter()
             .any(|said| said.status == 2 && said.err.contains("were not stored"))
     );
-    said(&["--fields", "1,4"]).well();
+    said(&["--no-band", "--fields", "1,3"]).well();
     assert!(bench.path("out/position_01/surface.csv").is_file());
     assert!(!bench.path("out/position_02").exists());
     bench.run(&kept).well();
     bench.run(&other).well();
-    said(&["--fields", "9"]).refused(2, "E402", &["position 9 is not among the 4"]);
+    said(&["--fields", "9"]).refused(2, "E402", &["position 9 is not among the 3"]);
     said(&["--fields", "some"]).refused(2, "E209", &["must be all, or numbers"]);
 }
 
@@ -241,7 +243,9 @@ fn names_and_titles_do_nothing_in_a_spreadsheet_or_a_terminal() {
         "case.toml",
         E_DRIVE.replace("title = \"small case\"", title),
     );
-    let said = bench.run(&["run", "case.toml", "--no-output"]).well();
+    let said = bench
+        .run(&["run", "case.toml", "--no-output", "--no-band"])
+        .well();
     assert!(
         !said.out.contains('\u{1b}') && said.out.contains("\\u{1b}[31m"),
         "{}",
@@ -276,7 +280,13 @@ fn titles_and_names_of_files_begin_no_line_of_their_own() {
     );
     let axes = ["--torque=-100,100", "--speed=9000", "--band", "none"];
     for arguments in [
-        &["run", "case.toml", "-o", &format!("out\n{forged}")][..],
+        &[
+            "run",
+            "case.toml",
+            "--no-band",
+            "-o",
+            &format!("out\n{forged}"),
+        ][..],
         &["gear", "case.toml"],
         &[&["map", "case.toml", "-o", "m"][..], &axes].concat(),
     ] {
@@ -339,7 +349,7 @@ fn flat_flanks_give_no_number_that_is_none() {
     let flat = format!("x_um,z_um\n{rows}");
     bench.write("pinion.csv", &flat);
     bench.write("wheel.csv", &flat);
-    let said = bench.run(&["run", "case.toml", "-o", "out", "-q"]);
+    let said = bench.run(&RUN);
     if said.status == 0 {
         for file in ["out/path.csv", "out/result.json", "out/report.html"] {
             let text = fs::read_to_string(bench.path(file)).unwrap();
@@ -360,7 +370,7 @@ fn flat_flanks_give_no_number_that_is_none() {
 fn work_beyond_a_limit_is_refused_and_threads_are_capped() {
     let bench = bench();
     let large = E_DRIVE
-        .replace("positions = 4", "positions = 2000")
+        .replace("positions = 2", "positions = 2000")
         .replace("offsets = 2", "offsets = 1000");
     bench.write("large.toml", large);
     let says = ["rough contacts take about", "pass --max-hours"];
@@ -370,7 +380,14 @@ fn work_beyond_a_limit_is_refused_and_threads_are_capped() {
     bench
         .run(&run)
         .refused(2, "E209", &["of memory", "--max-gb"]);
-    let run = ["run", "case.toml", "--no-output", "--threads", "65535"];
+    let run = [
+        "run",
+        "case.toml",
+        "--no-output",
+        "--no-band",
+        "--threads",
+        "65535",
+    ];
     let said = bench.run(&run);
     assert_eq!(said.status, 0);
     assert!(said.err.contains("threads are used"), "{}", said.err);

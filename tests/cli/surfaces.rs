@@ -172,7 +172,7 @@ fn changing(points: usize, count: usize, kept: f64) -> Vec<Vec<f64>> {
 fn the_lay_of_a_surface_replaces_the_assumed_one() {
     let bench = Bench::new();
     bench.write_flanks();
-    bench.write("flank.sur", digital_surf(&changing(6000, 80, 0.9), 4.0));
+    bench.write("flank.sur", digital_surf(&changing(3000, 80, 0.9), 4.0));
     let case = with_line("pinion", "pinion = { file = \"flank.sur\", rows = 2 }");
     bench.write("case.toml", &case);
     let lay = |arguments: &[&str]| {
@@ -219,7 +219,7 @@ fn the_lay_of_a_surface_replaces_the_assumed_one() {
     assert_eq!(drawn["value"], mean);
     assert!(drawn["low"].as_f64().unwrap() < mean && mean < drawn["high"].as_f64().unwrap());
     let said = bench
-        .run(&["run", "case.toml", "--no-output", "--notes"])
+        .run(&["run", "case.toml", "--no-output", "--no-band", "--notes"])
         .well();
     assert!(said.out.contains("lay  pinion 0."), "{}", said.out);
     assert!(!said.out.contains("W444"), "{}", said.out);
@@ -229,7 +229,7 @@ fn the_lay_of_a_surface_replaces_the_assumed_one() {
 fn rows_of_too_many_pairs_are_fewer_and_still_spread_evenly() {
     let bench = Bench::new();
     bench.write_flanks();
-    bench.write("flank.sur", digital_surf(&changing(6000, 40, 0.9), 4.0));
+    bench.write("flank.sur", digital_surf(&changing(3000, 40, 0.9), 4.0));
     let pinion = "pinion = { file = \"flank.sur\", rows = 20 }";
     bench.write("case.toml", with_line("pinion", pinion));
     let wheel = "surface.wheel={ file = \"flank.sur\", rows = 32 }";
@@ -328,13 +328,13 @@ fn a_lay_that_a_surface_does_not_show_stays_assumed_and_is_named() {
             "the ridges are longer than half of the surface",
         ),
     ] {
-        bench.write("flank.sur", digital_surf(&changing(6000, count, kept), dy));
+        bench.write("flank.sur", digital_surf(&changing(3000, count, kept), dy));
         bench.write(
             "case.toml",
             with_line("pinion", "pinion = { file = \"flank.sur\", rows = 2 }"),
         );
         let said = bench
-            .run(&["run", "case.toml", "--no-output", "--json"])
+            .run(&["run", "case.toml", "--no-output", "--no-band", "--json"])
             .well()
             .json();
         let mut warnings = said["warnings"].as_array().unwrap().iter();

@@ -49,8 +49,8 @@ fn every_file_of_a_result_is_the_same_on_one_thread_and_on_three() {
             .well();
     }
     let compared = same(&bench.path("1"), &bench.path("3"));
-    // Four positions with two files each, and the tables of the whole.
-    assert!(compared >= 16, "{compared}");
+    // Two positions with two files each, and the tables of the whole.
+    assert!(compared >= 12, "{compared}");
 }
 
 /// Number of files that two folders have alike.

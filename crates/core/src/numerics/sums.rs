@@ -43,6 +43,19 @@ pub fn range(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     values.into_iter().fold(none, wider)
 }
 
+/// Adds `factor` times `values` to `sums`.
+///
+/// ```
+/// let mut sums = [1.0, 2.0];
+/// asperity_core::numerics::add_times(&mut sums, 2.0, &[3.0, 0.5]);
+/// assert_eq!(sums, [7.0, 3.0]);
+/// ```
+pub fn add_times(sums: &mut [f64], factor: f64, values: &[f64]) {
+    for (sum, value) in sums.iter_mut().zip(values) {
+        *sum += factor * value;
+    }
+}
+
 /// Σ f(z) in eight running parts, which do not wait for each other.
 ///
 /// ```

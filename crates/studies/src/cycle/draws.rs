@@ -10,6 +10,7 @@
 use std::collections::BTreeMap;
 
 use asperity::uncertainty::Predictive;
+use asperity_core::numerics::add_times;
 
 use super::trace::Cycle;
 use crate::map::{Drawn, FinishMap, Place};
@@ -48,9 +49,7 @@ impl Draws<'_> {
         }
         let mut energies = vec![0.0; Predictive::count()];
         for (place, energy) in of_places {
-            for (sum, ratio) in energies.iter_mut().zip(drawn.ratios(place)) {
-                *sum += energy * ratio;
-            }
+            add_times(&mut energies, energy, &drawn.ratios(place));
         }
         Some(energies)
     }

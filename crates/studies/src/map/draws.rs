@@ -8,7 +8,7 @@
 //! the constants, the structure and the tip relief of a draw hold for the whole map.
 
 use asperity::uncertainty::{Predictive, Quantiles};
-use asperity_core::numerics::{NodeInterval, distinct};
+use asperity_core::numerics::{NodeInterval, add_times, distinct};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -145,9 +145,7 @@ impl<'a> Drawn<'a> {
                     at_medians += count * predictive.at_medians_w;
                     let of_mesh =
                         predictive.draws_of_sum_w(flanks * meshes + mesh.flanks, sampling);
-                    for (sum, loss) in drawn.iter_mut().zip(of_mesh) {
-                        *sum += count * loss;
-                    }
+                    add_times(&mut drawn, count, &of_mesh);
                 }
                 let ln = |loss: f64| (loss / at_medians).ln();
                 Some(drawn.into_iter().map(ln).collect())
@@ -200,9 +198,7 @@ impl<'a> Drawn<'a> {
                     }
                     let node = (temperature as usize * torques + torque as usize) * speeds;
                     let values = &side.logs[node + speed as usize];
-                    for (sum, value) in logs.iter_mut().zip(values) {
-                        *sum += weight * value;
-                    }
+                    add_times(&mut logs, weight, values);
                 }
             }
         }
