@@ -1,12 +1,13 @@
 //! The uncertainty of a loss: what it must be in plain cases.
 
 use std::path::Path;
+use std::sync::OnceLock;
 
-use asperity::Run;
 use asperity::case::{LoadedCase, load_with};
 use asperity::pipeline::KeptFields;
 use asperity::result::loss_band::{Trust, Uncertainty};
 use asperity::uncertainty::{PairedDifference, Verdict, difference};
+use asperity::{Run, RunResult};
 
 const KEPT: KeptFields = KeptFields::Highest;
 
@@ -25,14 +26,25 @@ fn uncertainty(case: &LoadedCase) -> Uncertainty {
     outcome.result.uncertainty.unwrap()
 }
 
-/// Difference of two cases.
-fn between(first: &LoadedCase, other: &LoadedCase) -> PairedDifference {
+/// The e-drive and its uncertainty, drawn once.
+fn e_drive() -> &'static (LoadedCase, Uncertainty) {
+    static DRAWN: OnceLock<(LoadedCase, Uncertainty)> = OnceLock::new();
+    DRAWN.get_or_init(|| {
+        let case = case("e-drive.toml");
+        let found = uncertainty(&case);
+        (case, found)
+    })
+}
+
+/// Difference of two cases, and the uncertainty of each.
+fn between(first: &LoadedCase, other: &LoadedCase) -> (PairedDifference, [Uncertainty; 2]) {
     let [a, b] = [first, other].map(|case| {
         let (outcome, drawn) = Run::new(case).fields(&KEPT).draw().unwrap();
         (drawn.unwrap(), outcome.result.uncertainty.unwrap())
     });
     let same = first.surfaces.has_flanks_of(&other.surfaces);
-    difference((&a.0, &a.1), (&b.0, &b.1), same)
+    let found = difference((&a.0, &a.1), (&b.0, &b.1), same);
+    (found, [a.1, b.1])
 }
 
 #[test]
@@ -65,8 +77,7 @@ fn a_run_with_its_band_has_the_result_of_the_run() {
 
 #[test]
 fn kept_contacts_give_the_losses_of_fresh_ones() {
-    let case = case("e-drive.toml");
-    let found = uncertainty(&case);
+    let (case, found) = e_drive();
     // Another model is evaluated by the contacts of the run; alone it solves its own.
     let other = case.with_key("model.asperity_share_factor", "0.5").unwrap();
     let alone = Run::new(&other).fields(&KEPT).execute().unwrap();
@@ -79,8 +90,7 @@ fn kept_contacts_give_the_losses_of_fresh_ones() {
 
 #[test]
 fn the_draws_with_spots_fed_at_half_the_sliding_speed_are_runs_of_that_model() {
-    let case = case("e-drive.toml");
-    let found = uncertainty(&case);
+    let (case, found) = e_drive();
     let other = case
         .with_key("model.spot_speed", "\"half-sliding\"")
         .unwrap();
@@ -95,8 +105,7 @@ fn the_draws_with_spots_fed_at_half_the_sliding_speed_are_runs_of_that_model() {
 
 #[test]
 fn a_draw_is_a_run_with_its_constants() {
-    let case = case("e-drive.toml");
-    let found = uncertainty(&case);
+    let (case, found) = e_drive();
     assert!(
         found.interpolation_error < 0.02,
         "{}",
@@ -130,7 +139,7 @@ fn a_draw_is_a_run_with_its_constants() {
 #[test]
 fn identical_finishes_differ_by_exactly_nothing() {
     let case = case("e-drive.toml");
-    let found = between(&case, &case);
+    let (found, _) = between(&case, &case);
     assert_eq!((found.at_medians_w, found.median_w), (0.0, 0.0));
     assert_eq!(
         (found.quantiles_w, found.share_quantiles),
@@ -142,14 +151,14 @@ fn identical_finishes_differ_by_exactly_nothing() {
 #[test]
 fn finishes_differ_less_than_each_is_uncertain() {
     let [ground, polished] = ["e-drive.toml", "e-drive-superfinished.toml"].map(case);
-    let found = between(&ground, &polished);
+    let (found, drawn) = between(&ground, &polished);
     assert!(
         found.median_w < 0.0 && found.quantiles_w[1] < 0.0,
         "{found:?}"
     );
     let width = |[low, high]: [f64; 2]| high - low;
     // The draws are the same, so what both finishes share cancels.
-    let each = [&ground, &polished].map(|case| width(uncertainty(case).loss.quantiles_w));
+    let each = drawn.map(|uncertainty| width(uncertainty.loss.quantiles_w));
     assert!(
         width(found.quantiles_w) < each[0].hypot(each[1]),
         "{found:?} {each:?}"
@@ -160,7 +169,7 @@ fn finishes_differ_less_than_each_is_uncertain() {
 
 #[test]
 fn what_the_case_states_is_not_drawn() {
-    let all = uncertainty(&case("e-drive.toml"));
+    let (case, all) = e_drive();
     let names = |found: &Uncertainty| -> Vec<String> {
         found.constants.iter().map(|one| one.name.clone()).collect()
     };
@@ -172,10 +181,8 @@ fn what_the_case_states_is_not_drawn() {
         "Eyring stress",
         "pressure-viscosity",
     ];
-    assert_eq!(names(&all), every);
-    let stated = case("e-drive.toml")
-        .with_key("model.boundary_friction", "0.09")
-        .unwrap();
+    assert_eq!(names(all), every);
+    let stated = case.with_key("model.boundary_friction", "0.09").unwrap();
     let stated = uncertainty(&stated);
     assert_eq!(names(&stated), every[1..]);
     assert_eq!(stated.held, ["boundary friction"]);
@@ -186,7 +193,7 @@ fn what_the_case_states_is_not_drawn() {
 
 #[test]
 fn every_component_widens_the_loss_and_none_exceeds_all() {
-    let stated = uncertainty(&case("e-drive.toml"));
+    let (case, stated) = e_drive();
     assert!(
         stated
             .loss
@@ -194,8 +201,7 @@ fn every_component_widens_the_loss_and_none_exceeds_all() {
             .iter()
             .all(|part| part.name != "tip relief not stated")
     );
-    let unstated =
-        case("e-drive.toml").with(|input| (input.gears.pinion, input.gears.wheel) = (None, None));
+    let unstated = case.with(|input| (input.gears.pinion, input.gears.wheel) = (None, None));
     let found = uncertainty(&unstated.unwrap());
     let names: Vec<&str> = found
         .loss
@@ -276,7 +282,13 @@ fn flanks_known_by_their_ra_get_an_answer_on_surrogates() {
         (input.model.positions, input.model.offsets) = (Some(6), Some(2));
     })
     .unwrap();
-    let found = uncertainty(&case);
+    let result = Run::new(&case)
+        .fields(&KEPT)
+        .band(true)
+        .execute()
+        .unwrap()
+        .result;
+    let found = result.uncertainty.as_ref().unwrap();
     assert_eq!(found.trust, Trust::Surrogates);
     assert!(
         found
@@ -285,14 +297,7 @@ fn flanks_known_by_their_ra_get_an_answer_on_surrogates() {
             .iter()
             .any(|part| part.name == "sampling of the flanks")
     );
-    let text = asperity_report::summary(
-        &Run::new(&case)
-            .fields(&KEPT)
-            .band(true)
-            .execute()
-            .unwrap()
-            .result,
-    );
+    let text = asperity_report::summary(&result);
     assert!(text.contains("surrogate"), "{text}");
 }
 
@@ -318,23 +323,26 @@ eyring_stress = { value = "4.06 MPa", low = "3.8 MPa", high = "4.3 MPa" }
 correlations = [{ between = ["boundary_layer", "boundary_friction"], value = -0.8 }]
 "#;
 
-fn calibrated() -> LoadedCase {
-    let given: asperity::case::CalibrationInput = {
-        let table: toml::Table = CALIBRATION.parse().unwrap();
-        table["calibration"].clone().try_into().unwrap()
-    };
-    let given = &given;
-    case("e-drive.toml")
-        .with(|input| input.calibration = Some(given.clone()))
-        .unwrap()
+/// The run of the e-drive with it.
+fn calibrated() -> &'static RunResult {
+    static RUN: OnceLock<RunResult> = OnceLock::new();
+    RUN.get_or_init(|| {
+        let given: asperity::case::CalibrationInput = {
+            let table: toml::Table = CALIBRATION.parse().unwrap();
+            table["calibration"].clone().try_into().unwrap()
+        };
+        let given = &given;
+        let case = case("e-drive.toml")
+            .with(|input| input.calibration = Some(given.clone()))
+            .unwrap();
+        let outcome = Run::new(&case).fields(&KEPT).band(true).execute();
+        outcome.unwrap().result
+    })
 }
 
 #[test]
 fn a_calibrated_case_has_the_same_loss_and_smaller_parts() {
-    let (plain, narrow) = (
-        uncertainty(&case("e-drive.toml")),
-        uncertainty(&calibrated()),
-    );
+    let (plain, narrow) = (&e_drive().1, calibrated().uncertainty.as_ref().unwrap());
     // The values are the defaults.
     assert_eq!(plain.at_medians_w, narrow.at_medians_w);
     for name in [
@@ -352,10 +360,10 @@ fn a_calibrated_case_has_the_same_loss_and_smaller_parts() {
                 .map_or(0.0, |part| part.sd_ln)
         };
         assert!(
-            sd(&narrow) < 0.6 * sd(&plain),
+            sd(narrow) < 0.6 * sd(plain),
             "{name}: {} {}",
-            sd(&narrow),
-            sd(&plain)
+            sd(narrow),
+            sd(plain)
         );
     }
     let names: Vec<(&str, bool)> = narrow
@@ -369,12 +377,7 @@ fn a_calibrated_case_has_the_same_loss_and_smaller_parts() {
 
 #[test]
 fn constants_of_a_calibrated_case_are_told_with_their_source() {
-    let outcome = Run::new(&calibrated())
-        .fields(&KEPT)
-        .band(true)
-        .execute()
-        .unwrap();
-    let constants = outcome.result.film_constants;
+    let constants = &calibrated().film_constants;
     for name in [
         "boundary_friction",
         "boundary_layer_m",

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use asperity::case::{Case, FilmFrictionLaw, Formulation, LoadShareName, LoadedCase, Model, load};
 use asperity::core::quantity::LineLoad;
-use asperity::result::EquationUse;
+use asperity::result::{EquationUse, Outcome};
 use asperity_ehl_regime::{FilmLaw, LoadShareLaw, ThermalLaw};
 use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadLaw, LoadMap};
 
@@ -78,6 +78,22 @@ fn used(loaded: &LoadedCase) -> BTreeSet<&'static str> {
     )
 }
 
+/// Every shipped case in both formulations with its run, made once.
+fn runs() -> &'static [(&'static str, LoadedCase, Outcome)] {
+    static RUNS: OnceLock<Vec<(&str, LoadedCase, Outcome)>> = OnceLock::new();
+    RUNS.get_or_init(|| {
+        let both = [Formulation::Corrected, Formulation::Paper];
+        let of = |name| {
+            both.map(|formulation| {
+                let loaded = shipped(name, formulation);
+                let run = asperity::Run::new(&loaded).execute().unwrap();
+                (name, loaded, run)
+            })
+        };
+        CASES.into_iter().flat_map(of).collect()
+    })
+}
+
 /// Tags of losses with `change` made to the case.
 fn used_by_losses(loaded: &LoadedCase, change: impl FnOnce(&mut Case)) -> BTreeSet<&'static str> {
     let mut loaded = loaded.clone();
@@ -109,22 +125,20 @@ fn without_spots(tags: &BTreeSet<&'static str>, model: &Model) -> BTreeSet<&'sta
 
 #[test]
 fn a_run_names_the_laws_that_it_uses_and_not_the_others() {
-    for name in CASES {
-        for formulation in [Formulation::Corrected, Formulation::Paper] {
-            let loaded = shipped(name, formulation);
-            let (tags, model) = (used(&loaded), &loaded.case.model);
-            assert_only(name, &without_spots(&tags, model), &FILM, &model.film);
-            assert_only(name, &tags, &THERMAL, &model.thermal);
-            assert_only(name, &tags, &FRICTION, &model.film_friction);
-            let printed = formulation == Formulation::Paper;
-            assert_eq!(tags.contains("P19"), printed, "{name} {formulation:?}");
-            for always in ["E-star", "Hertz-1", "P8", "P11", "P17", "P18", "P20", "P21"] {
-                assert!(tags.contains(always), "{name} {formulation:?}: {always}");
-            }
-            // The traces were filtered and the oil described before the run.
-            for prepared in ["Gauss-4", "Rk-1", "Prep-1"] {
-                assert!(tags.contains(prepared), "{name}: {prepared}");
-            }
+    for (name, loaded, run) in runs() {
+        let (tags, model) = (tags(&run.result.equations), &loaded.case.model);
+        assert_only(name, &without_spots(&tags, model), &FILM, &model.film);
+        assert_only(name, &tags, &THERMAL, &model.thermal);
+        assert_only(name, &tags, &FRICTION, &model.film_friction);
+        let formulation = loaded.case.formulation;
+        let printed = formulation == Formulation::Paper;
+        assert_eq!(tags.contains("P19"), printed, "{name} {formulation:?}");
+        for always in ["E-star", "Hertz-1", "P8", "P11", "P17", "P18", "P20", "P21"] {
+            assert!(tags.contains(always), "{name} {formulation:?}: {always}");
+        }
+        // The traces were filtered and the oil described before the run.
+        for prepared in ["Gauss-4", "Rk-1", "Prep-1"] {
+            assert!(tags.contains(prepared), "{name}: {prepared}");
         }
     }
 }
@@ -189,26 +203,20 @@ fn another_law_changes_its_own_equations_alone() {
 
 #[test]
 fn losses_contacts_and_a_whole_run_agree_to_the_last_digit() {
-    for name in CASES {
-        for formulation in [Formulation::Corrected, Formulation::Paper] {
-            let loaded = shipped(name, formulation);
-            let whole = asperity::Run::new(&loaded).execute().unwrap();
-            let contacts = asperity::Run::new(&loaded)
-                .without_pictures()
-                .execute()
-                .unwrap();
-            let losses = asperity::losses(&loaded).unwrap();
-            assert_eq!(whole.offsets, contacts.offsets, "{name}");
-            assert_eq!(whole.offsets, losses.offsets, "{name}");
-            assert_eq!(whole.result.summary, contacts.result.summary, "{name}");
-            assert_eq!(whole.result.running_in, contacts.result.running_in);
-            assert!(contacts.fields.is_empty());
-            let (a, b) = (&whole.result.summary, &losses.summary);
-            assert_eq!((a.efficiency, a.loss_w), (b.efficiency, b.loss_w), "{name}");
-            for (a, b) in whole.result.path.iter().zip(&losses.path) {
-                assert_eq!((a.mu, a.flash_k), (b.mu, b.flash_k), "{name}");
-                assert_eq!(a.lambda_star, b.lambda_star, "{name}");
-            }
+    for (name, loaded, whole) in runs() {
+        let contacts = asperity::Run::new(loaded).without_pictures().execute();
+        let contacts = contacts.unwrap();
+        let losses = asperity::losses(loaded).unwrap();
+        assert_eq!(whole.offsets, contacts.offsets, "{name}");
+        assert_eq!(whole.offsets, losses.offsets, "{name}");
+        assert_eq!(whole.result.summary, contacts.result.summary, "{name}");
+        assert_eq!(whole.result.running_in, contacts.result.running_in);
+        assert!(contacts.fields.is_empty());
+        let (a, b) = (&whole.result.summary, &losses.summary);
+        assert_eq!((a.efficiency, a.loss_w), (b.efficiency, b.loss_w), "{name}");
+        for (a, b) in whole.result.path.iter().zip(&losses.path) {
+            assert_eq!((a.mu, a.flash_k), (b.mu, b.flash_k), "{name}");
+            assert_eq!(a.lambda_star, b.lambda_star, "{name}");
         }
     }
 }

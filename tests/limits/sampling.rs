@@ -22,8 +22,8 @@ use realfft::num_complex::Complex;
 const HALF_WIDTH: f64 = 80e-6;
 /// The window in half-widths to each side.
 const WINDOW: f64 = 3.0;
-/// Every fourth point under the pressure is evaluated: 2 um apart, a fortieth of the half-width.
-const STEP: usize = 4;
+/// Every eighth point under the pressure is evaluated: 4 um apart, a twentieth of the half-width.
+const STEP: usize = 8;
 /// Positions along the path.
 const POSITIONS: usize = 8;
 

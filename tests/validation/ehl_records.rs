@@ -78,12 +78,12 @@ struct Fast {
 struct Compared {
     name: String,
     record: Record,
-    /// By the gap law `power`.
-    power: Fast,
-    /// By the gap law `inlet`: Ψ from both whole traces, and from each window.
-    inlet: [Fast; 2],
-    /// The first of `inlet` with the heat of film and surfaces.
+    /// By the gap law `inlet`, Ψ from both whole traces.
+    inlet: Fast,
+    /// The same with the heat of film and surfaces.
     hot: Fast,
+    /// By the gap law `power`, and by `inlet` with Ψ from each window: of the gear meshes only.
+    others: Option<[Fast; 2]>,
 }
 
 impl Compared {
@@ -94,9 +94,17 @@ impl Compared {
     /// The fast model as in a run: Ψ from both whole traces.
     fn by(&self, law: GapLaw) -> &Fast {
         match law {
-            GapLaw::Inlet => &self.inlet[0],
-            GapLaw::Power => &self.power,
+            GapLaw::Inlet => &self.inlet,
+            GapLaw::Power => self.power(),
         }
+    }
+
+    fn power(&self) -> &Fast {
+        &self.others.as_ref().unwrap()[0]
+    }
+
+    fn inlet_of_windows(&self) -> &Fast {
+        &self.others.as_ref().unwrap()[1]
     }
 
     fn difference(&self, law: GapLaw) -> f64 {
@@ -144,13 +152,13 @@ fn records(table: &str) -> BTreeMap<String, Record> {
 /// The records of the gear meshes.
 fn gear_meshes() -> &'static [Compared] {
     static ROWS: OnceLock<Vec<Compared>> = OnceLock::new();
-    ROWS.get_or_init(|| compared("gear_meshes", mixed_ehl_records::conditions()))
+    ROWS.get_or_init(|| compared("gear_meshes", mixed_ehl_records::conditions(), true))
 }
 
 /// The records of the blind test, listed before the first was made.
 fn blind() -> &'static [Compared] {
     static ROWS: OnceLock<Vec<Compared>> = OnceLock::new();
-    ROWS.get_or_init(|| compared("blind", mixed_ehl_records::blind_conditions()))
+    ROWS.get_or_init(|| compared("blind", mixed_ehl_records::blind_conditions(), false))
 }
 
 /// The records from which the gap law was derived and its limits were set.
@@ -159,7 +167,11 @@ fn first_57() -> &'static [Compared] {
 }
 
 /// The records of a table beside the fast model.
-fn compared(table: &str, conditions: Vec<mixed_ehl_records::Condition>) -> Vec<Compared> {
+fn compared(
+    table: &str,
+    conditions: Vec<mixed_ehl_records::Condition>,
+    with_others: bool,
+) -> Vec<Compared> {
     let mut records = records(table);
     assert_eq!(conditions.len(), records.len());
     let mut pairs = Vec::new();
@@ -173,9 +185,12 @@ fn compared(table: &str, conditions: Vec<mixed_ehl_records::Condition>) -> Vec<C
         Compared {
             name: condition.name,
             record,
-            power: windows.fast(GapLaw::Power, false, cold),
-            inlet: [false, true].map(|each| windows.fast(GapLaw::Inlet, each, cold)),
+            inlet: windows.fast(GapLaw::Inlet, false, cold),
             hot: windows.fast(GapLaw::Inlet, false, FilmHeat::FilmAndSurfaces),
+            others: with_others.then(|| {
+                let others = [(GapLaw::Power, false), (GapLaw::Inlet, true)];
+                others.map(|(law, each)| windows.fast(law, each, cold))
+            }),
         }
     });
     rows.collect()
@@ -255,12 +270,17 @@ impl Windows {
                 true => Self::of_peaks(&heights, window),
                 false => whole.window_rms(window.starts, window.points).unwrap(),
             };
-            for _ in 0..WINDOW_ITERATIONS * usize::from(of_each_window) {
+            let next = |rms: Length| {
                 let psi = inlet_factor(rms, film.supply_film(), settings.lay).unwrap();
                 let scale = film.nabla_per_length() * psi.powf(-1.0 / 3.0);
                 let attenuation = Attenuation::new(law, scale).unwrap();
                 let traces = AttenuatedTraces::new(spectra, &attenuation);
-                rms = traces.window_rms(window.starts, window.points).unwrap();
+                traces.window_rms(window.starts, window.points).unwrap()
+            };
+            for _ in 0..WINDOW_ITERATIONS * usize::from(of_each_window) {
+                let (first, second) = (next(rms), next(next(rms)));
+                let (step, change) = (first - rms, second - first - first + rms);
+                rms = rms - step * (step / change);
             }
             let solved = film.share(&window.contact, rms).unwrap().value;
             [
@@ -291,8 +311,8 @@ impl Windows {
     }
 }
 
-/// Iterations of Ψ of one window: they reduce its error by 6e4 or more.
-const WINDOW_ITERATIONS: usize = 27;
+/// Steps by Steffensen of Ψ of one window.
+const WINDOW_ITERATIONS: usize = 2;
 
 /// Mean and root mean square of the fast model minus the records: share (of those that have one), ln gap, ln friction.
 fn statistics<'a>(rows: impl Iterator<Item = (&'a Compared, &'a Fast)> + Clone) -> [[f64; 2]; 3] {
@@ -306,7 +326,7 @@ fn statistics<'a>(rows: impl Iterator<Item = (&'a Compared, &'a Fast)> + Clone) 
 
 /// ln of the fast model's friction over the record's: at the bulk temperature, and with heat.
 fn friction_errors(row: &Compared) -> [f64; 2] {
-    let [cold, hot] = [row.inlet[0].friction, row.hot.friction];
+    let [cold, hot] = [row.inlet.friction, row.hot.friction];
     [
         (cold / row.record.graded_friction).ln(),
         (hot / row.record.hot_friction).ln(),
@@ -348,7 +368,7 @@ pub fn class_table() -> String {
         let defined = rows().filter(|row| row.is_defined());
         let columns = [
             spread(defined.map(|row| row.difference(GapLaw::Inlet))),
-            spread(rows().map(|row| gap_error(row, &row.inlet[0]))),
+            spread(rows().map(|row| gap_error(row, &row.inlet))),
             spread(rows().map(|row| friction_errors(row)[0])),
             spread(rows().map(|row| friction_errors(row)[1])),
         ];
@@ -375,9 +395,9 @@ pub fn law_table() -> String {
     );
     type Of = fn(&Compared) -> &Fast;
     let by: [(&str, &str, Of); 3] = [
-        ("power", "window", |row| &row.power),
-        ("inlet", "window", |row| &row.inlet[1]),
-        ("inlet", "both traces", |row| &row.inlet[0]),
+        ("power", "window", |row| row.power()),
+        ("inlet", "window", |row| row.inlet_of_windows()),
+        ("inlet", "both traces", |row| &row.inlet),
     ];
     for (law, of, fast) in by {
         for (name, rows, end) in [
@@ -435,7 +455,7 @@ pub fn blind_table() -> String {
          |---|---|---|---|---|---|---|---|---|\n",
     );
     for row in blind() {
-        let (record, fast) = (&row.record, &row.inlet[0]);
+        let (record, fast) = (&row.record, &row.inlet);
         let [cold, hot] = friction_errors(row);
         let [low, high] = drawn_errors(row, false);
         let undefined = match row.is_defined() {
@@ -473,7 +493,7 @@ pub fn blind_table() -> String {
     ] {
         let is_in = |row: &&Compared| (low..high).contains(&row.record.roughness_ratio);
         let rows = || blind().iter().filter(is_in);
-        let cold = statistics(rows().map(|row| (row, &row.inlet[0])));
+        let cold = statistics(rows().map(|row| (row, &row.inlet)));
         let hot = mean_and_rms(rows().map(|row| friction_errors(row)[1]));
         let cells = [cold[0], cold[1], cold[2], hot];
         let cells = cells.map(|[mean, rms]| format!("{mean:+.3}, {rms:.3}"));
@@ -597,8 +617,8 @@ fn every_record_and_the_fast_model() {
             row.record.roughness_ratio,
             row.share(),
             row.difference(GapLaw::Inlet),
-            gap_error(row, &row.inlet[0]),
-            (row.power.friction / row.record.graded_friction).ln(),
+            gap_error(row, &row.inlet),
+            (row.power().friction / row.record.graded_friction).ln(),
         );
     }
 }
@@ -606,7 +626,11 @@ fn every_record_and_the_fast_model() {
 #[test]
 fn the_gap_law_inlet_follows_57_records() {
     let rows = first_57();
-    for (which, name) in ["pair", "window"].into_iter().enumerate() {
+    for name in ["pair", "window"] {
+        let fast = |row: &'static Compared| match name {
+            "pair" => &row.inlet,
+            _ => row.inlet_of_windows(),
+        };
         for (end, limits) in [
             // The aim of the mean friction, .03, is missed: the width of spots by ∫p² dx raises the mean from .030 to .036, and
             // spots that part at the lowest pressure between them to .0375; the scatter is as it was. The limit holds what was
@@ -615,7 +639,7 @@ fn the_gap_law_inlet_follows_57_records() {
             (LARGEST_ROUGHNESS, [0.04, 0.065, 0.02, 0.065]),
         ] {
             let rows = rows.iter().filter(|row| row.record.roughness_ratio < end);
-            let [share, gap, friction] = statistics(rows.map(|row| (row, &row.inlet[which])));
+            let [share, gap, friction] = statistics(rows.map(|row| (row, fast(row))));
             println!(
                 "Ψ of each {name}, σ_d/h_c below {end}: share {share:.4?}, ln gap {gap:.4?}, ln friction {friction:.4?}"
             );
@@ -628,7 +652,7 @@ fn the_gap_law_inlet_follows_57_records() {
             }
         }
     }
-    let rows = rows.iter().map(|row| (row, &row.power));
+    let rows = rows.iter().map(|row| (row, row.power()));
     println!("gap law power: {:.4?}", statistics(rows));
 }
 
@@ -645,7 +669,8 @@ fn the_gap_law_inlet_follows_the_speed() {
     ] {
         let name = format!("fzg_{speed}_0.15");
         let row = gear_meshes().iter().find(|row| row.name == name).unwrap();
-        let [pair, window] = row.inlet.map(|fast| fast.gap_um / gap - 1.0);
+        let [pair, window] =
+            [&row.inlet, row.inlet_of_windows()].map(|fast| fast.gap_um / gap - 1.0);
         assert!(
             window.abs() < 2e-3 && pair.abs() < 5e-3,
             "{name}: {window} {pair}"

@@ -241,7 +241,7 @@ const BULK_LAWS: [(&str, &str); 3] = [
 /// the same windows, of which few are enough for a ratio.
 fn over_oil_temperature(speed: u32, law: &str) -> f64 {
     static FEW_WINDOWS: OnceLock<Kept> = OnceLock::new();
-    let few = [("model.positions", "6"), ("model.offsets", "1")];
+    let few = [("model.positions", "4"), ("model.offsets", "1")];
     let kept = FEW_WINDOWS.get_or_init(|| Kept::new(measured("petry-johnson", &few)));
     let speed = ("operation.speed", &*format!("{speed} 1/min"));
     let keys = [
