@@ -154,27 +154,25 @@ fn a_design_is_rehearsed_and_its_calibration_narrows_the_band_of_a_run() {
     let block = fs::read_to_string(bench.path("found/calibration.toml")).unwrap();
     bench.write("calibrated.toml", format!("{CASE}\n{block}"));
     let width = |case: &str| {
-        let result = bench
-            .run(&["run", case, "--no-output", "--json"])
-            .well()
-            .json();
+        let said = bench.run(&["run", case, "-o", "out"]).well().out;
+        let text = fs::read_to_string(bench.path("out/result.json")).unwrap();
+        fs::remove_dir_all(bench.path("out")).unwrap();
+        let result: serde_json::Value = serde_json::from_str(&text).unwrap();
         let ends = result["uncertainty"]["loss"]["quantiles_w"]
             .as_array()
             .unwrap()
             .clone();
-        ends[1].as_f64().unwrap() - ends[0].as_f64().unwrap()
+        let line = said
+            .lines()
+            .find(|line| line.contains("efficiency (mesh only)"));
+        let width = ends[1].as_f64().unwrap() - ends[0].as_f64().unwrap();
+        (width, line.unwrap().to_owned())
     };
-    let (plain, calibrated) = (width("case.toml"), width("calibrated.toml"));
+    let [(plain, of_plain), (calibrated, of_calibrated)] =
+        ["case.toml", "calibrated.toml"].map(width);
     assert!(calibrated < 0.9 * plain, "{calibrated} of {plain}");
     // And it is printed.
-    let line = |case: &str| {
-        let text = bench.run(&["run", case, "--no-output"]).well().out;
-        text.lines()
-            .find(|line| line.contains("efficiency (mesh only)"))
-            .unwrap()
-            .to_owned()
-    };
-    assert_ne!(line("case.toml"), line("calibrated.toml"));
+    assert_ne!(of_plain, of_calibrated);
     let checked = bench.run(&["check", "calibrated.toml"]).well();
     assert!(
         !checked.out.contains("boundary_friction"),

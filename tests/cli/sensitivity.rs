@@ -64,7 +64,8 @@ fn one_thing_changes_at_a_time_and_its_parts_add_up() {
     );
     // The same through the keys of the case.
     let loss = |key: &str| {
-        let arguments = ["run", "case.toml", "--no-output", "--json", "--set", key];
+        let arguments = ["run", "case.toml", "--no-output", "--no-band", "--json"];
+        let arguments = [&arguments[..], &["--set", key]].concat();
         number(&bench.run(&arguments).well().json()["summary"]["loss_w"])
     };
     let difference = loss("lubricant.base_oil=\"mineral\"") - number(&found["loss_w"]);

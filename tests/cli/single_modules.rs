@@ -196,7 +196,9 @@ fn equations_are_listed_and_explained() {
     let all = asperity::equations::all();
     let listed = bench.run(&["equations"]).well().out;
     assert_eq!(listed.lines().count(), all.len());
-    for equation in all {
+    // All are printed by the same lines; those with a misprint have one more.
+    let tried = all.iter().enumerate();
+    for (_, equation) in tried.filter(|(k, one)| k % 8 == 0 || one.misprint.is_some()) {
         let said = bench.run(&["equations", equation.tag]).well().out;
         for part in [
             equation.title,

@@ -265,10 +265,10 @@ fn the_commands_in_the_readme_of_the_demo_run() {
     for file in asperity_fixtures::demo::files().unwrap() {
         bench.write(file.name, file.content);
     }
-    // No number is shown, so a small case will do.
+    // No number is shown, so a small case whose contacts are not solved will do.
     let case = std::fs::read_to_string(bench.path("case.toml")).unwrap();
     assert!(!case.contains("[model]"), "{case}");
-    let small = "\n[model]\npositions = 2\noffsets = 2\n";
+    let small = "\n[model]\npositions = 2\noffsets = 2\nload_share = \"lambda-star\"\n";
     bench.write("case.toml", case + small);
     holds("fixtures/src/demo/README.md", &bench.into(), 0);
 }

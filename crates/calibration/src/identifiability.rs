@@ -6,7 +6,9 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::bootstrap::median;
 use crate::error::CalibrationError;
-use crate::information::{correlations, covariance, deviation_without_prior, information};
+use crate::information::{
+    correlations, covariance, deviation_without_prior, information, variances_after,
+};
 use crate::parameters::Parameter;
 use crate::problem::{Observation, Problem};
 use crate::result::{HelpfulPoint, Identifiability, IdentifiedParameter, Verdict};
@@ -184,10 +186,8 @@ impl Rig {
                 bearing_torque: 0.0,
             };
             let slope = other.predicted(&start, &observation).1 / sigma;
-            let Some(after) = covariance(&(whole + &slope * slope.transpose())) else {
-                continue;
-            };
-            let shrunk = |k: usize| (before[(k, k)] / after[(k, k)]).ln();
+            let after = variances_after(&before, &slope);
+            let shrunk = |k: usize| (before[(k, k)] / after[k]).ln();
             let gain: f64 = (0..self.parameters.len()).map(shrunk).sum();
             let most = (0..self.parameters.len()).max_by(|a, b| shrunk(*a).total_cmp(&shrunk(*b)));
             let k = most.unwrap_or_default();
@@ -196,7 +196,7 @@ impl Rig {
                 speed_rpm,
                 temperature_c,
                 gains_most: self.parameters[k].words().to_owned(),
-                deviation: [before[(k, k)].sqrt(), after[(k, k)].sqrt()],
+                deviation: [before[(k, k)].sqrt(), after[k].sqrt()],
             };
             gains.push((gain, helpful));
         }

@@ -35,6 +35,18 @@ pub fn covariance(information: &DMatrix<f64>) -> Option<DMatrix<f64>> {
         .map(|factor| factor.inverse())
 }
 
+/// Variances of the variables of a covariance after a further point with the derivatives `slope`, by Sherman and Morrison:
+///
+/// ```text
+/// diag(C − C j jᵀ C/(1 + jᵀ C j))
+/// ```
+#[must_use]
+pub fn variances_after(covariance: &DMatrix<f64>, slope: &DVector<f64>) -> DVector<f64> {
+    let moved = covariance * slope;
+    let whole = 1.0 + slope.dot(&moved);
+    covariance.diagonal() - moved.map(|value| value * value / whole)
+}
+
 /// Standard deviation of variable `k` without its own prior of width `prior`; `None` if only the prior determines it.
 #[must_use]
 pub fn deviation_without_prior(information: &DMatrix<f64>, k: usize, prior: f64) -> Option<f64> {
@@ -92,5 +104,15 @@ mod tests {
         let with = information(&slopes) + information(&prior);
         assert!((deviation_without_prior(&with, 0, 0.5).unwrap() - 0.1).abs() < 1e-12);
         assert!(covariance(&DMatrix::zeros(2, 2)).is_none());
+    }
+
+    #[test]
+    fn variances_after_a_point_are_those_of_the_information_with_it() {
+        let slopes = DMatrix::from_row_slice(3, 2, &[1.0, -1.0, 1.0, 0.5, 0.0, 2.0]);
+        let further = DVector::from_column_slice(&[3.0, -0.7]);
+        let whole = information(&slopes);
+        let found = variances_after(&covariance(&whole).unwrap(), &further);
+        let expected = covariance(&(whole + &further * further.transpose())).unwrap();
+        assert!((found - expected.diagonal()).amax() < 1e-15);
     }
 }

@@ -1,6 +1,6 @@
 //! Further settings that would determine a constant best.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::base::OilBase;
 use super::error::OilError;
@@ -9,7 +9,7 @@ use super::grid::Grid;
 use super::machine::Setting;
 use super::problem::{Priors, STATED, Zero};
 use super::reading::SetPoint;
-use crate::information::{covariance, information};
+use crate::information::{covariance, information, variances_after};
 use crate::least_squares::Residuals;
 
 /// Settings to choose from.
@@ -65,15 +65,15 @@ pub fn helpful(
     let of = |from: usize, rows: usize| slopes.rows(from, rows).into_owned();
     let measured = information(&of(0, points.len()));
     let of_priors = information(&of(all.len(), columns));
-    let whole: DMatrix<f64> = measured + of_priors;
     let mut best = [None::<Helpful>; STATED];
+    let Some(before) = covariance(&(measured + of_priors)) else {
+        return Ok(best);
+    };
     for (number, point) in further.iter().enumerate() {
-        let row = of(points.len() + number, 1);
-        let Some(after) = covariance(&(&whole + information(&row) * READINGS)) else {
-            continue;
-        };
+        let row = slopes.row(points.len() + number);
+        let after = variances_after(&before, &(row.transpose() * READINGS.sqrt()));
         for (k, best) in best.iter_mut().enumerate() {
-            let posterior = after[(k, k)].sqrt();
+            let posterior = after[k].sqrt();
             if best.is_none_or(|best| posterior < best.posterior) {
                 *best = Some(Helpful {
                     setting: point.reading.setting,
