@@ -42,6 +42,8 @@ fn the_demo_is_compared_and_its_report_drawn_anew() {
             &smooth,
             "--offsets",
             "4",
+            "--set",
+            "model.positions=4",
             "-o",
             "c",
         ],
@@ -52,7 +54,11 @@ fn the_demo_is_compared_and_its_report_drawn_anew() {
         "{text}"
     );
     assert!(here.join("c/compare.html").is_file());
-    said(&asperity(here, &["run", case, "-o", "r", "-q"]));
+    let few = ["--set=model.positions=4", "--set=model.offsets=2"];
+    said(&asperity(
+        here,
+        &[&["run", case, "-o", "r", "-q"][..], &few].concat(),
+    ));
     std::fs::remove_file(here.join("r/report.html")).unwrap();
     assert!(said(&asperity(here, &["report", "r/result.json"])).contains("report.html"));
     assert!(here.join("r/report.html").is_file());

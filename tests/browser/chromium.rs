@@ -3,6 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 use asperity_report::html::source;
 use serde_json::{Value, json};
@@ -25,6 +26,11 @@ const CHECK: &str = include_str!("check.js");
 /// # Panics
 /// When there is none and the environment requires one.
 pub fn find() -> Option<&'static str> {
+    static FOUND: OnceLock<Option<&str>> = OnceLock::new();
+    *FOUND.get_or_init(search)
+}
+
+fn search() -> Option<&'static str> {
     let works = |name: &&str| {
         Command::new(name)
             .arg("--version")

@@ -1,13 +1,11 @@
 //! The page of a comparison, and what it compares.
 
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use asperity::case::{CaseInput, FlankInput, load_with};
 use asperity_report::StudyResult;
 use asperity_studies::compare::{Comparison, Finish, compare};
-
-use crate::chromium::{self, Look};
-use crate::looks::assert_sound;
 
 fn fixtures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures")
@@ -29,7 +27,7 @@ fn finish(name: &str, files: [&str; 2]) -> Finish {
         input.surface.pinion = flank(files[0], false);
         input.surface.wheel = Some(flank(files[1], true));
         input.model.offsets = Some(12);
-        input.model.positions = Some(8);
+        input.model.positions = Some(4);
     };
     let case = load_with(&fixtures().join("cases/e-drive.toml"), &change).unwrap();
     Finish {
@@ -38,16 +36,19 @@ fn finish(name: &str, files: [&str; 2]) -> Finish {
     }
 }
 
-fn ground_and_superfinished() -> Comparison {
-    let finishes = [
-        finish("ground", ["ground_pinion.csv", "ground_wheel.csv"]),
-        finish(
-            "superfinished",
-            ["superfinished.csv", "superfinished_wheel.csv"],
-        ),
-        finish("ground again", ["ground_pinion.csv", "ground_wheel.csv"]),
-    ];
-    compare(&finishes, &|_, _| {}).unwrap()
+fn ground_and_superfinished() -> &'static Comparison {
+    static FOUND: OnceLock<Comparison> = OnceLock::new();
+    FOUND.get_or_init(|| {
+        let finishes = [
+            finish("ground", ["ground_pinion.csv", "ground_wheel.csv"]),
+            finish(
+                "superfinished",
+                ["superfinished.csv", "superfinished_wheel.csv"],
+            ),
+            finish("ground again", ["ground_pinion.csv", "ground_wheel.csv"]),
+        ];
+        compare(&finishes, &|_, _| {}).unwrap()
+    })
 }
 
 #[test]
@@ -69,7 +70,7 @@ fn a_finish_does_not_differ_from_itself_and_superfinishing_pays() {
 }
 
 #[test]
-fn the_page_of_a_comparison_draws_and_zooms_and_its_tables_are_there() {
+fn the_tables_that_the_page_of_a_comparison_names_are_there() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("compared");
     let found = ground_and_superfinished();
@@ -80,9 +81,4 @@ fn the_page_of_a_comparison_draws_and_zooms_and_its_tables_are_there() {
     for rest in page.split("data: <code>").skip(1) {
         assert!(folder.join(&rest[..rest.find('<').unwrap()]).is_file());
     }
-    let Some(browser) = chromium::find() else {
-        return;
-    };
-    let opened = chromium::open(browser, &[("comparison", &page)], &Look::at(&[1000]));
-    assert_sound(&opened[0]);
 }

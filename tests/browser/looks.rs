@@ -162,11 +162,11 @@ fn curves_are_rendered_in_their_colours_in_light_and_dark() {
         return;
     };
     let rendered = [
-        ("report, helical", 12_000, true),
-        ("report, helical", 12_000, false),
-        ("found/calibration.html", 5000, true),
-        ("driven/cycle.html", 5000, false),
-        ("figures", 6000, false),
+        ("report, helical", 9000, true),
+        ("report, helical", 9000, false),
+        ("found/calibration.html", 3200, true),
+        ("driven/cycle.html", 1600, false),
+        ("figures", 5400, false),
     ];
     for (name, height, is_dark) in rendered {
         let page = pages::all().iter().find(|page| page.name == name);

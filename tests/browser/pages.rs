@@ -151,6 +151,8 @@ const COMMANDS: [(&[&str], &[&str]); 12] = [
             "ground=pinion.csv,wheel.csv",
             "--finish",
             "superfinished=smooth.csv,smooth_wheel.csv",
+            "--finish",
+            "again=pinion.csv,wheel.csv",
             "--offsets",
             "4",
             "-o",

@@ -9,8 +9,8 @@ use asperity_report::Fields;
 use serde_json::Value;
 
 use crate::chromium::{self, Look, Opened};
-use crate::looks::assert_sound;
-use crate::pages::{e_drive, paper, shipped};
+use crate::looks::{assert_sound, first_look};
+use crate::pages::{self, e_drive, paper, shipped};
 
 /// Writes the folder of `outcome`.
 fn written(outcome: &Outcome) -> (tempfile::TempDir, PathBuf) {
@@ -107,10 +107,10 @@ fn the_report_of_the_paper_formulation_has_the_numbers_of_its_one_position() {
     let Some(browser) = chromium::find() else {
         return;
     };
-    let (_keep, folder) = written(&paper());
-    let page = text(&folder, "report.html");
-    let opened = chromium::open(browser, &[("paper", &page)], &Look::at(&[1000]));
-    assert_same_numbers(&opened[0], &result(&folder));
+    let mut all = pages::all().iter().zip(first_look(browser));
+    let paper = all.find(|(page, _)| page.name == "report, paper");
+    let (page, [opened, _]) = paper.unwrap();
+    assert_same_numbers(opened, &result(&page.folder));
 }
 
 #[test]

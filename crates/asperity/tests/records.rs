@@ -108,6 +108,7 @@ fn elastic_records_above_the_flow_pressure_carry_a_warning_with_their_pressure()
             ("material.pinion.flow_pressure", flow),
             // Coarser cells blunt the peaks.
             ("model.ehl.cells", "256"),
+            ("model.ehl.records", "2"),
         ];
         let result = run(&recorded(cache.path(), &keys));
         let largest = result.records.iter().map(|record| record.p_max_mpa);

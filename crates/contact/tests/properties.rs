@@ -294,7 +294,7 @@ fn pressure_that_is_round_off_does_not_hold_the_iteration() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(8))]
+    #![proptest_config(ProptestConfig::with_cases(4))]
 
     #[test]
     fn the_work_of_the_load_is_elastic_energy_and_flow(
@@ -329,6 +329,10 @@ proptest! {
         // The approach has a kink wherever a cell begins to touch: 1 200 panels leave up to 2e-6.
         prop_assert!((work / (energy - energy_0) - 1.0).abs() < 1e-6);
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
 
     #[test]
     fn running_in_decays_to_shakedown(
