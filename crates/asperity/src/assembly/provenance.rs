@@ -5,19 +5,22 @@ use std::collections::BTreeSet;
 use crate::equations::{self, Equation};
 use crate::result::{CitedSource, EquationUse};
 
-/// The equations with these tags, those of the paper first, and the publications they come from.
-pub(crate) fn equations_used(
-    tags: &BTreeSet<&'static str>,
-) -> (Vec<EquationUse>, Vec<CitedSource>) {
-    let used = || (equations::all().iter()).filter(|equation| tags.contains(equation.tag));
+/// The equations with these tags, those of the paper first.
+pub(crate) fn equations_used(tags: &BTreeSet<&'static str>) -> Vec<EquationUse> {
     let row = |equation: &Equation| EquationUse {
         tag: equation.tag.into(),
         title: equation.title.into(),
         references: equation.references.iter().map(|r| r.key.into()).collect(),
     };
-    let sources = equations::bibliography(used());
-    (
-        used().map(row).collect(),
-        sources.into_iter().map(CitedSource::from).collect(),
-    )
+    used(tags).map(row).collect()
+}
+
+/// The publications that the equations with these tags come from.
+pub(crate) fn sources_used(tags: &BTreeSet<&'static str>) -> Vec<CitedSource> {
+    let sources = equations::bibliography(used(tags));
+    sources.into_iter().map(CitedSource::from).collect()
+}
+
+fn used(tags: &BTreeSet<&'static str>) -> impl Iterator<Item = &'static Equation> {
+    (equations::all().iter()).filter(|equation| tags.contains(equation.tag))
 }
