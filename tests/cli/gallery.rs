@@ -1,5 +1,5 @@
-//! README, gallery, tutorial and other pages of the demo run in one folder, as they share commands: they print what they show, and the pictures are figures
-//! of the pages that they write.
+//! README, gallery, tutorial and other pages of the demo run in one folder, as they share commands: they print what they show, and
+//! the pictures are figures of the pages that they write.
 
 use std::fs;
 
@@ -36,7 +36,7 @@ fn pages_of_the_demo_print_what_they_show_and_their_pictures_are_drawn() {
     let bench = bench();
     holds("README.md", &bench, 10);
     let read = |page: &str| fs::read_to_string(bench.path("results").join(page)).unwrap();
-    let report = read("demo-case/report.html");
+    let report = read("e-drive/report.html");
     hold_picture("figures/mesh.svg", &animated(&report));
     for (name, figure) in [("band", "band"), ("local_loss", "local-loss")] {
         let file = format!("figures/{name}.svg");

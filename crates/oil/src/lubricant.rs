@@ -439,8 +439,7 @@ impl Lubricant {
     /// ```
     pub fn at(&self, temperature: Temperature) -> Result<Checked<LubricantState>, LubricantError> {
         let mut outside = Vec::new();
-        let density = self.density.at(temperature)?;
-        let (eta, beta) = self.viscosity(temperature, density, &mut outside)?;
+        let (density, eta, beta) = self.viscosity(temperature, &mut outside)?;
         let nu = KinematicViscosity::from_si(eta.si() / density.si());
         let alpha = match self.pressure_viscosity {
             Coefficient::Given(alpha) => alpha,
@@ -478,20 +477,21 @@ impl Lubricant {
         })
     }
 
-    /// η and β_T; of a kinematic law the expansion of the oil has its share in β_T.
-    fn viscosity(
+    /// ρ, η and β_T; of a kinematic law the expansion of the oil has its share in β_T.
+    pub(crate) fn viscosity(
         &self,
         temperature: Temperature,
-        density: Density,
         outside: &mut Vec<OutOfRange>,
-    ) -> Result<(DynamicViscosity, PerKelvin), LubricantError> {
-        Ok(match self.viscosity {
+    ) -> Result<(Density, DynamicViscosity, PerKelvin), LubricantError> {
+        let density = self.density.at(temperature)?;
+        let (eta, beta) = match self.viscosity {
             Viscosity::AstmD341(law) => {
-                let nu = noted(law.kinematic_viscosity(temperature)?, outside);
+                let (nu, beta) = law.viscosity_and_slope(temperature)?;
+                let nu = noted(nu, outside);
                 let expansion = self.density.temperature_coefficient(temperature)?;
                 (
                     DynamicViscosity::from_si(nu.si() * density.si()),
-                    law.temperature_coefficient(temperature)? + expansion,
+                    beta + expansion,
                 )
             }
             Viscosity::Vogel(law) => (
@@ -502,7 +502,8 @@ impl Lubricant {
                 noted(law.dynamic_viscosity(temperature)?, outside),
                 law.temperature_coefficient,
             ),
-        })
+        };
+        Ok((density, eta, beta))
     }
 }
 

@@ -27,7 +27,7 @@ pub(crate) struct ViscosityTable {
 impl ViscosityTable {
     /// The table of a law that gives η₀ and β = −(dη/dT)/η, over the temperatures where it does.
     pub(crate) fn new(
-        law: impl Fn(Temperature) -> Option<(DynamicViscosity, PerKelvin)>,
+        mut law: impl FnMut(Temperature) -> Option<(DynamicViscosity, PerKelvin)>,
     ) -> Result<Self, LubricantError> {
         let count = ((SPAN[1] - SPAN[0]) / STEP) as usize;
         let mut first = SPAN[0];
@@ -57,9 +57,11 @@ impl ViscosityTable {
 
     /// The table of a lubricant.
     pub(crate) fn of(lubricant: &Lubricant) -> Result<Self, LubricantError> {
+        let mut outside = Vec::new();
         Self::new(|t| {
-            let state = lubricant.at(t).ok()?.value;
-            Some((state.dynamic_viscosity, state.temperature_coefficient))
+            outside.clear();
+            let (_, eta, beta) = lubricant.viscosity(t, &mut outside).ok()?;
+            Some((eta, beta))
         })
     }
 

@@ -101,22 +101,7 @@ impl AstmD341 {
         &self,
         temperature: Temperature,
     ) -> Result<Checked<KinematicViscosity>, DomainError> {
-        cite!("ASTM-2");
-        let t = DomainError::positive("temperature", temperature)?;
-        let nu = 10f64.powf(10f64.powf(self.a - self.b * t.log10())) - ASTM_C;
-        DomainError::require(
-            nu.is_finite(),
-            "temperature",
-            t,
-            "K",
-            "is too low for a finite viscosity",
-        )?;
-        let mut outside = Vec::new();
-        ASTM_RANGE.check(nu, &mut outside);
-        Ok(Checked {
-            value: KinematicViscosity::from_si(nu / MM2_PER_M2),
-            outside,
-        })
+        Ok(self.viscosity_and_exponent(temperature)?.0)
     }
 
     /// β_ν(T) = −(dν/dT)/ν = B·(ν + 0.7)·ln(ν + 0.7)/(ν·T)                        [ASTM-3]
@@ -134,12 +119,41 @@ impl AstmD341 {
         &self,
         temperature: Temperature,
     ) -> Result<PerKelvin, DomainError> {
+        Ok(self.viscosity_and_slope(temperature)?.1)
+    }
+
+    /// ν and β_ν.
+    pub(crate) fn viscosity_and_slope(
+        &self,
+        temperature: Temperature,
+    ) -> Result<(Checked<KinematicViscosity>, PerKelvin), DomainError> {
         cite!("ASTM-3");
-        let nu = self.kinematic_viscosity(temperature)?.value.si() * MM2_PER_M2;
-        let log = LN_10 * 10f64.powf(self.a - self.b * temperature.si().log10());
-        Ok(PerKelvin::from_si(
-            self.b * (nu + ASTM_C) * log / (nu * temperature.si()),
-        ))
+        let (viscosity, exponent) = self.viscosity_and_exponent(temperature)?;
+        let nu = viscosity.value.si() * MM2_PER_M2;
+        let slope = self.b * (nu + ASTM_C) * (LN_10 * exponent) / (nu * temperature.si());
+        Ok((viscosity, PerKelvin::from_si(slope)))
+    }
+
+    /// ν and log₁₀ (ν + 0.7).
+    fn viscosity_and_exponent(
+        &self,
+        temperature: Temperature,
+    ) -> Result<(Checked<KinematicViscosity>, f64), DomainError> {
+        cite!("ASTM-2");
+        let t = DomainError::positive("temperature", temperature)?;
+        let exponent = 10f64.powf(self.a - self.b * t.log10());
+        let nu = 10f64.powf(exponent) - ASTM_C;
+        DomainError::require(
+            nu.is_finite(),
+            "temperature",
+            t,
+            "K",
+            "is too low for a finite viscosity",
+        )?;
+        let mut outside = Vec::new();
+        ASTM_RANGE.check(nu, &mut outside);
+        let value = KinematicViscosity::from_si(nu / MM2_PER_M2);
+        Ok((Checked { value, outside }, exponent))
     }
 }
 

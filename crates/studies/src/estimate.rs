@@ -138,7 +138,11 @@ pub fn measured(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
         few.case.model.offsets = offsets;
         few.case.input.model.offsets = Some(offsets);
         let begin = Instant::now();
-        single_thread.install(|| Run::new(&few).without_pictures().execute())?;
+        // Without tables the loss alone does not solve every contact.
+        single_thread.install(|| match has_tables(&few) {
+            true => Run::new(&few).losses().map(drop),
+            false => Run::new(&few).without_pictures().execute().map(drop),
+        })?;
         let modelled = Work::of(&few)?.of_contacts;
         Ok([begin.elapsed().as_secs_f64(), modelled])
     };
@@ -158,6 +162,12 @@ fn has_records(loaded: &LoadedCase) -> bool {
     model.load_share == LoadShareName::Ehl || model.full_film == FullFilmName::EhlTransient
 }
 
+/// Whether each contact is tabulated over its share of the load.
+fn has_tables(loaded: &LoadedCase) -> bool {
+    let case = &loaded.case;
+    case.formulation == Formulation::Corrected && case.model.load_share.supply().is_some()
+}
+
 /// Counted work of a run and its times \[s\].
 struct Work {
     positions: usize,
@@ -168,7 +178,10 @@ struct Work {
     points: f64,
     /// Number of points of all traces.
     traced: f64,
+    /// Contacts of the positions.
     of_contacts: f64,
+    /// Contacts of the positions and of the points A to E over those of the positions.
+    with_named: f64,
     /// Other parallel work of the positions.
     other: f64,
     /// Number of records, solved in parallel, and the time of each.
@@ -202,6 +215,7 @@ impl Work {
                 points: 0.0,
                 traced: traced as f64,
                 of_contacts: 0.0,
+                with_named: 1.0,
                 other: SECONDS_OF_FILM * positions as f64 * evaluations(loaded),
                 records: (0, 0.0),
             });
@@ -211,8 +225,7 @@ impl Work {
             .map(|station| 2.0 * model.window * (station.hertz.half_width / trace.spacing()));
         let window_points: f64 = windows.sum();
         let offsets = loaded.surfaces.offsets(model.offsets) as f64;
-        let is_corrected = loaded.case.formulation == Formulation::Corrected;
-        let tables = is_corrected && model.load_share.supply().is_some();
+        let tables = has_tables(loaded);
         let of_a_point = match loaded.case.formulation {
             Formulation::Paper => SECONDS_OF_A_STEP * (LOWERED / model.delta_step.si()),
             Formulation::Corrected if tables => SECONDS_TABULATED,
@@ -220,7 +233,7 @@ impl Work {
         };
         // Running-in solves the contacts again.
         let solves = if model.run_in { 2.0 } else { 1.0 };
-        let named = match tables {
+        let with_named = match tables {
             true => 1.0 + NAMED as f64 / positions as f64,
             false => 1.0,
         };
@@ -252,7 +265,8 @@ impl Work {
             window_points,
             points,
             traced: traced as f64,
-            of_contacts: of_a_point * points * solves * named,
+            of_contacts: of_a_point * points * solves,
+            with_named,
             other: SECONDS_OF_STRESS * window_points * model.depths as f64
                 + of_film * positions as f64 * evaluations(loaded) * solves
                 + SECONDS_OF_WEAR * worn,
@@ -275,7 +289,7 @@ impl Work {
             points: self.points,
             seconds: SECONDS_AROUND
                 + SECONDS_OF_A_TRACE_POINT * self.traced
-                + (scale * self.of_contacts + self.other) / together
+                + (scale * self.of_contacts * self.with_named + self.other) / together
                 + rounds * of_a_record,
             bytes: BYTES_AROUND
                 + stored / self.positions.max(1) as f64 * of_fields

@@ -345,18 +345,19 @@ impl<'a> LoadedFilm<'a> {
             }
         };
         Ok(Checked {
-            value: self.conclude(evidence)?,
+            value: self.conclude(evidence),
             outside: self.outside.clone(),
         })
     }
 
-    fn conclude(&mut self, evidence: Solved) -> Result<FilmFrictionSolution, FrictionError> {
+    /// The solution, within the tolerance of the last evaluation, from which the slopes lead to it.
+    fn conclude(&self, evidence: Solved) -> FilmFrictionSolution {
         let mu = evidence.value;
         let rise = self.surface_rise(mu);
-        self.friction_at(rise)?;
+        let warmer = rise - self.last_rise;
         let (mut largest, mut mean, mut limited, mut weights) = (0.0_f64, 0.0, 0.0, 0.0);
         for node in &self.nodes {
-            let stress = node.stress.map_or(0.0, |[stress, _]| stress);
+            let stress = (node.stress).map_or(0.0, |[stress, slope]| stress + slope * warmer);
             let film_rise = node.point.heating() * stress;
             let load = node.weight * node.point.pressure();
             let limit = self
@@ -367,7 +368,7 @@ impl<'a> LoadedFilm<'a> {
             weights += load;
             limited += if stress > LIMITED * limit { load } else { 0.0 };
         }
-        Ok(FilmFrictionSolution {
+        FilmFrictionSolution {
             coefficient: mu,
             mean_stress: Pressure::from_si(mu * self.load / self.area),
             surface_rise: rise,
@@ -377,7 +378,7 @@ impl<'a> LoadedFilm<'a> {
             half_width: Length::from_si(self.half_width),
             max_pressure: Pressure::from_si(self.max_pressure),
             evidence,
-        })
+        }
     }
 
     /// Whether the film is heated.

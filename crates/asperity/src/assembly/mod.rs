@@ -12,7 +12,7 @@ mod warnings;
 pub use reversed::Reversed;
 
 pub(crate) use cycle::operation;
-pub(crate) use provenance::{equations_used, sources};
+pub(crate) use provenance::{equations_used, sources_used};
 pub(crate) use solved::Solved;
 
 use asperity_core::numerics::{deviation, mean, median};

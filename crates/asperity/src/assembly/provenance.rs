@@ -5,10 +5,6 @@ use std::collections::BTreeSet;
 use crate::equations::{self, Equation};
 use crate::result::{CitedSource, EquationUse};
 
-fn used(tags: &BTreeSet<&'static str>) -> impl Iterator<Item = &'static Equation> {
-    (equations::all().iter()).filter(|equation| tags.contains(equation.tag))
-}
-
 /// The equations with these tags, those of the paper first.
 pub(crate) fn equations_used(tags: &BTreeSet<&'static str>) -> Vec<EquationUse> {
     let row = |equation: &Equation| EquationUse {
@@ -20,7 +16,11 @@ pub(crate) fn equations_used(tags: &BTreeSet<&'static str>) -> Vec<EquationUse> 
 }
 
 /// The publications that the equations with these tags come from.
-pub(crate) fn sources(tags: &BTreeSet<&'static str>) -> Vec<CitedSource> {
+pub(crate) fn sources_used(tags: &BTreeSet<&'static str>) -> Vec<CitedSource> {
     let sources = equations::bibliography(used(tags));
     sources.into_iter().map(CitedSource::from).collect()
+}
+
+fn used(tags: &BTreeSet<&'static str>) -> impl Iterator<Item = &'static Equation> {
+    (equations::all().iter()).filter(|equation| tags.contains(equation.tag))
 }

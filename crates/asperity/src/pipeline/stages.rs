@@ -11,7 +11,7 @@ use super::bulk_temperature;
 use super::kept_fields::KeptFields;
 use super::offsets::{chooses_offsets, offsets_needed, with_offsets};
 
-use crate::assembly::{Solved, equations_used, sources};
+use crate::assembly::{Solved, equations_used, sources_used};
 use crate::contacts::{Contacts, WindowContact, running_in};
 use crate::lubrication::{
     ChosenLaws, LubricatedPosition, Lubrication, check_mesh_position, plausible_film, records_of,
@@ -287,7 +287,7 @@ pub(crate) fn outcome(
     let result = &mut outcome.result;
     result.run_in = stages.run_in()?;
     let tags = stages.tags();
-    (result.equations, result.references) = (equations_used(&tags), sources(&tags));
+    (result.equations, result.references) = (equations_used(&tags), sources_used(&tags));
     drop(stages);
     Ok((outcome, warmed.into_owned(), contacts.into_owned()))
 }

@@ -30,7 +30,7 @@ use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::Z_95;
 use asperity_core::provenance::Provenance;
 
-use crate::assembly::{equations_used, sources};
+use crate::assembly::{equations_used, sources_used};
 use crate::contacts::Contacts;
 use crate::pipeline::{KeptFields, Progress, outcome};
 use crate::result::{
@@ -148,7 +148,7 @@ fn note(result: &mut RunResult, tags: &BTreeSet<&'static str>) {
     let all: BTreeSet<&'static str> = known
         .filter(|tag| before.contains(tag) || tags.contains(tag))
         .collect();
-    (result.equations, result.references) = (equations_used(&all), sources(&all));
+    (result.equations, result.references) = (equations_used(&all), sources_used(&all));
 }
 
 fn uncertainty(
