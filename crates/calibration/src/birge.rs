@@ -57,8 +57,8 @@ impl Scatter {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::DVector;
     use chacha20::ChaCha8Rng;
+    use nalgebra::DVector;
     use rand_core::{Rng, SeedableRng};
 
     use super::*;
