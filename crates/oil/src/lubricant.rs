@@ -43,8 +43,11 @@ pub struct Lubricant {
     assumptions: Vec<Assumption>,
 }
 
+/// Law of the viscosity and density, the properties that set the viscosity over temperature.
+pub(crate) type ViscosityKey = (Viscosity, DensityLine);
+
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-enum Viscosity {
+pub(crate) enum Viscosity {
     AstmD341(AstmD341),
     Vogel(Vogel),
     Given(GivenViscosity),
@@ -475,6 +478,10 @@ impl Lubricant {
             },
             outside,
         })
+    }
+
+    pub(crate) fn viscosity_key(&self) -> ViscosityKey {
+        (self.viscosity, self.density)
     }
 
     /// ρ, η and β_T; of a kinematic law the expansion of the oil has its share in β_T.

@@ -18,6 +18,8 @@
 //!
 //! τ_L0 = 2 MPa is judgement; b_L and f are 0 and 1 unless traction curves of the oil determine them. The blend of τ_E and τ_L is [`limited_stress_by`].
 
+use std::sync::Arc;
+
 use asperity_core::cite;
 use asperity_core::numerics::{Solved, newton_root};
 use asperity_core::quantity::{
@@ -52,7 +54,7 @@ const STEEP: f64 = 12.0;
 /// Built once for an oil; an evaluation at a temperature, pressure and speed needs no further set-up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilmRheology {
-    viscosity: ViscosityTable,
+    viscosity: Arc<ViscosityTable>,
     /// ln η₀ at the temperature T_ref of α.
     log_reference: f64,
     /// α at T_ref \[1/Pa\].

@@ -4,8 +4,11 @@
 //! interpolation error is h⁴/384 of the fourth derivative, below 10⁻⁹ in ln η₀ for mineral and
 //! synthetic oils above -20 °C, 10⁻¹¹ at working temperatures. Beyond the ends ln η₀ continues with the last slope.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use asperity_core::quantity::{DynamicViscosity, PerKelvin, Temperature};
 
+use crate::lubricant::ViscosityKey;
 use crate::{Lubricant, LubricantError};
 
 /// Distance of the entries \[K\].
@@ -55,14 +58,22 @@ impl ViscosityTable {
         Ok(Self { first, entries })
     }
 
-    /// The table of a lubricant.
-    pub(crate) fn of(lubricant: &Lubricant) -> Result<Self, LubricantError> {
+    /// The table of a lubricant. The last one is cached: cases of a study mostly have one oil.
+    pub(crate) fn of(lubricant: &Lubricant) -> Result<Arc<Self>, LubricantError> {
+        static LAST: Mutex<Option<(ViscosityKey, Arc<ViscosityTable>)>> = Mutex::new(None);
+        let key = lubricant.viscosity_key();
+        let mut last = LAST.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, table)) = last.as_ref().filter(|(known, _)| *known == key) {
+            return Ok(Arc::clone(table));
+        }
         let mut outside = Vec::new();
-        Self::new(|t| {
+        let table = Arc::new(Self::new(|t| {
             outside.clear();
             let (_, eta, beta) = lubricant.viscosity(t, &mut outside).ok()?;
             Some((eta, beta))
-        })
+        })?);
+        *last = Some((key, Arc::clone(&table)));
+        Ok(table)
     }
 
     /// First and last temperature \[K\].

@@ -178,9 +178,9 @@ struct Work {
     points: f64,
     /// Number of points of all traces.
     traced: f64,
-    /// Contacts of the positions.
+    /// Time of the contacts at the positions \[s\].
     of_contacts: f64,
-    /// Contacts of the positions and of the points A to E over those of the positions.
+    /// Contacts at the positions and the points A to E relative to the contacts at the positions.
     with_named: f64,
     /// Other parallel work of the positions.
     other: f64,

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::equations::{self, Equation};
 use crate::result::{CitedSource, EquationUse};
 
-/// The equations with these tags, those of the paper first.
+/// The equations with these tags, the equations of the paper first.
 pub(crate) fn equations_used(tags: &BTreeSet<&'static str>) -> Vec<EquationUse> {
     let row = |equation: &Equation| EquationUse {
         tag: equation.tag.into(),
