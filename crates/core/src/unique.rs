@@ -1,6 +1,6 @@
 //! Items without repetitions.
 
-/// The items in their order, each once.
+/// The distinct items in the order of their first occurrence.
 ///
 /// ```
 /// assert_eq!(asperity_core::unique(["b", "a", "b"]), ["b", "a"]);

@@ -1,4 +1,4 @@
-//! What a run has found.
+//! Outcome of a run.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use crate::arrays::columns;
 use crate::failure::{self, Failure};
 use crate::work::alone;
 
-/// What was run.
+/// Outcome by kind of run.
 pub enum Found {
     /// Losses alone, with program and title.
     Losses(&'static str, String, Box<Losses>),

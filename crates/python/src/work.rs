@@ -1,4 +1,4 @@
-//! Work beside Python: without its lock, ended by Ctrl-C, with progress told on the thread that called.
+//! Work outside of Python: without its lock, ended by Ctrl-C, with progress reported on the calling thread.
 
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 
 use crate::failure::Failure;
 
-/// Time between two looks at signals and progress.
+/// Time between two checks of signals and progress.
 const PULSE: Duration = Duration::from_millis(50);
 /// Bytes of the stack of a working thread, as the main thread of a command has.
 const STACK: usize = 8 << 20;
@@ -49,7 +49,7 @@ pub fn raise(error: PyErr) {
     }
 }
 
-/// How far the work is.
+/// Progress of the work.
 #[derive(Debug, Default)]
 pub struct Told {
     done: AtomicUsize,

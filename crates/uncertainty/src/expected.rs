@@ -62,10 +62,10 @@ pub enum Measurement {
 /// and sampling.
 pub type MeshDraws<'a> = (&'a Predictive, u32, usize);
 
-/// What measurements are expected to leave of the loss of all meshes.
+/// Expected intervals of the loss of all meshes after measurements.
 pub struct Expected<'a> {
     meshes: &'a [MeshDraws<'a>],
-    /// What all measurements of losses start from.
+    /// Draws from which all measurements of losses start.
     shared: OnceCell<SharedLosses>,
 }
 
@@ -117,7 +117,7 @@ fn total(
     total
 }
 
-/// The draws that the losses of other flanks tell about.
+/// Draws of the loss, and of its part that the losses of other flanks determine.
 struct SharedLosses {
     /// ln of the losses of all draws, from the smallest on.
     own: Vec<f64>,

@@ -79,7 +79,7 @@ pub enum UncertainParameter {
     PressureViscosity,
     /// Fall of ln Λ with temperature b_L \[1/K\].
     LimitingShearTemperature,
-    /// Pressure-viscosity coefficient of the friction over that of the film thickness f.
+    /// Ratio f of the pressure-viscosity coefficient of the friction to the coefficient of the film thickness.
     PressureViscosityFactor,
     /// Error of the stated temperature \[K\].
     TemperatureError,

@@ -35,8 +35,8 @@ const STATES: [f64; 2] = [0.65, 0.90];
 const STEP_RULE: f64 = 0.27;
 /// Mean and standard deviation of the power of the ratio of loss factors.
 const RELIEF_POWER: [f64; 2] = [1.15, 0.08];
-/// Standard deviation of ln of the fast model over records: of smooth films, and of rough ones between values of s. Those at
-/// s = 1.5 to 2.7 are fitted; that of smooth films and the last are judged.
+/// Standard deviation of ln of the fast model over records: of smooth films, and of rough ones between values of s. The values
+/// at s = 1.5 to 2.7 are fitted; the value of smooth films and the last are judged.
 const SMOOTH_ERROR: f64 = 0.03;
 const ROUGH_ERROR: [(f64, f64); 4] = [(1.5, 0.05), (2.1, 0.09), (2.7, 0.12), (3.3, 0.25)];
 /// The same of rough films by the gap law `power`.
@@ -221,7 +221,7 @@ impl Predictive {
         self.losses_by(flanks, &|_| {})
     }
 
-    /// The same with every draw changed.
+    /// The losses of all draws as of flanks number `flanks`, with every draw changed by `change`.
     pub fn losses_by(&self, flanks: usize, change: &dyn Fn(&mut Draw)) -> Vec<f64> {
         cite!("Predictive-draw");
         let law = self.law();

@@ -1,4 +1,4 @@
-//! What was read of a file: format, units, points, range, and the origin of each.
+//! Facts that were read from a file: format, units, points, range, and the origin of each.
 
 use asperity_core::numerics::extremes;
 use asperity_core::quantity::Length;

@@ -1,4 +1,4 @@
-//! What was read of a surface, with its areal parameters.
+//! Facts that were read from a surface file, with its areal parameters.
 
 use std::path::Path;
 

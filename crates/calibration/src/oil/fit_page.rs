@@ -85,7 +85,7 @@ impl StudyResult for OilFit {
 }
 
 impl OilFit {
-    /// What was fitted, in words.
+    /// Fitted constants and points, in words.
     fn sentences(&self) -> Vec<String> {
         let [readings, points, kept] = self.counts;
         let counted = Dropped::ALL.into_iter().filter_map(|rule| {

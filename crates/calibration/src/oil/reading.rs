@@ -113,9 +113,9 @@ fn half_difference(positive: &Reading, negative: &Reading) -> Reading {
     }
 }
 
-/// How a file states the sign of the friction.
+/// Sign convention of the friction of a file.
 ///
-/// A curve cannot tell it: its friction may be smaller than the zero error of the machine.
+/// A single curve does not determine it: its friction may be smaller than the zero error of the machine.
 #[derive(Debug, Clone, Copy, Default)]
 struct Signs {
     /// Sum of the friction at positive slide-to-roll ratios.

@@ -43,7 +43,7 @@ impl fmt::Display for Dropped {
     }
 }
 
-/// What a set point is at the family's values of the constants.
+/// Conditions at a set point with the family's values of the constants.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Judged {
     /// Largest Hertz pressure \[Pa\].
