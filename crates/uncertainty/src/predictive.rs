@@ -210,7 +210,8 @@ impl Predictive {
     /// P_j = [S(θ_j, z_j) + D(z_j)] F(c_j, l_j)^γ exp(−w_j g + e_j) + Q exp(q n_j),  ln P_j += SE t_ν,j   [Predictive-draw]
     /// ```
     ///
-    /// A draw above the power into the mesh is set to it.
+    /// A draw above the power P_in into the mesh is set to it, and a draw below P₀²/P_in, as far below the loss P₀ at the medians,
+    /// to that: Student's t of few traces has tails in which no loss is left.
     #[must_use]
     pub fn draws_w(&self) -> Vec<f64> {
         self.losses(0)
@@ -230,7 +231,7 @@ impl Predictive {
             let mut draw = draw;
             draw.of_flanks = of_flanks;
             change(&mut draw);
-            law.loss(&draw).min(self.power_in_w)
+            law.loss(&draw)
         });
         drawn.collect()
     }
@@ -521,7 +522,9 @@ impl DrawnLoss<'_> {
         let of_sampling = of.sampling.standard_error * self.student.at(draw.of_flanks.sampling)
             + of.sampling.form * draw.of_flanks.form
             + of.sampling.shift(draw.of_flanks.place);
-        (sheared * of_relief * of_model + rolling + other) * of_sampling.exp()
+        let loss = (sheared * of_relief * of_model + rolling + other) * of_sampling.exp();
+        let least = of.at_medians_w * (of.at_medians_w / of.power_in_w).min(1.0);
+        loss.max(least).min(of.power_in_w)
     }
 
     /// Rolling loss of a draw \[W\].
@@ -640,6 +643,25 @@ mod tests {
         assert_eq!(found.draws_w(), found.clone().draws_w());
         // Other flanks have other errors.
         assert_ne!(found.losses(0), found.losses(1));
+    }
+
+    #[test]
+    fn the_tails_of_two_traces_leave_a_loss_between_none_and_all_of_the_power() {
+        let found = Predictive {
+            sampling: SamplingError {
+                standard_error: 0.1,
+                freedom: 1.0,
+                ..SamplingError::NONE
+            },
+            ..plain()
+        };
+        let draws = found.draws_w();
+        let ends = asperity_core::numerics::range(draws.iter().copied());
+        // exp(0.1 t) with t down to -10^4 is 0; 100 W of 10 kW are as far above 1 W as below the power.
+        assert_eq!(ends, [1.0, 1e4]);
+        for drawn in [found.quantiles(), found.alone(Component::Sampling).unwrap()] {
+            assert!(drawn.sd_ln.is_finite() && drawn.sd_ln > 0.1, "{drawn:?}");
+        }
     }
 
     #[test]
