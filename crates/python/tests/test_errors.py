@@ -116,7 +116,7 @@ def with_table(text):
 
 
 def two_teeth(place):
-    flanks = {"pinion": {"traces": [trace(), trace()]}, "wheel": {"file": trace()}}
+    flanks = {"pinion": {"traces": [trace(), trace(5990)]}, "wheel": {"file": trace()}}
     Case(small(surface={"cutoff": "0.25 mm", **flanks})).contact()
 
 
