@@ -72,7 +72,7 @@ impl std::fmt::Display for OutOfRange {
             value,
             low,
             high,
-            unit,
+            unit: _,
             correlation,
             treatment: _,
         } = self;
@@ -85,14 +85,41 @@ impl std::fmt::Display for OutOfRange {
         };
         let value = (2 - magnitude..12).map(at).find(differs);
         let value = value.unwrap_or_else(|| self.value.to_string());
-        let unit = match *unit {
-            "-" => String::new(),
-            unit => format!(" {unit}"),
-        };
+        let range = self.limits(f64::to_string);
+        let unit = self.unit_after_a_number();
         write!(
             f,
-            "{name} {value}{unit} is outside {low} to {high}{unit}, the range of {correlation}"
+            "{name} {value}{unit} is {range}, the range of {correlation}"
         )
+    }
+}
+
+impl OutOfRange {
+    /// On which side of which limits the input lies, such as `outside 15 to 350 mm2/s` or, where the range has no upper
+    /// end, `below 150 N/mm`; `number` writes a limit.
+    ///
+    /// ```
+    /// use asperity_core::FittedRange;
+    /// let load = FittedRange::new("load", 150.0, f64::INFINITY, "N/mm", "Schlenk");
+    /// let mut outside = Vec::new();
+    /// load.check(48.8, &mut outside);
+    /// assert_eq!(outside[0].to_string(), "load 48.8 N/mm is below 150 N/mm, the range of Schlenk");
+    /// ```
+    pub fn limits(&self, number: impl Fn(&f64) -> String) -> String {
+        let unit = self.unit_after_a_number();
+        let low = number(&self.low);
+        if self.high.is_infinite() {
+            return format!("below {low}{unit}");
+        }
+        format!("outside {low} to {}{unit}", number(&self.high))
+    }
+
+    /// The unit with a space before it; empty if there is none.
+    pub fn unit_after_a_number(&self) -> String {
+        match self.unit {
+            "-" => String::new(),
+            unit => format!(" {unit}"),
+        }
     }
 }
 

@@ -314,19 +314,14 @@ fn ranges(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
         } else {
             format!("{} .. {}", short(entry.least), short(entry.most))
         };
-        let unit = if note.unit == "-" {
-            String::new()
-        } else {
-            format!(" {}", note.unit)
-        };
         found.push(Warning::new(
             code(note),
             format!(
-                "{}: {} {value}{unit} is outside {} .. {}{unit} at {} of {} positions",
+                "{}: {} {value}{} is {} at {} of {} positions",
                 note.correlation,
                 note.name,
-                short(note.low),
-                short(note.high),
+                note.unit_after_a_number(),
+                note.limits(|&limit| short(limit)),
                 entry.positions,
                 positions.len(),
             ),
