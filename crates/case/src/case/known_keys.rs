@@ -45,6 +45,20 @@ pub(super) fn property<'a>(schema: &'a Value, path: &str) -> Option<&'a Value> {
     })
 }
 
+/// The keys that a table at `path` must have; empty if it has alternatives.
+pub(super) fn required<'a>(schema: &'a Value, path: &str) -> Vec<&'a str> {
+    let found = property(schema, path).map(|node| objects(schema, node));
+    let [object] = found.as_deref().unwrap_or_default() else {
+        return Vec::new();
+    };
+    let names = object.get("required").and_then(Value::as_array);
+    names
+        .into_iter()
+        .flatten()
+        .filter_map(Value::as_str)
+        .collect()
+}
+
 /// The schema of the key `name` in an object; the keys of some objects are names of the user's choice.
 fn value_of<'a>(object: &'a Value, name: &str) -> Option<&'a Value> {
     let of_properties = object.get("properties").and_then(|keys| keys.get(name));
@@ -72,6 +86,9 @@ fn objects<'a>(schema: &'a Value, node: &'a Value) -> Vec<&'a Value> {
             .get(name)
             .map(|definition| objects(schema, definition))
             .unwrap_or_default();
+    }
+    if let Some(items) = node.get("items") {
+        return objects(schema, items);
     }
     ["anyOf", "oneOf", "allOf"]
         .iter()

@@ -2,13 +2,19 @@
 
 use serde_json::Value;
 
-use super::known_keys::property;
+use super::known_keys::{property, required};
 
 /// `message` of a parser about the value of `key`, with the meaning of the key in the schema.
 pub(super) fn plain(schema: &Value, key: Option<&str>, message: &str) -> String {
     if let Some(missing) = between(message, "missing field `", "`") {
         let path = key.map_or(missing.to_owned(), |table| format!("{table}.{missing}"));
-        return format!("missing key \"{missing}\"{}", meaning(schema, &path));
+        let said = format!("missing key \"{missing}\"{}", meaning(schema, &path));
+        // All of them at once: the parser stops at the first that is missing.
+        let needed = key.map(|table| required(schema, table)).unwrap_or_default();
+        return match needed.as_slice() {
+            [] | [_] => said,
+            needed => format!("{said}; the table needs {}", needed.join(", ")),
+        };
     }
     let meaning = key.map(|key| meaning(schema, key)).unwrap_or_default();
     if let Some(rest) = message.strip_prefix("unknown variant ") {
@@ -99,7 +105,12 @@ mod tests {
         let said = plain(&schema, Some("gears"), "missing field `module`");
         assert_eq!(
             said,
-            "missing key \"module\" (Module m; length with a unit: mm, um, nm, m, cm)"
+            "missing key \"module\" (Module m; length with a unit: mm, um, nm, m, cm); the table needs teeth, module, face_width"
+        );
+        let said = plain(&schema, Some("gearbox.seals"), "missing field `shaft`");
+        assert!(
+            said.ends_with("; the table needs shaft, diameter"),
+            "{said}"
         );
         let said = plain(&schema, None, "missing field `gears`");
         assert_eq!(said, "missing key \"gears\" (The gear pair)");
