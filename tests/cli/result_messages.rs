@@ -436,7 +436,7 @@ fn what_calls_for_attention_in_the_flanks_is_said_with_the_result() {
         &rough,
         &["--set", "model.film_friction=xu"],
         "W403",
-        &["Xu (S is held at 0.6 um)", "outside 0 .. 0.6 um"],
+        &["Xu (S is held at 0.6 um)", "outside 0 to 0.6 um"],
     );
     let two = bench_with("title", "title = \"x\"");
     let table = rows(7000, |i, z| format!("{:.1},{z:.4}", 0.4 * i as f64));
