@@ -32,7 +32,7 @@ pictures:
 
 # Benches; the table of results is in docs/PERFORMANCE.md.
 bench:
-    cargo bench --workspace
+    cargo bench --manifest-path benches/Cargo.toml --target-dir target
 
 # Make the synthetic profiles and cases in fixtures/ anew.
 fixtures:

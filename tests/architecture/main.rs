@@ -231,6 +231,17 @@ fn the_python_module_stands_on_the_libraries_and_outside_of_the_workspace() {
 }
 
 #[test]
+fn the_benches_are_built_as_the_program() {
+    let benches = manifest("benches");
+    let mut release = manifest(".")["profile"]["release"].clone();
+    let lock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../benches/Cargo.lock");
+    let lock = std::fs::read_to_string(lock).unwrap();
+    let levels = release["package"].as_table_mut().unwrap();
+    levels.retain(|name, _| lock.contains(&format!("name = \"{name}\"\n")));
+    assert_eq!(benches["profile"]["release"], release);
+}
+
+#[test]
 fn the_page_stands_on_the_libraries_and_outside_of_the_workspace() {
     stands_outside("crates/web", OF_THE_PAGE);
     let versions = |folder: &str| -> BTreeMap<String, BTreeSet<String>> {

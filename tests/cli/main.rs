@@ -35,6 +35,7 @@ mod odd_files;
 mod oil;
 mod oil_file;
 mod outside;
+mod pages;
 mod presets;
 mod profile_reports;
 mod relief;

@@ -1,4 +1,4 @@
-//! The work that an estimate counts. How close it is to the time taken is measured by the bench of the same name.
+//! The work that an estimate counts. How close it is to the time taken is measured by `benches/benches/estimate.rs`.
 
 #![allow(clippy::unwrap_used, reason = "tests may panic")]
 

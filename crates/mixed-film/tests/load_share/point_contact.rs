@@ -14,38 +14,11 @@ use asperity_oil::{
 };
 use asperity_tribo_friction::{FilmFrictionSolution, FilmHeat, FilmSettings};
 use proptest::prelude::*;
-use serde::Deserialize;
+use serde_json::Value;
 
 use crate::STEEL;
 
 const MODULUS: f64 = 210e9 / 2.0 / 0.91;
-
-#[derive(Deserialize)]
-struct Golden {
-    conditions: Vec<Condition>,
-}
-
-#[derive(Deserialize)]
-#[allow(non_snake_case)]
-struct Condition {
-    case: String,
-    oil: String,
-    F_N: f64,
-    Rx_m: f64,
-    Ry_m: f64,
-    Ve: f64,
-    SRR: f64,
-    T_C: f64,
-    a_m: f64,
-    b_m: f64,
-    p0_Pa: f64,
-    phi_T: f64,
-    h_m: f64,
-    mu: f64,
-    mu_isothermal: f64,
-    dT_surface: f64,
-    dT_film_max: f64,
-}
 
 fn lubricant(nu: [f64; 2], density: f64) -> Lubricant {
     LubricantInput {
@@ -118,28 +91,30 @@ fn isothermal(oil: &FilmRheology, contact: &PointContact, film: f64) -> f64 {
 
 #[test]
 fn film_and_friction_of_fourteen_contacts_at_a_point() {
-    let golden: Golden = serde_json::from_str(include_str!("../golden/point_film.json")).unwrap();
-    assert_eq!(golden.conditions.len(), 14);
-    for c in &golden.conditions {
-        let oil = oil(&c.oil);
+    let golden: Value = serde_json::from_str(include_str!("../golden/point_film.json")).unwrap();
+    let conditions = golden["conditions"].as_array().unwrap();
+    assert_eq!(conditions.len(), 14);
+    for c in conditions {
+        let of = |key: &str| c[key].as_f64().unwrap();
+        let oil = oil(c["oil"].as_str().unwrap());
         let contact = PointContact {
-            radii: [c.Rx_m, c.Ry_m].map(Length::from_si),
-            ..ball(c.F_N, c.Ve, c.SRR, c.T_C)
+            radii: [of("Rx_m"), of("Ry_m")].map(Length::from_si),
+            ..ball(of("F_N"), of("Ve"), of("SRR"), of("T_C"))
         };
         let hertz = contact.hertz().unwrap();
         let film = contact.film(&oil, hertz.max_pressure).unwrap().value;
         let heated = solved(&oil, &contact, None, 96, FilmHeat::FilmAndSurfaces);
         let cold = solved(&oil, &contact, None, 96, FilmHeat::Isothermal);
         for (what, seen, expected) in [
-            ("a", hertz.half_axes[0].si(), c.a_m),
-            ("b", hertz.half_axes[1].si(), c.b_m),
-            ("p0", hertz.max_pressure.si(), c.p0_Pa),
-            ("thermal reduction", film.thermal_reduction, c.phi_T),
-            ("film", film.thickness.si(), c.h_m),
-            ("mu", heated.coefficient, c.mu),
-            ("isothermal", cold.coefficient, c.mu_isothermal),
-            ("surface rise", heated.surface_rise, c.dT_surface),
-            ("film rise", heated.largest_film_rise, c.dT_film_max),
+            ("a", hertz.half_axes[0].si(), of("a_m")),
+            ("b", hertz.half_axes[1].si(), of("b_m")),
+            ("p0", hertz.max_pressure.si(), of("p0_Pa")),
+            ("thermal reduction", film.thermal_reduction, of("phi_T")),
+            ("film", film.thickness.si(), of("h_m")),
+            ("mu", heated.coefficient, of("mu")),
+            ("isothermal", cold.coefficient, of("mu_isothermal")),
+            ("surface rise", heated.surface_rise, of("dT_surface")),
+            ("film rise", heated.largest_film_rise, of("dT_film_max")),
         ] {
             let off = seen / expected - 1.0;
             // The program takes the temperature coefficient by a difference over 0.02 K, which misses the slope of a
@@ -151,12 +126,16 @@ fn film_and_friction_of_fourteen_contacts_at_a_point() {
             assert!(
                 off.abs() < tolerance,
                 "{} {what}: {seen:e}, {off:e}",
-                c.case
+                c["case"]
             );
         }
         // Sixteen nodes: 2e-5.
         let coarse = solved(&oil, &contact, None, 16, FilmHeat::FilmAndSurfaces).coefficient;
-        assert!((coarse / c.mu - 1.0).abs() < 2e-5, "{}: {coarse}", c.case);
+        assert!(
+            (coarse / of("mu") - 1.0).abs() < 2e-5,
+            "{}: {coarse}",
+            c["case"]
+        );
     }
 }
 

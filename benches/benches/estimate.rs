@@ -2,12 +2,6 @@
 //!
 //! Times are processor times of one thread, so that other work of the machine does not count, and compared with those of a
 //! reference case in the same process.
-
-#![allow(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    reason = "a bench prints, and stops when its case does not run"
-)]
 #![allow(
     clippy::disallowed_methods,
     reason = "the system counts processor time in a file without a size"
@@ -21,11 +15,12 @@ use asperity::case::{CaseInput, LoadedCase, load_with};
 use asperity::core::Profile;
 use asperity::core::quantity::Length;
 use asperity::pipeline::KeptFields;
+use asperity_benches::WORKSPACE;
 use asperity_studies::estimate::estimate;
 
 /// The e-drive with few offsets, changed.
 fn e_drive(change: &dyn Fn(&mut CaseInput)) -> LoadedCase {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
+    let file = Path::new(WORKSPACE).join("fixtures/cases/e-drive.toml");
     load_with(&file, &|input| {
         input.model.offsets = Some(4);
         input.model.positions = Some(12);

@@ -1,14 +1,13 @@
 //! Records of gear meshes with heat, of the first 256 steps; `docs/records/performance-ehl.md` has the table.
-#![allow(clippy::expect_used, missing_docs)] // a bench stops when its record does not run
-
 use std::path::Path;
 use std::time::Duration;
 
 use asperity::ehl::{RecordSettings, transient};
 use asperity::reference_solution::ReferenceContact;
+use asperity_benches::WORKSPACE;
 use criterion::{Criterion, criterion_group, criterion_main};
 
-#[path = "../examples/mixed_ehl_records.rs"]
+#[path = "../../crates/asperity/examples/mixed_ehl_records.rs"]
 #[allow(dead_code, reason = "the example also makes the tables")]
 mod mixed_ehl_records;
 
@@ -16,7 +15,7 @@ mod mixed_ehl_records;
 const RECORDS: [&str; 3] = ["e-half_90_0.1", "e-ground_150_0.1", "fzg_0.5_0.15"];
 
 fn records(criterion: &mut Criterion) {
-    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let workspace = Path::new(WORKSPACE);
     let settings = RecordSettings {
         start: 0.0,
         length: 2.0,
@@ -31,7 +30,7 @@ fn records(criterion: &mut Criterion) {
         .iter()
         .filter(|condition| RECORDS.contains(&&*condition.name));
     for condition in chosen {
-        let loaded = condition.load(&workspace).expect("a condition");
+        let loaded = condition.load(workspace).expect("a condition");
         let settings = condition.settings(&settings);
         let contact =
             ReferenceContact::of(&loaded, condition.position, &settings).expect("a contact");

@@ -1,15 +1,7 @@
 //! Time of whole solutions, planning included; of warm starts with plans kept; of the transforms
 //! that the solutions are made of; and of a stress field. `docs/records/performance-contact.md` defines the cases.
-#![allow(
-    missing_docs,
-    reason = "criterion's macros make undocumented functions"
-)]
-#![allow(
-    clippy::unwrap_used,
-    reason = "a problem that cannot be solved has no time"
-)]
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../../crates/contact/tests/common/mod.rs"]
 mod common;
 
 use std::time::Duration;

@@ -1,7 +1,5 @@
 //! Filters and parameters at the sizes labs send.
 
-#![allow(clippy::expect_used)]
-
 use std::hint::black_box;
 
 use asperity_core::Profile;

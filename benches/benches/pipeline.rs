@@ -1,19 +1,16 @@
 //! Time of the main job: one position, and whole runs of the paper's Table 2 in both formulations.
-#![allow(clippy::expect_used, clippy::panic, missing_docs)] // a bench stops when its case does not run
-
 use std::hint::black_box;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use asperity::Run;
 use asperity::case::{FilmFrictionLaw, Formulation, LoadShareName, LoadedCase, load};
 use asperity::contacts::dry_contact::dry_contact;
+use asperity_benches::WORKSPACE;
 use asperity_gear::load_map::LoadLaw;
 use criterion::{Criterion, criterion_group, criterion_main};
 
 fn case(name: &str, formulation: Formulation) -> LoadedCase {
-    let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../fixtures/cases")
-        .join(name);
+    let path = Path::new(WORKSPACE).join("fixtures/cases").join(name);
     match load(&path, Some(formulation)) {
         Ok(loaded) => loaded,
         Err(error) => panic!("{error}"),

@@ -1,14 +1,6 @@
 //! Time of the load map of a pair, compliance included, and of what follows from it.
-#![allow(
-    missing_docs,
-    reason = "criterion's macros make undocumented functions"
-)]
-#![allow(
-    clippy::unwrap_used,
-    reason = "a pair that cannot be solved has no time"
-)]
 
-#[path = "../tests/common/reference.rs"]
+#[path = "../../crates/gear/tests/common/reference.rs"]
 mod reference;
 
 use std::time::Duration;

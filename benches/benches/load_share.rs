@@ -1,6 +1,4 @@
 //! Cost of a load share: the contact table of a window, then film and share at one temperature.
-#![allow(clippy::expect_used, missing_docs)] // a bench stops when its contact does not solve
-
 use std::hint::black_box;
 
 use asperity_contact::SolverSettings;

@@ -1,17 +1,16 @@
 //! Cost of the shipped e-drive case: a whole run, and another temperature with its contacts kept.
-#![allow(clippy::expect_used, missing_docs)] // a bench stops when its case does not run
-
 use std::hint::black_box;
 use std::path::Path;
 
 use asperity::Run;
 use asperity::case::load;
 use asperity::pipeline::{contacts, losses_with};
+use asperity_benches::WORKSPACE;
 use criterion::{Criterion, criterion_group, criterion_main};
 
 /// The shipped e-drive case on one thread, so that its time is one of the processor.
 fn whole_case(criterion: &mut Criterion) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/cases/e-drive.toml");
+    let path = Path::new(WORKSPACE).join("fixtures/cases/e-drive.toml");
     let case = load(&path, None).expect("a shipped case");
     let tables = contacts(&case).expect("solved contacts");
     let warmer = case

@@ -1,14 +1,6 @@
 //! Cold steady solutions and time steps of rough contacts; `docs/records/performance-ehl.md` has the table.
-#![allow(
-    missing_docs,
-    reason = "criterion's macros make undocumented functions"
-)]
-#![allow(
-    clippy::unwrap_used,
-    reason = "a problem that cannot be solved has no time"
-)]
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../../crates/ehl/tests/common/mod.rs"]
 mod common;
 
 use std::time::Duration;

@@ -1,7 +1,5 @@
 //! Reading text at the sizes labs send.
 
-#![allow(clippy::expect_used)]
-
 use std::hint::black_box;
 
 use asperity_profile_io::read::{ReadOptions, read_bytes};

@@ -1,0 +1,4 @@
+//! Where the benches find cases and profiles.
+
+/// The folder of the workspace.
+pub const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
