@@ -52,7 +52,7 @@ pub fn shipped(case: &str) -> PathBuf {
 /// A small e-drive, changed.
 fn small_e_drive(change: &dyn Fn(&mut CaseInput)) -> LoadedCase {
     let small = |input: &mut CaseInput| {
-        (input.model.positions, input.model.offsets) = (Some(6), Some(2));
+        (input.model.positions, input.model.offsets) = (Some(4), Some(2));
         change(input);
     };
     load_with(&shipped("e-drive.toml"), &small).unwrap()
@@ -270,6 +270,7 @@ const COMMANDS: [(&[&str], &[&str]); 12] = [
 
 fn studies(bench: &Bench) -> Vec<Page> {
     bench.write_flanks();
+    bench.shorten_flanks();
     for (from, to) in [
         ("superfinished", "smooth"),
         ("superfinished_wheel", "smooth_wheel"),

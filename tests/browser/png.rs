@@ -43,40 +43,30 @@ pub fn pixels(bytes: &[u8]) -> Pixels {
     flate2::read::ZlibDecoder::new(packed.as_slice())
         .read_to_end(&mut filtered)
         .unwrap();
-    // Not optimised in tests, and some ten million pixels: plain loops, and one copy of the samples.
+    // Not optimised in tests, and some ten million pixels: plain loops over slices.
     let length = width * samples;
-    let mut above = vec![0; length];
-    let mut all = Vec::with_capacity(filtered.len());
-    for row in filtered.chunks_exact(1 + length) {
-        let mut line = row[1..].to_vec();
-        match row[0] {
-            0 => (),
-            1 => {
-                for k in samples..length {
-                    line[k] = line[k].wrapping_add(line[k - samples]);
-                }
-            }
-            2 => {
-                for k in 0..length {
-                    line[k] = line[k].wrapping_add(above[k]);
-                }
-            }
-            filter => {
-                for k in 0..length {
-                    let (a, c) = match k.checked_sub(samples) {
-                        Some(before) => (line[before], above[before]),
-                        None => (0, 0),
-                    };
-                    let predicted = match filter {
-                        3 => u16::midpoint(a.into(), above[k].into()) as u8,
-                        4 => paeth(a, above[k], c),
-                        other => panic!("no filter {other}"),
-                    };
-                    line[k] = line[k].wrapping_add(predicted);
-                }
-            }
+    let mut all = vec![0; filtered.len() / (1 + length) * length];
+    let mut above: &[u8] = &vec![0; length];
+    for (row, line) in filtered
+        .chunks_exact(1 + length)
+        .zip(all.chunks_exact_mut(length))
+    {
+        let (filter, row) = (row[0], &row[1..]);
+        line.copy_from_slice(row);
+        let mut k = if filter == 1 { samples } else { 0 };
+        while k < length && filter != 0 {
+            let before = k >= samples;
+            let a = if before { line[k - samples] } else { 0 };
+            let predicted = match filter {
+                1 => a,
+                2 => above[k],
+                3 => u16::midpoint(a.into(), above[k].into()) as u8,
+                4 => paeth(a, above[k], if before { above[k - samples] } else { 0 }),
+                other => panic!("no filter {other}"),
+            };
+            line[k] = line[k].wrapping_add(predicted);
+            k += 1;
         }
-        all.extend_from_slice(&line);
         above = line;
     }
     Pixels {

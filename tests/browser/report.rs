@@ -12,21 +12,22 @@ use crate::chromium::{self, Look, Opened};
 use crate::looks::{assert_sound, first_look};
 use crate::pages::{self, e_drive, paper, shipped};
 
-/// Writes the folder of `outcome`.
-fn written(outcome: &Outcome) -> (tempfile::TempDir, PathBuf) {
+/// Writes the folder of `outcome` with these fields.
+fn written(outcome: &Outcome, fields: &Fields) -> (tempfile::TempDir, PathBuf) {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("result");
-    asperity_report::write_folder(outcome, &target, &Fields::All).unwrap();
+    asperity_report::write_folder(outcome, &target, fields).unwrap();
     (place, target)
 }
 
 /// Writes the folder of the shipped e-drive, which is run once.
-fn shipped_e_drive() -> (tempfile::TempDir, PathBuf) {
+fn shipped_e_drive(fields: &Fields) -> (tempfile::TempDir, PathBuf) {
     static OUTCOME: OnceLock<Outcome> = OnceLock::new();
-    written(OUTCOME.get_or_init(|| {
+    let outcome = OUTCOME.get_or_init(|| {
         let loaded = asperity::case::load(&shipped("e-drive.toml"), None).unwrap();
         asperity::Run::new(&loaded).execute().unwrap()
-    }))
+    });
+    written(outcome, fields)
 }
 
 fn result(folder: &Path) -> Value {
@@ -79,7 +80,7 @@ fn assert_same_numbers(opened: &Opened, result: &Value) {
 
 #[test]
 fn the_report_holds_all_charts_and_the_numbers_of_the_result_and_is_small() {
-    let (_keep, folder) = shipped_e_drive();
+    let (_keep, folder) = shipped_e_drive(&Fields::Page);
     let page = text(&folder, "report.html");
     /// Bytes of the page of the shipped case.
     const LARGEST: usize = 700_000;
@@ -142,7 +143,8 @@ fn gears_of_all_kinds_are_drawn_with_labels_that_can_be_read_at_any_width() {
             input.gears.module = "1.4 mm".parse().unwrap();
         },
     ];
-    let texts = changes.map(|change| text(&written(&e_drive(change)).1, "report.html"));
+    let texts =
+        changes.map(|change| text(&written(&e_drive(change), &Fields::Page).1, "report.html"));
     for (number, page) in texts.iter().enumerate() {
         let traces = page.matches("class=\"trace").count();
         // Each has its line and its sample in the legend.
@@ -155,7 +157,7 @@ fn gears_of_all_kinds_are_drawn_with_labels_that_can_be_read_at_any_width() {
     for opened in chromium::open(browser, &pages, &Look::at(&[1600, 1000, 500, 360])) {
         assert_sound(&opened);
         assert_eq!(
-            opened.found["sliders"][0]["positions"], 6,
+            opened.found["sliders"][0]["positions"], 4,
             "{}",
             opened.name
         );
@@ -179,7 +181,7 @@ fn a_page_without_scripts_shows_the_first_contact_and_no_slider() {
 
 #[test]
 fn every_chart_names_a_table_that_is_there() {
-    let (_keep, folder) = shipped_e_drive();
+    let (_keep, folder) = shipped_e_drive(&Fields::All);
     let page = std::fs::read_to_string(folder.join("report.html")).unwrap();
     let named: Vec<&str> = page
         .split("data: <a href=\"")
@@ -195,7 +197,7 @@ fn every_chart_names_a_table_that_is_there() {
 
 #[test]
 fn the_report_loads_nothing_from_anywhere() {
-    let (_keep, folder) = shipped_e_drive();
+    let (_keep, folder) = shipped_e_drive(&Fields::Page);
     let page = std::fs::read_to_string(folder.join("report.html")).unwrap();
     for loader in [
         "src=",
@@ -214,7 +216,7 @@ fn the_report_loads_nothing_from_anywhere() {
 
 #[test]
 fn a_report_is_drawn_anew_from_its_folder_with_another_position() {
-    let (_keep, folder) = shipped_e_drive();
+    let (_keep, folder) = shipped_e_drive(&Fields::Positions(vec![16]));
     let page = folder.join("report.html");
     let first = std::fs::read_to_string(&page).unwrap();
     asperity_report::redraw(&folder.join("result.json"), None).unwrap();

@@ -493,7 +493,8 @@ fn seals_and_bearings_take_their_power_from_the_shafts_and_heat_the_oil() {
         ("mesh.m2.angle", "70 deg"),
         ("mesh.m2.hand", "left"),
     ];
-    let plain = run(&train_of(GEARS, &[]), false);
+    let plain = run(&train_of(GEARS, &FORMULAS), false);
+    let keys = [&FORMULAS[..], &keys].concat();
     let train = train_of(GEARS, &keys);
     let result = run(&train, false);
     let found = result.gearbox.clone().unwrap();
@@ -528,7 +529,7 @@ fn seals_and_bearings_take_their_power_from_the_shafts_and_heat_the_oil() {
     assert!((powers - whole).abs() < 1e-12 * back.power_in_w);
     let heat = r#"{ ambient = "25 °C", oil_to_housing = "80 W/K", housing_to_ambient = "40 W/K" }"#;
     let warm = [("operation.oil_temperature", "80 °C"), BULK, ("heat", heat)];
-    let warm = [&FORMULAS[..], &keys, &warm].concat();
+    let warm = [&keys[..], &warm].concat();
     let warm = run(&train_of(GEARS, &warm), false);
     let into = warm.gearbox.unwrap().loss_w;
     assert!((warm.heat.unwrap().heat_w / into - 1.0).abs() < 1e-12);

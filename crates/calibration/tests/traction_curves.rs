@@ -151,10 +151,12 @@ fn synthetic_curves_give_the_constants_of_an_independent_fit() {
 #[test]
 fn units_order_and_signs_of_the_rows_do_not_matter() {
     let oil = oil(false);
-    let plain = fitted(&oil, E_FLUID);
     let (head, rows): (Vec<&str>, Vec<&str>) = E_FLUID
         .lines()
         .partition(|line| line.starts_with(['#', 'l']));
+    // A quarter of the points, at all temperatures, loads and speeds.
+    let rows: Vec<&str> = rows.into_iter().step_by(4).collect();
+    let plain = fitted(&oil, &[&head[..], &rows].concat().join("\n"));
     let mut reversed = rows.clone();
     reversed.reverse();
     let reversed = [head.clone(), reversed].concat().join("\n");
