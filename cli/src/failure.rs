@@ -1,5 +1,6 @@
 //! Errors of the command: code, position in the case file, remedy; with the line of the file on a terminal.
 
+use std::borrow::Cow;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 use std::path::Path;
@@ -23,7 +24,7 @@ pub struct Failure {
     remedy: Remedy,
     snippet: Option<Box<Snippet>>,
     /// Specific advice, in place of the general advice of the code.
-    specific_advice: Option<&'static str>,
+    specific_advice: Option<Cow<'static, str>>,
     is_told: bool,
 }
 
@@ -50,8 +51,8 @@ impl Failure {
     }
 
     /// Sets specific advice, in place of the general advice of the code.
-    pub fn advising(mut self, advice: &'static str) -> Self {
-        self.specific_advice = Some(advice);
+    pub fn advising(mut self, advice: impl Into<Cow<'static, str>>) -> Self {
+        self.specific_advice = Some(advice.into());
         self
     }
 
@@ -59,6 +60,22 @@ impl Failure {
     pub fn printed(mut self) -> Self {
         self.is_told = true;
         self
+    }
+
+    /// Makes an error from a command line that clap refuses: its first paragraph, with its tips and the usage as advice.
+    pub fn of_command_line(refusal: &clap::Error) -> Self {
+        let text = refusal.render().to_string();
+        let one_line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let mut paragraphs = text.split("\n\n").map(one_line);
+        let message = paragraphs.next().unwrap_or_default();
+        // clap offers any unknown option as a value; its last paragraph is longer than the end of this advice.
+        let is_advice = |part: &String| {
+            !part.starts_with("tip: to pass") && !part.starts_with("For more information")
+        };
+        let mut advice: Vec<String> = paragraphs.filter(is_advice).collect();
+        advice.push("--help lists commands and options.".to_owned());
+        let message = message.strip_prefix("error: ").unwrap_or(&message);
+        Self::new("E213", message).advising(advice.join(". ").replace("tip: ", ""))
     }
 
     /// Makes an error from an error of the library, with keys of the case file.
@@ -155,7 +172,7 @@ impl Failure {
 
     /// The specific advice, or the general advice of the code.
     fn advice(&self) -> Option<String> {
-        let specific = self.specific_advice.map(str::to_owned);
+        let specific = self.specific_advice.as_deref().map(str::to_owned);
         specific.or_else(|| words::advice(self.code))
     }
 

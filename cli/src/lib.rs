@@ -14,7 +14,8 @@ use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
 use args::{CaseCommand, Cli, Command, Common};
-use clap::Parser;
+use clap::FromArgMatches;
+use clap::error::ErrorKind;
 use failure::Failure;
 
 /// Exit status of a process that was interrupted.
@@ -27,12 +28,18 @@ pub fn main() -> ExitCode {
 
 /// Runs a command line, whose first argument is the name of the program, and returns the exit status.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let cli = match Cli::try_parse_from(arguments) {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let is_json = arguments.iter().any(|argument| argument == "--json");
+    let matches = args::command_line().try_get_matches_from(arguments);
+    let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
-        Err(shown) => {
+        Err(refusal) if is_mistake(&refusal) => {
+            return Failure::of_command_line(&refusal).report(is_json);
+        }
+        Err(help) => {
             // The reader may have closed the pipe.
-            let _ = shown.print();
-            return u8::try_from(shown.exit_code()).unwrap_or(u8::MAX);
+            let _ = help.print();
+            return u8::try_from(help.exit_code()).unwrap_or(u8::MAX);
         }
     };
     // Temporary files are removed on Ctrl-C and SIGTERM. Without the handler the next start would remove them.
@@ -50,6 +57,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Err(_) => Failure::new("E501", "internal fault: the program stopped, see above")
             .report(cli.common.json),
     }
+}
+
+/// Whether clap refuses the command line, rather than printing help or version.
+fn is_mistake(error: &clap::Error) -> bool {
+    error.use_stderr() && error.kind() != ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
 }
 
 /// Starts the requested number of threads, at most one per core. The result does not depend on it.

@@ -90,7 +90,7 @@ pub fn advice(code: &str) -> Option<String> {
         );
     }
     if let Some(more) = command(code) {
-        text = format!("{text} {more}");
+        text = format!("{text} {more}").trim_start().to_owned();
     }
     (!text.is_empty()).then_some(text)
 }
@@ -104,7 +104,7 @@ fn command(code: &str) -> Option<&'static str> {
         "E204" => "asperity schema lists every key with its unit.",
         "E210" => "asperity equations and asperity explain list them all.",
         "E301" => {
-            "asperity profile info shows the profile; the gap of the unsolved contact is saved in the folder \"failed\" beside the results."
+            "asperity profile info shows the profile; the gap of the unsolved contact is saved in the folder \"failed\" next to the results."
         }
         "E212" | "E308" | "W201" => "asperity check lists every unusual number of a case.",
         "E401" => "Most commands take another target with -o.",

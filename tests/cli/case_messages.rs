@@ -358,10 +358,12 @@ fn options_that_make_no_sense_are_refused_before_any_work() {
             "m, mm, um, nm",
         ),
     ] {
-        let said = bench.run(arguments);
-        assert_eq!(said.status, 2, "{said:?}");
-        assert!(said.err.contains(says), "{}", said.err);
+        bench.run(arguments).refused(2, "E213", &[says, "--help"]);
     }
+    let said = bench.run(&["run", "case.toml", "--json", "--ofsets", "2"]);
+    said.refused_json("E213", "'--ofsets'");
+    let remedy = said.json()["error"]["remedy"].clone();
+    assert!(remedy.as_str().unwrap().contains("Usage: asperity run"));
 }
 
 #[test]

@@ -113,7 +113,7 @@ fn devices_and_pipes_are_no_files_of_any_command() {
         &["report", "/dev/zero"][..],
         &["diff", "/dev/zero", "/dev/zero"],
     ] {
-        bench.run(command).refused(2, "E402", &["it is no file"]);
+        bench.run(command).refused(2, "E402", &["it is not a file"]);
     }
     let large = std::fs::File::options()
         .write(true)

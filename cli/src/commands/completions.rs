@@ -6,7 +6,7 @@ use clap::{Command, CommandFactory};
 use clap_complete::{Shell, generate};
 use clap_mangen::Man;
 
-use crate::args::{Cli, Common, CompletionKind};
+use crate::args::{Cli, Common, CompletionKind, QUESTIONS};
 use crate::failure::Failure;
 use crate::output::print_text;
 
@@ -50,32 +50,6 @@ fn man_page(text: &mut Vec<u8>) -> std::io::Result<()> {
     }
     Ok(())
 }
-
-/// Commands by the question that they answer.
-const QUESTIONS: [(&str, &[&str]); 7] = [
-    (
-        "One loss",
-        &["demo", "new", "check", "run", "report", "diff"],
-    ),
-    (
-        "Compare",
-        &["compare", "sensitivity", "ridges", "callout", "sweep"],
-    ),
-    ("Narrow the interval", &["evidence", "calibrate"]),
-    ("Torque, speed and drive cycles", &["map", "cycle"]),
-    (
-        "One part of the model",
-        &["gear", "regime", "contact", "film", "ehl", "figures"],
-    ),
-    (
-        "Profiles, oils and gears",
-        &["profile", "oil", "oils", "steels", "gears", "case"],
-    ),
-    (
-        "Look things up",
-        &["explain", "equations", "schema", "completions"],
-    ),
-];
 
 /// The page of all commands: a table by question, then the help of each.
 fn markdown() -> String {

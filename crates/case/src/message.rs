@@ -112,7 +112,7 @@ explanations! {
     "E136" "a gap in the positions": "Two neighbours of an uneven trace are more than ten mean steps apart. Resampling would draw a straight line where points are missing." => "Export the whole trace, or only its part before or after the gap.";
     "E137" "no trace of this name": "A pattern names the traces of a flank, and no file has such a name, or there is no folder to look for files in." => "Check folder and pattern: * stands for any characters of a file's name and ? for one. Names are relative to the case file.";
     "E138" "a table of losses cannot be used": "The file is not a table of loss torques: a column is missing, a cell is not a number, a loss is negative, or the rows do not form a complete grid of torques and speeds at each temperature." => "Give the columns speed_rpm and loss_torque_nm and, if the loss depends on them, torque_nm and temperature_c, with a row for every combination.";
-    "E201" "the case file cannot be opened": "The system refused to open the case file." => "Check the path.";
+    "E201" "the case file cannot be opened": "The system refused to open the case file." => "";
     "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: each line is key = value, text is in quotation marks, the encoding is UTF-8.";
     "E203" "unknown key": "The case file has a key that does not exist, or a study a key or column." => "Correct the spelling or remove the key.";
     "E204" "a value cannot be read": "A value is missing, of the wrong kind, or lacks its unit. Quantities are text with a unit: \"1.3 mm\"." => "Write the value as the message shows.";
@@ -124,6 +124,7 @@ explanations! {
     "E210" "unknown tag or code": "No equation has that tag, or no message has that code." => "Look the name up in the list.";
     "E211" "the tolerance is too large": "A contact solved to a tolerance above 1e-4 can have grossly wrong pressures, and saves hardly any time." => "Give a tolerance of at most 1e-4; 1e-8 is the default.";
     "E212" "a number beyond physical sense": "The value is beyond that of any gear drive, usually because of a wrong unit or a misplaced decimal point." => "Check the unit; the message names the usual range.";
+    "E213" "the command line cannot be read": "A command, an option or an argument is unknown, missing or of another form, or two options exclude each other." => "";
     "E220" "no such preset": "No gears, steel or oil of the library has this name." => "Take one of the names that the message lists.";
     "E222" "an impossible part of the gearbox": "A number of a seal, a bearing or the oil jet is outside its domain, is missing for this kind of bearing, or belongs to another kind. The constants of a bearing are those of its catalogue, in the units printed there." => "Correct the number that is named.";
     "E223" "a finish without a recipe": "A flank of this finish is known by roughness values only, and surrogates can be generated of ground and superfinished flanks only." => "Give the trace of the flank: surface.pinion.file, surface.wheel.file.";

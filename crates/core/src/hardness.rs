@@ -84,7 +84,7 @@ pub struct Hardness {
 
 /// A text that is not a hardness.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("\"{text}\" is no hardness; write it as \"60 HRC\", \"700 HV\" or \"300 HB\"")]
+#[error("\"{text}\" is not a hardness; write it as \"60 HRC\", \"700 HV\" or \"300 HB\"")]
 pub struct HardnessError {
     /// The text seen.
     pub text: String,

@@ -209,6 +209,7 @@ ELSEWHERE = {
     "E134": "calibration is done by the command",
     "E135": "calibration is done by the command",
     "E210": "explain gives none for a code that does not exist",
+    "E213": "the module has no command line",
     "E309": "shards are merged by the command",
     "E310": "calibration is done by the command",
     "E315": "calibration is done by the command",

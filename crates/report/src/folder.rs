@@ -314,7 +314,7 @@ fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, ReportError> {
         reason,
     };
     let bytes = whole_file(file, LARGEST).map_err(|error| match error.kind() {
-        std::io::ErrorKind::Other => refused("it is no file, or too large for a result"),
+        std::io::ErrorKind::Other => refused("it is not a file, or too large for a result"),
         _ => refused("there is no such file"),
     })?;
     serde_json::from_slice(&bytes).map_err(|error| match error.is_data() {

@@ -156,7 +156,7 @@ pub(crate) fn micropitting(rating: Option<&MicropittingReport>, found: &mut Vec<
     let outside = rating.map_or(&[][..], |rating| &rating.outside);
     if !outside.is_empty() {
         let text = format!(
-            "the specific film is no rating by ISO/TS 6336-22 here: {}",
+            "the specific film is not a rating by ISO/TS 6336-22 here: {}",
             outside.join("; ")
         );
         found.push(Warning::new("W432", text));

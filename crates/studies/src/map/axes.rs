@@ -20,13 +20,13 @@ pub struct Axes {
 #[non_exhaustive]
 pub enum AxisError {
     /// The text is not an axis.
-    #[error("{text:?} is no axis; write a list as 10,20,50, or 10..100:5, or 10..100:5:log")]
+    #[error("{text:?} is not an axis; write a list as 10,20,50, or 10..100:5, or 10..100:5:log")]
     Text {
         /// The text.
         text: String,
     },
     /// A value is not permitted.
-    #[error("{value} {unit} is no node of an axis of the {axis}: {rule}")]
+    #[error("{value} {unit} is not a node of an axis of the {axis}: {rule}")]
     Value {
         /// Name of the axis.
         axis: &'static str,

@@ -1,0 +1,72 @@
+//! The commands by the question that they answer.
+
+use std::fmt::Write as _;
+
+use asperity_report::wrapped_within;
+use clap::builder::StyledStr;
+use clap::{Command, CommandFactory};
+
+use super::Cli;
+use crate::output::columns;
+
+/// Questions, and the commands that answer each.
+pub const QUESTIONS: [(&str, &[&str]); 7] = [
+    (
+        "One loss",
+        &["demo", "new", "check", "run", "report", "diff"],
+    ),
+    (
+        "Compare",
+        &["compare", "sensitivity", "ridges", "callout", "sweep"],
+    ),
+    ("Narrow the interval", &["evidence", "calibrate"]),
+    ("Torque, speed and drive cycles", &["map", "cycle"]),
+    (
+        "One part of the model",
+        &["gear", "regime", "contact", "film", "ehl", "figures"],
+    ),
+    (
+        "Profiles, oils and gears",
+        &["profile", "oil", "oils", "steels", "gears", "case"],
+    ),
+    (
+        "Look things up",
+        &["explain", "equations", "schema", "completions"],
+    ),
+];
+
+/// Columns before the description of a command.
+const INDENT: usize = 15;
+
+/// The command line, with a help that lists the commands by question.
+pub fn command_line() -> Command {
+    let command = Cli::command();
+    let header = *command.get_styles().get_header();
+    let name_style = *command.get_styles().get_literal();
+    let mut help = String::from("{about-with-newline}\n{usage-heading} {usage}\n");
+    for (question, names) in QUESTIONS {
+        let _ = writeln!(help, "\n{header}{question}:{header:#}");
+        for inner in names
+            .iter()
+            .filter_map(|name| command.find_subcommand(name))
+        {
+            let name = inner.get_name();
+            let about = inner.get_about().map(StyledStr::to_string);
+            let about = wrapped_within(
+                &format!("{:INDENT$}{}", "", about.unwrap_or_default()),
+                &" ".repeat(INDENT),
+                columns().min(100),
+            );
+            let _ = writeln!(
+                help,
+                "  {name_style}{name}{name_style:#}{}",
+                about.get(2 + name.len()..).unwrap_or_default()
+            );
+        }
+    }
+    let _ = write!(
+        help,
+        "\n{header}Options:{header:#}\n{{options}}{{after-help}}"
+    );
+    command.help_template(help)
+}
