@@ -6,7 +6,7 @@
 //! |---|---|---|
 //! | c′_th | theoretical single stiffness per metre of face width | N/m² |
 //! | c(ξ) | stiffness of the pair at ξ | N/m² |
-//! | C_M | factor of theory to measurement, 0.8 | - |
+//! | C_M | ratio of measured to theoretical stiffness, 0.8 | - |
 //! | c_γ | mean mesh stiffness per metre of face width | N/m² |
 //!
 //! The factors of gear blank and basic rack of the standard, C_R and C_B, are 1 here. Range: not
@@ -98,7 +98,7 @@ impl GearPair {
         Ok(stiffness_factor * single * self.helix.si().cos() * (0.75 * self.path.eps_alpha + 0.25))
     }
 
-    /// c(ξ) = C_M c′_th (1 − 0.33 ((ξ − ε_α/2)/(ε_α/2))²), without C_M           [Stiffness-3]
+    /// c(ξ)/C_M = c′_th (1 − 0.33 ((ξ − ε_α/2)/(ε_α/2))²)                         [Stiffness-3]
     pub(crate) fn iso_stiffness_at(&self, single: f64, xi: f64) -> f64 {
         cite!("Stiffness-3");
         let from_middle = 2.0 * xi / self.path.eps_alpha - 1.0;

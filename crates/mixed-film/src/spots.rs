@@ -5,9 +5,9 @@
 //! | f_k | load of a spot | N/m |
 //! | F_k, b_k | load and width of the contact that it is part of | N/m, m |
 //! | R_k | radius of the Hertz contact with that load and width | m |
-//! | h_k | Moes' film of it, at the surface temperature of the whole contact | m |
+//! | h_k | film thickness of that contact by Moes, at the surface temperature of the whole contact | m |
 //! | p_k | mean asperity pressure F_k/b_k | Pa |
-//! | τ_k | shear stress of the film there | Pa |
+//! | τ_k | shear stress of its film | Pa |
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,8 @@ use asperity_tribo_friction::boundary::boundary_share;
 use crate::error::LoadShareError;
 use crate::spot_tree::{BySpot, Spot};
 
-/// Thinnest film that the shear rate of a spot is taken of.
+/// Smallest film thickness used for the shear rate of a spot: a few molecules, where a boundary layer of 10 nm carries
+/// 91 % of the load.
 const THINNEST: f64 = 1e-9;
 
 /// Relative step of the difference quotients of a spot's friction.
@@ -51,7 +52,7 @@ pub(crate) struct SpotFriction {
 }
 
 impl SpotFriction {
-    /// μ_a of the lubricated part; 0 where there is none.
+    /// μ_a of the lubricated part; 0 without one.
     pub(crate) fn asperity_coefficient(&self) -> f64 {
         let share = 1.0 - self.boundary_share;
         if share > 0.0 {
@@ -66,7 +67,7 @@ impl SpotFriction {
         self.lubricated + self.boundary_share * boundary
     }
 
-    /// This and another by their weights.
+    /// Adds `weight` times `other`.
     pub(crate) fn add(&mut self, other: &Self, weight: f64) {
         self.boundary_share += weight * other.boundary_share;
         self.lubricated += weight * other.lubricated;
@@ -88,7 +89,8 @@ impl SpotConditions<'_> {
         self.friction_from(spots, &mut vec![None; spots.len()])
     }
 
-    /// [`friction`](Self::friction) with the shear stress of each spot at a temperature nearby, if known; it is replaced.
+    /// [`friction`](Self::friction), started from the shear stress of each spot at a nearby temperature if it is known.
+    /// `stresses` holds the solutions afterwards.
     ///
     /// # Errors
     /// When a spot has no film.
@@ -113,7 +115,7 @@ impl SpotConditions<'_> {
         Ok(mean)
     }
 
-    /// Whether the shear rate of a spot is limited, because its film is thinner than the thinnest.
+    /// Whether the film of a spot is thinner than the smallest film thickness used for its shear rate.
     ///
     /// # Errors
     /// When a spot has no film.
@@ -165,7 +167,8 @@ impl SpotConditions<'_> {
         spots.iter().zip(stresses).map(slopes).collect()
     }
 
-    /// Friction and film of a contact with load and width `[f, b]`; `stress` is its shear stress nearby, if known, and then here.
+    /// Friction and film of a contact with load and width `[f, b]`. `stress` holds the shear stress at a nearby state, if
+    /// known, and the solution afterwards.
     fn of_spot(
         &self,
         state: &FilmOilState,
@@ -183,17 +186,17 @@ impl SpotConditions<'_> {
         let film = moes(&groups, Length::from_si(radius))?;
         let beta = boundary_share(film, self.boundary_layer)?.clamp(0.0, 1.0);
         let pressure = f / b;
-        let (sliding, sheared) = (Speed::from_si(self.sliding), film.si().max(THINNEST));
+        let (sliding, thickness) = (Speed::from_si(self.sliding), film.si().max(THINNEST));
         let place = (
             Pressure::from_si(pressure),
             sliding,
-            Length::from_si(sheared),
+            Length::from_si(thickness),
         );
-        let found = self.rheology.shear_stress_from(place, self.wall, *stress)?;
-        *stress = Some(found.value);
+        let sheared_film = self.rheology.shear_stress_from(place, self.wall, *stress)?;
+        *stress = Some(sheared_film.value);
         Ok(SpotFriction {
             boundary_share: beta,
-            lubricated: (1.0 - beta) * found.value / pressure,
+            lubricated: (1.0 - beta) * sheared_film.value / pressure,
             film: film.si(),
         })
     }

@@ -1,4 +1,4 @@
-//! The load over the teeth as the result reports it.
+//! Load over the teeth in the result.
 
 use asperity_gear::{EdgeContactNote, LoadMap, LoadMapEvidence, LossFactorBand};
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 
-/// Strips of the path in which the load is shown.
+/// Number of strips of the path of contact.
 const STRIPS: usize = 96;
 
 /// Load over the teeth, and what follows from it.
@@ -19,7 +19,7 @@ pub struct LoadReport {
     pub loss_factor: f64,
     /// Band of the loss factor from its uncertain constants; `None` for laws without deflections.
     pub band: Option<LossFactorBand>,
-    /// Loss factor if tip edges touch outside the path of contact, where they may.
+    /// Loss factor with contact of the tip edges outside the path of contact; `None` if they cannot touch.
     pub edge_contact: Option<EdgeContactNote>,
     /// Highest over mean load per width of the face, K_Hβ.
     pub face_load_factor: f64,
@@ -79,7 +79,7 @@ struct Strip {
     highest: f64,
 }
 
-/// Strips that hold points of the map.
+/// Rows of the strips that contain points of the map.
 fn rows(map: &LoadMap) -> Vec<LoadRow> {
     let path = map.pair().path();
     let empty = Strip {

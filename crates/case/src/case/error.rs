@@ -9,7 +9,7 @@ use asperity_profile_io::read::ReadError;
 use super::place::{IN_MEMORY, Place};
 use crate::loss_table::LossTableError;
 
-/// Loosest tolerance of a rough contact: at 1e-2 pressures were 56 to 65 % off.
+/// Largest tolerance of a rough contact: at 1e-2, pressures were wrong by 56 to 65 %.
 pub(super) const LOOSEST_TOLERANCE: f64 = 1e-4;
 
 /// A case that cannot be run.
@@ -21,7 +21,7 @@ pub enum CaseError {
     Open {
         /// Name of the file.
         file: String,
-        /// Reason the system gives.
+        /// Reason given by the operating system.
         reason: std::io::Error,
     },
     /// A folder in place of a case file.
@@ -159,7 +159,7 @@ pub enum CaseError {
         place: Place,
         /// The key that names it.
         key: Cow<'static, str>,
-        /// Reason the system gives.
+        /// Reason given by the operating system.
         reason: std::io::Error,
     },
     /// A pattern that matches no trace.
@@ -261,7 +261,7 @@ fn named(place: &Place, key: Option<&str>) -> String {
 fn no_traces(folder: Option<&str>) -> String {
     match folder {
         Some(folder) => format!("no file in {folder} has such a name"),
-        None => "there is no folder to look for files in; name them one by one".to_owned(),
+        None => "no folder is known to search in; name the files one by one".to_owned(),
     }
 }
 

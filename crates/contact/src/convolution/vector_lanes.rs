@@ -37,7 +37,7 @@ impl<const K: usize> Lanes<K> {
         }
     }
 
-    /// Joins the lanes.
+    /// Combines the lanes by `join`.
     pub(crate) fn reduce(self, join: impl Fn([f64; K], [f64; K]) -> [f64; K]) -> [f64; K] {
         let [first, others @ ..] = self.0;
         others.into_iter().fold(first, join)

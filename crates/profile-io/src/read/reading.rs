@@ -117,7 +117,7 @@ impl Reading {
         Self { profile, ..self }.checked()
     }
 
-    /// Adds the warning about implausible or equal heights, if they are.
+    /// Adds a warning if the heights are implausible or all equal.
     pub(super) fn checked(mut self) -> Self {
         let heights = self.profile.heights();
         if heights.iter().all(|height| *height == heights[0]) {
