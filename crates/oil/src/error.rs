@@ -59,7 +59,7 @@ pub enum LubricantError {
         shift: Option<i32>,
     },
     /// A name that the oil library does not have.
-    #[error("there is no oil \"{name}\" in the library; it has: {}", .known.join(", "))]
+    #[error("there is no oil \"{name}\" in the library; it has: {}{}", .known.join(", "), as_grade(name))]
     UnknownOil {
         /// The requested name.
         name: String,
@@ -86,6 +86,22 @@ pub enum LubricantError {
         /// Cause.
         reason: String,
     },
+}
+
+/// The keys of an oil known by its grade, for the end of the message if `name` is one.
+fn as_grade(name: &str) -> String {
+    let lower = name.to_lowercase();
+    let number = lower
+        .trim_start_matches("iso")
+        .trim_start()
+        .trim_start_matches("vg")
+        .trim();
+    match number.parse::<u32>() {
+        Ok(grade) if number.len() < lower.len() => format!(
+            ". A grade is a viscosity: viscosity = {{ grade = \"ISO VG {grade}\", viscosity_index = ... }} with base_oil and density"
+        ),
+        _ => String::new(),
+    }
 }
 
 fn verdict(value: f64, low: f64, shift: Option<i32>) -> String {

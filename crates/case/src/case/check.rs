@@ -202,8 +202,11 @@ fn remove_unknown(
         if let Some((key, nearest)) = first_unknown(mending.schema, std::iter::once(path)) {
             // The intended key will be missing.
             if let Some(meant) = &nearest {
-                let table = key.rsplit_once('.').map(|(table, _)| format!("{table}."));
-                let meant = format!("{}{meant}", table.unwrap_or_default());
+                let meant = match key.rsplit_once('.') {
+                    // A key of another table has its path already.
+                    Some((table, _)) if !meant.contains('.') => format!("{table}.{meant}"),
+                    _ => meant.clone(),
+                };
                 mending.blamed.insert(part_of(&meant).to_owned());
                 mending.blamed.insert(meant);
             }

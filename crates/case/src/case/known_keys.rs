@@ -4,7 +4,11 @@ use serde_json::Value;
 
 use super::symbols::key_named;
 
-/// The first key of `paths` that is not in the schema, with the nearest key that is.
+/// Depth of the tables in which a key is searched: `surface.pinion.file` is in a table of a table.
+const DEPTH: usize = 2;
+
+/// The first key of `paths` that is not in the schema, with the nearest key of its table, or the path of the key in another
+/// table.
 pub(super) fn first_unknown<'a>(
     schema: &Value,
     paths: impl Iterator<Item = &'a str>,
@@ -29,11 +33,37 @@ fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<Stri
             .collect();
         if next.is_empty() {
             let known = candidates.iter().flat_map(|object| properties(object));
-            return Some((path, nearest(segment, known)));
+            let meant = nearest(segment, known).or_else(|| in_another_table(schema, segment));
+            return Some((path, meant));
         }
         nodes = next;
     }
     None
+}
+
+/// The path of the only key with this name in the tables of a case, down to their tables.
+fn in_another_table(schema: &Value, name: &str) -> Option<String> {
+    let mut paths = Vec::new();
+    let mut tables = vec![(String::new(), schema, 0)];
+    while let Some((above, node, depth)) = tables.pop() {
+        for object in objects(schema, node) {
+            for key in properties(object) {
+                let path = format!("{above}{key}");
+                if depth < DEPTH
+                    && let Some(value) = value_of(object, key)
+                {
+                    tables.push((format!("{path}."), value, depth + 1));
+                }
+                if key == name && !paths.contains(&path) {
+                    paths.push(path);
+                }
+            }
+        }
+    }
+    match &mut paths[..] {
+        [path] => Some(std::mem::take(path)),
+        _ => None,
+    }
 }
 
 /// The schema of the value at `path`.
