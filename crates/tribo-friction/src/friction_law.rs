@@ -33,7 +33,7 @@ type Coefficient =
 
 /// Rows `Name "name in a case file" "title" { fields of PublishedLaw } = coefficient;`.
 macro_rules! friction_laws {
-    ($($(#[$meta:meta])+ $law:ident $name:literal $title:literal { $($field:ident: $value:expr),+ } = $coefficient:ident;)+) => {
+    ($($(#[$meta:meta])+ $law:ident $name:literal $title:literal { $($field:ident: $value:expr),+ } = $coefficient:path;)+) => {
         /// Law of the friction coefficient.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
         #[serde(deny_unknown_fields)]
