@@ -4,11 +4,22 @@ use std::io::Read;
 
 use flate2::read::ZlibDecoder;
 
-/// The content of a zlib stream; `None` if it is damaged or has more than `most` bytes.
-pub(super) fn inflated(packed: &[u8], most: u64) -> Option<Vec<u8>> {
+use crate::read::damage::damaged;
+use crate::read::error::ReadFault;
+use crate::read::format::Format;
+
+/// The content of a zlib stream in a file of `format`, of at most `most` bytes.
+pub(in crate::read) fn inflated(
+    format: Format,
+    packed: &[u8],
+    most: u64,
+) -> Result<Vec<u8>, ReadFault> {
     let mut content = Vec::new();
     let unpacked = ZlibDecoder::new(packed)
         .take(most.saturating_add(1))
         .read_to_end(&mut content);
-    (unpacked.is_ok() && content.len() as u64 <= most).then_some(content)
+    match unpacked.is_ok() && content.len() as u64 <= most {
+        true => Ok(content),
+        false => Err(damaged(format, "a stream cannot be unpacked", "")),
+    }
 }

@@ -5,14 +5,15 @@
 
 use std::io::Read;
 
-use super::raw::{Layout, Number, Raw, Unit};
-use super::trace::{Areal, Heights};
-use crate::read::archive::{Archive, damaged};
+use super::archive::Archive;
+use super::xml::{Leaf, walk};
+use crate::read::areal::raw::{Layout, Number, Raw, Unit};
+use crate::read::areal::trace::{Areal, Heights};
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::{Metadata, number, short};
 use crate::read::text::Stream;
-use crate::read::xml::{Leaf, walk};
 
 const FORMAT: Format = Format::SensofarPlux;
 const INDEX: &str = "index.xml";
