@@ -65,6 +65,18 @@ impl<'a> Archive<'a> {
         self.names.iter().any(|name| name == full)
     }
 
+    /// The content of a member.
+    pub(super) fn bytes(&mut self, full: &str) -> Result<Vec<u8>, ReadFault> {
+        let format = self.format;
+        self.read(full, |stream| {
+            let mut bytes = Vec::new();
+            match stream.read_to_end(&mut bytes) {
+                Ok(_) => Ok(bytes),
+                Err(_) => Err(damaged(format, "a member cannot be unpacked", full)),
+            }
+        })
+    }
+
     /// Passes the content of a member to `read`, limited to the permitted size.
     pub(super) fn read<T>(
         &mut self,
@@ -106,14 +118,8 @@ pub(in crate::read) fn member(
     name: &str,
 ) -> Result<Vec<u8>, ReadFault> {
     let mut archive = Archive::open(format, stream, size)?;
-    let full = archive.find(name);
-    let full = full.ok_or_else(|| damaged(format, "a member is missing", name))?;
-    archive.read(&full, |stream| {
-        let mut bytes = Vec::new();
-        let read = stream.read_to_end(&mut bytes);
-        read.map_err(|_| damaged(format, "a member cannot be unpacked", name))?;
-        Ok(bytes)
-    })
+    let full = archive.find(name).unwrap_or_else(|| name.to_owned());
+    archive.bytes(&full)
 }
 
 /// A reader that returns an error when its limit is exceeded.
