@@ -1,5 +1,6 @@
 //! Arrows between the crates point down only, and the files of a crate import each other without circles.
 
+mod embedded;
 mod file_imports;
 mod hosted;
 mod plain_english;

@@ -32,6 +32,9 @@
 //! assert!(Run::new(&cooler).execute()?.result.summary.loss_w != summary.loss_w);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! Features, on by default: `case-files` (cases, oil files and loss tables as text), `packed` (traces in archives, workbooks and
+//! XML), `simd` (loops for the widest vectors of the machine). Without one its files are refused; no number changes.
 
 mod assembly;
 pub mod contacts;

@@ -18,6 +18,7 @@ pub mod formula_film;
 pub mod key_words;
 pub mod laws;
 pub mod load_share_law;
+#[cfg_attr(not(feature = "case-files"), path = "no_loss_table.rs")]
 pub mod loss_table;
 pub mod mesh_position;
 pub mod message;

@@ -1,10 +1,10 @@
 //! Ends of the window of a contact.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Ends of the window.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Boundary {
@@ -27,7 +27,8 @@ impl std::fmt::Display for Boundary {
 
 /// Pressure between the points of a periodic contact. The kernels differ by about the discretisation
 /// error.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum PeriodicKernel {

@@ -2,7 +2,6 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineEnergy, LineLoad, Pressure};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::boundary::Boundary;
@@ -18,7 +17,8 @@ pub const MAX_TOLERANCE: f64 = 1e-4;
 pub const SUSPECT_GAP: f64 = 1e3;
 
 /// Load or approach that presses the bodies together.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Control {
@@ -57,7 +57,8 @@ pub struct ContactProblem<'a> {
 }
 
 /// Tolerance and method of the solver.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default, rename_all = "kebab-case", deny_unknown_fields)]
 pub struct SolverSettings {
     /// Largest accepted duality gap, penetration and load error; at most [`MAX_TOLERANCE`].

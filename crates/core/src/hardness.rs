@@ -199,6 +199,7 @@ impl<'de> Deserialize<'de> for Hardness {
     }
 }
 
+#[cfg(feature = "schema")]
 impl schemars::JsonSchema for Hardness {
     fn schema_name() -> Cow<'static, str> {
         "Hardness".into()

@@ -6,14 +6,14 @@
 //! | ν | Poisson's ratio | - |
 //! | E* | reduced modulus of a pair | Pa |
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::DomainError;
 use crate::quantity::{Density, Pressure, SpecificHeat, ThermalConductivity};
 
 /// A body's elastic and thermal constants.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Young's modulus E.

@@ -28,7 +28,7 @@ pub use error::QuantityError;
 pub use ratio::Ratio;
 pub use unit::{Description, Quantity, Scale, Unit};
 
-use text::{QuantityVisitor, accepted, parse, print};
+use text::{QuantityVisitor, parse, print};
 
 macro_rules! quantities {
     ($($(#[$doc:meta])* $type:ident, $name:literal, $si:literal: [$($unit:expr),+ $(,)?];)+) => {
@@ -98,6 +98,7 @@ macro_rules! quantities {
             }
         }
 
+        #[cfg(feature = "schema")]
         impl schemars::JsonSchema for $type {
             fn schema_name() -> std::borrow::Cow<'static, str> {
                 stringify!($type).into()
@@ -106,7 +107,7 @@ macro_rules! quantities {
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
                 schemars::json_schema!({
                     "type": "string",
-                    "description": format!("{} with a unit: {}", $name, accepted::<Self>()),
+                    "description": format!("{} with a unit: {}", $name, text::accepted::<Self>()),
                 })
             }
         }

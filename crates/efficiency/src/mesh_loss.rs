@@ -15,7 +15,6 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad, Power, Speed};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::EfficiencyError;
@@ -36,7 +35,8 @@ pub struct PositionLoss {
 }
 
 /// Number of surfaces with rolling friction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum RollingSurfaces {
     /// Both surfaces: F_r·(u₁ + u₂) = 2 F_r V_e.

@@ -13,7 +13,6 @@
 
 use asperity_core::quantity::{Force, Length};
 use asperity_core::{Checked, DomainError};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::dimensionless::{FilmConditions, FilmGroups};
@@ -46,7 +45,8 @@ type Film = fn(&FilmConditions) -> Result<Checked<FilmThickness>, RegimeError>;
 macro_rules! film_laws {
     ($($(#[$meta:meta])+ $law:ident $name:literal, $exponent:expr, $film:expr;)+) => {
         /// Law of the smooth isothermal film thickness.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         #[serde(deny_unknown_fields)]
         pub enum FilmLaw {
             $($(#[$meta])+ #[serde(rename = $name)] $law),+

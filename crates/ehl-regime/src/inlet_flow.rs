@@ -18,12 +18,10 @@
 //! The film thickens as the asperities take load off it: h ∝ w^(−0.13) and, with the stiffness, −0.03
 //! more (Johnson, Greenwood and Poon's 6.3 is its inverse).
 
-use std::borrow::Cow;
-
 use asperity_core::quantity::{Density, Length, Pressure};
 use asperity_core::{DomainError, cite};
 use asperity_oil::dowson_higginson_density;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -78,12 +76,13 @@ impl Visitor<'_> for LayVisitor {
     }
 }
 
-impl JsonSchema for Lay {
-    fn schema_name() -> Cow<'static, str> {
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for Lay {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
         "Lay".into()
     }
 
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
         schemars::json_schema!({
             "anyOf": [
                 { "type": "number", "minimum": 0.0, "maximum": 1.0 },
@@ -222,7 +221,8 @@ pub fn supplied_gap(
 }
 
 /// Reading of the central film of a formula: mass flow or gap.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum CentralFilm {
     /// As the formula gives it: mass flow over ambient density and mean speed.

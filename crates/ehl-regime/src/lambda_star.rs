@@ -19,14 +19,14 @@
 
 use asperity_core::quantity::{Length, Quantity};
 use asperity_core::{DomainError, cite};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RegimeError;
 use crate::film_law::FilmThickness;
 
 /// Direction of the roughness relative to the motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Orientation {
     /// No direction.

@@ -20,7 +20,6 @@
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, cite};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RegimeError;
@@ -34,7 +33,8 @@ const ZHU_HU_FALL: (f64, f64) = (0.37, 1.26);
 pub const FULL_FILM: f64 = 0.02;
 
 /// Lubrication regime: separation of the flanks, and the origin of their friction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Regime {
     /// Asperities carry less than [`FULL_FILM`] of the load; in the 2022 paper Λ* ≥ 1.
@@ -110,7 +110,8 @@ impl Regime {
 }
 
 /// Law of the load sharing between film and asperities.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LoadShareLaw {
     /// c_f = 1 − (1 − min(Λ*, 1))².

@@ -20,7 +20,6 @@
 
 use asperity_core::quantity::{DynamicViscosity, PerKelvin, Pressure, Speed, ThermalConductivity};
 use asperity_core::{Checked, DomainError, FittedRange, Treatment, cite};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RegimeError;
@@ -61,7 +60,8 @@ const SLIDING_TERM: (f64, f64) = (2.23, 0.83);
 const MURCH_WILSON: (f64, f64) = (3.94, 0.62);
 
 /// Reduction of film and rolling resistance by inlet shear heating.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ThermalLaw {
     /// Gupta et al. 1992: pressure, thermal loading and sliding.

@@ -1,7 +1,6 @@
 //! Inputs of a gear pair.
 
 use asperity_core::quantity::{Angle, Length};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Addendum of the basic rack in normal modules (ISO 53:1998, profile A).
@@ -11,7 +10,8 @@ const STANDARD_ADDENDUM: f64 = 1.0;
 const STANDARD_PRESSURE_ANGLE_DEGREES: f64 = 20.0;
 
 /// Section in which a module is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Plane {
     /// The normal section: mₙ, the module of the tool.
@@ -22,7 +22,8 @@ pub enum Plane {
 }
 
 /// Drawing data of an external cylindrical gear pair. Index 0 is gear 1, the pinion.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct GearPairInput {
     /// Tooth numbers z₁, z₂.

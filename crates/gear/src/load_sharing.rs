@@ -14,7 +14,6 @@
 use asperity_core::DomainError;
 use asperity_core::cite;
 use asperity_core::numerics::interpolate;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::GearError;
@@ -30,7 +29,8 @@ const TRAPEZOID_START: f64 = 1.0 / 3.0;
 const TWO_PAIRS: (f64, f64) = (1.0, 2.0);
 
 /// Law of load sharing between tooth pairs in contact.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LoadSharing {
     /// Pairs in contact carry equal loads: 1/2, 1, 1/2 on a spur pair; a constant line load on a

@@ -17,7 +17,6 @@
 
 use asperity_core::quantity::{Angle, AngularSpeed, Force, Length, Mass, Power, Torque};
 use asperity_core::{DomainError, cite};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::GearError;
@@ -25,7 +24,8 @@ use crate::input::GearPairInput;
 use crate::pair::GearPair;
 
 /// Drawing data of a planetary set. Arrays hold the values of sun, planet and ring.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PlanetarySetInput {
     /// Tooth numbers, all positive.

@@ -14,7 +14,6 @@ use std::num::NonZeroUsize;
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::GearError;
@@ -25,7 +24,8 @@ use crate::quadrature::{breakpoints, gauss_legendre};
 const MAX_POSITIONS: usize = 100_000;
 
 /// Distribution of positions within a segment.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum PositionRule {
     /// Gauss-Legendre points: the most accurate means.

@@ -2,19 +2,16 @@
 
 use std::num::NonZeroUsize;
 
-use gauss_quad::GaussLegendre;
+use asperity_core::numerics;
 
 /// Relative width below which a segment is a rounding error.
 const MIN_SEGMENT: f64 = 1e-9;
 
 /// Nodes and weights of the Gauss-Legendre rule on 0..1, in ascending order.
 pub(crate) fn gauss_legendre(order: NonZeroUsize) -> Vec<(f64, f64)> {
-    let mut rule: Vec<(f64, f64)> = GaussLegendre::new(order)
-        .iter()
-        .map(|&(node, weight)| (0.5 * (1.0 + node), 0.5 * weight))
-        .collect();
-    rule.sort_by(|left, right| left.0.total_cmp(&right.0));
-    rule
+    let rule = numerics::gauss_legendre(order).into_iter();
+    rule.map(|(node, weight)| (0.5 * (1.0 + node), 0.5 * weight))
+        .collect()
 }
 
 /// `low`, `high` and the points of `inner` between them, in ascending order without duplicates.

@@ -17,14 +17,14 @@ use asperity_core::DomainError;
 use asperity_core::cite;
 use asperity_core::numerics::{interpolate, interpolate_between};
 use asperity_core::quantity::Length;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Gear, GearError};
 use crate::pair::GearPair;
 
 /// The direction in which amounts are measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum AmountDirection {
     /// Along the transverse base tangent (ISO 1328).
@@ -35,7 +35,8 @@ pub enum AmountDirection {
 }
 
 /// Extent of a relief.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ReliefExtent {
     /// Roll length from the end of the active flank.
@@ -45,7 +46,8 @@ pub enum ReliefExtent {
 }
 
 /// Shape of a relief from its start.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ReliefShape {
     /// Proportional to the roll length, n = 1.
@@ -56,7 +58,8 @@ pub enum ReliefShape {
 }
 
 /// Tip or root relief of a gear.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Relief {
     /// Amount at the end of the active flank.
@@ -69,7 +72,8 @@ pub struct Relief {
 }
 
 /// End relief at both ends of the face.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct EndRelief {
     /// Amount at the ends of the face width.
@@ -82,7 +86,8 @@ pub struct EndRelief {
 }
 
 /// Measured form deviation of the flank of a gear from the involute, normal to the flank.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct MeasuredForm {
     /// Roll lengths in ascending order.
@@ -155,7 +160,8 @@ impl MeasuredForm {
 }
 
 /// All modifications of a pair. Arrays hold gears 1 and 2; other fields are sums over both gears.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields)]
 pub struct MicroGeometry {
     /// Tip relief of each gear.

@@ -15,7 +15,6 @@
 
 use asperity_core::cite;
 use asperity_core::quantity::Length;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Gear, GearError};
@@ -27,7 +26,8 @@ use std::num::NonZeroUsize;
 const FILLET_ORDER: NonZeroUsize = NonZeroUsize::MIN.saturating_add(23);
 
 /// Root of the basic rack, in normal modules.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct RootForm {
     /// Dedendum h_fP* of the rack.

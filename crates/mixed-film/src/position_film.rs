@@ -17,7 +17,6 @@ use asperity_ehl_regime::{
 use asperity_oil::FilmRheology;
 use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, SharedFriction};
 use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmSettings, LoadedFilm};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::contact_table::{ContactTable, end_share};
@@ -60,7 +59,8 @@ pub enum InletSupply {
 }
 
 /// Speed that carries oil into a touching spot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum SpotSpeed {
     /// The entrainment speed of the whole contact.

@@ -16,13 +16,13 @@
 use asperity_core::DomainError;
 use asperity_core::numerics::trapezoid;
 use asperity_core::quantity::{DynamicViscosity, LineLoad, Speed};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::FilmError;
 
 /// Treatment of tension in the film.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Rupture {
     /// The film ruptures where pressure and its gradient vanish (Swift, Stieber); conserves flow.

@@ -15,13 +15,13 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Angle, Length};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::FilmError;
 
 /// Shape of the gap along the film.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum GapShape {
     /// The parabola h₀ + x²/2R.

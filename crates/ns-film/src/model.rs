@@ -4,7 +4,6 @@ use asperity_core::DomainError;
 use asperity_core::quantity::{
     Angle, AngularSpeed, Density, DynamicViscosity, Length, Pressure, Speed,
 };
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::FilmError;
@@ -14,7 +13,8 @@ use crate::reynolds_cross::{CrossFilm, FilmSection};
 use crate::velocity_profile::VelocityProfile;
 
 /// Model of the pressure in the film.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum FluidModel {
     /// Reynolds' equation along the film and a second-order balance across it: consistent.

@@ -18,8 +18,8 @@
 use std::num::NonZeroUsize;
 
 use asperity_core::DomainError;
+use asperity_core::numerics::gauss_legendre;
 use asperity_core::quantity::{Density, DynamicViscosity, Length, Pressure, Speed};
-use gauss_quad::GaussLegendre;
 use serde::Serialize;
 
 use crate::FilmError;
@@ -202,12 +202,14 @@ impl FilmSection {
         let h = self.thickness.si();
         let rho = DomainError::positive("density", self.density)?;
         let r2 = DomainError::positive("radius of wall 2", self.radius)?;
-        Ok(Pressure::from_si(
-            rho * rule().integrate(0.0, h, |y| {
-                let u = (a * y + b) * y + c;
-                u * u / (r2 + y)
-            }),
-        ))
+        let integrand = |y: f64| {
+            let u = (a * y + b) * y + c;
+            u * u / (r2 + y)
+        };
+        // Sixteen points: round-off for films up to as thick as the radius.
+        let rule = gauss_legendre(NonZeroUsize::MIN.saturating_add(15)).into_iter();
+        let terms = rule.map(|(node, weight)| weight * integrand(0.5 * h * (1.0 + node)));
+        Ok(Pressure::from_si(rho * 0.5 * h * terms.sum::<f64>()))
     }
 
     fn walls(&self) -> Result<(f64, f64, f64), DomainError> {
@@ -217,9 +219,4 @@ impl FilmSection {
             DomainError::finite("speed of wall 2", self.wall_2)?,
         ))
     }
-}
-
-/// Sixteen Gauss points: round-off for films up to as thick as the radius.
-fn rule() -> GaussLegendre {
-    GaussLegendre::new(NonZeroUsize::MIN.saturating_add(15))
 }

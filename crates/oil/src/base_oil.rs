@@ -14,7 +14,6 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use asperity_core::quantity::PerKelvin;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::LubricantError;
@@ -22,7 +21,8 @@ use crate::LubricantError;
 const DATA: &str = include_str!("../data/oil_families.json");
 
 /// Class of base oil.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum BaseOil {
     /// Paraffinic mineral oil.

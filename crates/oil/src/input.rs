@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::BaseOil;
@@ -12,7 +11,8 @@ use asperity_core::quantity::{
 };
 
 /// Viscosity law and its values; the law may be left out where the two values of a data sheet, or grade and index, are given.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "law", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum ViscosityLaw {
     /// ASTM D341 through the two kinematic viscosities of a data sheet.
@@ -49,7 +49,8 @@ pub enum ViscosityLaw {
 }
 
 /// The lubricant as the case file states it; every key is optional, some are needed together.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields)]
 pub struct LubricantInput {
     /// Name of an oil in the library; the other keys override its values.

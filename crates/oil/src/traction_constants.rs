@@ -2,7 +2,6 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{PerKelvin, Pressure, Temperature, ThermalConductivity};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::{BaseOil, LIMIT_POWER, LubricantError, ShearLaw, ShearLawName};
@@ -23,7 +22,8 @@ const EYRING_STRESS_BAND: [f64; 2] = [0.75, 4.0 / 3.0];
 const STEEPEST_FALL: f64 = 0.02;
 
 /// Constants of the Carreau-Yasuda law; no source states them for gear oils, the defaults are judgement.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields)]
 pub struct CarreauConstants {
     /// Critical stress G_c.
@@ -45,7 +45,8 @@ impl Default for CarreauConstants {
 }
 
 /// Properties of an oil for film friction besides its viscosity.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TractionConstants {
     /// Limiting shear stress over pressure Λ at 90 °C.

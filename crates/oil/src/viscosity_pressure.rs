@@ -19,7 +19,6 @@ use asperity_core::quantity::{
     DynamicViscosity, PerKelvin, Pressure, PressureViscosity, Temperature,
 };
 use asperity_core::{Checked, DomainError, FittedRange, cite};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Roelands' constant 1/p_r = 5.1·10⁻⁹ 1/Pa (Roelands 1966).
@@ -141,7 +140,8 @@ fn finite(viscosity: f64, pressure: f64) -> Result<DynamicViscosity, DomainError
 }
 
 /// Law of viscosity against pressure in the film.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum PressureLaw {

@@ -15,7 +15,6 @@
 
 use std::f64::consts::LN_10;
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use asperity_core::quantity::{DynamicViscosity, KinematicViscosity, PerKelvin, Temperature};
@@ -171,7 +170,8 @@ fn ordinate(name: &'static str, viscosity: KinematicViscosity) -> Result<f64, Do
 }
 
 /// Vogel's law of one oil: η = K·exp(b/(T − θ)).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Vogel {
     /// Limit K of the viscosity at high temperature.

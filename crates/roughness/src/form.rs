@@ -13,7 +13,6 @@
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
@@ -22,7 +21,8 @@ use crate::error::RoughnessError;
 const MAX_DEGREE: usize = 2;
 
 /// The form to remove.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Form {

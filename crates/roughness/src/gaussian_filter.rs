@@ -18,7 +18,6 @@ use std::f64::consts::{LN_2, PI};
 use asperity_core::numerics::SymmetricToeplitz;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::blocks::Blocks;
@@ -28,7 +27,8 @@ use crate::error::RoughnessError;
 pub const SUPPORT: f64 = 1.0;
 
 /// Treatment of the ends of the trace, where the weights extend beyond it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Ends {

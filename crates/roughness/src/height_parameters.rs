@@ -15,7 +15,6 @@ use asperity_core::cite;
 use asperity_core::numerics::{extremes, sum};
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::elements::{Element, elements, overlapping_elements};
@@ -26,7 +25,8 @@ use crate::spectral::{each_slope, mean_square};
 const DISCRIMINATION: f64 = 0.1;
 
 /// Standard that defines the parameters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Mode {

@@ -13,7 +13,6 @@
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
@@ -21,7 +20,8 @@ use crate::form::fit;
 use crate::warning::Warning;
 
 /// Location of a trace on an involute.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Involute {
     /// Base radius r_b.

@@ -13,7 +13,6 @@
 use std::sync::Arc;
 
 use asperity_core::numerics::real_transforms;
-use nalgebra::{Matrix3, Vector3};
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealToComplex};
 
@@ -185,13 +184,9 @@ fn solve(
     let [s0, s1, s2, s3, s4, t0, t1, t2] = sums.each_ref().map(|sum| &sum[..count]);
     let mut supported = true;
     let determined = |i: usize| {
-        let matrix = Matrix3::new(
-            s0[i], s1[i], s2[i], s1[i], s2[i], s3[i], s2[i], s3[i], s4[i],
-        );
-        let mut of_height = matrix;
-        of_height.set_column(0, &Vector3::new(t0[i], t1[i], t2[i]));
-        let determinant = matrix.determinant();
-        let height = of_height.determinant() / determinant;
+        let others = [[s1[i], s2[i]], [s2[i], s3[i]], [s3[i], s4[i]]];
+        let determinant = determinant([s0[i], s1[i], s2[i]], others);
+        let height = self::determinant([t0[i], t1[i], t2[i]], others) / determinant;
         let error = k0 * s2[i] * s4[i] + s0[i] * k2 * s4[i] + s0[i] * s2[i] * k4;
         let supported = error > 0.0 && s0[i] > 0.0 && determinant > MIN_DETERMINANT * error;
         (height, supported)
@@ -208,6 +203,17 @@ fn solve(
     Err(NoParabola {
         at: at.unwrap_or(0),
     })
+}
+
+/// The determinant of three rows, each its `first` element and the two `others`.
+fn determinant(first: [f64; 3], others: [[f64; 2]; 3]) -> f64 {
+    let [[b0, c0], [b1, c1], [b2, c2]] = others;
+    let [minor, of_b, of_c] = [
+        b1 * c2 - b2 * c1,
+        first[1] * c2 - first[2] * c1,
+        first[1] * b2 - first[2] * b1,
+    ];
+    first[0] * minor - b0 * of_b + c0 * of_c
 }
 
 #[cfg(test)]

@@ -13,7 +13,6 @@
 use asperity_core::DomainError;
 use asperity_core::cite;
 use asperity_core::quantity::Length;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
@@ -23,7 +22,8 @@ use crate::quantised::spread;
 const WINDOW: f64 = 0.4;
 
 /// Fit of the equivalent line through the flattest 40 % of the curve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Line {

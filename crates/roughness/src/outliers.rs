@@ -15,7 +15,6 @@ use asperity_core::cite;
 use asperity_core::profile::WIDEST_SPIKE;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::RoughnessError;
@@ -27,7 +26,8 @@ const NORMAL: f64 = 1.4826;
 const MAX_HALF_WINDOW: usize = 1000;
 
 /// Criterion for outliers.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Outliers {
     /// Distance from the running median in robust standard deviations beyond which a point is replaced.

@@ -12,25 +12,23 @@
 //! | signals | [`abandon`] removes the drafts of this process |
 //!
 //! Links are never followed. Parent folders are created for a folder, but not for a single file.
+//!
+//! The feature `write` (on by default) has everything that writes; without it the crate reads files, checks numbers and
+//! makes text harmless.
 
-mod among;
-mod draft;
-mod error;
-mod file;
+mod checksum;
 mod finite;
-mod folder;
-mod manifest;
 mod plain_text;
 mod read;
-mod recovery;
-mod system;
+#[cfg(feature = "write")]
+mod write;
 
-pub use among::{check_among, write_among};
-pub use draft::{Draft, abandon};
-pub use error::StorageError;
-pub use file::{save, save_new};
+pub use checksum::{hex, sha256};
 pub use finite::{NotFinite, check_finite};
-pub use folder::{check_folder, new_folder, new_folder_of, replace_folder};
-pub use manifest::{MANIFEST, hex, sha256};
 pub use plain_text::{cell, one_line, printable};
 pub use read::{regular_file, whole_file, whole_text};
+#[cfg(feature = "write")]
+pub use write::{
+    Draft, MANIFEST, StorageError, abandon, check_among, check_folder, new_folder, new_folder_of,
+    replace_folder, save, save_new, write_among,
+};

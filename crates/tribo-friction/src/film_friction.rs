@@ -29,11 +29,10 @@ use std::sync::OnceLock;
 
 use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
-use asperity_core::numerics::{Solved, newton_root};
+use asperity_core::numerics::{Solved, gauss_legendre, newton_root};
 use asperity_core::quantity::{Length, Pressure, Temperature};
 use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 use asperity_oil::{FilmPoint, FilmRheology};
-use gauss_quad::GaussLegendre;
 use serde::Serialize;
 
 use crate::error::FrictionError;
@@ -391,16 +390,10 @@ impl<'a> LoadedFilm<'a> {
 /// Gauss-Legendre nodes and weights; the default order is computed once.
 pub(crate) fn rule(order: NonZeroUsize) -> Cow<'static, [(f64, f64)]> {
     static DEFAULT: OnceLock<Vec<(f64, f64)>> = OnceLock::new();
-    let make = || {
-        GaussLegendre::new(order)
-            .iter()
-            .copied()
-            .collect::<Vec<_>>()
-    };
     if order == FilmSettings::default().nodes {
-        Cow::Borrowed(DEFAULT.get_or_init(make))
+        Cow::Borrowed(DEFAULT.get_or_init(|| gauss_legendre(order)))
     } else {
-        Cow::Owned(make())
+        Cow::Owned(gauss_legendre(order))
     }
 }
 

@@ -16,7 +16,6 @@
 //! `fluid_coefficient`, or Eyring's coefficient without it.
 
 use asperity_core::{Checked, DomainError};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::benedict_kelley::{self, BenedictKelleyConditions};
@@ -35,7 +34,8 @@ type Coefficient =
 macro_rules! friction_laws {
     ($($(#[$meta:meta])+ $law:ident $name:literal $title:literal { $($field:ident: $value:expr),+ } = $coefficient:path;)+) => {
         /// Law of the friction coefficient.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         #[serde(deny_unknown_fields)]
         pub enum FrictionLaw {
             $($(#[$meta])+ #[serde(rename = $name)] $law),+
@@ -100,7 +100,8 @@ friction_laws! {
 }
 
 /// Choices that the laws leave open.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields)]
 pub struct FrictionSettings {
     /// Coefficients and choices of Xu's law.

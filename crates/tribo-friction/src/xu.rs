@@ -23,7 +23,6 @@
 
 use asperity_core::quantity::{DynamicViscosity, Length, Pressure, Speed};
 use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, Treatment, cite};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::FrictionError;
@@ -33,7 +32,8 @@ use crate::error::FrictionError;
 const LARGEST_ROUGHNESS: f64 = 0.6;
 
 /// The coefficients b₁ … b₉.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct XuCoefficients {
     /// Constant in the exponent.
@@ -93,7 +93,8 @@ impl Default for XuCoefficients {
 }
 
 /// A coefficient file: a user's own calibration of the same form.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct XuCalibration {
     /// Source of the numbers.
@@ -130,7 +131,8 @@ impl XuCalibration {
 }
 
 /// Treatment of a roughness beyond the usual range.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum RoughnessReading {
     /// S is held at 0.6 um, with a note.
@@ -141,7 +143,8 @@ pub enum RoughnessReading {
 }
 
 /// Xu's law with its choices.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields)]
 pub struct XuLaw {
     /// Coefficients; those of a file by [`XuCalibration`].

@@ -7,18 +7,34 @@
 //! | g, H | gradient and second derivatives | - |
 
 use asperity_core::cite;
-use nalgebra::{DMatrix, DVector};
+use asperity_core::numerics::{Cholesky, add_times};
 use serde::{Deserialize, Serialize};
 
-/// The shortest x with the least Σ_k (y_k − row_k·x)²; `None` without rows.
+/// Square of a pivot of standardised rows below which their columns depend on each other.
+const LEAST: f64 = 1e-10;
+
+/// The x with the least Σ_k (y_k − row_k·x)², and 0 for a column of zeros; `None` if the rows do not determine it.
 #[must_use]
 pub fn least_squares(rows: &[Vec<f64>], values: &[f64]) -> Option<Vec<f64>> {
     let columns = rows.first()?.len();
-    let matrix = DMatrix::from_row_iterator(rows.len(), columns, rows.iter().flatten().copied());
-    let found = matrix
-        .svd(true, true)
-        .solve(&DVector::from_column_slice(values), 1e-10);
-    Some(found.ok()?.iter().copied().collect())
+    let product = |i: usize, j: usize| rows.iter().map(|row| row[i] * row[j]).sum();
+    let normal = |i, j| match product(i, j) {
+        0.0 if i == j => 1.0,
+        product => product,
+    };
+    let factor = Cholesky::new(columns, normal, LEAST)?;
+    let mut found = vec![0.0; columns];
+    // The second step removes the round-off of the products.
+    for _ in 0..2 {
+        let mut step = vec![0.0; columns];
+        for (row, value) in rows.iter().zip(values) {
+            let terms = row.iter().zip(&found).map(|(z, x)| z * x);
+            add_times(&mut step, value - terms.sum::<f64>(), row);
+        }
+        factor.solve(&mut step);
+        add_times(&mut found, 1.0, &step);
+    }
+    Some(found)
 }
 
 /// y(z) = g·z + z·H z/2, which is 0 at the medians.

@@ -9,7 +9,6 @@ use asperity_efficiency::loss_table::LossTable;
 use asperity_efficiency::oil_jet::jet_power;
 use asperity_efficiency::output_torque::{MeshOperation, power_flow};
 use asperity_efficiency::shaft_seal::seal_torque;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::result::Uncertainty;
@@ -17,7 +16,7 @@ use asperity_case::case::{Case, OperationInput, Part, PartKind, Shaft};
 use asperity_case::error::PositionError;
 
 /// Scope of a result.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scope {
     /// The mesh only: no bearings, seals, churning.

@@ -3,15 +3,9 @@
 use std::path::Path;
 
 use asperity_core::quantity::{AngularSpeed, Torque};
-use serde::de::Error as _;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::case_file::CaseFile;
 use super::input::{CaseInput, MapInput, OperationInput, VehicleInput};
-use super::set::{of_json, train_of_json};
-use super::source::Source;
 use super::train_input::TrainCaseInput;
-use crate::error::Error;
 
 /// A case of any kind: a pair of gears, or a gear train or planetary set.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,18 +58,6 @@ impl AnyInput {
         let tables = gearbox.into_iter().flat_map(|gearbox| &gearbox.tables);
         tables.map(|table| table.file.as_path())
     }
-
-    /// Sets the key at `path`, as [`CaseInput::set`] does.
-    ///
-    /// # Errors
-    /// When the key is not known, or the value does not fit it; the case is then unchanged.
-    pub fn set(&mut self, path: &str, value: &str) -> Result<(), Error> {
-        let place = Source::in_memory().place_of(path);
-        Ok(match self {
-            Self::Mesh(input) => input.set_at(place, path, value),
-            Self::Train(input) => input.set_at(place, path, value),
-        }?)
-    }
 }
 
 impl From<CaseInput> for AnyInput {
@@ -87,27 +69,5 @@ impl From<CaseInput> for AnyInput {
 impl From<TrainCaseInput> for AnyInput {
     fn from(input: TrainCaseInput) -> Self {
         Self::Train(Box::new(input))
-    }
-}
-
-impl Serialize for AnyInput {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Mesh(input) => input.store(to),
-            Self::Train(input) => erased_serde::serialize(input, to),
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for AnyInput {
-    /// Reads the case in a stored result; its kind follows from the table of the gears.
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        let value = serde_json::Value::deserialize(from)?;
-        let has = |table: &str| value.get(table).is_some_and(serde_json::Value::is_object);
-        match TrainCaseInput::TABLES.into_iter().any(has) {
-            true => train_of_json(value).map(|input| Self::Train(Box::new(input))),
-            false => of_json(value).map(|input| Self::Mesh(Box::new(input))),
-        }
-        .map_err(D::Error::custom)
     }
 }

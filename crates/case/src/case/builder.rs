@@ -23,7 +23,7 @@ use asperity_core::quantity::{AngularSpeed, Length, Temperature, Torque};
 /// by [`set`](Self::set).
 #[derive(Debug, Clone)]
 pub struct CaseBuilder {
-    input: CaseInput,
+    pub(super) input: CaseInput,
     files: Files,
 }
 
@@ -171,15 +171,6 @@ impl CaseBuilder {
     pub fn change(mut self, change: impl FnOnce(&mut CaseInput)) -> Self {
         change(&mut self.input);
         self
-    }
-
-    /// Sets the key at `path` from text, as [`CaseInput::set`] does.
-    ///
-    /// # Errors
-    /// When the key is not known or the value cannot be read.
-    pub fn set(mut self, path: &str, value: &str) -> Result<Self, Error> {
-        self.input.set(path, value)?;
-        Ok(self)
     }
 
     /// The case, checked and completed with its defaults.

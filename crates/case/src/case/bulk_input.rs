@@ -1,11 +1,11 @@
 //! Keys of the bulk temperature that follows from oil and loss.
 
 use asperity_core::quantity::ThermalConductance;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Bulk temperature from the loss: by conductances, or `{ law = "iso", lubrication = "jet" }`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct BulkInput {
     /// Law of the rise over the oil: `network` takes conductances, `iso` (unconfirmed) how the oil is supplied.
@@ -25,7 +25,8 @@ pub struct BulkInput {
 }
 
 /// Law of the rise of the bulk temperature over the oil.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum BulkLaw {
     /// Oster's rise, as in ISO/TR 15144-1; unconfirmed, as no accessible source has its constants.
@@ -35,7 +36,8 @@ pub enum BulkLaw {
 }
 
 /// How the oil reaches the mesh.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Lubrication {
     /// Oil jets only.

@@ -2,13 +2,13 @@
 
 use asperity_core::numerics::Cholesky;
 use asperity_core::quantity::{Length, Pressure};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Parameters calibrated on a rig, each with the 95 % band that the band of the loss is drawn from.
 ///
 /// `asperity calibrate` writes this table. A parameter that is left out keeps its default and its range.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct CalibrationInput {
     /// Measurements from which the values come; printed with every result.
@@ -30,7 +30,8 @@ pub struct CalibrationInput {
 pub const SIMULATED: &str = "SIMULATED";
 
 /// A calibrated value with its 95 % band.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Calibrated<T> {
     /// The value.
@@ -42,9 +43,8 @@ pub struct Calibrated<T> {
 }
 
 /// A parameter that can be calibrated.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum CalibratedName {
     /// μ_b.
@@ -58,7 +58,8 @@ pub enum CalibratedName {
 }
 
 /// Correlation of two parameters, of their logarithms where these are normal.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct CorrelationInput<N = CalibratedName> {
     /// The two parameters.

@@ -71,14 +71,18 @@ impl Content {
 }
 
 /// A file, or a pattern of files, that a case names.
-struct Named {
-    key: Cow<'static, str>,
-    name: PathBuf,
-    is_pattern: bool,
+pub(super) struct Named {
+    #[cfg_attr(
+        not(feature = "case-files"),
+        expect(dead_code, reason = "a resolver names it")
+    )]
+    pub key: Cow<'static, str>,
+    pub name: PathBuf,
+    pub is_pattern: bool,
 }
 
 impl Named {
-    fn file(key: impl Into<Cow<'static, str>>, name: &Path) -> Self {
+    pub fn file(key: impl Into<Cow<'static, str>>, name: &Path) -> Self {
         Self {
             key: key.into(),
             name: name.to_owned(),
@@ -88,7 +92,7 @@ impl Named {
 }
 
 /// Files and patterns of files that `input` names.
-fn named(input: &CaseInput) -> Vec<Named> {
+pub(super) fn named(input: &CaseInput) -> Vec<Named> {
     let surface = &input.surface;
     let coast = surface.coast.as_ref();
     let flanks = [
@@ -131,7 +135,7 @@ fn named(input: &CaseInput) -> Vec<Named> {
 pub(super) struct Files {
     /// Folder that names are relative to; `None` if all files are in memory.
     folder: Option<PathBuf>,
-    held: BTreeMap<PathBuf, Content>,
+    pub(super) held: BTreeMap<PathBuf, Content>,
 }
 
 impl Files {
@@ -141,61 +145,6 @@ impl Files {
             folder: Some(folder.to_owned()),
             held: BTreeMap::new(),
         }
-    }
-
-    /// Holds the files that `input` names, as `resolver` gives them.
-    pub(super) fn gather(
-        &mut self,
-        input: &CaseInput,
-        source: &Source,
-        resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
-    ) -> Result<(), CaseError> {
-        self.gather_named(&named(input), source, resolver)
-    }
-
-    /// Holds the tables of the gearbox of a train, as `resolver` gives them.
-    pub(super) fn gather_tables<'a>(
-        &mut self,
-        tables: impl Iterator<Item = &'a Path>,
-        source: &Source,
-        resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
-    ) -> Result<(), CaseError> {
-        let tables = tables.map(|name| Named::file("gearbox.tables", name));
-        self.gather_named(&tables.collect::<Vec<_>>(), source, resolver)
-    }
-
-    fn gather_named(
-        &mut self,
-        named: &[Named],
-        source: &Source,
-        resolver: &dyn Fn(&str) -> io::Result<Vec<u8>>,
-    ) -> Result<(), CaseError> {
-        for Named {
-            key,
-            name,
-            is_pattern,
-        } in named
-        {
-            // Patterns are of files on disk.
-            if self.held.contains_key(name) || *is_pattern {
-                continue;
-            }
-            let file = name.display().to_string();
-            let bytes = resolver(&file).map_err(|reason| CaseError::OpenNamed {
-                file,
-                place: source.place_of(key),
-                key: key.clone(),
-                reason,
-            })?;
-            self.hold(name, Content::Bytes(bytes.into()));
-            // An optional file that the case does not name.
-            if let Some(conditions) = conditions_of(name)
-                && let Ok(bytes) = resolver(&conditions.display().to_string())
-            {
-                self.hold(&conditions, Content::Bytes(bytes.into()));
-            }
-        }
-        Ok(())
     }
 
     /// Folder that names are relative to; `None` if all files are in memory.

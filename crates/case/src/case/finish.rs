@@ -1,11 +1,11 @@
 //! Names of the finishes of a flank in a case file.
 
 use asperity_roughness::generate::Finish;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Finish of a flank.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum FinishName {

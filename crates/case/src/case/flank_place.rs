@@ -3,11 +3,11 @@
 use asperity_core::DomainError;
 use asperity_core::quantity::{Angle, Length};
 use asperity_gear::{FlankPoint, Gear, GearError, GearPair};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// End of the flank at which a trace begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum TraceStart {
     /// From the root towards the tip.
@@ -18,7 +18,8 @@ pub enum TraceStart {
 }
 
 /// A point of a trace whose place on the flank is known, by one of five coordinates.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct FlankPlaceInput {
     /// Coordinate on the path of contact from T1 at which the point is in contact.

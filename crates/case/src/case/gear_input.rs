@@ -1,13 +1,13 @@
 //! Modifications of the flanks and root form of a gear, as on its drawing.
 
 use asperity_core::quantity::Length;
-use schemars::JsonSchema;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 /// Modifications of the flanks of one gear, its tip and its root.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct GearFlankInput {
     /// Where the form of the profile comes from: `drawn` (default), as the keys below give it, or `from-trace`, from the
@@ -53,7 +53,8 @@ impl GearFlankInput {
 }
 
 /// Where the form of a profile comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum ReliefSource {
     /// From the drawing: tip relief, root relief, slope and crowning of the profile.
@@ -64,7 +65,8 @@ pub enum ReliefSource {
 }
 
 /// Relief of tips or roots: `{ amount = "10 um", length = "2.9 mm" }`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct ReliefInput {
     /// Amount at the end of the active flank.
@@ -81,7 +83,8 @@ pub struct ReliefInput {
 }
 
 /// Tip relief as a drawing states it: an amount over a length, or `"none"`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum TipRelief {
     /// No relief.
@@ -91,7 +94,8 @@ pub enum TipRelief {
 }
 
 /// The word for no relief.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum NoRelief {
     /// No relief.
@@ -140,7 +144,8 @@ impl<'de> Visitor<'de> for TipReliefVisitor {
 }
 
 /// Relief of both ends of the face: `{ amount = "10 um", length = "3 mm" }`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct EndReliefInput {
     /// Amount at the ends of the face width.

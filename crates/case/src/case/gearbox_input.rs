@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use asperity_core::quantity::{Force, Length, Mass, Speed, Temperature, Torque, VolumeFlow};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Losses of the gearbox other than the loss of the mesh; only the losses stated here are added.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct GearboxInput {
     /// Temperature of the oil at bearings and jet and in the table; default that of the operation.
@@ -35,7 +35,8 @@ pub struct GearboxInput {
 }
 
 /// A radial shaft seal.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SealInput<S = Shaft> {
     /// Name, shown with its loss; default `seal 1`, counted.
@@ -48,7 +49,8 @@ pub struct SealInput<S = Shaft> {
 }
 
 /// A rolling bearing with its load.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct BearingInput<S = Shaft> {
     /// Name, shown with its loss; default `bearing 1`, counted.
@@ -110,7 +112,8 @@ pub struct BearingInput<S = Shaft> {
 }
 
 /// A table of losses on a shaft of a gear train: of gears that run idle, a clutch, a pump.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TableInput {
     /// Name, shown with its loss; default the name of the file.
@@ -127,7 +130,8 @@ pub struct TableInput {
 }
 
 /// An oil jet onto a pair of gears of a gear train.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct MeshJetInput {
     /// Name, shown with its loss; default `jet 1`, counted.
@@ -142,7 +146,8 @@ pub struct MeshJetInput {
 }
 
 /// An oil jet.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct JetInput {
     /// Flow of the jet.
@@ -152,7 +157,8 @@ pub struct JetInput {
 }
 
 /// Shaft of a part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Shaft {
     /// That of the pinion.
@@ -162,7 +168,8 @@ pub enum Shaft {
 }
 
 /// Shape of the rolling bodies of a bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum BearingKind {
     /// Balls in deep grooves.

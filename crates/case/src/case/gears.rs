@@ -13,10 +13,10 @@ use super::defaults::Defaults;
 use super::error::CaseError;
 use super::gear_input::{EndReliefInput, GearFlankInput, ReliefInput};
 use super::input::{CaseInput, GearsInput};
-use super::key_names::key_of;
 use super::model::{Formulation, Model};
 use super::section::{Section, domain};
 use super::source::Source;
+use super::text::key_of;
 
 /// Basic rack of ISO 53.
 const PRESSURE_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;

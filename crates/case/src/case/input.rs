@@ -17,7 +17,6 @@ use asperity_profile_io::read::{
 };
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::bulk_input::BulkInput;
@@ -33,7 +32,8 @@ use super::rows::{OPEN, table};
 use super::trace_list::TraceList;
 
 /// A case: gears, steel, oil, operation, two measured flanks, and the model to use.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct CaseInput {
     /// Title of the case, shown in every output.
@@ -147,7 +147,8 @@ table! {
 }
 
 /// Steel of both gears.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct MaterialInput {
     /// The pinion; also the wheel unless given.
@@ -254,7 +255,8 @@ impl OperationInput {
 }
 
 /// Ranges of the default axes of a map.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct MapInput {
     /// Largest torque at the pinion or input shaft; default that of the operation.
@@ -264,7 +266,8 @@ pub struct MapInput {
 }
 
 /// A vehicle whose speed over time makes torque and speed of the pinion or input shaft.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct VehicleInput {
     /// Mass with its load.
@@ -286,7 +289,8 @@ pub struct VehicleInput {
 }
 
 /// The flanks that carry the load at a negative torque.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct CoastInput {
     /// Trace of the pinion's coast flank.
@@ -297,7 +301,8 @@ pub struct CoastInput {
 }
 
 /// The two flanks and how their traces are prepared.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SurfaceInput {
     /// Trace of the pinion's flank.
@@ -455,9 +460,4 @@ impl SurfaceInput {
         self.pinion = self.pinion.on_file(pinion);
         self.wheel = wheel.map(|file| of_wheel.on_file(file));
     }
-}
-
-/// The JSON schema of a case file.
-pub fn schema() -> serde_json::Value {
-    schemars::schema_for!(CaseInput).to_value()
 }

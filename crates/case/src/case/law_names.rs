@@ -3,13 +3,13 @@
 use asperity_tribo_friction::FrictionLaw;
 
 use asperity_oil::ShearLawName;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use asperity_mixed_film::InletSupply;
 
 /// Friction in the film.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum FilmFrictionLaw {
@@ -70,7 +70,8 @@ impl FilmFrictionLaw {
 }
 
 /// Law of the load sharing between film and asperities.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum LoadShareName {
@@ -90,7 +91,8 @@ pub enum LoadShareName {
 }
 
 /// Source of a film that carries the whole load.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum FullFilmName {

@@ -3,14 +3,13 @@
 use asperity_core::quantity::Power;
 
 use super::any_input::AnyInput;
-use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::files::FileSums;
 use super::input::CaseInput;
-use super::known_keys::first_unknown;
 use super::loaded::LoadedCase;
 use super::resolve::Case;
 use super::source::MeshKeys;
+use super::text::is_key_of_train;
 use super::train_flow::{StageKind, Train};
 use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
@@ -324,14 +323,12 @@ impl LoadedTrain {
 
 /// Adds the defaults of a mesh that are keys of the train.
 fn add_defaults(defaults: &mut Vec<DefaultUsed>, mesh: &LoadedCase, keys: &MeshKeys) {
-    let schema = TrainCaseInput::schema();
     for default in &mesh.case.defaults {
         let key = match keys.in_train(&default.key) {
             Some(in_train) => in_train.into(),
             None => default.key.clone(),
         };
-        let is_known = first_unknown(schema, std::iter::once(&*key)).is_none();
-        if is_known && defaults.iter().all(|before| before.key != key) {
+        if is_key_of_train(&key) && defaults.iter().all(|before| before.key != key) {
             defaults.push(DefaultUsed {
                 key,
                 ..default.clone()

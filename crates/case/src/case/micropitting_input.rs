@@ -1,12 +1,12 @@
 //! Keys of the micropitting rating.
 
 use asperity_core::quantity::Length;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Local specific film thickness of the micropitting rating of ISO/TS 6336-22, compared with the measured flanks at the same
 /// places; computed if this table is stated.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct MicropittingInput {
     /// Product of the load factors K_A K_v K_γ on the load over the flanks; default 1.

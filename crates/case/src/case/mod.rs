@@ -20,8 +20,6 @@ mod bulk;
 mod bulk_input;
 mod calibrated;
 mod calibration;
-mod case_file;
-mod check;
 mod defaults;
 mod error;
 mod files;
@@ -38,33 +36,28 @@ mod gearbox;
 mod gearbox_input;
 mod gears;
 mod input;
-mod key_names;
-mod keyed;
-mod known_keys;
 mod law_names;
 mod lay;
 mod loaded;
 mod loaded_train;
 mod micropitting_input;
 mod model;
+mod nearest_name;
 mod oil_file;
-mod oil_file_text;
 mod one_or_two;
 mod own_laws;
-mod page;
 mod path_point;
 mod place;
-mod plain_words;
 pub mod planetary;
 mod plausibility;
 mod resolve;
 mod rows;
 mod section;
-mod set;
 mod source;
 mod steel;
 mod surrogates;
-mod symbols;
+#[cfg_attr(not(feature = "case-files"), path = "no_text.rs")]
+mod text;
 mod trace;
 mod trace_filters;
 mod trace_list;
@@ -73,7 +66,6 @@ mod train_gearbox;
 mod train_heat_input;
 mod train_input;
 mod train_parts;
-mod written;
 
 pub use any_input::AnyInput;
 pub use assumed_relief::AssumedRelief;
@@ -82,7 +74,6 @@ pub use bulk::{BulkModel, BulkReport, FoundBulk};
 pub use bulk_input::{BulkInput, BulkLaw, Lubrication};
 pub use calibration::cholesky;
 pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput, SIMULATED};
-pub use check::{Findings, check};
 pub use defaults::DefaultUsed;
 pub use error::{CaseError, did_you_mean};
 pub use files::{FILE_KEYS, FileSums};
@@ -98,27 +89,29 @@ pub use gearbox_input::{
 pub use gears::gear_pair;
 pub use input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
-    OperationInput, SurfaceInput, VehicleInput, schema,
+    OperationInput, SurfaceInput, VehicleInput,
 };
-pub use known_keys::nearest_name;
 pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
-pub use loaded::{
-    LoadedCase, Resolver, from_text, load, load_holding, load_set, load_with, open_source,
-};
+pub use loaded::LoadedCase;
 pub use micropitting_input::MicropittingInput;
 pub use model::{EhlChoices, EhlInput, Formulation, Model, ModelInput};
+pub use nearest_name::nearest_name;
 pub use oil_file::{
     DECISIVE, FitQuality, FittedFriction, FittedName, OilConstant, OilFile, OilSchema,
     POORLY_EXPLAINED, law_error,
 };
 pub use one_or_two::OneOrTwo;
-pub use page::markdown;
 pub use path_point::{NamedPoint, PathPoint};
 pub use place::Place;
 pub use plausibility::possible_range;
 pub use resolve::{Case, resolve};
-pub use source::{Source, Syntax};
+pub use source::Source;
 pub use steel::STEEL_FLOW_PRESSURE;
+#[cfg(feature = "case-files")]
+pub use text::{
+    Findings, Resolver, check, from_text, load, load_holding, load_set, load_with, markdown,
+    open_source, schema,
+};
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};
 pub use train_flow::{MeshLoad, StageKind, Train, TrainFlow};

@@ -26,9 +26,8 @@ use super::source::Source;
 use asperity_mixed_film::SpotSpeed;
 
 /// Reading of the 2022 model.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema,
-)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Formulation {
     /// Dimensionally and physically consistent.

@@ -1,13 +1,13 @@
 //! A point on the path of contact, as a case names it.
 
 use asperity_gear::PathOfContact;
-use schemars::JsonSchema;
 use serde::de::value::StrDeserializer;
 use serde::de::{IntoDeserializer, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 /// A point on the path of contact.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum PathPoint {
     /// One of the points A to E.
@@ -77,7 +77,8 @@ impl std::str::FromStr for PathPoint {
 }
 
 /// The points A to E of the path of contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum NamedPoint {
     /// Start of contact (tip of the wheel).
     A,

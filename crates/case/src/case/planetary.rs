@@ -8,7 +8,6 @@ use std::sync::Arc;
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
 use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
 use asperity_gear::planetary::{PlanetarySet, PlanetarySetInput};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::defaults::Defaults;
@@ -21,7 +20,8 @@ use super::train_flow::StageKind;
 use super::train_parts::{MeshParts, StageParts, conflict, refused};
 
 /// Sun, planets and ring. Three values belong to sun, planet and ring.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PlanetaryInput {
     /// Tooth numbers; the ring's may be negative: `[27, 24, -75]`.

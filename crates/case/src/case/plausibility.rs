@@ -77,7 +77,7 @@ const VISCOSITY: [Limits<LubricantInput>; 3] = [
 
 /// Ranges of a key of the case file, with the numbers that a case states for it.
 #[derive(Clone)]
-struct Range {
+pub(super) struct Range {
     table: &'static str,
     name: &'static str,
     unit: &'static str,
@@ -137,12 +137,8 @@ pub fn possible_range(key: &str) -> Option<[f64; 2]> {
     range_of(key).map(|range| range.possible)
 }
 
-/// The usual range of the numbers at `key`, as text with its unit.
-pub(super) fn usual_of(key: &str) -> Option<String> {
-    range_of(key).map(|range| range.usual())
-}
-
-fn range_of(key: &str) -> Option<Range> {
+/// The range of the numbers at `key`.
+pub(super) fn range_of(key: &str) -> Option<Range> {
     ranges(None).into_iter().find(|range| range.key() == key)
 }
 
@@ -160,7 +156,7 @@ impl Range {
     }
 
     /// The usual range as text with its unit.
-    fn usual(&self) -> String {
+    pub(super) fn usual(&self) -> String {
         let [low, high] = self.usual;
         with_unit(&format!("{} to {}", digits(low), digits(high)), self.unit)
     }
@@ -290,7 +286,7 @@ pub(super) fn at_pitch_point(
 }
 
 impl AtPitchPoint {
-    fn usual(&self) -> String {
+    pub(super) fn usual(&self) -> String {
         let [low, high] = self.usual;
         format!("{low} to {high} {}", self.unit)
     }
@@ -388,8 +384,8 @@ pub(super) fn of_files(warnings: &[Warning]) -> Vec<Warning> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case::known_keys::first_unknown;
     use crate::case::schema;
+    use crate::case::text::known_keys::first_unknown;
 
     #[test]
     fn every_range_is_of_a_key_of_the_case_file_and_the_usual_one_is_possible() {

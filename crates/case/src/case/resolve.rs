@@ -14,21 +14,19 @@ use asperity_roughness::preparation::{LAMBDA_C, LAMBDA_S, Preparation};
 use super::assumed_relief::AssumedRelief;
 use super::bulk::{BulkModel, FoundBulk, bulk_model};
 use super::calibrated;
-use super::case_file::CaseFile;
 use super::defaults::{DefaultUsed, Defaults};
 use super::error::CaseError;
 use super::gearbox::Gearbox;
 use super::gears::{assumed_relief, check_load, gears, load_settings, micro_geometry, note_relief};
 use super::input::{CaseInput, OperationInput, SurfaceInput, TEMPERATURE_KEYS};
-use super::key_names::key_of;
 use super::micropitting_input::MicropittingInput;
 use super::model::{Formulation, Model, model};
 use super::oil_file::OilFile;
-use super::plain_words::plain;
 use super::plausibility::{at_pitch_point, refuse_impossible, refuse_stiff_oil};
 use super::section::{Section, domain};
 use super::source::Source;
 use super::steel::{Steels, steels};
+use super::text::{key_of, missing_key};
 use crate::laws::Laws;
 
 /// A case with every choice made.
@@ -418,18 +416,13 @@ fn operating_temperature(
         let rule = "needs operation.bulk.law, by which the loss heats the flanks above the oil: \"network\" with the conductances of your gearbox, or \"iso\" with the lubrication, whose constants are unconfirmed; or state operation.bulk_temperature instead";
         return Err(section.conflict_of_key("oil_temperature", rule));
     }
-    operation.stated_temperature().ok_or_else(|| {
-        let message = plain(
-            CaseInput::schema(),
-            Some(section.table),
-            "missing field `bulk_temperature`",
-        );
-        CaseError::Value {
+    operation
+        .stated_temperature()
+        .ok_or_else(|| CaseError::Value {
             place: section.place("bulk_temperature"),
             key: Some(section.table.to_owned()),
-            message,
-        }
-    })
+            message: missing_key(section.table, "bulk_temperature"),
+        })
 }
 
 fn lubricant_at(source: &Source, operation: &OperationInput, error: LubricantError) -> CaseError {

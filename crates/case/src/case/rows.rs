@@ -138,7 +138,8 @@ macro_rules! table {
             $(= $unit:literal usual $usual:tt possible $possible:tt)?;)*
     ) => {
         $(#[$meta])*
-        #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+        #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         #[serde(deny_unknown_fields)]
         pub struct $table {
             $($(#[$attr])* pub $name: $type,)*
@@ -233,7 +234,8 @@ macro_rules! choices {
             $(, check($called:literal, $holds:expr, $rule:literal))?;)*
     ) => {
         $(#[doc = $of_input])*
-        #[derive(Debug, Clone, PartialEq, Default, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+        #[derive(Debug, Clone, PartialEq, Default, serde::Serialize, serde::Deserialize)]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         #[serde(deny_unknown_fields)]
         pub struct $input {
             $($(#[doc = $doc])* $(#[serde($($serde)*)])? pub $name: Option<$type>,)*

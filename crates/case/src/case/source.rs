@@ -5,37 +5,20 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
-use serde::de::DeserializeOwned;
-use toml::de::{DeTable, DeValue};
-use toml::{Table, Value};
-
-use super::error::CaseError;
-use super::keyed::from_keys;
 use super::place::{IN_MEMORY, Place};
-use super::symbols::{key_of_symbol, key_of_text, moved, name_viscosity_law};
-
-/// Format of the text of a case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Syntax {
-    /// TOML.
-    Toml,
-    /// JSON with the same keys.
-    Json,
-}
 
 /// A case file's text with an index of its keys.
 #[derive(Debug, Clone)]
 pub struct Source {
-    name: String,
-    text: String,
-    syntax: Syntax,
-    values: BTreeMap<String, Range<usize>>,
-    keys: BTreeMap<String, Range<usize>>,
-    written: BTreeMap<String, String>,
+    pub(super) name: String,
+    pub(super) text: String,
+    pub(super) values: BTreeMap<String, Range<usize>>,
+    pub(super) keys: BTreeMap<String, Range<usize>>,
+    pub(super) written: BTreeMap<String, String>,
     /// Symbols and short forms in the text, each with the path of its key.
-    symbols: Vec<[String; 2]>,
+    pub(super) symbols: Vec<[String; 2]>,
     /// Keys that were set after the text was read.
-    changed: BTreeSet<String>,
+    pub(super) changed: BTreeSet<String>,
     /// The mesh that this is the source of, if the text describes a gear train.
     mesh: Option<Arc<MeshKeys>>,
 }
@@ -57,14 +40,6 @@ impl MeshKeys {
             (rest.is_empty() || rest.starts_with('.')).then(|| format!("{of_train}{rest}"))
         })
     }
-
-    /// The part of the mesh's case that `part` of the train describes.
-    pub fn in_mesh(&self, part: &str) -> Option<String> {
-        self.tables.iter().find_map(|(of_mesh, of_train)| {
-            let rest = part.strip_prefix(of_train.as_str())?;
-            (rest.is_empty() || rest.starts_with('.')).then(|| format!("{of_mesh}{rest}"))
-        })
-    }
 }
 
 impl Source {
@@ -78,63 +53,12 @@ impl Source {
         Self {
             name: name.to_owned(),
             text: String::new(),
-            syntax: Syntax::Toml,
             values: BTreeMap::new(),
             keys: BTreeMap::new(),
             written: BTreeMap::new(),
             symbols: Vec::new(),
             changed: BTreeSet::new(),
             mesh: None,
-        }
-    }
-
-    /// Indexes `text`; JSON when the name ends in `.json`, TOML otherwise.
-    ///
-    /// # Errors
-    /// When the text is not TOML (or JSON), with the place.
-    pub fn new(name: &str, text: &str) -> Result<Self, CaseError> {
-        let is_json = std::path::Path::new(name)
-            .extension()
-            .is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
-        let mut source = Self {
-            text: text.to_owned(),
-            syntax: if is_json { Syntax::Json } else { Syntax::Toml },
-            ..Self::without_text(name)
-        };
-        if is_json {
-            let value: serde_json::Value =
-                serde_json::from_str(text).map_err(|error| CaseError::Syntax {
-                    place: source.at_line(error.line()),
-                    message: without_place(&error.to_string()),
-                })?;
-            source.index_json("", &value);
-        } else {
-            let table = DeTable::parse(text).map_err(|error| CaseError::Syntax {
-                place: source.at_span(error.span()),
-                message: match text.trim_start().starts_with('{') {
-                    true => format!("{} (JSON goes into a file named .json)", error.message()),
-                    false => error.message().to_owned(),
-                },
-            })?;
-            source.index_toml("", table.get_ref());
-        }
-        Ok(source)
-    }
-
-    /// Indexes the text of a file; a byte-order mark is removed.
-    ///
-    /// # Errors
-    /// When the bytes are not UTF-8, or the text is not TOML (or JSON), with the place.
-    pub fn from_bytes(name: &str, bytes: &[u8]) -> Result<Self, CaseError> {
-        match std::str::from_utf8(bytes) {
-            Ok(text) => Self::new(name, text.trim_start_matches('\u{feff}')),
-            Err(error) => {
-                let good = &bytes[..error.valid_up_to()];
-                let line = 1 + good.iter().filter(|byte| **byte == b'\n').count();
-                Err(CaseError::Encoding {
-                    place: Self::without_text(name).at_line(line),
-                })
-            }
         }
     }
 
@@ -191,82 +115,11 @@ impl Source {
         self.nearest(&self.keys, key)
     }
 
-    /// Records that `key` was set to `value` after the text was read, so that messages name no line for it or the keys
-    /// below it.
-    pub(super) fn set(&mut self, key: &str, value: &str) {
-        self.changed.insert(key.to_owned());
-        self.written.retain(|name, _| !is_within(name, key));
-        match value.parse::<Value>() {
-            Ok(Value::Table(table)) => self.note_table(key, &table),
-            _ => {
-                self.written.insert(key.to_owned(), value.to_owned());
-            }
-        }
-    }
-
-    fn note_table(&mut self, path: &str, table: &Table) {
-        for (name, value) in table {
-            let path = join(path, name);
-            match value {
-                Value::Table(inner) => self.note_table(&path, inner),
-                value => {
-                    self.written.insert(path, value.to_string());
-                }
-            }
-        }
-    }
-
     /// The value of `key` as written in the file; `None` for a table or a missing key.
     pub fn written(&self, key: &str) -> Option<&str> {
         let in_train = self.mesh.as_ref().and_then(|mesh| mesh.in_train(key));
         let key = in_train.as_deref().unwrap_or(key);
         self.written.get(key).map(String::as_str)
-    }
-
-    /// Reads the text into a value.
-    ///
-    /// # Errors
-    /// When a value is missing or of the wrong kind, with its place.
-    pub fn read<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
-        from_table(self.table()?).map_err(|(key, message)| CaseError::Value {
-            place: self.place_of(key.as_deref().unwrap_or_default()),
-            message,
-            key,
-        })
-    }
-
-    /// The table of the text, with keys for symbols; a null of JSON counts as a missing key.
-    ///
-    /// # Errors
-    /// When the text is not a table of TOML or JSON, with the place.
-    pub fn table(&self) -> Result<Table, CaseError> {
-        let mut table = self.as_written()?;
-        for [written, key] in &self.symbols {
-            moved(&mut table, written, key);
-        }
-        Ok(table)
-    }
-
-    fn as_written(&self) -> Result<Table, CaseError> {
-        let (place, message) = match self.syntax {
-            Syntax::Toml => match toml::from_str(&self.text) {
-                Ok(table) => return Ok(table),
-                Err(error) => (self.at_span(error.span()), error.message().to_owned()),
-            },
-            Syntax::Json => match serde_json::from_str(&self.text).map(stated) {
-                Ok(Some(Value::Table(table))) => return Ok(table),
-                Ok(_) => (self.at_line(1), "a case is a JSON object".to_owned()),
-                Err(error) => {
-                    let message = without_place(&error.to_string());
-                    (self.at_line(error.line()), message)
-                }
-            },
-        };
-        Err(CaseError::Value {
-            place,
-            key: None,
-            message,
-        })
     }
 
     fn nearest(&self, index: &BTreeMap<String, Range<usize>>, key: &str) -> Place {
@@ -303,7 +156,7 @@ impl Source {
         }
     }
 
-    fn at_span(&self, span: Option<Range<usize>>) -> Place {
+    pub(super) fn at_span(&self, span: Option<Range<usize>>) -> Place {
         let before = span.as_ref().and_then(|span| self.text.get(..span.start));
         Place {
             file: self.name.clone(),
@@ -315,142 +168,10 @@ impl Source {
             mesh: None,
         }
     }
-
-    fn at_line(&self, line: usize) -> Place {
-        Place {
-            file: self.name.clone(),
-            key: None,
-            line: (line > 0).then_some(line),
-            column: None,
-            span: None,
-            mesh: None,
-        }
-    }
-
-    fn index_json(&mut self, path: &str, value: &serde_json::Value) {
-        let serde_json::Value::Object(fields) = value else {
-            self.written.insert(path.to_owned(), value.to_string());
-            return;
-        };
-        for (name, field) in keys_first(path, fields.iter(), |name| name) {
-            let span = self.only_place_of(name);
-            let path = self.key_of(path, name, field.is_string().then_some(&span));
-            self.keys.insert(path.clone(), span.clone());
-            self.values.insert(path.clone(), span);
-            self.index_json(&path, field);
-        }
-    }
-
-    /// Place of a JSON key that occurs once; an empty range otherwise, since the parser does not report places.
-    fn only_place_of(&self, name: &str) -> Range<usize> {
-        let quoted = serde_json::Value::from(name).to_string();
-        let mut places = self.text.match_indices(&quoted).filter(|(at, name)| {
-            let after = self.text[at + name.len()..].trim_start();
-            after.starts_with(':')
-        });
-        match (places.next(), places.next()) {
-            (Some((at, name)), None) => at..at + name.len(),
-            _ => 0..0,
-        }
-    }
-
-    /// The path of the key that `name` in the table `above` is read as; `text` is the place of the name of a text.
-    fn key_of(&mut self, above: &str, name: &str, text: Option<&Range<usize>>) -> String {
-        let written = join(above, name);
-        let symbol = key_of_symbol(above, name);
-        let key = match text.and_then(|span| Some((span, key_of_text(&written)?))) {
-            Some((span, key)) => {
-                self.keys.insert(written.clone(), span.clone());
-                Some(key)
-            }
-            None => symbol,
-        };
-        match key.filter(|key| !self.keys.contains_key(key)) {
-            Some(key) => {
-                self.symbols.push([written, key.clone()]);
-                key
-            }
-            None => written,
-        }
-    }
-
-    fn index_toml(&mut self, path: &str, table: &DeTable<'_>) {
-        for (name, value) in keys_first(path, table.iter(), |name| name.get_ref()) {
-            let is_text = matches!(value.get_ref(), DeValue::String(_));
-            let path = self.key_of(path, name.get_ref(), is_text.then_some(&name.span()));
-            self.keys.insert(path.clone(), name.span());
-            self.values.insert(path.clone(), value.span());
-            if let DeValue::Table(inner) = value.get_ref() {
-                self.index_toml(&path, inner);
-            } else if let Some(text) = self.text.get(value.span()) {
-                self.written.insert(path, text.to_owned());
-            }
-        }
-    }
-}
-
-/// The entries of the table at `path`, those that are not symbols first.
-fn keys_first<'a, K: 'a, V: 'a>(
-    path: &str,
-    entries: impl Iterator<Item = (&'a K, &'a V)>,
-    name: impl Fn(&K) -> &str,
-) -> Vec<(&'a K, &'a V)> {
-    let (symbols, mut keys): (Vec<_>, Vec<_>) =
-        entries.partition(|(key, _)| key_of_symbol(path, name(key)).is_some());
-    keys.extend(symbols);
-    keys
 }
 
 /// Whether `path` is `key` or below it.
-fn is_within(path: &str, key: &str) -> bool {
+pub(super) fn is_within(path: &str, key: &str) -> bool {
     let rest = path.strip_prefix(key);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-}
-
-fn join(path: &str, name: &str) -> String {
-    if path.is_empty() {
-        name.to_owned()
-    } else {
-        format!("{path}.{name}")
-    }
-}
-
-/// A JSON value without its nulls; `None` for a null.
-pub(super) fn stated(value: serde_json::Value) -> Option<Value> {
-    use serde_json::Value as Json;
-    Some(match value {
-        Json::Null => return None,
-        Json::Bool(truth) => Value::Boolean(truth),
-        Json::Number(number) => match number.as_i64() {
-            Some(integer) => Value::Integer(integer),
-            None => Value::Float(number.as_f64()?),
-        },
-        Json::String(text) => Value::String(text),
-        Json::Array(values) => Value::Array(values.into_iter().filter_map(stated).collect()),
-        Json::Object(fields) => {
-            let fields = fields.into_iter();
-            Value::Table(
-                fields
-                    .filter_map(|(key, value)| Some((key, stated(value)?)))
-                    .collect(),
-            )
-        }
-    })
-}
-
-/// Reads a value from a table of its keys; the key and the message of what cannot be read. All formats are read through
-/// it, because the code that reads every key is large and is compiled anew for every format.
-pub(super) fn from_table<T: DeserializeOwned>(
-    mut root: Table,
-) -> Result<T, (Option<String>, String)> {
-    name_viscosity_law(&mut root);
-    from_keys(root)
-}
-
-/// The message of the JSON parser without the place at its end.
-fn without_place(message: &str) -> String {
-    match message.rfind(" at line ") {
-        Some(end) => message[..end].to_owned(),
-        None => message.to_owned(),
-    }
 }

@@ -9,7 +9,7 @@ use asperity_core::{Checked, DomainError, OutOfRange};
 use super::defaults::Defaults;
 use super::error::CaseError;
 use super::input::{BodyInput, CaseInput, MaterialInput};
-use super::known_keys::nearest_name;
+use super::nearest_name::nearest_name;
 use super::section::Section;
 use super::source::Source;
 

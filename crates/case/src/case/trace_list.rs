@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use asperity_core::quantity::Length;
-use schemars::JsonSchema;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -11,7 +10,8 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::flank_place::{FlankPlaceInput, TraceStart};
 
 /// Traces of one flank: `"pinion_*.csv"`, or a list of files and of tables.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum TraceList {
     /// A file, or a pattern with `*` and `?` in the name of the file.
@@ -21,7 +21,8 @@ pub enum TraceList {
 }
 
 /// One entry of a list of traces.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum TraceEntry {
     /// A file, or a pattern with `*` and `?` in the name of the file.
@@ -31,7 +32,8 @@ pub enum TraceEntry {
 }
 
 /// One of several traces of a flank; all other keys are those of the flank.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TraceInput {
     /// File of the trace, relative to the case file.

@@ -9,7 +9,6 @@ use asperity_efficiency::loss_table::LossTable;
 use asperity_efficiency::rolling_bearing::RollingBearing;
 use asperity_efficiency::shaft_seal::seal_torque;
 use asperity_gear::gear_train::GearTrain;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::error::CaseError;
@@ -20,7 +19,8 @@ use super::section::Section;
 use super::source::Source;
 
 /// Seals, bearings, jets and tables of a gear train; only the losses stated here are added to the losses of the meshes.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TrainGearboxInput {
     /// Temperature of the oil at bearings and jets and in the tables; default that of the operation.
@@ -47,7 +47,8 @@ pub struct TrainGearboxInput {
 }
 
 /// Direction of a helix.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Hand {
     /// Left-handed.

@@ -2,11 +2,11 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Power, Temperature, ThermalConductance};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Heat from the oil through the housing to the ambient air.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct HeatInput {
     /// Temperature of the ambient air.

@@ -1,19 +1,18 @@
 //! Keys of a gear train, and the case of each mesh that they state.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
 use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
 use asperity_oil::LubricantInput;
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use super::bulk_input::BulkInput;
 use super::calibration::CalibrationInput;
-use super::case_file::CaseFile;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::Reader;
@@ -30,11 +29,11 @@ use super::train_flow::StageKind;
 use super::train_gearbox::{Hand, MeshPlace, TrainGearboxInput, train_gearbox};
 use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, refused};
-use super::written;
 
 /// A case of several meshes as the user writes it, on named shafts or of a single planetary set. Torque and speed of the
 /// operation are those of the input shaft, or of the sun.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TrainCaseInput {
     /// Title of the case, shown in every output.
@@ -82,7 +81,8 @@ pub struct TrainCaseInput {
 }
 
 /// Shafts at which the power enters and leaves a gear train.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TrainInput {
     /// Shaft with torque and speed of the operation.
@@ -100,7 +100,8 @@ pub struct TrainInput {
 }
 
 /// Whether losses lower the torques of the following meshes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum PassedLosses {
     /// Torques by the tooth numbers.
@@ -111,7 +112,8 @@ pub enum PassedLosses {
 }
 
 /// A mesh of a gear train: a pair of gears, or a planetary set.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct MeshInput {
     /// Shafts of pinion and wheel; of a planetary set sun and carrier, or sun, carrier and ring.
@@ -149,7 +151,8 @@ fn is_default<T: Default + PartialEq>(value: &T) -> bool {
 }
 
 /// Steel of pinion and wheel, or of sun, planets and ring.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TrainMaterialInput {
     /// The pinion; also the wheel unless given, and the sun if the steel is that of all meshes.
@@ -170,7 +173,8 @@ pub struct TrainMaterialInput {
 }
 
 /// Flanks of pinion and wheel, or of sun, planets and ring, and the preparation of their traces.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct TrainSurfaceInput {
     /// Trace of the pinion's flank; of the sun's, if the flanks are those of all meshes.
@@ -209,27 +213,6 @@ pub struct TrainSurfaceInput {
     /// Flanks of a pair at a negative torque, if they differ.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coast: Option<CoastInput>,
-}
-
-/// The JSON schema of a case file of several meshes.
-pub fn schema() -> serde_json::Value {
-    schemars::schema_for!(TrainCaseInput).to_value()
-}
-
-impl CaseFile for TrainCaseInput {
-    const VALID: &'static str = r#"
-train = { input = "input" }
-mesh.only = { shafts = ["input", "output"], gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" } }
-planetary = { teeth = [27, 24, -75], planets = 3, module = "2 mm", face_width = ["30 mm", "30 mm", "30 mm"] }
-operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
-lubricant = { oil = "m100" }
-surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" }, sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
-"#;
-
-    fn schema() -> &'static serde_json::Value {
-        static SCHEMA: LazyLock<serde_json::Value> = LazyLock::new(schema);
-        &SCHEMA
-    }
 }
 
 impl TrainCaseInput {
@@ -623,8 +606,9 @@ fn own_bulk(name: &str, mesh: &MeshInput) -> Option<(String, String)> {
 
 /// Keys of steel and flanks that mesh `name` states itself, with their keys in the train.
 fn own_tables(name: &str, mesh: &MeshInput) -> Vec<(String, String)> {
-    let keys = |table: &str, stated: Result<toml::Table, toml::ser::Error>| -> Vec<_> {
-        let stated = stated.unwrap_or_default().into_iter();
+    let keys = |table: &str, stated: Option<Value>| -> Vec<_> {
+        let stated = stated.iter().filter_map(Value::as_object).flatten();
+        let stated = stated.filter(|(_, value)| !value.is_null());
         let key = |(key, _)| {
             (
                 format!("{table}.{key}"),
@@ -633,7 +617,7 @@ fn own_tables(name: &str, mesh: &MeshInput) -> Vec<(String, String)> {
         };
         stated.map(key).collect()
     };
-    let mut tables = keys("material", written::table(&mesh.material));
-    tables.extend(keys("surface", written::table(&mesh.surface)));
+    let mut tables = keys("material", serde_json::to_value(&mesh.material).ok());
+    tables.extend(keys("surface", serde_json::to_value(&mesh.surface).ok()));
     tables
 }

@@ -49,11 +49,16 @@ impl<const K: usize> Lanes<K> {
     }
 }
 
-/// Runs a loop compiled for the widest vectors of the machine. The result is the same on every machine:
-/// the order of the operations does not change.
+/// Runs a loop compiled for the widest vectors of the machine, or, without the feature `simd`, for those of every machine.
+/// The result is the same on every machine: the order of the operations does not change.
 #[inline(always)]
 pub(crate) fn vectorised<R>(pass: impl FnOnce() -> R) -> R {
-    pulp::Arch::new().dispatch(pass)
+    #[cfg(feature = "simd")]
+    {
+        pulp::Arch::new().dispatch(pass)
+    }
+    #[cfg(not(feature = "simd"))]
+    pass()
 }
 
 #[cfg(test)]

@@ -87,6 +87,7 @@ impl<'de> serde::Deserialize<'de> for Ratio {
     }
 }
 
+#[cfg(feature = "schema")]
 impl schemars::JsonSchema for Ratio {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "Ratio".into()

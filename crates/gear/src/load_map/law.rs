@@ -1,7 +1,6 @@
 //! Laws of load distribution, and the settings of a load map.
 
 use asperity_core::DomainError;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::error::GearError;
@@ -26,7 +25,8 @@ const CELLS_PER_OVERLAP: f64 = 16.0;
 const MAX_CELLS: usize = 4096;
 
 /// Law of the load distribution over the lines of contact.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LoadLaw {
     /// Elastic teeth according to Weber and Banaschek, coupled along the face.
@@ -89,7 +89,8 @@ impl LoadLaw {
 }
 
 /// Settings of a load map.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default, deny_unknown_fields)]
 pub struct LoadMapSettings {
     /// Factor C_M of theory to measurement.

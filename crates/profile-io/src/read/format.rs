@@ -10,6 +10,9 @@ const ONE: bool = false;
 const SEVERAL: bool = true;
 /// Remedy for a format that is not read, if its row has none.
 const AS_TEXT: &str = "export the profile as text with an x and a height column";
+/// Remedy for a packed format in a build that does not unpack.
+const UNPACKED: &str =
+    "take a released binary or wheel, build with feature packed, or export the profile as text";
 
 /// What is known about a format without its reader.
 struct Row {
@@ -24,7 +27,7 @@ struct Row {
 /// Rows `Name "title" [first bytes that settle it] [extensions that suggest it] ONE or SEVERAL "remedy";`.
 macro_rules! formats {
     ($($(#[$meta:meta])+ $name:ident $title:literal [$($start:literal),*] [$($extension:literal),*] $holds:ident
-        $($remedy:literal)?;)+) => {
+        $($remedy:expr)?;)+) => {
         /// A file format.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
         #[serde(rename_all = "kebab-case")]
@@ -59,11 +62,11 @@ formats! {
     SurfcomConditions "Surfcom measuring conditions (tx3)" [] [] ONE
         "read the .tx1 (primary) or .tx2 (roughness) file beside it, which holds the heights";
     /// ISO 25178-72.
-    X3p "X3P (ISO 25178-72)" [] ["x3p"] SEVERAL;
+    X3p "X3P (ISO 25178-72)" [] ["x3p"] SEVERAL UNPACKED;
     /// A workbook as a zip.
-    Excel "workbook (xlsx, ods)" [] ["xlsx", "xlsm", "ods"] SEVERAL;
+    Excel "workbook (xlsx, ods)" [] ["xlsx", "xlsm", "ods"] SEVERAL UNPACKED;
     /// A workbook of Excel 97 to 2003.
-    ExcelBinary "Excel workbook before 2007 (xls)" [b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"] ["xls"] SEVERAL;
+    ExcelBinary "Excel workbook before 2007 (xls)" [b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"] ["xls"] SEVERAL UNPACKED;
     /// Mitutoyo SurfTest workbook.
     MitutoyoXlsx "Mitutoyo SurfTest workbook" [] [] ONE;
     /// Bruker Dektak, binary.
@@ -71,7 +74,7 @@ formats! {
     /// Wyko and Veeco, binary.
     Opd "Wyko OPD" [b"\x01\x00Directory"] ["opd"] SEVERAL;
     /// MATLAB data.
-    Matlab "MATLAB data (mat)" [b"MATLAB "] ["mat"] SEVERAL;
+    Matlab "MATLAB data (mat)" [b"MATLAB "] ["mat"] SEVERAL UNPACKED;
     /// HDF5.
     Hdf5 "HDF5" [b"\x89HDF\r\n\x1a\n"] ["h5", "hdf5"] SEVERAL
         "take a released binary or wheel, which read HDF5, build with feature hdf5, or export the profile as text or as MATLAB data of level 5 (-v7)";
@@ -83,20 +86,20 @@ formats! {
     /// Mahr `[PROFILE_VALUES]` text.
     MahrText "Mahr [PROFILE_VALUES] text" [] [] ONE;
     /// Digital Surf exchange format (sur, pro).
-    DigitalSurf "Digital Surf (sur, pro)" [b"DIGITAL SURF", b"DSCOMPRESSED"] ["sur", "pro"] SEVERAL;
+    DigitalSurf "Digital Surf (sur, pro)" [b"DIGITAL SURF", b"DSCOMPRESSED"] ["sur", "pro"] SEVERAL UNPACKED;
     /// MountainsMap document.
     MountainsMnt "MountainsMap document (mnt)" [] ["mnt"] ONE "save the studiable as sur, pro or X3P from MountainsMap";
     /// Alicona surface.
     AliconaAl3d "Alicona al3d" [b"AliconaImaging\0\r\n"] [] SEVERAL;
     /// Keyence laser microscope (vk3, vk4, vk6, vk7).
-    KeyenceVk "Keyence vk" [b"VK3_", b"VK4_", b"VK6", b"VK7"] [] SEVERAL;
+    KeyenceVk "Keyence vk" [b"VK3_", b"VK4_", b"VK6", b"VK7"] [] SEVERAL UNPACKED;
     /// Keyence one-shot microscopes and archives (zon, cag).
     KeyenceZon "Keyence zon or cag" [] ["zon", "cag"] ONE "export the surface as X3P, SDF or text";
     /// Sensofar, one binary file.
     #[serde(alias = "sensofar")]
     SensofarPlu "Sensofar plu" [] ["plu"] SEVERAL;
     /// Sensofar, zip and XML.
-    SensofarPlux "Sensofar plux" [] ["plux"] SEVERAL;
+    SensofarPlux "Sensofar plux" [] ["plux"] SEVERAL UNPACKED;
     /// Zygo MetroPro (dat).
     MetroPro "Zygo MetroPro (dat)" [b"\x88\x1b\x03\x6f", b"\x88\x1b\x03\x70", b"\x88\x1b\x03\x71"] [] SEVERAL;
     /// Zygo Mx, HDF5 (datx).
@@ -122,7 +125,7 @@ formats! {
     /// Triangles.
     Stl "STL" [] ["stl"] ONE "export the surface as points x y z on a grid, as X3P or SDF; triangles are not a grid of heights";
     /// XML profiles of ASME B46 and NPL.
-    NplXml "ASME B46 or NPL XML profile" [] [] ONE;
+    NplXml "ASME B46 or NPL XML profile" [] [] ONE UNPACKED;
     /// Olympus laser microscopes (lext, poir, oir).
     Lext "Olympus lext, poir or oir" [] ["lext", "poir", "oir"] ONE "export the surface as X3P, SDF or text";
     /// Digital Metrology OmniSurf3D.

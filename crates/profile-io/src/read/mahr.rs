@@ -3,7 +3,7 @@
 //! A point is `index=X Y Z C Lock`, all in millimetres; a locked point has no height. X and Z carry the
 //! offset of the machine. The layout is known from files, not from a definition.
 
-use super::archive::{damaged, miscounted};
+use super::damage::{damaged, miscounted};
 use super::decimal;
 use super::error::ReadFault;
 use super::format::Format;

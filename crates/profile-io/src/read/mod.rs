@@ -13,9 +13,9 @@
 //!
 //! The time is linear in the length of the file. Only this module opens files.
 
-mod archive;
 mod areal;
 mod conditions;
+mod damage;
 mod decimal;
 mod delimited;
 mod dialect;
@@ -25,7 +25,6 @@ mod first_look;
 mod format;
 mod found;
 mod grid;
-mod hashed;
 mod header;
 mod header_values;
 mod layout;
@@ -33,8 +32,9 @@ mod mahr;
 mod matrix;
 pub(crate) mod metadata;
 mod natural_spline;
-mod npl_xml;
 pub(crate) mod options;
+#[cfg_attr(not(feature = "packed"), path = "refused.rs")]
+mod packed;
 mod plain_row;
 mod points;
 mod ptb;
@@ -44,7 +44,6 @@ mod resample;
 mod roll_length;
 mod rows;
 mod sdf;
-mod sheet;
 mod sigmasurf;
 mod single_column;
 mod smd;
@@ -57,10 +56,6 @@ mod taylor_hobson;
 mod text;
 mod trace;
 mod units;
-mod workbook;
-mod x3p;
-mod xls;
-mod xml;
 
 use std::io::{Cursor, Read, Seek};
 use std::path::Path;
@@ -81,12 +76,9 @@ pub use resample::Resampled;
 pub use surface::Surface;
 pub use trace::{Positions, Trace};
 
-use areal::trace::Areal;
 use asperity_storage::regular_file;
 use found::Found;
 use text::{Head, Start, Stream, Text};
-
-use crate::warning::Warning;
 
 /// Maximum size of a file in bytes: two hundred million points of text.
 const MOST_BYTES: u64 = 4 << 30;
@@ -164,16 +156,12 @@ fn surface_of(
     let start = Start::of(stream)?;
     not_larger(start.size, MOST_BYTES)?;
     let format = format_of(name, stream, &start);
-    let zipped = start.bytes.starts_with(recognise::ZIP);
+    if let Some(format) = format
+        && let Some(found) = packed::surface(name, format, stream, &start, options)?
+    {
+        return found.surface(name, options);
+    }
     let found = match format {
-        Some(Format::X3p) => x3p::surface(stream, start.size)?,
-        Some(format) if is_workbook(format, zipped) => {
-            let table = workbook::read(format, stream, start.size, options)?;
-            let mut bytes = Cursor::new(table.text);
-            let start = Start::of(&mut bytes)?;
-            let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
-            delimited::surface(&head, &mut text, options)?
-        }
         None | Some(Format::SdfAscii) => {
             let (head, mut text) = Text::new(name, stream, &start, options.encoding);
             match recognise::of_text(name, &head) {
@@ -195,14 +183,10 @@ fn surface_of(
 fn format_of(name: &str, stream: &mut dyn Stream, start: &Start) -> Option<Format> {
     let zipped = start.bytes.starts_with(recognise::ZIP);
     match recognise::by_magic(name, &start.bytes) {
-        Some(Format::Archive) if zipped => Some(archive::content(stream, start.size)),
+        Some(Format::Archive) if zipped => Some(packed::content(stream, start.size)),
         None if areal::is_plu(&start.bytes) => Some(Format::SensofarPlu),
         format => format,
     }
-}
-
-fn is_workbook(format: Format, zipped: bool) -> bool {
-    (format == Format::Excel && zipped) || format == Format::ExcelBinary
 }
 
 /// Opens a file for repeated reading; standard input is stored in memory.
@@ -323,20 +307,13 @@ fn trace_of(
 ) -> Result<Trace, ReadFault> {
     let start = Start::of(stream)?;
     not_larger(start.size, MOST_BYTES)?;
-    let zipped = start.bytes.starts_with(recognise::ZIP);
-    match format_of(name, stream, &start) {
-        Some(Format::X3p) if options.line != TraceLine::Row => {
-            let found: Areal = x3p::surface(stream, start.size)?;
-            return found.trace(options)?.finish(name, options);
-        }
-        Some(Format::X3p) => {
-            return x3p::read(stream, start.size, options)?.finish(name, options);
-        }
-        Some(format) if is_workbook(format, zipped) => {
-            let table = workbook::read(format, stream, start.size, options)?;
-            return trace_of_table(name, table, options);
-        }
-        Some(Format::NplXml) => return npl_xml::read(stream)?.finish(name, options),
+    let format = format_of(name, stream, &start);
+    if let Some(format) = format
+        && let Some(found) = packed::trace(name, format, stream, &start, options)?
+    {
+        return Ok(found);
+    }
+    match format {
         None | Some(Format::SdfAscii | Format::SigmaSurf) => {}
         Some(format) => {
             let found = areal::read(format, stream, start.size)?;
@@ -352,42 +329,6 @@ fn trace_of(
     // The text is not UTF-8, as its head seemed; then it is in the Windows code page 1252.
     let (head, mut text) = Text::new(name, stream, &start, Some(Encoding::Windows1252));
     read_text(&start, &head, &mut text, conditions, options)
-}
-
-/// Reads the trace in the table of a workbook.
-fn trace_of_table(
-    name: &str,
-    table: workbook::Table,
-    options: &ReadOptions,
-) -> Result<Trace, ReadFault> {
-    let mut options = options.clone();
-    if table.is_chosen {
-        options.row = None;
-    }
-    let mut bytes = Cursor::new(table.text);
-    let start = Start::of(&mut bytes)?;
-    let (head, mut text) = Text::new(name, &mut bytes, &start, Some(Encoding::Utf8));
-    let mut trace = delimited::read(&head, &mut text, &options)?;
-    if let Some(asked) = options.row.filter(|row| *row != 1)
-        && !trace.format.may_hold_several()
-    {
-        return Err(ReadFault::SeveralProfiles {
-            rows: 1,
-            points: trace.heights.len(),
-            asked,
-        });
-    }
-    if table.filter_state == FilterState::Roughness {
-        trace.warnings.push(Warning::AlreadyFiltered);
-    }
-    if table.format == Format::MitutoyoXlsx {
-        (trace.filter_state, trace.metadata) = (table.filter_state, table.metadata);
-    }
-    Ok(Trace {
-        format: table.format,
-        encoding: None,
-        ..trace
-    })
 }
 
 fn read_text(
@@ -432,7 +373,7 @@ fn read_text(
 fn refused(format: Format) -> ReadFault {
     // The format follows only from the name: the content does not start with its mark.
     if format.may_hold_several() {
-        return archive::damaged(format, "it does not start as such a file", "");
+        return damage::damaged(format, "it does not start as such a file", "");
     }
     ReadFault::FormatNotRead { format }
 }

@@ -5,7 +5,6 @@ use std::str::FromStr;
 
 use asperity_core::quantity::Length;
 use asperity_core::remedy::Setting;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Explicit statements about a file. The default states nothing and refuses gaps.
@@ -15,7 +14,8 @@ use serde::{Deserialize, Serialize};
 /// let options = ReadOptions { z_unit: Some(LengthUnit::Nanometre), ..ReadOptions::default() };
 /// assert_eq!(options.z_unit.map(|unit| unit.to_string()).as_deref(), Some("nm"));
 /// ```
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct ReadOptions {
     /// Unit of the x column.
@@ -79,7 +79,8 @@ macro_rules! choice {
 }
 
 /// A unit of length that profilometer files use.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum LengthUnit {
@@ -135,7 +136,8 @@ impl LengthUnit {
 }
 
 /// Quantity that the x column of a file holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Abscissa {
@@ -152,7 +154,8 @@ pub enum Abscissa {
 choice!(Abscissa, "distance, roll-length, roll-degrees, roll-radians": Distance "distance", RollLength "roll-length", RollDegrees "roll-degrees", RollRadians "roll-radians");
 
 /// Treatment of an x column that is not even.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Uneven {
     /// Accept points up to a quarter of a spacing off an even grid, with a warning from 2 %; refuse others.
@@ -165,7 +168,8 @@ pub enum Uneven {
 choice!(Uneven, "refuse, resample": Refuse "refuse", Resample "resample");
 
 /// One of the two coordinates of a profile.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Axis {
     /// x, along the trace.
@@ -194,7 +198,8 @@ impl fmt::Display for Axis {
 }
 
 /// The columns of a table, counted from 1. Reads "1,2" (x, heights) and "2" (heights only).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Columns {
     /// Column of x, if there is one.
@@ -222,7 +227,8 @@ impl FromStr for Columns {
 }
 
 /// Decimal sign.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum DecimalSign {
     /// 0.5
@@ -234,7 +240,8 @@ pub enum DecimalSign {
 choice!(DecimalSign, "point, comma": Point "point", Comma "comma");
 
 /// Separator between two columns.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Separator {
@@ -253,7 +260,8 @@ pub enum Separator {
 choice!(Separator, "semicolon, tab, comma, blank, none": Semicolon "semicolon", Tab "tab", Comma "comma", Blank "blank", None "none");
 
 /// Character encoding of a text file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Encoding {
@@ -274,7 +282,8 @@ pub enum Encoding {
 choice!(Encoding, "utf-8, utf-16le, utf-16be, windows-1252": Utf8 "utf-8", Utf16Le "utf-16le", Utf16Be "utf-16be", Windows1252 "windows-1252");
 
 /// Treatment of missing points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Gaps {
     /// Refuse the file.
@@ -287,7 +296,8 @@ pub enum Gaps {
 choice!(Gaps, "refuse, interpolate": Refuse "refuse", Interpolate "interpolate");
 
 /// Trace that is taken from a surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum TraceLine {

@@ -5,7 +5,7 @@
 //! `points/scanline`); heights in micrometres follow. The layout follows a public writer of the format; no original PTB
 //! file was available. The length is not used, because writers state it in millimetres or micrometres.
 
-use super::archive::{damaged, height, miscounted};
+use super::damage::{damaged, height, miscounted};
 use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;

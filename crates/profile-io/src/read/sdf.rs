@@ -3,8 +3,8 @@
 //! A header of `name = value` lines, `*`, the heights in any number per line, `*`, a trailer. A height is value ·
 //! Zscale metres; `BAD` marks a missing height. Of several rows the requested one is read.
 
-use super::archive::{damaged, height_or_gap, miscounted};
 use super::areal::trace::{Areal, Heights};
+use super::damage::{damaged, height_or_gap, miscounted};
 use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;

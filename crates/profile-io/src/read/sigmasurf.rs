@@ -1,6 +1,6 @@
 //! SigmaSurf text (`.sig`): `NAME: value` lines, then the heights in micrometres under `PROFILE_UM:`.
 
-use super::archive::{damaged, height, miscounted};
+use super::damage::{damaged, height, miscounted};
 use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;

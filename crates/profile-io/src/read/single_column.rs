@@ -5,7 +5,7 @@
 
 use asperity_core::numerics::extremes;
 
-use super::archive::damaged;
+use super::damage::damaged;
 use super::error::{ReadFault, SpacingHint};
 use super::format::Format;
 use super::grid;

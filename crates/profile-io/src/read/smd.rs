@@ -9,7 +9,7 @@
 //! | `CX I 22401 mm 1.0e0 D 2.5e-4` | axis, incremental, points, unit, factor, type, spacing |
 //! | `CZ A 22401 um 1.0e0 D` | axis, absolute, points, unit, factor, type |
 
-use super::archive::{damaged, height_or_gap, miscounted};
+use super::damage::{damaged, height_or_gap, miscounted};
 use super::decimal;
 use super::error::ReadFault;
 use super::format::Format;

@@ -11,7 +11,7 @@ use std::path::Path;
 
 use asperity_core::quantity::Length;
 
-use super::archive::height;
+use super::damage::height;
 use asperity_storage::whole_file;
 
 use super::conditions::conditions_of;

@@ -11,7 +11,7 @@
 //! Records end with `EOR`, the file with `EOF`. There is no public definition; the layout follows NPL's published
 //! example.
 
-use super::archive::{damaged, height, miscounted};
+use super::damage::{damaged, height, miscounted};
 use super::error::ReadFault;
 use super::format::Format;
 use super::found::Found;

@@ -4,7 +4,7 @@
 //! micrometres up. A file is read without a stated unit only if exactly one of these gives a possible stylus trace.
 //! Nanometres are never assumed, and if heights in nanometres are possible too, no unit is assumed.
 
-use super::archive::damaged;
+use super::damage::damaged;
 use super::error::ReadFault;
 use super::format::Format;
 use super::options::{Axis, LengthUnit, ReadOptions};

@@ -10,6 +10,11 @@ pub enum WriteError {
         /// Failed step.
         step: &'static str,
     },
+    /// This build writes no X3P.
+    #[error(
+        "X3P is written only by a build with feature packed; write CSV or SMD, or take a released binary or wheel"
+    )]
+    NotPacked,
     /// The points are uneven, but the format supports only even points.
     #[error(
         "the points are unevenly spaced, which an SMD file has no known place for; resample the trace, or write CSV or X3P"

@@ -13,6 +13,7 @@ mod error;
 mod field;
 mod places;
 mod smd;
+#[cfg_attr(not(feature = "packed"), path = "no_x3p.rs")]
 mod x3p;
 
 use asperity_core::Profile;
@@ -113,7 +114,7 @@ pub fn write_filtered(
     let (places, heights) = (Places::Even(profile.spacing().si()), profile.heights());
     match format {
         WrittenFormat::Csv => Ok(csv::write(places, heights, metadata, filter_state)),
-        WrittenFormat::X3p => x3p::write(places, heights, metadata),
+        WrittenFormat::X3p => x3p::write(places, heights, None, metadata),
         WrittenFormat::Smd => Ok(smd::write(profile, metadata)),
     }
 }
@@ -150,7 +151,7 @@ pub fn write_trace(trace: &Trace, format: WrittenFormat) -> Result<Vec<u8>, Writ
             trace.filter_state,
         )),
         (Positions::Own { x, .. }, WrittenFormat::X3p) => {
-            x3p::write(Places::Own(x), heights, metadata)
+            x3p::write(Places::Own(x), heights, None, metadata)
         }
         (Positions::Own { .. }, WrittenFormat::Smd) => Err(WriteError::Uneven),
         (Positions::Even { spacing }, _) => {
@@ -190,7 +191,7 @@ pub fn write_surface(
 ) -> Result<Vec<u8>, WriteError> {
     let is_whole = columns > 0 && !z.is_empty() && z.len().is_multiple_of(columns);
     match is_whole && dx.si() > 0.0 && dy.si() > 0.0 {
-        true => x3p::write_rows(
+        true => x3p::write(
             Places::Even(dx.si()),
             z,
             Some((z.len() / columns, dy.si())),

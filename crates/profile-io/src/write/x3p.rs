@@ -15,17 +15,9 @@ use crate::read::metadata::Metadata;
 const DATA: &str = "bindata/data.bin";
 
 /// Writes an archive with `main.xml`, its checksum and the heights as binary64 metres, each after its x if the points
-/// have individual x.
+/// have individual x. The heights are row by row, `across` being the number of rows and their distance \[m\]; `None` for a
+/// profile.
 pub(super) fn write(
-    places: Places<'_>,
-    heights: &[f64],
-    metadata: &Metadata,
-) -> Result<Vec<u8>, WriteError> {
-    write_rows(places, heights, None, metadata)
-}
-
-/// Writes heights row by row, `across` being the number of rows and their distance \[m\]; `None` for a profile.
-pub(super) fn write_rows(
     places: Places<'_>,
     heights: &[f64],
     across: Option<(usize, f64)>,

@@ -10,7 +10,6 @@ use std::f64::consts::PI;
 
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::random::Random;
@@ -19,7 +18,8 @@ use super::random::Random;
 const MAX_FEATURES: usize = 1_000_000;
 
 /// Pits at random positions, each with 0.5 to 1.5 times the stated width and depth.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Pits {
     /// Number of pits.
@@ -62,7 +62,8 @@ impl Pits {
 }
 
 /// Scratches at random positions: V-shaped grooves with raised shoulders.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Scratches {
     /// Number of scratches.

@@ -14,7 +14,6 @@ use asperity_core::numerics::{interpolate, real_transforms};
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use realfft::num_complex::Complex;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::achieved::{Achieved, Generated};
@@ -42,7 +41,8 @@ const TAIL: usize = 64;
 const MICRO: f64 = 1e6;
 
 /// Recipe of a trace with the spectrum and the heights of measured ones.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Fitted {
     /// Number of points.

@@ -11,14 +11,14 @@
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::random::Random;
 use super::scaling::{check_points, scaled};
 
 /// Recipe of a ground profile.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Ground {
     /// Number of points.

@@ -13,7 +13,6 @@ use asperity_core::cite;
 use asperity_core::numerics::real_transforms;
 use asperity_core::{DomainError, Profile};
 use realfft::num_complex::Complex;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::achieved::{Achieved, Generated};
@@ -22,7 +21,8 @@ use super::self_affine::SelfAffine;
 use crate::material_ratio::ascending;
 
 /// Distribution of heights about their mean.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum HeightDistribution {
@@ -56,7 +56,8 @@ impl HeightDistribution {
 }
 
 /// Recipe of a non-Gaussian profile.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct NonGaussian {
     /// Spectrum, Rq, size and seed.

@@ -4,7 +4,6 @@ use asperity_core::cite;
 use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::self_affine::SelfAffine;
@@ -12,7 +11,8 @@ use crate::error::RoughnessError;
 use crate::material_ratio::abbott_curve;
 
 /// Recipe of a plateau-honed profile.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct PlateauHoned {
     /// The coarse process, which forms the dales.

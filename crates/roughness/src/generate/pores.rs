@@ -14,7 +14,6 @@
 use asperity_core::cite;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::random::Random;
@@ -29,7 +28,8 @@ const MAX_POROSITY: f64 = 0.5;
 const MAX_PORES: f64 = 1e6;
 
 /// Open pores at random positions, with 0.5 to 1.5 times the mean diameter.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Pores {
     /// Porosity of the flank: mean fraction of the trace in pores.

@@ -2,7 +2,6 @@
 
 use asperity_core::DomainError;
 use asperity_core::numerics::extremes;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::achieved::{Achieved, Generated};
@@ -16,7 +15,8 @@ use super::self_affine::{Amplitudes, SelfAffine};
 use crate::error::RoughnessError;
 
 /// A surface to generate.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Surface {
     /// Self-affine with roll-off and cut-offs.
@@ -32,7 +32,8 @@ pub enum Surface {
 }
 
 /// A surface with the modifications applied to it, in this order.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Recipe {
     /// The surface.

@@ -16,14 +16,14 @@ use asperity_core::numerics::real_transforms;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use realfft::num_complex::Complex;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::random::Random;
 use super::scaling::{check_points, scaled};
 
 /// Amplitudes of the waves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Amplitudes {
@@ -35,7 +35,8 @@ pub enum Amplitudes {
 }
 
 /// Recipe of a self-affine profile. The profile is periodic over its length.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct SelfAffine {
     /// Number of points.

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use super::bytes::text;
 use super::raw::{Layout, Missing, Number, Raw};
 use super::trace::{Areal, Heights};
-use crate::read::archive::damaged;
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::{number, short};

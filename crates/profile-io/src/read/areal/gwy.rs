@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use super::bytes::{Cursor, Plain};
 use super::trace::{Areal, HeightUnit, Heights};
-use crate::read::archive::damaged;
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::header;

@@ -15,8 +15,9 @@ use hdf5_reader::{Attribute, Dataset, H5Type, Hdf5File, OpenOptions};
 
 use super::bytes::{Plain, part};
 use super::chosen::chosen;
+use super::held::most_unpacked;
 use super::trace::{Areal, HeightUnit, Heights};
-use crate::read::archive::{damaged, most_unpacked};
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;

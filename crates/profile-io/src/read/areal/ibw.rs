@@ -5,7 +5,7 @@
 
 use super::bytes::{Plain, part, text};
 use super::trace::{Areal, HeightUnit, Heights};
-use crate::read::archive::damaged;
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::header;

@@ -8,7 +8,7 @@ use super::chosen::chosen;
 use super::mat_elements::arrays;
 use super::raw::{Layout, Raw};
 use super::trace::{Areal, HeightUnit, Heights};
-use crate::read::archive::damaged;
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
@@ -30,8 +30,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
         Some(LEVEL_5) => {}
         _ => return Err(fault("only level 5 with the low byte first is read", "")),
     }
-    let mut all =
-        arrays(bytes).ok_or_else(|| fault("an array is cut off or cannot be unpacked", ""))?;
+    let mut all = arrays(bytes)?;
     all.retain(|array| array.rows.max(array.columns) > 1);
     let all = all.into_iter().map(|array| (array.name.clone(), array));
     let (name, array) = chosen(FORMAT, all.collect())?;

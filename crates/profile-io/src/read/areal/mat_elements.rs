@@ -5,10 +5,14 @@
 //! sizes, name, numbers column by column. All numbers here have their low byte first.
 
 use super::bytes::{little, part, text};
-use super::inflate::inflated;
+use super::held::most_unpacked;
 use super::raw::Number;
-use crate::read::archive::most_unpacked;
+use crate::read::damage::damaged;
+use crate::read::error::ReadFault;
+use crate::read::format::Format;
+use crate::read::packed::inflated;
 
+const FORMAT: Format = Format::Matlab;
 const HEADER: usize = 128;
 const MATRIX: u32 = 14;
 const COMPRESSED: u32 = 15;
@@ -61,8 +65,9 @@ fn element(bytes: &[u8], at: usize) -> Option<Element<'_>> {
     })
 }
 
-/// The numeric arrays of a file; `None` if it is truncated or cannot be unpacked.
-pub(super) fn arrays(bytes: &[u8]) -> Option<Vec<Array>> {
+/// The numeric arrays of a file.
+pub(super) fn arrays(bytes: &[u8]) -> Result<Vec<Array>, ReadFault> {
+    let cut = || damaged(FORMAT, "an array is cut off", "");
     let mut found = Vec::new();
     let mut at = HEADER;
     let mut most = most_unpacked(bytes.len() as u64);
@@ -70,12 +75,12 @@ pub(super) fn arrays(bytes: &[u8]) -> Option<Vec<Array>> {
         if at >= bytes.len() {
             break;
         }
-        let outer = element(bytes, at)?;
+        let outer = element(bytes, at).ok_or_else(cut)?;
         match outer.kind {
             COMPRESSED => {
-                let content = inflated(outer.data, most)?;
+                let content = inflated(FORMAT, outer.data, most)?;
                 most -= content.len() as u64;
-                let inner = element(&content, 0)?;
+                let inner = element(&content, 0).ok_or_else(cut)?;
                 if inner.kind == MATRIX {
                     found.extend(array(inner.data));
                 }
@@ -85,7 +90,7 @@ pub(super) fn arrays(bytes: &[u8]) -> Option<Vec<Array>> {
         }
         at = outer.next;
     }
-    Some(found)
+    Ok(found)
 }
 
 /// The array in the data of a matrix element; `None` if it is not a two-dimensional array of real numbers.

@@ -10,9 +10,8 @@ mod chosen;
 mod gwy;
 #[cfg(feature = "hdf5")]
 mod hdf5;
-mod held;
+pub(super) mod held;
 mod ibw;
-mod inflate;
 mod mat;
 mod mat_elements;
 mod metropro;
@@ -21,7 +20,6 @@ mod opd;
 mod opdx;
 mod opdx_items;
 mod plu;
-mod plux;
 pub(crate) mod raw;
 mod sdf_binary;
 mod sur;
@@ -47,7 +45,6 @@ pub(crate) fn read(
         Format::AliconaAl3d => al3d::read(held(stream)?)?,
         Format::KeyenceVk => vk::read(stream, size)?,
         Format::SensofarPlu => plu::read(held(stream)?)?,
-        Format::SensofarPlux => plux::read(stream, size)?,
         Format::MetroPro => metropro::read(held(stream)?)?,
         Format::Opd => opd::read(held(stream)?)?,
         Format::SdfBinary => sdf_binary::read(held(stream)?)?,

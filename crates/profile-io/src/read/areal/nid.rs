@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use super::bytes::part;
 use super::raw::{Layout, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
-use crate::read::archive::damaged;
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::header;

@@ -7,7 +7,7 @@
 use super::opdx_items::{Item, items};
 use super::raw::{Layout, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
-use crate::read::archive::damaged;
+use crate::read::damage::damaged;
 use crate::read::error::{ReadFault, shortened};
 use crate::read::format::Format;
 use crate::read::metadata::short;

@@ -7,7 +7,7 @@
 use super::bytes::{little, text};
 use super::raw::{Layout, Missing, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
-use crate::read::archive::damaged;
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;

@@ -79,7 +79,7 @@ pub(crate) struct Unit {
 
 impl Unit {
     pub(super) const METRE: Self = Self::part(1.0);
-    pub(super) const MICROMETRE: Self = Self::part(1e6);
+    pub(crate) const MICROMETRE: Self = Self::part(1e6);
     pub(super) const NANOMETRE: Self = Self::part(1e9);
     pub(super) const PICOMETRE: Self = Self::part(1e12);
 
@@ -122,7 +122,7 @@ pub(crate) struct Layout {
 
 impl Layout {
     /// Rows without gaps, from the offset `first`.
-    pub(super) fn packed(first: usize, columns: usize, rows: usize, number: Number) -> Self {
+    pub(crate) fn packed(first: usize, columns: usize, rows: usize, number: Number) -> Self {
         let width = number.width() as i64;
         let row = width.saturating_mul(i64::try_from(columns).unwrap_or(i64::MAX));
         Self {
@@ -149,7 +149,7 @@ impl Layout {
 
 impl Raw {
     /// The matrix at `layout`; `None` if it has no points or is not within `bytes`.
-    pub(super) fn new(bytes: Vec<u8>, number: Number, layout: Layout) -> Option<Self> {
+    pub(crate) fn new(bytes: Vec<u8>, number: Number, layout: Layout) -> Option<Self> {
         let whole = layout.columns > 0 && layout.rows > 0;
         let inside = layout.lies_in(bytes.len(), number)?;
         (whole && inside).then_some(Self {

@@ -6,14 +6,15 @@
 //! a trace has no absolute height.
 
 use super::bytes::{little, part, text};
-use super::inflate::inflated;
+use super::held::most_unpacked;
 use super::raw::{Layout, Missing, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
-use crate::read::archive::{damaged, most_unpacked};
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
 use crate::read::options::{Axis, LengthUnit};
+use crate::read::packed::inflated;
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::DigitalSurf;
@@ -159,8 +160,7 @@ fn unpacked(bytes: &[u8], at: usize, length: usize) -> Result<(Vec<u8>, usize), 
     for entry in list.chunks_exact(8) {
         let packed = little::<u32>(entry, 4).unwrap_or(0) as usize;
         let stream = part(bytes, next, packed).ok_or_else(|| fault("a stream is cut off"))?;
-        let content =
-            inflated(stream, length as u64).ok_or_else(|| fault("a stream cannot be unpacked"))?;
+        let content = inflated(FORMAT, stream, length as u64)?;
         next += packed;
         matrix.extend(content);
         if matrix.len() > length {

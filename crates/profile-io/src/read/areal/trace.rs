@@ -78,7 +78,7 @@ impl Areal {
     }
 
     /// The surface with spacings \[m\]; invalid spacings are omitted.
-    pub(super) fn spaced(self, dx: f64, dy: f64) -> Self {
+    pub(crate) fn spaced(self, dx: f64, dy: f64) -> Self {
         let real = |dx: f64| (dx.is_finite() && dx > 0.0).then_some(dx);
         Self {
             spacings: [real(dx), real(dy)],

@@ -4,15 +4,14 @@
 //! SurfaceTopography, surfalize). A table of offsets, measuring conditions, and the height image: width, height,
 //! bits, compression, bytes, range, a palette of 768 bytes, whole numbers. Lengths are in picometres.
 
-use std::io::Read;
-
 use super::bytes::little;
 use super::held::whole;
 use super::raw::{Layout, Number, Raw, Unit};
 use super::trace::{Areal, Heights};
-use crate::read::archive::{Archive, damaged};
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
+use crate::read::packed::member;
 use crate::read::text::Stream;
 
 const FORMAT: Format = Format::KeyenceVk;
@@ -39,16 +38,7 @@ pub(super) fn read(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadFaul
     if mark.starts_with(b"VK3_") || mark.starts_with(b"VK4_") {
         return image(whole(stream, size)?);
     }
-    let mut archive = Archive::open(FORMAT, stream, size)?;
-    let name = archive.find(MEMBER);
-    let name = name.ok_or_else(|| damaged(FORMAT, "it holds no Vk4File", ""))?;
-    let bytes = archive.read(&name, |stream| {
-        let mut bytes = Vec::new();
-        let read = stream.read_to_end(&mut bytes);
-        read.map_err(|_| damaged(FORMAT, "the Vk4File cannot be unpacked", ""))?;
-        Ok(bytes)
-    })?;
-    image(bytes)
+    image(member(FORMAT, stream, size, MEMBER)?)
 }
 
 fn image(bytes: Vec<u8>) -> Result<Areal, ReadFault> {

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use super::grid::FEWEST_POINTS;
-use super::metadata;
+use crate::read::grid::FEWEST_POINTS;
+use crate::read::metadata;
 
 /// Maximum number of columns of a sheet that are read.
 pub(super) const MOST_COLUMNS: usize = 2000;

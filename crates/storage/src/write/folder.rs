@@ -4,11 +4,11 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-use crate::draft::{Draft, clear, drafts};
-use crate::error::StorageError;
-use crate::manifest::{MANIFEST, Manifest};
-use crate::recovery::{JOURNAL, OLD};
-use crate::system::{exchanged, look, parent_of, sync_folder, sync_tree};
+use super::draft::{Draft, clear, drafts};
+use super::error::StorageError;
+use super::manifest::{MANIFEST, Manifest};
+use super::recovery::{JOURNAL, OLD};
+use super::system::{exchanged, look, parent_of, sync_folder, sync_tree};
 
 /// Checks that a folder of this `kind` ("result") may be written as `target`: `target` does not exist, is empty, or
 /// holds exactly the unchanged files of its manifest. Drafts of killed processes next to it and in it are recovered

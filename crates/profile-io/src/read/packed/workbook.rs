@@ -6,16 +6,17 @@
 //! `Cut-Off` 0.08mm, λs), sheet `DATA` holds printed results in column A ("Ra 0.018 µm") and the profile in two columns,
 //! x in millimetres and heights in micrometres.
 
-use super::archive::{Archive, damaged};
-use super::error::ReadFault;
-use super::format::Format;
-use super::header::FilterState;
-use super::metadata::{self, Metadata, PrintedParameter, short};
-use super::options::ReadOptions;
+use super::archive::Archive;
 use super::sheet::{Block, MOST_COLUMNS, MOST_ROWS, MOST_TEXTS, Sheet};
-use super::text::Stream;
 use super::xls;
 use super::xml::walk;
+use crate::read::damage::damaged;
+use crate::read::error::ReadFault;
+use crate::read::format::Format;
+use crate::read::header::FilterState;
+use crate::read::metadata::{self, Metadata, PrintedParameter, short};
+use crate::read::options::ReadOptions;
+use crate::read::text::Stream;
 
 const FORMAT: Format = Format::Excel;
 

@@ -4,10 +4,10 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::Path;
 
-use crate::draft::{Draft, drafts};
-use crate::error::StorageError;
+use super::draft::{Draft, drafts};
+use super::error::StorageError;
+use super::system::{look, parent_of, sync_folder};
 use crate::read::whole_file;
-use crate::system::{look, parent_of, sync_folder};
 
 /// Writes `bytes` as `file`, replacing an older file of that name.
 ///

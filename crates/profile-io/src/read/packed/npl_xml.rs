@@ -3,16 +3,16 @@
 //! No schema was found; the layout is that of the published samples (NavierPy/surface-roughness-profile-analyser), whose
 //! spacing is in the unit of the heights: a softgauge of 8000 points in 4 mm states the spacing 0.5 and the unit um.
 
-use super::archive::{damaged, height, miscounted};
-use super::error::ReadFault;
-use super::format::Format;
-use super::found::Found;
-use super::grid::SpacingSource;
-use super::header;
-use super::metadata::{Metadata, number, short};
-use super::options::{Axis, LengthUnit};
-use super::text::Stream;
 use super::xml::walk;
+use crate::read::damage::{damaged, height, miscounted};
+use crate::read::error::ReadFault;
+use crate::read::format::Format;
+use crate::read::found::Found;
+use crate::read::grid::SpacingSource;
+use crate::read::header;
+use crate::read::metadata::{Metadata, number, short};
+use crate::read::options::{Axis, LengthUnit};
+use crate::read::text::Stream;
 
 const FORMAT: Format = Format::NplXml;
 

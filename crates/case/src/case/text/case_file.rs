@@ -7,14 +7,15 @@ use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-use super::error::CaseError;
-use super::input::{CaseInput, TEMPERATURE_KEYS, schema};
 use super::known_keys::{first_unknown, property};
-use super::place::Place;
+use super::parsed::from_table;
 use super::plain_words::plain;
-use super::source::{Source, from_table};
 use super::symbols::with_keys;
 use super::written;
+use crate::case::error::CaseError;
+use crate::case::input::{CaseInput, TEMPERATURE_KEYS};
+use crate::case::place::Place;
+use crate::case::source::Source;
 
 /// A kind of case file.
 pub(super) trait CaseFile: Serialize + DeserializeOwned {
@@ -67,6 +68,11 @@ pub(super) trait CaseFile: Serialize + DeserializeOwned {
         source.set(&key, value);
         self.set_at(source.place_of(&key), &key, value)
     }
+}
+
+/// The JSON schema of a case file.
+pub fn schema() -> serde_json::Value {
+    schemars::schema_for!(CaseInput).to_value()
 }
 
 impl CaseFile for CaseInput {

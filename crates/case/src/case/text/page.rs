@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use asperity_core::unique;
 use serde_json::Value;
 
-use super::input::schema;
-use super::loaded::from_text;
-use super::plausibility::usual_of;
+use super::case_file::schema;
+use super::load::from_text;
 use super::symbols;
+use crate::case::plausibility::range_of;
 use crate::error::Error;
 
 /// The shortest case: the keys that it leaves out show the defaults.
@@ -129,7 +129,7 @@ fn section(
         let default = defaults
             .get(key.path.as_str())
             .map_or("-".to_owned(), |value| format!("`{value}`"));
-        let usual = usual_of(&key.path).unwrap_or_default();
+        let usual = range_of(&key.path).map_or_else(String::new, |range| range.usual());
         page.push_str(&format!(
             "| `{}` | {} | {default} | {usual} | {} |\n",
             key.path, key.takes, key.meaning

@@ -13,9 +13,9 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
+use super::recovery::{self, LOCK, MAKING};
+use super::system::{look, parent_of};
 use crate::read::{regular_file, whole_text};
-use crate::recovery::{self, LOCK, MAKING};
-use crate::system::{look, parent_of};
 
 /// Start of the names of drafts; six letters or digits follow.
 const PREFIX: &str = ".asperity-";

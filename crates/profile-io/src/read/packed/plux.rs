@@ -3,16 +3,15 @@
 //! Layout: SurfaceTopography and surfalize. `GENERAL` states the points and their distance, `LAYER_0` the
 //! member with the heights; NaN is a missing height. The first layer is read.
 
-use std::io::Read;
-
-use super::raw::{Layout, Number, Raw, Unit};
-use super::trace::{Areal, Heights};
-use crate::read::archive::{Archive, damaged};
+use super::archive::Archive;
+use super::xml::{Leaf, walk};
+use crate::read::areal::raw::{Layout, Number, Raw, Unit};
+use crate::read::areal::trace::{Areal, Heights};
+use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::{Metadata, number, short};
 use crate::read::text::Stream;
-use crate::read::xml::{Leaf, walk};
 
 const FORMAT: Format = Format::SensofarPlux;
 const INDEX: &str = "index.xml";
@@ -66,12 +65,7 @@ pub(super) fn read(stream: &mut dyn Stream, size: u64) -> Result<Areal, ReadFaul
     };
     let member = index.member.as_deref().unwrap_or(HEIGHTS);
     let member = archive.find(member).unwrap_or_else(|| member.to_owned());
-    let bytes = archive.read(&member, |stream| {
-        let mut bytes = Vec::new();
-        let read = stream.read_to_end(&mut bytes);
-        read.map_err(|_| fault("the heights cannot be unpacked", ""))?;
-        Ok(bytes)
-    })?;
+    let bytes = archive.bytes(&member)?;
     let layout = Layout::packed(0, columns, rows, Number::F32);
     let raw = Raw::new(bytes, Number::F32, layout);
     let mut raw = raw.ok_or_else(|| fault("fewer heights than index.xml says", ""))?;

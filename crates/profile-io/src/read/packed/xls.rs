@@ -6,12 +6,13 @@
 
 use std::io::Read;
 
-use super::archive::{damaged, most_unpacked};
-use super::areal::bytes::little;
-use super::error::ReadFault;
-use super::format::Format;
 use super::sheet::{MOST_TEXTS, Sheet};
-use super::text::Stream;
+use crate::read::areal::bytes::little;
+use crate::read::areal::held::most_unpacked;
+use crate::read::damage::damaged;
+use crate::read::error::ReadFault;
+use crate::read::format::Format;
+use crate::read::text::Stream;
 
 const FORMAT: Format = Format::ExcelBinary;
 

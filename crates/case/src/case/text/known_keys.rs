@@ -3,13 +3,14 @@
 use serde_json::Value;
 
 use super::symbols::key_named;
+use crate::case::nearest_name::most_similar;
 
 /// Depth of the tables in which a key is searched: `surface.pinion.file` is in a table of a table.
 const DEPTH: usize = 2;
 
 /// The first key of `paths` that is not in the schema, with the nearest key of its table, or the path of the key in another
 /// table.
-pub(super) fn first_unknown<'a>(
+pub(in crate::case) fn first_unknown<'a>(
     schema: &Value,
     paths: impl Iterator<Item = &'a str>,
 ) -> Option<(&'a str, Option<String>)> {
@@ -136,20 +137,6 @@ fn properties(object: &Value) -> impl Iterator<Item = &str> + Clone {
         .flat_map(|map| map.keys().map(String::as_str))
 }
 
-/// The name of `known` most similar to `seen`, ignoring case; `None` if no name is similar.
-///
-/// ```
-/// let known = ["18CrNiMo7-6", "42CrMo4"].map(str::to_owned);
-/// assert_eq!(asperity_case::case::nearest_name("18crnimo", &known).as_deref(), Some("18CrNiMo7-6"));
-/// assert_eq!(asperity_case::case::nearest_name("brass", &known), None);
-/// ```
-pub fn nearest_name(seen: &str, known: &[String]) -> Option<String> {
-    let lower: Vec<String> = known.iter().map(|name| name.to_lowercase()).collect();
-    let similar = nearest(&seen.to_lowercase(), lower.iter().map(String::as_str))?;
-    let index = lower.iter().position(|name| *name == similar)?;
-    known.get(index).cloned()
-}
-
 /// Names of a key in older versions and other programs, with the present name.
 const OTHER_NAMES: [(&str, &str); 7] = [
     ("load_sharing", "load_distribution"),
@@ -166,8 +153,6 @@ pub(super) fn nearest<'a>(
     seen: &str,
     known: impl Iterator<Item = &'a str> + Clone,
 ) -> Option<String> {
-    /// Jaro-Winkler similarity below which a suggestion confuses more than it helps.
-    const LIKE: f64 = 0.75;
     if let Some(key) = key_named(seen, known.clone()) {
         return Some(key.to_owned());
     }
@@ -177,9 +162,5 @@ pub(super) fn nearest<'a>(
     {
         return Some(ours.to_owned());
     }
-    known
-        .map(|key| (strsim::jaro_winkler(seen, key), key))
-        .filter(|(likeness, _)| *likeness >= LIKE)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map(|(_, key)| key.to_owned())
+    most_similar(seen, known).map(str::to_owned)
 }

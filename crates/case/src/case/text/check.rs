@@ -11,15 +11,16 @@ use serde_json::Value as Json;
 use toml::{Table, Value};
 
 use super::case_file::{CaseFile, remove_replaced};
-use super::error::CaseError;
-use super::files::Files;
-use super::input::{CaseInput, TEMPERATURE_KEYS};
 use super::known_keys::first_unknown;
-use super::loaded::{LoadedCase, complete};
+use super::parsed::from_table;
 use super::plain_words::plain;
-use super::plausibility::impossible;
-use super::source::{MeshKeys, Source, from_table};
 use super::written;
+use crate::case::error::CaseError;
+use crate::case::files::Files;
+use crate::case::input::{CaseInput, TEMPERATURE_KEYS};
+use crate::case::loaded::{LoadedCase, complete};
+use crate::case::plausibility::impossible;
+use crate::case::source::{MeshKeys, Source};
 use crate::error::Error;
 
 /// No case has more errors than keys.
@@ -183,6 +184,16 @@ impl Mending {
             }
         }
         None
+    }
+}
+
+impl MeshKeys {
+    /// The part of the mesh's case that `part` of the train describes.
+    fn in_mesh(&self, part: &str) -> Option<String> {
+        self.tables.iter().find_map(|(of_mesh, of_train)| {
+            let rest = part.strip_prefix(of_train.as_str())?;
+            (rest.is_empty() || rest.starts_with('.')).then(|| format!("{of_mesh}{rest}"))
+        })
     }
 }
 

@@ -7,24 +7,14 @@ use std::io::{BufReader, Read};
 
 use zip::ZipArchive;
 
-use super::error::ReadFault;
-use super::format::Format;
-use super::metadata::number;
-use super::text::Stream;
+use crate::read::areal::held::most_unpacked;
+use crate::read::damage::damaged;
+use crate::read::error::ReadFault;
+use crate::read::format::Format;
+use crate::read::text::Stream;
 
-/// Unpacked size that is always permitted, in bytes.
-const FREE: u64 = 16 << 20;
-/// Maximum ratio of the unpacked to the packed size of larger members.
-const RATIO: u64 = 200;
-/// Maximum unpacked size of a member in bytes: 10⁸ heights.
-const MOST: u64 = 1 << 30;
 /// Maximum number of members; X3P has four, a workbook some dozens.
 const MOST_MEMBERS: usize = 10_000;
-
-/// Maximum unpacked size of `packed` bytes.
-pub(super) fn most_unpacked(packed: u64) -> u64 {
-    FREE.max(packed.saturating_mul(RATIO)).min(MOST)
-}
 
 /// An opened zip file.
 pub(super) struct Archive<'a> {
@@ -75,6 +65,18 @@ impl<'a> Archive<'a> {
         self.names.iter().any(|name| name == full)
     }
 
+    /// The content of a member.
+    pub(super) fn bytes(&mut self, full: &str) -> Result<Vec<u8>, ReadFault> {
+        let format = self.format;
+        self.read(full, |stream| {
+            let mut bytes = Vec::new();
+            match stream.read_to_end(&mut bytes) {
+                Ok(_) => Ok(bytes),
+                Err(_) => Err(damaged(format, "a member cannot be unpacked", full)),
+            }
+        })
+    }
+
     /// Passes the content of a member to `read`, limited to the permitted size.
     pub(super) fn read<T>(
         &mut self,
@@ -108,6 +110,18 @@ impl<'a> Archive<'a> {
     }
 }
 
+/// The content of the member called `name` of the archive in `stream`.
+pub(in crate::read) fn member(
+    format: Format,
+    stream: &mut dyn Stream,
+    size: u64,
+    name: &str,
+) -> Result<Vec<u8>, ReadFault> {
+    let mut archive = Archive::open(format, stream, size)?;
+    let full = archive.find(name).unwrap_or_else(|| name.to_owned());
+    archive.bytes(&full)
+}
+
 /// A reader that returns an error when its limit is exceeded.
 pub(super) struct Bounded<'a> {
     inner: Box<dyn Read + 'a>,
@@ -129,7 +143,7 @@ impl Read for Bounded<'_> {
 
 /// Format of a zip file by its members: an X3P contains a main.xml, a workbook a folder xl, a PLUX an index.xml and its
 /// heights.
-pub(super) fn content(stream: &mut dyn Stream, size: u64) -> Format {
+pub(in crate::read) fn content(stream: &mut dyn Stream, size: u64) -> Format {
     match Archive::open(Format::Archive, stream, size) {
         Ok(archive) if archive.holds("xl/workbook.xml") => Format::Excel,
         Ok(archive) if archive.holds("content.xml") && archive.holds("mimetype") => Format::Excel,
@@ -139,40 +153,4 @@ pub(super) fn content(stream: &mut dyn Stream, size: u64) -> Format {
         Ok(archive) if archive.find("main.xml").is_some() => Format::X3p,
         _ => Format::Archive,
     }
-}
-
-/// The error for a file that breaks the rules of its format.
-pub(super) fn damaged(format: Format, what: &'static str, seen: &str) -> ReadFault {
-    ReadFault::Damaged {
-        format,
-        what,
-        seen: super::error::shortened(seen),
-    }
-}
-
-/// The height in `field`.
-pub(super) fn height(format: Format, field: &str) -> Result<f64, ReadFault> {
-    number(field).ok_or_else(|| damaged(format, "a height is not a number", field))
-}
-
-/// The height in `field`, NaN for a point that the format marks as missing.
-pub(super) fn height_or_gap(format: Format, field: &str) -> Result<f64, ReadFault> {
-    let is_gap = ["bad", "nan"]
-        .iter()
-        .any(|gap| field.eq_ignore_ascii_case(gap));
-    if is_gap {
-        Ok(f64::NAN)
-    } else {
-        height(format, field)
-    }
-}
-
-/// The error for `found` heights where the header states another number.
-pub(super) fn miscounted(
-    format: Format,
-    found: usize,
-    stated: impl std::fmt::Display,
-) -> ReadFault {
-    let what = "the number of heights is not that of the header";
-    damaged(format, what, &format!("{found} of {stated}"))
 }

@@ -5,12 +5,14 @@ use serde::{Deserialize, Deserializer, Serializer};
 use toml::Value;
 
 use super::case_file::{CaseFile, read_table, table_of};
-use super::error::CaseError;
-use super::input::CaseInput;
-use super::source::{Source, from_table, stated};
+use super::parsed::{from_table, stated};
 use super::symbols::with_keys;
-use super::train_input::TrainCaseInput;
 use super::written;
+use crate::case::builder::CaseBuilder;
+use crate::case::error::CaseError;
+use crate::case::input::CaseInput;
+use crate::case::source::Source;
+use crate::case::train_input::TrainCaseInput;
 use crate::error::Error;
 
 impl CaseInput {
@@ -90,6 +92,17 @@ impl CaseInput {
         };
         let text = written::long_file(self).map_err(|error| unwritten(error.to_string()))?;
         Ok(text)
+    }
+}
+
+impl CaseBuilder {
+    /// Sets the key at `path` from text, as [`CaseInput::set`] does.
+    ///
+    /// # Errors
+    /// When the key is not known or the value cannot be read.
+    pub fn set(mut self, path: &str, value: &str) -> Result<Self, Error> {
+        self.input.set(path, value)?;
+        Ok(self)
     }
 }
 

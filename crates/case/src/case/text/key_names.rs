@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 
 use super::case_file::CaseFile;
-use super::input::CaseInput;
 use super::known_keys::first_unknown;
+use super::plain_words::plain;
+use crate::case::input::CaseInput;
 
 /// A row: the table of the case file, the name in the equation, the key. A name that equals its key except for blanks has no
 /// row.
@@ -35,7 +36,7 @@ const NAMES: &[Name] = &[
 ];
 
 /// The key of `table` with this name in an equation; the table itself if there is none.
-pub(super) fn key_of(table: &'static str, name: &str) -> Cow<'static, str> {
+pub(in crate::case) fn key_of(table: &'static str, name: &str) -> Cow<'static, str> {
     let row = NAMES.iter().find(|row| row.0 == table && row.1 == name);
     if let Some((_, _, key)) = row {
         return (*key).into();
@@ -45,6 +46,12 @@ pub(super) fn key_of(table: &'static str, name: &str) -> Cow<'static, str> {
         None => key.into(),
         Some(_) => table.into(),
     }
+}
+
+/// The message about a key that is missing in `table`.
+pub(in crate::case) fn missing_key(table: &str, key: &str) -> String {
+    let message = format!("missing field `{key}`");
+    plain(CaseInput::schema(), Some(table), &message)
 }
 
 #[cfg(test)]

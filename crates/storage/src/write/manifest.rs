@@ -8,7 +8,8 @@ use std::path::{Component, Path};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::error::StorageError;
+use super::error::StorageError;
+use crate::hex;
 use crate::read::{regular_file, whole_text};
 
 /// Name of the manifest in its folder.
@@ -171,15 +172,6 @@ fn entries(folder: &Path) -> io::Result<Vec<String>> {
     Ok(names)
 }
 
-/// SHA-256 of `bytes` in hexadecimal digits.
-///
-/// ```
-/// assert!(asperity_storage::sha256(b"abc").starts_with("ba7816bf"));
-/// ```
-pub fn sha256(bytes: &[u8]) -> String {
-    hex(&Sha256::digest(bytes))
-}
-
 fn sum_of_file(file: &Path) -> io::Result<String> {
     const CHUNK: usize = 1 << 16;
     let mut reader = regular_file(file)?;
@@ -191,9 +183,4 @@ fn sum_of_file(file: &Path) -> io::Result<String> {
             read => sum.update(&buffer[..read]),
         }
     }
-}
-
-/// `bytes` in hexadecimal digits.
-pub fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }

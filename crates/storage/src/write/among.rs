@@ -4,11 +4,12 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::draft::clear;
-use crate::error::StorageError;
-use crate::file::save;
-use crate::manifest::{MANIFEST, Manifest, sha256};
-use crate::system::look;
+use super::draft::clear;
+use super::error::StorageError;
+use super::file::save;
+use super::manifest::{MANIFEST, Manifest};
+use super::system::look;
+use crate::sha256;
 
 /// Checks that the files `names` may be written into `folder`: each is absent, or is listed in the manifest and
 /// unchanged.

@@ -8,17 +8,18 @@
 use std::io::Read;
 use std::ops::Range;
 
-use super::archive::{Archive, damaged, miscounted};
-use super::areal::trace::{Areal, HeightUnit, Heights};
-use super::error::ReadFault;
-use super::format::Format;
-use super::found::Found;
-use super::grid::{SpacingSource, chosen_row};
+use super::archive::Archive;
 use super::hashed::Hashed;
-use super::metadata::{self, Metadata};
-use super::options::ReadOptions;
-use super::text::Stream;
 use super::xml::{Leaf, walk};
+use crate::read::areal::trace::{Areal, HeightUnit, Heights};
+use crate::read::damage::{damaged, miscounted};
+use crate::read::error::ReadFault;
+use crate::read::format::Format;
+use crate::read::found::Found;
+use crate::read::grid::{SpacingSource, chosen_row};
+use crate::read::metadata::{self, Metadata};
+use crate::read::options::ReadOptions;
+use crate::read::text::Stream;
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::X3p;
@@ -360,7 +361,7 @@ fn binary(
     {
         warnings.push(Warning::ChecksumDiffers {
             what: "point data".into(),
-            stated: super::error::shortened(stated),
+            stated: crate::read::error::shortened(stated),
             found,
         });
     }
@@ -453,7 +454,7 @@ fn main_checksum(
     if stated != found {
         warnings.push(Warning::ChecksumDiffers {
             what: "main.xml".into(),
-            stated: super::error::shortened(stated),
+            stated: crate::read::error::shortened(stated),
             found: found.to_owned(),
         });
     }

@@ -5,9 +5,9 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
 
-use crate::manifest::Manifest;
+use super::manifest::Manifest;
+use super::system::{look, parent_of};
 use crate::read::whole_text;
-use crate::system::{look, parent_of};
 
 /// The new file or folder in a draft.
 pub const NEW: &str = "new";

@@ -5,9 +5,9 @@ use std::fmt;
 use asperity_oil::LubricantInput;
 use serde::Serialize;
 
-use super::calibration::CorrelationInput;
-use super::oil_file::{FitQuality, FittedFriction, FittedName, OilConstant, OilFile};
 use super::written;
+use crate::case::calibration::CorrelationInput;
+use crate::case::oil_file::{FitQuality, FittedFriction, FittedName, OilConstant, OilFile};
 
 /// The file as TOML.
 impl fmt::Display for OilFile {
