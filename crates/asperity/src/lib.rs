@@ -1,17 +1,28 @@
 //! From two measured tooth flanks to the efficiency of a gear mesh.
 //!
-//! Start here: [`case`], [`Run`], [`result`], the user-defined [`laws`](lubrication::laws), and the physics crates, which
-//! are re-exported and work without this one.
+//! | start here | for |
+//! |---|---|
+//! | [`prelude`] | the names that most programs need |
+//! | [`case`] | a case from a file ([`case::load`]), from text ([`case::from_text`]), or from quantities and heights ([`Case::builder`]) |
+//! | [`Run`], [`losses`] | a run of a case with its interval, or its losses only |
+//! | [`result`] | the numbers of a run, as values and as JSON |
+//! | [`laws`] | user-defined laws of film, friction and load distribution |
+//! | [`gear_train`] | several meshes, shafts, bearings and seals with one loss |
+//! | [`gear`], [`roughness`], [`contact`], [`oil`], [`ehl`], ... | the physics crates, which work without this one |
 //!
-//! A case comes from a file ([`case::load`]), from a text ([`case::from_text`]) or from quantities and heights
-//! ([`Case::builder`]); [`Run`] computes it, pure data in and pure data out. It passes through plain values:
+//! A run is pure, data in and data out. A case passes through plain values:
 //!
 //! ```text
-//! Case -> Mesh -> windows of the flanks -> Contacts -> lubricated positions -> pictures -> RunResult
+//!  Case ──> Mesh ──────> windows ──────> Contacts ────> lubricated ──────> RunResult
+//!           load,        of both         pressure at    positions          rows, interval,
+//!           speeds,      flanks          each mean      film, share,       warnings,
+//!           Hertz                        gap            friction, loss     provenance
 //! ```
 //!
-//! [`pipeline`] has the functions between them: the bulk temperature, the interval of the loss, gear trains, maps and
-//! calibrations are loops around them.
+//! Their modules: [`mesh`], [`flanks`], [`contacts`], [`lubrication`], [`result`].
+//!
+//! [`pipeline`] has the functions between these values. Interval ([`uncertainty`]), bulk temperature, running-in, gear trains,
+//! maps and calibrations are loops around them.
 //!
 //! ```
 //! use asperity::prelude::*;
@@ -38,25 +49,31 @@
 
 mod assembly;
 pub mod contacts;
+#[doc(hidden)]
 pub mod equations;
 pub mod gear_train;
 pub mod lubrication;
 pub mod mesh;
+#[doc(hidden)]
 pub mod paper;
 mod pictures;
 pub mod pipeline;
 pub mod prelude;
+#[doc(hidden)]
 pub mod records;
+#[doc(hidden)]
 pub mod reference_solution;
 pub mod result;
 mod run;
 mod sampling;
+#[doc(hidden)]
 pub mod train_gearbox;
+#[doc(hidden)]
 pub mod train_heat;
 pub mod uncertainty;
 
 pub use asperity_case::{
-    balance, case, error, fingerprint, flanks, key_words, loss_table, message,
+    balance, case, error, fingerprint, flanks, key_words, laws, loss_table, message,
 };
 pub use assembly::Reversed;
 pub use case::{Case, CaseInput, LoadedCase};
