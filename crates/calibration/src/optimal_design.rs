@@ -1,6 +1,7 @@
 //! D-optimal choice of points by exchange (Fedorov).
 
 use asperity_core::cite;
+use asperity_core::numerics::Cholesky;
 use nalgebra::DMatrix;
 
 use crate::information::information;
@@ -87,29 +88,15 @@ pub fn d_optimal(
 /// ln det of the information on the first `interest` variables, with the others unknown.
 #[must_use]
 pub fn log_determinant(whole: &DMatrix<f64>, interest: usize) -> f64 {
-    let log = |matrix: DMatrix<f64>| {
-        matrix.cholesky().map(|factor| {
-            2.0 * factor
-                .l_dirty()
-                .diagonal()
-                .iter()
-                .map(|d| d.ln())
-                .sum::<f64>()
-        })
-    };
-    let others = whole.nrows() - interest;
-    let nuisance = whole
-        .view((interest, interest), (others, others))
-        .into_owned();
-    let of_nuisance = if others == 0 {
-        Some(0.0)
-    } else {
-        log(nuisance)
-    };
-    match (log(whole.clone()), of_nuisance) {
-        (Some(all), Some(nuisance)) => all - nuisance,
-        _ => f64::NEG_INFINITY,
-    }
+    let (n, elements) = (whole.nrows(), whole.as_slice());
+    let others = n - interest;
+    // With the nuisance terms first, the other pivots are those of I_11 − I_12 I_22⁻¹ I_21.
+    let place = |k: usize| if k < others { k + interest } else { k - others };
+    let factor = Cholesky::new(n, |i, j| elements[place(i) + n * place(j)], 0.0);
+    factor.map_or(f64::NEG_INFINITY, |factor| {
+        let rows = factor.lower()[others..].iter();
+        2.0 * rows.map(|row| row[row.len() - 1].ln()).sum::<f64>()
+    })
 }
 
 #[cfg(test)]

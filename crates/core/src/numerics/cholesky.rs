@@ -23,18 +23,23 @@ impl Cholesky {
     /// The factor of the matrix of `n` rows whose lower triangle is `element(row, column)`; `None` if an element is not
     /// finite or the square of a pivot is not above 0 and at least `least`.
     pub fn new(n: usize, element: impl Fn(usize, usize) -> f64, least: f64) -> Option<Self> {
-        let mut lower: Vec<Vec<f64>> = Vec::with_capacity(n);
-        for i in 0..n {
-            let mut row = Vec::with_capacity(i + 1);
-            for (j, above) in lower.iter().enumerate() {
-                row.push((element(i, j) - dot(&row, &above[..j])) / above[j]);
+        let row = |i| (0..=i).map(|j| element(i, j)).collect();
+        Self::of_rows((0..n).map(row).collect(), least)
+    }
+
+    /// The factor of the matrix with these rows of its lower triangle, as [`new`](Self::new) makes it.
+    fn of_rows(mut lower: Vec<Vec<f64>>, least: f64) -> Option<Self> {
+        for i in 0..lower.len() {
+            let (done, rest) = lower.split_at_mut(i);
+            let row = &mut rest[0];
+            for (j, above) in done.iter().enumerate() {
+                row[j] = (row[j] - dot(&row[..j], &above[..j])) / above[j];
             }
-            let square = element(i, i) - dot(&row, &row);
+            let square = row[i] - dot(&row[..i], &row[..i]);
             if !(square.is_finite() && square > 0.0 && square >= least) {
                 return None;
             }
-            row.push(square.sqrt());
-            lower.push(row);
+            row[i] = square.sqrt();
         }
         Some(Self { lower })
     }
