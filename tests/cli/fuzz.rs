@@ -178,9 +178,9 @@ fn cases(count: u32) -> ProptestConfig {
     }
 }
 
-// A fault that one case in a thousand meets is found with a probability of 1 − 0.999^4000 = 98 %.
+// A fault that one case in a thousand meets is found with a probability of 1 − 0.999^3000 = 95 %.
 proptest! {
-    #![proptest_config(cases(4_000))]
+    #![proptest_config(cases(3_000))]
 
     #[test]
     fn a_damaged_case_is_read_or_refused_with_a_code(
