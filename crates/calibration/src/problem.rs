@@ -154,7 +154,8 @@ impl<'a> Problem<'a> {
     #[must_use]
     pub fn predicted(&self, x: &DVector<f64>, observation: &Observation) -> (f64, DVector<f64>) {
         let n = self.parameters();
-        let mut at: Vec<f64> = x.iter().take(n).copied().collect();
+        let x = x.as_slice();
+        let mut at = x[..n].to_vec();
         at.push(TEMPERATURE * x[n]);
         let u = self.region.normalised(&at);
         let surfaces = &self.surfaces[observation.point];
@@ -169,7 +170,7 @@ impl<'a> Problem<'a> {
         let additional = self.no_load * x[n + 2] * observation.omega
             + bearings * observation.bearing_torque * observation.omega;
         let loss = (sliding + rolling + additional).max(least);
-        let mut slope = DVector::zeros(self.variables());
+        let mut slope = vec![0.0; self.variables()];
         for (k, width) in self.region.half_width.iter().enumerate() {
             let by = (sliding * sliding_slope[k] + rolling * rolling_slope[k]) / width;
             slope[k] = if k < n { by } else { TEMPERATURE * by };
@@ -178,7 +179,8 @@ impl<'a> Problem<'a> {
         slope[n + 2] = self.no_load * observation.omega;
         slope[n + 3] = BEARINGS[1] * observation.bearing_torque * observation.omega;
         slope[scale_at] = ASSEMBLY * (sliding + rolling);
-        (loss.ln(), slope / loss)
+        slope.iter_mut().for_each(|slope| *slope /= loss);
+        (loss.ln(), slope.into())
     }
 
     /// Derivatives of the residuals of measurements and priors, one row each, without the residuals that keep a fit near
@@ -214,12 +216,16 @@ impl Residuals for Problem<'_> {
     fn at(&self, x: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
         cite!("Rig-residual");
         let (points, variables, n) = (self.observations.len(), self.variables(), self.parameters());
-        let mut residuals = DVector::zeros(points + variables + n);
-        let mut slopes = DMatrix::zeros(points + variables + n, variables);
+        let rows = points + variables + n;
+        let mut residuals = DVector::zeros(rows);
+        let mut slopes = DMatrix::zeros(rows, variables);
         for (k, observation) in self.observations.iter().enumerate() {
             let (log_loss, slope) = self.predicted(x, observation);
             residuals[k] = (observation.log_loss - log_loss) / observation.sigma;
-            slopes.set_row(k, &(slope.transpose() * (-1.0 / observation.sigma)));
+            let (elements, by) = (slopes.as_mut_slice(), -1.0 / observation.sigma);
+            for (j, slope) in slope.as_slice().iter().enumerate() {
+                elements[k + j * rows] = by * slope;
+            }
         }
         for j in 0..variables {
             let width = self.priors.get(j).copied().unwrap_or(1.0);

@@ -8,6 +8,8 @@
 //!
 //! from 1 + 2 n + n (n − 1)/2 evaluations: the centre, both ends of every axis, one corner of every pair of axes.
 
+use asperity_core::numerics::dot;
+
 /// Box in which a surface replaces the model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Region {
@@ -121,16 +123,12 @@ impl Response {
     /// Value and slope at normalised coordinates.
     #[must_use]
     pub fn at(&self, u: &[f64]) -> (f64, Vec<f64>) {
-        let bent: Vec<f64> = self
-            .curvature
-            .iter()
-            .map(|row| row.iter().zip(u).map(|(h, u)| h * u).sum())
-            .collect();
-        let mut value = self.value;
-        for ((g, b), u) in self.slope.iter().zip(&bent).zip(u) {
-            value += (g + 0.5 * b) * u;
+        let (mut value, mut slope) = (self.value, self.slope.clone());
+        for ((g, row), along) in slope.iter_mut().zip(&self.curvature).zip(u) {
+            let bent = dot(row, u);
+            value += (*g + 0.5 * bent) * along;
+            *g += bent;
         }
-        let slope = self.slope.iter().zip(&bent).map(|(g, b)| g + b).collect();
         (value, slope)
     }
 }

@@ -1,7 +1,6 @@
 //! Cholesky factor of a symmetric matrix.
 
-/// Products that are summed side by side, which the compiler keeps in vectors.
-const LANES: usize = 8;
+use super::dot;
 
 /// Lower triangle L of a symmetric positive definite matrix A = L Lᵀ.
 ///
@@ -63,18 +62,6 @@ impl Cholesky {
             }
         }
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let (a_parts, b_parts) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
-    let rest = a_parts.remainder().iter().zip(b_parts.remainder());
-    let mut sums = [0.0; LANES];
-    for (a, b) in a_parts.clone().zip(b_parts.clone()) {
-        for (lane, sum) in sums.iter_mut().enumerate() {
-            *sum += a[lane] * b[lane];
-        }
-    }
-    sums.iter().sum::<f64>() + rest.map(|(a, b)| a * b).sum::<f64>()
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ pub use normal::{Z_95, Z_975, standard_normal_below, standard_normal_quantile};
 pub use root::{Root, RootError, find_root};
 pub use statistics::{deviation, distinct, mean, median};
 pub use student_t::{student_t_below, student_t_quantile, student_t_within};
-pub use sums::{add_times, extremes, range, sum};
+pub use sums::{add_times, dot, extremes, range, sum};
 
 /// ∫ y dx by the trapezoidal rule over points `x`, `y` of equal number (fewer than two give 0).
 pub fn trapezoid(x: &[f64], y: &[f64]) -> f64 {

@@ -72,3 +72,21 @@ pub fn sum(z: &[f64], f: impl Fn(f64) -> f64) -> f64 {
     }
     parts.iter().sum::<f64>() + rest.iter().map(|z| f(*z)).sum::<f64>()
 }
+
+/// Σ a b of two slices of one length in eight running parts.
+///
+/// ```
+/// use asperity_core::numerics::dot;
+/// assert_eq!(dot(&[1.0, 2.0], &[3.0, -1.0]), 1.0);
+/// ```
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let (a_parts, b_parts) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
+    let rest = a_parts.remainder().iter().zip(b_parts.remainder());
+    let mut sums = [0.0; LANES];
+    for (a, b) in a_parts.clone().zip(b_parts.clone()) {
+        for (lane, sum) in sums.iter_mut().enumerate() {
+            *sum += a[lane] * b[lane];
+        }
+    }
+    sums.iter().sum::<f64>() + rest.map(|(a, b)| a * b).sum::<f64>()
+}

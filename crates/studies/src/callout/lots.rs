@@ -296,8 +296,9 @@ impl Recipe {
         let begin = uniform(random) * z.len() as f64;
         let at = |i: usize| {
             let x = begin + i as f64 / wavelength;
-            let [a, b, c, d] = [0, 1, 2, 3].map(|k: usize| z[(x as usize + k) % z.len()]);
-            let value = between([a, b, c, d], x.fract());
+            let (first, n) = (x as usize, z.len());
+            let [b, c, d] = [(first + 1) % n, (first + 2) % n, (first + 3) % n];
+            let value = between([z[first % n], z[b], z[c], z[d]], x.fract());
             height * if value > 0.0 { peak * value } else { value }
         };
         Profile::new(spacing, (0..points).map(at).collect())
