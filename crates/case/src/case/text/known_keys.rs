@@ -6,7 +6,7 @@ use super::symbols::key_named;
 use crate::case::nearest_name::most_similar;
 
 /// The first key of `paths` that is not in the schema, with the nearest key that is.
-pub(in crate::case) fn first_unknown<'a>(
+pub(crate) fn first_unknown<'a>(
     schema: &Value,
     paths: impl Iterator<Item = &'a str>,
 ) -> Option<(&'a str, Option<String>)> {
