@@ -3,7 +3,7 @@
 //! The format of a file is recognised ([`Format`]), its text decoded ([`Encoding`]), its dialect detected
 //! ([`Dialect`]), and its table read and given spacing and units. Statements in [`ReadOptions`] override the content of
 //! the file. A [`Trace`] may have uneven points; a [`Reading`] has an even grid. Nothing is repaired silently:
-//! assumptions are [`Warning`]s, and an unreadable file is an error with its line and a remedy.
+//! assumptions are [`Warning`](crate::Warning)s, and an unreadable file is an error with its line and a remedy.
 //!
 //! | quantity | rule |
 //! |---|---|

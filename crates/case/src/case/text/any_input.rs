@@ -11,7 +11,7 @@ use crate::case::train_input::TrainCaseInput;
 use crate::error::Error;
 
 impl AnyInput {
-    /// Sets the key at `path`, as [`CaseInput::set`] does.
+    /// Sets the key at `path`, as [`CaseInput::set`](crate::case::CaseInput::set) does.
     ///
     /// # Errors
     /// When the key is not known, or the value does not fit it; the case is then unchanged.

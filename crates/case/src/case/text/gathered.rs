@@ -12,7 +12,7 @@ use crate::case::source::Source;
 
 impl Files {
     /// Holds the files that `input` names, as `resolver` gives them.
-    pub(in crate::case) fn gather(
+    pub(crate) fn gather(
         &mut self,
         input: &CaseInput,
         source: &Source,
@@ -22,7 +22,7 @@ impl Files {
     }
 
     /// Holds the tables of the gearbox of a train, as `resolver` gives them.
-    pub(in crate::case) fn gather_tables<'a>(
+    pub(crate) fn gather_tables<'a>(
         &mut self,
         tables: impl Iterator<Item = &'a Path>,
         source: &Source,

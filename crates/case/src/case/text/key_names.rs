@@ -36,7 +36,7 @@ const NAMES: &[Name] = &[
 ];
 
 /// The key of `table` with this name in an equation; the table itself if there is none.
-pub(in crate::case) fn key_of(table: &'static str, name: &str) -> Cow<'static, str> {
+pub(crate) fn key_of(table: &'static str, name: &str) -> Cow<'static, str> {
     let row = NAMES.iter().find(|row| row.0 == table && row.1 == name);
     if let Some((_, _, key)) = row {
         return (*key).into();
@@ -49,7 +49,7 @@ pub(in crate::case) fn key_of(table: &'static str, name: &str) -> Cow<'static, s
 }
 
 /// The message about a key that is missing in `table`.
-pub(in crate::case) fn missing_key(table: &str, key: &str) -> String {
+pub(crate) fn missing_key(table: &str, key: &str) -> String {
     let message = format!("missing field `{key}`");
     plain(CaseInput::schema(), Some(table), &message)
 }

@@ -10,7 +10,7 @@ const DEPTH: usize = 2;
 
 /// The first key of `paths` that is not in the schema, with the nearest key of its table, or the path of the key in another
 /// table.
-pub(in crate::case) fn first_unknown<'a>(
+pub(crate) fn first_unknown<'a>(
     schema: &Value,
     paths: impl Iterator<Item = &'a str>,
 ) -> Option<(&'a str, Option<String>)> {

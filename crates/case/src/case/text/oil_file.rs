@@ -44,7 +44,7 @@ source = "curves.csv"
 }
 
 /// The oil file that `input` names, and its sum.
-pub(in crate::case) fn oil_file(
+pub(crate) fn oil_file(
     input: &CaseInput,
     source: &Source,
     files: &Files,

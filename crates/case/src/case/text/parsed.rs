@@ -65,7 +65,7 @@ impl Source {
 
     /// Records that `key` was set to `value` after the text was read, so that messages name no line for it or the keys
     /// below it.
-    pub(in crate::case) fn set(&mut self, key: &str, value: &str) {
+    pub(crate) fn set(&mut self, key: &str, value: &str) {
         self.changed.insert(key.to_owned());
         self.written.retain(|name, _| !is_within(name, key));
         match value.parse::<Value>() {

@@ -28,6 +28,6 @@ surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" }, sun = { rq = 
 }
 
 /// Whether a case of a gear train has the key.
-pub(in crate::case) fn is_key_of_train(key: &str) -> bool {
+pub(crate) fn is_key_of_train(key: &str) -> bool {
     first_unknown(TrainCaseInput::schema(), std::iter::once(key)).is_none()
 }

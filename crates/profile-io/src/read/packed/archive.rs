@@ -111,7 +111,7 @@ impl<'a> Archive<'a> {
 }
 
 /// The content of the member called `name` of the archive in `stream`.
-pub(in crate::read) fn member(
+pub(crate) fn member(
     format: Format,
     stream: &mut dyn Stream,
     size: u64,
@@ -143,7 +143,7 @@ impl Read for Bounded<'_> {
 
 /// Format of a zip file by its members: an X3P contains a main.xml, a workbook a folder xl, a PLUX an index.xml and its
 /// heights.
-pub(in crate::read) fn content(stream: &mut dyn Stream, size: u64) -> Format {
+pub(crate) fn content(stream: &mut dyn Stream, size: u64) -> Format {
     match Archive::open(Format::Archive, stream, size) {
         Ok(archive) if archive.holds("xl/workbook.xml") => Format::Excel,
         Ok(archive) if archive.holds("content.xml") && archive.holds("mimetype") => Format::Excel,

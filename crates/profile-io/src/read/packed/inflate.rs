@@ -9,11 +9,7 @@ use crate::read::error::ReadFault;
 use crate::read::format::Format;
 
 /// The content of a zlib stream in a file of `format`, of at most `most` bytes.
-pub(in crate::read) fn inflated(
-    format: Format,
-    packed: &[u8],
-    most: u64,
-) -> Result<Vec<u8>, ReadFault> {
+pub(crate) fn inflated(format: Format, packed: &[u8], most: u64) -> Result<Vec<u8>, ReadFault> {
     let mut content = Vec::new();
     let unpacked = ZlibDecoder::new(packed)
         .take(most.saturating_add(1))
