@@ -2,6 +2,7 @@
 
 mod calibrated_draws;
 mod cases;
+mod draws;
 mod examples;
 mod keys;
 mod mesh_load;

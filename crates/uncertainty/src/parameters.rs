@@ -489,39 +489,3 @@ fn set_traction(
     };
     Ok(())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn constants_have_the_quantiles_of_their_distributions() {
-        let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
-        let of = |kind, measured| Ranged {
-            kind,
-            value: 0.09,
-            low: 0.066,
-            high: 0.123,
-            measured,
-            lays: None,
-        };
-        let prior = of(UncertainParameter::BoundaryFriction, None);
-        assert!(
-            near(prior.at(-Z_95), 0.066)
-                && near(prior.at(0.0), 0.09)
-                && near(prior.at(Z_95), 0.123)
-        );
-        let calibrated = of(
-            UncertainParameter::BoundaryFriction,
-            Some(Measured::Calibration),
-        );
-        assert!(near(calibrated.at(Z_975), 0.123) && calibrated.at(Z_95) < 0.123);
-        let fall = of(
-            UncertainParameter::LimitingShearTemperature,
-            Some(Measured::OilFile),
-        );
-        assert!(near(fall.at(Z_975), 0.123) && near(fall.at(-0.5 * Z_975), 0.078));
-        let lay = of(UncertainParameter::Lay, None);
-        assert!(near(lay.at(0.0), 1.0 / 12.0) && near(lay.at(Z_95), 0.95 / 6.0));
-    }
-}

@@ -88,21 +88,3 @@ fn terms(z: &[f64]) -> Vec<f64> {
     let products = (0..z.len()).flat_map(|i| (i..z.len()).map(move |j| z[i] * z[j]));
     z.iter().copied().chain(products).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::hypercube::latin_hypercube;
-
-    #[test]
-    fn a_quadratic_function_is_found_again() {
-        let function =
-            |z: &[f64]| 0.3 * z[0] - 0.1 * z[1] + 0.05 * z[0] * z[2] - 0.02 * z[1] * z[1];
-        let points = latin_hypercube(QuadraticSurface::evaluations(3), 3, 1);
-        let values: Vec<f64> = points.iter().map(|point| function(point)).collect();
-        let surface = QuadraticSurface::fit(&points, &values).unwrap();
-        let other = [1.3, -0.7, 2.0];
-        assert!((surface.at(&other) - function(&other)).abs() < 1e-12);
-        assert_eq!(surface.at(&[0.0; 3]), 0.0);
-    }
-}
