@@ -7,7 +7,6 @@ mod from_rexs;
 mod map;
 mod oil;
 mod profile;
-mod questions;
 mod set;
 mod values;
 mod work;
@@ -35,7 +34,6 @@ pub use profile::{
     ProfileGenerateArgs, ProfileInfoArgs, ProfilePart, ProfilePlotArgs, Ratios, ReadingArgs,
     Wavelengths,
 };
-pub use questions::{QUESTIONS, command_line};
 pub use set::SetArgs;
 use values::choice;
 pub use values::name_of;

@@ -5,6 +5,7 @@ mod commands;
 mod failure;
 #[doc(hidden)]
 pub mod fuzzing;
+mod help;
 mod output;
 mod words;
 
@@ -30,7 +31,7 @@ pub fn main() -> ExitCode {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let is_json = arguments.iter().any(|argument| argument == "--json");
-    let matches = args::command_line().try_get_matches_from(arguments);
+    let matches = help::command_line().try_get_matches_from(arguments);
     let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(refusal) if is_mistake(&refusal) => {

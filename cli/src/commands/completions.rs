@@ -6,8 +6,9 @@ use clap::{Command, CommandFactory};
 use clap_complete::{Shell, generate};
 use clap_mangen::Man;
 
-use crate::args::{Cli, Common, CompletionKind, QUESTIONS};
+use crate::args::{Cli, Common, CompletionKind};
 use crate::failure::Failure;
+use crate::help::QUESTIONS;
 use crate::output::print_text;
 
 /// `asperity completions`

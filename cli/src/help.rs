@@ -1,4 +1,4 @@
-//! The commands by the question that they answer.
+//! Help of the program: its commands by the question that they answer.
 
 use std::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use asperity_report::wrapped_within;
 use clap::builder::StyledStr;
 use clap::{Command, CommandFactory};
 
-use super::Cli;
+use crate::args::Cli;
 use crate::output::columns;
 
 /// Questions, and the commands that answer each.
