@@ -48,11 +48,13 @@ macro_rules! quantities {
 
         impl $type {
             /// The quantity of this value in SI units.
+            #[inline]
             pub const fn from_si(value: f64) -> Self {
                 Self(value)
             }
 
             /// The value in SI units.
+            #[inline]
             pub const fn si(self) -> f64 {
                 self.0
             }
@@ -63,10 +65,12 @@ macro_rules! quantities {
             const SI_UNIT: &'static str = $si;
             const UNITS: &'static [Unit] = &[$($unit),+];
 
+            #[inline]
             fn si(self) -> f64 {
                 self.0
             }
 
+            #[inline]
             fn from_si(value: f64) -> Self {
                 Self(value)
             }
@@ -114,6 +118,7 @@ macro_rules! quantities {
 
         impl std::ops::Add for $type {
             type Output = Self;
+            #[inline]
             fn add(self, other: Self) -> Self {
                 Self(self.0 + other.0)
             }
@@ -121,6 +126,7 @@ macro_rules! quantities {
 
         impl std::ops::Sub for $type {
             type Output = Self;
+            #[inline]
             fn sub(self, other: Self) -> Self {
                 Self(self.0 - other.0)
             }
@@ -128,6 +134,7 @@ macro_rules! quantities {
 
         impl std::ops::Neg for $type {
             type Output = Self;
+            #[inline]
             fn neg(self) -> Self {
                 Self(-self.0)
             }
@@ -135,6 +142,7 @@ macro_rules! quantities {
 
         impl std::ops::Mul<f64> for $type {
             type Output = Self;
+            #[inline]
             fn mul(self, factor: f64) -> Self {
                 Self(self.0 * factor)
             }
@@ -142,6 +150,7 @@ macro_rules! quantities {
 
         impl std::ops::Div<f64> for $type {
             type Output = Self;
+            #[inline]
             fn div(self, divisor: f64) -> Self {
                 Self(self.0 / divisor)
             }
@@ -149,6 +158,7 @@ macro_rules! quantities {
 
         impl std::ops::Div for $type {
             type Output = f64;
+            #[inline]
             fn div(self, other: Self) -> f64 {
                 self.0 / other.0
             }

@@ -9,8 +9,9 @@ const MIN_SEGMENT: f64 = 1e-9;
 
 /// Nodes and weights of the Gauss-Legendre rule on 0..1, in ascending order.
 pub(crate) fn gauss_legendre(order: NonZeroUsize) -> Vec<(f64, f64)> {
-    let rule = numerics::gauss_legendre(order).into_iter();
-    rule.map(|(node, weight)| (0.5 * (1.0 + node), 0.5 * weight))
+    let rule = numerics::gauss_legendre(order);
+    rule.iter()
+        .map(|(node, weight)| (0.5 * (1.0 + node), 0.5 * weight))
         .collect()
 }
 

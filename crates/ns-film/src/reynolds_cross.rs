@@ -207,8 +207,10 @@ impl FilmSection {
             u * u / (r2 + y)
         };
         // Sixteen points: round-off for films up to as thick as the radius.
-        let rule = gauss_legendre(NonZeroUsize::MIN.saturating_add(15)).into_iter();
-        let terms = rule.map(|(node, weight)| weight * integrand(0.5 * h * (1.0 + node)));
+        let rule = gauss_legendre(NonZeroUsize::MIN.saturating_add(15));
+        let terms = rule
+            .iter()
+            .map(|(node, weight)| weight * integrand(0.5 * h * (1.0 + node)));
         Ok(Pressure::from_si(rho * 0.5 * h * terms.sum::<f64>()))
     }
 

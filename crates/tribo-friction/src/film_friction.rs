@@ -22,10 +22,8 @@
 //! `references/film_friction.py`). A warning outside the ranges
 //! of the comparison with measured gears (own choice).
 
-use std::borrow::Cow;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::num::NonZeroUsize;
-use std::sync::OnceLock;
 
 use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
@@ -211,7 +209,7 @@ impl<'a> LoadedFilm<'a> {
             film: h,
             bulk,
             rise_per_friction,
-            nodes: rule(settings.nodes).iter().map(node).collect(),
+            nodes: gauss_legendre(settings.nodes).iter().map(node).collect(),
         };
         Self::on(rheology, area, settings.heat)
     }
@@ -384,16 +382,6 @@ impl<'a> LoadedFilm<'a> {
     #[must_use]
     pub fn heat(&self) -> FilmHeat {
         self.heat
-    }
-}
-
-/// Gauss-Legendre nodes and weights; the default order is computed once.
-pub(crate) fn rule(order: NonZeroUsize) -> Cow<'static, [(f64, f64)]> {
-    static DEFAULT: OnceLock<Vec<(f64, f64)>> = OnceLock::new();
-    if order == FilmSettings::default().nodes {
-        Cow::Borrowed(DEFAULT.get_or_init(|| gauss_legendre(order)))
-    } else {
-        Cow::Owned(gauss_legendre(order))
     }
 }
 

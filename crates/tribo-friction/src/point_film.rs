@@ -22,7 +22,7 @@
 use std::f64::consts::PI;
 
 use asperity_core::material::Material;
-use asperity_core::numerics::CompleteElliptic;
+use asperity_core::numerics::{CompleteElliptic, gauss_legendre};
 use asperity_core::quantity::{Force, Length, Speed, Temperature};
 use asperity_core::{Checked, DomainError, cite};
 use asperity_oil::FilmRheology;
@@ -30,7 +30,7 @@ use serde::Serialize;
 
 use crate::error::FrictionError;
 use crate::film_friction::{
-    FilmArea, FilmFrictionSolution, FilmHeat, FilmSettings, LoadedFilm, MEAN_FLASH, rule,
+    FilmArea, FilmFrictionSolution, FilmHeat, FilmSettings, LoadedFilm, MEAN_FLASH,
 };
 
 /// Mean rise of the strips of an ellipse over that of its middle strip, B(1/2, 11/4)/B(1/2, 2).
@@ -105,7 +105,7 @@ impl<'a> LoadedFilm<'a> {
             film: DomainError::positive("film", contact.film)?,
             bulk: DomainError::positive("bath temperature", contact.temperature)?,
             rise_per_friction,
-            nodes: rule(settings.nodes).iter().map(node).collect(),
+            nodes: gauss_legendre(settings.nodes).iter().map(node).collect(),
         };
         Self::on(rheology, area, settings.heat)
     }

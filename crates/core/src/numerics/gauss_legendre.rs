@@ -1,7 +1,12 @@
 //! Nodes and weights of the Gauss-Legendre rule.
 
+use std::borrow::Cow;
 use std::f64::consts::PI;
 use std::num::NonZeroUsize;
+use std::sync::OnceLock;
+
+/// Highest order whose rule is stored.
+const STORED: usize = 64;
 
 /// Steps of Newton's method to round-off, from estimates with an error below a tenth of the distance of the nodes.
 const STEPS: usize = 6;
@@ -15,8 +20,15 @@ const STEPS: usize = 6;
 /// assert!((fourth_moment - 0.4).abs() < 1e-15);
 /// # Ok::<(), std::num::TryFromIntError>(())
 /// ```
-pub fn gauss_legendre(order: NonZeroUsize) -> Vec<(f64, f64)> {
-    let n = order.get();
+pub fn gauss_legendre(order: NonZeroUsize) -> Cow<'static, [(f64, f64)]> {
+    static RULES: [OnceLock<Vec<(f64, f64)>>; STORED] = [const { OnceLock::new() }; STORED];
+    match RULES.get(order.get() - 1) {
+        Some(rule) => Cow::Borrowed(rule.get_or_init(|| computed(order.get()))),
+        None => Cow::Owned(computed(order.get())),
+    }
+}
+
+fn computed(n: usize) -> Vec<(f64, f64)> {
     let pair = |k: usize| {
         // Tricomi's estimate of the node.
         let mut x = -(PI * (k as f64 + 0.75) / (n as f64 + 0.5)).cos();
@@ -49,7 +61,7 @@ mod tests {
 
     #[test]
     fn every_rule_is_exact_for_the_powers_that_it_has_nodes_for() {
-        for order in [1, 2, 5, 16, 64] {
+        for order in [1, 2, 5, 16, 64, 65] {
             let rule = gauss_legendre(NonZeroUsize::new(order).unwrap());
             assert!(rule.is_sorted_by(|a, b| a.0 < b.0));
             for power in (0..2 * order as i32).step_by(2) {
