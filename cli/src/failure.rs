@@ -75,7 +75,7 @@ impl Failure {
         let mut advice: Vec<String> = paragraphs.filter(is_advice).collect();
         advice.push("--help lists commands and options.".to_owned());
         let message = message.strip_prefix("error: ").unwrap_or(&message);
-        Self::new("E213", message).advising(advice.join(". ").replace("tip: ", ""))
+        Self::new("E213", message).advising(advice.join("; ").replace("tip: ", ""))
     }
 
     /// Makes an error from an error of the library, with keys of the case file.

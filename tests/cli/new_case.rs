@@ -45,7 +45,7 @@ fn ten_answers_make_a_case_that_runs() {
 fn a_centre_distance_the_temperature_of_the_oil_and_two_traces_make_a_case_that_runs() {
     let bench = Bench::new();
     bench.write_flanks();
-    let answers = "25 61\n2\n28 mm\n\n87.5\n120\n4000\noil 80 °C\noil 80 °C dip\nm100\npinion.csv, wheel.csv\n";
+    let answers = "25 61\n2\n28 mm\n\n87.5\n120\n4000\noil 80 °C\noil 80 °C dip\nmineral\nm100\npinion.csv, wheel.csv\n";
     let said = bench.run_with_input(&["new", "case.toml"], answers);
     assert_eq!(said.status, 0, "{said:?}");
     assert!(

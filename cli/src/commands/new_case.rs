@@ -5,6 +5,7 @@ use std::io::{BufRead, Write};
 use std::path::Path;
 
 use asperity::case::CaseInput;
+use asperity::oil::library;
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Temperature, Torque};
 use serde_json::json;
 
@@ -225,6 +226,14 @@ fn distance(answer: &str) -> Result<String, String> {
 
 fn oil(answer: &str) -> Result<String, String> {
     if !answer.to_lowercase().contains("vg") {
+        let oils = library().map_err(|error| error.to_string())?;
+        let names: Vec<&str> = oils.iter().map(|oil| oil.name.as_str()).collect();
+        if !names.iter().any(|name| name.eq_ignore_ascii_case(answer)) {
+            let known = names.join(", ");
+            return Err(format!(
+                "{answer:?}: write one of {known}, or e.g. VG 100 95"
+            ));
+        }
         return Ok(format!("oil = {}\n", json!(answer)));
     }
     let numbers: Vec<f64> = answer

@@ -394,6 +394,25 @@ impl Digits {
         Self::of_uncertainty(0.5 * (high - low))
     }
 
+    /// Digits of a difference: as [`of_interval`](Self::of_interval), with up to two places more if the interval excludes 0
+    /// and an end would be printed as 0.
+    ///
+    /// ```
+    /// use asperity::result::loss_band::Digits;
+    /// let digits = |ends| Digits::of_difference(ends).last_place().to_owned();
+    /// assert_eq!([[3.0, 100.0], [20.0, 100.0], [-3.0, 100.0]].map(digits), ["1", "10", "10"]);
+    /// ```
+    #[must_use]
+    pub fn of_difference(ends: [f64; 2]) -> Self {
+        let mut digits = Self::of_interval(ends);
+        let most = (digits.decimals + 2).min(Self::MOST);
+        let prints_zero = |digits: Self| ends.iter().any(|end| digits.steps(*end) == 0.0);
+        while ends[0] * ends[1] > 0.0 && digits.decimals < most && prints_zero(digits) {
+            digits.decimals += 1;
+        }
+        digits
+    }
+
     /// The same of an interval of this half width.
     #[must_use]
     pub fn of_uncertainty(half_width: f64) -> Self {

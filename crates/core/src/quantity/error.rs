@@ -6,7 +6,8 @@
 pub enum QuantityError {
     /// No number at the front.
     #[error(
-        "cannot read \"{text}\" as a {quantity}: it must start with a number; accepted units: {accepted}"
+        "cannot read \"{text}\" as {}: it must start with a number; accepted units: {accepted}",
+        with_article(quantity)
     )]
     NotANumber {
         /// Name of the quantity.
@@ -17,7 +18,10 @@ pub enum QuantityError {
         accepted: String,
     },
     /// A decimal comma.
-    #[error("cannot read \"{text}\" as a {quantity}: write the decimal sign as a point")]
+    #[error(
+        "cannot read \"{text}\" as {}: write the decimal sign as a point",
+        with_article(quantity)
+    )]
     DecimalComma {
         /// Name of the quantity.
         quantity: &'static str,
@@ -25,7 +29,10 @@ pub enum QuantityError {
         text: String,
     },
     /// A number without a unit.
-    #[error("{text} has no unit; a {quantity} needs one of: {accepted} (as \"{text} {example}\")")]
+    #[error(
+        "{text} has no unit; {} needs one of: {accepted} (as \"{text} {example}\")",
+        with_article(quantity)
+    )]
     NoUnit {
         /// Name of the quantity.
         quantity: &'static str,
@@ -54,4 +61,13 @@ pub enum QuantityError {
         /// The text seen.
         text: String,
     },
+}
+
+/// The name of a quantity with its article.
+pub(super) fn with_article(name: &str) -> String {
+    let article = match name.starts_with(['a', 'e', 'i', 'o', 'u']) {
+        true => "an",
+        false => "a",
+    };
+    format!("{article} {name}")
 }

@@ -1,6 +1,6 @@
 //! Quantities from text and to text.
 
-use super::error::QuantityError;
+use super::error::{QuantityError, with_article};
 use super::unit::{ICE, Quantity, Scale, Unit};
 use crate::unit_text;
 
@@ -139,7 +139,12 @@ impl<Q: Quantity> serde::de::Visitor<'_> for QuantityVisitor<Q> {
     type Value = Q;
 
     fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "a {} as text with a unit ({})", Q::NAME, accepted::<Q>())
+        write!(
+            f,
+            "{} as text with a unit ({})",
+            with_article(Q::NAME),
+            accepted::<Q>()
+        )
     }
 
     fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Q, E> {

@@ -158,7 +158,7 @@ fn interval(median: f64, [low, high]: [f64; 2], is_signed: bool) -> String {
     if [median, low, high] == [0.0; 3] {
         return "0".to_owned();
     }
-    let digits = Digits::of_interval([low, high]);
+    let digits = Digits::of_difference([low, high]);
     let text = |value: f64| match is_signed {
         true => signed(digits, value),
         false => digits.rounded(value),

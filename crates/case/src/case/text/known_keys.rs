@@ -42,7 +42,7 @@ fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<Stri
     None
 }
 
-/// The path of the only key with this name in the tables of a case, down to their tables.
+/// The path of the key with this name in another table, if it is the only one at its depth.
 fn in_another_table(schema: &Value, name: &str) -> Option<String> {
     let mut paths = Vec::new();
     let mut tables = vec![(String::new(), schema, 0)];
@@ -61,6 +61,9 @@ fn in_another_table(schema: &Value, name: &str) -> Option<String> {
             }
         }
     }
+    let depth = |path: &String| path.matches('.').count();
+    let least = paths.iter().map(depth).min()?;
+    paths.retain(|path| depth(path) == least);
     match &mut paths[..] {
         [path] => Some(std::mem::take(path)),
         _ => None,
