@@ -213,6 +213,19 @@ fn a_wrong_name_is_answered_with_the_nearest_one() {
 }
 
 #[test]
+fn an_oil_of_which_the_case_states_the_viscosity_is_warned_about() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let said = bench.run(&["check", "case.toml", "--set", "lubricant.oil=m100"]);
+    let text = said.well().unwrapped();
+    assert!(
+        text.contains("W442 lubricant.viscosity of the case replaces that of the oil m100"),
+        "{text}"
+    );
+}
+
+#[test]
 fn an_oil_shows_every_number_with_its_certainty() {
     let bench = Bench::new();
     let one = bench.run(&["oils", "N100"]).well().out;

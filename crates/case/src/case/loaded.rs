@@ -32,6 +32,7 @@ use crate::flanks::flank_lay::FlankLay;
 use crate::flanks::surfaces::{FlankReport, Surfaces};
 use crate::flanks::trace_pairs::SampledFlanks;
 use crate::message::Warning;
+use asperity_oil::LubricantInput;
 
 /// A case with its traces, ready to run.
 #[derive(Debug, Clone)]
@@ -351,6 +352,7 @@ pub(super) fn complete(
     warnings.extend(read_as_keys(source));
     let oil = case.oil_file.iter();
     warnings.extend(oil.flat_map(|oil| oil.warnings(&case.input, case.temperature)));
+    warnings.extend(replaced_viscosity(&case.input.lubricant));
     warnings.extend(simulated(&case.input, case.oil_file.as_deref()));
     provenance.include(&of_flanks);
     Ok(LoadedCase {
@@ -459,6 +461,15 @@ fn read_as_keys(source: &Source) -> Option<Warning> {
         .map(|[symbol, key]| format!("{symbol} is {key}"))
         .collect();
     (!pairs.is_empty()).then(|| Warning::new(SYMBOLS, pairs.join(", ")))
+}
+
+/// W442 if the case names an oil of the library and states its viscosity.
+fn replaced_viscosity(oil: &LubricantInput) -> Option<Warning> {
+    let (name, _) = (oil.oil.as_ref()?, oil.viscosity.as_ref()?);
+    let text = format!(
+        "lubricant.viscosity of the case replaces that of the oil {name}, of which only what the case leaves out is used"
+    );
+    Some(Warning::new("W442", text))
 }
 
 /// W446: constants of the case that were fitted to simulated measurements.
