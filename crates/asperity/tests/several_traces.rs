@@ -412,7 +412,7 @@ fn what_several_traces_cannot_mean_is_refused() {
             "E205",
             "in place of file",
         ),
-        ("traces = \"*\"", wheel, "E137", "name them one by one"),
+        ("traces = \"*\"", wheel, "E137", "name the files one by one"),
         (
             "traces = [{ file = \"0\", tooth = 1 }, { file = \"1\", tooth = 1 }]",
             wheel,
