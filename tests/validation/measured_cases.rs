@@ -73,7 +73,7 @@ impl Sampled {
         Estimate {
             value: mean(&values),
             // Films without contacts lose the same in every window, within round-off.
-            standard_error: match spread > 1e-9 * mean(&losses) {
+            standard_error: match spread > 1e-12 * mean(&losses) {
                 true => self.error_w * deviation(&values) / spread,
                 false => 0.0,
             },
