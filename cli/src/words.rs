@@ -107,6 +107,7 @@ fn command(code: &str) -> Option<&'static str> {
             "asperity profile info shows the profile; the gap of the unsolved contact is saved in the folder \"failed\" next to the results."
         }
         "E212" | "E308" | "W201" => "asperity check lists every unusual number of a case.",
+        "E319" => "asperity oil fit takes it for all readings as --point-floor 0.001.",
         "E401" => "Most commands take another target with -o.",
         "W435" => "asperity ehl takes it as --pressure-limit without a case.",
         "W401" => "asperity run --laws prints the published friction laws.",
