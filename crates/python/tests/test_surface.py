@@ -21,12 +21,12 @@ TWINS = {
     "gear": "Case", "contact": "solve_contact", "ehl": "ehl", "film": "Case", "profile": "read_profile",
     "explain": "explain", "demo": "demo", "schema": "keys",
 }
-WITHOUT = {"new", "figures", "completions", "equations", "help"}
+WITHOUT = {"new", "figures", "completions", "equations"}
 
 
 def test_every_command_has_a_twin_or_needs_none(command):
     text = subprocess.run([command, "--help"], capture_output=True, text=True, check=True).stdout
-    listed = text.split("Commands:")[1].split("Options:")[0].splitlines()
+    listed = text.split("Usage:")[1].split("Options:")[0].splitlines()
     commands = {line.split()[0] for line in listed if line.startswith("  ") and not line.startswith("   ")}
     assert commands == set(TWINS) | WITHOUT
     import asperity.keys  # noqa: F401
