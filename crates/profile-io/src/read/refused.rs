@@ -7,7 +7,7 @@ use super::options::ReadOptions;
 use super::text::{Start, Stream};
 use super::trace::Trace;
 
-/// The format of a zip that its name does not tell.
+/// Format of a zip archive whose extension names none.
 pub(super) fn content(_: &mut dyn Stream, _: u64) -> Format {
     Format::Archive
 }

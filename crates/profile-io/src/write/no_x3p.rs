@@ -4,7 +4,7 @@ use super::error::WriteError;
 use super::places::Places;
 use crate::read::metadata::Metadata;
 
-/// Refuses.
+/// Refuses to write.
 pub(super) fn write(
     _: Places<'_>,
     _: &[f64],
