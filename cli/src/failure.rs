@@ -68,7 +68,7 @@ impl Failure {
         let one_line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
         let mut paragraphs = text.split("\n\n").map(one_line);
         let message = paragraphs.next().unwrap_or_default();
-        // clap offers any unknown option as a value; its last paragraph is longer than the end of this advice.
+        // clap offers any unknown option as a value, which no command takes; `--help` has a sentence of its own below.
         let is_advice = |part: &String| {
             !part.starts_with("tip: to pass") && !part.starts_with("For more information")
         };

@@ -11,7 +11,11 @@ const STORED: usize = 64;
 /// Steps of Newton's method to round-off, from estimates with an error below a tenth of the distance of the nodes.
 const STEPS: usize = 6;
 
-/// Nodes and weights of the Gauss-Legendre rule on −1..1, in ascending order.
+/// Nodes and weights of the Gauss-Legendre rule on −1..1, in ascending order (Abramowitz and Stegun 25.4.29).
+///
+/// ```text
+/// P_n(x_k) = 0,  w_k = 2/((1 − x_k²) P_n′(x_k)²)
+/// ```
 ///
 /// ```
 /// use asperity_core::numerics::gauss_legendre;
@@ -30,7 +34,7 @@ pub fn gauss_legendre(order: NonZeroUsize) -> Cow<'static, [(f64, f64)]> {
 
 fn computed(n: usize) -> Vec<(f64, f64)> {
     let pair = |k: usize| {
-        // Tricomi's estimate of the node.
+        // The leading term of the node for large n.
         let mut x = -(PI * (k as f64 + 0.75) / (n as f64 + 0.5)).cos();
         let mut slope = 1.0;
         for _ in 0..STEPS {
