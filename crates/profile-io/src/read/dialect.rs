@@ -66,6 +66,9 @@ const MISSING: &[&str] = &[
     "",
 ];
 
+/// Length of the longest of them.
+const LONGEST_MISSING: usize = 9;
+
 /// Maximum length of a number in characters.
 pub(super) const LONGEST_NUMBER: usize = 64;
 /// Maximum number of columns; profiles have two to some dozens.
@@ -83,12 +86,7 @@ impl Dialect {
     /// The trimmed cells of a line, including empty ones at its end, which may be missing heights.
     pub(super) fn cells(self, line: &str) -> impl Iterator<Item = &str> {
         let blank = self.separator == Separator::Blank;
-        let sign = match self.separator {
-            Separator::Semicolon => Some(';'),
-            Separator::Tab => Some('\t'),
-            Separator::Comma => Some(','),
-            Separator::Blank | Separator::None => None,
-        };
+        let sign = sign(self.separator);
         let parts = line.split(move |c: char| Some(c) == sign || blank && c.is_whitespace());
         parts
             .filter(move |part| !(blank && part.is_empty()))
@@ -100,7 +98,7 @@ impl Dialect {
         match self.number(cell) {
             Some(value) if value.is_finite() => Cell::Number(value),
             Some(_) => Cell::Missing,
-            None if MISSING.contains(&cell.to_ascii_lowercase().as_str()) => Cell::Missing,
+            None if is_missing(cell) => Cell::Missing,
             None => Cell::Other,
         }
     }
@@ -118,9 +116,10 @@ impl Dialect {
 
     /// Number of columns if the line is a row of numbers; if `columns` is stated, these must be numbers.
     fn row(self, line: &str, columns: Option<Columns>) -> Option<usize> {
-        let cells: Vec<&str> = self.cells(line).take(MOST_COLUMNS).collect();
-        let filled = cells.iter().rposition(|cell| !cell.is_empty())? + 1;
+        let mut cells = self.cells(line).take(MOST_COLUMNS);
         if let Some(Columns { x, z }) = columns {
+            let cells: Vec<&str> = cells.collect();
+            let filled = cells.iter().rposition(|cell| !cell.is_empty())? + 1;
             let is_number = |column: usize| {
                 let cell = cells.get(column.checked_sub(1)?)?;
                 (self.cell(cell) != Cell::Other).then_some(())
@@ -131,16 +130,37 @@ impl Dialect {
             }
             return Some(filled);
         }
-        let mut numbers = 0;
-        for cell in &cells[..filled] {
+        // Lines are tried in all dialects: most end at their first cell.
+        let (mut numbers, mut filled, mut count) = (0, 0, 0);
+        cells.try_for_each(|cell| {
+            count += 1;
+            if cell.is_empty() {
+                return Some(());
+            }
+            filled = count;
             match self.cell(cell) {
                 Cell::Number(_) => numbers += 1,
                 Cell::Missing => {}
                 Cell::Other => return None,
             }
-        }
+            Some(())
+        })?;
         (numbers > 0).then_some(filled)
     }
+}
+
+/// The sign between two cells, if it is one.
+fn sign(separator: Separator) -> Option<char> {
+    match separator {
+        Separator::Semicolon => Some(';'),
+        Separator::Tab => Some('\t'),
+        Separator::Comma => Some(','),
+        Separator::Blank | Separator::None => None,
+    }
+}
+
+fn is_missing(cell: &str) -> bool {
+    cell.len() <= LONGEST_MISSING && MISSING.iter().any(|mark| mark.eq_ignore_ascii_case(cell))
 }
 
 fn trim_cell(cell: &str) -> &str {
@@ -161,9 +181,13 @@ pub(super) struct Stated {
 
 /// The dialect with the most rows of numbers; `None` if there are none.
 pub(super) fn sniff(lines: &[Line<'_>], stated: Stated) -> Option<Sniffed> {
+    let occurs = |sign: char| lines.iter().any(|line| line.text.contains(sign));
     let fits = |(separator, decimal): &(Separator, DecimalSign)| {
-        stated.separator.is_none_or(|s| s == *separator)
-            && stated.decimal.is_none_or(|d| d == *decimal)
+        let is_possible = match stated.separator {
+            Some(stated) => stated == *separator,
+            None => sign(*separator).is_none_or(occurs),
+        };
+        is_possible && stated.decimal.is_none_or(|d| d == *decimal)
     };
     let mut best: Option<Sniffed> = None;
     for (separator, decimal) in CANDIDATES.into_iter().filter(fits) {
@@ -309,7 +333,7 @@ mod tests {
         assert_eq!(comma.cell("1.234,5"), Cell::Other);
         assert_eq!(comma.cell("1,234,5"), Cell::Other);
         assert_eq!(point.cell("0,5"), Cell::Other);
-        for missing in ["NaN", "Bad", "", "***", "inf", "1e999"] {
+        for missing in MISSING.iter().chain(&["NaN", "Bad", "1e999"]) {
             assert_eq!(point.cell(missing), Cell::Missing, "{missing}");
         }
     }
