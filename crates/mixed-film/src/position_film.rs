@@ -567,9 +567,15 @@ impl<'a> PositionFilm<'a> {
             quantity: "friction coefficient",
             source,
         })?;
-        self.before = Some(evidence.value);
-        let ([film, _], spot) = self.parts_at(unit_rise * evidence.value, spots, &mut stresses)?;
-        Ok((self.shared(phi, film, &spot), spot.film, evidence))
+        let mu = evidence.value;
+        self.before = Some(mu);
+        let ([film, _], spot) = self.parts_at(unit_rise * mu, spots, &mut stresses)?;
+        let shared = self.shared(phi, film, &spot);
+        let evidence = Solved {
+            residual: mu - shared.parts()?.total(),
+            ..evidence
+        };
+        Ok((shared, spot.film, evidence))
     }
 
     fn total_at(
