@@ -8,6 +8,7 @@ use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use serde::{Deserialize, Serialize};
 
+use crate::dominant::dominant;
 use crate::error::RoughnessError;
 use crate::form::{self, Form};
 use crate::gaussian_filter::{Ends, alpha, mean_line, mean_line_gradient};
@@ -137,20 +138,20 @@ pub fn prepare_with(
     filter: RoughnessFilter,
 ) -> Result<Prepared, RoughnessError> {
     let (primary, warnings) = primary(profile, recipe)?;
-    from_primary(profile, primary, warnings, recipe, filter)
+    from_primary(profile, &primary, warnings, recipe, filter)
 }
 
 /// The roughness profile of `profile` from its primary profile.
 fn from_primary(
     profile: &Profile,
-    primary: Profile,
+    primary: &Profile,
     mut warnings: Vec<Warning>,
     recipe: &Preparation,
     filter: RoughnessFilter,
 ) -> Result<Prepared, RoughnessError> {
     cite!("Prep-1");
     let spacing = profile.spacing();
-    let mut current = primary;
+    let mut current = primary.clone();
     let (mut dropped, mut robust) = (0, None);
     if let Some(lambda_c) = recipe.lambda_c {
         (current, robust) = roughness(&current, lambda_c, recipe.ends, filter)?;
@@ -160,6 +161,7 @@ fn from_primary(
         }
     }
     warnings.extend(form_left(profile, recipe, &current)?);
+    warnings.extend(dominant(primary, &current, dropped, recipe.lambda_c));
     let record = PreparationRecord {
         recipe: *recipe,
         spacing,
@@ -212,7 +214,7 @@ pub fn profiles(
 ) -> Result<Profiles, RoughnessError> {
     cite!("Prep-2");
     let (primary, warnings) = primary(profile, recipe)?;
-    let roughness = from_primary(profile, primary.clone(), warnings, recipe, filter)?;
+    let roughness = from_primary(profile, &primary, warnings, recipe, filter)?;
     let waviness = recipe.lambda_c.map(|_| {
         let from = primary.heights().iter().skip(roughness.first_index);
         let pairs = from.zip(roughness.profile.heights());
