@@ -12,10 +12,10 @@ use crate::warning::{OUTSIDE, Warning};
 
 /// Height of the highest of `sections` over their median that a finish exceeds on less than one trace in a thousand.
 ///
-/// The bound 4.4 + 0.7 ln n lies above the quantile 0.999 of 20 000 seeded ground surrogates (`Surrogate`, cut-offs of 0.25 mm
-/// and 2.5 µm), which is 4.7 for three sections, 5.2 for five, 5.7 for ten, 6.1 for twenty and 6.5 for forty. Superfinished
-/// surrogates do not exceed 2.6, and plateaus of two self-affine processes have a quantile of 4.3 for three sections and of
-/// 3.1 to 3.4 for five and more. A cut-off of 0.8 mm makes all of them smaller.
+/// The bound 4.4 + 0.7 ln n lies above the quantile 0.999 of parts of 5000 seeded ground surrogates (`Surrogate`, cut-offs of
+/// 0.25 mm and 2.5 µm): 4.7 for three sections, 5.2 for five, 5.8 for ten, 6.0 for twenty and 6.6 for forty. 0.4 to 0.8 of a
+/// thousand exceed it; with a cut-off of 0.8 mm the quantiles are smaller. Superfinished surrogates reach 2.4, and plateaus of
+/// two self-affine processes have quantiles of 4.3 for three sections and of 3.0 to 3.5 for more.
 fn limit(sections: usize) -> f64 {
     const OF_ONE: f64 = 4.4;
     const BY_LOGARITHM: f64 = 0.7;
