@@ -409,3 +409,33 @@ fn a_groove_is_warned_of_until_the_trace_is_cut_to_its_sound_part() {
     );
     wheel(", range = \"9 mm\"").refused(2, "E204", &["two distances"]);
 }
+
+#[test]
+fn a_feature_without_a_robust_line_is_to_be_left_out() {
+    let bench = Bench::new();
+    let groove = |x: f64| match (x - 3700.0) / 310.0 {
+        u if u.abs() < 1.0 => (u * std::f64::consts::FRAC_PI_2).cos().powi(2),
+        _ => 0.0,
+    };
+    let table = rows(12_001, |i, z| {
+        let x = 0.5 * i as f64;
+        format!("{x:.1},{:.5}", z - 20.0 * groove(x))
+    });
+    bench.write("groove.csv", format!("x_um,z_um\n{table}"));
+    let robust = ["profile", "info", "groove.csv", "--robust"];
+    let said = bench.run(&robust);
+    said.informed(
+        "E120",
+        &[
+            "did not converge in 100 iterations",
+            "pass --range",
+            "leave --robust out",
+        ],
+    );
+    let change = said.err.split("last relative change ").nth(1).unwrap();
+    assert_eq!(change.find('.').unwrap_or(0), 1, "{change}");
+    assert!(change[3..].starts_with("e-"), "{change}");
+    bench
+        .run(&[&robust[..], &["--range", "0mm..3.3mm"]].concat())
+        .well();
+}
