@@ -345,9 +345,9 @@ fn fewer_heights_than_the_header_states_are_warned_of_and_more_are_refused() {
         .refused(2, "E117", &["line 1", "1999", "2000 read"]);
 }
 
-/// A trace of 6 mm with a groove from 3.6 to 3.8 mm.
+/// A trace of 6 mm with a groove from 3.66 to 3.74 mm.
 fn grooved() -> String {
-    let groove = |x: f64| (1.0 - ((x - 3700.0) / 100.0).powi(2)).max(0.0);
+    let groove = |x: f64| (1.0 - ((x - 3700.0) / 40.0).powi(2)).max(0.0);
     let table = rows(12_001, |i, z| {
         let x = 0.5 * i as f64;
         format!("{x:.1},{:.5}", z - 15.0 * groove(x))
@@ -364,16 +364,16 @@ fn a_groove_is_warned_of_until_the_trace_is_cut_to_its_sound_part() {
     assert_eq!(codes(&bench, &info), ["W132"]);
     let said = bench.run(&info).well().unwrapped();
     assert!(
-        said.contains("before the roughness filter the heights there span 15"),
+        said.contains("and 15.2 um before the roughness filter"),
         "{said}"
     );
-    assert!(said.contains("Pass --range 0mm..3.37mm"), "{said}");
-    let cut = [&info[..], &["--range", "0mm..3.37mm"]].concat();
+    assert!(said.contains("Pass --range 0mm..3.62mm"), "{said}");
+    let cut = [&info[..], &["--range", "0mm..3.62mm"]].concat();
     assert_eq!(codes(&bench, &cut), [""; 0]);
     let lines = bench.run(&cut).well().unwrapped();
-    assert!(lines.contains("length 3.37 mm"), "{lines}");
-    assert!(lines.contains("cut to 0 mm .. 3.37 mm of 6 mm"), "{lines}");
-    assert!(lines.contains("range = \"0 mm .. 3.37 mm\" }"), "{lines}");
+    assert!(lines.contains("length 3.62 mm"), "{lines}");
+    assert!(lines.contains("cut to 0 mm .. 3.62 mm of 6 mm"), "{lines}");
+    assert!(lines.contains("range = \"0 mm .. 3.62 mm\" }"), "{lines}");
     let json = bench.run(&[&cut[..], &["--json"]].concat()).well().json();
     assert_eq!(json["reading"]["cut"]["of"], "6 mm");
     let beyond = [&info[..], &["--range", "0mm..9mm"]].concat();
@@ -392,12 +392,12 @@ fn a_groove_is_warned_of_until_the_trace_is_cut_to_its_sound_part() {
     let said = wheel("").well().unwrapped();
     for part in [
         "W132 grooved.csv",
-        "Write range = \"0 mm .. 3.37 mm\" in surface.wheel",
+        "Write range = \"0 mm .. 3.62 mm\" in surface.wheel",
         "W448 traces are longer than the active flank of their gear: 5.75 mm after filtering of surface.wheel",
     ] {
         assert!(said.contains(part), "{part:?} is not in {said}");
     }
-    let said = wheel(", range = \"0 mm .. 3.37 mm\"").well().unwrapped();
+    let said = wheel(", range = \"0 mm .. 3.62 mm\"").well().unwrapped();
     assert!(!said.contains("W132") && !said.contains("W448"), "{said}");
     // Between the cut ends the place counts from the first point of the file.
     let said = wheel(", range = \"0.5 mm .. 6 mm\"").well().unwrapped();

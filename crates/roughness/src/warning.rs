@@ -67,7 +67,7 @@ pub enum Warning {
     },
     /// A few sections are much higher than the others: a groove, a step or an edge.
     #[error(
-        "{count} of {sections} sampling sections, between {from:.4} and {to:.4} from the start of the trace, are more than {OUTSIDE} times as high as the median of {median:.3}; the highest, {highest:.3}, has its extreme at {at:.4}, and before the roughness filter the heights there span {span:.3}: a groove, a step or an edge, which no finish has, changes the parameters and the contacts"
+        "in {count} of {sections} sampling sections, between {from:.4} and {to:.4} from the start of the trace, the roughness spans more than {OUTSIDE} times the median of {median:.3}: at most {highest:.3}, with its extreme at {at:.4}, and {span:.3} before the roughness filter. A groove, a step or an edge, which no finish has, changes the parameters and the contacts"
     )]
     SectionsDominate {
         /// Number of sections above the limit.

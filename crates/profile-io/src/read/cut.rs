@@ -11,6 +11,17 @@ use super::grid;
 use super::options::TraceRange;
 
 /// Record of a cut.
+///
+/// ```
+/// use asperity_profile_io::read::{ReadOptions, TraceRange, read_bytes};
+/// let rows: String = (0..2000).map(|i| format!("{};{}.5\n", i, i % 7)).collect();
+/// let range: TraceRange = "0.5 mm .. 1.5 mm".parse()?;
+/// let options = ReadOptions { range: Some(range), ..ReadOptions::default() };
+/// let reading = read_bytes("a.csv", format!("x [um];z [um]\n{rows}").as_bytes(), &options)?;
+/// assert_eq!((reading.points, reading.profile.heights()[0]), (1001, 3.5e-6));
+/// assert_eq!(reading.cut.map(|cut| cut.of), Some("1.999 mm".parse()?));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TraceCut {
     /// Range as stated.

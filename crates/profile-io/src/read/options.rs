@@ -324,17 +324,6 @@ impl TraceLine {
 }
 
 /// Part of a trace between two distances from its first point: "1.2 mm .. 6.4 mm".
-///
-/// ```
-/// use asperity_profile_io::read::{ReadOptions, TraceRange, read_bytes};
-/// let rows: String = (0..2000).map(|i| format!("{};{}.5\n", i, i % 7)).collect();
-/// let range: TraceRange = "0.5 mm .. 1.5 mm".parse()?;
-/// let options = ReadOptions { range: Some(range), ..ReadOptions::default() };
-/// let reading = read_bytes("a.csv", format!("x [um];z [um]\n{rows}").as_bytes(), &options)?;
-/// assert_eq!((reading.points, reading.profile.heights()[0]), (1001, 3.5e-6));
-/// assert_eq!(reading.cut.map(|cut| cut.of), Some("1.999 mm".parse()?));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "schema", schemars(with = "String"))]
