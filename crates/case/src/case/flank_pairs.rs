@@ -11,7 +11,7 @@ use super::error::CaseError;
 use super::flank_sample::{self, Listed};
 use super::flank_trace::Flank;
 use super::resolve::Case;
-use crate::flanks::placement::Placement;
+use crate::flanks::placement::{FULL_COVERAGE, Placement};
 use crate::flanks::surfaces::{PairsOfTeeth, Surfaces, Texture};
 use crate::message::Warning;
 
@@ -113,7 +113,7 @@ pub(super) fn all_placed(flanks: &[Vec<Flank>; 2], warnings: &mut Vec<Warning>) 
     false
 }
 
-/// W448: flanks with traces longer than the active flank, on which a part of them cannot lie.
+/// W448: flanks with traces so long that less than [`FULL_COVERAGE`] of them can lie on the active flank.
 pub(super) fn longer_than_active(
     case: &Case,
     flanks: &[Vec<Flank>; 2],
@@ -130,7 +130,7 @@ pub(super) fn longer_than_active(
             Texture::Values { .. } => None,
         });
         let longest = lengths.max_by(|a, b| a.si().total_cmp(&b.si()))?;
-        (longest > active).then(|| {
+        (active / longest < FULL_COVERAGE).then(|| {
             let table = tables[body];
             format!("{longest:.3} after filtering of {table}, whose active flank is {active:.3}")
         })
