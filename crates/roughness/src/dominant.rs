@@ -68,15 +68,13 @@ pub(crate) fn dominant(
     let extreme = if high > -low { high } else { low };
     let at = z[bounds[worst]..bounds[worst + 1]].iter();
     let at = bounds[worst] + at.clone().position(|z| *z == extreme)?;
-    let (mut sound, mut start) = (0..0, 0);
-    for i in 0..=n {
-        if i == n || dominates[i] {
-            if i - start > sound.len() {
-                sound = start..i;
-            }
-            start = i + 1;
-        }
-    }
+    // Longest run of sections between two that dominate, or an end.
+    let outer = [0, n + 1].into_iter();
+    let edges = dominates.iter().enumerate().filter(|(_, is)| **is);
+    let mut edges: Vec<usize> = edges.map(|(i, _)| i + 1).chain(outer).collect();
+    edges.sort_unstable();
+    let runs = edges.windows(2).map(|ends| ends[0]..ends[1] - 1);
+    let sound = runs.max_by_key(|run| run.len())?;
     let x = |point: usize| primary.spacing() * (first + point) as f64;
     let (low, high) = extremes(&primary.heights()[first + bounds[begin]..first + bounds[end]]);
     Some(Warning::SectionsDominate {

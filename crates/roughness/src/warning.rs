@@ -67,7 +67,7 @@ pub enum Warning {
     },
     /// A few sections are much higher than the others: a groove, a step or an edge.
     #[error(
-        "in {count} of {sections} sampling sections, between {from:.4} and {to:.4} from the start of the trace, the roughness spans more than {OUTSIDE} times the median of {median:.3}: at most {highest:.3}, with its extreme at {at:.4}, and {span:.3} before the roughness filter. A groove, a step or an edge, which no finish has, changes the parameters and the contacts"
+        "a groove, a step or an edge between {from:.4} and {to:.4} of the trace dominates it: Rz is up to {highest:.3}, at {at:.4}, and above {OUTSIDE} times the median of {median:.3} in {count} of {sections} sections; before the roughness filter the heights there span {span:.3}"
     )]
     SectionsDominate {
         /// Number of sections above the limit.

@@ -132,13 +132,13 @@ pub(super) fn longer_than_active(
         let longest = lengths.max_by(|a, b| a.si().total_cmp(&b.si()))?;
         (active / longest < FULL_COVERAGE).then(|| {
             let table = tables[body];
-            format!("{longest:.3} after filtering of {table}, whose active flank is {active:.3}")
+            format!("{longest:.3} in {table} on {active:.3}")
         })
     };
     let found: Vec<String> = [0, 1].into_iter().filter_map(of_flank).collect();
     (!found.is_empty()).then(|| {
         let text = format!(
-            "traces are longer than the active flank of their gear: {}. The part beyond it was not measured there, and windows are taken from all of it. Write range, the part on the active flank, or at, or keep it if it was measured along the tooth or on a specimen of the same finish",
+            "filtered traces are longer than the active flank: {}. The rest was not measured there, and windows are taken from it, too. Write range, the part on the active flank, or at, or keep it if it was measured along the tooth or on a specimen of the same finish",
             found.join(", and ")
         );
         Warning::new("W448", text)

@@ -442,8 +442,10 @@ impl FlankInput {
     }
 
     /// The keys of this flank for another file: the settings of the reader stay, roughness values are removed, and so is the
-    /// range, which is that of one trace.
+    /// range, which is that of one trace, unless the file is the same.
     fn on_file(&self, file: &Path) -> Self {
+        // The other file may be named by its full path.
+        let is_same = self.file.as_ref().is_some_and(|own| file.ends_with(own));
         Self {
             file: Some(file.to_owned()),
             traces: None,
@@ -453,7 +455,7 @@ impl FlankInput {
             rz: None,
             rpk: None,
             asperity_radius: None,
-            range: self.range.filter(|_| self.file.as_deref() == Some(file)),
+            range: self.range.filter(|_| is_same),
             ..self.clone()
         }
     }
