@@ -14,7 +14,7 @@ use crate::warning::{OUTSIDE, Warning};
 ///
 /// The bound 4.4 + 0.7 ln n lies above the quantile 0.999 of parts of 5000 seeded ground surrogates (`Surrogate`, cut-offs of
 /// 0.25 mm and 2.5 µm): 4.7 for three sections, 5.2 for five, 5.8 for ten, 6.0 for twenty and 6.6 for forty. 0.4 to 0.8 of a
-/// thousand exceed it; with a cut-off of 0.8 mm the quantiles are smaller. Superfinished surrogates reach 2.4, and plateaus of
+/// thousand exceed it. Superfinished surrogates reach 2.4, and plateaus of
 /// two self-affine processes have quantiles of 4.3 for three sections and of 3.0 to 3.5 for more.
 fn limit(sections: usize) -> f64 {
     const OF_ONE: f64 = 4.4;
@@ -22,24 +22,18 @@ fn limit(sections: usize) -> f64 {
     OF_ONE + BY_LOGARITHM * (sections as f64).ln()
 }
 
-/// Warning about the sections of `rough`, the roughness profile that begins `first` points behind the first point of
-/// `primary`, if the height Rz of the highest is above [`limit`] times the median of all; `None` if it is not, and for one or
-/// two sections, whose median says nothing.
-///
-/// A section is as long as the cut-off, or a fifth of a trace without one.
+/// Warning about the sections of length `section` of `rough`, the roughness profile that begins `first` points behind the
+/// first point of `primary`, if the height Rz of the highest is above [`limit`] times the median of all; `None` if it is not,
+/// and for one or two sections, whose median says nothing.
 pub(crate) fn dominant(
     primary: &Profile,
     rough: &Profile,
     first: usize,
-    lambda_c: Option<Length>,
+    section: Length,
 ) -> Option<Warning> {
-    const UNFILTERED: usize = 5;
     const FEWEST: usize = 3;
     let z = rough.heights();
-    let n = match lambda_c {
-        Some(lambda_c) => sections_in(rough, lambda_c).ok()?,
-        None => UNFILTERED.min(z.len()),
-    };
+    let n = sections_in(rough, section).ok()?;
     if n < FEWEST {
         return None;
     }
@@ -80,6 +74,7 @@ pub(crate) fn dominant(
     Some(Warning::SectionsDominate {
         count: dominates.iter().filter(|is| **is).count(),
         sections: n,
+        section,
         from: x(bounds[begin]),
         to: x(bounds[end]),
         median: Length::from_si(median),

@@ -67,13 +67,15 @@ pub enum Warning {
     },
     /// A few sections are much higher than the others: a groove, a step or an edge.
     #[error(
-        "a groove, a step or an edge between {from:.4} and {to:.4} of the trace dominates it: Rz is up to {highest:.3}, at {at:.4}, and above {OUTSIDE} times the median of {median:.3} in {count} of {sections} sections; before the roughness filter the heights there span {span:.3}"
+        "a groove, a step or an edge between {from:.4} and {to:.4} of the trace dominates it: Rz is up to {highest:.3}, at {at:.4}, and above {OUTSIDE} times the median of {median:.3} in {count} of {sections} sections of {section}; before the roughness filter the heights there span {span:.3}"
     )]
     SectionsDominate {
         /// Number of sections above the limit.
         count: usize,
         /// Number of sections.
         sections: usize,
+        /// Length of a section.
+        section: Length,
         /// Distance of the first one from the first point of the trace.
         from: Length,
         /// Distance of the end of the last one from the first point of the trace.
