@@ -21,6 +21,7 @@ fn option(setting: Setting) -> &'static str {
         Setting::Abscissa => "--abscissa",
         Setting::BaseRadius => "--base-radius",
         Setting::Uneven => "--uneven",
+        Setting::Range => "--range",
         Setting::Outliers => "--outliers",
         Setting::Form => "--form",
         Setting::Cutoff => "--lambda-c",
@@ -66,7 +67,13 @@ fn argument(settings: &[Setting], value: &str) -> String {
     match (settings, value) {
         ([Setting::Cutoff | Setting::NoiseCutoff], "0 mm") => "none".to_owned(),
         (
-            [Setting::Spacing | Setting::BaseRadius | Setting::Cutoff | Setting::NoiseCutoff],
+            [
+                Setting::Spacing
+                | Setting::BaseRadius
+                | Setting::Cutoff
+                | Setting::NoiseCutoff
+                | Setting::Range,
+            ],
             value,
         ) => value.replace(' ', ""),
         (_, value) => value.to_owned(),

@@ -344,3 +344,98 @@ fn fewer_heights_than_the_header_states_are_warned_of_and_more_are_refused() {
         .run(&info)
         .refused(2, "E117", &["line 1", "1999", "2000 read"]);
 }
+
+/// A trace of 6 mm with a groove from 3.66 to 3.74 mm.
+fn grooved() -> String {
+    let groove = |x: f64| (1.0 - ((x - 3700.0) / 40.0).powi(2)).max(0.0);
+    let table = rows(12_001, |i, z| {
+        let x = 0.5 * i as f64;
+        format!("{x:.1},{:.5}", z - 15.0 * groove(x))
+    });
+    format!("x_um,z_um\n{table}")
+}
+
+#[test]
+fn a_groove_is_warned_of_until_the_trace_is_cut_to_its_sound_part() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("grooved.csv", grooved());
+    let info = ["profile", "info", "grooved.csv"];
+    assert_eq!(codes(&bench, &info), ["W132"]);
+    let said = bench.run(&info).well().unwrapped();
+    assert!(
+        said.contains("before the roughness filter the heights there span 15.2 um"),
+        "{said}"
+    );
+    assert!(said.contains("Pass --range 0mm..3.62mm"), "{said}");
+    let cut = [&info[..], &["--range", "0mm..3.62mm"]].concat();
+    assert_eq!(codes(&bench, &cut), [""; 0]);
+    let lines = bench.run(&cut).well().unwrapped();
+    assert!(lines.contains("length 3.62 mm"), "{lines}");
+    assert!(lines.contains("cut to 0 mm .. 3.62 mm of 6 mm"), "{lines}");
+    assert!(lines.contains("range = \"0 mm .. 3.62 mm\" }"), "{lines}");
+    let json = bench.run(&[&cut[..], &["--json"]].concat()).well().json();
+    assert_eq!(json["reading"]["cut"]["of"], "6 mm");
+    let beyond = [&info[..], &["--range", "0mm..9mm"]].concat();
+    bench.run(&beyond).refused(
+        2,
+        "E139",
+        &["0 mm .. 9 mm", "which is 6 mm long", "Pass --range"],
+    );
+
+    // Read from its other end, the trace has its groove in the same place.
+    let wheel = |range: &str| {
+        let line = format!("wheel = {{ file = \"grooved.csv\", mirrored = true{range} }}");
+        bench.write("case.toml", with_line("wheel =", &line));
+        bench.run(&["check", "case.toml"])
+    };
+    let said = wheel("").well().unwrapped();
+    for part in [
+        "W132 grooved.csv",
+        "Write range = \"0 mm .. 3.62 mm\" in surface.wheel",
+        "W448 filtered traces are longer than the active flank: 5.75 mm in surface.wheel on 3.4",
+    ] {
+        assert!(said.contains(part), "{part:?} is not in {said}");
+    }
+    let said = wheel(", range = \"0 mm .. 3.62 mm\"").well().unwrapped();
+    assert!(!said.contains("W132") && !said.contains("W448"), "{said}");
+    // Between the cut ends the place counts from the first point of the file.
+    let said = wheel(", range = \"0.5 mm .. 6 mm\"").well().unwrapped();
+    assert!(said.contains("\"0.5 mm .. 3."), "{said}");
+    wheel(", range = \"0 mm .. 9 mm\"").refused(
+        2,
+        "E139",
+        &["which is 6 mm long", "in surface.wheel"],
+    );
+    wheel(", range = \"9 mm\"").refused(2, "E204", &["two distances"]);
+}
+
+#[test]
+fn a_feature_without_a_robust_line_is_to_be_left_out() {
+    let bench = Bench::new();
+    let groove = |x: f64| match (x - 3700.0) / 310.0 {
+        u if u.abs() < 1.0 => (u * std::f64::consts::FRAC_PI_2).cos().powi(2),
+        _ => 0.0,
+    };
+    let table = rows(12_001, |i, z| {
+        let x = 0.5 * i as f64;
+        format!("{x:.1},{:.5}", z - 20.0 * groove(x))
+    });
+    bench.write("groove.csv", format!("x_um,z_um\n{table}"));
+    let robust = ["profile", "info", "groove.csv", "--robust"];
+    let said = bench.run(&robust);
+    said.informed(
+        "E120",
+        &[
+            "did not converge in 100 iterations",
+            "pass --range",
+            "leave --robust out",
+        ],
+    );
+    let change = said.err.split("last relative change ").nth(1).unwrap();
+    assert_eq!(change.find('.').unwrap_or(0), 1, "{change}");
+    assert!(change[3..].starts_with("e-"), "{change}");
+    bench
+        .run(&[&robust[..], &["--range", "0mm..3.3mm"]].concat())
+        .well();
+}

@@ -292,6 +292,39 @@ fn the_form_of_a_trace_is_the_relief_that_was_ground() {
 }
 
 #[test]
+fn a_cut_trace_keeps_its_place() {
+    let [start, end] = [0.3e-3, 3.4e-3];
+    for (export, from_tip) in [
+        (Export::Arc, false),
+        (Export::Arc, true),
+        (Export::RollLength, false),
+        (Export::RollDegrees, false),
+    ] {
+        let mut case = case(export, from_tip, false);
+        for gear in ["pinion", "wheel"] {
+            let key = format!("surface.{gear}.range");
+            case = case.with_key(&key, "0.3 mm .. 3.4 mm").unwrap();
+        }
+        for body in [0, 1] {
+            let [low, high] = ARCS[body];
+            let expected = match from_tip {
+                false => [low + start, low + end],
+                true => [high - end, high - start],
+            };
+            let found = case.flanks[body].roll_lengths.unwrap();
+            let mut arcs = found.map(|roll| roll.si() * roll.si() / (2.0 * BASE[body]));
+            arcs.sort_by(f64::total_cmp);
+            for (found, expected) in arcs.into_iter().zip(expected) {
+                // A point of the checker's files is up to 0.7 um from the end of the range.
+                assert!((found - expected).abs() < 0.7e-6, "{found} {expected}");
+            }
+            let cut = case.flanks[body].reading.as_ref().unwrap().cut.unwrap();
+            assert_close("length", cut.of.si(), high - low, 1e-6);
+        }
+    }
+}
+
+#[test]
 fn the_form_follows_torque_and_gears() {
     let at = |torque: &str| {
         let case = case(Export::RollLength, false, false);

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use asperity_core::quantity::Length;
 use asperity_profile_io::read::{
-    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
+    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, TraceRange,
+    Uneven,
 };
 use asperity_roughness::gaussian_filter::Ends;
 use clap::{Args, Subcommand, ValueEnum};
@@ -331,4 +332,7 @@ pub struct ReadingArgs {
     /// Unevenly spaced positions: refuse or resample
     #[arg(long)]
     pub uneven: Option<Uneven>,
+    /// Part of the trace that is used, by distances from its first point: "1.2mm..6.4mm"
+    #[arg(long)]
+    pub range: Option<TraceRange>,
 }

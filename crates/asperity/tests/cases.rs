@@ -5,7 +5,9 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::{AnyInput, CaseInput, LoadedCase, Trace, from_text, load};
+use asperity::case::{
+    AnyInput, CaseInput, FlankInput, LoadedCase, SurfaceInput, Trace, from_text, load,
+};
 use asperity::prelude::{Case, Length, ReadOptions};
 use asperity::remedy::{Action, Setting};
 
@@ -94,6 +96,12 @@ fn a_trace_from_bytes_or_heights_is_the_trace_of_the_file() {
     assert_eq!(slices.surfaces, file.surfaces);
     assert_eq!(slices.flanks[0].file.as_deref(), Some("pinion"));
     assert_eq!(loss(&slices), loss(&file));
+    let cut = |case: &LoadedCase| {
+        let cut = case.with_key("surface.wheel.range", "0.2 mm .. 2.8 mm");
+        cut.unwrap().surfaces
+    };
+    assert_eq!(cut(&slices), cut(&file));
+    assert_ne!(cut(&file), file.surfaces);
     let path = |name: &str| fixtures().join("profiles").join(name);
     let files = begin()
         .pinion(Trace::from_file(path("ground_pinion.csv"), options()))
@@ -101,6 +109,21 @@ fn a_trace_from_bytes_or_heights_is_the_trace_of_the_file() {
         .build()
         .unwrap();
     assert_eq!(files.surfaces, file.surfaces);
+}
+
+#[test]
+fn a_range_stays_with_its_trace() {
+    let mut surface = SurfaceInput {
+        pinion: FlankInput {
+            file: Some("a.csv".into()),
+            range: Some("0 mm .. 1 mm".parse().unwrap()),
+            ..FlankInput::default()
+        },
+        ..SurfaceInput::default()
+    };
+    surface.put_traces(Path::new("/there/a.csv"), Some(Path::new("b.csv")));
+    assert!(surface.pinion.range.is_some());
+    assert!(surface.wheel.unwrap().range.is_none());
 }
 
 #[test]

@@ -39,6 +39,8 @@ pub enum Setting {
     BaseRadius,
     /// Treatment of uneven positions.
     Uneven,
+    /// Part of the trace that is used.
+    Range,
     /// Replacement of spikes.
     Outliers,
     /// Form removed from a trace.
@@ -68,6 +70,7 @@ impl Setting {
             Self::Abscissa => "abscissa",
             Self::BaseRadius => "base_radius",
             Self::Uneven => "uneven",
+            Self::Range => "range",
             Self::Outliers => "outliers",
             Self::Form => "form",
             Self::Cutoff => "cutoff",

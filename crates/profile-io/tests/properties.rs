@@ -57,6 +57,14 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
     );
     let base_radius = weighted(0.3, prop_oneof![Just(50e-3), Just(0.0), Just(f64::NAN)]);
     let uneven = prop_oneof![Just(Uneven::Refuse), Just(Uneven::Resample)];
+    let range = weighted(
+        0.2,
+        prop_oneof![
+            Just("0 um .. 60 um"),
+            Just("20 um .. 1 mm"),
+            Just("1 m .. 2 m")
+        ],
+    );
     let line = prop_oneof![
         8 => Just(TraceLine::Row),
         1 => Just(TraceLine::Column),
@@ -71,7 +79,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
         encoding,
         dx,
         gaps,
-        (roll, base_radius, uneven, line),
+        (roll, base_radius, uneven, line, range),
     )
         .prop_map(
             |(
@@ -83,7 +91,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
                 encoding,
                 dx,
                 gaps,
-                (abscissa, base_radius, uneven, line),
+                (abscissa, base_radius, uneven, line, range),
             )| ReadOptions {
                 x_unit,
                 z_unit,
@@ -98,6 +106,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
                 abscissa,
                 base_radius: base_radius.map(Length::from_si),
                 uneven,
+                range: range.map(|range: &str| range.parse().unwrap()),
             },
         )
 }

@@ -7,8 +7,8 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use asperity_profile_io::Warning;
 use asperity_profile_io::read::{
-    Format, Gaps, Metadata, Positions, ReadFault, ReadOptions, Trace, Uneven, read_bytes,
-    read_trace_bytes,
+    Format, Gaps, Metadata, Positions, ReadFault, ReadOptions, Trace, TraceRange, Uneven,
+    read_bytes, read_trace_bytes,
 };
 use asperity_profile_io::write::{WrittenFormat, write, write_trace};
 use proptest::prelude::*;
@@ -285,4 +285,34 @@ fn points_along_an_involute_are_kept_too() {
         reading,
         read_bytes("a.csv", file.as_bytes(), &options).unwrap()
     );
+}
+
+#[test]
+fn a_range_keeps_the_positions_of_its_points() {
+    let x: Vec<f64> = (0..400)
+        .map(|i| 2e-3 + 0.5e-6 * f64::from(i) + 0.2e-6 * f64::from(i % 2))
+        .collect();
+    let text = csv(&x, sine);
+    let within = |range: &str| {
+        let options = ReadOptions {
+            range: Some(range.parse().unwrap()),
+            ..ReadOptions::default()
+        };
+        read_trace_bytes("a.csv", text.as_bytes(), &options)
+    };
+    let part = within("20 um .. 0.12 mm").unwrap();
+    assert_eq!(&part.x()[..], &x[40..241]);
+    let cut = part.cut.unwrap();
+    assert_eq!(cut.start, Length::from_si(x[40] - x[0]));
+    assert_eq!(cut.of, Length::from_si(x[399] - x[0]));
+    let refused = within("0 mm .. 0.3 mm").unwrap_err();
+    assert_eq!(refused.code(), "E139");
+    assert!(
+        refused.to_string().contains("which is 199.7 um long"),
+        "{refused}"
+    );
+    assert_eq!(within("0 um .. 10 um").unwrap_err().code(), "E106");
+    for wrong in ["3 mm .. 1 mm", "-1 mm .. 1 mm", "1 mm", "1 .. 2"] {
+        assert!(wrong.parse::<TraceRange>().is_err(), "{wrong}");
+    }
 }

@@ -151,6 +151,7 @@ RAISES = {
     "E132": None,  # test_surface.py
     "E133": None,  # test_surface.py
     "E136": read("x_um,z_um\n" + rows(1000, lambda i, z: f"{0.5 * i + 20 * (i > 500):.1f},{z:.5f}"), uneven="resample"),
+    "E139": read(waves(1000), range="0 mm .. 9 mm"),
     "E137": lambda place: Case(small(surface={"cutoff": "0.25 mm", "pinion": {"traces": str(place / "tooth*.csv")}, "wheel": {"file": trace()}})),
     "E138": with_table("speed_rpm,loss\n1,2\n"),
     "E201": lambda place: Case(place / "absent.toml"),

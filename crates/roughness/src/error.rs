@@ -65,7 +65,7 @@ pub enum RoughnessError {
     },
     /// An iteration did not converge.
     #[error(
-        "{what} did not converge in {iterations} iterations: last relative change {residual:e}"
+        "{what} did not converge in {iterations} iterations: last relative change {residual:.1e}"
     )]
     NotConverged {
         /// The iteration.

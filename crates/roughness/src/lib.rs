@@ -20,6 +20,7 @@ pub mod areal;
 pub mod autocorrelation;
 mod blocks;
 pub mod composite;
+mod dominant;
 mod elements;
 pub mod error;
 pub mod form;

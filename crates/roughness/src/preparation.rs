@@ -4,10 +4,12 @@
 //! 16610-21). With [`Ends::Cut`] half a λ_c is dropped at both ends, but nothing for λ_s.
 
 use asperity_core::cite;
+use asperity_core::provenance::Provenance;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
 use serde::{Deserialize, Serialize};
 
+use crate::dominant::dominant;
 use crate::error::RoughnessError;
 use crate::form::{self, Form};
 use crate::gaussian_filter::{Ends, alpha, mean_line, mean_line_gradient};
@@ -137,29 +139,34 @@ pub fn prepare_with(
     filter: RoughnessFilter,
 ) -> Result<Prepared, RoughnessError> {
     let (primary, warnings) = primary(profile, recipe)?;
-    from_primary(profile, primary, warnings, recipe, filter)
+    from_primary(profile, &primary, warnings, recipe, filter)
 }
 
 /// The roughness profile of `profile` from its primary profile.
 fn from_primary(
     profile: &Profile,
-    primary: Profile,
+    primary: &Profile,
     mut warnings: Vec<Warning>,
     recipe: &Preparation,
     filter: RoughnessFilter,
 ) -> Result<Prepared, RoughnessError> {
     cite!("Prep-1");
     let spacing = profile.spacing();
-    let mut current = primary;
-    let (mut dropped, mut robust) = (0, None);
-    if let Some(lambda_c) = recipe.lambda_c {
-        (current, robust) = roughness(&current, lambda_c, recipe.ends, filter)?;
-        if recipe.ends == Ends::Cut {
-            dropped = (0.5 * lambda_c.si() / spacing.si()).round() as usize;
-            current = cut(&current, dropped, lambda_c)?;
-        }
-    }
+    let (current, dropped, robust) = match recipe.lambda_c {
+        Some(lambda_c) => filtered(primary, lambda_c, recipe.ends, filter)?,
+        None => (primary.clone(), 0, None),
+    };
     warnings.extend(form_left(profile, recipe, &current)?);
+    // Whatever the cut-off, features show in the profile at the usual one; its equations are not those of the result.
+    let is_usual = recipe.lambda_c == Some(LAMBDA_C) && filter == RoughnessFilter::Gaussian;
+    warnings.extend(Provenance::new().collect(|| {
+        match is_usual {
+            true => dominant(primary, &current, dropped, LAMBDA_C),
+            false => filtered(primary, LAMBDA_C, recipe.ends, RoughnessFilter::Gaussian)
+                .ok()
+                .and_then(|(rough, first, _)| dominant(primary, &rough, first, LAMBDA_C)),
+        }
+    }));
     let record = PreparationRecord {
         recipe: *recipe,
         spacing,
@@ -212,7 +219,7 @@ pub fn profiles(
 ) -> Result<Profiles, RoughnessError> {
     cite!("Prep-2");
     let (primary, warnings) = primary(profile, recipe)?;
-    let roughness = from_primary(profile, primary.clone(), warnings, recipe, filter)?;
+    let roughness = from_primary(profile, &primary, warnings, recipe, filter)?;
     let waviness = recipe.lambda_c.map(|_| {
         let from = primary.heights().iter().skip(roughness.first_index);
         let pairs = from.zip(roughness.profile.heights());
@@ -299,13 +306,13 @@ fn primary(
     Ok((current, warnings))
 }
 
-/// R = P − mean line(λ_c), with the convergence of the robust filter.
-fn roughness(
+/// R = P − mean line(λ_c), the number of points dropped at each end, and the convergence of the robust filter.
+fn filtered(
     primary: &Profile,
     lambda_c: Length,
     ends: Ends,
     filter: RoughnessFilter,
-) -> Result<(Profile, Option<RobustEvidence>), RoughnessError> {
+) -> Result<(Profile, usize, Option<RobustEvidence>), RoughnessError> {
     let (line, evidence) = match filter {
         RoughnessFilter::Gaussian => (mean_line(primary, lambda_c, ends)?, None),
         RoughnessFilter::RobustGaussian => {
@@ -315,7 +322,12 @@ fn roughness(
     };
     let heights = primary.heights().iter().zip(&line);
     let rough = heights.map(|(z, w)| z - w).collect();
-    Ok((Profile::new(primary.spacing(), rough)?, evidence))
+    let rough = Profile::new(primary.spacing(), rough)?;
+    if ends != Ends::Cut {
+        return Ok((rough, 0, evidence));
+    }
+    let dropped = (0.5 * lambda_c.si() / primary.spacing().si()).round() as usize;
+    Ok((cut(&rough, dropped, lambda_c)?, dropped, evidence))
 }
 
 fn cut(profile: &Profile, dropped: usize, lambda_c: Length) -> Result<Profile, RoughnessError> {

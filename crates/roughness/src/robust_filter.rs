@@ -34,6 +34,8 @@ use crate::error::RoughnessError;
 use crate::gaussian_filter::{SUPPORT, alpha};
 use crate::local_parabolas::LocalParabolas;
 
+/// Name of the filter in an error.
+pub const ROBUST_FILTER: &str = "the robust filter";
 /// γ of ISO 16610-31, for which the quadratic regression transmits half the amplitude at λ_c: the root of
 /// (1 + πγ²) exp(−πγ²) = ½.
 const GAMMA: f64 = 0.730_913_428_094_675_9;
@@ -132,7 +134,7 @@ pub fn robust_mean_line(profile: &Profile, cutoff: Length) -> Result<RobustLine,
         }
     }
     Err(RoughnessError::NotConverged {
-        what: "the robust filter",
+        what: ROBUST_FILTER,
         iterations: MAX_ITERATIONS,
         residual,
     })

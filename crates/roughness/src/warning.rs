@@ -65,6 +65,32 @@ pub enum Warning {
         /// Largest distance from the running median.
         farthest: Length,
     },
+    /// A few sections are much higher than the others: a groove, a step or an edge.
+    #[error(
+        "a groove, a step or an edge between {from:.4} and {to:.4} of the trace dominates it: Rz is up to {highest:.3}, at {at:.4}, and above {OUTSIDE} times the median of {median:.3} in {count} of {sections} sections of {section}; before the roughness filter the heights there span {span:.3}"
+    )]
+    SectionsDominate {
+        /// Number of sections above the limit.
+        count: usize,
+        /// Number of sections.
+        sections: usize,
+        /// Length of a section.
+        section: Length,
+        /// Distance of the first one from the first point of the trace.
+        from: Length,
+        /// Distance of the end of the last one from the first point of the trace.
+        to: Length,
+        /// Median height of a section, Rz.
+        median: Length,
+        /// Largest height of a section, Rz1max.
+        highest: Length,
+        /// Distance of the extreme of the highest section from the first point of the trace.
+        at: Length,
+        /// Highest minus lowest point of the primary profile between `from` and `to`.
+        span: Length,
+        /// Longest stretch of the trace without such a section.
+        sound: [Length; 2],
+    },
     /// The removed involute does not fit the trace.
     #[error(
         "a parabola or cubic of {form:.3} root mean square is left after the involute, over {roughness:.3} of roughness: the flank is crowned, or its base radius or roll length is another. With this base radius a roll length of {fitted:.4} fits best, not {given:.4}"
@@ -82,6 +108,9 @@ pub enum Warning {
         fitted: Length,
     },
 }
+
+/// Height of a section over the median of all from which it is outside of the texture of the others.
+pub(crate) const OUTSIDE: f64 = 3.0;
 
 /// Points per cut-off λs, which sample the weights of the filter with an error of 0.1 % (the sum of the neglected aliases).
 pub(crate) const POINTS_PER_LAMBDA_S: f64 = 5.0;
@@ -106,8 +135,39 @@ impl Warning {
             Self::InvoluteLeft { .. } => {
                 Remedy::act("check base radius and roll length").or_do("take it as crowning")
             }
+            Self::SectionsDominate { sound, .. } => {
+                // To 10 µm, which is far below a cut-off, and inwards.
+                let [from, to] = [(sound[0].si() * 1e5).ceil(), (sound[1].si() * 1e5).floor()];
+                let range = format!("{} mm .. {} mm", from / 100.0, to / 100.0);
+                Remedy::set(Setting::Range, Value::This(range.into()))
+                    .or_do("keep it if the whole flank has such features")
+            }
             _ => Remedy::none(),
         }
+    }
+
+    /// The warning with places on a trace that was read from its other end and is of `length`, if `turned`, and that begins
+    /// `start` behind the first point measured.
+    #[must_use]
+    pub fn on_trace(mut self, turned: bool, length: Length, start: Length) -> Self {
+        if let Self::SectionsDominate {
+            from,
+            to,
+            at,
+            sound,
+            ..
+        } = &mut self
+        {
+            let placed = |x: Length| start + if turned { length - x } else { x };
+            let ends = |[a, b]: [Length; 2]| match turned {
+                true => [placed(b), placed(a)],
+                false => [placed(a), placed(b)],
+            };
+            *sound = ends(*sound);
+            [*from, *to] = ends([*from, *to]);
+            *at = placed(*at);
+        }
+        self
     }
 
     /// Code of the explanation of the message.
@@ -118,6 +178,7 @@ impl Warning {
             Self::FewSections { .. } => "W114",
             Self::InvoluteLeft { .. } => "W128",
             Self::OutliersReplaced { .. } => "W130",
+            Self::SectionsDominate { .. } => "W132",
         }
     }
 }

@@ -4,14 +4,14 @@
 
 use asperity_core::Profile;
 use asperity_core::quantity::Length;
-use asperity_roughness::RoughnessError;
 use asperity_roughness::form::{self, Form};
 use asperity_roughness::gaussian_filter::{Ends, mean_line, weights};
-use asperity_roughness::generate::{Pits, SelfAffine};
+use asperity_roughness::generate::{Finish, Pits, SelfAffine, Surrogate};
 use asperity_roughness::height_parameters::{Mode, height_parameters, in_sections};
 use asperity_roughness::material_ratio::rk_parameters;
 use asperity_roughness::preparation::{Preparation, prepare};
 use asperity_roughness::summits::asperity_radius;
+use asperity_roughness::{RoughnessError, Warning};
 
 const DX: Length = Length::from_si(1e-6);
 
@@ -194,5 +194,63 @@ fn no_section_at_all_is_refused() {
         let refused = in_sections(&profile, mode, 0);
         assert!(matches!(refused, Err(RoughnessError::Domain(_))));
         assert!(in_sections(&profile, mode, 1).is_ok());
+    }
+}
+
+#[test]
+fn a_groove_is_warned_of_where_it_lies_and_a_finish_is_not() {
+    let dominates = |profile: &Profile| {
+        let prepared = prepare(profile, &Preparation::default()).unwrap();
+        let is = |warning: &Warning| matches!(warning, Warning::SectionsDominate { .. });
+        prepared.warnings.into_iter().find(is)
+    };
+    let surrogate = |finish: Finish, number: usize| Surrogate {
+        finish,
+        number: [number, 200],
+        body: 0,
+        length: Length::from_si(5e-3),
+        spacing: Length::from_si(0.5e-6),
+        lambda_s: None,
+        lambda_c: None,
+    };
+    let ground = |number: usize| surrogate(Finish::Ground, number).generate().unwrap().0;
+    // One in a thousand may exceed the bound.
+    let warned = (0..200).filter(|number| dominates(&ground(*number)).is_some());
+    assert!(warned.count() <= 1);
+    let finish = surrogate(Finish::Superfinished, 0).generate().unwrap().0;
+    let height = finish
+        .heights()
+        .iter()
+        .fold(0.0_f64, |most, z| most.max(z.abs()));
+    // A groove from 3.6 to 3.7 mm.
+    let groove = |i: usize| (1.0 - ((0.5 * i as f64 - 3650.0) / 50.0).powi(2)).max(0.0);
+    let grooved = finish.heights().iter().enumerate();
+    let grooved = grooved
+        .map(|(i, z)| z - 20.0 * height * groove(i))
+        .collect();
+    let grooved = Profile::new(finish.spacing(), grooved).unwrap();
+    let found = dominates(&grooved).unwrap();
+    let turned = dominates(&grooved.mirrored()).unwrap();
+    let turned = turned.on_trace(true, grooved.length(), Length::from_si(1e-3));
+    for (warning, start) in [(&found, 0.0), (&turned, 1e-3)] {
+        let Warning::SectionsDominate {
+            from,
+            to,
+            at,
+            span,
+            sound,
+            ..
+        } = warning
+        else {
+            unreachable!()
+        };
+        let [from, to, at] = [from, to, at].map(|x| x.si() - start);
+        assert!(
+            from < 3.6e-3 && to > 3.7e-3 && to - from < 0.8e-3,
+            "{warning}"
+        );
+        assert!((3.6e-3..3.7e-3).contains(&at), "{warning}");
+        assert!((span.si() / height - 20.0).abs() < 3.0, "{warning}");
+        assert_eq!(sound.map(|x| x.si() - start), [0.0, from]);
     }
 }

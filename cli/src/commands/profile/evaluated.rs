@@ -16,6 +16,7 @@ use asperity_roughness::ambiguity::Sections;
 use asperity_roughness::height_parameters::{HeightParameters, Mode, in_sections};
 use asperity_roughness::outliers::{OutlierRecord, Outliers, replace};
 use asperity_roughness::preparation::{Profiles, profiles};
+use asperity_roughness::robust_filter::ROBUST_FILTER;
 use asperity_roughness::{Parameters, RoughnessError, Warning};
 
 use super::plan::Plan;
@@ -181,11 +182,16 @@ fn read_options(args: &ReadingArgs, base_radius: Option<Length>) -> ReadOptions 
         abscissa: args.abscissa,
         base_radius,
         uneven: args.uneven.unwrap_or_default(),
+        range: args.range,
     }
 }
 
 /// Reads a surface with the options.
 pub(super) fn opened_surface(file: &Path, args: &ReadingArgs) -> Result<Surface, Failure> {
+    if args.range.is_some() {
+        let text = "--range is of a trace; choose one of the surface with --row or --line";
+        return Err(Failure::new("E205", text));
+    }
     read_surface(file, &read_options(args, None)).map_err(|error| refused(&error))
 }
 
@@ -224,6 +230,15 @@ pub(super) fn refusal(reading: &Reading, plan: &Plan, error: &RoughnessError) ->
         RoughnessError::TooShort { .. } => plan.advice_for(reading),
         RoughnessError::TooFewPoints { .. } if matches!(plan.sections, Sections::Number(_)) => {
             ". Pass fewer --sections".to_owned()
+        }
+        RoughnessError::NotConverged {
+            what: ROBUST_FILTER,
+            ..
+        }
+        | RoughnessError::NoSupport { .. } => {
+            ". It has no line below a feature that is wider than the cut-off and much deeper than the roughness: \
+             pass --range for the part of the trace without it, or leave --robust out"
+                .to_owned()
         }
         _ => String::new(),
     };

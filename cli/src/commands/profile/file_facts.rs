@@ -53,6 +53,9 @@ impl FileFacts {
             ("lambda_s", text(facts.lambda_s)),
             ("filter state", Some(name_of(&trace.filter_state))),
         ];
+        let cut = trace.cut.map_or(String::new(), |cut| {
+            format!(", cut to {} of {}", cut.range, rounded(cut.of))
+        });
         let known = stated
             .into_iter()
             .filter_map(|(name, value)| Some(format!("{name} {}", value?)));
@@ -60,7 +63,7 @@ impl FileFacts {
             name: trace.name.clone(),
             lines: [
                 format!(
-                    "{}{encoding}, heights in {} ({heights}){positions}; {points} points, dx {} ({source}), length {}",
+                    "{}{encoding}, heights in {} ({heights}){positions}; {points} points, dx {} ({source}), length {}{cut}",
                     trace.format,
                     trace.z_unit,
                     rounded(spacing),

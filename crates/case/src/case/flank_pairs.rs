@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 
 use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
+use asperity_gear::{FlankPoint, Gear};
 use asperity_roughness::composite::spaced;
 
 use super::error::CaseError;
 use super::flank_sample::{self, Listed};
 use super::flank_trace::Flank;
 use super::resolve::Case;
-use crate::flanks::placement::Placement;
+use crate::flanks::placement::{FULL_COVERAGE, Placement};
 use crate::flanks::surfaces::{PairsOfTeeth, Surfaces, Texture};
 use crate::message::Warning;
 
@@ -110,6 +111,38 @@ pub(super) fn all_placed(flanks: &[Vec<Flank>; 2], warnings: &mut Vec<Warning>) 
         ),
     ));
     false
+}
+
+/// W448: flanks with traces so long that less than [`FULL_COVERAGE`] of them can lie on the active flank.
+pub(super) fn longer_than_active(
+    case: &Case,
+    flanks: &[Vec<Flank>; 2],
+    tables: [&str; 2],
+) -> Option<Warning> {
+    let path = case.gears.path();
+    let of_flank = |body: usize| {
+        let gear = [Gear::Pinion, Gear::Wheel][body];
+        let arc = |s| case.gears.arc_of(gear, FlankPoint::Position(s)).ok();
+        let active = Length::from_si((arc(path.e)? - arc(path.a)?).si().abs());
+        let traces = flanks[body].iter().filter(|flank| flank.raw.is_some());
+        let lengths = traces.filter_map(|flank| match &flank.texture {
+            Texture::Trace(profile) => Some(profile.length()),
+            Texture::Values { .. } => None,
+        });
+        let longest = lengths.max_by(|a, b| a.si().total_cmp(&b.si()))?;
+        (active / longest < FULL_COVERAGE).then(|| {
+            let table = tables[body];
+            format!("{longest:.3} in {table} on {active:.3}")
+        })
+    };
+    let found: Vec<String> = [0, 1].into_iter().filter_map(of_flank).collect();
+    (!found.is_empty()).then(|| {
+        let text = format!(
+            "filtered traces are longer than the active flank: {}. The rest was not measured there, and windows are taken from it, too. Write range, the part on the active flank, or at, or keep it if it was measured along the tooth or on a specimen of the same finish",
+            found.join(", and ")
+        );
+        Warning::new("W448", text)
+    })
 }
 
 /// Resamples all traces to the finest spacing, unless their spacings count as equal.

@@ -104,12 +104,14 @@ pub(super) struct ReadPlace {
     pub assumed_from: bool,
 }
 
-/// The place of a trace; `arc_of_first` is the arc of the first point according to its file. `None` if no key states it.
+/// The place of a trace whose first point is `start` behind the first point measured; `arc_of_first` is the arc of that point
+/// according to its file. `None` if no key states it.
 pub(super) fn read_place(
     input: PlaceKeys,
     gears: &GearPair,
     gear: Gear,
     arc_of_first: Option<Length>,
+    start: Length,
 ) -> Result<Option<ReadPlace>, PlaceError> {
     let is_stated = input.at.is_some() || input.from.is_some();
     if is_stated && input.is_mirrored {
@@ -134,7 +136,7 @@ pub(super) fn read_place(
             let rule = "needs exactly one of position, roll_length, radius, diameter, roll_angle";
             let point = at.point().ok_or(PlaceError::Rule(rule))?;
             let arc = gears.arc_of(gear, point)?.si();
-            Some(arc - growth * at.x.unwrap_or_default().si())
+            Some(arc - growth * (at.x.unwrap_or_default() - start).si())
         }
         (None, None) if !is_stated => return Ok(None),
         (None, None) => None,

@@ -112,6 +112,7 @@ pub(super) fn listed(
                 from: trace.from.or(flank.from),
                 at: trace.at.or(flank.at),
                 row: trace.row.or(flank.row),
+                range: trace.range.or(flank.range),
                 ..flank.clone()
             },
             is_of_a_list: true,

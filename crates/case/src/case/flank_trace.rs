@@ -10,7 +10,7 @@ use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::steepness::implausible;
 use asperity_profile_io::read::{
-    LengthUnit, ReadFault, ReadOptions, Reading, read_surface_bytes, read_with_conditions,
+    LengthUnit, ReadFault, ReadOptions, Reading, TraceCut, read_surface_bytes, read_with_conditions,
 };
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::outliers::{OutlierRecord, Outliers, replace};
@@ -265,9 +265,14 @@ fn trace(
     let lambda_c = preparation.lambda_c;
     let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
     let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section).map_err(refused)?;
+    // A wheel without a trace has the keys of the pinion.
+    let table = keys
+        .file
+        .rsplit_once('.')
+        .map_or(keys.table, |(table, _)| table);
     let mut warn = |code, warning: &dyn std::fmt::Display, remedy: Remedy| {
         let message = format!("{short}: {warning}");
-        warnings.push(Warning::new(code, with_keys(&message, &remedy, keys.table)));
+        warnings.push(Warning::new(code, with_keys(&message, &remedy, table)));
     };
     for warning in read.reading.iter().flat_map(|reading| &reading.warnings) {
         if lambda_c.is_some() || *warning != ReadWarning::AlreadyFiltered {
@@ -277,7 +282,8 @@ fn trace(
     let replaced = read.outliers.as_ref().and_then(OutlierRecord::warning);
     let prepared_warnings = prepared.warnings.iter().chain(&parameters.warnings);
     for warning in replaced.iter().chain(prepared_warnings) {
-        warn(warning.code(), warning, warning.remedy());
+        let warning = warning.clone().on_trace(mirrored, raw.length(), read.start);
+        warn(warning.code(), &warning, warning.remedy());
     }
     warnings.extend(filters.overridden.into_iter().chain(filters.parted));
     let placed = place.and_then(|place| {
@@ -345,7 +351,7 @@ fn place_of(
         at: input.at,
         is_mirrored: input.mirrored.is_some(),
     };
-    read_place(stated, gears, gear_of(keys.table), arc).map_err(|error| match error {
+    read_place(stated, gears, gear_of(keys.table), arc, read.start).map_err(|error| match error {
         PlaceError::Rule(rule) => CaseError::Conflict {
             place: source.place_of(&keys.at),
             key: keys.at.clone(),
@@ -360,6 +366,8 @@ struct ReadTrace {
     profile: Profile,
     reading: Option<Reading>,
     sha256: Option<String>,
+    /// Distance of its first point from the first point measured.
+    start: Length,
     /// Spikes replaced.
     outliers: Option<OutlierRecord>,
 }
@@ -383,23 +391,33 @@ fn read_trace(
         })?;
         Ok(Some(cleaned))
     };
+    let name = file.display().to_string();
+    let refused = |error| CaseError::Profile {
+        place: source.place_of(&keys.file),
+        source: Box::new(error),
+    };
     let (bytes, sum) = match context.files.open(file, source, keys.file.clone())? {
         (Content::Bytes(bytes), sum) => (bytes, sum),
         (Content::Heights(profile), _) => {
+            let cut = input
+                .range
+                .map(|range| TraceCut::of_profile(&name, &profile, range));
+            let (profile, start) = match cut.transpose().map_err(refused)? {
+                Some((part, cut)) => (part, cut.start),
+                None => (profile.as_ref().clone(), Length::default()),
+            };
             let (profile, outliers) = match cleaned(&profile)? {
                 Some((cleaned, record)) => (cleaned, Some(record)),
-                None => (profile.as_ref().clone(), None),
+                None => (profile, None),
             };
             if let Some(steepness) = implausible(&profile, LengthUnit::Metre) {
                 let fault = ReadFault::ImplausibleHeights { steepness };
-                return Err(CaseError::Profile {
-                    place: source.place_of(&keys.file),
-                    source: Box::new(fault.in_file(&file.display().to_string())),
-                });
+                return Err(refused(fault.in_file(&name)));
             }
             return Ok(ReadTrace {
                 profile,
                 reading: None,
+                start,
                 sha256: None,
                 outliers,
             });
@@ -414,12 +432,7 @@ fn read_trace(
         ..read_options(input)
     };
     let conditions = context.files.conditions(file);
-    let name = file.display().to_string();
     let read = read_with_conditions(&name, &bytes, conditions.as_deref(), &options);
-    let refused = |error| CaseError::Profile {
-        place: source.place_of(&keys.file),
-        source: Box::new(error),
-    };
     let reading = read.map_err(refused)?;
     let (reading, outliers) = match cleaned(&reading.profile)? {
         Some((cleaned, record)) => (reading.corrected(cleaned), Some(record)),
@@ -445,6 +458,7 @@ fn read_trace(
     Ok(ReadTrace {
         profile: reading.profile.clone(),
         sha256: Some(sum),
+        start: reading.cut.map_or(Length::default(), |cut| cut.start),
         reading: Some(reading),
         outliers,
     })
@@ -488,6 +502,7 @@ pub(super) fn read_options(input: &FlankInput) -> ReadOptions {
         abscissa,
         base_radius,
         uneven,
+        range,
         file: _,
         traces: _,
         mirrored: _,
@@ -515,5 +530,6 @@ pub(super) fn read_options(input: &FlankInput) -> ReadOptions {
         abscissa,
         base_radius,
         uneven: uneven.unwrap_or_default(),
+        range,
     }
 }

@@ -9,7 +9,7 @@ use asperity_gear::MeasuredForm;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::{FileSums, Files, Reader};
-use super::flank_pairs::{Meeting, all_placed, on_common_spacing};
+use super::flank_pairs::{Meeting, all_placed, longer_than_active, on_common_spacing};
 use super::flank_sample::{self, Listed};
 use super::flank_trace::{Context, Flank, Keys, flank, keys_of, traces_of};
 use super::input::FlankInput;
@@ -149,6 +149,10 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
     }
     let lays = lays(context, &lists, &flanks, &keys, &mut warnings);
     let is_placed = all_placed(&flanks, &mut warnings);
+    if !is_placed {
+        let tables = keys.each_ref().map(|keys| keys.table);
+        warnings.extend(longer_than_active(case, &flanks, tables));
+    }
     let width = case.gears.face_width;
     let zones = flank_sample::zones([&lists[0], &lists[1]], width);
     check_across(case, &lists, &zones, &keys, source)?;

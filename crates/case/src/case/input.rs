@@ -13,7 +13,8 @@ use asperity_core::quantity::{
 use asperity_gear::{AmountDirection, Plane};
 use asperity_oil::LubricantInput;
 use asperity_profile_io::read::{
-    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, Uneven,
+    Abscissa, Columns, DecimalSign, Encoding, Gaps, LengthUnit, Separator, TraceLine, TraceRange,
+    Uneven,
 };
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
@@ -405,6 +406,10 @@ table! {
     base_radius: Option<Length>;
     /// Unevenly spaced positions: `refuse` (default) or `resample`.
     uneven: Option<Uneven>;
+    /// Part of the trace that is used, by distances from its first point: `"1.2 mm .. 6.4 mm"`; default all. It is cut before
+    /// anything else is done, and `x` of `at` still counts from the first point of the whole trace.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range: Option<TraceRange>;
     /// Finish of a flank without a file: `ground` or `superfinished`; default `surface.finish`.
     #[serde(skip_serializing_if = "Option::is_none")]
     finish: Option<FinishName>;
@@ -436,8 +441,11 @@ impl FlankInput {
         }
     }
 
-    /// The keys of this flank for another file: the settings of the reader stay, roughness values are removed.
+    /// The keys of this flank for another file: the settings of the reader stay, roughness values are removed, and so is the
+    /// range, which is that of one trace, unless the file is the same.
     fn on_file(&self, file: &Path) -> Self {
+        // The other file may be named by its full path.
+        let is_same = self.file.as_ref().is_some_and(|own| file.ends_with(own));
         Self {
             file: Some(file.to_owned()),
             traces: None,
@@ -447,6 +455,7 @@ impl FlankInput {
             rz: None,
             rpk: None,
             asperity_radius: None,
+            range: self.range.filter(|_| is_same),
             ..self.clone()
         }
     }

@@ -115,6 +115,7 @@ impl Trace {
             abscissa: options.abscissa,
             base_radius: options.base_radius,
             uneven: Some(options.uneven).filter(|uneven| *uneven != Default::default()),
+            range: options.range,
             ..FlankInput::default()
         }
     }

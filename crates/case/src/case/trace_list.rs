@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use asperity_core::quantity::Length;
+use asperity_profile_io::read::TraceRange;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -53,6 +54,9 @@ pub struct TraceInput {
     /// Number of the profile in a file that holds several, counted from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub row: Option<usize>,
+    /// Part of the trace that is used, where it is not that of the flank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub range: Option<TraceRange>,
 }
 
 impl TraceList {

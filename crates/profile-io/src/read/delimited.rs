@@ -19,7 +19,7 @@ use super::rows::{self, Rows};
 use super::single_column::Special;
 use super::table::Chosen;
 use super::text::{Head, Line, Text};
-use super::trace::{Positions, Trace};
+use super::trace::{Positions, Trace, own};
 use super::units::Extent;
 use super::{
     found, grid, header, matrix, points, roll_length, single_column, stated_count, table, units,
@@ -243,10 +243,10 @@ impl Parsed<'_> {
                 let x = found::metres(x, unit)?;
                 let x = roll_length::along_involute(x, base_radius)?;
                 metadata.arc_from_base = x.first().copied().map(Length::from_si);
-                found::own(x, unevenness.unwrap_or_default())
+                own(x, unevenness.unwrap_or_default())
             }
             (Some(x), Some(unit), None, Some(unevenness)) => {
-                found::own(found::metres(x, unit)?, unevenness)
+                own(found::metres(x, unit)?, unevenness)
             }
             _ => Positions::Even {
                 spacing: Length::from_si(measured.spacing),
@@ -278,6 +278,7 @@ impl Parsed<'_> {
             spacing_source: measured.source,
             filter_state,
             gaps_filled: filled + left_out,
+            cut: None,
             metadata,
             warnings,
             scaled: false,

@@ -5,7 +5,7 @@ use asperity_core::remedy::{Remedy, Setting, Value};
 
 use super::format::Format;
 use super::layout::Dialect;
-use super::options::{Abscissa, Axis, DecimalSign, LengthUnit, Separator};
+use super::options::{Abscissa, Axis, DecimalSign, LengthUnit, Separator, TraceRange};
 use super::steepness::Steepness;
 
 /// Error of reading a file. The text states file, line, and the actual and expected content; [`code`](Self::code) is
@@ -152,6 +152,14 @@ pub enum ReadFault {
         to: Length,
         /// Width of the gap in mean steps.
         steps: f64,
+    },
+    /// A range that ends behind the trace.
+    #[error("the range {range} does not lie within the trace, which is {length:.4} long")]
+    RangeOutside {
+        /// Range as stated.
+        range: TraceRange,
+        /// Distance from the first point to the last.
+        length: Length,
     },
     /// There is no x and no stated spacing.
     #[error("the heights have no x column to give the spacing{hint}")]
@@ -386,6 +394,11 @@ impl ReadFault {
             Self::SeveralArrays { .. } => {
                 Remedy::act("save the heights alone, or under the name z")
             }
+            Self::RangeOutside { length, .. } => {
+                let all = format!("0 mm .. {}", length);
+                Remedy::set(Setting::Range, Value::Like(all.into()))
+                    .or_do("check the unit of the positions")
+            }
             Self::Impossible { .. } => Remedy::act("check the unit and the columns"),
         }
     }
@@ -414,6 +427,7 @@ impl ReadFault {
             Self::SeveralProfiles { .. } => "E119",
             Self::RollLength { .. } => "E130",
             Self::GapInPositions { .. } => "E136",
+            Self::RangeOutside { .. } => "E139",
             Self::NotHeights { .. } => "E320",
             Self::SeveralArrays { .. } => "E321",
             Self::ImplausibleHeights { .. } => "E131",

@@ -4,12 +4,12 @@ use asperity_core::quantity::Length;
 
 use super::error::{ReadFault, SpacingHint};
 use super::format::Format;
-use super::grid::{self, SpacingSource, Unevenness};
+use super::grid::{self, SpacingSource};
 use super::header::FilterState;
 use super::layout::TableLayout;
 use super::metadata::Metadata;
 use super::options::{Axis, Encoding, LengthUnit, ReadOptions};
-use super::trace::{Positions, Trace};
+use super::trace::{Positions, Trace, own};
 use crate::warning::Warning;
 
 /// Content of a file, as returned by the reader of an instrument format.
@@ -139,26 +139,13 @@ impl Found {
             spacing_source,
             filter_state: self.filter_state,
             gaps_filled: filled + left_out,
+            cut: None,
             metadata: self.metadata,
             warnings,
             scaled: self.scaled,
             roll: None,
         })
     }
-}
-
-/// Individual positions \[m\]; after the omission of points they are more uneven than the whole column.
-pub(super) fn own(x: Vec<f64>, unevenness: Unevenness) -> Positions {
-    let unevenness = match grid::unevenness(&x) {
-        Some((_, actual)) => Unevenness {
-            off: actual.off,
-            slopes: actual.slopes,
-            lost_rows: actual.lost_rows,
-            ..unevenness
-        },
-        None => unevenness,
-    };
-    Positions::Own { x, unevenness }
 }
 
 /// Warning that a stated unit differs from the unit of the file.

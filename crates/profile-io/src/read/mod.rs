@@ -15,6 +15,7 @@
 
 mod areal;
 mod conditions;
+mod cut;
 mod damage;
 mod decimal;
 mod delimited;
@@ -61,6 +62,7 @@ use std::io::{Cursor, Read, Seek};
 use std::path::Path;
 
 pub use conditions::conditions_of;
+pub use cut::TraceCut;
 pub use error::{CellRemedy, FirstLine, ReadError, ReadFault, SpacingHint};
 pub use format::Format;
 pub use grid::{SpacingSource, Unevenness};
@@ -69,7 +71,7 @@ pub use layout::{Dialect, TableLayout};
 pub use metadata::{Metadata, PrintedParameter};
 pub use options::{
     Abscissa, Axis, Columns, DecimalSign, Encoding, Gaps, LengthUnit, ReadOptions, Separator,
-    TraceLine, Uneven, UnknownChoice,
+    TraceLine, TraceRange, Uneven, UnknownChoice,
 };
 pub use reading::{Reading, ReadingRecord};
 pub use resample::Resampled;
@@ -295,7 +297,12 @@ fn trace_in(
     conditions: Option<&[u8]>,
     options: &ReadOptions,
 ) -> Result<Trace, ReadError> {
-    trace_of(name, stream, conditions, options).map_err(|fault| fault.in_file(name))
+    let trace = trace_of(name, stream, conditions, options);
+    let part = trace.and_then(|trace| match options.range {
+        Some(range) => trace.within(range),
+        None => Ok(trace),
+    });
+    part.map_err(|fault| fault.in_file(name))
 }
 
 /// Reads the trace in `stream`, in any format.

@@ -44,6 +44,8 @@ pub struct ReadOptions {
     pub base_radius: Option<Length>,
     /// Treatment of an uneven x.
     pub uneven: Uneven,
+    /// Part of the trace that is used.
+    pub range: Option<TraceRange>,
 }
 
 /// Text that is not one of the choices.
@@ -318,6 +320,53 @@ impl TraceLine {
     /// Whether all rows or all columns are averaged.
     pub fn is_mean(self) -> bool {
         matches!(self, Self::Mean | Self::MeanColumn)
+    }
+}
+
+/// Part of a trace between two distances from its first point: "1.2 mm .. 6.4 mm".
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(with = "String"))]
+#[serde(try_from = "String", into = "String")]
+pub struct TraceRange {
+    /// Distance of the begin.
+    pub(super) from: Length,
+    /// Distance of the end.
+    pub(super) to: Length,
+}
+
+impl FromStr for TraceRange {
+    type Err = UnknownChoice;
+
+    fn from_str(text: &str) -> Result<Self, UnknownChoice> {
+        let parsed = text.split_once("..").and_then(|(from, to)| {
+            let [from, to]: [Length; 2] = [from.trim().parse().ok()?, to.trim().parse().ok()?];
+            (from.si() >= 0.0 && to > from).then_some(Self { from, to })
+        });
+        parsed.ok_or_else(|| UnknownChoice {
+            text: text.to_owned(),
+            accepted: "two distances from the first point, the shorter first, as \"1.2 mm .. 6.4 mm\"",
+        })
+    }
+}
+
+impl TryFrom<String> for TraceRange {
+    type Error = UnknownChoice;
+
+    fn try_from(text: String) -> Result<Self, UnknownChoice> {
+        text.parse()
+    }
+}
+
+impl From<TraceRange> for String {
+    fn from(range: TraceRange) -> Self {
+        range.to_string()
+    }
+}
+
+impl fmt::Display for TraceRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} .. {}", self.from, self.to)
     }
 }
 

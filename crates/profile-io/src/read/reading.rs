@@ -6,6 +6,7 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use serde::{Deserialize, Serialize};
 
+use super::cut::TraceCut;
 use super::error::{ReadError, ReadFault};
 use super::format::Format;
 use super::grid::SpacingSource;
@@ -66,6 +67,9 @@ pub struct ReadingRecord {
     pub points: usize,
     /// Points that were interpolated on request.
     pub gaps_filled: usize,
+    /// Record of the cut, if only a part of the trace is used.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cut: Option<TraceCut>,
     /// Metadata of the file.
     pub metadata: Metadata,
     /// Warnings.

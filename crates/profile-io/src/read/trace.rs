@@ -6,13 +6,14 @@ use asperity_core::Profile;
 use asperity_core::quantity::Length;
 use serde::Serialize;
 
+use super::cut::TraceCut;
 use super::error::{ReadError, ReadFault};
 use super::format::Format;
 use super::grid::{self, SpacingSource, Unevenness};
 use super::header::FilterState;
 use super::layout::TableLayout;
 use super::metadata::Metadata;
-use super::options::{Abscissa, Encoding, LengthUnit, Uneven};
+use super::options::{Abscissa, Encoding, LengthUnit, TraceRange, Uneven};
 use super::reading::{Reading, ReadingRecord};
 use super::resample::{self, Between, Resampled};
 use crate::warning::Warning;
@@ -89,6 +90,9 @@ pub struct Trace {
     pub filter_state: FilterState,
     /// Number of missing points that were interpolated, or omitted from an uneven trace, on request.
     pub gaps_filled: usize,
+    /// Record of the cut, if only a part of the trace is used.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cut: Option<TraceCut>,
     /// Metadata of the file.
     pub metadata: Metadata,
     /// Warnings.
@@ -181,6 +185,27 @@ impl Trace {
             rms: Length::from_si(rms),
             most: Length::from_si(most),
         })
+    }
+
+    /// The part of the trace in `range`.
+    pub(super) fn within(mut self, range: TraceRange) -> Result<Self, ReadFault> {
+        let (points, cut) = TraceCut::of(&self.x(), range)?;
+        self.positions = match (self.positions, self.roll) {
+            (Positions::Own { x, unevenness }, roll) => {
+                let x = x[points.clone()].to_vec();
+                match (grid::unevenness(&x), roll) {
+                    (None, None) => Positions::Even {
+                        spacing: Length::from_si((x[x.len() - 1] - x[0]) / (x.len() - 1) as f64),
+                    },
+                    _ => own(x, unevenness),
+                }
+            }
+            (even, _) => even,
+        };
+        self.heights = self.heights[points].to_vec();
+        self.metadata.arc_from_base = self.metadata.arc_from_base.map(|arc| arc + cut.start);
+        self.cut = Some(cut);
+        Ok(self)
     }
 
     /// Returns an error for steps that are so long that points must be missing.
@@ -297,6 +322,7 @@ impl Trace {
             filter_state: self.filter_state,
             points: profile.len(),
             gaps_filled: self.gaps_filled,
+            cut: self.cut,
             metadata: self.metadata,
             warnings: self.warnings,
         };
@@ -307,4 +333,18 @@ impl Trace {
         }
         .checked()
     }
+}
+
+/// Individual positions \[m\]; after the omission of points they are more uneven than the whole column.
+pub(super) fn own(x: Vec<f64>, unevenness: Unevenness) -> Positions {
+    let unevenness = match grid::unevenness(&x) {
+        Some((_, actual)) => Unevenness {
+            off: actual.off,
+            slopes: actual.slopes,
+            lost_rows: actual.lost_rows,
+            ..unevenness
+        },
+        None => unevenness,
+    };
+    Positions::Own { x, unevenness }
 }

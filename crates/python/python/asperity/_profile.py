@@ -310,6 +310,7 @@ def read_profile(
     abscissa: Optional[Abscissa] = None,
     base_radius: Optional[Scalar] = None,
     uneven: Optional[Uneven] = None,
+    range: Optional[str] = None,
 ) -> Profile:
     """Reads a profilometer file: text, CSV, X3P, SDF, SMD, PRF, Excel and others (docs/FILE_FORMATS.md).
 
@@ -324,6 +325,7 @@ def read_profile(
         line: ``"row"``, ``"column"``, ``"mean"`` or ``"mean-column"`` of a surface.
         abscissa, base_radius: for positions that are roll lengths or angles.
         uneven: ``"resample"`` for uneven positions.
+        range: part of the trace that is read, by distances from its first point: ``"1.2 mm .. 6.4 mm"``.
     """
     if isinstance(columns, int):
         chosen: Optional[dict[str, int]] = {"z": columns}
@@ -343,6 +345,7 @@ def read_profile(
         "abscissa": abscissa,
         "base-radius": _length(base_radius),
         "uneven": uneven,
+        "range": range,
     }
     keys = {key: value for key, value in options.items() if value is not None}
     with on_disk(path) as file:
