@@ -112,7 +112,7 @@ explanations! {
     "E136" "a gap in the positions": "Two neighbours of an uneven trace are more than ten mean steps apart. Resampling would draw a straight line where points are missing." => "Export the whole trace, or only its part before or after the gap.";
     "E137" "no trace of this name": "A pattern names the traces of a flank, and no file has such a name, or no folder is known to search in." => "Check folder and pattern: * stands for any characters of a file's name and ? for one. Names are relative to the case file.";
     "E138" "a table of losses cannot be used": "The file is not a table of loss torques: a column is missing, a cell is not a number, a loss is negative, or the rows do not form a complete grid of torques and speeds at each temperature." => "Give the columns speed_rpm and loss_torque_nm and, if the loss depends on them, torque_nm and temperature_c, with a row for every combination.";
-    "E139" "a range outside of the trace": "The range of a trace that is to be used ends behind its last point. The message states the length of the trace." => "";
+    "E139" "a range outside of the trace": "The range of a trace that is to be used ends beyond its last point. The message states the length of the trace." => "";
     "E201" "the case file cannot be opened": "The system refused to open the case file." => "";
     "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: each line is key = value, text is in quotation marks, the encoding is UTF-8.";
     "E203" "unknown key": "The case file has a key that does not exist, or a study a key or column." => "Correct the spelling or remove the key.";
