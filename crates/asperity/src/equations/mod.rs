@@ -4,6 +4,7 @@
 //! doc comments of the workspace. `rows.txt` has the title, the test, the keys of the sources and the misprint, and
 //! `sources.txt` the bibliography.
 
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use serde::Serialize;
@@ -54,15 +55,16 @@ static SOURCES: LazyLock<Vec<Reference>> = LazyLock::new(|| {
 });
 
 static EQUATIONS: LazyLock<Vec<Equation>> = LazyLock::new(|| {
-    let formulas: Vec<_> = rows(include_str!("formulas.txt")).collect();
+    let formulas = rows(include_str!("formulas.txt")).filter_map(|row| match row[..] {
+        [tag, file, formula] => Some((tag, [file, formula])),
+        _ => None,
+    });
+    let formulas: BTreeMap<_, _> = formulas.collect();
     let equation = |row: Vec<&'static str>| {
         let [tag, title, test, keys, ref misprint @ ..] = row[..] else {
             return None;
         };
-        let written = formulas.iter().find(|row| row.first() == Some(&tag))?;
-        let [_, file, formula] = written[..] else {
-            return None;
-        };
+        let [file, formula] = *formulas.get(tag)?;
         let references = keys
             .split(", ")
             .filter_map(|key| SOURCES.iter().find(|source| source.key == key));
