@@ -180,12 +180,13 @@ fn an_unusual_number_warns_one_beyond_sense_is_refused_and_symbols_are_named() {
     said.refused(2, "E212", &["pitch-line speed", "beyond physical sense"]);
     let case = E_DRIVE
         .replace("teeth = ", "z = ")
-        .replace("module = ", "m_n = ");
+        .replace("module = ", "m_n = ")
+        .replace("[lubricant]", "[oil]");
     bench.write("case.toml", case);
     let said = bench
         .run(&["run", "case.toml", "--no-output", "--no-band", "--notes"])
         .well();
-    let says = "W202 gears.m_n is gears.module, gears.z is gears.teeth";
+    let says = "W202 gears.m_n is gears.module, gears.z is gears.teeth, oil is lubricant";
     assert!(said.unwrapped().contains(says), "{}", said.out);
 }
 

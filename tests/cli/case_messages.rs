@@ -55,6 +55,7 @@ const SPELLING: &[Bad] = &[
     bad("module", "modul = \"1.8 mm\"", "E203", &["\"gears.modul\"", "Did you mean \"module\"?"]),
     bad("module", "torque = \"145 N m\"", "E203", &["\"gears.torque\"", "Did you mean \"operation.torque\"?"]),
     bad("torque", "density = \"880 kg/m3\"", "E203", &["\"operation.density\"", "Did you mean \"lubricant.density\"?"]),
+    bad("cutoff", "boundary_friction = 0.1", "E203", &["Did you mean \"model.boundary_friction\"?"]),
     bad("[operation]", "[operations]", "E203", &["\"operations\"", "Did you mean \"operation\"?"]),
     bad("title", "colour = \"red\"", "E203", &["unknown key \"colour\""]),
     bad("viscosity", "viscosity = { law = \"vogel\", at_4 = \"3 mm2/s\" }", "E203", &["Did you mean \"at_40\"?"]),
@@ -186,7 +187,7 @@ fn a_case_that_is_no_file_of_text_is_told_so() {
         ("latin.toml", "E202", "latin.toml:2: is not text in UTF-8"),
         ("half.json", "E202", "half.json:2: EOF"),
         ("json.toml", "E202", "JSON goes into a file named .json"),
-        ("trace.csv", "E202", "trace.csv:1: "),
+        ("trace.csv", "E202", "it names a trace as file of"),
     ] {
         bench.run(&["run", name]).refused(2, code, &[says]);
     }

@@ -42,7 +42,10 @@ fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<Stri
     None
 }
 
-/// The path of the key with this name in another table, if it is the only one at its depth.
+/// Table that a calibration writes, whose keys are those of other tables.
+const WRITTEN_BY_PROGRAM: &str = "calibration.";
+
+/// The path of the key with this name in another table, if it is the only one at its depth beside that of a calibration.
 fn in_another_table(schema: &Value, name: &str) -> Option<String> {
     let mut paths = Vec::new();
     let mut tables = vec![(String::new(), schema, 0)];
@@ -63,7 +66,7 @@ fn in_another_table(schema: &Value, name: &str) -> Option<String> {
     }
     let depth = |path: &String| path.matches('.').count();
     let least = paths.iter().map(depth).min()?;
-    paths.retain(|path| depth(path) == least);
+    paths.retain(|path| depth(path) == least && !path.starts_with(WRITTEN_BY_PROGRAM));
     match &mut paths[..] {
         [path] => Some(std::mem::take(path)),
         _ => None,

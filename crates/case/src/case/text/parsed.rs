@@ -33,7 +33,11 @@ impl Source {
                 place: source.at_span(error.span()),
                 message: match text.trim_start().starts_with('{') {
                     true => format!("{} (JSON goes into a file named .json)", error.message()),
-                    false => error.message().to_owned(),
+                    false if source.has_ending("toml") => error.message().to_owned(),
+                    false => format!(
+                        "{} (a case is a .toml or .json file; it names a trace as file of surface.pinion or surface.wheel)",
+                        error.message()
+                    ),
                 },
             })?;
             source.index_toml("", table.get_ref());
@@ -59,8 +63,12 @@ impl Source {
     }
 
     fn is_json(&self) -> bool {
-        let ending = Path::new(&self.name).extension();
-        ending.is_some_and(|ending| ending.eq_ignore_ascii_case("json"))
+        self.has_ending("json")
+    }
+
+    fn has_ending(&self, ending: &str) -> bool {
+        let own = Path::new(&self.name).extension();
+        own.is_some_and(|own| own.eq_ignore_ascii_case(ending))
     }
 
     /// Records that `key` was set to `value` after the text was read, so that messages name no line for it or the keys
@@ -152,7 +160,8 @@ impl Source {
         };
         for (name, field) in keys_first(path, fields.iter(), |name| name) {
             let span = self.only_place_of(name);
-            let path = self.key_of(path, name, field.is_string().then_some(&span));
+            let text = field.is_string().then_some(&span);
+            let path = self.key_of(path, name, text, field.is_object());
             self.keys.insert(path.clone(), span.clone());
             self.values.insert(path.clone(), span);
             self.index_json(&path, field);
@@ -173,9 +182,18 @@ impl Source {
     }
 
     /// The path of the key that `name` in the table `above` is read as; `text` is the place of the name of a text.
-    fn key_of(&mut self, above: &str, name: &str, text: Option<&Range<usize>>) -> String {
+    fn key_of(
+        &mut self,
+        above: &str,
+        name: &str,
+        text: Option<&Range<usize>>,
+        is_table: bool,
+    ) -> String {
         let written = join(above, name);
-        let symbol = key_of_symbol(above, name);
+        let symbol = match is_table && written == "oil" {
+            true => Some("lubricant".to_owned()),
+            false => key_of_symbol(above, name),
+        };
         let key = match text.and_then(|span| Some((span, key_of_text(&written)?))) {
             Some((span, key)) => {
                 self.keys.insert(written.clone(), span.clone());
@@ -195,7 +213,9 @@ impl Source {
     fn index_toml(&mut self, path: &str, table: &DeTable<'_>) {
         for (name, value) in keys_first(path, table.iter(), |name| name.get_ref()) {
             let is_text = matches!(value.get_ref(), DeValue::String(_));
-            let path = self.key_of(path, name.get_ref(), is_text.then_some(&name.span()));
+            let is_table = matches!(value.get_ref(), DeValue::Table(_));
+            let text = is_text.then_some(name.span());
+            let path = self.key_of(path, name.get_ref(), text.as_ref(), is_table);
             self.keys.insert(path.clone(), name.span());
             self.values.insert(path.clone(), value.span());
             if let DeValue::Table(inner) = value.get_ref() {
