@@ -467,10 +467,11 @@ fn shift(uncertainty: &Uncertainty) -> Option<String> {
     let shift = uncertainty.scale() - 1.0;
     (shift.abs() > NOTED_SHIFT).then(|| {
         format!(
-            "the run with every constant at its median loses {} W, the median of the draws lies {:+.0} % off: \
+            "the run with every constant at its median loses {} W, the median of the draws is {:.0} % {}: \
             the boundary rule, the feed of the spots and the bias of the model change the loss in one direction",
             uncertainty.digits().rounded(uncertainty.at_medians_w),
-            100.0 * shift,
+            100.0 * shift.abs(),
+            if shift > 0.0 { "higher" } else { "lower" },
         )
     })
 }
