@@ -555,7 +555,7 @@ impl<'a> PositionFilm<'a> {
         let root = secant_root(
             excess,
             // Warmer spots have thinner films and more boundary friction: μ may exceed its cold value.
-            [0.0, MOST_FRICTION.max(2.0 * found)],
+            [0.0, MOST_FRICTION.max(2.0 * found).max(from)],
             from,
             steepness,
             TOLERANCE,
