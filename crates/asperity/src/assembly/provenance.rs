@@ -12,15 +12,11 @@ pub(crate) fn equations_used(tags: &BTreeSet<&'static str>) -> Vec<EquationUse> 
         title: equation.title.into(),
         references: equation.references.iter().map(|r| r.key.into()).collect(),
     };
-    used(tags).map(row).collect()
+    equations::of_tags(tags).into_iter().map(row).collect()
 }
 
 /// The publications that the equations with these tags come from.
 pub(crate) fn sources_used(tags: &BTreeSet<&'static str>) -> Vec<CitedSource> {
-    let sources = equations::bibliography(used(tags));
+    let sources = equations::bibliography(equations::of_tags(tags));
     sources.into_iter().map(CitedSource::from).collect()
-}
-
-fn used(tags: &BTreeSet<&'static str>) -> impl Iterator<Item = &'static Equation> {
-    (equations::all().iter()).filter(|equation| tags.contains(equation.tag))
 }

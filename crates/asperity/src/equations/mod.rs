@@ -4,7 +4,7 @@
 //! doc comments of the workspace. `rows.txt` has the title, the test, the keys of the sources and the misprint, and
 //! `sources.txt` the bibliography.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use serde::Serialize;
@@ -96,6 +96,18 @@ pub fn all() -> &'static [Equation] {
 pub fn find(tag: &str) -> Option<&'static Equation> {
     let tag = tag.trim();
     all().iter().find(|row| row.tag.eq_ignore_ascii_case(tag))
+}
+
+/// The equations with these tags, in the order of [`all`].
+pub(crate) fn of_tags(tags: &BTreeSet<&'static str>) -> Vec<&'static Equation> {
+    static PLACES: LazyLock<BTreeMap<&str, usize>> = LazyLock::new(|| {
+        let rows = all().iter().enumerate();
+        rows.map(|(place, row)| (row.tag, place)).collect()
+    });
+    let places = tags.iter().filter_map(|tag| PLACES.get(tag).copied());
+    let mut places: Vec<usize> = places.collect();
+    places.sort_unstable();
+    places.into_iter().map(|place| &all()[place]).collect()
 }
 
 /// The distinct sources of `equations`, by key.
