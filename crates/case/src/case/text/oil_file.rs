@@ -20,23 +20,6 @@ use crate::case::source::Source;
 const STEEPEST_FALL: f64 = 0.016;
 
 impl CaseFile for OilFile {
-    const VALID: &'static str = r#"
-schema = "asperity-oil-1"
-lubricant = { oil = "m100" }
-
-[film_friction]
-pressure_law = "barus"
-eyring_stress = { value = "4.8 MPa", low = "4.2 MPa", high = "5.4 MPa" }
-limiting_shear = { value = 0.036, low = 0.030, high = 0.042, identified = false }
-limiting_shear_temperature = { value = 0.0004, low = -0.0028, high = 0.0035 }
-pressure_viscosity_factor = { value = 0.95, low = 0.91, high = 0.99 }
-correlations = [{ between = ["eyring_stress", "pressure_viscosity_factor"], value = -0.66 }]
-temperatures = ["40 °C", "120 °C"]
-pressure_max = "1.19 GPa"
-fit = { points = 100, chi2_per_point = 0.76, other_law = 309.0, this_law = 78.0 }
-source = "curves.csv"
-"#;
-
     fn schema() -> &'static Json {
         static SCHEMA: LazyLock<Json> = LazyLock::new(|| schemars::schema_for!(OilFile).to_value());
         &SCHEMA
