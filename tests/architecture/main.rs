@@ -3,6 +3,7 @@
 mod embedded;
 mod file_imports;
 mod hosted;
+mod key_names;
 mod plain_english;
 mod words;
 

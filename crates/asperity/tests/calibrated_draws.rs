@@ -1,6 +1,8 @@
 //! Draws of calibrated parameters.
 
-use asperity::case::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput, LoadedCase};
+use asperity::case::{
+    Calibrated, CalibratedName, CalibrationInput, CorrelationInput, LoadedCase, cholesky,
+};
 use asperity::uncertainty::UncertainParameter;
 
 fn case(change: impl Fn(&mut CalibrationInput)) -> Result<LoadedCase, asperity::Error> {
@@ -74,4 +76,42 @@ fn a_band_without_its_value_and_values_given_twice_are_refused() {
     refused(twice, "leave one of the two out");
     let paper = case(|_| {}).unwrap().with_key("formulation", "paper");
     refused(paper, "corrected formulation");
+}
+
+fn with(pairs: &[(CalibratedName, CalibratedName, f64)]) -> CalibrationInput {
+    let pairs = pairs.iter().map(|&(a, b, value)| CorrelationInput {
+        between: [a, b],
+        value,
+    });
+    CalibrationInput {
+        correlations: Some(pairs.collect()),
+        ..CalibrationInput::default()
+    }
+}
+
+fn triangle(given: &CalibrationInput) -> Option<Vec<Vec<f64>>> {
+    let all = CalibratedName::ALL;
+    cholesky(all.len(), |i, j| given.correlation(all[i], all[j]))
+}
+
+#[test]
+fn the_triangle_gives_the_correlations_back() {
+    let [a, b, c, _] = CalibratedName::ALL;
+    let given = with(&[(a, b, -0.9), (c, b, 0.3)]);
+    let lower = triangle(&given).unwrap();
+    for i in 0..4 {
+        for j in 0..4 {
+            let product: f64 = lower[i].iter().zip(&lower[j]).map(|(a, b)| a * b).sum();
+            let [first, other] = [i, j].map(|k| CalibratedName::ALL[k]);
+            assert!((product - given.correlation(first, other)).abs() < 1e-15);
+        }
+    }
+}
+
+#[test]
+fn correlations_of_no_distribution_have_no_triangle() {
+    let [a, b, c, _] = CalibratedName::ALL;
+    let pairs = [(a, b, 0.9), (b, c, 0.9), (a, c, -0.9)];
+    assert!(triangle(&with(&pairs)).is_none());
+    assert!(triangle(&with(&[(a, b, 1.0)])).is_none());
 }

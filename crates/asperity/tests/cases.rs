@@ -333,12 +333,3 @@ fn traces_that_cannot_be_are_refused_when_they_are_made() {
     bad[7] = f64::NAN;
     assert_eq!(code(&bad, dx), "E116");
 }
-
-#[test]
-fn no_message_of_the_library_names_an_option() {
-    for entry in asperity::message::EXPLANATIONS {
-        for text in [entry.title, entry.meaning, entry.remedy] {
-            assert!(!text.contains("--"), "{}: {text}", entry.code);
-        }
-    }
-}

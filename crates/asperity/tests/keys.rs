@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use asperity::Error;
-use asperity::case::{LoadedCase, load};
+use asperity::case::{LoadedCase, load, markdown, possible_range};
 use asperity::losses;
 
 fn e_drive() -> LoadedCase {
@@ -90,6 +90,82 @@ fn a_value_is_noted_where_its_usual_range_ends() {
         for value in beyond {
             assert!(noted(key, value), "{key} = {value}");
         }
+    }
+}
+
+#[test]
+fn a_name_is_found_by_its_row_or_as_a_key_with_blanks() {
+    let started_low = r#"{ amount = "20 um", start_diameter = "10 mm" }"#;
+    for (key, value, name, at) in [
+        ("gears.helix", "61 deg", "helix angle", "gears.helix"),
+        ("gears.face_width", "0 mm", "face width", "gears.face_width"),
+        (
+            "lubricant.heat_capacity",
+            "0 J/(kg K)",
+            "specific heat capacity",
+            "lubricant.heat_capacity",
+        ),
+        (
+            "gears.pinion.tip_relief",
+            started_low,
+            "start diameter of the relief",
+            "gears",
+        ),
+    ] {
+        let error = e_drive().with_key(key, value).unwrap_err();
+        assert_eq!((error.code(), key_of(&error)), ("E209", at), "{error}");
+        let says = format!(": {at}: {name} = ");
+        assert!(error.to_string().contains(&says), "{error}");
+    }
+}
+
+#[test]
+fn every_range_is_of_a_key_of_the_case_file_and_the_usual_one_is_possible() {
+    let ends = |usual: &str| {
+        let (low, high) = usual.split_once(" to ").unwrap();
+        let high = high.split(' ').next().unwrap();
+        [low, high].map(|end| end.parse::<f64>().unwrap())
+    };
+    let mut usual = Vec::new();
+    for row in markdown().unwrap().lines() {
+        // | key | takes | default | usual | meaning |
+        let cells: Vec<&str> = row.split(" | ").collect();
+        if let [key, _, _, range, ..] = cells[..]
+            && range.contains(" to ")
+        {
+            let key = key.trim_matches(['|', ' ', '`']).to_owned();
+            // The page has the keys of one of two gears.
+            let twin = key.replacen(".pinion.", ".wheel.", 1);
+            if twin != key {
+                usual.push((twin, ends(range)));
+            }
+            usual.push((key, ends(range)));
+        }
+    }
+    // The page has the viscosity as a whole.
+    for (at_40, at_100, key) in [
+        ("0.1", "5.9", "lubricant.viscosity.at_40"),
+        ("30.8", "0.1", "lubricant.viscosity.at_100"),
+    ] {
+        let viscosity = format!(
+            "{{ law = \"astm-d341\", at_40 = \"{at_40} mm2/s\", at_100 = \"{at_100} mm2/s\" }}"
+        );
+        let refused = e_drive().with_key("lubricant.viscosity", &viscosity);
+        let error = refused.unwrap_err();
+        assert_eq!((error.code(), key_of(&error)), ("E212", key));
+        let said = error.to_string();
+        usual.push((
+            key.to_owned(),
+            ends(said.split("usual is ").nth(1).unwrap()),
+        ));
+    }
+    assert_eq!(usual.len(), 49);
+    for (key, usual) in usual {
+        let possible = possible_range(&key).unwrap();
+        assert!(
+            possible[0] < usual[0] && usual[0] < usual[1] && usual[1] < possible[1],
+            "{key}: {usual:?} {possible:?}"
+        );
     }
 }
 

@@ -4,10 +4,12 @@
 
 use std::collections::BTreeMap;
 
-use asperity::case::{LoadedCase, from_text, load};
+use asperity::case::{LoadedCase, Source, from_text, load, load_holding};
+use asperity::core::Profile;
 use asperity::core::numerics::student_t_quantile;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{contacts, losses_with};
+use asperity::quantity::Length;
 use asperity::result::loss_band::SamplingPart;
 use asperity::uncertainty::{difference, pair_sampling};
 use asperity::{Error, Run, losses};
@@ -470,6 +472,111 @@ fn what_several_traces_cannot_mean_is_refused() {
     assert_eq!(dry.code(), "E312");
     let gradient = asperity::pipeline::gradient(&several).unwrap_err();
     assert_eq!(gradient.code(), "E312");
+}
+
+/// Gears with a face of 20 mm on short traces of these keys; a file is named by its seed.
+fn short(pinion: &str, wheel: &str) -> LoadedCase {
+    let text = format!(
+        "gears = {{ teeth = [23, 68], module = \"1.8 mm\", face_width = \"20 mm\" }}\n\
+         operation = {{ torque = \"145 N m\", speed = \"3000 1/min\", bulk_temperature = \"90 °C\" }}\n\
+         lubricant = {{ oil = \"m100\" }}\n\
+         [surface]\ncutoff = \"0.025 mm\"\npinion = {{ {pinion} }}\nwheel = {{ {wheel} }}\n"
+    );
+    let trace = |name: &str| {
+        let seed: u32 = name.parse().unwrap();
+        let height = |i: u32| (f64::from(i) * (0.3 + 1e-3 * f64::from(seed))).sin();
+        let rows = (0..500).map(|i| format!("{:.1},{:.4}\n", 0.5 * f64::from(i), height(i)));
+        format!("x [um],z [um]\n{}", rows.collect::<String>())
+    };
+    from_text("case.toml", &text, &|name| Ok(trace(name).into_bytes())).unwrap()
+}
+
+#[test]
+fn zones_lie_between_the_traces_of_a_tooth() {
+    let at = |file: u32, y: &str| format!("{{ file = \"{file}\", tooth = 1, y = \"{y} mm\" }}");
+    let pinion = format!("traces = [{}, {}, \"2\"]", at(0, "4"), at(1, "16"));
+    let wheel = [at(3, "15"), at(4, "5"), at(5, "10")].join(", ");
+    let several = short(&pinion, &format!("traces = [{wheel}]"));
+    let edges = &several.case.face_zones;
+    let expected = [7.5 / 20.0, 0.5, 12.5 / 20.0];
+    assert_eq!(edges.len(), 3);
+    assert!(
+        edges
+            .iter()
+            .zip(expected)
+            .all(|(a, b)| (a - b).abs() < 1e-12)
+    );
+    // In each zone the nearest traces of both teeth of the pinion and of the tooth of the wheel.
+    let alone = [(0, 3), (1, 4), (2, 5)].map(|(pinion, wheel)| {
+        let [pinion, wheel] = [pinion, wheel].map(|file: u32| format!("file = \"{file}\""));
+        short(&pinion, &wheel).surfaces
+    });
+    for (zone, [pinion, wheel]) in [[0, 4], [0, 5], [1, 5], [1, 3]].into_iter().enumerate() {
+        for (pair, pinion) in [pinion, 2].into_iter().enumerate() {
+            let met = several.surfaces.met(zone, pair, 2).0.textures();
+            assert_eq!(met[0], alone[pinion].textures()[0], "{zone} {pair}");
+            assert_eq!(met[1], alone[wheel - 3].textures()[1], "{zone} {pair}");
+        }
+    }
+}
+
+#[test]
+fn stars_and_question_marks_stand_for_characters() {
+    let files = [
+        "pinion_.csv",
+        "pinion_1.csv",
+        "pinion_1.csv.bak",
+        "t1.txt",
+        "t12.txt",
+        "wheel_1.csv",
+        "xaab",
+        "xaba",
+    ];
+    let heights = (0..500).map(|i| 1e-6 * (f64::from(i) * 0.3).sin());
+    let trace = Profile::new(Length::from_si(SPACING), heights.collect()).unwrap();
+    let held = files.map(|file| (file.into(), trace.clone()));
+    let folder = tempfile::tempdir().unwrap();
+    let drive = include_str!("../../../fixtures/cases/e-drive.toml");
+    let head = drive.split("[surface]").next().unwrap();
+    for (pattern, expected) in [
+        ("pinion_*.csv", &files[..2]),
+        ("*a*b", &["xaab"]),
+        ("t?.txt", &["t1.txt"]),
+        ("*", &files),
+    ] {
+        let text = format!(
+            "{head}[surface]\ncutoff = \"0.025 mm\"\npinion = {{ traces = \"{pattern}\" }}\n\
+             wheel = {{ file = \"wheel_1.csv\" }}\n"
+        );
+        let source = Source::new("case.toml", &text).unwrap();
+        let case = load_holding(source, folder.path(), &held, &[], &|_| {}).unwrap();
+        let traces = case.all_traces();
+        let (_, of_pinion) = traces.split_last().unwrap();
+        let named: Vec<_> = of_pinion
+            .iter()
+            .map(|trace| trace.file.as_deref().unwrap())
+            .collect();
+        assert_eq!(named, expected, "{pattern}");
+    }
+}
+
+#[test]
+fn above_64_pairs_as_many_teeth_as_make_64_are_paired() {
+    for (named, paired) in [
+        ([8, 8], [8, 8]),
+        ([64, 1], [64, 1]),
+        ([5, 13], [5, 12]),
+        ([65, 1], [64, 1]),
+        ([32, 32], [8, 8]),
+        ([9, 100], [8, 8]),
+        ([20, 4], [16, 4]),
+    ] {
+        let [pinion, wheel] = named.map(|teeth: u32| {
+            let files: Vec<String> = (0..teeth).map(|k| format!("\"{k}\"")).collect();
+            format!("traces = [{}]", files.join(", "))
+        });
+        assert_eq!(short(&pinion, &wheel).surfaces.teeth(), Some(paired));
+    }
 }
 
 #[test]

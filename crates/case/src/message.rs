@@ -237,17 +237,3 @@ explanations! {
     "W447" "lines of one surface count as teeth": "Several traces of a flank are lines of one surface. Each is computed as a tooth of its own, with all teeth of the other flank, so the standard error of the mean has the scatter within one flank only." => "Measure other teeth, and name a surface or trace of each in surface.pinion.traces and surface.wheel.traces; state the same number as tooth, and y, for lines of one tooth.";
     "W448" "trace longer than the active flank": "A trace without a known place is longer than the active flank of its gear, so that more than a tenth of it was not measured there; windows of the contact are taken from all of it." => "State the part on the active flank as range of the trace, or the place of the trace by at. If it was measured along the tooth or on a specimen of the same finish, keep it.";
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn codes_are_unique_and_sorted_within_their_kind() {
-        let codes: Vec<_> = EXPLANATIONS.iter().map(|entry| entry.code).collect();
-        let mut sorted = codes.clone();
-        sorted.sort_unstable();
-        sorted.dedup();
-        assert_eq!(codes, sorted);
-    }
-}

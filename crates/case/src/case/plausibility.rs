@@ -380,27 +380,3 @@ pub(super) fn of_files(warnings: &[Warning]) -> Vec<Warning> {
         |warning: &&Warning| ![UNUSUAL, SYMBOLS, FORMER_NAME, DIVIDED].contains(&&*warning.code);
     warnings.iter().filter(is_of_a_file).cloned().collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::case::schema;
-    use crate::case::text::known_keys::first_unknown;
-
-    #[test]
-    fn every_range_is_of_a_key_of_the_case_file_and_the_usual_one_is_possible() {
-        let ranges = ranges(None);
-        assert_eq!(ranges.len(), 49);
-        let keys: Vec<_> = ranges.iter().map(Range::key).collect();
-        assert_eq!(
-            first_unknown(&schema(), keys.iter().map(|key| &**key)),
-            None
-        );
-        for range in ranges {
-            let [low, high] = range.possible;
-            assert!(
-                low < range.usual[0] && range.usual[0] < range.usual[1] && range.usual[1] < high
-            );
-        }
-    }
-}

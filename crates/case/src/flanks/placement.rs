@@ -117,20 +117,3 @@ pub fn check_coverage(coverage: f64) -> Result<(), PositionError> {
         false => Err(PositionError::NotCovered { coverage }),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_contact_finds_its_window_by_the_arc() {
-        let placed = PlacedTrace {
-            first_arc: 1e-3,
-            direction: -1.0,
-            base_radius: 50e-3,
-        };
-        // ρ 9 mm: l = 0.81 mm, 0.19 mm before the first point where the arc falls along x.
-        let found = placed.middle(Length::from_si(9e-3), Length::from_si(1e-6));
-        assert!((found - 190.0).abs() < 1e-9);
-    }
-}

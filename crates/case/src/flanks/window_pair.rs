@@ -242,26 +242,3 @@ fn start(profile: &Profile, n: usize, least: usize, place: f64) -> Result<isize,
     })?;
     Ok((place * free as f64).round() as isize)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::window_places as places;
-
-    #[test]
-    fn places_nest_shift_along_the_path_and_fill_both_traces() {
-        assert_eq!(places(0, 1, 0), [0.5, 0.5]);
-        assert_eq!(places(0, 16, 0), places(0, 64, 0));
-        assert_eq!(places(1, 16, 0), [0.25, 2.0 / 3.0]);
-        let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
-        let [along, across] = places(4, 16, 2);
-        let shifted = |first: f64, shift: f64| (first + 2.0 * shift).fract();
-        assert!(near(along, shifted(0.625, 0.569_840_290_998_053_3)));
-        assert!(near(across, shifted(7.0 / 9.0, 0.754_877_666_246_692_8)));
-        // Every eighth of both traces is met twice by 16 windows.
-        for body in [0, 1] {
-            let mut met = [0; 8];
-            (0..16).for_each(|k| met[(8.0 * places(k, 16, 5)[body]) as usize] += 1);
-            assert!(met.iter().all(|count| (1..=3).contains(count)), "{met:?}");
-        }
-    }
-}

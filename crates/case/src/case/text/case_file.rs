@@ -19,9 +19,6 @@ use crate::case::source::Source;
 
 /// A kind of case file.
 pub(super) trait CaseFile: Serialize + DeserializeOwned {
-    /// Valid values of the keys, which replace wrong ones in a check.
-    const VALID: &'static str;
-
     /// The JSON schema of the keys.
     fn schema() -> &'static Json;
 
@@ -70,23 +67,31 @@ pub(super) trait CaseFile: Serialize + DeserializeOwned {
     }
 }
 
+/// A kind of case file of which a check finds all errors at once.
+pub(super) trait Checked: CaseFile {
+    /// Valid values of the keys, which replace wrong ones.
+    const VALID: &'static str;
+}
+
 /// The JSON schema of a case file.
 pub fn schema() -> serde_json::Value {
     schemars::schema_for!(CaseInput).to_value()
 }
 
 impl CaseFile for CaseInput {
+    fn schema() -> &'static Json {
+        static SCHEMA: LazyLock<Json> = LazyLock::new(schema);
+        &SCHEMA
+    }
+}
+
+impl Checked for CaseInput {
     const VALID: &'static str = r#"
 gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" }
 operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 °C" }
 lubricant = { oil = "m100" }
 surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" } }
 "#;
-
-    fn schema() -> &'static Json {
-        static SCHEMA: LazyLock<Json> = LazyLock::new(schema);
-        &SCHEMA
-    }
 }
 
 /// The table of the keys of a case.

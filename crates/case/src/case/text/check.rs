@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-use super::case_file::{CaseFile, remove_replaced};
+use super::case_file::{CaseFile, Checked, remove_replaced};
 use super::known_keys::first_unknown;
 use super::parsed::from_table;
 use super::plain_words::plain;
@@ -62,7 +62,7 @@ fn all(
 }
 
 /// The case in `source` with keys set by their paths; values that cannot be read are recorded and replaced by valid ones.
-pub(super) fn readable<T: CaseFile>(
+pub(super) fn readable<T: Checked>(
     source: &mut Source,
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,

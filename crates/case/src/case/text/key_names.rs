@@ -53,21 +53,3 @@ pub(crate) fn missing_key(table: &str, key: &str) -> String {
     let message = format!("missing field `{key}`");
     plain(CaseInput::schema(), Some(table), &message)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_key_of_a_row_is_a_key_of_the_case_file() {
-        let keys = NAMES.iter().map(|row| row.2);
-        assert_eq!(first_unknown(CaseInput::schema(), keys), None);
-    }
-
-    #[test]
-    fn a_name_is_found_by_its_row_or_as_a_key_with_blanks() {
-        assert_eq!(key_of("gears", "helix angle"), "gears.helix");
-        assert_eq!(key_of("gears", "face width"), "gears.face_width");
-        assert_eq!(key_of("gears", "base pitch"), "gears");
-    }
-}

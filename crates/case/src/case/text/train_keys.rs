@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use super::case_file::CaseFile;
+use super::case_file::{CaseFile, Checked};
 use super::known_keys::first_unknown;
 use crate::case::train_input::TrainCaseInput;
 
@@ -12,6 +12,13 @@ pub fn schema() -> serde_json::Value {
 }
 
 impl CaseFile for TrainCaseInput {
+    fn schema() -> &'static serde_json::Value {
+        static SCHEMA: LazyLock<serde_json::Value> = LazyLock::new(schema);
+        &SCHEMA
+    }
+}
+
+impl Checked for TrainCaseInput {
     const VALID: &'static str = r#"
 train = { input = "input" }
 mesh.only = { shafts = ["input", "output"], gears = { teeth = [23, 68], module = "2 mm", face_width = "30 mm" } }
@@ -20,11 +27,6 @@ operation = { torque = "100 N m", speed = "3000 1/min", bulk_temperature = "60 Â
 lubricant = { oil = "m100" }
 surface = { pinion = { rq = "0.3 um" }, wheel = { rq = "0.3 um" }, sun = { rq = "0.3 um" }, planet = { rq = "0.3 um" }, ring = { rq = "0.3 um" } }
 "#;
-
-    fn schema() -> &'static serde_json::Value {
-        static SCHEMA: LazyLock<serde_json::Value> = LazyLock::new(schema);
-        &SCHEMA
-    }
 }
 
 /// Whether a case of a gear train has the key.
