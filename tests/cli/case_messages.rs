@@ -127,6 +127,7 @@ const DOMAINS: &[Bad] = &[
     bad("density", "density = \"0 kg/m3\"", "E209", &["lubricant.density = \"0 kg/m3\"", "greater than zero"]),
     bad("cutoff", "cutoff = \"-1 mm\"", "E209", &["surface.cutoff = \"-1 mm\"", "not negative"]),
     bad("pinion", "pinion = { rq = \"-1 um\" }", "E209", &["surface.pinion.rq = \"-1 um\"", "greater than zero"]),
+    bad("helix", "wheel.tip_chamfer = \"-1 mm\"", "E209", &["gears.wheel.tip_chamfer = \"-1 mm\"", "not negative"]),
     bad("positions", "positions = 0", "E209", &["model.positions = 0", "1 to 10000"]),
     bad("positions", "positions = 1", "E209", &["model.positions", "1 mesh positions were requested", "needs 2 to"]),
     bad("offsets", "offsets = 0", "E209", &["model.offsets = 0", "1 to 10000"]),

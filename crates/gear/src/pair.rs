@@ -189,14 +189,15 @@ impl GearPair {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn with_tip_chamfer(&self, chamfer: [Length; 2]) -> Result<Self, GearError> {
+        const NAMES: [&str; 2] = ["tip chamfer of the pinion", "tip chamfer of the wheel"];
         let mut tip_radius = self.tip_radius;
         for (gear, radius) in tip_radius.iter_mut().enumerate() {
-            DomainError::non_negative("tip chamfer", chamfer[gear])?;
+            DomainError::non_negative(NAMES[gear], chamfer[gear])?;
             *radius = *radius - chamfer[gear];
             let (tip, base) = (*radius, self.base_radius[gear]);
             DomainError::require(
                 tip / base > 1.0,
-                "tip chamfer",
+                NAMES[gear],
                 chamfer[gear].si(),
                 "m",
                 "must leave the tip outside the base circle",
