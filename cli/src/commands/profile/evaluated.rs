@@ -189,7 +189,7 @@ fn read_options(args: &ReadingArgs, base_radius: Option<Length>) -> ReadOptions 
 /// Reads a surface with the options.
 pub(super) fn opened_surface(file: &Path, args: &ReadingArgs) -> Result<Surface, Failure> {
     if args.range.is_some() {
-        let text = "--range is of a trace; choose one of the surface with --row or --line";
+        let text = "--range cuts a trace; choose one of the surface with --row or --line";
         return Err(Failure::new("E205", text));
     }
     read_surface(file, &read_options(args, None)).map_err(|error| refused(&error))

@@ -138,7 +138,7 @@ pub(super) fn longer_than_active(
     let found: Vec<String> = [0, 1].into_iter().filter_map(of_flank).collect();
     (!found.is_empty()).then(|| {
         let text = format!(
-            "filtered traces are longer than the active flank: {}. The rest was not measured there, and windows are taken from it, too. Write range, the part on the active flank, or at, or keep it if it was measured along the tooth or on a specimen of the same finish",
+            "filtered traces are longer than the active flank: {}. The rest was not measured there, and windows are taken from it, too. State the part on the active flank as range or the place of the trace as at; keep the trace if it was measured along the tooth or on a specimen of the same finish",
             found.join(", and ")
         );
         Warning::new("W448", text)

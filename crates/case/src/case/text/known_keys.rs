@@ -42,10 +42,11 @@ fn unknown_at<'a>(schema: &Value, path: &'a str) -> Option<(&'a str, Option<Stri
     None
 }
 
-/// Table that a calibration writes, whose keys are those of other tables.
+/// Table that a calibration writes; most of its keys have the names of keys elsewhere.
 const WRITTEN_BY_PROGRAM: &str = "calibration.";
 
-/// The path of the key with this name in another table, if it is the only one at its depth beside that of a calibration.
+/// The path of the key with this name in another table, if only one table at the least depth has it. A table that is written by
+/// hand comes before that of a calibration.
 fn in_another_table(schema: &Value, name: &str) -> Option<String> {
     let mut paths = Vec::new();
     let mut tables = vec![(String::new(), schema, 0)];
@@ -66,7 +67,10 @@ fn in_another_table(schema: &Value, name: &str) -> Option<String> {
     }
     let depth = |path: &String| path.matches('.').count();
     let least = paths.iter().map(depth).min()?;
-    paths.retain(|path| depth(path) == least && !path.starts_with(WRITTEN_BY_PROGRAM));
+    paths.retain(|path| depth(path) == least);
+    if paths.len() > 1 {
+        paths.retain(|path| !path.starts_with(WRITTEN_BY_PROGRAM));
+    }
     match &mut paths[..] {
         [path] => Some(std::mem::take(path)),
         _ => None,
