@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot set up has failed")]
 
 use crate::common::peers::Peer;
-use asperity_contact::{ContactProblem, Control, SolverSettings, solve};
+use asperity_contact::{ContactProblem, Control, Solver, SolverSettings, solve};
 
 #[test]
 fn iterations_grow_neither_with_the_grid_nor_with_the_patches() {
@@ -58,5 +58,34 @@ fn a_contact_of_many_patches_does_not_depend_on_the_start() {
     let largest = whole.max_pressure.si();
     for (one, other) in whole.pressure.iter().zip(&even.pressure) {
         assert!((one - other).abs() < 1e-9 * largest);
+    }
+}
+
+#[test]
+fn what_a_solver_solved_before_does_not_show() {
+    let peer = Peer::new("cf", 4_096).unwrap();
+    let (whole, settings) = (peer.problem(), SolverSettings::default());
+    let Control::Load(load) = whole.control else {
+        panic!("the case has a load");
+    };
+    let at = |share: f64| ContactProblem {
+        control: Control::Load(load * share),
+        ..whole
+    };
+    let solver = || Solver::new(4_096, whole.boundary).unwrap();
+    // From its start a contact has no coarser grids, and begins with the patches of the contact before.
+    for shares in [[0.02, 0.05], [0.05, 0.2], [0.2, 0.5]] {
+        let start = solver().solve(&at(shares[0]), &settings).unwrap().pressure;
+        let problem = ContactProblem {
+            start: Some(&start),
+            ..at(shares[1])
+        };
+        let fresh = solver().solve(&problem, &settings).unwrap();
+        for other in [0.02, 0.1, 1.0] {
+            let mut solver = solver();
+            solver.solve(&at(other), &settings).unwrap();
+            let again = solver.solve(&problem, &settings).unwrap();
+            assert_eq!(again.pressure, fresh.pressure, "{shares:?} after {other}");
+        }
     }
 }

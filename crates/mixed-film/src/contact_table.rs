@@ -1,12 +1,15 @@
 //! The rough contact at twelve asperity shares: what oil, speed and temperature do not change.
 
+use std::cmp::Ordering;
+use std::sync::OnceLock;
+
 use asperity_core::cite;
-use asperity_core::numerics::secant_root;
+use asperity_core::numerics::{Solved, secant_root};
 use asperity_core::quantity::{Length, LineEnergy, Pressure};
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 
 use crate::error::LoadShareError;
-use crate::rough_contact::{ContactState, RoughContact};
+use crate::rough_contact::{ContactState, RoughContact, SparsePressure};
 use crate::spot_tree::Spot;
 
 /// Asperity shares of the table, the largest last.
@@ -24,6 +27,11 @@ pub const TABLE_SHARES: [f64; 12] = [
     0.76,
     LARGEST_SHARE,
 ];
+
+/// Number of the last row.
+const LAST: usize = TABLE_SHARES.len() - 1;
+/// Row that is solved first, without a start: most windows need it or one next to it.
+const FIRST_SOLVED: usize = 7;
 
 /// Power of the share in which the gap is interpolated: the first touch has an infinite slope over the
 /// share itself.
@@ -48,6 +56,8 @@ pub struct TableRow {
     pub load_error: f64,
     /// Its certified duality gap.
     pub duality_gap: f64,
+    /// Pressure of the asperities, from which the next row starts.
+    pressure: SparsePressure,
 }
 
 impl From<ContactState> for TableRow {
@@ -55,71 +65,138 @@ impl From<ContactState> for TableRow {
         Self {
             asperity_share: state.asperity_share,
             mean_gap: state.mean_gap,
-            spots: state.spots,
             area: state.area,
             max_pressure: state.max_pressure,
             dissipated: state.dissipated,
             load_error: state.solution.certificate.load_error,
             duality_gap: state.solution.certificate.duality_gap,
+            pressure: SparsePressure::of(&state.solution.pressure),
+            spots: state.spots,
         }
     }
 }
 
-/// The rough contact of one window at every share.
+/// The rough contact of one window at the shares of the table, each solved when a film first needs it.
+///
+/// A contact starts from the one at the next share towards the row that is solved first. So a row is the same whichever
+/// others are solved.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactTable {
     first_touch: f64,
-    rows: Vec<TableRow>,
-    /// φ^¼ of first touch and rows, mean gap there, slope of the gap over φ^¼.
-    knots: Vec<[f64; 3]>,
+    rows: [OnceLock<Box<TableRow>>; TABLE_SHARES.len()],
 }
 
-/// Two neighbouring rows with their weights.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Between<'a> {
+/// A row of the table that is needed and not solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Unsolved(usize);
+
+impl From<Unsolved> for LoadShareError {
+    fn from(Unsolved(row): Unsolved) -> Self {
+        Self::RowNotSolved {
+            asperity_share: TABLE_SHARES[row],
+        }
+    }
+}
+
+/// Where the gap of the contact is the one supplied.
+enum Crossing<'a> {
+    /// The flanks stay apart.
+    Apart,
+    /// Between two neighbouring knots of the table.
+    Between(Piece<'a>),
+    /// Nowhere: at the largest share the gap is larger than that supplied, by this part.
+    Beyond(Piece<'a>, f64),
+}
+
+/// The table where the gap of the contact is the one supplied: two neighbouring rows with their weights.
+#[derive(Debug, Clone)]
+pub(crate) struct Meeting<'a> {
+    pub(crate) share: Solved,
+    /// The rows; below the first row only that row.
     pub(crate) rows: [(&'a TableRow, f64); 2],
     /// Slope of the second weight over the share.
     pub(crate) slope: f64,
+    piece: Piece<'a>,
 }
 
-impl Between<'_> {
+impl Meeting<'_> {
+    /// Mean gap g(φ).
+    pub(crate) fn mean_gap(&self) -> Length {
+        Length::from_si(self.piece.gap(abscissa(self.share.value)))
+    }
+
     /// The larger number of the two rows.
     pub(crate) fn worst(&self, of: impl Fn(&TableRow) -> f64) -> f64 {
-        self.rows.iter().map(|(row, _)| of(row)).fold(0.0, f64::max)
+        self.weighted().map(|(row, _)| of(row)).fold(0.0, f64::max)
     }
 
     /// A number between the two rows.
     pub(crate) fn mean(&self, of: impl Fn(&TableRow) -> f64) -> f64 {
-        self.rows.iter().map(|(row, weight)| weight * of(row)).sum()
+        self.weighted().map(|(row, weight)| weight * of(row)).sum()
+    }
+
+    /// The rows with a weight.
+    pub(crate) fn weighted(&self) -> impl Iterator<Item = (&TableRow, f64)> {
+        let rows = self.rows.iter().copied();
+        rows.filter(|(_, weight)| *weight > 0.0)
+    }
+
+    /// Whether a slope of the gap next to the share is limited, so that the gap has no extreme between its knots.
+    pub(crate) fn limits_a_slope(&self) -> bool {
+        let low = self.piece.low;
+        [low, low + 1].map(|k| monotone_slope(&self.piece.knots, k).1) != [false; 2]
+    }
+
+    /// Slope g′(φ), and the derivatives of g(φ) over the gap of first touch and over those of the rows that it depends on.
+    pub(crate) fn gap_slopes(&self) -> (f64, f64, Vec<(&TableRow, f64)>) {
+        /// Step of the difference quotients over the largest gap: the interpolation is linear in the gaps of its knots where no
+        /// slope is held.
+        const STEP: f64 = 1e-6;
+        let s = abscissa(self.share.value);
+        let piece = &self.piece;
+        let step = STEP * piece.knots[0][1].abs();
+        let by_knot = |knot: usize| {
+            if step == 0.0 {
+                return 0.0;
+            }
+            let at = |step: f64| {
+                let mut moved = piece.clone();
+                moved.knots[knot][1] += step;
+                set_monotone_slopes(&mut moved.knots);
+                moved.gap(s)
+            };
+            (at(step) - at(-step)) / (2.0 * step)
+        };
+        let [a, b] = piece.ends();
+        let slope = hermite_slope(a, b, s) * abscissa_slope(self.share.value);
+        let first = piece.without_row();
+        let by_first_touch = (0..first).map(by_knot).sum();
+        let rows = piece.rows.iter().zip(first..);
+        let by_rows = rows.map(|(row, knot)| (*row, by_knot(knot))).collect();
+        (slope, by_first_touch, by_rows)
     }
 }
 
 impl ContactTable {
-    /// Solves the contact at all shares of the table, from the largest to the smallest, each from the last.
+    /// The table of a contact, with no row solved.
+    #[must_use]
+    pub fn new(contact: &RoughContact) -> Self {
+        Self {
+            first_touch: contact.first_touch_gap().si(),
+            rows: Default::default(),
+        }
+    }
+
+    /// Solves the contact at all shares of the table.
     ///
     /// # Errors
     /// When a contact does not converge.
     pub fn build(contact: &mut RoughContact) -> Result<Self, LoadShareError> {
-        let mut rows = Vec::with_capacity(TABLE_SHARES.len());
-        for share in TABLE_SHARES.into_iter().rev() {
-            rows.push(TableRow::from(contact.at(share)?));
+        let table = Self::new(contact);
+        for row in [0, LAST] {
+            table.solve(row, contact)?;
         }
-        rows.reverse();
-        Ok(Self::of_rows(contact.first_touch_gap(), rows))
-    }
-
-    fn of_rows(first_touch: Length, rows: Vec<TableRow>) -> Self {
-        let mut knots = vec![[0.0, first_touch.si(), 0.0]];
-        knots.extend(
-            rows.iter()
-                .map(|row| [abscissa(row.asperity_share), row.mean_gap.si(), 0.0]),
-        );
-        set_monotone_slopes(&mut knots);
-        Self {
-            first_touch: first_touch.si(),
-            rows,
-            knots,
-        }
+        Ok(table)
     }
 
     /// Mean gap at which the flanks first touch.
@@ -128,119 +205,202 @@ impl ContactTable {
         Length::from_si(self.first_touch)
     }
 
-    /// The rows, by rising share.
-    #[must_use]
-    pub fn rows(&self) -> &[TableRow] {
-        &self.rows
+    /// The rows that are solved, by rising share.
+    pub fn rows(&self) -> impl DoubleEndedIterator<Item = &TableRow> {
+        self.rows.iter().filter_map(|row| Some(&**row.get()?))
     }
 
     /// Mean gap g(φ), by monotone cubic interpolation in φ^¼.
-    #[must_use]
-    pub fn mean_gap(&self, asperity_share: f64) -> Length {
-        let s = abscissa(asperity_share);
-        let k = self.knot_below(s);
-        Length::from_si(hermite(&self.knots[k], &self.knots[k + 1], s))
+    ///
+    /// # Errors
+    /// When a row next to the share is not solved.
+    pub fn mean_gap(&self, asperity_share: f64) -> Result<Length, LoadShareError> {
+        let above = TABLE_SHARES.partition_point(|share| *share <= asperity_share);
+        let piece = self.piece(above.min(LAST))?;
+        Ok(Length::from_si(piece.gap(abscissa(asperity_share))))
     }
 
-    /// Number of the knot below φ^¼ = `s`; at the last knot, of the one before it.
-    fn knot_below(&self, s: f64) -> usize {
-        self.knots[1..self.knots.len() - 1].partition_point(|knot| knot[0] <= s)
+    /// Solves the rows that are needed where the gap of the contact is the one supplied.
+    pub(crate) fn solve_for<E: From<LoadShareError>>(
+        &self,
+        supply: &impl Fn(f64) -> f64,
+        contact: impl FnOnce() -> Result<RoughContact, E>,
+    ) -> Result<(), E> {
+        let missing = || self.crossing(supply).err();
+        let Some(Unsolved(row)) = missing() else {
+            return Ok(());
+        };
+        let mut contact = contact()?;
+        self.solve(row, &mut contact)?;
+        while let Some(Unsolved(row)) = missing() {
+            self.solve(row, &mut contact)?;
+        }
+        Ok(())
     }
 
-    /// Whether a slope of the gap next to a share is limited, so that the gap has no extreme between its knots.
-    pub(crate) fn limits_a_slope(&self, asperity_share: f64) -> bool {
-        let k = self.knot_below(abscissa(asperity_share));
-        [k, k + 1].map(|k| monotone_slope(&self.knots, k).1) != [false; 2]
+    /// Solves a row, after those between it and the one solved first.
+    fn solve(&self, row: usize, contact: &mut RoughContact) -> Result<&TableRow, LoadShareError> {
+        if let Ok(known) = self.row(row) {
+            return Ok(known);
+        }
+        let before = match row.cmp(&FIRST_SOLVED) {
+            Ordering::Less => Some(row + 1),
+            Ordering::Equal => None,
+            Ordering::Greater => Some(row - 1),
+        };
+        match before {
+            None => contact.start_anew(),
+            Some(before) => self.solve(before, contact)?.start(contact),
+        }
+        let state = contact.at(TABLE_SHARES[row])?;
+        Ok(self.rows[row].get_or_init(|| Box::new(state.into())))
     }
 
-    /// The share at which the contact's gap is the one supplied, with its residual.
+    fn row(&self, row: usize) -> Result<&TableRow, Unsolved> {
+        self.rows[row].get().map(|row| &**row).ok_or(Unsolved(row))
+    }
+
+    /// The gap between the knot below row `above`, the first touch or a row, and that row.
+    fn piece(&self, above: usize) -> Result<Piece<'_>, Unsolved> {
+        // Slopes follow from the nearest neighbours, at the ends of the table from the nearest three knots.
+        let mut knots = Vec::with_capacity(4);
+        if above < 2 {
+            knots.push([0.0, self.first_touch, 0.0]);
+        }
+        let near = above.saturating_sub(2)..=(above + 1).min(LAST);
+        let rows: Vec<&TableRow> = near.map(|row| self.row(row)).collect::<Result<_, _>>()?;
+        let knot = |row: &&TableRow| [abscissa(row.asperity_share), row.mean_gap.si(), 0.0];
+        knots.extend(rows.iter().map(knot));
+        set_monotone_slopes(&mut knots);
+        Ok(Piece {
+            knots,
+            rows,
+            low: above.min(1),
+        })
+    }
+
+    /// The knots between which the excess of the supply over the gap changes its sign, next to the row solved first.
+    fn crossing(&self, supply: &impl Fn(f64) -> f64) -> Result<Crossing<'_>, Unsolved> {
+        if self.first_touch <= supply(0.0) {
+            return Ok(Crossing::Apart);
+        }
+        let is_too_thin = |row: usize| Ok(supply(TABLE_SHARES[row]) < self.row(row)?.mean_gap.si());
+        let mut above = FIRST_SOLVED;
+        if is_too_thin(above)? {
+            while is_too_thin(above)? {
+                if above == LAST {
+                    let excess = self.row(LAST)?.mean_gap.si() / supply(LARGEST_SHARE) - 1.0;
+                    return Ok(Crossing::Beyond(self.piece(LAST)?, excess));
+                }
+                above += 1;
+            }
+        } else {
+            while above > 0 && !is_too_thin(above - 1)? {
+                above -= 1;
+            }
+        }
+        Ok(Crossing::Between(self.piece(above)?))
+    }
+
+    /// The table where the gap of the contact is the one supplied; `None` if the flanks stay apart.
     ///
     /// ```text
     /// g(φ) = h̄(φ);  φ = 0 if g(0) ≤ h̄(0), 0.99 if g(0.99) > h̄(0.99)            [Load-share]
     /// ```
-    pub(crate) fn share(
+    pub(crate) fn meeting(
         &self,
-        supply: impl Fn(f64) -> f64,
-    ) -> Result<asperity_core::numerics::Solved, LoadShareError> {
+        supply: &impl Fn(f64) -> f64,
+    ) -> Result<Option<Meeting<'_>>, LoadShareError> {
         cite!("Load-share");
-        if let Some(end) = end_share(self.first_touch, &supply, |phi| self.mean_gap(phi).si()) {
-            return Ok(end);
-        }
+        let (piece, share) = match self.crossing(supply)? {
+            Crossing::Apart => return Ok(None),
+            Crossing::Beyond(piece, residual) => {
+                let share = Solved {
+                    value: LARGEST_SHARE,
+                    residual,
+                    iterations: 0,
+                };
+                (piece, share)
+            }
+            Crossing::Between(piece) => {
+                let share = piece.share(supply)?;
+                (piece, share)
+            }
+        };
+        Ok(Some(piece.meeting(share)))
+    }
+}
+
+impl TableRow {
+    /// Lets the next solution of `contact` start from this row.
+    pub(crate) fn start(&self, contact: &mut RoughContact) {
+        contact.start_from(self.asperity_share, &self.pressure);
+    }
+}
+
+/// The gap between two neighbouring knots, with the knots that decide its slopes.
+#[derive(Debug, Clone)]
+struct Piece<'a> {
+    /// φ^¼, mean gap there, slope of the gap over φ^¼.
+    knots: Vec<[f64; 3]>,
+    /// Rows of the knots; the first touch, if it is the first knot, has none.
+    rows: Vec<&'a TableRow>,
+    /// Number of the lower knot.
+    low: usize,
+}
+
+impl<'a> Piece<'a> {
+    fn ends(&self) -> [&[f64; 3]; 2] {
+        [&self.knots[self.low], &self.knots[self.low + 1]]
+    }
+
+    fn gap(&self, s: f64) -> f64 {
+        let [a, b] = self.ends();
+        hermite(a, b, s)
+    }
+
+    /// Number of knots before the first row.
+    fn without_row(&self) -> usize {
+        self.knots.len() - self.rows.len()
+    }
+
+    /// The share at which the gap is the one supplied.
+    fn share(&self, supply: &impl Fn(f64) -> f64) -> Result<Solved, LoadShareError> {
         let scale = supply(0.0);
         // In φ^¼ the excess of the supply over the gap rises nearly as a line.
-        let root = secant_root(
-            |s: f64| {
-                let phi = s.powf(1.0 / ABSCISSA_POWER);
-                (supply(phi) - self.mean_gap(phi).si()) / scale
-            },
-            [0.0, abscissa(LARGEST_SHARE)],
-            0.7,
-            self.first_touch / scale,
-            1e-12,
-        );
-        match root {
-            Ok(root) => Ok(asperity_core::numerics::Solved {
-                value: root.value.powf(1.0 / ABSCISSA_POWER),
-                ..root
-            }),
-            Err(source) => Err(LoadShareError::NoRoot {
-                quantity: "asperity share",
-                source,
-            }),
-        }
+        let excess = |s: f64| (supply(s.powf(1.0 / ABSCISSA_POWER)) - self.gap(s)) / scale;
+        let [a, b] = self.ends().map(|knot| knot[0]);
+        let slope = (excess(b) - excess(a)) / (b - a);
+        let start = a - excess(a) / slope;
+        let root = secant_root(excess, [a, b], start, slope, 1e-12);
+        let root = root.map_err(|source| LoadShareError::NoRoot {
+            quantity: "asperity share",
+            source,
+        })?;
+        Ok(Solved {
+            value: root.value.powf(1.0 / ABSCISSA_POWER),
+            ..root
+        })
     }
 
-    /// The neighbouring rows of a share; below the first row only that row.
-    pub(crate) fn between(&self, asperity_share: f64) -> Between<'_> {
-        let last = self.rows.len() - 1;
-        let k = self
-            .rows
-            .partition_point(|row| row.asperity_share <= asperity_share);
-        if k == 0 {
-            return Between {
-                rows: [(&self.rows[0], 1.0), (&self.rows[0], 0.0)],
-                slope: 0.0,
-            };
-        }
-        let (low, high) = (&self.rows[(k - 1).min(last)], &self.rows[k.min(last)]);
-        let (a, b) = (abscissa(low.asperity_share), abscissa(high.asperity_share));
-        let (weight, slope) = if b > a {
-            let s = abscissa(asperity_share);
-            let slope = abscissa_slope(asperity_share);
-            ((s - a) / (b - a), slope / (b - a))
-        } else {
-            (0.0, 0.0)
-        };
-        Between {
-            rows: [(low, 1.0 - weight), (high, weight)],
-            slope,
-        }
-    }
-
-    /// Slope g′(φ), and the derivative of g(φ) over the gap of every knot: first touch, then the rows.
-    pub(crate) fn gap_slopes(&self, asperity_share: f64) -> (f64, Vec<f64>) {
-        /// Step of the difference quotients over the gap of first touch: the interpolation is linear in the gaps of its knots
-        /// where no slope is held.
-        const STEP: f64 = 1e-6;
-        let s = abscissa(asperity_share);
-        let k = self.knot_below(s);
-        let slope = hermite_slope(&self.knots[k], &self.knots[k + 1], s);
-        let step = STEP * self.first_touch.abs();
-        let by_knot = |j: usize| {
-            // Slopes follow from the nearest neighbours; at the ends from the nearest three knots.
-            if step == 0.0 || j + 2 < k || j > k + 3 {
-                return 0.0;
+    fn meeting(self, share: Solved) -> Meeting<'a> {
+        let [a, b] = self.ends().map(|knot| knot[0]);
+        let above = self.low + 1 - self.without_row();
+        let high = self.rows[above];
+        let (rows, slope) = match above.checked_sub(1) {
+            None => ([(high, 1.0), (high, 0.0)], 0.0),
+            Some(below) => {
+                let weight = (abscissa(share.value) - a) / (b - a);
+                let slope = abscissa_slope(share.value) / (b - a);
+                ([(self.rows[below], 1.0 - weight), (high, weight)], slope)
             }
-            let at = |step: f64| {
-                let mut knots = self.knots.clone();
-                knots[j][1] += step;
-                set_monotone_slopes(&mut knots);
-                hermite(&knots[k], &knots[k + 1], s)
-            };
-            (at(step) - at(-step)) / (2.0 * step)
         };
-        let all = (0..self.knots.len()).map(by_knot).collect();
-        (slope * abscissa_slope(asperity_share), all)
+        Meeting {
+            share,
+            rows,
+            slope,
+            piece: self,
+        }
     }
 }
 

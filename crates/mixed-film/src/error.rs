@@ -47,6 +47,14 @@ pub enum LoadShareError {
         /// Points of the trace.
         available: usize,
     },
+    /// A row of a contact table that the film needs and nobody solved.
+    #[error(
+        "the rough contact at asperity share {asperity_share} is needed and not solved: solve the rows for this film first"
+    )]
+    RowNotSolved {
+        /// Asperity share of the row.
+        asperity_share: f64,
+    },
     /// A scalar equation without root.
     #[error("the {quantity} has no solution: {source}")]
     NoRoot {

@@ -15,7 +15,7 @@
 //! | step | type |
 //! |---|---|
 //! | contact under prescribed film pressure | [`RoughContact`] |
-//! | the same at twelve shares, once per window | [`ContactTable`] |
+//! | the same at those of twelve shares that a film needs, once per window | [`ContactTable`] |
 //! | roughness flattened in the inlet | [`AttenuatedTraces`], [`TraceSpectra`] |
 //! | film, share and friction at one temperature and speed | [`PositionFilm`], [`LoadShareSolution`] |
 //! | gradient of the friction over the heights | [`ShareGradient`] |

@@ -316,23 +316,18 @@ impl<'a> PositionFilm<'a> {
         self.central
     }
 
-    /// Friction of a window that stays apart at this film, known by the gap of its first touch; `None`
-    /// if it touches.
+    /// Solves the rows of a window's table that [`share`](Self::share) needs; `contact` gives the window if there are any.
     ///
     /// # Errors
-    /// When σ_d is negative or an iteration does not end.
-    pub fn share_apart(
-        &mut self,
-        first_touch: Length,
+    /// When σ_d is negative, there is no window or a contact does not converge.
+    pub fn solve_rows<E: From<LoadShareError>>(
+        &self,
+        table: &ContactTable,
         attenuated_rms: Length,
-    ) -> Result<Option<Checked<LoadShareSolution>>, LoadShareError> {
-        let psi = self.inlet_factor(attenuated_rms)?;
-        let gap = supplied_gap(self.gap_law, self.supplied, psi, 0.0)?;
-        if first_touch > gap {
-            return Ok(None);
-        }
-        let touching = self.untouched(gap.si());
-        self.conclude(&touching, attenuated_rms, psi).map(Some)
+        contact: impl FnOnce() -> Result<RoughContact, E>,
+    ) -> Result<(), E> {
+        let supply = self.supply_of(self.inlet_factor(attenuated_rms)?)?;
+        table.solve_for(&supply, contact)
     }
 
     /// Load share and friction of a window known by its table.
@@ -340,7 +335,7 @@ impl<'a> PositionFilm<'a> {
     /// `attenuated_rms` is σ_d of the window.
     ///
     /// # Errors
-    /// When σ_d is negative or an iteration does not end.
+    /// When σ_d is negative, a row of the table is needed and not solved or an iteration does not end.
     pub fn share(
         &mut self,
         table: &ContactTable,
@@ -348,28 +343,24 @@ impl<'a> PositionFilm<'a> {
     ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
         let psi = self.inlet_factor(attenuated_rms)?;
         let supply = self.supply_of(psi)?;
-        let share = table.share(&supply)?;
-        let touching = if share.value == 0.0 {
-            self.untouched(supply(0.0))
-        } else {
-            let between = table.between(share.value);
-            Touching {
-                share,
-                mean_gap: table.mean_gap(share.value),
-                spots: between
-                    .rows
-                    .iter()
-                    .filter(|(_, weight)| *weight > 0.0)
-                    .map(|(row, weight)| (row.spots.as_slice(), *weight))
+        let meeting = table.meeting(&supply)?;
+        let touching = match &meeting {
+            None => self.untouched(supply(0.0)),
+            Some(meeting) => Touching {
+                share: meeting.share,
+                mean_gap: meeting.mean_gap(),
+                spots: meeting
+                    .weighted()
+                    .map(|(row, weight)| (row.spots.as_slice(), weight))
                     .collect(),
-                area: between.mean(|row| row.area),
-                max_pressure: Pressure::from_si(between.mean(|row| row.max_pressure.si())),
-                dissipated: LineEnergy::from_si(between.mean(|row| row.dissipated.si())),
+                area: meeting.mean(|row| row.area),
+                max_pressure: Pressure::from_si(meeting.mean(|row| row.max_pressure.si())),
+                dissipated: LineEnergy::from_si(meeting.mean(|row| row.dissipated.si())),
                 worst: [
-                    between.worst(|row| row.load_error),
-                    between.worst(|row| row.duality_gap),
+                    meeting.worst(|row| row.load_error),
+                    meeting.worst(|row| row.duality_gap),
                 ],
-            }
+            },
         };
         self.conclude(&touching, attenuated_rms, psi)
     }

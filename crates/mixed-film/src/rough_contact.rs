@@ -59,6 +59,30 @@ pub struct ContactState {
     pub solution: ContactSolution,
 }
 
+/// Pressures of the touching cells of a window.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct SparsePressure {
+    cells: Vec<u32>,
+    /// \[Pa\]
+    pressure: Vec<f64>,
+}
+
+impl SparsePressure {
+    pub(crate) fn of(pressure: &[f64]) -> Self {
+        let touching = (0u32..).zip(pressure).filter(|(_, p)| **p > 0.0);
+        let (cells, pressure) = touching.unzip();
+        Self { cells, pressure }
+    }
+
+    fn on(&self, points: usize) -> Vec<f64> {
+        let mut all = vec![0.0; points];
+        for (cell, p) in self.cells.iter().zip(&self.pressure) {
+            all[*cell as usize] = *p;
+        }
+        all
+    }
+}
+
 /// A window of two rough flanks, to be solved at any asperity share.
 ///
 /// Keeps the last pressure as the start of the next share.
@@ -161,6 +185,16 @@ impl RoughContact {
             is_exact: exact,
             ..self
         }
+    }
+
+    /// Lets the next solution start from coarser grids instead of the last pressure.
+    pub(crate) fn start_anew(&mut self) {
+        self.last = None;
+    }
+
+    /// Lets the next solution start from the pressure at an asperity share.
+    pub(crate) fn start_from(&mut self, asperity_share: f64, pressure: &SparsePressure) {
+        self.last = Some((asperity_share, pressure.on(self.points())));
     }
 
     /// Mean gap where the flanks, deformed by the whole film pressure, first touch anywhere in the window.

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use asperity_core::cancel::checkpoint;
 use asperity_core::material::Material;
-use asperity_core::quantity::{Length, Torque};
+use asperity_core::quantity::Torque;
 use asperity_gear::{GearPair, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
 use asperity_mixed_film::ContactTable;
 
@@ -17,8 +17,8 @@ use asperity_case::flanks::{Roughness, Surfaces, Window};
 /// Rough contact of every window of a mesh.
 ///
 /// The contacts depend on gears, torque, flanks and steel, but on neither oil, temperature nor speed: another of
-/// these costs film laws only ([`losses_with`](crate::pipeline::losses_with)). A contact is solved when a film first
-/// lets the flanks touch, and stored.
+/// these costs film laws only ([`losses_with`](crate::pipeline::losses_with)). A contact is solved at the shares that a
+/// film needs, and stored.
 #[derive(Debug, Clone)]
 pub struct Contacts {
     fingerprint: Vec<u64>,
@@ -74,9 +74,7 @@ pub(crate) struct WindowContact {
     pub roughness: Roughness,
     /// Place of the window on the traces; `None` where no window is resolved.
     pub window: Option<Window>,
-    /// Mean gap at which the flanks first touch, computed at first need.
-    pub first_touch: OnceLock<Length>,
-    /// The contact at its shares, once the flanks touched.
+    /// The contact at its shares, once a film asked for it.
     pub table: OnceLock<ContactTable>,
 }
 
@@ -114,9 +112,13 @@ impl WindowContact {
         Ok(Arc::new(Self {
             window: Window::at(surfaces, position, model.window, k, count)?,
             roughness: surfaces.roughness_at(position, model.window, (k, count))?,
-            first_touch: OnceLock::new(),
             table: OnceLock::new(),
         }))
+    }
+
+    /// Whether the contact was solved at any share.
+    fn is_solved(&self) -> bool {
+        (self.table.get()).is_some_and(|table| table.rows().next().is_some())
     }
 
     /// Checks the windows at the first offset of each pair of teeth as [`of_position`](Self::of_position) does.
@@ -163,7 +165,7 @@ impl Contacts {
     /// Addresses of the windows whose contact was solved; contacts that share a window have the same one.
     pub fn solved(&self) -> impl Iterator<Item = usize> {
         let windows = self.rows.values().flatten();
-        let solved = windows.filter(|window| window.table.get().is_some());
+        let solved = windows.filter(|window| window.is_solved());
         solved.map(|window| Arc::as_ptr(window) as usize)
     }
 
@@ -350,7 +352,7 @@ mod tests {
                 .rows
                 .values()
                 .flatten()
-                .any(|window| window.table.get().is_some())
+                .any(|window| window.is_solved())
         );
         // Speed and temperature are not of the contact, and more offsets nest.
         let other = [

@@ -97,8 +97,8 @@ impl<'a> RoughFilm<'a> {
             .window_rms(window, &attenuation, &mut self.traces)
     }
 
-    /// Load share and friction of a window; its contact is solved and stored unless the window stays apart. `composite`
-    /// gives the sum of the heights.
+    /// Load share and friction of a window; its contact is solved as far as that needs, and stored. `composite` gives the sum
+    /// of the heights.
     ///
     /// # Errors
     /// When the contact has no solution.
@@ -109,30 +109,20 @@ impl<'a> RoughFilm<'a> {
         composite: impl Fn() -> Result<(Vec<f64>, Length), PositionError>,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
         let rms = self.window_rms(window)?;
-        if let Some(table) = contact.table.get() {
-            return Ok(self.film.share(table, rms)?);
-        }
         let solver = || {
             let (heights, spacing) = composite()?;
             rough_window(self.case, &self.contact, &heights, spacing)
         };
         let mut rough = None;
-        let first_touch = match contact.first_touch.get() {
-            Some(known) => *known,
+        let table = match contact.table.get() {
+            Some(known) => known,
             None => {
-                let solver = rough.insert(solver()?);
-                *contact.first_touch.get_or_init(|| solver.first_touch_gap())
+                let table = ContactTable::new(rough.insert(solver()?));
+                contact.table.get_or_init(|| table)
             }
         };
-        if let Some(apart) = self.film.share_apart(first_touch, rms)? {
-            return Ok(apart);
-        }
-        let mut rough = match rough {
-            Some(rough) => rough,
-            None => solver()?,
-        };
-        let table = ContactTable::build(&mut rough)?;
-        Ok(self.film.share(contact.table.get_or_init(|| table), rms)?)
+        (self.film).solve_rows(table, rms, || rough.map_or_else(solver, Ok))?;
+        Ok(self.film.share(table, rms)?)
     }
 }
 
@@ -170,13 +160,14 @@ impl RoughFilm<'_> {
         sums: &mut HeightGradient,
     ) -> Result<(), PositionError> {
         let rms = self.window_rms(window)?;
-        let table = contact.table.get();
-        if let Some(first_touch) = contact.first_touch.get() {
-            sums.kinks += self.film.kinks(*first_touch, table, rms)?;
-        }
-        let Some(table) = table else {
+        let Some(table) = contact.table.get() else {
             return Ok(());
         };
+        let kinks = self.film.kinks(table, rms)?;
+        sums.kinks += kinks;
+        if kinks.apart > 0 {
+            return Ok(());
+        }
         let (heights, spacing) = composite()?;
         let mut rough = rough_window(self.case, &self.contact, &heights, spacing)?;
         let scale = self.case.model.friction_scale;

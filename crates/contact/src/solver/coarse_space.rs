@@ -130,6 +130,11 @@ impl CoarseSpace {
         self.active
     }
 
+    /// Makes the nodes anew for the next patches.
+    pub(crate) fn forget_nodes(&mut self) {
+        self.grid = None;
+    }
+
     /// Switches the coarse space off until the next [`prepare`](Self::prepare).
     pub(crate) fn deactivate(&mut self) {
         self.active = false;

@@ -255,6 +255,8 @@ impl Solver {
                 problem: shape,
             });
         }
+        // What the solver solved before must not show, not even in the rounding of a result.
+        self.work.coarse.forget_nodes();
         let discrete = self.discrete(problem)?;
         let start = self.start(&discrete, settings)?;
         let (iterations, certified) = self.solve_finest(&discrete, settings, start)?;

@@ -131,39 +131,34 @@ impl PositionFilm<'_> {
         Ok(gradient)
     }
 
-    /// Kinks at or next to which a window is; `table` is `None` if its contact was not solved because the flanks stay apart.
+    /// Kinks at or next to which a window is, known by its table.
     ///
     /// # Errors
-    /// When σ_d is negative, a spot has no film or an iteration does not end.
+    /// When σ_d is negative, a row of the table is needed and not solved, a spot has no film or an iteration does not end.
     pub fn kinks(
         &mut self,
-        first_touch: Length,
-        table: Option<&ContactTable>,
+        table: &ContactTable,
         attenuated_rms: Length,
     ) -> Result<Kinks, LoadShareError> {
         let supply = self.supply_of(self.inlet_factor(attenuated_rms)?)?;
         let is_next = |gap: Length, other: f64| (gap.si() - other).abs() < NEXT_TO;
         let mut kinks = Kinks {
             windows: 1,
-            first_touch: usize::from(is_next(first_touch, supply(0.0))),
+            first_touch: usize::from(is_next(table.first_touch_gap(), supply(0.0))),
             ..Kinks::default()
         };
-        let touching = match table {
-            Some(table) => Some((table, table.share(&supply)?.value)),
-            None => None,
-        };
-        let Some((table, root)) = touching.filter(|(_, root)| *root > 0.0) else {
+        let Some(meeting) = table.meeting(&supply)? else {
             kinks.apart = 1;
             return Ok(kinks);
         };
-        let gap = table.mean_gap(root);
-        let mut rows = table.rows().iter();
-        kinks.rows = usize::from(rows.any(|row| is_next(row.mean_gap, gap.si())));
-        kinks.limited_slopes = usize::from(table.limits_a_slope(root));
+        let gap = meeting.mean_gap();
+        let mut rows = meeting.rows.iter();
+        kinks.rows = usize::from(rows.any(|(row, _)| is_next(row.mean_gap, gap.si())));
+        kinks.limited_slopes = usize::from(meeting.limits_a_slope());
         let rise = self.share(table, attenuated_rms)?.value.surface_rise;
         let conditions = self.spot_conditions(rise);
-        let mut is_at_floor = root >= LARGEST_SHARE;
-        for (row, _) in table.between(root).rows {
+        let mut is_at_floor = meeting.share.value >= LARGEST_SHARE;
+        for (row, _) in meeting.rows {
             is_at_floor |= conditions.limits_shear_rate(&row.spots)?;
         }
         kinks.floors = usize::from(is_at_floor);
@@ -195,10 +190,10 @@ impl PositionFilm<'_> {
         };
         let psi = self.inlet_factor(attenuated_rms)?;
         let supply = self.supply_of(psi)?;
-        let root = table.share(&supply)?.value;
-        if root == 0.0 {
+        let Some(meeting) = table.meeting(&supply)? else {
             return Ok(gradient);
-        }
+        };
+        let root = meeting.share.value;
         let coefficient = self.share(table, attenuated_rms)?.value.coefficient;
         let is_isothermal = self.film.heat() == FilmHeat::Isothermal;
         let unit_rise = match is_isothermal {
@@ -206,16 +201,15 @@ impl PositionFilm<'_> {
             false => self.film.surface_rise(1.0),
         };
         let rise = unit_rise * coefficient;
-        let between = table.between(root);
         let factor = self.settings.share_factor;
         let phi = factor * root;
 
         let boundary = self.settings.boundary_friction;
         let asperities = |conditions: &SpotConditions<'_>| -> Result<[f64; 2], LoadShareError> {
-            let of = |row: usize| conditions.friction(&between.rows[row].0.spots);
+            let of = |row: usize| conditions.friction(&meeting.rows[row].0.spots);
             Ok([of(0)?.total(boundary), of(1)?.total(boundary)])
         };
-        let weights = between.rows.map(|(_, weight)| weight);
+        let weights = meeting.rows.map(|(_, weight)| weight);
         let mean = |of_rows: [f64; 2]| weights[0] * of_rows[0] + weights[1] * of_rows[1];
         let of_rows = asperities(&self.spot_conditions(rise))?;
         let spread = of_rows[1] - of_rows[0];
@@ -231,8 +225,8 @@ impl PositionFilm<'_> {
 
         let by_asperities = phi * (1.0 + feedback);
         let by_root = factor * ((1.0 + feedback) * mean(of_rows) - (film_scale + feedback) * film)
-            + by_asperities * between.slope * spread;
-        let (gap_slope, by_knot) = table.gap_slopes(root);
+            + by_asperities * meeting.slope * spread;
+        let (gap_slope, by_first_touch, by_rows) = meeting.gap_slopes();
         let mut by_gap = 0.0;
         if root < LARGEST_SHARE {
             let step = SHARE_STEP * root;
@@ -248,12 +242,12 @@ impl PositionFilm<'_> {
                 *sum += height;
             }
         };
-        if by_gap * by_knot[0] != 0.0 {
-            add(contact.first_touch_gradient(-by_gap * by_knot[0]));
+        if by_gap * by_first_touch != 0.0 {
+            add(contact.first_touch_gradient(-by_gap * by_first_touch));
         }
-        for (row, knot) in table.rows().iter().zip(&by_knot[1..]) {
-            let of_gap = -by_gap * knot;
-            let pairs = between.rows.iter();
+        for (row, by_row) in by_rows {
+            let of_gap = -by_gap * by_row;
+            let pairs = meeting.rows.iter();
             let weight: f64 = pairs
                 .filter(|(other, _)| std::ptr::eq(*other, row))
                 .map(|(_, weight)| weight)
@@ -261,6 +255,7 @@ impl PositionFilm<'_> {
             if of_gap == 0.0 && weight == 0.0 {
                 continue;
             }
+            row.start(contact);
             let state = contact.at(row.asperity_share)?;
             let mut of_spots = self.spot_conditions(rise).slopes(&state.spots, boundary)?;
             for slope in of_spots.iter_mut().flatten() {

@@ -143,7 +143,7 @@ fn kinks_are_counted_within_a_nanometre_of_mean_gap() {
         }
         let (found, share) = supplied(&mut film, low);
         assert!((found - gap).abs() < 1e-13, "{found} {gap}");
-        let kinks = film.kinks(first_touch, Some(&table), Length::from_si(low));
+        let kinks = film.kinks(&table, Length::from_si(low));
         let kinks = kinks.unwrap();
         assert_eq!((kinks.windows, kinks.apart == 1), (1, share == 0.0));
         kinks
@@ -152,7 +152,7 @@ fn kinks_are_counted_within_a_nanometre_of_mean_gap() {
         let is_next = usize::from(off.abs() < 1e-9);
         let kinks = at(first_touch.si() + off);
         assert_eq!((kinks.first_touch, kinks.rows), (is_next, 0), "{off}");
-        for row in &table.rows()[4..8] {
+        for row in table.rows().skip(4).take(4) {
             let kinks = at(row.mean_gap.si() + off);
             assert_eq!((kinks.first_touch, kinks.rows), (0, is_next), "{off}");
         }
@@ -165,9 +165,13 @@ fn a_window_without_contact_or_film_is_counted_as_apart_or_at_a_floor() {
         (e_drive(), oil("e-fluid"), LoadShareSettings::default());
     let (_, table) = exact_table(&contact, ground());
     let rms = Length::from_si(0.0);
-    let mut film = PositionFilm::new(&rheology, &contact, celsius(90.0), &settings).unwrap();
-    let first_touch = Length::from_si(0.5 * film.supply_film().si());
-    let apart = film.kinks(first_touch, None, rms).unwrap();
+    let bulk = celsius(90.0);
+    let thick = SmoothFilm {
+        central: table.first_touch_gap() * 2.0,
+        thermal_factor: 1.0,
+    };
+    let mut film = PositionFilm::with_film(&rheology, &contact, bulk, &settings, thick).unwrap();
+    let apart = film.kinks(&table, rms).unwrap();
     let one = Kinks {
         windows: 1,
         ..Kinks::default()
@@ -176,12 +180,11 @@ fn a_window_without_contact_or_film_is_counted_as_apart_or_at_a_floor() {
     // So thin a film that the asperities carry the largest share.
     let smooth = SmoothFilm {
         central: Length::from_si(1e-9),
-        thermal_factor: 1.0,
+        ..thick
     };
-    let bulk = celsius(90.0);
     let mut film = PositionFilm::with_film(&rheology, &contact, bulk, &settings, smooth).unwrap();
     let share = film.share(&table, rms).unwrap().value.asperity_share;
-    let largest = film.kinks(table.first_touch_gap(), Some(&table), rms);
+    let largest = film.kinks(&table, rms);
     assert_eq!((share, largest.unwrap().floors), (0.99, 1));
     // A film at which the gap is not at its end, with spots so slow that their films are thinner than 1 nm.
     contact.speeds = contact.speeds.map(|speed| speed * 1e-4);
@@ -196,6 +199,6 @@ fn a_window_without_contact_or_film_is_counted_as_apart_or_at_a_floor() {
         "{share:?}"
     );
     assert!(share.spot_film.si() < 1e-9, "{share:?}");
-    let slow = film.kinks(table.first_touch_gap(), Some(&table), rms);
+    let slow = film.kinks(&table, rms);
     assert_eq!(slow.unwrap().floors, 1);
 }

@@ -27,6 +27,7 @@ use asperity_ehl_regime::{Attenuation, GapLaw, PairSpectrum, ThermalLaw, TraceSp
 use asperity_mixed_film::{
     AttenuatedTraces, ContactTable, InletSupply, Kinks, LoadShareError, LoadShareSettings,
     LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SmoothFilm, SpotSpeed,
+    TABLE_SHARES,
 };
 use asperity_oil::{BaseOil, FilmRheology, LubricantInput, TractionConstants, ViscosityLaw};
 use asperity_roughness::preparation::{Preparation, prepare};
@@ -390,13 +391,55 @@ fn the_gap_never_rises_with_the_share() {
         let table = table(&e_drive(), flanks, starts, FLOW);
         let mut before = table.first_touch_gap();
         for k in 1..=400 {
-            let gap = table.mean_gap(0.99 * (f64::from(k) / 400.0).powi(3));
+            let gap = table
+                .mean_gap(0.99 * (f64::from(k) / 400.0).powi(3))
+                .unwrap();
             assert!(gap <= before, "{k}");
             before = gap;
         }
         let last = table.rows().last().unwrap();
-        let end = table.mean_gap(last.asperity_share) / last.mean_gap;
+        let end = table.mean_gap(last.asperity_share).unwrap() / last.mean_gap;
         assert!((end - 1.0).abs() < 1e-12, "{end}");
+    }
+}
+
+#[test]
+fn a_row_is_the_same_whichever_others_are_solved() {
+    let (contact, rheology) = (e_drive(), oil("e-fluid"));
+    let settings = LoadShareSettings::default();
+    let composite = ground().window(STARTS, points(&contact));
+    let window = || rough(&contact, &composite, FLOW);
+    let whole = ground_table();
+    let shares =
+        |table: &ContactTable| -> Vec<f64> { table.rows().map(|row| row.asperity_share).collect() };
+    assert_eq!(shares(whole), TABLE_SHARES);
+    // Cold oil first, then hot, and the other way round; each time with a new window.
+    for temperatures in [[40.0, 150.0], [150.0, 40.0]] {
+        let table = ContactTable::new(&window().unwrap());
+        let mut before = 0;
+        for temperature in temperatures {
+            let bulk = celsius(temperature);
+            let film = || PositionFilm::new(&rheology, &contact, bulk, &settings).unwrap();
+            let rms = Length::from_si(0.2e-6);
+            let (mut of_whole, mut film) = (film(), film());
+            let needed = film.share(&table, rms).unwrap_err();
+            assert!(
+                matches!(needed, LoadShareError::RowNotSolved { .. }),
+                "{needed}"
+            );
+            film.solve_rows(&table, rms, window).unwrap();
+            let known = table.rows().count();
+            assert!(known > before && known < TABLE_SHARES.len(), "{known}");
+            before = known;
+            let share = film.share(&table, rms).unwrap().value;
+            assert_eq!(share, of_whole.share(whole, rms).unwrap().value);
+            // A known row asks for no window.
+            let none = || -> Result<RoughContact, LoadShareError> { panic!("no row is missing") };
+            film.solve_rows(&table, rms, none).unwrap();
+        }
+        for row in table.rows() {
+            assert!(whole.rows().any(|other| other == row));
+        }
     }
 }
 
