@@ -25,7 +25,7 @@ pub struct Estimate {
     pub points: f64,
     /// Time with the available threads \[s\].
     pub seconds: f64,
-    /// Memory of the stored fields and of the traces \[bytes\].
+    /// Memory of the program, the stored fields and contacts, and the traces \[bytes\].
     pub bytes: f64,
 }
 
@@ -42,7 +42,7 @@ impl Estimate {
     }
 }
 
-/// Time per point \[s\] if each contact is tabulated over its share of the load (`solved`); measured: 0.8 to 8e-6.
+/// Time per point \[s\] if each contact is solved at the shares of the load that its film needs (`solved`); measured: 0.8 to 8e-6.
 const SECONDS_TABULATED: f64 = 3e-6;
 /// Time per point \[s\] if each contact is solved once; measured: 0.2 to 0.7e-6.
 const SECONDS_ONCE: f64 = 5e-7;
@@ -84,8 +84,10 @@ const NAMED: usize = 5;
 const NUMBERS: [f64; 2] = [12.0, 4.0];
 /// Numbers stored per point of a trace while it is read, prepared and evaluated.
 const NUMBERS_OF_TRACE: f64 = 20.0;
-/// Memory of the program without traces and fields \[bytes\].
-const BYTES_AROUND: f64 = 20e6;
+/// Memory of the program without traces, fields and contacts \[bytes\]; measured: 32 to 37e6 with the draws.
+const BYTES_AROUND: f64 = 32e6;
+/// Memory of a stored contact per point of its window \[bytes\]; measured: 4 to 5.
+const BYTES_OF_A_TABLE: f64 = 5.0;
 /// Bytes per number.
 const BYTES: f64 = 8.0;
 
@@ -284,6 +286,10 @@ impl Work {
         let stored = self.positions.min(kept.of(self.positions) + threads) as f64;
         let depths = loaded.case.model.depths as f64;
         let of_fields = BYTES * (NUMBERS[0] + NUMBERS[1] * depths) * self.window_points;
+        let of_tables = match has_tables(loaded) {
+            true => BYTES_OF_A_TABLE * self.points,
+            false => 0.0,
+        };
         Estimate {
             contacts: self.contacts,
             points: self.points,
@@ -293,7 +299,8 @@ impl Work {
                 + rounds * of_a_record,
             bytes: BYTES_AROUND
                 + stored / self.positions.max(1) as f64 * of_fields
-                + BYTES * NUMBERS_OF_TRACE * self.traced,
+                + BYTES * NUMBERS_OF_TRACE * self.traced
+                + of_tables,
         }
     }
 }
