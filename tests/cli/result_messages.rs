@@ -95,6 +95,36 @@ fn tip_relief_that_nobody_states_is_said_first_with_what_it_changes() {
 }
 
 #[test]
+fn traces_are_said_to_narrow_the_interval_only_where_they_do() {
+    let bench = Bench::new();
+    let trust = |finish: &str| {
+        let case = format!(
+            r#"
+            gears = {{ teeth = [24, 61], module = "4 mm", helix = "15 deg", face_width = "40 mm" }}
+            operation = {{ torque = "300 N m", speed = "3000 1/min", bulk_temperature = "80 °C" }}
+            lubricant = {{ oil = "m100" }}
+            surface = {{ noise_cutoff = "2.5 um", pinion = {{ {finish} }}, wheel = {{ {finish} }} }}
+            model = {{ positions = 4, offsets = 4 }}
+            "#
+        );
+        bench.write("case.toml", case);
+        let said = bench.run(&["run", "case.toml"]);
+        assert_eq!(said.status, 0, "{}", said.err);
+        said.out.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let ground = trust(r#"finish = "ground", ra = "0.3 um""#);
+    let polished = trust(r#"finish = "superfinished", ra = "0.1 um""#);
+    assert!(
+        ground.contains("; traces would narrow the band to "),
+        "{ground}"
+    );
+    assert!(
+        polished.contains("; traces would hardly narrow the band"),
+        "{polished}"
+    );
+}
+
+#[test]
 fn a_contact_that_does_not_converge_reports_no_pressure() {
     let bench = bench_with("title", "title = \"x\"");
     // 1e-17 is below the round-off of a double: no iteration can get there.

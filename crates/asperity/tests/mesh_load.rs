@@ -317,6 +317,34 @@ fn a_planetary_set_that_does_not_fit_is_refused_with_its_reason() {
 }
 
 #[test]
+fn a_mesh_of_a_planetary_set_names_the_keys_of_the_set_also_after_a_change() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("set.toml");
+    let rough = r#"sun = { rq = "30 um" }"#;
+    std::fs::write(&file, SET.replace(r#"sun = { rq = "0.3 um" }"#, rough)).unwrap();
+    let set = gear_train::load(&file).unwrap().unwrap();
+    let mesh = &set.mesh("sun and planet").unwrap().case;
+    let changed = mesh.with(|input| input.model.offsets = Some(2)).unwrap();
+    for case in [mesh, &changed] {
+        let unusual = case.warnings.iter().filter(|found| found.code == "W201");
+        let texts: Vec<&str> = unusual.map(|found| found.text.as_str()).collect();
+        // A sun with more teeth than its planets is usual.
+        assert!(
+            matches!(texts[..], [text] if text.starts_with("surface.sun.rq = 30 um is unusual")),
+            "{texts:?}"
+        );
+    }
+    let error = mesh
+        .with_key("surface.pinion.rq", "-1 um")
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("(mesh of the sun, its pinion, and a planet): surface.pinion.rq"),
+        "{error}"
+    );
+}
+
+#[test]
 fn the_gear_report_tells_every_law() {
     let found = gear_report(&shipped("e-drive", &[]).case).unwrap();
     let factor = |law: &str| {

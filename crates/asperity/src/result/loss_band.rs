@@ -291,10 +291,10 @@ impl Uncertainty {
     pub fn trust_text(&self) -> String {
         let text = self.trust.text();
         let digits = self.digits();
-        match self
-            .with_traces_w
-            .map(|ends| ends.map(|loss| digits.rounded(loss)))
-        {
+        let printed = |ends: [f64; 2]| ends.map(|loss| digits.rounded(loss));
+        let now = printed(self.loss.quantiles_w);
+        match self.with_traces_w.map(printed) {
+            Some(ends) if ends == now => format!("{text}; traces would hardly narrow the band"),
             Some([low, high]) => format!("{text}; traces would narrow the band to {low}..{high} W"),
             None => text.to_owned(),
         }

@@ -58,6 +58,8 @@ pub struct LoadedCase {
     assumed: Vec<DefaultUsed>,
     /// Name of the case, for messages about what is changed.
     name: Arc<str>,
+    /// The mesh that this is the case of, in a gear train.
+    mesh: Option<Arc<MeshKeys>>,
     files: Arc<Files>,
     /// Sums of the files that flanks, gearbox, model and oil were read from.
     sums: [Arc<FileSums>; 4],
@@ -187,14 +189,14 @@ impl LoadedCase {
         !self.case.face_zones.is_empty() || self.all_traces().into_iter().any(is_rolled)
     }
 
-    /// The case with another input, of the mesh with these keys if it is one of a gear train.
+    /// The case with another input; in a gear train of the mesh with these keys, or else of the same mesh as before.
     pub(super) fn changed_to(
         &self,
         mut input: CaseInput,
         mesh: Option<&Arc<MeshKeys>>,
     ) -> Result<Self, Error> {
         keep_oil(&self.case.input, &mut input);
-        let source = match mesh {
+        let source = match mesh.or(self.mesh.as_ref()) {
             Some(mesh) => self.source().of_mesh(mesh),
             None => self.source(),
         };
@@ -206,7 +208,7 @@ impl LoadedCase {
         )?)
     }
 
-    /// Source of changes of the case: the lines of the file hold the earlier values.
+    /// Source of changes of the whole text: its lines hold the earlier values.
     pub(super) fn source(&self) -> Source {
         Source::without_text(&self.name)
     }
@@ -343,12 +345,12 @@ pub(super) fn complete(
     }
     let mut warnings = warnings;
     let loads = at_pitch_point(&case.gears, case.modulus, case.torque, case.speed);
-    let unusual = unusual(&case.input, &case.oil, &loads);
+    let unusual = unusual(&case.input, source, &case.oil, &loads);
     warnings.splice(
         0..0,
         unusual.into_iter().chain(step_up(&case.gears, source)),
     );
-    warnings.extend(divided_shifts(&case.input.gears, &case.gears));
+    warnings.extend(divided_shifts(&case.input.gears, &case.gears, source));
     warnings.extend(read_as_keys(source));
     let oil = case.oil_file.iter();
     warnings.extend(oil.flat_map(|oil| oil.warnings(&case.input, case.temperature)));
@@ -366,6 +368,7 @@ pub(super) fn complete(
         lays,
         assumed,
         name: source.name().into(),
+        mesh: source.mesh().cloned(),
         files,
         sums: [flank_sums, gearbox_sums, model_sums, oil_sums],
     })

@@ -326,12 +326,13 @@ fn former_name(operation: &OperationInput) -> Option<Warning> {
 /// Warnings about the unusual numbers of a case.
 pub(super) fn unusual(
     input: &CaseInput,
+    source: &Source,
     oil: &LubricantState,
     loads: &[AtPitchPoint],
 ) -> Vec<Warning> {
     let note = |range: &Range| {
         let value = with_unit(&digits(range.outside(range.usual)?), range.unit);
-        let (key, usual) = (range.key(), range.usual());
+        let (key, usual) = (source.key_in_train(range.key()), range.usual());
         let text = format!("{key} = {value} is unusual; usual is {usual}");
         Some(Warning::new(UNUSUAL, text))
     };
@@ -358,17 +359,22 @@ pub(super) fn step_up(gears: &GearPair, source: &Source) -> Option<Warning> {
             "gears.teeth: the pinion, which is named first and has the speed and the torque of the case, has {pinion} teeth and the wheel {wheel}"
         )
     };
-    (pinion > wheel && !source.is_of_a_train()).then(|| Warning::new(UNUSUAL, text()))
+    (pinion > wheel && source.mesh().is_none()).then(|| Warning::new(UNUSUAL, text()))
 }
 
 /// W445: profile shifts of which the case gives only the sum, by its centre distance.
-pub(super) fn divided_shifts(input: &GearsInput, gears: &GearPair) -> Option<Warning> {
+pub(super) fn divided_shifts(
+    input: &GearsInput,
+    gears: &GearPair,
+    source: &Source,
+) -> Option<Warning> {
     let is_stated = input.profile_shift.is_some() || input.tip_diameter.is_some();
     let [x1, x2] = gears.profile_shift?;
     (input.centre_distance.is_some() && !is_stated).then(|| {
         let sum = gears.profile_shift_sum;
+        let key = source.key_in_train("gears.profile_shift".into());
         let text = format!(
-            "gears.profile_shift: the centre distance gives the sum {sum:.3}, taken as [{x1:.3}, {x2:.3}] with equal specific sliding at both ends of contact"
+            "{key}: the centre distance gives the sum {sum:.3}, taken as [{x1:.3}, {x2:.3}] with equal specific sliding at both ends of contact"
         );
         Warning::new(DIVIDED, text)
     })

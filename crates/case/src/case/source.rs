@@ -76,9 +76,9 @@ impl Source {
         in_train.map_or(key, Cow::from)
     }
 
-    /// Whether this is the source of a mesh of a gear train.
-    pub(super) fn is_of_a_train(&self) -> bool {
-        self.mesh.is_some()
+    /// The mesh of a gear train that this is the source of.
+    pub(super) fn mesh(&self) -> Option<&Arc<MeshKeys>> {
+        self.mesh.as_ref()
     }
 
     /// The whole text.
