@@ -340,6 +340,15 @@ fn a_fit_under_a_condition_is_warned_about() {
         "W441 the zero of curve 3 would have to be +0.0010 of the friction: 2.1",
     );
     warned(&low, "standard deviations from the family of the base oil");
+    // The doubts go with the oil file, and are what the first screen of a run says.
+    let of_fit = "[lubricant]\noil_file = \"found/oil.toml\"\n";
+    let fitted = E_DRIVE.replacen("[lubricant]\n", of_fit, 1);
+    bench.write("fitted.toml", fitted);
+    let run = bench.run(&["run", "fitted.toml"]).well().unwrapped();
+    warned(
+        &run,
+        "W441 fit of found/oil.toml: the zero of curve 3 would",
+    );
     let scattered = curves(&bench, |traction| match (1e7 * traction) as i64 % 2 {
         0 => 1.025 * traction,
         _ => 0.975 * traction,

@@ -277,6 +277,10 @@ impl Separation {
         let normal = |name, amount: Length| -> Result<f64, DomainError> {
             Ok(to_normal * DomainError::finite(name, amount)?)
         };
+        // Material that is left at a tip or an end would be pressed into the other flank.
+        let removed = |name, amount: Length| -> Result<f64, DomainError> {
+            Ok(to_normal * DomainError::non_negative(name, amount)?)
+        };
         let mut ends = Vec::new();
         for gear in 0..2 {
             for (relief, tip) in [
@@ -284,7 +288,7 @@ impl Separation {
                 (micro.root_relief[gear], false),
             ] {
                 let Some(relief) = relief else { continue };
-                let amount = normal("relief", relief.amount)?;
+                let amount = removed("relief", relief.amount)?;
                 let length =
                     roll_length(pair, gear, tip, relief.extent)? / pair.path.base_pitch.si();
                 // The tip of gear 1 and the root of gear 2 are in contact at E.
@@ -312,7 +316,7 @@ impl Separation {
                 DomainError::require(length <= width, name, length, "m", rule)?;
                 let is_squared = end.shape == ReliefShape::Parabolic;
                 Some((
-                    normal("end relief", end.amount)?,
+                    removed("end relief", end.amount)?,
                     length / width,
                     is_squared,
                 ))

@@ -77,7 +77,16 @@ pub enum RoughnessError {
     },
 }
 
+/// Name of the noise cut-off in errors about it.
+pub(crate) const NOISE_CUTOFF: &str = "cut-off lambda_s";
+
 impl RoughnessError {
+    /// Whether the error is about the noise cut-off λ_s.
+    #[must_use]
+    pub fn is_of_noise_cutoff(&self) -> bool {
+        matches!(self, Self::Domain(error) if error.name == NOISE_CUTOFF)
+    }
+
     /// Checks the number of points.
     ///
     /// # Errors

@@ -290,14 +290,13 @@ fn primary(
     if let Some(lambda_s) = recipe.lambda_s {
         // Filters without a band between them would leave a smooth flank.
         let longest = recipe.lambda_c.map_or(f64::INFINITY, Length::si);
+        let of_lambda_s = |fits, rule| {
+            DomainError::require(fits, crate::error::NOISE_CUTOFF, lambda_s.si(), "m", rule)
+        };
         let rule = "must be shorter than the cut-off lambda_c";
-        DomainError::require(
-            lambda_s.si() < longest,
-            "cut-off lambda_s",
-            lambda_s.si(),
-            "m",
-            rule,
-        )?;
+        of_lambda_s(lambda_s.si() < longest, rule)?;
+        let rule = "must not be shorter than the spacing";
+        of_lambda_s(!(lambda_s < spacing), rule)?;
         if spacing.si() * POINTS_PER_LAMBDA_S > lambda_s.si() * (1.0 + 1e-9) {
             warnings.push(Warning::CoarseForLambdaS { spacing, lambda_s });
         }

@@ -315,7 +315,7 @@ impl Trust {
             Self::SolvedContact => "both traces measured, their contact solved",
             Self::ShareFormula => "lower: a formula shares the load between film and asperities",
             Self::Surrogates => {
-                "from roughness values, contact solved on surrogate flanks: no trace was measured"
+                "lower: a flank is known by roughness values alone, its contact solved on surrogates"
             }
             Self::RoughnessValues => {
                 "low: a flank is known by roughness values alone, no contact was solved"

@@ -1,5 +1,6 @@
 //! Errors of traction curves, each with a code.
 
+use asperity::case::STEEPEST_FALL;
 use asperity::mixed_film::LoadShareError;
 use asperity::oil::LubricantError;
 
@@ -157,6 +158,15 @@ pub enum OilError {
         /// Largest value.
         high: f64,
     },
+    /// A fall of the limiting shear stress that no case takes.
+    #[error(
+        "the 95 % band of the fall of the limiting shear stress, {:.4} to {:.4} 1/K, leaves {} to {STEEPEST_FALL} 1/K, where a film has a single temperature: no case takes it",
+        band[0], band[1], -STEEPEST_FALL
+    )]
+    TooSteep {
+        /// The band \[1/K\].
+        band: [f64; 2],
+    },
     /// The fit did not converge, or the model has no solution.
     #[error(transparent)]
     Fit(CalibrationError),
@@ -176,7 +186,10 @@ impl OilError {
             Self::Table(CalibrationError::Open { .. }) => "E103",
             Self::Table(_) | Self::NoTable { .. } | Self::Row { .. } | Self::Air { .. } => "E317",
             Self::FewPoints { .. } | Self::LowPressure { .. } => "E318",
-            Self::Unexplained { .. } | Self::Nuisance { .. } | Self::NoOil { .. } => "E319",
+            Self::Unexplained { .. }
+            | Self::Nuisance { .. }
+            | Self::NoOil { .. }
+            | Self::TooSteep { .. } => "E319",
             Self::NoRubbing { .. }
             | Self::NotRubbed
             | Self::FewBoundary { .. }

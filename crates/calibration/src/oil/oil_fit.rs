@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use asperity::case::{DECISIVE, POORLY_EXPLAINED, law_error};
+use asperity::case::{DECISIVE, POORLY_EXPLAINED, STEEPEST_FALL, law_error};
 use asperity::message::Warning;
 use asperity::oil::{LubricantInput, PressureLaw, TractionConstants};
 use asperity_core::numerics::{Z_95, Z_975};
@@ -17,6 +17,7 @@ use super::helpful::{Helpful, helpful};
 use super::problem::{CONSTANTS, FACTOR, FALL, Nuisance, Priors, STATED, STATED_CONSTANTS, Zero};
 use super::reading::{Reading, SetPoint, set_points};
 use super::selection::{Dropped, Judged, judge};
+use crate::block::digits;
 use crate::information::correlations;
 
 /// Factor on the linearised standard deviations: bands without it hold nine tenths of what they should (simulated fits).
@@ -188,6 +189,9 @@ pub struct OilFit {
     pub nuisance: Vec<NuisanceTerm>,
     /// Fitted and dropped points.
     pub points: Vec<TractionPointRow>,
+    /// What speaks against the constants, for the oil file and the runs with it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub doubts: Vec<String>,
     /// Warnings.
     pub warnings: Vec<Warning>,
 }
@@ -261,11 +265,17 @@ impl OilFit {
             },
             nuisance: nuisance(best),
             points: rows(&points, &judged, best),
+            doubts: Vec::new(),
             warnings: Vec::new(),
         };
         found.refuse(&fits, settings.is_forced)?;
-        let warnings = found.warnings_of(best);
-        Ok(Self { warnings, ..found })
+        let doubts = found.doubts_of(best);
+        let warnings = found.warnings_of(best, &doubts);
+        Ok(Self {
+            doubts,
+            warnings,
+            ..found
+        })
     }
 
     /// The fitted point that lies furthest from the fit, in words.
@@ -315,6 +325,11 @@ impl OilFit {
                 worst: self.worst_points(5),
             });
         }
+        let fall = self.constants.get(FALL);
+        let is_steep = |end: &f64| end.abs() > STEEPEST_FALL;
+        if let Some(fall) = fall.filter(|fall| fall.band.iter().any(is_steep)) {
+            return Err(OilError::TooSteep { band: fall.band });
+        }
         match impossible(&self.constants) {
             Some((constant, [low, high])) if !is_forced => Err(OilError::NoOil {
                 name: constant.name.clone(),
@@ -327,18 +342,39 @@ impl OilFit {
         }
     }
 
-    fn warnings_of(&self, best: &LawFit<'_>) -> Vec<Warning> {
-        let mut texts = Vec::new();
-        for term in self
-            .nuisance
-            .iter()
-            .filter(|term| term.deviations.abs() > UNUSUAL)
-        {
+    /// What speaks against the constants: a machine far out of calibration, an oil far from its family, a constant of no known
+    /// oil.
+    fn doubts_of(&self, best: &LawFit<'_>) -> Vec<String> {
+        let is_unusual = |term: &&NuisanceTerm| term.deviations.abs() > UNUSUAL;
+        let unusual = self.nuisance.iter().filter(is_unusual);
+        let mut texts: Vec<String> = unusual
+            .map(|term| format!("{}: {:.1} standard deviations", term.text, term.deviations))
+            .collect();
+        if let Some((constant, [low, high])) = impossible(&self.constants) {
+            let FittedConstant {
+                name, value, unit, ..
+            } = constant;
+            let value = digits(*value);
             texts.push(format!(
-                "{}: {:.1} standard deviations",
-                term.text, term.deviations
+                "{name} = {value} {unit}: that of no known oil, {low} to {high}"
             ));
         }
+        let family = Priors::of(best.problem.oil, false);
+        for k in [0, FACTOR] {
+            let shift = best.x[k] * best.problem.priors.constants[k];
+            let deviations = shift / family.constants[k];
+            if deviations.abs() > UNLIKE_FAMILY {
+                texts.push(format!(
+                    "{} lies {deviations:+.1} standard deviations from the family of the base oil",
+                    self.constants[k].name
+                ));
+            }
+        }
+        texts
+    }
+
+    fn warnings_of(&self, best: &LawFit<'_>, doubts: &[String]) -> Vec<Warning> {
+        let mut texts = doubts.to_vec();
         let far = match self.temperatures_c[..] {
             [only] => {
                 texts.push(format!(
@@ -352,17 +388,6 @@ impl OilFit {
         let [_, points, kept] = self.counts;
         if 2 * kept < points {
             texts.push(format!("{} of {points} points are dropped", points - kept));
-        }
-        let family = Priors::of(best.problem.oil, false);
-        for k in [0, FACTOR] {
-            let shift = best.x[k] * best.problem.priors.constants[k];
-            let deviations = shift / family.constants[k];
-            if deviations.abs() > UNLIKE_FAMILY {
-                texts.push(format!(
-                    "{} lies {deviations:+.1} standard deviations from the family of the base oil",
-                    self.constants[k].name
-                ));
-            }
         }
         if self.squares_per_point < OVERSTATED {
             texts.push(format!(

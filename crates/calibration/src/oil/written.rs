@@ -25,11 +25,16 @@ impl OilFit {
         Some(OilFile {
             schema: OilSchema::Version1,
             lubricant: self.lubricant.clone(),
-            film_friction: self.film_friction(
-                (self.pressure_law, self.squares_per_point),
-                (&self.constants, &self.correlations),
-                [this_law, other_law],
-            )?,
+            film_friction: self
+                .film_friction(
+                    (self.pressure_law, self.squares_per_point),
+                    (&self.constants, &self.correlations),
+                    [this_law, other_law],
+                )
+                .map(|fitted| FittedFriction {
+                    doubts: self.doubts.clone(),
+                    ..fitted
+                })?,
             other_law: match self.is_law_decided {
                 true => None,
                 false => Some(by_other()?),
@@ -81,6 +86,7 @@ impl OilFit {
                 this_law: plain(this_law)?,
             },
             source: sources.collect::<Vec<String>>().join("; "),
+            doubts: Vec::new(),
         })
     }
 }

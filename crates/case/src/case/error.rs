@@ -320,7 +320,13 @@ impl CaseError {
                 ..
             } => Remedy::act(format!("write {nearest}")),
             Self::Profile { source, .. } => source.remedy(),
-            Self::Preparation { .. } => Remedy::state(Setting::Cutoff).because("to suit the trace"),
+            Self::Preparation { source, .. } => {
+                let cutoff = match source.is_of_noise_cutoff() {
+                    true => Setting::NoiseCutoff,
+                    false => Setting::Cutoff,
+                };
+                Remedy::state(cutoff).because("to suit the trace")
+            }
             _ => Remedy::none(),
         }
     }

@@ -98,7 +98,7 @@ pub use model::{EhlChoices, EhlInput, Formulation, Model, ModelInput};
 pub use nearest_name::nearest_name;
 pub use oil_file::{
     DECISIVE, FitQuality, FittedFriction, FittedName, OilConstant, OilFile, OilSchema,
-    POORLY_EXPLAINED, law_error,
+    POORLY_EXPLAINED, STEEPEST_FALL, law_error,
 };
 pub use one_or_two::OneOrTwo;
 pub use path_point::{NamedPoint, PathPoint};

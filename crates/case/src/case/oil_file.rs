@@ -19,6 +19,8 @@ use crate::message::Warning;
 
 /// Squares of the residuals per point above which the law explains the curves poorly.
 pub const POORLY_EXPLAINED: f64 = 1.5;
+/// Steepest fall of ln Λ of a band \[1/K\]: a wider one has draws for which a film has several temperatures.
+pub const STEEPEST_FALL: f64 = 0.016;
 /// Difference of the sums of squares that decides the law of pressure: odds of 20 to 1.
 pub const DECISIVE: f64 = 6.0;
 /// Standard deviation of the error of a law that explains the curves, and of one that explains them poorly (judgement).
@@ -80,6 +82,9 @@ pub struct FittedFriction {
     pub fit: FitQuality,
     /// Files of the curves with their SHA-256.
     pub source: String,
+    /// What speaks against the constants, if anything does: what the fit had to assume of the machine or the oil.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub doubts: Vec<String>,
 }
 
 /// A fitted constant with its 95 % band.
@@ -361,6 +366,8 @@ impl OilFile {
             found.push(Warning::new("W442", text));
         }
         let fitted = &self.film_friction;
+        let doubts = fitted.doubts.iter();
+        found.extend(doubts.map(|doubt| Warning::new("W441", format!("fit of {file}: {doubt}"))));
         let mut limit = |text: String| found.push(Warning::new("W443", format!("{file}: {text}")));
         if fitted.is_far(temperature) {
             let [low, high] = fitted.temperature_range().map(Temperature::celsius);

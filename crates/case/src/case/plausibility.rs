@@ -80,7 +80,7 @@ const VISCOSITY: [Limits<LubricantInput>; 3] = [
 pub(super) struct Range {
     table: &'static str,
     name: &'static str,
-    unit: &'static str,
+    pub(super) unit: &'static str,
     usual: [f64; 2],
     possible: [f64; 2],
     numbers: Vec<f64>,

@@ -13,6 +13,8 @@ use serde::de::{
 use serde::forward_to_deserialize_any;
 use toml::{Table, Value, map};
 
+use crate::case::plausibility::range_of;
+
 /// Keys from the root to the value that is being read; after an error, to the value that cannot be read.
 type Path = RefCell<Vec<String>>;
 
@@ -26,8 +28,22 @@ pub(super) fn from_keys<T: DeserializeOwned>(root: Table) -> Result<T, (Option<S
     };
     T::deserialize(keyed).map_err(|error| {
         let key = path.take().join(".");
-        ((!key.is_empty()).then_some(key), error.to_string())
+        let message = with_usual_unit(&key, error.to_string());
+        ((!key.is_empty()).then_some(key), message)
     })
+}
+
+/// The message of a number without unit, whose example has the unit that is usual at `key`: Ra is stated in um, a module in mm.
+fn with_usual_unit(key: &str, message: String) -> String {
+    let usual = || {
+        let (number, rest) = message.split_once(" has no unit; ")?;
+        let (units, _) = rest.rsplit_once(" (as \"")?;
+        let unit = range_of(key)?.unit;
+        Some(format!(
+            "{number} has no unit; {units} (as \"{number} {unit}\")"
+        ))
+    };
+    usual().unwrap_or(message)
 }
 
 /// A value; without a path within a list or a variant.

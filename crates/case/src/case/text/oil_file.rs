@@ -12,12 +12,9 @@ use crate::case::calibration::{Calibrated, cholesky};
 use crate::case::error::CaseError;
 use crate::case::files::{Content, FileSums, Files, OIL_FILE, Reader};
 use crate::case::input::CaseInput;
-use crate::case::oil_file::{FitQuality, FittedFriction, FittedName, OilFile};
+use crate::case::oil_file::{FitQuality, FittedFriction, FittedName, OilFile, STEEPEST_FALL};
 use crate::case::section::Section;
 use crate::case::source::Source;
-
-/// Steepest fall of ln Λ of a band \[1/K\]: a wider one has draws for which a film has several temperatures.
-const STEEPEST_FALL: f64 = 0.016;
 
 impl CaseFile for OilFile {
     fn schema() -> &'static Json {

@@ -45,6 +45,7 @@ fn table(f: &mut fmt::Formatter<'_>, name: &str, found: &FittedFriction) -> fmt:
         pressure_max,
         fit,
         source,
+        doubts,
     } = found;
     writeln!(f, "\n[{name}]\npressure_law = {}", inline(pressure_law)?)?;
     constant(f, FittedName::EyringStress, eyring_stress)?;
@@ -72,7 +73,11 @@ fn table(f: &mut fmt::Formatter<'_>, name: &str, found: &FittedFriction) -> fmt:
         "fit = {{ points = {points}, chi2_per_point = {}, other_law = {}, this_law = {} }}",
         per_point?, other?, own?
     )?;
-    writeln!(f, "source = {}", inline(source)?)
+    writeln!(f, "source = {}", inline(source)?)?;
+    match doubts.is_empty() {
+        true => Ok(()),
+        false => writeln!(f, "doubts = {}", inline(doubts)?),
+    }
 }
 
 /// A line of a constant.
