@@ -274,7 +274,7 @@ fn a_place_that_no_flank_has_is_refused_with_what_was_wrong() {
 /// Mistakes of case files, each with its code and with the words that name it; an unusual number is a warning.
 #[test]
 fn deliberate_mistakes_are_named() {
-    let mistakes: [(&str, &str, &str, &str); 40] = [
+    let mistakes: [(&str, &str, &str, &str); 42] = [
         (
             "operation.torque",
             "145 kN m",
@@ -435,6 +435,18 @@ fn deliberate_mistakes_are_named() {
             "surface.pinion.ra",
         ),
         ("surface.cutoff", "8 mm", "E120", "3 mm long"),
+        (
+            "surface.noise_cutoff",
+            "0.1 um",
+            "E120",
+            "cut-off lambda_s = 1e-7 m: must not be shorter",
+        ),
+        (
+            "gears.wheel.tip_relief",
+            "{ amount = \"-8 um\", length = \"2 mm\" }",
+            "E209",
+            "must be finite and not negative",
+        ),
     ];
     let mut wrong = Vec::new();
     for (key, value, code, words) in mistakes {

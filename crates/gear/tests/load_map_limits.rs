@@ -276,6 +276,15 @@ fn what_a_load_map_cannot_be_made_of_is_refused_with_its_reason() {
         )),
         "relief"
     );
+    assert_eq!(
+        name(try_map(
+            145.0,
+            &elastic,
+            &relief(-1e-5, 1e-3, false),
+            &settings
+        )),
+        "relief"
+    );
     let beyond = MicroGeometry {
         tip_relief: [
             None,
