@@ -296,7 +296,7 @@ fn primary(
         let rule = "must be shorter than the cut-off lambda_c";
         of_lambda_s(lambda_s.si() < longest, rule)?;
         let rule = "must not be shorter than the spacing";
-        of_lambda_s(!(lambda_s < spacing), rule)?;
+        of_lambda_s(lambda_s >= spacing, rule)?;
         if spacing.si() * POINTS_PER_LAMBDA_S > lambda_s.si() * (1.0 + 1e-9) {
             warnings.push(Warning::CoarseForLambdaS { spacing, lambda_s });
         }
