@@ -282,6 +282,19 @@ fn curves_that_give_no_constants_are_refused() {
     let low = every(6, &bench, |traction| 0.2 * traction);
     fit(&low, &["--wide"]).refused(2, "E319", &["is the one of no known oil"]);
     fit(&low, &["--wide", "--force"]).well();
+    // A limiting stress that falls so fast that a film would have several temperatures: no case takes it, forced or not.
+    let steep = table.lines().map(|line| {
+        let (place, traction) = line.rsplit_once(',').unwrap();
+        let factor = match place.rsplit_once(',').unwrap().1 {
+            "80" => 0.6,
+            "120" => 0.3,
+            _ => return line.to_owned(),
+        };
+        format!("{place},{}", factor * traction.parse::<f64>().unwrap())
+    });
+    let steep = steep.collect::<Vec<String>>().join("\n");
+    let forced = ["--wide", "--force", "--point-floor", "0.01"];
+    fit(&steep, &forced).refused(2, "E319", &["no case takes it"]);
     let one = bench.run(&["oil", "fit", "curves.csv", "--oil", "paper-table-2"]);
     one.refused(2, "E208", &["known at one temperature only"]);
     bench.write_flanks();

@@ -480,6 +480,17 @@ fn what_calls_for_attention_in_the_flanks_is_said_with_the_result() {
             "resampled linearly to 400 nm",
         ],
     );
+    // The unit that the case states against the file is what the first screen says.
+    let in_nm = bench_with(
+        "pinion",
+        "pinion = { file = \"pinion.csv\", z_unit = \"nm\" }",
+    );
+    let said = in_nm.run(&["run", "case.toml", "--no-output"]).well();
+    assert!(
+        said.out.contains("\nW322 pinion.csv: nm was stated"),
+        "{}",
+        said.out
+    );
     let by_lambda_star = ["--set", "model.load_share=lambda-star"];
     let long_waves = bench_with("cutoff", "noise_cutoff = \"120 um\"");
     warns(

@@ -78,8 +78,8 @@ impl From<ContactState> for TableRow {
 
 /// The rough contact of one window at the shares of the table, each solved when a film first needs it.
 ///
-/// A contact starts from the one at the next share towards the row that is solved first. So a row is the same whichever
-/// others are solved.
+/// Each starts from the one at the next share towards the row that is solved first, so that a row is the same whichever others
+/// are solved.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactTable {
     first_touch: f64,
@@ -110,7 +110,7 @@ enum Crossing<'a> {
 
 /// The table where the gap of the contact is the one supplied: two neighbouring rows with their weights.
 #[derive(Debug, Clone)]
-pub(crate) struct Meeting<'a> {
+pub(crate) struct AtShare<'a> {
     pub(crate) share: Solved,
     /// The rows; below the first row only that row.
     pub(crate) rows: [(&'a TableRow, f64); 2],
@@ -119,7 +119,7 @@ pub(crate) struct Meeting<'a> {
     piece: Piece<'a>,
 }
 
-impl Meeting<'_> {
+impl AtShare<'_> {
     /// Mean gap g(φ).
     pub(crate) fn mean_gap(&self) -> Length {
         Length::from_si(self.piece.gap(abscissa(self.share.value)))
@@ -284,10 +284,11 @@ impl ContactTable {
         if self.first_touch <= supply(0.0) {
             return Ok(Crossing::Apart);
         }
-        let is_too_thin = |row: usize| Ok(supply(TABLE_SHARES[row]) < self.row(row)?.mean_gap.si());
+        // Whether the gap at a row is larger than that supplied: the share is larger.
+        let is_short = |row: usize| Ok(supply(TABLE_SHARES[row]) < self.row(row)?.mean_gap.si());
         let mut above = FIRST_SOLVED;
-        if is_too_thin(above)? {
-            while is_too_thin(above)? {
+        if is_short(above)? {
+            while is_short(above)? {
                 if above == LAST {
                     let excess = self.row(LAST)?.mean_gap.si() / supply(LARGEST_SHARE) - 1.0;
                     return Ok(Crossing::Beyond(self.piece(LAST)?, excess));
@@ -295,7 +296,7 @@ impl ContactTable {
                 above += 1;
             }
         } else {
-            while above > 0 && !is_too_thin(above - 1)? {
+            while above > 0 && !is_short(above - 1)? {
                 above -= 1;
             }
         }
@@ -307,27 +308,23 @@ impl ContactTable {
     /// ```text
     /// g(φ) = h̄(φ);  φ = 0 if g(0) ≤ h̄(0), 0.99 if g(0.99) > h̄(0.99)            [Load-share]
     /// ```
-    pub(crate) fn meeting(
+    pub(crate) fn at_supply(
         &self,
         supply: &impl Fn(f64) -> f64,
-    ) -> Result<Option<Meeting<'_>>, LoadShareError> {
+    ) -> Result<Option<AtShare<'_>>, LoadShareError> {
         cite!("Load-share");
-        let (piece, share) = match self.crossing(supply)? {
-            Crossing::Apart => return Ok(None),
-            Crossing::Beyond(piece, residual) => {
-                let share = Solved {
-                    value: LARGEST_SHARE,
-                    residual,
-                    iterations: 0,
-                };
-                (piece, share)
-            }
+        match self.crossing(supply)? {
+            Crossing::Apart => Ok(None),
             Crossing::Between(piece) => {
                 let share = piece.share(supply)?;
-                (piece, share)
+                Ok(Some(piece.at(share)))
             }
-        };
-        Ok(Some(piece.meeting(share)))
+            Crossing::Beyond(piece, residual) => Ok(Some(piece.at(Solved {
+                value: LARGEST_SHARE,
+                residual,
+                iterations: 0,
+            }))),
+        }
     }
 }
 
@@ -383,7 +380,7 @@ impl<'a> Piece<'a> {
         })
     }
 
-    fn meeting(self, share: Solved) -> Meeting<'a> {
+    fn at(self, share: Solved) -> AtShare<'a> {
         let [a, b] = self.ends().map(|knot| knot[0]);
         let above = self.low + 1 - self.without_row();
         let high = self.rows[above];
@@ -395,31 +392,13 @@ impl<'a> Piece<'a> {
                 ([(self.rows[below], 1.0 - weight), (high, weight)], slope)
             }
         };
-        Meeting {
+        AtShare {
             share,
             rows,
             slope,
             piece: self,
         }
     }
-}
-
-/// The share at the ends, if gap and supply are not equal between them.
-pub(crate) fn end_share(
-    first_touch: f64,
-    supply: &impl Fn(f64) -> f64,
-    gap: impl FnOnce(f64) -> f64,
-) -> Option<asperity_core::numerics::Solved> {
-    let at = |value: f64, residual: f64| asperity_core::numerics::Solved {
-        value,
-        residual,
-        iterations: 0,
-    };
-    if first_touch <= supply(0.0) {
-        return Some(at(0.0, 0.0));
-    }
-    let excess = gap(LARGEST_SHARE) / supply(LARGEST_SHARE) - 1.0;
-    (excess > 0.0).then(|| at(LARGEST_SHARE, excess))
 }
 
 fn abscissa(share: f64) -> f64 {

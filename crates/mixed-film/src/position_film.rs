@@ -19,7 +19,7 @@ use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, Share
 use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmSettings, LoadedFilm};
 use serde::{Deserialize, Serialize};
 
-use crate::contact_table::{ContactTable, end_share};
+use crate::contact_table::ContactTable;
 use crate::error::LoadShareError;
 use crate::rough_contact::{ContactState, RoughContact};
 use crate::solution::{LineLosses, LoadShareSolution, ShareEvidence};
@@ -316,10 +316,11 @@ impl<'a> PositionFilm<'a> {
         self.central
     }
 
-    /// Solves the rows of a window's table that [`share`](Self::share) needs; `contact` gives the window if there are any.
+    /// Solves the missing rows of a window's table that [`share`](Self::share) needs; `contact` gives the window if any is
+    /// missing.
     ///
     /// # Errors
-    /// When σ_d is negative, there is no window or a contact does not converge.
+    /// When σ_d is negative, `contact` fails or a contact does not converge.
     pub fn solve_rows<E: From<LoadShareError>>(
         &self,
         table: &ContactTable,
@@ -343,22 +344,22 @@ impl<'a> PositionFilm<'a> {
     ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
         let psi = self.inlet_factor(attenuated_rms)?;
         let supply = self.supply_of(psi)?;
-        let meeting = table.meeting(&supply)?;
-        let touching = match &meeting {
+        let found = table.at_supply(&supply)?;
+        let touching = match &found {
             None => self.untouched(supply(0.0)),
-            Some(meeting) => Touching {
-                share: meeting.share,
-                mean_gap: meeting.mean_gap(),
-                spots: meeting
+            Some(at) => Touching {
+                share: at.share,
+                mean_gap: at.mean_gap(),
+                spots: at
                     .weighted()
                     .map(|(row, weight)| (row.spots.as_slice(), weight))
                     .collect(),
-                area: meeting.mean(|row| row.area),
-                max_pressure: Pressure::from_si(meeting.mean(|row| row.max_pressure.si())),
-                dissipated: LineEnergy::from_si(meeting.mean(|row| row.dissipated.si())),
+                area: at.mean(|row| row.area),
+                max_pressure: Pressure::from_si(at.mean(|row| row.max_pressure.si())),
+                dissipated: LineEnergy::from_si(at.mean(|row| row.dissipated.si())),
                 worst: [
-                    meeting.worst(|row| row.load_error),
-                    meeting.worst(|row| row.duality_gap),
+                    at.worst(|row| row.load_error),
+                    at.worst(|row| row.duality_gap),
                 ],
             },
         };
@@ -689,4 +690,22 @@ fn direct_share(
         quantity: "asperity share",
         source,
     })
+}
+
+/// The share at the ends, if gap and supply are not equal between them.
+fn end_share(
+    first_touch: f64,
+    supply: &impl Fn(f64) -> f64,
+    gap: impl FnOnce(f64) -> f64,
+) -> Option<asperity_core::numerics::Solved> {
+    let at = |value: f64, residual: f64| asperity_core::numerics::Solved {
+        value,
+        residual,
+        iterations: 0,
+    };
+    if first_touch <= supply(0.0) {
+        return Some(at(0.0, 0.0));
+    }
+    let excess = gap(LARGEST_SHARE) / supply(LARGEST_SHARE) - 1.0;
+    (excess > 0.0).then(|| at(LARGEST_SHARE, excess))
 }

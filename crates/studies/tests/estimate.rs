@@ -50,6 +50,8 @@ fn more_work_takes_longer() {
     assert_eq!(fourfold.contacts, 4 * reference.contacts);
     assert!((fourfold.points / reference.points - 4.0).abs() < 1e-12);
     assert!(fourfold.seconds > 1.5 * reference.seconds);
+    // The contacts of the further offsets are stored.
+    assert!(fourfold.bytes > reference.bytes);
     let bulk = r#"{ law = "iso", lubrication = "jet" }"#;
     for keys in [
         &[("model.run_in", "true")][..],

@@ -74,7 +74,7 @@ pub(crate) struct WindowContact {
     pub roughness: Roughness,
     /// Place of the window on the traces; `None` where no window is resolved.
     pub window: Option<Window>,
-    /// The contact at its shares, once a film asked for it.
+    /// The contact at the shares solved so far, once a film needed it.
     pub table: OnceLock<ContactTable>,
 }
 

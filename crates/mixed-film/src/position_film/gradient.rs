@@ -147,18 +147,18 @@ impl PositionFilm<'_> {
             first_touch: usize::from(is_next(table.first_touch_gap(), supply(0.0))),
             ..Kinks::default()
         };
-        let Some(meeting) = table.meeting(&supply)? else {
+        let Some(at) = table.at_supply(&supply)? else {
             kinks.apart = 1;
             return Ok(kinks);
         };
-        let gap = meeting.mean_gap();
-        let mut rows = meeting.rows.iter();
+        let gap = at.mean_gap();
+        let mut rows = at.rows.iter();
         kinks.rows = usize::from(rows.any(|(row, _)| is_next(row.mean_gap, gap.si())));
-        kinks.limited_slopes = usize::from(meeting.limits_a_slope());
+        kinks.limited_slopes = usize::from(at.limits_a_slope());
         let rise = self.share(table, attenuated_rms)?.value.surface_rise;
         let conditions = self.spot_conditions(rise);
-        let mut is_at_floor = meeting.share.value >= LARGEST_SHARE;
-        for (row, _) in meeting.rows {
+        let mut is_at_floor = at.share.value >= LARGEST_SHARE;
+        for (row, _) in at.rows {
             is_at_floor |= conditions.limits_shear_rate(&row.spots)?;
         }
         kinks.floors = usize::from(is_at_floor);
@@ -190,10 +190,10 @@ impl PositionFilm<'_> {
         };
         let psi = self.inlet_factor(attenuated_rms)?;
         let supply = self.supply_of(psi)?;
-        let Some(meeting) = table.meeting(&supply)? else {
+        let Some(at) = table.at_supply(&supply)? else {
             return Ok(gradient);
         };
-        let root = meeting.share.value;
+        let root = at.share.value;
         let coefficient = self.share(table, attenuated_rms)?.value.coefficient;
         let is_isothermal = self.film.heat() == FilmHeat::Isothermal;
         let unit_rise = match is_isothermal {
@@ -206,10 +206,10 @@ impl PositionFilm<'_> {
 
         let boundary = self.settings.boundary_friction;
         let asperities = |conditions: &SpotConditions<'_>| -> Result<[f64; 2], LoadShareError> {
-            let of = |row: usize| conditions.friction(&meeting.rows[row].0.spots);
+            let of = |row: usize| conditions.friction(&at.rows[row].0.spots);
             Ok([of(0)?.total(boundary), of(1)?.total(boundary)])
         };
-        let weights = meeting.rows.map(|(_, weight)| weight);
+        let weights = at.rows.map(|(_, weight)| weight);
         let mean = |of_rows: [f64; 2]| weights[0] * of_rows[0] + weights[1] * of_rows[1];
         let of_rows = asperities(&self.spot_conditions(rise))?;
         let spread = of_rows[1] - of_rows[0];
@@ -225,8 +225,8 @@ impl PositionFilm<'_> {
 
         let by_asperities = phi * (1.0 + feedback);
         let by_root = factor * ((1.0 + feedback) * mean(of_rows) - (film_scale + feedback) * film)
-            + by_asperities * meeting.slope * spread;
-        let (gap_slope, by_first_touch, by_rows) = meeting.gap_slopes();
+            + by_asperities * at.slope * spread;
+        let (gap_slope, by_first_touch, by_rows) = at.gap_slopes();
         let mut by_gap = 0.0;
         if root < LARGEST_SHARE {
             let step = SHARE_STEP * root;
@@ -247,7 +247,7 @@ impl PositionFilm<'_> {
         }
         for (row, by_row) in by_rows {
             let of_gap = -by_gap * by_row;
-            let pairs = meeting.rows.iter();
+            let pairs = at.rows.iter();
             let weight: f64 = pairs
                 .filter(|(other, _)| std::ptr::eq(*other, row))
                 .map(|(_, weight)| weight)
