@@ -43,6 +43,7 @@ mod result_messages;
 mod results;
 mod rexs;
 mod ridges;
+mod same_case;
 mod sensitivity;
 mod several_traces;
 mod single_modules;

@@ -615,7 +615,9 @@ fn short_traces(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &m
         .iter()
         .map(|position| position.at.hertz.half_width.si());
     let widest = Length::from_si(half_widths.fold(0.0, f64::max));
-    let Some(windows) = windows_of_traces(loaded, widest).filter(|windows| *windows < FEW) else {
+    let Some(windows) = windows_of_traces(&loaded.surfaces, loaded.case.model.window, widest)
+        .filter(|windows| *windows < FEW)
+    else {
         return;
     };
     let length = length_for(ENOUGH, loaded.case.model.window, widest);

@@ -4,72 +4,42 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use asperity_core::cancel::checkpoint;
-use asperity_core::material::Material;
-use asperity_core::quantity::Torque;
-use asperity_gear::{GearPair, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
-use asperity_mixed_film::ContactTable;
+use asperity_core::quantity::{AngularSpeed, Length, LineLoad};
+use asperity_gear::LoadMap;
+use asperity_mixed_film::{ContactTable, RoughContact};
+use rayon::prelude::*;
 
-use crate::mesh::{Mesh, MeshPosition};
-use asperity_case::case::{Case, Formulation, LoadedCase};
-use asperity_case::error::PositionError;
-use asperity_case::flanks::{Roughness, Surfaces, Window};
+use super::inputs::{ContactInputs, Offsets, WindowInputs};
+use super::offsets::offsets_needed;
+use crate::mesh::{Mesh, MeshPosition, numbered};
+use asperity_case::case::{Case, Formulation, LoadInputs, LoadedCase};
+use asperity_case::error::{Error, PositionError};
+use asperity_case::flanks::placement::check_coverage;
+use asperity_case::flanks::{Roughness, Window};
+
+/// Speed at which the mesh of the contacts is laid out: its places, loads and radii are the same at any speed.
+const ANY_SPEED: AngularSpeed = AngularSpeed::from_si(1.0);
 
 /// Rough contact of every window of a mesh.
 ///
-/// The contacts depend on gears, torque, flanks and steel, but on neither oil, temperature nor speed: another of
-/// these costs film laws only ([`losses_with`](crate::pipeline::losses_with)). A contact is solved at the shares that a
-/// film needs, and stored.
+/// The contacts follow from the prepared traces, steels, gears and load, and from the keys of the contact, of which a single struct
+/// is made: from neither oil, temperature nor speed, nor from the order or the number of threads in which cases are computed.
+/// Another oil, temperature or speed costs film laws only ([`losses_with`](crate::pipeline::losses_with)). A contact is solved at
+/// the shares that a film needs, and stored.
 #[derive(Debug, Clone)]
 pub struct Contacts {
-    fingerprint: Vec<u64>,
-    surfaces: Surfaces,
-    load: StoredLoad,
+    inputs: ContactInputs,
+    load: LoadMap,
     /// Offsets of each pair of traces.
     each: usize,
     rows: BTreeMap<[u64; 4], Vec<Arc<WindowContact>>>,
 }
 
-/// The load over the teeth and all that it follows from.
-#[derive(Debug, Clone)]
-struct StoredLoad {
-    map: LoadMap,
-    /// `None` of a user-defined law.
-    law: Option<LoadLaw>,
-    gears: GearPair,
-    micro_geometry: MicroGeometry,
-    materials: [Material; 2],
-    settings: LoadMapSettings,
-    torque: Torque,
-}
-
-impl StoredLoad {
-    fn new(case: &Case, map: LoadMap) -> Self {
-        let is_named = case.laws.load_distribution.is_none();
-        Self {
-            map,
-            law: is_named.then(|| case.model.load_distribution.clone()),
-            gears: case.gears.clone(),
-            micro_geometry: case.micro_geometry.clone(),
-            materials: case.materials,
-            settings: case.load_settings,
-            torque: case.torque,
-        }
-    }
-
-    fn is_of(&self, case: &Case) -> bool {
-        case.laws.load_distribution.is_none()
-            && self.law.as_ref() == Some(&case.model.load_distribution)
-            && self.torque == case.torque
-            && self.gears == case.gears
-            && self.micro_geometry == case.micro_geometry
-            && self.materials == case.materials
-            && self.settings == case.load_settings
-    }
-}
-
 /// The rough contact of one window, and its roughness.
 #[derive(Debug, Clone)]
 pub(crate) struct WindowContact {
+    inputs: Arc<WindowInputs>,
+    place: WindowPlace,
     /// Roughness of the window, or of the flanks as a whole where no window is resolved.
     pub roughness: Roughness,
     /// Place of the window on the traces; `None` where no window is resolved.
@@ -78,24 +48,35 @@ pub(crate) struct WindowContact {
     pub table: OnceLock<ContactTable>,
 }
 
+/// Which window of a mesh it is, with its load.
+#[derive(Debug, Clone, Copy)]
+struct WindowPlace {
+    load: LineLoad,
+    radius: Length,
+    zone: usize,
+    /// Offset and number of offsets of all pairs.
+    offset: (usize, usize),
+}
+
 impl WindowContact {
     /// The windows of all offsets at `position`, with their roughness; those that `known` contacts have are shared.
     ///
     /// # Errors
     /// When the traces are too coarse or too short for the contact.
     pub(crate) fn of_position(
-        loaded: &LoadedCase,
+        inputs: &Arc<WindowInputs>,
+        each: usize,
         position: &MeshPosition,
         known: &[&Contacts],
     ) -> Result<Vec<Arc<Self>>, PositionError> {
-        let count = loaded.surfaces.offsets(loaded.case.model.offsets);
+        let count = inputs.surfaces.offsets(each);
         let contact = |k: usize| {
             let mut shared = known
                 .iter()
                 .filter_map(|known| known.of_offset(position, (k, count)));
             match shared.next() {
                 Some(shared) => Ok(shared),
-                None => Self::of_offset(loaded, position, (k, count)),
+                None => Self::of_offset(inputs, position, (k, count)),
             }
         };
         (0..count).map(contact).collect()
@@ -103,17 +84,74 @@ impl WindowContact {
 
     /// The window of offset `k` of `count` at `position`, with its roughness.
     fn of_offset(
-        loaded: &LoadedCase,
+        inputs: &Arc<WindowInputs>,
         position: &MeshPosition,
         (k, count): (usize, usize),
     ) -> Result<Arc<Self>, PositionError> {
         checkpoint()?;
-        let (surfaces, model) = (&loaded.surfaces, &loaded.case.model);
+        let surfaces = &inputs.surfaces;
         Ok(Arc::new(Self {
-            window: Window::at(surfaces, position, model.window, k, count)?,
-            roughness: surfaces.roughness_at(position, model.window, (k, count))?,
+            inputs: Arc::clone(inputs),
+            place: WindowPlace {
+                load: position.load,
+                radius: position.motion.radius,
+                zone: position.zone,
+                offset: (k, count),
+            },
+            window: Window::at(surfaces, position, inputs.reach, k, count)?,
+            roughness: surfaces.roughness_at(position, inputs.reach, (k, count))?,
             table: OnceLock::new(),
         }))
+    }
+
+    /// The window ready to be pressed.
+    ///
+    /// # Errors
+    /// When there is no window, or the contact refuses the numbers.
+    pub(crate) fn rough(&self) -> Result<RoughContact, PositionError> {
+        let WindowPlace {
+            load,
+            radius,
+            zone,
+            offset,
+        } = self.place;
+        let window = self.window.ok_or(PositionError::NoProfile)?;
+        let [first, second] = window.cut(&self.inputs.surfaces, zone, offset)?;
+        let pairs = first.heights().iter().zip(second.heights());
+        let composite: Vec<f64> = pairs.map(|(a, b)| a + b).collect();
+        self.inputs
+            .rough_contact((load, radius), &composite, first.spacing())
+    }
+
+    /// The table of the contact, with the window if it was made for it.
+    ///
+    /// # Errors
+    /// As [`rough`](Self::rough).
+    pub(crate) fn table(&self) -> Result<(&ContactTable, Option<RoughContact>), PositionError> {
+        if let Some(known) = self.table.get() {
+            return Ok((known, None));
+        }
+        let rough = self.rough()?;
+        let table = ContactTable::new(&rough);
+        Ok((self.table.get_or_init(|| table), Some(rough)))
+    }
+
+    /// Asperity share of the window under the mean gap `gap`.
+    ///
+    /// # Errors
+    /// When the contact has no solution.
+    pub(super) fn share_at_gap(&self, gap: Length) -> Result<f64, PositionError> {
+        let (table, rough) = self.table()?;
+        table.share_at_gap(gap, || rough.map_or_else(|| self.rough(), Ok))
+    }
+
+    /// Mean gap of the window at the asperity share that is solved first.
+    ///
+    /// # Errors
+    /// When the contact has no solution.
+    pub(super) fn middle_gap(&self) -> Result<Length, PositionError> {
+        let (table, rough) = self.table()?;
+        table.middle_gap(|| rough.map_or_else(|| self.rough(), Ok))
     }
 
     /// Whether the contact was solved at any share.
@@ -140,20 +178,70 @@ impl WindowContact {
 }
 
 impl Contacts {
-    /// The contacts of a case with the windows of each position of `mesh`.
-    pub(crate) fn new(
-        loaded: &LoadedCase,
-        mesh: &Mesh,
-        rows: Vec<Vec<Arc<WindowContact>>>,
-    ) -> Self {
-        let (case, surfaces) = (&loaded.case, &loaded.surfaces);
-        Self {
-            each: case.model.offsets,
-            fingerprint: fingerprint(case, surfaces),
-            surfaces: surfaces.clone(),
-            load: StoredLoad::new(case, mesh.load.clone()),
-            rows: mesh.positions.iter().map(key).zip(rows).collect(),
+    /// The contacts of `inputs` under their load over the flanks, which share the windows that `others` have under the same load.
+    /// Where the number of offsets follows from the contacts, it is settled here, once for all oils and speeds.
+    ///
+    /// # Errors
+    /// With the number of the position, when traces are too coarse or too short for a contact, or a contact has no solution.
+    pub(crate) fn solve<'a>(
+        inputs: ContactInputs,
+        load: LoadMap,
+        others: impl Iterator<Item = &'a Self>,
+    ) -> Result<Self, Error> {
+        let mesh = Mesh::under(&inputs.mesh, ANY_SPEED, load).map_err(Box::new)?;
+        if let Some(coverage) = inputs.windows.surfaces.coverage(mesh.positions.iter()) {
+            check_coverage(coverage).map_err(Box::new)?;
         }
+        let known: Vec<&Self> = others
+            .filter(|other| other.inputs.windows == inputs.windows)
+            .collect();
+        let mut contacts = Self {
+            each: inputs.offsets.first(),
+            load: mesh.load,
+            rows: BTreeMap::new(),
+            inputs,
+        };
+        contacts.rows = contacts.rows_of(&mesh.positions, &known)?;
+        if contacts.inputs.offsets == Offsets::Needed {
+            let each = offsets_needed(&contacts, &mesh.positions)?;
+            if each > contacts.each {
+                let first = contacts.clone();
+                contacts.each = each;
+                let known: Vec<&Self> = known.into_iter().chain([&first]).collect();
+                contacts.rows = contacts.rows_of(&mesh.positions, &known)?;
+            }
+        }
+        Ok(contacts)
+    }
+
+    fn rows_of(
+        &self,
+        positions: &[MeshPosition],
+        known: &[&Self],
+    ) -> Result<BTreeMap<[u64; 4], Vec<Arc<WindowContact>>>, Error> {
+        let of_position =
+            |at| WindowContact::of_position(&self.inputs.windows, self.each, at, known);
+        let rows = numbered(positions.par_iter().map(of_position).collect())?;
+        Ok(positions.iter().map(key).zip(rows).collect())
+    }
+
+    /// What the contacts follow from.
+    pub(crate) fn inputs(&self) -> &ContactInputs {
+        &self.inputs
+    }
+
+    /// Whether these are the contacts by `inputs`.
+    pub(super) fn are_by(&self, inputs: &ContactInputs) -> bool {
+        self.have_windows_of(inputs) && self.inputs.mesh == inputs.mesh
+    }
+
+    /// Whether flanks, steels, size of the windows and number of offsets are those of `inputs`.
+    fn have_windows_of(&self, inputs: &ContactInputs) -> bool {
+        let same_number = match inputs.offsets {
+            Offsets::Fixed(each) => self.each == each,
+            Offsets::Needed => self.inputs.offsets == Offsets::Needed,
+        };
+        same_number && self.inputs.windows == inputs.windows
     }
 
     /// Number of offsets of each pair of traces.
@@ -169,12 +257,6 @@ impl Contacts {
         solved.map(|window| Arc::as_ptr(window) as usize)
     }
 
-    /// Whether these have windows of the flanks of `loaded`, of the same steels and size.
-    pub(crate) fn have_windows_of(&self, loaded: &LoadedCase) -> bool {
-        self.surfaces.has_flanks_of(&loaded.surfaces)
-            && self.fingerprint == fingerprint(&loaded.case, &loaded.surfaces)
-    }
-
     /// The contact of offset `k` of `count` at `position`; `None` if these have fewer offsets. The places of the windows
     /// nest.
     fn of_offset(
@@ -183,7 +265,7 @@ impl Contacts {
         (k, count): (usize, usize),
     ) -> Option<Arc<WindowContact>> {
         let row = self.rows.get(&key(position))?;
-        let pairs = self.surfaces.pairs();
+        let pairs = self.inputs.windows.surfaces.pairs();
         let [each, known] = [count, row.len()].map(|all| (all / pairs).max(1));
         let place = (k % each < known).then_some(k / each * known + k % each)?;
         row.get(place).cloned()
@@ -192,50 +274,50 @@ impl Contacts {
     /// The first `each` offsets of every pair of traces, shared with these.
     #[must_use]
     pub fn first(&self, each: usize) -> Self {
-        let first = |row: &Vec<Arc<WindowContact>>| {
-            let of_a_pair = (row.len() / self.surfaces.pairs()).max(1);
+        let pairs = self.inputs.windows.surfaces.pairs();
+        let each = each.min(self.each);
+        self.part(self.inputs.windows.clone(), each, |row| {
+            let of_a_pair = (row.len() / pairs).max(1);
             let pairs = row.chunks(of_a_pair);
             pairs
                 .flat_map(|pair| pair.iter().take(each).cloned())
                 .collect()
-        };
-        let mut part = Self {
-            each: each.min(self.each),
-            rows: BTreeMap::new(),
-            ..self.clone()
-        };
-        part.rows = self
-            .rows
-            .iter()
-            .map(|(key, row)| (*key, first(row)))
-            .collect();
-        part
+        })
     }
 
-    /// The contacts of the first pair of traces, which `first` has alone.
+    /// The contacts of the first pair of traces, which are the only ones of `first`.
     pub(crate) fn of_first_pair(&self, first: &LoadedCase) -> Self {
-        let of_a_pair = |row: &Vec<Arc<WindowContact>>| {
-            let count = row.len() / self.surfaces.pairs();
+        let pairs = self.inputs.windows.surfaces.pairs();
+        let windows = WindowInputs::of(&first.case, &first.surfaces).into();
+        self.part(windows, self.each, |row| {
+            let count = row.len() / pairs;
             row.iter().take(count.max(1)).cloned().collect()
-        };
-        let mut part = Self {
-            fingerprint: fingerprint(&first.case, &first.surfaces),
-            surfaces: first.surfaces.clone(),
-            rows: BTreeMap::new(),
-            ..self.clone()
-        };
-        part.rows = self
-            .rows
-            .iter()
-            .map(|(key, row)| (*key, of_a_pair(row)))
-            .collect();
-        part
+        })
+    }
+
+    /// A part of the windows of every position, as the contacts of a case that states their number.
+    fn part(
+        &self,
+        windows: Arc<WindowInputs>,
+        each: usize,
+        of_row: impl Fn(&[Arc<WindowContact>]) -> Vec<Arc<WindowContact>>,
+    ) -> Self {
+        let rows = self.rows.iter().map(|(key, row)| (*key, of_row(row)));
+        Self {
+            inputs: ContactInputs {
+                mesh: self.inputs.mesh.clone(),
+                windows,
+                offsets: Offsets::Fixed(each),
+            },
+            load: self.load.clone(),
+            each,
+            rows: rows.collect(),
+        }
     }
 
     /// Refuses contacts whose flanks, steels, windows or offsets differ from `loaded`.
     pub(crate) fn check(&self, loaded: &LoadedCase) -> Result<(), PositionError> {
-        let is_same = self.have_windows_of(loaded) && self.each == loaded.case.model.offsets;
-        match is_same {
+        match self.have_windows_of(&ContactInputs::of(loaded)) {
             true => Ok(()),
             false => Err(PositionError::OtherTables {
                 differs: "flank, steel, window or number of offsets",
@@ -259,7 +341,7 @@ impl Contacts {
 
     /// The load over the teeth of `case`, if it is the load of the contacts.
     pub(crate) fn load_map(&self, case: &Case) -> Option<&LoadMap> {
-        self.load.is_of(case).then_some(&self.load.map)
+        (self.inputs.mesh.load == LoadInputs::of(case)).then_some(&self.load)
     }
 
     /// Number of windows.
@@ -285,34 +367,6 @@ fn key(position: &MeshPosition) -> [u64; 4] {
     ]
     .map(f64::to_bits);
     [load, radius, place, position.zone as u64]
-}
-
-/// Bits of all other inputs of the contacts, except the traces.
-fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
-    let [pinion, wheel] = case.flow_pressure;
-    let mut bits: Vec<u64> = [
-        pinion.si(),
-        wheel.si(),
-        case.modulus.si(),
-        case.model.window,
-        case.model.tolerance,
-    ]
-    .map(f64::to_bits)
-    .to_vec();
-    let noise = case.preparation.lambda_s.map_or(0.0, |cutoff| cutoff.si());
-    bits.push(noise.to_bits());
-    bits.push(u64::from(case.laws.exact_contacts));
-    bits.extend(case.face_zones.iter().map(|edge| edge.to_bits()));
-    for met in surfaces.each() {
-        if let Some(placement) = met.placement() {
-            let places = placement.traces.iter();
-            bits.extend(places.flat_map(|placed| {
-                [placed.first_arc, placed.direction, placed.base_radius].map(f64::to_bits)
-            }));
-            bits.push(placement.misplaced.to_bits());
-        }
-    }
-    bits
 }
 
 #[cfg(test)]

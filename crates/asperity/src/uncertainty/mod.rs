@@ -286,7 +286,8 @@ fn parts(
         )
     });
     let half_width = widest(nominal.path);
-    let windows = windows_of_traces(loaded, half_width).unwrap_or(f64::INFINITY);
+    let windows = windows_of_traces(&loaded.surfaces, loaded.case.model.window, half_width)
+        .unwrap_or(f64::INFINITY);
     let longer = match windows < 8.0 {
         _ if loaded.surfaces.is_surrogate() => "traces of the flanks".to_owned(),
         true => {
@@ -386,7 +387,11 @@ fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>)
     if let Some(changes) = misplaced_w {
         return SamplingPart::OnePair(changes);
     }
-    let Some(windows) = windows_of_traces(loaded, widest(nominal.path)) else {
+    let Some(windows) = windows_of_traces(
+        &loaded.surfaces,
+        loaded.case.model.window,
+        widest(nominal.path),
+    ) else {
         return SamplingPart::None("no traces, no sampling error".to_owned());
     };
     let offsets = nominal.summary.offsets;

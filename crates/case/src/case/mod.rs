@@ -38,6 +38,7 @@ mod gears;
 mod input;
 mod law_names;
 mod lay;
+mod load_inputs;
 mod loaded;
 mod loaded_train;
 mod micropitting_input;
@@ -92,9 +93,10 @@ pub use input::{
     OperationInput, SurfaceInput, VehicleInput,
 };
 pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
+pub use load_inputs::LoadInputs;
 pub use loaded::LoadedCase;
 pub use micropitting_input::MicropittingInput;
-pub use model::{EhlChoices, EhlInput, Formulation, Model, ModelInput};
+pub use model::{EhlChoices, EhlInput, Formulation, LEAST_OFFSETS, Model, ModelInput};
 pub use nearest_name::nearest_name;
 pub use oil_file::{
     DECISIVE, FitQuality, FittedFriction, FittedName, OilConstant, OilFile, OilSchema,

@@ -37,6 +37,9 @@ pub enum Formulation {
     Paper,
 }
 
+/// Offsets of a case that states none, at least.
+pub const LEAST_OFFSETS: usize = 16;
+
 choices! {
     /// Choices of the model.
     ModelInput =>
@@ -55,9 +58,9 @@ choices! {
     /// The single position of the `paper` formulation: 0 at A, 1 at E, or `A` … `E`; default `C`.
     position: PathPoint => f64 = point_of_path(),
         check("position", |s| (0.0..=1.0).contains(&s), "must be A to E, or 0 to 1");
-    /// Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the loss
-    /// scatters from offset to offset (`paper`: 1).
-    offsets: usize = each(16, 1),
+    /// Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the contacts
+    /// differ from offset to offset; 4 of each pair of surrogates (`paper`: 1).
+    offsets: usize = each(LEAST_OFFSETS, 1),
         check("offsets", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
     /// Half-width of the contact window, in Hertz half-widths; default 3.
     window: f64 = both(3.0),

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use asperity::case::gear_train::LoadedTrain;
-use asperity::case::{LoadedCase, nearest_name};
+use asperity::case::nearest_name;
 use asperity_core::numerics::standard_normal_quantile;
 use toml::Value;
 
@@ -369,31 +369,4 @@ pub(super) fn resolved(
     }
     let id = case.fingerprint()[..ID].to_owned();
     Ok((case, id))
-}
-
-/// Key of the inputs on which the contact tables of a mesh depend, so that cases can share them.
-pub(super) fn key_of_tables(case: &LoadedCase) -> Option<String> {
-    let mut input = serde_json::to_value(&case.case.input).ok()?;
-    let root = input.as_object_mut()?;
-    root.remove("lubricant");
-    root.remove("title");
-    let operation = root.get_mut("operation")?.as_object_mut()?;
-    operation.remove("speed");
-    operation.remove("temperature");
-    if let Some(model) = root
-        .get_mut("model")
-        .and_then(|model| model.as_object_mut())
-    {
-        for key in [
-            "boundary_friction",
-            "boundary_layer",
-            "friction_scale",
-            "spot_speed",
-            "asperity_share_factor",
-            "hysteresis",
-        ] {
-            model.remove(key);
-        }
-    }
-    serde_json::to_string(&input).ok()
 }

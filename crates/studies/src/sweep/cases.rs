@@ -2,12 +2,10 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::case_list::CaseList;
 use super::error::SweepError;
 use super::parts::header;
-use super::run::{SharedTables, row_of};
+use super::run::{SharedContacts, rows_of};
 use super::study::Study;
 
 /// Cases of a study, which can be run in any order; shared contacts are solved once.
@@ -30,7 +28,7 @@ use super::study::Study;
 pub struct Cases {
     study: Study,
     list: CaseList,
-    tables: SharedTables,
+    contacts: SharedContacts,
 }
 
 impl Cases {
@@ -41,7 +39,7 @@ impl Cases {
     pub fn of(study: Study) -> Result<Self, SweepError> {
         Ok(Self {
             list: CaseList::of(&study)?,
-            tables: SharedTables::default(),
+            contacts: SharedContacts::default(),
             study,
         })
     }
@@ -63,7 +61,7 @@ impl Cases {
     /// # Errors
     /// When a file that a case reads has changed since the study was loaded.
     pub fn rows(&self, numbers: Range<usize>) -> Result<Vec<Vec<String>>, SweepError> {
-        let row = |number| row_of(&self.study, &self.list, number, Some(&self.tables));
-        numbers.into_par_iter().map(row).collect()
+        let numbers: Vec<usize> = numbers.collect();
+        rows_of(&self.study, &self.list, &numbers, &self.contacts)
     }
 }

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::case_list::CaseList;
 use super::error::SweepError;
 use super::refused::{Refused, refusals};
-use super::run::row_of;
+use super::run::{SharedContacts, rows_of};
 use super::study::Study;
 
 /// Size of a study and its estimated time.
@@ -44,8 +44,9 @@ pub fn plan(study: &Study) -> Result<Plan, SweepError> {
     let few = SAMPLED.min(count);
     let mut bytes = 0;
     for k in 0..few {
-        let row = row_of(study, &list, k * count / few, None)?;
-        bytes += row.iter().map(|cell| cell.len() + 1).sum::<usize>();
+        let rows = rows_of(study, &list, &[k * count / few], &SharedContacts::default())?;
+        let cells = rows.iter().flatten();
+        bytes += cells.map(|cell| cell.len() + 1).sum::<usize>();
     }
     let each = |total: f64| total / few.max(1) as f64 * count as f64;
     Ok(Plan {

@@ -1,22 +1,22 @@
 //! The work of a shard.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use asperity::case::LoadedCase;
 use asperity::case::gear_train::LoadedTrain;
 use asperity::core::cancel::checkpoint;
 use asperity::gear_train::{run_train, train_losses};
-use asperity::pipeline::{KeptFields, contacts, losses, losses_with};
+use asperity::pipeline::{KeptFields, losses, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity::uncertainty::{Predictive, Quantiles, predictive};
-use asperity::{Contacts, Error, Run};
+use asperity::{ContactStore, Error, Run};
 use rayon::prelude::*;
 use serde_json::Value;
 
-use super::case_list::{CaseList, key_of_tables, resolved};
+use super::case_list::{CaseInputs, CaseList, resolved};
 use super::error::SweepError;
 use super::known_columns::{DRAWN, is_drawn, needs_draws, numbers_of};
 use super::parts::{Rows, close, make_folder_of_parts, outputs, read};
@@ -48,12 +48,9 @@ impl std::str::FromStr for Shard {
     }
 }
 
-/// Contact tables by the part of the case on which they depend: cases with other oils, speeds and temperatures share
-/// them.
-pub(super) type SharedTables = Mutex<HashMap<String, Arc<Contacts>>>;
+/// Contacts of the cases of a study: those with other oils, speeds and temperatures share them.
+pub(super) type SharedContacts = Mutex<ContactStore>;
 
-/// Largest number of cached tables, some megabytes each.
-const MOST_TABLES: usize = 16;
 /// Number of cases after which a part is closed.
 const CASES_OF_A_PART: usize = 1000;
 /// Time after which a part is closed.
@@ -101,18 +98,15 @@ pub fn run(
     let of = pending.len();
     let refused = &refusals(study, &list, &pending)?;
     watch(Event::Checked { refused, of });
-    let shared = SharedTables::default();
+    let shared = SharedContacts::default();
     let (mut rows, mut opened) = (Rows::new(), Instant::now());
     let mut finished = 0;
     for numbers in pending.chunks(AT_ONCE) {
-        let results = numbers
-            .par_iter()
-            .map(|number| Ok((*number, row_of(study, &list, *number, Some(&shared))?)))
-            .collect::<Result<Vec<(usize, Vec<String>)>, SweepError>>()?;
+        let results = rows_of(study, &list, numbers, &shared)?;
         // Rows of cancelled cases are not written.
         checkpoint().map_err(Error::from).map_err(Box::new)?;
         finished += results.len();
-        rows.extend(results);
+        rows.extend(numbers.iter().copied().zip(results));
         watch(Event::Done {
             cases: finished,
             of,
@@ -126,34 +120,66 @@ pub fn run(
     Ok(finished)
 }
 
-/// The row of a case: number, id, inputs, results, code.
+/// The rows of cases: number, id, inputs, results, code. Their contacts are solved first, each once, so that no case computes
+/// what another does at the same time.
 ///
 /// # Errors
-/// When a file has changed since the study was loaded. Any other error of the case becomes the code of its row.
-pub(super) fn row_of(
+/// When a file has changed since the study was loaded. Any other error of a case becomes the code of its row.
+pub(super) fn rows_of(
     study: &Study,
     list: &CaseList,
-    number: usize,
-    shared: Option<&SharedTables>,
-) -> Result<Vec<String>, SweepError> {
-    let inputs = list.inputs(number);
+    numbers: &[usize],
+    shared: &SharedContacts,
+) -> Result<Vec<Vec<String>>, SweepError> {
+    let resolve = |number: &usize| {
+        let inputs = list.inputs(*number);
+        match resolved(study, &inputs) {
+            Err(error @ SweepError::Changed { .. }) => Err(error),
+            found => Ok((*number, inputs, found.map_err(|error| error.code_of_case()))),
+        }
+    };
+    let cases = numbers.par_iter().map(resolve);
+    let cases = cases.collect::<Result<Vec<_>, SweepError>>()?;
+    let store = {
+        let mut shared = shared.lock().unwrap_or_else(PoisonError::into_inner);
+        let trains = cases
+            .iter()
+            .filter_map(|(.., case)| Some(&case.as_ref().ok()?.0));
+        let meshes = trains
+            .filter(|train| uses_store(study, train))
+            .flat_map(|train| train.meshes().map(|mesh| &mesh.case));
+        shared.prepare(&meshes.collect::<Vec<_>>());
+        shared.clone()
+    };
     let names = outputs(study);
-    let (id, found) = match resolved(study, &inputs) {
-        Err(error @ SweepError::Changed { .. }) => return Err(error),
-        Err(error) => (String::new(), Err(error.code_of_case())),
+    let row = |(number, inputs, case)| row(study, (number, inputs, case), &names, &store);
+    Ok(cases.into_par_iter().map(row).collect())
+}
+
+/// Whether the meshes of a case run with the contacts that are stored for it: torques that follow from losses are not known
+/// before.
+fn uses_store(study: &Study, train: &LoadedTrain) -> bool {
+    !train.train.passes_losses && study.input.detail.unwrap_or_default() != Detail::Contacts
+}
+
+/// The row of a case, or its code where it cannot be resolved.
+fn row(
+    study: &Study,
+    (number, inputs, case): (usize, CaseInputs, Result<(LoadedTrain, String), String>),
+    names: &[String],
+    store: &ContactStore,
+) -> Vec<String> {
+    let (id, found) = match case {
+        Err(code) => (String::new(), Err(code)),
         Ok((case, id)) => {
-            let found = result(
-                study,
-                &case,
-                shared,
-                names.iter().any(|name| needs_draws(name)),
-            );
+            let with_draws = names.iter().any(|name| needs_draws(name));
+            let found = result(study, &case, store, with_draws);
             (id, found.map_err(|error| error.code().to_owned()))
         }
     };
     let mut row = vec![number.to_string(), id];
     row.extend(inputs.columns);
-    match found.map(|found| values(&found, &names)) {
+    match found.map(|found| values(&found, names)) {
         Ok(values) => {
             row.extend(values);
             row.push(String::new());
@@ -163,7 +189,7 @@ pub(super) fn row_of(
             row.push(code);
         }
     }
-    Ok(row)
+    row
 }
 
 /// Numbers of a case by the names of their columns, and median, 5 and 95 % quantiles of its draws if they are requested and
@@ -173,13 +199,13 @@ type Found = (Value, Option<[f64; 3]>);
 fn result(
     study: &Study,
     case: &LoadedTrain,
-    shared: Option<&SharedTables>,
+    store: &ContactStore,
     with_draws: bool,
 ) -> Result<Found, Error> {
     let columns = |median, [low, high]: [f64; 2]| [median, low, high];
     let of_draws = |found: Quantiles| columns(found.median_w, found.quantiles_w);
     let with_contacts = study.input.detail.unwrap_or_default() == Detail::Contacts;
-    let of_mesh = |case: &LoadedCase| mesh_losses(case, shared, with_draws);
+    let of_mesh = |case: &LoadedCase| mesh_losses(case, store, with_draws);
     let Some(pair) = case.pair() else {
         let found = match with_contacts {
             true => run_train(case, &KeptFields::Highest, with_draws, &|_, _| {})?.result,
@@ -205,39 +231,19 @@ fn result(
 /// Losses of a mesh with its draws, if they are requested and it has some.
 fn mesh_losses(
     case: &LoadedCase,
-    shared: Option<&SharedTables>,
+    store: &ContactStore,
     with_draws: bool,
 ) -> Result<(Losses, Option<Predictive>), Error> {
-    let drawn = |losses: Losses, tables: Option<&Contacts>| {
-        let draws = match with_draws {
-            true => predictive(case, &losses, tables)?,
-            false => None,
-        };
-        Ok((losses, draws))
+    let contacts = store.of(case);
+    let losses = match &contacts {
+        Some(contacts) => losses_with(contacts, case)?,
+        None => losses(case)?,
     };
-    if let Some(tables) = shared.and_then(|shared| tables(case, shared)) {
-        // Tables of another contact are an error here; the case is then computed without them.
-        if let Ok(losses) = losses_with(&tables, case) {
-            return drawn(losses, Some(&tables));
-        }
-    }
-    drawn(losses(case)?, None)
-}
-
-/// The contact tables of a mesh, computed on first use.
-fn tables(case: &LoadedCase, shared: &SharedTables) -> Option<Arc<Contacts>> {
-    let key = key_of_tables(case)?;
-    let lock = || shared.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(tables) = lock().get(&key) {
-        return Some(Arc::clone(tables));
-    }
-    let made = Arc::new(contacts(case).ok()?);
-    let mut cached = lock();
-    if cached.len() >= MOST_TABLES {
-        cached.clear();
-    }
-    cached.insert(key, Arc::clone(&made));
-    Some(made)
+    let draws = match with_draws {
+        true => predictive(case, &losses, contacts.as_deref())?,
+        false => None,
+    };
+    Ok((losses, draws))
 }
 
 /// The columns of a case.
