@@ -7,6 +7,7 @@
 //! | writing a file whose name the user did not choose ([`save_new`]) | as [`save`], but never replacing another file |
 //! | replacing a folder ([`replace_folder`]) | filled as a draft, flushed, exchanged with the older folder by one rename, or by two with a journal if the system has no exchange |
 //! | files in a folder with other files ([`write_among`]) | each by [`save`], the manifest before and after |
+//! | a stored result ([`seal`], [`unseal`]) | used only with the right name, version and SHA-256 |
 //! | ownership | a manifest with the SHA-256 of every file; a file that is not in it, or was changed, is never touched; a manifest with a path out of its folder is not accepted |
 //! | killed processes | the system releases the locks of their drafts; the next process that writes there recovers or removes them |
 //! | signals | [`abandon`] removes the drafts of this process |
@@ -20,6 +21,7 @@ mod checksum;
 mod finite;
 mod plain_text;
 mod read;
+mod sealed;
 #[cfg(feature = "write")]
 mod write;
 
@@ -27,6 +29,7 @@ pub use checksum::{hex, sha256};
 pub use finite::{NotFinite, check_finite};
 pub use plain_text::{cell, one_line, printable};
 pub use read::{regular_file, whole_file, whole_text};
+pub use sealed::{seal, unseal};
 #[cfg(feature = "write")]
 pub use write::{
     Draft, MANIFEST, StorageError, abandon, check_among, check_folder, new_folder, new_folder_of,

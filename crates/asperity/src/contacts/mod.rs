@@ -8,6 +8,7 @@ mod pressed;
 pub mod running_in;
 mod store;
 mod tables;
+mod window_contact;
 
 pub use dry_contact::{DryContact, dry_contact};
 pub use store::ContactStore;
@@ -18,4 +19,4 @@ pub(crate) use inputs::{ContactInputs, Offsets};
 pub(crate) use pressed::{
     LoadStep, Pressed, Pressing, full_film, pressing_history, settings, softer,
 };
-pub(crate) use tables::WindowContact;
+pub(crate) use window_contact::WindowContact;

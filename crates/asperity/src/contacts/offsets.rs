@@ -10,14 +10,18 @@
 //! | s_i | standard deviation of μ_ik over the offsets | - |
 //! | n_max | independent windows of the traces | - |
 
+use std::sync::Arc;
+
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, mean};
 use asperity_core::quantity::Length;
 use rayon::prelude::*;
 
-use super::tables::Contacts;
+use super::inputs::WindowInputs;
+use super::window_contact::WindowContact;
 use crate::mesh::{MeshPosition, numbered};
 use crate::sampling::{Scatter, windows_of_traces};
+use asperity_case::case::LEAST_OFFSETS;
 use asperity_case::error::{Error, PositionError};
 
 /// Thinnest mean gap under which the windows of a position are compared: a film from the middle of the range of gears.
@@ -31,6 +35,10 @@ const MOST: usize = 256;
 /// Offsets for each independent window beyond which more say nothing new.
 const OVERLAP: f64 = 4.0;
 
+/// The windows of the first offsets at a position.
+type Windows<'a> =
+    &'a (dyn Fn(&MeshPosition) -> Result<&'a [Arc<WindowContact>], PositionError> + Sync);
+
 /// The number of offsets for a standard error of 1 %, from the scatter of the first ones.
 ///
 /// ```text
@@ -43,13 +51,14 @@ const OVERLAP: f64 = 4.0;
 /// # Errors
 /// With the number of the position, when a contact has no solution.
 pub(super) fn offsets_needed(
-    contacts: &Contacts,
+    windows: &WindowInputs,
+    first: Windows<'_>,
     positions: &[MeshPosition],
 ) -> Result<usize, Error> {
     cite!("Adaptive-offsets");
     let [film, asperities] = FRICTION;
     let of_position = |at: &MeshPosition| {
-        let row = contacts.at(at)?;
+        let row = first(at)?;
         let windows = || row.iter().filter(|window| window.window.is_some());
         let gaps: Result<Vec<f64>, PositionError> = windows()
             .map(|window| Ok(window.middle_gap()?.si()))
@@ -68,13 +77,11 @@ pub(super) fn offsets_needed(
     let scatter = Scatter::of(found.into_iter());
     let half_widths = positions.iter().map(|at| at.hertz.half_width.si());
     let widest = Length::from_si(half_widths.fold(0.0, f64::max));
-    let windows = &contacts.inputs().windows;
     let independent = windows_of_traces(&windows.surfaces, windows.reach, widest);
     let wanted = (scatter.squares / (SOUGHT * SOUGHT))
         .ceil()
         .min(OVERLAP * independent.unwrap_or(f64::INFINITY));
     // Several pairs share the error.
     let of_each = (wanted / windows.surfaces.pairs() as f64).ceil() as usize;
-    let least = contacts.offsets();
-    Ok(of_each.max(least).min(MOST.max(least)))
+    Ok(of_each.clamp(LEAST_OFFSETS, MOST))
 }

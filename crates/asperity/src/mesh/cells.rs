@@ -7,7 +7,7 @@
 use asperity_core::quantity::{AngularSpeed, Length, LineLoad};
 use asperity_gear::{LoadCell, LoadMap};
 
-use super::MeshInputs;
+use super::inputs::MeshInputs;
 use asperity_case::case::Formulation;
 use asperity_case::error::PositionError;
 use asperity_case::mesh_position::Resolution;

@@ -1,15 +1,17 @@
 //! The mesh without roughness and oil: positions along the path of contact with load, speeds and Hertz contact.
 
 mod cells;
+mod inputs;
 
 pub use asperity_case::mesh_position::{MeshPosition, Resolution};
 
 use asperity_contact::hertz_line::HertzLine;
-use asperity_core::quantity::{AngularSpeed, Length, Pressure};
+use asperity_core::quantity::{AngularSpeed, Length};
 use asperity_gear::LoadMap;
 
 use self::cells::Place;
-use asperity_case::case::{Case, Formulation, LoadInputs};
+pub(crate) use self::inputs::MeshInputs;
+use asperity_case::case::Case;
 use asperity_case::error::{Error, PositionError};
 
 /// Load over the flanks and the mesh positions that follow from it.
@@ -49,7 +51,7 @@ impl Mesh {
         let places = cells::places(inputs, speed, &load)?;
         let numbered = places.iter().enumerate();
         let positions = numbered
-            .map(|(index, place)| inputs.position(speed, index + 1, place))
+            .map(|(index, place)| position(inputs, speed, index + 1, place))
             .collect::<Result<_, _>>()?;
         Ok(Self { load, positions })
     }
@@ -67,7 +69,10 @@ impl Mesh {
         for (name, s) in named.filter(|(_, s)| (path.a..=path.e).contains(s)) {
             let place = Place::shown(&self.load, s, Resolution::WhereFine)?;
             if place.load.si() > 0.0 {
-                points.push((name, inputs.position(case.speed, points.len() + 1, &place)?));
+                points.push((
+                    name,
+                    position(&inputs, case.speed, points.len() + 1, &place)?,
+                ));
             }
         }
         Ok(points)
@@ -87,53 +92,27 @@ pub(crate) fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result
     of_positions.into_iter().enumerate().map(numbered).collect()
 }
 
-/// All that a mesh follows from, except its speed.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct MeshInputs {
-    pub load: LoadInputs,
-    modulus: Pressure,
-    formulation: Formulation,
-    face_zones: Vec<f64>,
-    /// Cells of the path.
-    cells: usize,
-    /// Place of the paper's single position, as a share of the path.
-    single: f64,
-}
-
-impl MeshInputs {
-    pub(crate) fn of(case: &Case) -> Self {
-        Self {
-            load: LoadInputs::of(case),
-            modulus: case.modulus,
-            formulation: case.formulation,
-            face_zones: case.face_zones.clone(),
-            cells: case.model.positions,
-            single: case.model.position,
-        }
-    }
-
-    /// Position `number` at a place.
-    fn position(
-        &self,
-        speed: AngularSpeed,
-        number: usize,
-        place: &Place,
-    ) -> Result<MeshPosition, PositionError> {
-        let Place { s, load, .. } = *place;
-        let motion = self.load.gears.kinematics(s, speed)?;
-        Ok(MeshPosition {
-            number,
-            s,
-            weight: place.weight.si(),
-            sliding_factor: place.sliding_factor,
-            resolution: place.resolution,
-            cell: place.cell,
-            zone: place.zone,
-            motion,
-            load,
-            hertz: HertzLine::new(load, motion.radius, self.modulus)?,
-        })
-    }
+/// Position `number` at a place of a mesh at a speed of the pinion.
+fn position(
+    inputs: &MeshInputs,
+    speed: AngularSpeed,
+    number: usize,
+    place: &Place,
+) -> Result<MeshPosition, PositionError> {
+    let Place { s, load, .. } = *place;
+    let motion = inputs.load.gears.kinematics(s, speed)?;
+    Ok(MeshPosition {
+        number,
+        s,
+        weight: place.weight.si(),
+        sliding_factor: place.sliding_factor,
+        resolution: place.resolution,
+        cell: place.cell,
+        zone: place.zone,
+        motion,
+        load,
+        hertz: HertzLine::new(load, motion.radius, inputs.modulus)?,
+    })
 }
 
 /// The position `s` of the path of contact under the mean load over the face: number 1, without weight in a mean.
@@ -143,5 +122,5 @@ impl MeshInputs {
 pub fn position_at(case: &Case, s: Length) -> Result<MeshPosition, PositionError> {
     let inputs = MeshInputs::of(case);
     let place = Place::shown(&inputs.load.load_map()?, s, Resolution::Required)?;
-    inputs.position(case.speed, 1, &place)
+    position(&inputs, case.speed, 1, &place)
 }

@@ -361,7 +361,7 @@ mod tests {
         let points = case.surfaces.traces().unwrap().map(Profile::len);
         let mut found = Vec::new();
         for (number, position) in stages.lubricated().unwrap().iter().enumerate() {
-            let (at, windows) = (&position.at, contacts.at(&position.at).unwrap());
+            let windows = contacts.at(&position.at).unwrap();
             for (k, contact) in windows.iter().enumerate() {
                 let phi = position.offsets[k].solved.unwrap().asperity_share;
                 let Some(window) = contact.window.filter(|_| phi > 0.0) else {

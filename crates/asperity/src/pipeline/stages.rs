@@ -413,7 +413,7 @@ impl<'a> Stages<'a> {
             self.used.collect(|| {
                 check_mesh_position(at)?;
                 let (windows, each) = (&self.contacts.inputs().windows, self.contacts.offsets());
-                let contacts = match WindowContact::of_position(windows, each, at, &[]) {
+                let contacts = match WindowContact::of_position(windows, each, at) {
                     // Its window is wider than those of the positions, which have theirs.
                     Err(PositionError::TraceTooShort { .. }) => return Ok(None),
                     contacts => contacts?,
