@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use asperity::Error;
-use asperity::case::{LoadedCase, load, markdown, possible_range};
+use asperity::case::{LoadedCase, load, markdown, range_of};
 use asperity::losses;
 
 fn e_drive() -> LoadedCase {
@@ -161,7 +161,7 @@ fn every_range_is_of_a_key_of_the_case_file_and_the_usual_one_is_possible() {
     }
     assert_eq!(usual.len(), 49);
     for (key, usual) in usual {
-        let possible = possible_range(&key).unwrap();
+        let possible = range_of(&key).unwrap().possible;
         assert!(
             possible[0] < usual[0] && usual[0] < usual[1] && usual[1] < possible[1],
             "{key}: {usual:?} {possible:?}"
