@@ -23,7 +23,7 @@ table! {
     wheel_to_oil: Option<ThermalConductance> = "W/K" usual [0.05, 5000.0] possible [1e-4, 1e6];
     /// Conductance from gear to gear, with `network`; default 0 W/K.
     #[serde(skip_serializing_if = "Option::is_none")]
-    between: Option<ThermalConductance> = "W/K" usual [0.05, 5000.0] possible [1e-4, 1e6];
+    between: Option<ThermalConductance> = "W/K" usual [0.01, 500.0] possible [1e-4, 1e6];
 }
 
 /// Law of the rise of the bulk temperature over the oil.

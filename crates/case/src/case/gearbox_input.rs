@@ -111,14 +111,16 @@ table! {
     mu_ehl: f64 = "" usual [5e-4, 0.2] possible [1e-5, 2.0];
 
     => {
-        outside_diameter: "outside diameter over the bore", |bearing| ratio(Some(bearing.outside_diameter.si()), Some(bearing.bore.si())),
+        "outside_diameter": "outside diameter over the bore", |bearing| ratio(Some(bearing.outside_diameter.si()), Some(bearing.bore.si())),
             "" usual [1.1, 5.0] possible OPEN;
-        static_rating: "static rating over the square of the bore", |bearing| bearing.over_bore(bearing.static_rating),
+        "static_rating": "static rating over the square of the bore", |bearing| bearing.over_bore(bearing.static_rating),
             "N/mm2" usual [0.5, 60.0] possible [0.01, 3000.0];
-        radial: "radial load over the square of the bore", |bearing| bearing.over_bore(bearing.radial),
-            "N/mm2" usual [0.0, 100.0] possible [0.0, 3000.0];
-        axial: "axial load over the square of the bore", |bearing| bearing.over_bore(bearing.axial),
-            "N/mm2" usual [0.0, 100.0] possible [0.0, 3000.0];
+        "radial": "radial load over the square of the bore", |bearing| bearing.over_bore(bearing.radial),
+            "N/mm2" usual [0.005, 100.0] possible [0.0, 3000.0];
+        "axial": "axial load over the square of the bore", |bearing| bearing.over_bore(bearing.axial),
+            "N/mm2" usual [0.001, 100.0] possible [0.0, 3000.0];
+        "s2": "S2 over the one of its kind (balls 4, cylinders 0.0015, tapers 2)", |bearing| vec![bearing.s2 / bearing.kind.usual_s2()],
+            "" usual [0.05, 20.0] possible OPEN;
     }
 }
 
@@ -183,6 +185,17 @@ pub enum Shaft {
     Pinion,
     /// That of the wheel.
     Wheel,
+}
+
+impl BearingKind {
+    /// S₂ of a usual series in SKF's catalogue.
+    const fn usual_s2(self) -> f64 {
+        match self {
+            Self::DeepGrooveBall => 4.0,
+            Self::CylindricalRoller => 0.0015,
+            Self::TaperedRoller => 2.0,
+        }
+    }
 }
 
 /// Shape of the rolling bodies of a bearing.

@@ -69,6 +69,34 @@ table! {
     /// The vehicle of a cycle stated by its speed, for `asperity cycle`; a run ignores it.
     #[serde(skip_serializing_if = "Option::is_none")]
     vehicle: Option<VehicleInput> => table;
+
+    => {
+        "map.torque_max": "largest torque over operation.torque", |case| case.over_torque(case.map.iter().map(|map| map.torque_max)),
+            "" usual [0.02, 200.0] possible OPEN;
+        "map.speed_max": "largest speed over operation.speed", CaseInput::speeds_of_map, "" usual [0.02, 200.0] possible OPEN;
+        "gearbox.bearings.at_torque": "torque of the loads over operation.torque", CaseInput::torques_of_bearings,
+            "" usual [0.02, 200.0] possible OPEN;
+    }
+}
+
+impl CaseInput {
+    fn over_torque(&self, torques: impl Iterator<Item = Option<Torque>>) -> Vec<f64> {
+        let size = |torque: Torque| torque.si().abs();
+        let of_case = size(self.operation.torque);
+        torques
+            .flat_map(|torque| ratio(torque.map(size), Some(of_case)))
+            .collect()
+    }
+
+    fn torques_of_bearings(&self) -> Vec<f64> {
+        let bearings = self.gearbox.iter().flat_map(|gearbox| &gearbox.bearings);
+        self.over_torque(bearings.map(|bearing| bearing.at_torque))
+    }
+
+    fn speeds_of_map(&self) -> Vec<f64> {
+        let most = self.map.and_then(|map| map.speed_max);
+        ratio(most.map(AngularSpeed::si), Some(self.operation.speed.si()))
+    }
 }
 
 table! {
@@ -118,7 +146,7 @@ table! {
     relief_tolerance: Option<Length> = "um" per module usual [0.1, 20.0] possible [0.001, 500.0];
 
     => {
-        face_width: "face width over the pitch diameter of the pinion (by teeth, module, helix)", GearsInput::width_ratios,
+        "face_width": "face width over the pitch diameter of the pinion (by teeth, module, helix)", GearsInput::width_ratios,
             "" usual [0.12, 2.5] possible [0.002, 100.0];
     }
 }
@@ -207,7 +235,7 @@ table! {
     bulk: Option<BulkInput> => table;
 
     => {
-        bulk_temperature: "difference of the flanks", OperationInput::difference, "K" usual [-80.0, 80.0] possible [-500.0, 500.0];
+        "bulk_temperature": "difference of the flanks", OperationInput::difference, "K" usual [-80.0, 80.0] possible [-500.0, 500.0];
     }
 }
 
@@ -364,7 +392,7 @@ table! {
     coast: Option<CoastInput> => table;
 
     => {
-        noise_cutoff: "noise cut-off over the cut-off", |surface| over(surface.noise_cutoff, surface.cutoff),
+        "noise_cutoff": "noise cut-off over the cut-off", |surface| over(surface.noise_cutoff, surface.cutoff),
             "" usual [0.001, 0.125] possible OPEN;
     }
 }
@@ -404,7 +432,7 @@ table! {
     /// `"pinion_*.csv"` whose files are taken by name, or tables with `tooth`, `y` (place across the face) and a place
     /// of their own. All pairs of teeth are computed, and the loss is their mean.
     #[serde(skip_serializing_if = "Option::is_none")]
-    traces: Option<TraceList>;
+    traces: Option<TraceList> => table;
     /// Read the trace from its other end (flanks face each other); not with `from` or `at`, which tell it.
     mirrored: Option<bool>;
     /// End of the flank at which the trace begins: `root` (default where the trace is placed) or `tip`.
@@ -469,12 +497,12 @@ table! {
     asperity_radius: Option<Length> = "um" usual [0.5, 10_000.0] possible [1e-3, 1e7];
 
     => {
-        ra: "Ra over Rq", |flank| over(flank.ra, flank.rq), "" usual [0.5, 1.0] possible [0.05, 1.1];
-        rz: "Rz over Rq", |flank| over(flank.rz, flank.rq), "" usual [2.0, 25.0] possible [1.0, 250.0];
-        rz: "Rz over Ra", |flank| over(flank.rz, flank.ra), "" usual [2.0, 30.0] possible [1.0, 300.0];
-        rpk: "Rpk over Rz", |flank| over(flank.rpk, flank.rz), "" usual [0.002, 0.6] possible [0.0, 1.0];
-        rpk: "Rpk over Ra", |flank| over(flank.rpk, flank.ra), "" usual [0.02, 6.0] possible [0.0, 30.0];
-        rpk: "Rpk over Rq", |flank| over(flank.rpk, flank.rq), "" usual [0.02, 5.0] possible [0.0, 25.0];
+        "ra": "Ra over Rq", |flank| over(flank.ra, flank.rq), "" usual [0.5, 1.0] possible [0.05, 1.1];
+        "rz": "Rz over Rq", |flank| over(flank.rz, flank.rq), "" usual [2.0, 25.0] possible [1.0, 250.0];
+        "rz": "Rz over Ra", |flank| over(flank.rz, flank.ra), "" usual [2.0, 30.0] possible [1.0, 300.0];
+        "rpk": "Rpk over Rz", |flank| over(flank.rpk, flank.rz), "" usual [0.002, 0.6] possible [0.0, 1.0];
+        "rpk": "Rpk over Ra", |flank| over(flank.rpk, flank.ra), "" usual [0.02, 6.0] possible [0.0, 30.0];
+        "rpk": "Rpk over Rq", |flank| over(flank.rpk, flank.rq), "" usual [0.02, 5.0] possible [0.0, 25.0];
     }
 }
 

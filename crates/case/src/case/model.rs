@@ -63,7 +63,7 @@ choices! {
     window: f64 = both(3.0) usual "" [1.5, 50.0],
         check("window", |w| (1.5..=100.0).contains(&w), "must be 1.5 to 100 Hertz half-widths");
     /// Law of the load distribution over the teeth in contact; default `elastic` (`paper`: `mean-length`).
-    load_distribution: LoadLaw = each(LoadLaw::Elastic, LoadLaw::MeanLength);
+    load_distribution: LoadLaw = each(LoadLaw::Elastic, LoadLaw::MeanLength) usual "" [0.0, 10.0];
     /// Correction factor C_M of the tooth stiffness, theoretical to measured; default 0.8.
     #[serde(skip_serializing_if = "Option::is_none")]
     stiffness_factor: f64 =
@@ -154,7 +154,7 @@ choices! {
     numerical_error: Ratio => f64 = both(Ratio::new(0.01)) usual "%" [0.01, 20.0],
         check("numerical error", |e| e > 0.0 && e <= 0.2, "must be above 0 and at most 20 %");
     /// Tolerance of the contact solver's certificate; default 1e-8.
-    tolerance: f64 = both(1e-8) usual "" [1e-16, 1e-4],
+    tolerance: f64 = both(1e-8) usual "" [1e-10, 1e-6],
         check("tolerance", |t| (1e-16..=LOOSEST_TOLERANCE).contains(&t), "must be 1e-16 to 1e-4");
     /// Include the plastic work of running-in in the losses; default false.
     include_running_in: bool = both(false);

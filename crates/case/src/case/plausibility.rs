@@ -77,7 +77,7 @@ pub(super) fn at_pitch_point(
         AtPitchPoint {
             value: gears.working_pitch_radius[0].si().abs() * speed.si(),
             unit: "m/s",
-            usual: [0.0, 120.0],
+            usual: [0.05, 120.0],
             most: HIGHEST_SPEED,
             key: "speed",
             name: "pitch-line speed (by speed, teeth, module)",

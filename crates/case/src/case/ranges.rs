@@ -123,7 +123,7 @@ const VISCOSITY: [(&str, Limits, OfViscosity); 10] = [
     ),
     (
         "dynamic_viscosity",
-        of_law("mPa s", [1.0, 10_000.0], [0.05, 100_000.0]),
+        of_law("mPa s", [1.0, 2000.0], [0.05, 100_000.0]),
         |law| match law {
             ViscosityLaw::Given {
                 dynamic_viscosity, ..

@@ -13,6 +13,7 @@ use asperity_core::quantity::{
 
 use asperity_core::hardness::Hardness;
 use asperity_ehl_regime::inlet_flow::Lay;
+use asperity_gear::LoadLaw;
 use asperity_profile_io::read::{Columns, TraceRange};
 
 use super::calibration::Calibrated;
@@ -163,6 +164,18 @@ impl Numbers for PathPoint {
     }
 }
 
+impl Numbers for LoadLaw {
+    fn numbers(&self, _: &str) -> Vec<f64> {
+        match self {
+            Self::Table(rows) => rows
+                .iter()
+                .flat_map(|(at, weight)| [*at, *weight])
+                .collect(),
+            _ => Vec::new(),
+        }
+    }
+}
+
 impl Numbers for Columns {
     fn numbers(&self, _: &str) -> Vec<f64> {
         let columns = self.x.into_iter().chain([self.z]);
@@ -286,7 +299,7 @@ pub(super) fn in_unit<Q: Quantity>(value: Q, unit: &str) -> f64 {
 /// name: Type = "unit" per module usual [low, high] possible [low, high];     for each mm of the module
 /// name: Type => table;                                    a table whose keys have rows of their own
 /// => {                                                    relations of several keys, reported at one of them
-///     name: "quantity", |table| numbers, "unit" usual [low, high] possible [low, high];
+///     "name": "quantity", |table| numbers, "unit" usual [low, high] possible [low, high];
 /// }
 /// ```
 ///
@@ -324,7 +337,7 @@ macro_rules! limits {
             $(= $unit:literal $(per $module:ident)? usual $usual:tt possible $possible:tt)?
             $(=> $inner:ident)?;)*
         $(=> {
-            $($key:ident: $relation:literal, $value:expr, $of:literal usual $usually:tt possible $possibly:tt;)*
+            $($key:literal: $relation:literal, $value:expr, $of:literal usual $usually:tt possible $possibly:tt;)*
         })?
     ) => {
         impl $(<$kind>)? $crate::case::rows::Ranged for $table $(<$kind>)? {
@@ -362,7 +375,7 @@ macro_rules! limits {
                     };
                     let value: fn(&Self) -> Vec<f64> = $value;
                     let numbers = stated.map(value).unwrap_or_default();
-                    judge(at.below(stringify!($key)), &limits, &numbers);
+                    judge(at.below($key), &limits, &numbers);
                 )*)?
             }
         }
