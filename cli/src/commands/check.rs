@@ -117,10 +117,19 @@ fn of_pair(loaded: LoadedCase) -> Result<ValidCase, Error> {
 
 fn of_train(train: LoadedTrain) -> Result<ValidCase, Error> {
     let cases = || train.meshes().map(|mesh| &mesh.case);
-    let mut warnings = train.warnings.clone();
-    for case in cases() {
-        warnings.extend(case.warnings.iter().cloned());
-        warnings.extend(pipeline::check(case)?);
+    let found = cases().map(pipeline::check);
+    let found = found.collect::<Result<Vec<_>, Error>>()?;
+    let of_loaded = cases().flat_map(|case| &case.warnings);
+    let mut warnings: Vec<Warning> = train.warnings.iter().chain(of_loaded).cloned().collect();
+    for (mesh, own) in train.meshes().zip(&found) {
+        // What applies to some meshes names them.
+        let named = own.iter().map(
+            |warning| match found.iter().all(|of| of.contains(warning)) {
+                true => warning.clone(),
+                false => warning.with(&format!(" [{}]", mesh.name)),
+            },
+        );
+        warnings.extend(named);
     }
     let warnings = unique(warnings);
     let fields = KeptFields::Highest;

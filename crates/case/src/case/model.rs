@@ -63,7 +63,7 @@ choices! {
     window: f64 = both(3.0) usual "" [1.5, 50.0],
         check("window", |w| (1.5..=100.0).contains(&w), "must be 1.5 to 100 Hertz half-widths");
     /// Law of the load distribution over the teeth in contact; default `elastic` (`paper`: `mean-length`).
-    load_distribution: LoadLaw = each(LoadLaw::Elastic, LoadLaw::MeanLength) usual "" [0.0, 10.0];
+    load_distribution: LoadLaw = each(LoadLaw::Elastic, LoadLaw::MeanLength) => table;
     /// Correction factor C_M of the tooth stiffness, theoretical to measured; default 0.8.
     #[serde(skip_serializing_if = "Option::is_none")]
     stiffness_factor: f64 =

@@ -8,6 +8,7 @@
 use std::borrow::Cow;
 
 use asperity_core::quantity::Length;
+use asperity_gear::LoadLaw;
 use asperity_oil::viscosity_index::viscosity_index;
 use asperity_oil::{LubricantInput, ViscosityLaw};
 
@@ -49,10 +50,24 @@ impl Ranged for ViscosityLaw {
     }
 }
 
+impl Ranged for LoadLaw {
+    fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
+        let rows: &[(f64, f64)] = match stated {
+            Some(Self::Table(rows)) => rows,
+            _ => &[],
+        };
+        let numbers: Vec<f64> = rows
+            .iter()
+            .flat_map(|(at, weight)| [*at, *weight])
+            .collect();
+        judge(at.below("table"), &of_law("", [0.0, 10.0], OPEN), &numbers);
+    }
+}
+
 /// A number of a viscosity law, in the unit of its ranges.
 type OfViscosity = fn(ViscosityLaw) -> Option<f64>;
 
-/// Ranges of a number of a viscosity law.
+/// Ranges of a number of a law.
 const fn of_law(unit: &'static str, usual: [f64; 2], possible: [f64; 2]) -> Limits {
     Limits {
         relation: "",
@@ -278,11 +293,19 @@ pub(super) fn with_unit(text: &str, unit: &str) -> String {
 
 pub(super) fn digits(value: f64) -> String {
     let size = value.abs();
-    if size != 0.0 && !(1e-3..1e7).contains(&size) {
-        return format!("{value:.3e}");
-    }
-    let text = format!("{value:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    let (number, power) = match size != 0.0 && !(1e-3..1e7).contains(&size) {
+        true => {
+            let text = format!("{value:.3e}");
+            let at = text.find('e').unwrap_or(text.len());
+            (text[..at].to_owned(), text[at..].to_owned())
+        }
+        false => (format!("{value:.4}"), String::new()),
+    };
+    number
+        .trim_end_matches('0')
+        .trim_end_matches('.')
+        .to_owned()
+        + &power
 }
 
 /// A case, or the table of one that is judged alone.
@@ -392,12 +415,14 @@ pub fn range_of(key: &str) -> Option<Limits> {
     found
 }
 
-/// Every relation between keys: the key that it is reported at, the quantity, and its usual range.
+/// Every relation between keys, of the first of equal tables: the key that it is reported at, the quantity, and its usual range.
 pub(super) fn relations() -> Vec<[String; 3]> {
     let mut found = Vec::new();
     let mut judge = |at: KeyPath<'_>, limits: &Limits, _: &[f64]| {
-        if !limits.relation.is_empty() {
-            found.push([at.to_string(), limits.relation.to_owned(), limits.usual()]);
+        let key = at.to_string();
+        let is_twin = key.contains(".wheel.") || key.contains(".coast.");
+        if !limits.relation.is_empty() && !is_twin {
+            found.push([key, limits.relation.to_owned(), limits.usual()]);
         }
     };
     CaseInput::visit(None, KeyPath::default(), &mut judge);

@@ -13,7 +13,6 @@ use asperity_core::quantity::{
 
 use asperity_core::hardness::Hardness;
 use asperity_ehl_regime::inlet_flow::Lay;
-use asperity_gear::LoadLaw;
 use asperity_profile_io::read::{Columns, TraceRange};
 
 use super::calibration::Calibrated;
@@ -160,18 +159,6 @@ impl Numbers for PathPoint {
         match self {
             Self::Fraction(fraction) => vec![*fraction],
             Self::Named(_) => Vec::new(),
-        }
-    }
-}
-
-impl Numbers for LoadLaw {
-    fn numbers(&self, _: &str) -> Vec<f64> {
-        match self {
-            Self::Table(rows) => rows
-                .iter()
-                .flat_map(|(at, weight)| [*at, *weight])
-                .collect(),
-            _ => Vec::new(),
         }
     }
 }
