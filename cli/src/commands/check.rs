@@ -104,24 +104,37 @@ fn failures(errors: &[Error]) -> Vec<Failure> {
 }
 
 fn of_pair(loaded: LoadedCase) -> Result<ValidCase, Error> {
-    pipeline::check(&loaded)?;
+    let found = pipeline::check(&loaded)?;
     Ok(ValidCase {
         work: measured(&loaded, &KeptFields::Highest)
             .or_else(|_| estimate(&loaded, &KeptFields::Highest))?,
         traced: traced(&loaded).into_iter().collect(),
         may_need_more: chooses_offsets(&loaded),
-        warnings: loaded.warnings,
+        warnings: [loaded.warnings, found].concat(),
         defaults: loaded.case.defaults,
     })
 }
 
 fn of_train(train: LoadedTrain) -> Result<ValidCase, Error> {
     let cases = || train.meshes().map(|mesh| &mesh.case);
-    cases().try_for_each(pipeline::check)?;
+    let found = cases().map(pipeline::check);
+    let found = found.collect::<Result<Vec<_>, Error>>()?;
+    let of_loaded = cases().flat_map(|case| &case.warnings);
+    let mut warnings: Vec<Warning> = train.warnings.iter().chain(of_loaded).cloned().collect();
+    for (mesh, own) in train.meshes().zip(&found) {
+        // What applies to some meshes names them.
+        let named = own.iter().map(
+            |warning| match found.iter().all(|of| of.contains(warning)) {
+                true => warning.clone(),
+                false => warning.with(&format!(" [{}]", mesh.name)),
+            },
+        );
+        warnings.extend(named);
+    }
+    let warnings = unique(warnings);
     let fields = KeptFields::Highest;
     let work = estimate_of_train(&train, &fields, measured)
         .or_else(|_| estimate_of_train(&train, &fields, estimate))?;
-    let warnings = unique(cases().flat_map(|case| case.warnings.iter().cloned()));
     let may_need_more = cases().any(chooses_offsets);
     Ok(ValidCase {
         traced: cases().filter_map(traced).collect(),

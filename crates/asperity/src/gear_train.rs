@@ -7,6 +7,7 @@ use asperity_gear::gear_train::{TrainShaft, TrainTorques};
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySpeeds};
 use serde::{Deserialize, Serialize};
 
+use crate::assembly::warnings_of_gearbox;
 use crate::contacts::Contacts;
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::{GearboxReport, Scope};
@@ -20,6 +21,7 @@ use asperity_case::balance;
 use asperity_case::case::gear_train::{LoadedMesh, LoadedTrain};
 use asperity_case::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
 use asperity_case::error::{Error, PositionError};
+use asperity_case::message::Warning;
 
 /// The result of a gear train, in addition to the results of its meshes.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -64,6 +66,9 @@ pub struct TrainResult {
     /// Planetary sets by the names of their stages.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sets: BTreeMap<String, PlanetaryReport>,
+    /// Warnings about the train as a whole; those of a mesh are in its own result.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<Warning>,
     /// Measurements that would narrow the interval, the one that leaves the narrowest first; empty if they were not sought.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub evidence: Vec<EvidenceRow>,
@@ -463,6 +468,8 @@ fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, 
         balance::efficiency(of, gearbox.efficiency, gearbox.loss_w, gearbox.power_in_w)?;
     }
     let power_in_w: f64 = powers().map(|power| power.max(0.0)).sum();
+    let mut warnings = loaded.warnings.clone();
+    warnings_of_gearbox(gearbox.as_ref(), &mut warnings);
     Ok(TrainResult {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: loaded.title.clone(),
@@ -482,6 +489,7 @@ fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, 
         shafts,
         meshes,
         sets,
+        warnings,
         evidence: Vec::new(),
     })
 }

@@ -123,10 +123,12 @@ pub fn summary_of_train(outcome: &TrainOutcome) -> String {
     tables_of_train(&outcome.result) + &notes.collect::<String>()
 }
 
-/// The result of a gear train for the terminal, with the ridges and at most one warning of each mesh, as [`crate::brief`].
+/// The result of a gear train for the terminal, with its own warnings, the ridges and at most one warning of each mesh, as [`crate::brief`].
 #[must_use]
 pub fn brief_of_train(outcome: &TrainOutcome) -> String {
     let mut text = tables_of_train(&outcome.result);
+    let of_train = outcome.result.warnings.iter();
+    text.extend(of_train.map(|warning| note(warning, COLUMNS)));
     for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
         if let Some(ridges) = ridges::line(&mesh.result) {
             let line = format!("{}: {ridges}", row.mesh);
@@ -145,14 +147,15 @@ fn of_mesh(warning: &Warning, mesh: &MeshRow) -> Warning {
     warning.with(&format!(" [{}]", mesh.mesh))
 }
 
-/// All warnings, each with its mesh.
+/// All warnings, those of a mesh with its name.
 fn warnings_of(outcome: &TrainOutcome) -> Vec<Warning> {
     let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
     let warnings = meshes.flat_map(|(mesh, row)| {
         let warnings = mesh.result.warnings.iter();
         warnings.map(move |warning| of_mesh(warning, row))
     });
-    warnings.collect()
+    let of_train = outcome.result.warnings.iter().cloned();
+    of_train.chain(warnings).collect()
 }
 
 /// Losses, meshes and shafts of a gear train for the terminal.
@@ -171,12 +174,6 @@ pub fn tables_of_train(result: &TrainResult) -> String {
             "efficiency (gearbox)      {efficiency}   loss {loss}\n"
         ));
         text.push_str(&format!("{}\n", wrapped(&besides_the_mesh(gearbox), "  ")));
-        for part in &gearbox.parts {
-            for outside in &part.outside {
-                let text_of_part = format!("W401 {}: {outside}", part.name);
-                text.push_str(&format!("{}\n", wrapped(&text_of_part, "     ")));
-            }
-        }
     }
     for (name, set) in result.planetary_sets() {
         let name = if name.is_empty() {
@@ -240,12 +237,6 @@ pub fn tables_of_train(result: &TrainResult) -> String {
             row.shaft,
             rpm(row.speed_rad_per_s),
         ));
-    }
-    if result
-        .planetary_sets()
-        .any(|(_, set)| !set.can_be_equally_spaced)
-    {
-        text.push_str("equally spaced planets cannot be assembled with these tooth numbers\n");
     }
     text
 }
@@ -320,9 +311,6 @@ fn summary_page(outcome: &TrainOutcome) -> String {
         (evidence(&result.evidence, &|loss| result.digits().rounded(loss)))
         @if let Some(heat) = &result.heat { p { (heat.line()) "." } }
         @if let Some(gearbox) = &result.gearbox { (section(gearbox, result.loss_distribution.is_some())) }
-        @for (name, _) in result.planetary_sets().filter(|(_, set)| !set.can_be_equally_spaced) {
-            p { @if !name.is_empty() { (name) ": " } "equally spaced planets cannot be assembled with these tooth numbers." }
-        }
         (warnings(&warnings_of(outcome)))
     };
     page(

@@ -54,7 +54,7 @@ pub fn headline(result: &RunResult) -> String {
 const LARGE_LOAD_ERROR: f64 = 0.011;
 /// Codes of warnings about inputs that make the result doubtful, the most important first.
 const DOUBTFUL: &[&str] = &[
-    "W402", "W426", "W412", "W405", "W441", "W322", "W117", "W201", "W124", "W327", "W128", "W112",
+    "W201", "W402", "W426", "W412", "W405", "W441", "W322", "W117", "W124", "W327", "W128", "W112",
     "W132", "W448", "W118", "W111", "W125",
 ];
 /// Component of the uncertainty that a warning is about, by the code and a word of the text.

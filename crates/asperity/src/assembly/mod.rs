@@ -9,6 +9,8 @@ mod reversed;
 mod solved;
 mod warnings;
 
+pub(crate) use warnings::{gearbox as warnings_of_gearbox, of_case as warnings_of_case};
+
 pub use reversed::Reversed;
 
 pub(crate) use cycle::operation;
@@ -87,7 +89,8 @@ impl Solved<'_> {
         let views: Vec<_> = views.collect();
         let micropitting = micropitting::report(self.loaded, &self.positions, &views, &ends)?;
         warnings::micropitting(micropitting.as_ref(), &mut warnings);
-        warnings::load(self.loaded, &self.positions, &load, &mut warnings);
+        let at = self.positions.iter().map(|position| &position.at);
+        warnings::load(self.loaded, at, &load, &mut warnings);
         let records = self
             .records
             .map(|records| record_rows(case, records))

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::bulk_temperature;
 use super::kept_fields::KeptFields;
 
-use crate::assembly::{Solved, equations_used, sources_used};
+use crate::assembly::{Solved, equations_used, sources_used, warnings_of_case};
 use crate::contacts::{ContactInputs, Contacts, Offsets, WindowContact, running_in};
 use crate::lubrication::{
     ChosenLaws, LubricatedPosition, Lubrication, check_mesh_position, plausible_film, records_of,
@@ -18,18 +18,20 @@ use crate::lubrication::{
 use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
-use crate::result::{Losses, Outcome, RunInFlanks};
+use crate::result::{LoadReport, Losses, Outcome, RunInFlanks};
 use asperity_case::case::{Case, Formulation, LoadedCase};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::is_substituted;
 use asperity_case::flanks::placement::check_coverage;
+use asperity_case::message::Warning;
 
 /// Progress callback, called with (done, total).
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
 /// Checks all that a run checks before it solves a contact: the table of the gearbox, the mesh positions with their
 /// smooth films, the place of the traces, and at the first offset of each pair of teeth the windows in contact.
-/// Records of mixed lubrication are not computed, and a bulk temperature that follows from the loss is not sought.
+/// Records of mixed lubrication are not computed, and a bulk temperature that follows from the loss is not sought. Returns the
+/// warnings that need no solution, in addition to those of the loaded case.
 ///
 /// # Errors
 /// The error with which a run ends.
@@ -43,7 +45,7 @@ pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 /// assert_eq!(pipeline::check(&long).unwrap_err().code(), "E122");
 /// # Ok::<(), asperity::Error>(())
 /// ```
-pub fn check(loaded: &LoadedCase) -> Result<(), Error> {
+pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
     let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
     let firsts = |position: &MeshPosition| {
         check_mesh_position(position)?;
@@ -54,7 +56,8 @@ pub fn check(loaded: &LoadedCase) -> Result<(), Error> {
     if loaded.case.model.run_in {
         running_in::places(&loaded.case, &loaded.surfaces, &mesh.positions).map_err(Box::new)?;
     }
-    Ok(())
+    let load = LoadReport::new(&loaded.case, &mesh.load).map_err(Box::new)?;
+    Ok(warnings_of_case(loaded, &mesh.positions, &load).map_err(Box::new)?)
 }
 
 /// The mesh of a case on traces that cover it, under the load of `contacts` if that is known.

@@ -18,6 +18,7 @@ use super::train_parts::{MeshParts, TrainParts};
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::flanks::Surfaces;
+use crate::message::Warning;
 
 /// A gear train, ready to run.
 #[derive(Debug, Clone)]
@@ -37,6 +38,8 @@ pub struct LoadedTrain {
     pub input: AnyInput,
     /// Every default in use, by the keys of the train.
     pub defaults: Vec<DefaultUsed>,
+    /// Warnings about the train as a whole, besides those of its meshes.
+    pub warnings: Vec<Warning>,
     /// Sums of the tables of its gearbox.
     sums: FileSums,
 }
@@ -71,6 +74,7 @@ impl From<LoadedCase> for LoadedTrain {
             gearbox: None,
             input: case.case.input.clone().into(),
             defaults: case.case.defaults.clone(),
+            warnings: Vec::new(),
             sums: FileSums::new(),
             stages: vec![LoadedStage {
                 name: None,
@@ -112,6 +116,7 @@ impl LoadedTrain {
             stages: stages.collect(),
             input: input.into(),
             defaults,
+            warnings: parts.warnings,
         }
     }
 

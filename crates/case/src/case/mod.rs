@@ -51,6 +51,7 @@ mod path_point;
 mod place;
 pub mod planetary;
 mod plausibility;
+mod ranges;
 mod resolve;
 mod rows;
 mod section;
@@ -105,8 +106,9 @@ pub use oil_file::{
 pub use one_or_two::OneOrTwo;
 pub use path_point::{NamedPoint, PathPoint};
 pub use place::Place;
-pub use plausibility::possible_range;
+pub use ranges::range_of;
 pub use resolve::{Case, resolve};
+pub use rows::Limits;
 pub use source::Source;
 pub use steel::STEEL_FLOW_PRESSURE;
 #[cfg(feature = "case-files")]

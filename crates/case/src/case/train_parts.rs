@@ -15,6 +15,7 @@ use super::source::{MeshKeys, Source};
 use super::train_flow::{StageKind, Train};
 use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
+use crate::message::Warning;
 
 /// A gear train with the inputs of its meshes, before their traces are read.
 pub(super) struct TrainParts {
@@ -25,6 +26,8 @@ pub(super) struct TrainParts {
     pub title: String,
     pub train: Train,
     pub stages: Vec<StageParts>,
+    /// Warnings about the train as a whole.
+    pub warnings: Vec<Warning>,
 }
 
 /// Input of the meshes of a stage.
@@ -89,6 +92,7 @@ impl TrainParts {
             title,
             train,
             stages,
+            warnings: Vec::new(),
         })
     }
 

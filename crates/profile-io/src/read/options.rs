@@ -335,6 +335,14 @@ pub struct TraceRange {
     pub(super) to: Length,
 }
 
+impl TraceRange {
+    /// Distances of begin and end from the first point.
+    #[must_use]
+    pub const fn ends(&self) -> [Length; 2] {
+        [self.from, self.to]
+    }
+}
+
 impl FromStr for TraceRange {
     type Err = UnknownChoice;
 

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use asperity::balance::{Unbalanced, efficiency, sum};
+use asperity::message::Warning;
 use asperity::uncertainty::Quantiles;
 use serde::Serialize;
 
@@ -42,6 +43,9 @@ pub struct CycleResult {
     pub outside_share: f64,
     /// Share of the moving time at torques whose sliding loss is scaled from the smallest resolved torque.
     pub extended_share: f64,
+    /// Unusual numbers of the vehicle.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<Warning>,
     /// The finishes; the first is the reference of differences.
     pub finishes: Vec<CycleFinish>,
     /// Points of the cycle, for table and chart.
@@ -212,6 +216,7 @@ pub fn evaluate(
             let is_extended = |point: &CyclePoint| (-coast..drive).contains(&point.torque_nm);
             share(cycle, &moving_time, &is_extended)
         }),
+        warnings: cycle.warnings.clone(),
         finishes,
         points: cycle.points.clone(),
     })

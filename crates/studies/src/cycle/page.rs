@@ -34,6 +34,7 @@ fn energy(result: &CycleResult, map: &Map) -> Markup {
     html! {
         @for verdict in verdicts(result) { p { strong { (verdict) } } }
         @if let Some(note) = left_aside(result) { p { (note) "." } }
+        @for warning in &result.warnings { p { (warning) "." } }
         p { "Scope: " (result.scope) " only. " (format!("{:.1}", result.drive_wh)) " Wh at the " (pinion) " while it drives, "
             (format!("{:.1}", result.coast_wh)) " Wh while the " (wheel) " drives, " (format!("{:.0}", result.duration_s)) " s, flanks at "
             (result.temperature_c) " °C."

@@ -53,6 +53,9 @@ pub(super) fn summary(result: &CycleResult) -> String {
     if let Some(note) = left_aside(result) {
         text.push_str(&format!("{}\n", wrapped(&note, "     ")));
     }
+    for warning in &result.warnings {
+        text.push_str(&format!("{}\n", wrapped(&warning.to_string(), "     ")));
+    }
     text
 }
 

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use asperity::case::{VehicleInput, possible_range};
+use asperity::case::{VehicleInput, range_of};
+use asperity::message::Warning;
 
 /// Density of air at 20 °C \[kg/m³\].
 const AIR: f64 = 1.204;
@@ -19,6 +20,8 @@ pub struct Cycle {
     pub points: Vec<CyclePoint>,
     /// Distance driven \[km\]; `None` without a vehicle.
     pub distance_km: Option<f64>,
+    /// Unusual numbers of the vehicle.
+    pub warnings: Vec<Warning>,
 }
 
 /// Point of a cycle.
@@ -89,6 +92,9 @@ pub enum CycleError {
     /// The table has the speed of a vehicle, but no vehicle is given.
     #[error("speed_km_h needs the table [vehicle] in the case of the map")]
     NoVehicle,
+    /// A number of the vehicle that no vehicle has.
+    #[error(transparent)]
+    Impossible(#[from] Box<asperity::Error>),
     /// A number of the vehicle is not valid.
     #[error("vehicle.{key} = {value} must be {rule}")]
     Vehicle {
@@ -99,6 +105,17 @@ pub enum CycleError {
         /// Rule.
         rule: &'static str,
     },
+}
+
+impl CycleError {
+    /// Stable code.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Impossible(error) => error.code(),
+            _ => "E101",
+        }
+    }
 }
 
 /// Reads the cycle in `text`, a table with a header row; `#` begins a comment. The speed of a vehicle is converted to the
@@ -128,6 +145,8 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
         });
     }
     let vehicle = vehicle.map(checked).transpose()?;
+    let warnings = vehicle.map(VehicleInput::unusual).transpose();
+    let warnings = warnings.map_err(Box::new)?.unwrap_or_default();
     let operating = (table.column("torque_nm")?, table.column("speed_rpm")?);
     let (torque, speed, way) = match (operating, table.column("speed_km_h")?) {
         ((Some(torque), Some(speed)), _) => {
@@ -167,6 +186,7 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
     Ok(Cycle {
         points: rows.map(point).collect(),
         distance_km,
+        warnings,
     })
 }
 
@@ -246,7 +266,7 @@ const STEEPEST: f64 = 100.0;
 
 /// Largest possible absolute value of a column; for the pinion, the limits of a case.
 fn limit(column: &str) -> f64 {
-    let of_case = |key| possible_range(key).map_or(f64::MAX, |[_, most]| most);
+    let of_case = |key| range_of(key).map_or(f64::MAX, |range| range.possible[1]);
     match column {
         "time_s" => LONGEST,
         "speed_km_h" => FASTEST,

@@ -19,7 +19,7 @@ use crate::case::error::CaseError;
 use crate::case::files::Files;
 use crate::case::input::{CaseInput, TEMPERATURE_KEYS};
 use crate::case::loaded::{LoadedCase, complete};
-use crate::case::plausibility::impossible;
+use crate::case::ranges::impossible;
 use crate::case::source::{MeshKeys, Source};
 use crate::error::Error;
 
@@ -249,9 +249,13 @@ fn missing_key(table: Option<&str>, message: &str) -> Option<String> {
 
 /// The part of a case that is replaced as a whole: a table with related keys, or a single key.
 fn part_of(key: &str) -> &str {
-    const WHOLE: [&str; 9] = [
+    const WHOLE: [&str; 14] = [
+        "calibration",
+        "gearbox",
         "gears",
         "lubricant",
+        "map",
+        "micropitting",
         "surface.coast",
         "surface.pinion",
         "surface.wheel",
@@ -260,9 +264,11 @@ fn part_of(key: &str) -> &str {
         "surface.sun",
         "surface.planet",
         "surface.ring",
+        "vehicle",
     ];
-    // The keys that state a temperature replace each other.
-    if TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key) {
+    // The keys that state a temperature replace each other, and one of them the law of the bulk temperature.
+    let is_temperature = TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key);
+    if is_temperature || key.starts_with("operation.bulk.") {
         return TEMPERATURE_KEYS[0].0;
     }
     let is_in = |part: &&str| {

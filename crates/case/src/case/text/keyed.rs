@@ -13,7 +13,7 @@ use serde::de::{
 use serde::forward_to_deserialize_any;
 use toml::{Table, Value, map};
 
-use crate::case::plausibility::range_of;
+use crate::case::ranges::range_of;
 
 /// Keys from the root to the value that is being read; after an error, to the value that cannot be read.
 type Path = RefCell<Vec<String>>;

@@ -13,6 +13,7 @@ use crate::case::input::CaseInput;
 use crate::case::loaded::complete;
 use crate::case::loaded_train::LoadedTrain;
 use crate::case::model::Formulation;
+use crate::case::ranges::impossible;
 use crate::case::source::Source;
 use crate::case::train_input::TrainCaseInput;
 use crate::error::Error;
@@ -141,14 +142,18 @@ fn all(
     errors: &mut Vec<CaseError>,
 ) -> Option<LoadedTrain> {
     let (input, mending) = readable::<TrainCaseInput>(source, keys, errors)?;
+    errors.extend(impossible(&input, source));
     let files = Files::in_folder(folder);
     let parts = match input.parts(source, Reader::of(&files)) {
         Ok(parts) => parts,
         Err(error) => {
-            if !TrainCaseInput::TABLES
+            let is_blamed = TrainCaseInput::TABLES
                 .iter()
-                .any(|table| mending.is_known(table))
-            {
+                .any(|table| mending.is_known(table));
+            let is_known = errors
+                .iter()
+                .any(|known| identity(known) == identity(&error));
+            if !is_blamed && !is_known {
                 errors.push(error);
             }
             return None;
