@@ -22,6 +22,7 @@ fn option(setting: Setting) -> &'static str {
         Setting::BaseRadius => "--base-radius",
         Setting::Uneven => "--uneven",
         Setting::Range => "--range",
+        Setting::Invert => "--invert",
         Setting::Outliers => "--outliers",
         Setting::Form => "--form",
         Setting::Cutoff => "--lambda-c",

@@ -284,7 +284,7 @@ pub struct VehicleInput {
     /// Mass plus the inertia of the rotating parts, over the mass; default 1.04.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inertia_factor: Option<f64>,
-    /// Grade of the road if the cycle does not state it, rise over distance; default 0.
+    /// Grade of the road if the cycle does not state it, rise over distance forwards; default 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grade: Option<Ratio>,
 }
@@ -410,6 +410,10 @@ table! {
     /// anything else is done, and `x` of `at` still counts from the first point of the whole trace.
     #[serde(skip_serializing_if = "Option::is_none")]
     range: Option<TraceRange>;
+    /// Whether the values of the file grow into the material (depths, a replica), so that the heights are their negatives;
+    /// default: only if the file names them depths.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    invert: Option<bool>;
     /// Finish of a flank without a file: `ground` or `superfinished`; default `surface.finish`.
     #[serde(skip_serializing_if = "Option::is_none")]
     finish: Option<FinishName>;
