@@ -21,7 +21,8 @@ use asperity_case::error::PositionError;
 use asperity_case::flanks::is_substituted;
 use asperity_case::flanks::local_roughness::FEW_ASPERITIES;
 use asperity_case::flanks::placement::FULL_COVERAGE;
-use asperity_case::message::Warning;
+use asperity_case::message::{Subject, Warning};
+use asperity_oil::GOLD_FIT;
 
 /// Least part of the loss at untested pressures that is worth a warning.
 const LEAST_SHARE: f64 = 0.005;
@@ -35,7 +36,10 @@ pub(crate) fn warnings(
 ) -> Result<Vec<Warning>, PositionError> {
     let mut found = Vec::new();
     for note in loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes) {
-        found.push(Warning::new(code(note), note.to_string()));
+        found.push(Warning {
+            about: (note.correlation == GOLD_FIT).then_some(Subject::PressureViscosity),
+            ..Warning::new(code(note), note.to_string())
+        });
     }
     bulk(loaded, &mut found);
     ranges(positions, &mut found);

@@ -13,6 +13,9 @@ use serde::{Deserialize, Serialize};
 pub struct CalibrationInput {
     /// Measurements from which the values come; printed with every result.
     pub source: Option<String>,
+    /// Whether the measurements were simulated, as in a rehearsal; every result then says so (W446). Default false.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub simulated: Option<bool>,
     /// Coefficient of boundary friction μ_b, in place of `model.boundary_friction`.
     pub boundary_friction: Option<Calibrated<f64>>,
     /// Thickness of the boundary layer h_b, in place of `model.boundary_layer`.
@@ -26,7 +29,8 @@ pub struct CalibrationInput {
     pub correlations: Option<Vec<CorrelationInput>>,
 }
 
-/// Word in the source of constants, or a comment of a table, that declares the measurements as simulated.
+/// Word in a comment of a table that declares its measurements as simulated; files of constants have a field for it, and those
+/// of former versions this word in their source.
 pub const SIMULATED: &str = "SIMULATED";
 
 /// A calibrated value with its 95 % band.
