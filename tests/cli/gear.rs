@@ -631,6 +631,10 @@ fn a_gear_train_that_is_not_determined_is_refused_at_its_key() {
     bench
         .run(&[&run[..], &["--set", &idle[1]]].concat())
         .refused(2, "E206", &["leave out meshes that run idle"]);
+    // Where capitals count as small letters, both results would have one folder.
+    bench.write("case.toml", TRAIN.replace("mesh.slow", "mesh.Fast"));
+    let says = ["mesh.Fast", "result folder of another mesh"];
+    bench.run(&run).refused(2, "E205", &says);
     let bad = TRAIN
         .replace("2.5 mm", "2.5 m")
         .replace("m100", "m1000")

@@ -14,7 +14,7 @@ pub enum ExportError {
     },
     /// Two files would have one name.
     #[error(
-        "finishes {} and {} would both be exported as {name}: a name of a file has only letters, digits, - and _, and capitals count as small letters. Change one of the names",
+        "finishes {:?} and {:?} would both be exported as {name}: a name of a file has only letters, digits, - and _, and capitals count as small letters. Change one of the names",
         finishes[0], finishes[1]
     )]
     SameFile {
