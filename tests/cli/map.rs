@@ -498,6 +498,11 @@ fn what_makes_no_map_is_refused() {
         "--torque", "50,100", "--speed", "500,9000", "--export", "vecto",
     ];
     map(&drive).refused(2, "E205", &["vecto", "both signs"]);
+    let alike = ["a b=pinion.csv,wheel.csv", "a_b=pinion.csv,wheel.csv"];
+    let alike = [
+        "--export", "csv", "--finish", alike[0], "--finish", alike[1],
+    ];
+    map(&alike).refused(2, "E205", &["csv", "\"a b\"", "\"a_b\""]);
     map(&["--cycle", "none.csv"]).refused(2, "E103", &["none.csv"]);
     bench.write("bad.csv", "speed_rpm,loss_torque_nm\n0,-1\n");
     let add = ["--torque=-1,1", "--export", "csv", "--add-loss", "bad.csv"];

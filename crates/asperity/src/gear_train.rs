@@ -183,8 +183,14 @@ pub struct MeshRow {
     pub loss_median_w: Option<f64>,
     /// Its 5 % quantile.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub loss_q05_w: Option<f64>,
+    pub loss_p05_w: Option<f64>,
     /// Its 95 % quantile.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_p95_w: Option<f64>,
+    /// Former name of `loss_p05_w`, which the next version leaves out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_q05_w: Option<f64>,
+    /// Former name of `loss_p95_w`, which the next version leaves out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss_q95_w: Option<f64>,
     /// Its part by sliding \[W\].
@@ -561,6 +567,7 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
     let pressures = run.path.iter().map(|row| row.hertz_pressure_mpa);
     let highest = pressures.fold(0.0, f64::max);
     let MeshLosses { summary, drawn, .. } = run;
+    let [low, high] = [0, 1].map(|end: usize| drawn.map(|(_, ends)| ends[end]));
     MeshRow {
         mesh: mesh.name.clone(),
         count: kind.count(),
@@ -568,8 +575,10 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
         speed_rad_per_s: mesh.case.case.speed.si(),
         loss_w: summary.loss_w,
         loss_median_w: drawn.map(|(median, _)| median),
-        loss_q05_w: drawn.map(|(_, [low, _])| low),
-        loss_q95_w: drawn.map(|(_, [_, high])| high),
+        loss_p05_w: low,
+        loss_p95_w: high,
+        loss_q05_w: low,
+        loss_q95_w: high,
         sliding_w: summary.sliding_w,
         rolling_w: summary.rolling_w,
         efficiency: summary.efficiency,
@@ -766,7 +775,10 @@ impl MeshRow {
 
     /// Median and quantiles of the loss \[W\]; `None` without an interval.
     fn drawn_w(&self) -> Option<(f64, [f64; 2])> {
-        Some((self.loss_median_w?, [self.loss_q05_w?, self.loss_q95_w?]))
+        // Results of former versions have the former names only.
+        let low = self.loss_p05_w.or(self.loss_q05_w)?;
+        let high = self.loss_p95_w.or(self.loss_q95_w)?;
+        Some((self.loss_median_w?, [low, high]))
     }
 }
 

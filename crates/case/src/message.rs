@@ -15,6 +15,24 @@ pub struct Warning {
     pub code: Cow<'static, str>,
     /// Values found and expected.
     pub text: String,
+    /// Component of the uncertainty that the warning is about, if its code leaves it open.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub about: Option<Subject>,
+}
+
+/// Component of the uncertainty that a warning can be about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Subject {
+    /// Pressure-viscosity coefficient of the oil.
+    PressureViscosity,
+    /// Tip relief that is not stated.
+    TipRelief,
+    /// Error of the fast model.
+    FastModel,
+    /// Sampling of the flanks.
+    Sampling,
 }
 
 impl Warning {
@@ -23,6 +41,7 @@ impl Warning {
         Self {
             code: code.into(),
             text: text.into(),
+            about: None,
         }
     }
 
@@ -32,6 +51,7 @@ impl Warning {
         Self {
             code: self.code.clone(),
             text: self.text.clone() + more,
+            ..*self
         }
     }
 }
@@ -183,13 +203,14 @@ explanations! {
     "W203" "a key by its former name": "The case states a key by a name of an earlier version, which is still read with its former meaning." => "Rename the key as the message says.";
     "W204" "planets cannot be equally spaced": "Equally spaced planets mesh with sun and ring only if the sum of the tooth numbers of sun and ring is a multiple of the number of planets." => "Check the tooth numbers and the number of planets. The losses of a set whose planets are not equally spaced are the same.";
     "W320" "mean of a surface": "The trace is the mean of the rows or columns of a surface. Roughness that does not run across all of them is averaged out, so its parameters are smaller than those of a single line." => "Take single lines for roughness parameters, the mean for the form." [Row, Line];
-    "W321" "measured on a replica": "The file says that a replica was measured, so that peaks and valleys have changed places." => "Invert the heights in the instrument's software before exporting.";
+    "W321" "measured on a replica": "The file says that a replica was measured, so that peaks and valleys have changed places." => "Have the heights turned." [Invert];
     "W322" "the unit of the file is overridden": "A unit was stated for a column whose unit the file states too, and they differ. The stated one is used." => "Leave the unit out, unless the file is known to be wrong." [ZUnit, XUnit];
     "W323" "a stated unit is not used": "A unit was stated for a file that has scales and units of its own in its header. The lengths are those of the header." => "Leave the unit out." [ZUnit, XUnit];
     "W324" "positions kept": "The points of the trace are uneven and were written with their positions. Programs that assume even spacing read another trace." => "Have the trace resampled if the file has to be even." [Uneven];
     "W325" "the header of a profile is contradicted": "The header of the file states a spacing or a base radius that differs by more than 1 % from the x column or from the stated value." => "Check which one is right, and state it." [Spacing, BaseRadius];
     "W326" "empty rows left out": "Rows of the table hold neither a position nor a height, as some programs write behind an aborted trace. They were left out." => "None needed.";
     "W327" "equal heights": "All heights of the trace are equal, so it has no roughness: a run takes the flank as perfectly smooth." => "Export the trace anew, unless a smooth flank is meant: columns of position and height may be confused, or the heights have too few digits.";
+    "W328" "depths turned into heights": "The file names its values depths, which grow into the material. The program works with heights, which point out of it, so the values were turned." => "State the sign, which also confirms it." [Invert];
     "W401" "outside a fitted range": "A correlation was used outside the data it was fitted to, so its value is extrapolated: slightly beyond a limit it changes little, far beyond it may be wrong. A first screen states what it is worth, if it is a component of the interval of the loss." => "State the value if you know it, as lubricant.pressure_viscosity for the fit of Gold; otherwise compare the result with other laws, or choose a law fitted to this range.";
     "W402" "equivalent friction implausible": "The mean friction coefficient that explains the loss is outside 0.01 to 0.12, the range of lubricated steel." => "Check the roughness (form removed? units?) and the oil. In the paper formulation look at model.position: at the pitch point C nothing slides.";
     "W403" "an input held at the end of a range": "A fitted law is meaningless beyond its fitted range, so its input was held at the end of that range: the roughness in Xu's law, whose exp(exp S) diverges above S = 0.6 um, or the speeds and loads of Gupta's thermal factor. The warning names law and input." => "Choose another law for this input; for Xu's, model.clamp_roughness = false shows the law as printed.";

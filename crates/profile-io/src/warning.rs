@@ -156,6 +156,11 @@ pub enum Warning {
     /// According to the file a replica was measured.
     #[error("the file says that a replica was measured: its peaks are the valleys of the flank")]
     Replica,
+    /// Values that the file names depths were turned into heights.
+    #[error(
+        "the file names its values depths; they were turned, so that heights point out of the material"
+    )]
+    DepthsTurned,
     /// A value of the header differs from the value that is used.
     #[error("the header states a {what} of {stated:.6}, but {used:.6} is used, {reason}")]
     HeaderDisagrees {
@@ -212,6 +217,9 @@ impl Warning {
     /// Remedy; empty if none is required.
     pub fn remedy(&self) -> Remedy {
         let dx = |why| Remedy::state(Setting::Spacing).because(why);
+        let invert = |to: &'static str, why| {
+            Remedy::set(Setting::Invert, Value::This(to.into())).because(why)
+        };
         match self {
             Self::UnitAssumed { axis, unit } => {
                 Remedy::set(axis.setting(), Value::This(unit.to_string().into()))
@@ -226,7 +234,8 @@ impl Warning {
             Self::ImplausibleHeights { steepness } => steepness.suspicion.remedy(),
             Self::HeaderDisagrees { what, .. } if what == "spacing" => dx("to choose"),
             Self::UnitNotUsed { axis, .. } => Remedy::omit(axis.setting()),
-            Self::Replica => Remedy::act("turn the heights round before exporting"),
+            Self::Replica => invert("true", "to turn the heights"),
+            Self::DepthsTurned => invert("false", "if they point out of the material"),
             _ => Remedy::none(),
         }
     }
@@ -256,6 +265,7 @@ impl Warning {
             Self::HeaderDisagrees { .. } => "W325",
             Self::EmptyRows { .. } => "W326",
             Self::EqualHeights => "W327",
+            Self::DepthsTurned => "W328",
         }
     }
 }

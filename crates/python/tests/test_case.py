@@ -151,6 +151,13 @@ def test_a_gear_train_has_the_results_of_its_meshes():
     assert not case.is_planetary and len(result.meshes) == 2
     assert result.loss_w == result.meshes[0].loss_w + result.meshes[1].loss_w
     assert case.meshes == ["a", "z"]
+    assert list(result.path.mesh) == [name for name, mesh in zip(case.meshes, result.meshes) for _ in mesh.path]
+    assert list(result.path.path_fraction) == [at for mesh in result.meshes for at in mesh.path.path_fraction]
+    assert "mesh" not in result.meshes[0].path.columns and "path_fraction" in result.to_pandas()
+    for of_one in (result.plot, result.fields, result.to_xarray):
+        with pytest.raises(asperity.AsperityError) as refused:
+            of_one()
+        assert refused.value.code == "E402" and "meshes[0]" in str(refused.value)
     assert case.mesh("z").run("losses").loss_w == result.meshes[1].loss_w
     wider = case.replace({"mesh.a.gears.face_width": "30 mm"}).run()
     assert wider.loss_w != result.loss_w

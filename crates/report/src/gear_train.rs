@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use asperity::case::gear_train::mesh_folder;
 use asperity::gear_train::{MeshRow, TrainOutcome, TrainResult};
 use asperity::message::Warning;
 use asperity_storage::{check_folder, replace_folder, write_among};
@@ -20,7 +21,7 @@ use crate::printed::stated;
 use crate::ridges;
 use crate::summary::{besides_the_mesh, not_converged, note, weightiest};
 use crate::tables;
-use crate::tiles::Tile;
+use crate::tiles::{Tile, TileKind};
 use crate::wrap::{COLUMNS, wrapped};
 
 /// Kind of the folder in messages.
@@ -32,11 +33,6 @@ const KIND: &str = "gear train result";
 /// When `target` holds something else.
 pub fn check_train_place(target: &Path) -> Result<(), ReportError> {
     Ok(check_folder(target, KIND)?)
-}
-
-/// Folder of a mesh: its name as one word, `sun_planet` of "sun and planet".
-fn folder_of(mesh: &str) -> String {
-    mesh.replace(" and ", "_").replace(", ", "_")
 }
 
 /// Writes `outcome` as folder `target`: `train.json` (`planetary.json` of a case `[planetary]`), `meshes.csv`,
@@ -57,7 +53,7 @@ pub fn write_train(
             write_bytes(&folder.join(name), &text)?;
         }
         for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
-            let place = folder.join(folder_of(&row.mesh));
+            let place = folder.join(mesh_folder(&row.mesh));
             make_subfolder(&place)?;
             fill(mesh, &place, fields)?;
         }
@@ -74,7 +70,7 @@ pub fn texts_of_train(outcome: &TrainOutcome) -> Result<Vec<(String, Vec<u8>)>, 
     let whole = texts_of_whole(outcome)?.into_iter();
     files.extend(whole.map(|(name, text)| (name.to_owned(), text)));
     for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
-        let folder = folder_of(&row.mesh);
+        let folder = mesh_folder(&row.mesh);
         let of_mesh = texts(mesh)?.into_iter();
         files.extend(of_mesh.map(|(name, text)| (format!("{folder}/{name}"), text)));
     }
@@ -109,7 +105,7 @@ pub fn write_load_points_of_train(
     let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
     let files = meshes.map(|(mesh, row)| {
         let (name, text) = load_points(mesh)?;
-        Ok((format!("{}/{name}", folder_of(&row.mesh)), text))
+        Ok((format!("{}/{name}", mesh_folder(&row.mesh)), text))
     });
     let files = files.collect::<Result<Vec<_>, ReportError>>()?;
     Ok(write_among(target, &files)?)
@@ -245,6 +241,9 @@ fn rpm(speed: f64) -> String {
     format!("{:.1}", speed * 30.0 / std::f64::consts::PI)
 }
 
+/// Place of the loss of all meshes in the headline.
+const LOSS: usize = 1;
+
 /// Names and values of the headline.
 fn headline(result: &TrainResult) -> Vec<[String; 2]> {
     let [loss, efficiency] = result.with_bands();
@@ -278,6 +277,7 @@ fn headline(result: &TrainResult) -> Vec<[String; 2]> {
 #[must_use]
 pub fn tiles_of_train(result: &TrainResult) -> Vec<Tile> {
     let mut tiles: Vec<Tile> = headline(result).into_iter().map(Tile::of).collect();
+    tiles[LOSS].kind = TileKind::Loss;
     if result.loss_distribution.is_some() {
         tiles[0].note = "median, in brackets 5 to 95 %".to_owned();
     }
@@ -336,7 +336,7 @@ fn meshes(result: &TrainResult) -> Markup {
             tbody { @for row in &result.meshes {
                 @let [loss, efficiency, mu] = row.with_digits();
                 tr {
-                    td { a href={ (folder_of(&row.mesh)) "/report.html" } { (row.mesh) } }
+                    td { a href={ (mesh_folder(&row.mesh)) "/report.html" } { (row.mesh) } }
                     td.number { (row.count) }
                     td.number { (format!("{:.3}", row.torque_nm)) }
                     td.number { (rpm(row.speed_rad_per_s)) }

@@ -12,7 +12,7 @@ use std::io::Read as _;
 use std::process::Command;
 
 use asperity::case::{CaseInput, FlankInput, GearsInput, OperationInput};
-use asperity_studies::cycle::cycle;
+use asperity_studies::cycle::{cycle, evaluate};
 use asperity_studies::export::{
     AddedLoss, ExportError, Field, Format, With, c_source, export, gear_box_fit,
 };
@@ -455,6 +455,63 @@ fn the_fmu_describes_its_source_and_the_source_interpolates() {
         assert!((power - value * speed.abs() * PI / 30.0).abs() < 1e-9 * power.abs());
         assert_eq!(outside == 1.0, expected.is_outside, "{torque} {speed}");
     }
+}
+
+#[test]
+fn finishes_whose_files_would_have_one_name_are_refused() {
+    let map = map();
+    let named = |names: [&str; 2]| {
+        let mut map = map.clone();
+        map.finishes = names
+            .map(|name| FinishMap {
+                name: name.to_owned(),
+                ..map.finishes[0].clone()
+            })
+            .into();
+        map
+    };
+    for (names, format) in [
+        (["a b", "a_b"], Format::Csv),
+        (["a b", "a_b"], Format::Matlab),
+        (["Ground", "ground"], Format::Vecto),
+        (["a-b", "a_b"], Format::Advisor),
+        (["µ", "é"], Format::Fmu),
+    ] {
+        let error = export(&named(names), format, With::default()).unwrap_err();
+        assert!(
+            matches!(&error, ExportError::SameFile { finishes, .. } if *finishes == names),
+            "{error}"
+        );
+    }
+    for names in [["a b", "a-b"], ["a", "b"]] {
+        assert_eq!(
+            export(&named(names), Format::Csv, With::default())
+                .unwrap()
+                .len(),
+            2
+        );
+    }
+}
+
+#[test]
+fn a_cycle_in_reverse_has_the_energies_of_the_same_cycle_forwards() {
+    let map = map();
+    let of = |sign: f64| {
+        let row = |(time, [torque, speed]): (usize, [f64; 2])| {
+            format!("{time},{},{}\n", sign * torque, sign * speed)
+        };
+        let points = [[0.0, 0.0], [120.0, 3000.0], [20.0, 2000.0], [-60.0, 2500.0]];
+        let rows: String = points.into_iter().enumerate().map(row).collect();
+        let trace = cycle(&format!("time_s,torque_nm,speed_rpm\n{rows}"), None).unwrap();
+        evaluate(&map, 0, (&trace, "made up"), false).unwrap()
+    };
+    let (forwards, reverse) = (of(1.0), of(-1.0));
+    assert!(forwards.drive_wh > 0.0 && forwards.coast_wh > 0.0);
+    assert_eq!(
+        (forwards.drive_wh, forwards.coast_wh),
+        (reverse.drive_wh, reverse.coast_wh)
+    );
+    assert_eq!(forwards.finishes, reverse.finishes);
 }
 
 #[test]

@@ -183,6 +183,7 @@ fn read_options(args: &ReadingArgs, base_radius: Option<Length>) -> ReadOptions 
         base_radius,
         uneven: args.uneven.unwrap_or_default(),
         range: args.range,
+        invert: args.invert,
     }
 }
 

@@ -22,7 +22,8 @@ use asperity_case::flanks::is_substituted;
 use asperity_case::flanks::local_roughness::FEW_ASPERITIES;
 use asperity_case::flanks::placement::FULL_COVERAGE;
 use asperity_case::mesh_position::MeshPosition;
-use asperity_case::message::Warning;
+use asperity_case::message::{Subject, Warning};
+use asperity_oil::GOLD_FIT;
 
 /// Least part of the loss at untested pressures that is worth a warning.
 const LEAST_SHARE: f64 = 0.005;
@@ -81,7 +82,10 @@ pub(crate) fn of_case(
 /// W401 and W428: properties of oil and steel outside the range of their laws.
 fn notes(loaded: &LoadedCase, found: &mut Vec<Warning>) {
     for note in loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes) {
-        found.push(Warning::new(code(note), note.to_string()));
+        found.push(Warning {
+            about: (note.correlation == GOLD_FIT).then_some(Subject::PressureViscosity),
+            ..Warning::new(code(note), note.to_string())
+        });
     }
 }
 

@@ -41,7 +41,7 @@ use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::balance::Unbalanced;
 use asperity_case::case::{AssumedRelief, LoadedCase};
 use asperity_case::error::{Error, PositionError};
-use asperity_case::message::Warning;
+use asperity_case::message::{Subject, Warning};
 use asperity_uncertainty::{Component, Measured, Ranged, State, UncertainParameter as Constant};
 
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
@@ -306,11 +306,7 @@ fn parts(
             "tip relief not stated",
             "gears.pinion.tip_relief and gears.wheel.tip_relief".to_owned(),
         ),
-        (
-            Component::Model,
-            "error of the fast model",
-            "model.load_share = \"ehl\"".to_owned(),
-        ),
+        (Component::Model, "error of the fast model", RIG.to_owned()),
         (
             Component::Structure,
             "boundary rule and feed of the spots",
@@ -342,8 +338,19 @@ fn parts(
         .chain(factors)
         .filter_map(|(component, name, remedy)| {
             let found = law.alone(component)?;
+            let constant = |k: usize| predictive.constants.get(k).map(|ranged| ranged.kind);
+            let about = match component {
+                Component::Sampling => Some(Subject::Sampling),
+                Component::Relief => Some(Subject::TipRelief),
+                Component::Model => Some(Subject::FastModel),
+                Component::Constant(k) => constant(k)
+                    .filter(|kind| *kind == Constant::PressureViscosity)
+                    .map(|_| Subject::PressureViscosity),
+                _ => None,
+            };
             Some(UncertaintyPart {
                 name: name.to_owned(),
+                about,
                 sd_ln: found.sd_ln,
                 quantiles_w: found.quantiles_w.map(|loss| scale * loss),
                 remedy,

@@ -15,6 +15,8 @@ table! {
 
     /// Measurements from which the values come; printed with every result.
     source: Option<String>;
+    /// Whether the measurements were simulated, as in a rehearsal; every result then says so (W446). Default false.
+    simulated: Option<bool>;
     /// Coefficient of boundary friction μ_b, in place of `model.boundary_friction`.
     boundary_friction: Option<Calibrated<f64>> = "" usual [0.02, 0.5] possible [0.001, 5.0];
     /// Thickness of the boundary layer h_b, in place of `model.boundary_layer`.
@@ -28,7 +30,8 @@ table! {
     correlations: Option<Vec<CorrelationInput>> => table;
 }
 
-/// Word in the source of constants, or a comment of a table, that declares the measurements as simulated.
+/// Word in a comment of a table that declares its measurements as simulated; files of constants have a field for it, and those
+/// of former versions this word in their source.
 pub const SIMULATED: &str = "SIMULATED";
 
 /// A calibrated value with its 95 % band.

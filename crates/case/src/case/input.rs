@@ -344,7 +344,7 @@ table! {
     /// Mass plus the inertia of the rotating parts, over the mass; default 1.04.
     #[serde(skip_serializing_if = "Option::is_none")]
     inertia_factor: Option<f64> = "" usual [1.0, 1.6] possible [0.5, 10.0];
-    /// Grade of the road if the cycle does not state it, rise over distance; default 0.
+    /// Grade of the road if the cycle does not state it, rise over distance forwards; default 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     grade: Option<Ratio> = "%" usual [-30.0, 30.0] possible [-100.0, 100.0];
 }
@@ -479,6 +479,9 @@ table! {
     /// anything else is done, and `x` of `at` still counts from the first point of the whole trace.
     #[serde(skip_serializing_if = "Option::is_none")]
     range: Option<TraceRange> = "mm" usual [0.001, 100.0] possible [1e-5, 10_000.0];
+    /// Whether the values of the file grow into the material (depths, a replica), so that the heights are their negatives;
+    /// default: only if the file names them depths.
+    invert: Option<bool>;
     /// Finish of a flank without a file: `ground` or `superfinished`; default `surface.finish`.
     #[serde(skip_serializing_if = "Option::is_none")]
     finish: Option<FinishName>;

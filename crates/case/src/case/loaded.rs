@@ -477,12 +477,18 @@ fn replaced_viscosity(oil: &LubricantInput) -> Option<Warning> {
 
 /// W446: constants of the case that were fitted to simulated measurements.
 fn simulated(input: &CaseInput, oil_file: Option<&OilFile>) -> Vec<Warning> {
-    let of_oil = oil_file.map(|file| ("lubricant.oil_file", &file.film_friction.source));
-    let calibration = input.calibration.as_ref();
-    let of_rig = calibration.and_then(|fit| Some(("calibration", fit.source.as_ref()?)));
-    let sources = of_oil.into_iter().chain(of_rig);
-    let simulated = sources.filter(|(_, source)| source.contains(SIMULATED));
-    let warning = |(key, source)| {
+    let of_oil = oil_file.map(|file| {
+        let fit = &file.film_friction;
+        ("lubricant.oil_file", fit.simulated, fit.source.as_str())
+    });
+    let of_rig = input.calibration.as_ref().map(|fit| {
+        let source = fit.source.as_deref().unwrap_or("source not stated");
+        ("calibration", fit.simulated.unwrap_or(false), source)
+    });
+    let fits = of_oil.into_iter().chain(of_rig);
+    // Files of former versions say it in the source.
+    let simulated = fits.filter(|(_, simulated, source)| *simulated || source.contains(SIMULATED));
+    let warning = |(key, _, source)| {
         let text = format!("{key}: constants were fitted to simulated measurements: {source}");
         Warning::new("W446", text)
     };

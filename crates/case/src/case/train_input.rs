@@ -21,6 +21,7 @@ use super::input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
     OperationInput, SurfaceInput, VehicleInput,
 };
+use super::loaded_train::mesh_folder;
 use super::model::{Formulation, ModelInput};
 use super::planetary::{self, PlanetaryInput, SetOfCase};
 use super::ranges::{refuse_impossible, unusual};
@@ -402,6 +403,19 @@ impl TrainCaseInput {
                 },
                 drag: zero,
             });
+        }
+        let mut folders = Vec::new();
+        for (name, stage) in &ordered {
+            for mesh in &stage.meshes {
+                // Some file systems take capitals for small letters.
+                let folder = mesh_folder(&mesh.name).to_lowercase();
+                if folders.contains(&folder) {
+                    let rule =
+                        "would have the result folder of another mesh; change one of the names";
+                    return Err(conflict(source, format!("mesh.{name}"), rule));
+                }
+                folders.push(folder);
+            }
         }
         let place = |name: &String| shafts.iter().position(|shaft| shaft == name).unwrap_or(0);
         for (name, stage) in &ordered {

@@ -46,6 +46,9 @@ pub struct ReadOptions {
     pub uneven: Uneven,
     /// Part of the trace that is used.
     pub range: Option<TraceRange>,
+    /// Whether the values grow into the material, so that the heights are their negatives; by default they do if the file
+    /// names them depths.
+    pub invert: Option<bool>,
 }
 
 /// Text that is not one of the choices.

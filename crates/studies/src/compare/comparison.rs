@@ -276,7 +276,7 @@ fn finish_result(
                     count: row.count,
                     loss_w: row.loss_w,
                     loss_median_w: row.loss_median_w,
-                    loss_quantiles_w: row.loss_q05_w.zip(row.loss_q95_w).map(<[f64; 2]>::from),
+                    loss_quantiles_w: row.loss_p05_w.zip(row.loss_p95_w).map(<[f64; 2]>::from),
                     difference: pair
                         .map(|(first, own)| difference_of_meshes(&[single(first)], &[single(own)])),
                     mixed_share: summary.mixed_share,

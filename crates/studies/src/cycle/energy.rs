@@ -129,11 +129,12 @@ pub fn evaluate(
     (cycle, name): (&Cycle, &str),
     takes_any: bool,
 ) -> Result<CycleResult, EnergyError> {
-    let omega = |point: &CyclePoint| point.speed_rpm.abs() * PI / 30.0;
-    let power = |point: &CyclePoint| point.torque_nm * omega(point);
     let energy = |is_meant: &dyn Fn(f64) -> bool| {
-        let of = cycle.points.iter().filter(|point| is_meant(power(point)));
-        of.map(|point| power(point).abs() * point.weight_s)
+        let of = cycle
+            .points
+            .iter()
+            .filter(|point| is_meant(point.power_w()));
+        of.map(|point| point.power_w().abs() * point.weight_s)
             .sum::<f64>()
             / WATT_HOUR
     };
@@ -213,7 +214,7 @@ pub fn evaluate(
         outside_share: coverage.outside_time,
         extended_share: map.finishes.first().map_or(0.0, |finish| {
             let [drive, coast] = finish.resolved_from_nm;
-            let is_extended = |point: &CyclePoint| (-coast..drive).contains(&point.torque_nm);
+            let is_extended = |point: &CyclePoint| (-coast..drive).contains(&point.forwards()[0]);
             share(cycle, &moving_time, &is_extended)
         }),
         warnings: cycle.warnings.clone(),
@@ -240,7 +241,7 @@ fn of_finish(finish: &FinishMap, surface: &Surface, cycle: &Cycle) -> CycleFinis
         let loss = surface.loss_torque(point.torque_nm, point.speed_rpm);
         let omega = point.speed_rpm.abs() * PI / 30.0;
         let energy = loss.value * omega * point.weight_s / WATT_HOUR;
-        lost[usize::from(point.torque_nm <= 0.0)] += energy;
+        lost[usize::from(point.forwards()[0] <= 0.0)] += energy;
         loss_w.push(loss.value * omega);
     }
     CycleFinish {

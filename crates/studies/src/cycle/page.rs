@@ -9,6 +9,7 @@ use super::energy::CycleResult;
 use super::summary::{
     difference, is_banded, left_aside, lost, per_100_km, share_of_drive, verdicts,
 };
+use super::trace::CyclePoint;
 use crate::map::{Map, loss_fields, round_step};
 
 /// Approximate number of torque bins.
@@ -64,11 +65,7 @@ fn energy(result: &CycleResult, map: &Map) -> Markup {
 }
 
 fn operating_points(result: &CycleResult, map: &Map) -> Markup {
-    let visited: Vec<[f64; 2]> = result
-        .points
-        .iter()
-        .map(|point| [point.torque_nm, point.speed_rpm.abs()])
-        .collect();
+    let visited: Vec<[f64; 2]> = result.points.iter().map(CyclePoint::forwards).collect();
     let nearest = map
         .axes
         .temperature_c
@@ -83,7 +80,7 @@ fn operating_points(result: &CycleResult, map: &Map) -> Markup {
 
 /// Energy lost with each finish by torque, in steps of a round width.
 fn by_torque(result: &CycleResult) -> Option<Drawing> {
-    let torques = || result.points.iter().map(|point| point.torque_nm);
+    let torques = || result.points.iter().map(|point| point.forwards()[0]);
     let [low, high] = range(torques());
     let width = round_step((high - low) / BINS);
     if !width.is_finite() || width <= 0.0 {
@@ -103,7 +100,7 @@ fn by_torque(result: &CycleResult) -> Option<Drawing> {
     for finish in &result.finishes {
         let mut bins = vec![0.0; count];
         for (point, loss) in result.points.iter().zip(&finish.loss_w) {
-            bins[(bin(point.torque_nm) - first) as usize] += loss * point.weight_s / 3600.0;
+            bins[(bin(point.forwards()[0]) - first) as usize] += loss * point.weight_s / 3600.0;
         }
         let steps = bins.iter().enumerate();
         let steps = steps.flat_map(|(k, energy)| [[edge(k), *energy], [edge(k + 1), *energy]]);

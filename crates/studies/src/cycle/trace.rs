@@ -5,6 +5,8 @@ use std::f64::consts::PI;
 use asperity::case::{VehicleInput, range_of};
 use asperity::message::Warning;
 
+use crate::map::forwards;
+
 /// Density of air at 20 °C \[kg/m³\].
 const AIR: f64 = 1.204;
 /// Standard acceleration of gravity \[m/s²\].
@@ -33,8 +35,22 @@ pub struct CyclePoint {
     pub weight_s: f64,
     /// Torque at the pinion \[N m\].
     pub torque_nm: f64,
-    /// Speed of the pinion \[1/min\].
+    /// Speed of the pinion \[1/min\]; negative in reverse.
     pub speed_rpm: f64,
+}
+
+impl CyclePoint {
+    /// Torque \[N m\], positive while the pinion drives, and speed \[1/min\] of the same power forwards.
+    #[must_use]
+    pub fn forwards(&self) -> [f64; 2] {
+        forwards(self.torque_nm, self.speed_rpm)
+    }
+
+    /// Power at the pinion \[W\]; negative while the wheel drives.
+    #[must_use]
+    pub fn power_w(&self) -> f64 {
+        self.torque_nm * self.speed_rpm * PI / 30.0
+    }
 }
 
 /// Error of a cycle.
@@ -190,7 +206,9 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
     })
 }
 
-/// Torque \[N m\] and speed \[1/min\] of the pinion from the speeds of the vehicle \[m/s\].
+/// Torque \[N m\] and speed \[1/min\] of the pinion from the speeds of the vehicle \[m/s\], both positive where the vehicle is
+/// driven forwards. Drag and rolling resistance act against the motion; a positive grade rises forwards. At standstill the
+/// brakes hold the vehicle.
 fn at_the_pinion(
     vehicle: &VehicleInput,
     time: &[f64],
@@ -206,10 +224,10 @@ fn at_the_pinion(
         let acceleration = (speeds[b] - speeds[a]) / (time[b] - time[a]);
         let slope = grade.map_or(usual, |grade| grade[k] / 100.0).atan();
         let v = speeds[k];
-        let rolls = if v > 0.0 { 1.0 } else { 0.0 };
+        let weight = if v == 0.0 { 0.0 } else { mass * GRAVITY };
         mass * inertia * acceleration
             + 0.5 * AIR * vehicle.drag_area.si() * v * v.abs()
-            + mass * GRAVITY * rolls * (vehicle.rolling_resistance * slope.cos() + slope.sin())
+            + weight * (v.signum() * vehicle.rolling_resistance * slope.cos() + slope.sin())
     };
     let torque = (0..=last).map(|k| force(k) * radius / vehicle.ratio);
     let rpm = speeds
@@ -379,6 +397,21 @@ mod tests {
         let more = 1500.0 * 9.806_65 * (slope.sin() + 0.01 * (slope.cos() - 1.0)) * 0.03;
         let difference = found.points[2].torque_nm - level.points[2].torque_nm;
         assert!((difference - more).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_vehicle_in_reverse_has_mirrored_torques_and_equal_power() {
+        let text = "time_s,speed_km_h,grade_percent\n0,0,0\n1,3.6,2\n3,9,-5\n4,9,0\n6,0,0\n";
+        let mirrored = "time_s,speed_km_h,grade_percent\n0,0,0\n1,-3.6,-2\n3,-9,5\n4,-9,0\n6,0,0\n";
+        let [forwards, reverse] =
+            [text, mirrored].map(|text| cycle(text, Some(&vehicle())).unwrap());
+        for (there, back) in forwards.points.iter().zip(&reverse.points) {
+            assert_eq!(there.torque_nm, -back.torque_nm);
+            assert_eq!(there.speed_rpm, -back.speed_rpm);
+            assert_eq!(there.power_w(), back.power_w());
+        }
+        assert!(forwards.points[1].power_w() > 0.0 && forwards.points[3].power_w() < 0.0);
+        assert_eq!(forwards.distance_km, reverse.distance_km);
     }
 
     #[test]

@@ -12,6 +12,17 @@ pub enum ExportError {
         /// Name of the finish.
         finish: String,
     },
+    /// Two files would have one name.
+    #[error(
+        "finishes {:?} and {:?} would both be exported as {name}: a name of a file has only letters, digits, - and _, and capitals count as small letters. Change one of the names",
+        finishes[0], finishes[1]
+    )]
+    SameFile {
+        /// Names of the finishes.
+        finishes: [String; 2],
+        /// Name of the file.
+        name: String,
+    },
     /// The format needs torques of both signs.
     #[error("{format} needs torques of both signs, from beyond the smallest to beyond the largest")]
     OneSign {
