@@ -16,7 +16,7 @@ use asperity_studies::cycle::{cycle, evaluate};
 use asperity_studies::export::{
     AddedLoss, ExportError, Field, Format, With, c_source, export, gear_box_fit,
 };
-use asperity_studies::map::{Axes, FinishMap, Map, MeshPart, Numbers, Point};
+use asperity_studies::map::{Axes, FinishMap, Map, MeshPart, Numbers, Point, forwards};
 
 /// A made-up loss torque: 0.0075 |T|^1.02, a tenth more where the wheel drives, and 2e-4 √ω.
 fn made_up(torque: f64, rpm: f64) -> f64 {
@@ -131,7 +131,9 @@ fn bilinear(x: &[f64], y: &[f64], value: &dyn Fn(usize, usize) -> f64, at: [f64;
         let i = nodes.windows(2).position(|pair| v <= pair[1]).unwrap();
         (i, (v - nodes[i]) / (nodes[i + 1] - nodes[i]))
     };
-    let ((i, a), (j, b)) = (cell(x, at[0]), cell(y, at[1].abs()));
+    // Tables hold positive speeds.
+    let [torque, speed] = forwards(at[0], at[1]);
+    let ((i, a), (j, b)) = (cell(x, torque), cell(y, speed));
     (1.0 - a) * ((1.0 - b) * value(i, j) + b * value(i, j + 1))
         + a * ((1.0 - b) * value(i + 1, j) + b * value(i + 1, j + 1))
 }

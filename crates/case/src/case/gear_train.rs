@@ -3,7 +3,7 @@
 //! A case with `[mesh.NAME]` tables has several meshes; a case with `[planetary]` is a train of one planetary set. Oil,
 //! operating point and model are common to all meshes. Torque and speed of the operation are those of the input shaft.
 
-pub use super::loaded_train::{LoadedMesh, LoadedStage, LoadedTrain, mesh_folder};
+pub use super::loaded_train::{LoadedMesh, LoadedStage, LoadedTrain};
 #[cfg(feature = "case-files")]
 pub use super::text::train::{TrainFindings, check, from_text, is_train, load, load_set};
 #[cfg(feature = "case-files")]
@@ -12,3 +12,4 @@ pub use super::train_heat_input::HeatInput;
 pub use super::train_input::{
     MeshInput, PassedLosses, TrainCaseInput, TrainInput, TrainMaterialInput, TrainSurfaceInput,
 };
+pub use super::train_parts::mesh_folder;

@@ -54,17 +54,6 @@ pub struct LoadedStage {
     pub meshes: Vec<LoadedMesh>,
 }
 
-/// Result folder of a mesh: its name as one word, `sun_planet` of "sun and planet". Those of a train differ.
-///
-/// ```
-/// use asperity_case::case::gear_train::mesh_folder;
-/// assert_eq!(mesh_folder("second, sun and planet"), "second_sun_planet");
-/// ```
-#[must_use]
-pub fn mesh_folder(mesh: &str) -> String {
-    mesh.replace(" and ", "_").replace(", ", "_")
-}
-
 /// A mesh of a gear train, or one of the equal ones of a planetary set.
 #[derive(Debug, Clone)]
 #[non_exhaustive]

@@ -21,7 +21,6 @@ use super::input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
     OperationInput, SurfaceInput, VehicleInput,
 };
-use super::loaded_train::mesh_folder;
 use super::model::{Formulation, ModelInput};
 use super::planetary::{self, PlanetaryInput, SetOfCase};
 use super::ranges::{refuse_impossible, unusual};
@@ -31,7 +30,7 @@ use super::source::{MeshKeys, Source};
 use super::train_flow::StageKind;
 use super::train_gearbox::{Hand, MeshPlace, TrainGearboxInput, train_gearbox};
 use super::train_heat_input::HeatInput;
-use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, refused};
+use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, mesh_folder, refused};
 use crate::message::Warning;
 
 /// A case of several meshes as the user writes it, on named shafts or of a single planetary set. Torque and speed of the

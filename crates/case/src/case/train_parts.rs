@@ -47,6 +47,17 @@ pub(super) struct MeshParts {
     pub case: CaseInput,
 }
 
+/// Result folder of a mesh: its name as one word, `sun_planet` of "sun and planet". Those of a train differ.
+///
+/// ```
+/// use asperity_case::case::gear_train::mesh_folder;
+/// assert_eq!(mesh_folder("second, sun and planet"), "second_sun_planet");
+/// ```
+#[must_use]
+pub fn mesh_folder(mesh: &str) -> String {
+    mesh.replace(" and ", "_").replace(", ", "_")
+}
+
 impl TrainParts {
     /// The meshes of `stages` on `shafts`, with the loads that follow from the operating point.
     pub fn new(
