@@ -138,8 +138,7 @@ def compare(
         case: the case, whose traces are replaced by those of each finish. The finishes of a gear train are cases.
         finishes: by name a profile or file for both flanks (mirrored for the wheel), or a pair of pinion and wheel;
             at least two.
-        offsets: places along the traces at which the flanks meet, at least two; None for those of the finish that needs
-            most.
+        offsets: places along the traces at which the flanks meet, at least two; None for those that each finish needs.
         threads, progress: as in `Case.run`.
     """
     if len(finishes) < 2:
