@@ -234,7 +234,7 @@ const COMMANDS: [(&[&str], &[&str]); 12] = [
             "--torque",
             "60,145",
             "--speed",
-            "25..30000:7:log",
+            "25..45000:7:log",
             "-o",
             "design",
         ],

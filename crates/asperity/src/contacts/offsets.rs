@@ -1,11 +1,11 @@
-//! The number of offsets of a case that does not state one. It follows from the contacts alone, so that it is the same for every
+//! The number of offsets of a case that does not state one. It follows from the contacts only, so that it is the same for every
 //! oil, speed and temperature and in every study.
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | K | offsets of each pair of traces against each other | - |
 //! | φ_ik | asperity share of position i at offset k under a mean gap of 0.2 µm | - |
-//! | μ_ik | friction that stands for it | - |
+//! | μ_ik | friction coefficient that represents it | - |
 //! | w_i | line load times sliding per turn, times the contact line of position i | J |
 //! | s_i | standard deviation of μ_ik over the offsets | - |
 //! | n_max | independent windows of the traces | - |

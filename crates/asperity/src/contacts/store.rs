@@ -1,4 +1,4 @@
-//! Contacts of several cases, each solved once.
+//! Contacts of several cases, distinct ones solved once.
 
 use std::sync::Arc;
 
@@ -33,7 +33,7 @@ pub struct ContactStore {
 }
 
 impl ContactStore {
-    /// Solves the contacts of `cases` that are not stored, each once. Older ones give way, if there are too many. Contacts
+    /// Solves the distinct contacts of `cases` that are not stored. Older ones give way, if there are too many. Contacts
     /// without a solution are left to the run of their case, which reports why.
     pub fn prepare(&mut self, cases: &[&LoadedCase]) {
         let mut missing: Vec<(ContactInputs, &LoadedCase)> = Vec::new();

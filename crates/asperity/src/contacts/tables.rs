@@ -95,7 +95,7 @@ impl Contacts {
         Ok(positions.iter().map(key).zip(rows).collect())
     }
 
-    /// What the contacts follow from.
+    /// Inputs of the contacts.
     pub(crate) fn inputs(&self) -> &ContactInputs {
         &self.inputs
     }
@@ -105,7 +105,7 @@ impl Contacts {
         self.have_windows_of(inputs) && self.inputs.mesh == inputs.mesh
     }
 
-    /// Whether flanks, steels, size of the windows and number of offsets are those of `inputs`.
+    /// Whether flanks, steels, size of the windows and number of offsets are the same as in `inputs`.
     fn have_windows_of(&self, inputs: &ContactInputs) -> bool {
         let same_number = match inputs.offsets {
             Offsets::Fixed(each) => self.each == each,
