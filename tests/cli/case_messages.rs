@@ -118,7 +118,7 @@ const DOMAINS: &[Bad] = &[
     bad("bulk_temperature", "bulk_temperature = \"-60 °C\"", "E212", &["operation.bulk_temperature", "Pa s there", "usual is 0.001 to 10 Pa s"]),
     bad("density", "density = \"845000 kg/m3\"", "E212", &["lubricant.density", "usual is 700 to 1200 kg/m3"]),
     bad("elastic_limit", "elastic_limit = \"1500 GPa\"", "E212", &["material.pinion.elastic_limit", "usual is 150 to 4000 MPa"]),
-    bad("viscosity", "viscosity = { law = \"astm-d341\", at_40 = \"30.8 m2/s\", at_100 = \"5.9 m2/s\" }", "E212", &["lubricant.viscosity.at_40", "usual is 4 to 2000 mm2/s"]),
+    bad("viscosity", "viscosity = { law = \"astm-d341\", at_40 = \"30.8 m2/s\", at_100 = \"5.9 m2/s\" }", "E212", &["lubricant.viscosity.at_40", "usual is 5 to 2000 mm2/s"]),
     bad("offsets", "tolerance = 1e-2", "E211", &["model.tolerance = 1e-2", "1e-16 to 1e-4"]),
     bad("helix", "helix = \"95 deg\"", "E209", &["gears.helix = \"95 deg\"", "within 60 deg"]),
     bad("torque", "torque = \"0 N m\"", "E209", &["operation.torque = \"0 N m\"", "not zero"]),

@@ -38,6 +38,7 @@ mod outside;
 mod pages;
 mod presets;
 mod profile_reports;
+mod ranges;
 mod relief;
 mod result_messages;
 mod results;

@@ -66,7 +66,7 @@ pub struct TrainResult {
     /// Planetary sets by the names of their stages.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sets: BTreeMap<String, PlanetaryReport>,
-    /// Warnings about the train as a whole; those of a mesh are in its own result.
+    /// Warnings about the train as a whole; a mesh has its own in its result.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<Warning>,
     /// Measurements that would narrow the interval, the one that leaves the narrowest first; empty if they were not sought.

@@ -143,7 +143,7 @@ fn of_mesh(warning: &Warning, mesh: &MeshRow) -> Warning {
     warning.with(&format!(" [{}]", mesh.mesh))
 }
 
-/// All warnings, those of a mesh with its name.
+/// All warnings, with the names of the meshes.
 fn warnings_of(outcome: &TrainOutcome) -> Vec<Warning> {
     let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
     let warnings = meshes.flat_map(|(mesh, row)| {

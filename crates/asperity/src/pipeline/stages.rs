@@ -31,7 +31,7 @@ pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 /// Checks all that a run checks before it solves a contact: the table of the gearbox, the mesh positions with their
 /// smooth films, the place of the traces, and at the first offset of each pair of teeth the windows in contact.
 /// Records of mixed lubrication are not computed, and a bulk temperature that follows from the loss is not sought. Returns the
-/// warnings that need no solution, in addition to those of the loaded case.
+/// warnings that need no solution and are not in the loaded case.
 ///
 /// # Errors
 /// The error with which a run ends.

@@ -4,7 +4,7 @@ use asperity_core::numerics::Cholesky;
 use asperity_core::quantity::{Length, Pressure};
 use serde::{Deserialize, Serialize};
 
-use super::rows::{OPEN, table};
+use super::rows::{Numbers, OPEN, table};
 
 table! {
     /// Parameters calibrated on a rig, each with the 95 % band that the band of the loss is drawn from.
@@ -21,9 +21,9 @@ table! {
     boundary_friction: Option<Calibrated<f64>> = "" usual [0.02, 0.5] possible [0.001, 5.0];
     /// Thickness of the boundary layer h_b, in place of `model.boundary_layer`.
     boundary_layer: Option<Calibrated<Length>> = "nm" usual [0.5, 200.0] possible [0.001, 10_000.0];
-    /// Limiting shear stress of the oil over its pressure, in place of that of its family.
+    /// Limiting shear stress of the oil over its pressure, instead of the value of its family.
     limiting_shear: Option<Calibrated<f64>> = "" usual [0.01, 0.2] possible [0.001, 2.0];
-    /// Eyring stress of the oil, in place of that of its family.
+    /// Eyring stress of the oil, instead of the value of its family.
     eyring_stress: Option<Calibrated<Pressure>> = "MPa" usual [0.5, 100.0] possible [0.001, 10_000.0];
     /// Correlations of the logarithms, pair by pair: `[{ between = ["boundary_friction", "boundary_layer"],
     /// value = -0.9 }]`; default none.
@@ -45,6 +45,13 @@ pub struct Calibrated<T> {
     pub low: T,
     /// Upper end of the 95 % band.
     pub high: T,
+}
+
+impl<T: Numbers> Numbers for Calibrated<T> {
+    fn numbers(&self, unit: &str) -> Vec<f64> {
+        let values = [&self.value, &self.low, &self.high].into_iter();
+        values.flat_map(|value| value.numbers(unit)).collect()
+    }
 }
 
 /// A parameter that can be calibrated.

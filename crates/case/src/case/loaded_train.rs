@@ -38,7 +38,7 @@ pub struct LoadedTrain {
     pub input: AnyInput,
     /// Every default in use, by the keys of the train.
     pub defaults: Vec<DefaultUsed>,
-    /// Warnings about the train as a whole, besides those of its meshes.
+    /// Warnings about the train as a whole.
     pub warnings: Vec<Warning>,
     /// Sums of the tables of its gearbox.
     sums: FileSums,

@@ -36,6 +36,7 @@ mod gearbox;
 mod gearbox_input;
 mod gears;
 mod input;
+mod key_ranges;
 mod law_names;
 mod lay;
 mod load_inputs;
@@ -93,6 +94,7 @@ pub use input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
     OperationInput, SurfaceInput, VehicleInput,
 };
+pub use key_ranges::range_of;
 pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 pub use load_inputs::LoadInputs;
 pub use loaded::LoadedCase;
@@ -106,7 +108,6 @@ pub use oil_file::{
 pub use one_or_two::OneOrTwo;
 pub use path_point::{NamedPoint, PathPoint};
 pub use place::Place;
-pub use ranges::range_of;
 pub use resolve::{Case, resolve};
 pub use rows::Limits;
 pub use source::Source;

@@ -1,6 +1,6 @@
 //! Numbers outside the usual range of their row, of which W201 warns, or outside its possible range, which E212 refuses.
 //!
-//! The usual ranges are those of gear drives from toys to wind turbines, the possible ones leave some powers
+//! The usual ranges cover gear drives from toys to wind turbines, the possible ones leave some powers
 //! of ten around them. Both are choices of this program: they are there to catch a wrong unit, not to judge a
 //! design. Modifications of the flanks are judged as shares of the module. Zero, negative and missing numbers are judged
 //! by the equations that take them, unless a range has negative numbers.
@@ -16,7 +16,6 @@ use super::error::CaseError;
 use super::input::{CaseInput, VehicleInput};
 use super::rows::{Judge, KeyPath, Limits, OPEN, Ranged, in_unit, limits};
 use super::source::{Source, is_within};
-use super::train_input::{MESH, TrainCaseInput};
 use crate::error::Error;
 use crate::message::Warning;
 
@@ -194,7 +193,7 @@ struct Outside {
 
 /// The numbers of a table that are outside the ranges of their rows, one for each row.
 fn outside<T: Judged>(table: &T) -> Vec<Outside> {
-    let mut found = Vec::new();
+    let mut found: Vec<Outside> = Vec::new();
     let module_mm = table.module().map_or(f64::NAN, |module| 1e3 * module.si());
     let mut judge = |at: KeyPath<'_>, limits: &Limits, numbers: &[f64]| {
         let divisor = if limits.per_module { module_mm } else { 1.0 };
@@ -205,10 +204,17 @@ fn outside<T: Judged>(table: &T) -> Vec<Outside> {
             numbers
                 .find(|number| (number / divisor).is_finite() && !within(number / divisor, range))
         };
+        let key = at.to_string();
+        // A relation follows from numbers of its table, which may be known as impossible.
+        let table = key.rsplit_once('.').map_or("", |(table, _)| table);
+        let follows = |before: &Outside| !before.is_possible && is_within(&before.key, table);
+        if !limits.relation.is_empty() && found.iter().any(follows) {
+            return;
+        }
         let impossible = first(limits.possible);
         if let Some(value) = impossible.or_else(|| first(limits.usual)) {
             found.push(Outside {
-                key: at.to_string(),
+                key,
                 entry: at.entry(),
                 limits: *limits,
                 value,
@@ -308,12 +314,12 @@ pub(super) fn digits(value: f64) -> String {
         + &power
 }
 
-/// A case, or the table of one that is judged alone.
+/// A case, or a table that is judged without its case.
 pub(super) trait Judged: Ranged {
     /// Path of the table; empty for the whole case.
     const TABLE: &'static str = "";
 
-    /// Module of the gears whose modifications it states; those of a train are judged with its meshes.
+    /// Module of the gears whose modifications it states; a train's modifications are judged with its meshes.
     fn module(&self) -> Option<Length> {
         None
     }
@@ -324,8 +330,6 @@ impl Judged for CaseInput {
         Some(self.gears.module)
     }
 }
-
-impl Judged for TrainCaseInput {}
 
 impl Judged for VehicleInput {
     const TABLE: &'static str = "vehicle";
@@ -365,66 +369,19 @@ pub(super) fn unusual<T: Judged>(input: &T, source: &Source) -> Vec<Warning> {
     unusual.map(|found| found.warning(source)).collect()
 }
 
-/// Tables of a gear train, each with the table of a pair of gears whose rows it has.
-const ROWS_OF: [(&str, &str); 11] = [
-    ("planetary.sun", "gears.pinion"),
-    ("planetary.planet", "gears.pinion"),
-    ("planetary.ring", "gears.pinion"),
-    ("planetary", "gears"),
-    ("material.sun", "material.pinion"),
-    ("material.planet", "material.pinion"),
-    ("material.ring", "material.pinion"),
-    ("surface.sun", "surface.pinion"),
-    ("surface.planet", "surface.pinion"),
-    ("surface.ring", "surface.pinion"),
-    ("bulk", "operation.bulk"),
-];
-
-/// The ranges of the numbers at `key` of a case or a gear train; `None` for a key without a range.
-///
-/// ```
-/// use asperity_case::case::range_of;
-/// assert_eq!(range_of("operation.speed").map(|range| range.possible), Some([1e-6, 1e6]));
-/// assert_eq!(range_of("heat.ambient").map(|range| range.unit), Some("°C"));
-/// assert_eq!(range_of("operation.bulk"), None);
-/// ```
-#[must_use]
-pub fn range_of(key: &str) -> Option<Limits> {
-    let mesh = key.strip_prefix("mesh.");
-    let in_mesh = mesh.and_then(|mesh| mesh.split_once('.'));
-    let key = in_mesh.map_or(key, |(_, key)| key);
-    let shared = ROWS_OF
-        .iter()
-        .find(|(of_train, _)| is_within(key, of_train));
-    let shared = shared.map(|(of_train, of_pair)| key.replacen(of_train, of_pair, 1));
-    let own = match in_mesh {
-        Some(_) => format!("mesh.{MESH}.{key}"),
-        None => key.to_owned(),
-    };
+/// The ranges of the first row of the case `T` that is meant.
+pub(super) fn row_of<T: Ranged>(is_meant: &dyn Fn(&str) -> bool) -> Option<Limits> {
     let mut found = None;
     let mut judge = |at: KeyPath<'_>, limits: &Limits, _: &[f64]| {
-        let row = at.to_string();
-        let is_meant = |key: &str| is_within(key, &row);
-        let is_row = is_meant(&own) || is_meant(shared.as_deref().unwrap_or(key));
-        if limits.relation.is_empty() && found.is_none() && is_row {
+        if limits.relation.is_empty() && found.is_none() && is_meant(&at.to_string()) {
             found = Some(*limits);
         }
     };
-    TrainCaseInput::visit(None, KeyPath::default(), &mut judge);
-    CaseInput::visit(None, KeyPath::default(), &mut judge);
+    T::visit(None, KeyPath::default(), &mut judge);
     found
 }
 
-/// Every relation between keys, of the first of equal tables: the key that it is reported at, the quantity, and its usual range.
-pub(super) fn relations() -> Vec<[String; 3]> {
-    let mut found = Vec::new();
-    let mut judge = |at: KeyPath<'_>, limits: &Limits, _: &[f64]| {
-        let key = at.to_string();
-        let is_twin = key.contains(".wheel.") || key.contains(".coast.");
-        if !limits.relation.is_empty() && !is_twin {
-            found.push([key, limits.relation.to_owned(), limits.usual()]);
-        }
-    };
-    CaseInput::visit(None, KeyPath::default(), &mut judge);
-    found
+/// The ranges of the numbers at `key` of a pair of gears.
+pub(super) fn range_in_pair(key: &str) -> Option<Limits> {
+    row_of::<CaseInput>(&|row| is_within(key, row))
 }

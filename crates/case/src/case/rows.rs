@@ -15,14 +15,13 @@ use asperity_core::hardness::Hardness;
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_profile_io::read::{Columns, TraceRange};
 
-use super::calibration::Calibrated;
 use super::one_or_two::OneOrTwo;
 use super::path_point::PathPoint;
 
 /// Usual and possible range of the numbers of a key, as a row states it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Quantity that follows from several keys; empty if the numbers are those of the key.
+    /// Quantity that follows from several keys; empty for the numbers of a single key.
     pub relation: &'static str,
     /// Unit of the ranges, as messages print it.
     pub unit: &'static str,
@@ -71,12 +70,12 @@ impl std::fmt::Display for KeyPath<'_> {
     }
 }
 
-/// Takes a key, its ranges, and its numbers in the unit of the ranges.
+/// Function of a key, its ranges, and its numbers in the unit of the ranges.
 pub(super) type Judge<'a> = &'a mut dyn FnMut(KeyPath<'_>, &Limits, &[f64]);
 
 /// A table of the case file whose numbers have ranges.
 pub(super) trait Ranged {
-    /// Gives every key with ranges to `judge`; without numbers if the table is not stated.
+    /// Calls `judge` with every key with ranges; without numbers if the table is not stated.
     fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>);
 }
 
@@ -173,13 +172,6 @@ impl Numbers for Columns {
 impl Numbers for TraceRange {
     fn numbers(&self, unit: &str) -> Vec<f64> {
         self.ends().numbers(unit)
-    }
-}
-
-impl<T: Numbers> Numbers for Calibrated<T> {
-    fn numbers(&self, unit: &str) -> Vec<f64> {
-        let values = [&self.value, &self.low, &self.high].into_iter();
-        values.flat_map(|value| value.numbers(unit)).collect()
     }
 }
 

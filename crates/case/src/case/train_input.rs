@@ -23,7 +23,7 @@ use super::input::{
 };
 use super::model::{Formulation, ModelInput};
 use super::planetary::{self, PlanetaryInput, SetOfCase};
-use super::ranges::{refuse_impossible, unusual};
+use super::ranges::{Judged, refuse_impossible, unusual};
 use super::rows::{Judge, KeyPath, Ranged, limits};
 use super::section::domain;
 use super::source::{MeshKeys, Source};
@@ -85,6 +85,8 @@ pub struct TrainCaseInput {
 
 /// Name of a mesh in the paths of rows.
 pub(super) const MESH: &str = "NAME";
+
+impl Judged for TrainCaseInput {}
 
 /// The tables that are not of a single mesh: what a mesh has is judged with its case.
 impl Ranged for TrainCaseInput {

@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::case_file::schema;
 use super::load::from_text;
 use super::symbols;
-use crate::case::ranges::{range_of, relations};
+use crate::case::key_ranges::{range_of, relations};
 use crate::error::Error;
 
 /// The shortest case: the keys that it leaves out show the defaults.
