@@ -295,7 +295,7 @@ mod tests {
                 );
             }
             for (name, constant) in family.constants().unwrap() {
-                assert!(base_oil_source(&constant.source).is_some(), "{name}");
+                assert!(base_oil_source(&constant.source).is_some(), "{name:?}");
             }
             assert!(data.limiting_shear.low.is_some() && data.limiting_shear.high.is_some());
         }

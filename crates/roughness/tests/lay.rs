@@ -281,15 +281,12 @@ fn filtered_lay([a, b]: [f64; 2], [dx, dy]: [f64; 2]) -> f64 {
             .map(|[k, power]| power * (k * x).cos())
             .sum::<f64>()
     };
-    let (mut low, mut high) = (0.0, 10.0 * a * dx);
+    let step = 1e-2 * a * dx;
     let level = 0.2 * sum(0.0);
     let first = (1..1000)
-        .find(|i| sum(1e-3 * f64::from(*i) * high) < level)
+        .find(|i| sum(f64::from(*i) * step) < level)
         .unwrap();
-    (low, high) = (
-        1e-3 * f64::from(first - 1) * high,
-        1e-3 * f64::from(first) * high,
-    );
+    let (mut low, mut high) = (f64::from(first - 1) * step, f64::from(first) * step);
     for _ in 0..40 {
         let middle = 0.5 * (low + high);
         if sum(middle) > level {
