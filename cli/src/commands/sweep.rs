@@ -1,7 +1,7 @@
 //! `asperity sweep`: many cases, in shards.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::message::{self, Warning};
@@ -12,6 +12,7 @@ use asperity_studies::sweep::{
 use super::study;
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 use crate::failure::Failure;
+use crate::interrupt::cancelling;
 use crate::output::{Progress, print, shown};
 
 /// `asperity sweep`
@@ -93,7 +94,7 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
     let progress = Progress::of(common.quiet, "cases");
-    let done = sweep::run(&study, shard, &folder, &|event| match event {
+    let watch = |event: Event<'_>| match event {
         Event::Checked { refused, of } => {
             let count: usize = refused.values().map(|refused| refused.count).sum();
             if count > 0 && !common.quiet {
@@ -104,10 +105,15 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
             }
         }
         Event::Done { cases, of } => progress.at(cases, of),
-    });
+    };
+    let done = cancelling(|| sweep::run(&study, shard, &folder, &watch));
     drop(progress);
-    let done = done.map_err(|error| refused(&args.sweep, &error))?;
-    let status = sweep::status(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
+    let status = || sweep::status(&study, &folder).map_err(|error| refused(&args.sweep, &error));
+    let done = match done {
+        Err(error) if error.is_cancelled() => return Err(interrupted(&status()?, &folder)),
+        done => done.map_err(|error| refused(&args.sweep, &error))?,
+    };
+    let status = status()?;
     let text = || {
         format!(
             "ran {done} cases of shard {}\n{}parts in {} in {:.1} s\n",
@@ -119,6 +125,17 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     };
     print(common, || &status, text)?;
     refuse_if_all_failed(status.cases, &status.failed, common)
+}
+
+/// Error of a run that a signal ended.
+fn interrupted(status: &Status, folder: &Path) -> Failure {
+    let message = format!(
+        "interrupted: {} of {} cases are done, with their parts in {}",
+        status.done,
+        status.cases,
+        shown(folder)
+    );
+    Failure::new("E502", message).advising("The same command runs the other cases.")
 }
 
 /// Error if all `cases` have an error code; `failed` is their number by code. The result is already on standard output.

@@ -4,6 +4,7 @@
 //! No option of a command is named here: an explanation lists its settings, and the program that shows it names them.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use asperity_core::remedy::Setting;
 use serde::{Deserialize, Serialize};
@@ -34,6 +35,21 @@ impl Warning {
             text: self.text.clone() + more,
         }
     }
+}
+
+/// Codes of the warnings about an input outside of a fitted, tested or usual range.
+const OUTSIDE: [&str; 6] = ["W401", "W402", "W403", "W405", "W428", "W443"];
+
+/// The column `outside` of a table of cases: distinct codes of warnings about an input outside of its range, with spaces.
+///
+/// ```
+/// use asperity_case::message::outside_codes;
+/// assert_eq!(outside_codes(["W443", "W409", "W401", "W401"]), "W401 W443");
+/// ```
+pub fn outside_codes<'a>(codes: impl IntoIterator<Item = &'a str>) -> String {
+    let codes = codes.into_iter().filter(|code| OUTSIDE.contains(code));
+    let codes = Vec::from_iter(BTreeSet::from_iter(codes));
+    codes.join(" ")
 }
 
 impl std::fmt::Display for Warning {
@@ -113,6 +129,7 @@ explanations! {
     "E137" "no trace of this name": "A pattern names the traces of a flank, and no file has such a name, or no folder is known to search in." => "Check folder and pattern: * stands for any characters of a file's name and ? for one. Names are relative to the case file.";
     "E138" "a table of losses cannot be used": "The file is not a table of loss torques: a column is missing, a cell is not a number, a loss is negative, or the rows do not form a complete grid of torques and speeds at each temperature." => "Give the columns speed_rpm and loss_torque_nm and, if the loss depends on them, torque_nm and temperature_c, with a row for every combination.";
     "E139" "a range outside of the trace": "The range of a trace that is to be used ends beyond its last point. The message states the length of the trace." => "";
+    "E140" "a file changed since the case was read": "A case is stored with the content of every file that was read for it, and a file on disk is no longer the one that the case was read from." => "Read the case again.";
     "E201" "the case file cannot be opened": "The system refused to open the case file." => "";
     "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: each line is key = value, text is in quotation marks, the encoding is UTF-8.";
     "E203" "unknown key": "The case file has a key that does not exist, or a study a key or column." => "Correct the spelling or remove the key.";
@@ -155,7 +172,7 @@ explanations! {
     "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name, create its folder, or free some space.";
     "E402" "not a result": "The file or folder named is not the result of a run, or lacks the requested data." => "Name a result folder, e.g. results/e-drive, or its result.json.";
     "E501" "internal fault": "A consistency check within the program failed. This is a fault of the program, not of the input." => "Please report it with the case file.";
-    "E502" "cancelled": "The program that had started the work cancelled it; there is no result." => "Start it again.";
+    "E502" "cancelled": "The program that had started the work, or Ctrl-C, cancelled it; there is no result. A sweep has written the rows of its finished cases." => "Start it again.";
     "W111" "a unit was assumed": "The file does not name a unit, and only one is plausible." => "State the unit to be sure." [ZUnit, XUnit];
     "W112" "form not removed": "The trace still contains the shape of the flank, so its parameters do not describe roughness." => "Remove the form, e.g. with poly2." [Form];
     "W113" "spacing coarse for the noise filter": "The spacing is above a fifth of the cut-off lambda_s, so the filter is poorly sampled." => "Choose a longer noise cut-off lambda_s, or measure with a finer spacing." [NoiseCutoff];

@@ -8,12 +8,11 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{OutOfRange, Treatment};
 use asperity_efficiency::equivalent_friction;
 use asperity_ehl::PlasticCeiling;
-use asperity_gear::{Gear, StiffnessSource};
+use asperity_gear::{EdgeContactNote, Gear, LoadMapEvidence, StiffnessSource};
 
 use crate::lubrication::{LubricatedPosition, LubricatedWindow, NOTED_DEVIATION};
 use crate::pictures::Picture;
 use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
-use crate::result::LoadReport;
 use crate::result::{FullFilmRow, GearboxReport, MicropittingReport, RecordRow, Regime, Summary};
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::case::{Case, Formulation, LoadedCase};
@@ -203,11 +202,11 @@ fn code(note: &OutOfRange) -> &'static str {
 pub(crate) fn load(
     loaded: &LoadedCase,
     positions: &[LubricatedPosition],
-    load: &LoadReport,
+    (edge_contact, evidence): (Option<&EdgeContactNote>, &LoadMapEvidence),
     found: &mut Vec<Warning>,
 ) {
     let mut add = |code, text: String| found.push(Warning::new(code, text));
-    if let Some(note) = &load.edge_contact {
+    if let Some(note) = edge_contact {
         add(
             "W421",
             format!(
@@ -230,16 +229,16 @@ pub(crate) fn load(
             ),
         );
     }
-    if !load.evidence.converged {
+    if !evidence.converged {
         add(
             "W423",
             format!(
                 "the load over the teeth did not settle: the last change is {:.1e} of the mean load",
-                load.evidence.residual
+                evidence.residual
             ),
         );
     }
-    if let Some(StiffnessSource::IsoForRootForm(gear)) = load.evidence.stiffness {
+    if let Some(StiffnessSource::IsoForRootForm(gear)) = evidence.stiffness {
         add(
             "W424",
             format!(

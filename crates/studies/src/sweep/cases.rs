@@ -21,7 +21,7 @@ use super::study::Study;
 /// })?;
 /// let text = r#"{ "axis": [{ "key": "operation.speed", "values": ["3000 1/min", "9000 1/min"] }], "columns": ["loss_w"] }"#;
 /// let cases = Cases::of(Study::of_case(case, text, ".".as_ref())?)?;
-/// assert_eq!(cases.header(), ["case", "id", "operation.speed", "loss_w", "code"]);
+/// assert_eq!(cases.header(), ["case", "id", "operation.speed", "loss_w", "outside", "code"]);
 /// let rows = cases.rows(0..cases.count())?;
 /// assert_eq!(rows[1][2], "9000 1/min");
 /// assert!(rows[1][3].parse::<f64>()? > 0.0);
@@ -46,13 +46,19 @@ impl Cases {
         })
     }
 
+    /// SHA-256 of everything that the cases follow from.
+    #[must_use]
+    pub fn study(&self) -> &str {
+        &self.study.hash
+    }
+
     /// Number of cases.
     #[must_use]
     pub fn count(&self) -> usize {
         self.list.count()
     }
 
-    /// Names of the columns of a row: number, id, inputs, results, error code.
+    /// Names of the columns of a row: number, id, inputs, results, codes of warnings, error code.
     #[must_use]
     pub fn header(&self) -> Vec<String> {
         header(&self.study, &self.list)

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use asperity::Error;
+use asperity::core::cancel::checkpoint;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -31,10 +33,15 @@ pub(super) fn refusals(
 ) -> Result<BTreeMap<String, Refused>, SweepError> {
     let refusals = numbers
         .par_iter()
-        .filter_map(|number| match resolved(study, &list.inputs(*number)) {
-            Ok(_) => None,
-            Err(error @ SweepError::Changed { .. }) => Some(Err(error)),
-            Err(refused) => Some(Ok((*number, refused.code_of_case(), refused.to_string()))),
+        .filter_map(|number| {
+            if let Err(cancelled) = checkpoint() {
+                return Some(Err(Error::from(cancelled).into()));
+            }
+            match resolved(study, &list.inputs(*number)) {
+                Ok(_) => None,
+                Err(error @ SweepError::Changed { .. }) => Some(Err(error)),
+                Err(refused) => Some(Ok((*number, refused.code_of_case(), refused.to_string()))),
+            }
         })
         .collect::<Result<Vec<(usize, String, String)>, SweepError>>()?;
     let mut refused: BTreeMap<String, Refused> = BTreeMap::new();

@@ -1,6 +1,7 @@
 //! The work of a shard.
 
-use std::collections::{BTreeMap, HashMap};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -9,6 +10,7 @@ use asperity::case::LoadedCase;
 use asperity::case::gear_train::LoadedTrain;
 use asperity::core::cancel::checkpoint;
 use asperity::gear_train::{run_train, train_losses};
+use asperity::message::{Warning, outside_codes};
 use asperity::pipeline::{KeptFields, contacts, losses, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity::uncertainty::{Predictive, Quantiles, predictive};
@@ -81,10 +83,10 @@ pub enum Event<'a> {
 }
 
 /// Resolves all cases of a shard that are not in a closed part in `folder`, then runs them, with events to `watch`. A
-/// part is closed after 1000 cases or 30 s.
+/// part is closed after 1000 cases or 30 s, and when the work is cancelled.
 ///
 /// # Errors
-/// When the study is not valid, or a part cannot be written. A case without a result becomes a row with its code.
+/// When the study is not valid, a part cannot be written, or the work is cancelled. A case without a result becomes a row with its code.
 pub fn run(
     study: &Study,
     shard: Shard,
@@ -105,28 +107,39 @@ pub fn run(
     let (mut rows, mut opened) = (Rows::new(), Instant::now());
     let mut finished = 0;
     for numbers in pending.chunks(AT_ONCE) {
-        let results = numbers
-            .par_iter()
-            .map(|number| Ok((*number, row_of(study, &list, *number, Some(&shared))?)))
-            .collect::<Result<Vec<(usize, Vec<String>)>, SweepError>>()?;
-        // Rows of cancelled cases are not written.
-        checkpoint().map_err(Error::from).map_err(Box::new)?;
-        finished += results.len();
-        rows.extend(results);
+        let not_cancelled = || checkpoint().map_err(|cancelled| Error::from(cancelled).into());
+        let row = |number: &usize| {
+            let row = row_of(study, &list, *number, Some(&shared))?;
+            not_cancelled().map(|()| (*number, row))
+        };
+        let results: Vec<Result<_, SweepError>> = numbers.par_iter().map(row).collect();
+        // An error ends the shard; the rows finished before it are written.
+        let mut ended = not_cancelled();
+        for result in results {
+            match result {
+                Ok((number, row)) => {
+                    rows.insert(number, row);
+                    finished += 1;
+                }
+                Err(error) => ended = ended.and(Err(error)),
+            }
+        }
         watch(Event::Done {
             cases: finished,
             of,
         });
-        if rows.len() >= CASES_OF_A_PART || opened.elapsed() >= TIME_OF_A_PART {
+        let is_full = rows.len() >= CASES_OF_A_PART || opened.elapsed() >= TIME_OF_A_PART;
+        if is_full || ended.is_err() {
             close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
             opened = Instant::now();
         }
+        ended?;
     }
     close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
     Ok(finished)
 }
 
-/// The row of a case: number, id, inputs, results, code.
+/// The row of a case: number, id, inputs, results, codes of warnings about inputs outside of their ranges, error code.
 ///
 /// # Errors
 /// When a file has changed since the study was loaded. Any other error of the case becomes the code of its row.
@@ -153,22 +166,29 @@ pub(super) fn row_of(
     };
     let mut row = vec![number.to_string(), id];
     row.extend(inputs.columns);
-    match found.map(|found| values(&found, &names)) {
-        Ok(values) => {
-            row.extend(values);
-            row.push(String::new());
+    let (outside, code) = match found {
+        Ok(found) => {
+            row.extend(values(&found, &names));
+            (found.outside, String::new())
         }
         Err(code) => {
             row.extend(names.iter().map(|_| String::new()));
-            row.push(code);
+            (String::new(), code)
         }
-    }
+    };
+    row.extend([outside, code]);
     Ok(row)
 }
 
-/// Numbers of a case by the names of their columns, and median, 5 and 95 % quantiles of its draws if they are requested and
-/// the case has some.
-type Found = (Value, Option<[f64; 3]>);
+/// Results of a case.
+struct Found {
+    /// Numbers by the names of their columns.
+    numbers: Value,
+    /// Median, 5 and 95 % quantiles of its draws, if they are requested and the case has some.
+    drawn: Option<[f64; 3]>,
+    /// Codes of the warnings about inputs outside of their ranges.
+    outside: String,
+}
 
 fn result(
     study: &Study,
@@ -180,26 +200,57 @@ fn result(
     let of_draws = |found: Quantiles| columns(found.median_w, found.quantiles_w);
     let with_contacts = study.input.detail.unwrap_or_default() == Detail::Contacts;
     let of_mesh = |case: &LoadedCase| mesh_losses(case, shared, with_draws);
+    let codes = |warnings: &[Warning]| {
+        let codes = warnings.iter().map(|warning| warning.code.to_string());
+        codes.collect::<BTreeSet<String>>()
+    };
+    let joined = |codes: &BTreeSet<String>| outside_codes(codes.iter().map(String::as_str));
     let Some(pair) = case.pair() else {
-        let found = match with_contacts {
-            true => run_train(case, &KeptFields::Highest, with_draws, &|_, _| {})?.result,
-            false => train_losses(case, &of_mesh)?,
+        let (found, mut outside) = match with_contacts {
+            true => {
+                let found = run_train(case, &KeptFields::Highest, with_draws, &|_, _| {})?;
+                let meshes = found.meshes.iter();
+                let outside = meshes.flat_map(|mesh| codes(&mesh.result.warnings));
+                (found.result, outside.collect())
+            }
+            false => {
+                let outside = RefCell::new(BTreeSet::new());
+                let noted = |case: &LoadedCase| {
+                    let (losses, draws) = of_mesh(case)?;
+                    outside.borrow_mut().extend(codes(&losses.warnings));
+                    Ok((losses, draws))
+                };
+                let found = train_losses(case, &noted)?;
+                (found, outside.into_inner())
+            }
         };
-        return Ok((numbers_of(&found), found.loss_distribution.map(of_draws)));
+        let mut parts = found.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
+        if parts.any(|part| !part.outside.is_empty()) {
+            outside.insert("W401".to_owned());
+        }
+        return Ok(Found {
+            numbers: numbers_of(&found),
+            drawn: found.loss_distribution.map(of_draws),
+            outside: joined(&outside),
+        });
     };
     let numbers = |summary: &Summary| serde_json::to_value(summary).unwrap_or_default();
     if with_contacts {
         let run = Run::new(pair).without_pictures().band(with_draws);
         let found = run.execute()?.result;
         let drawn = found.uncertainty.map(|found| found.loss);
-        return Ok((
-            numbers(&found.summary),
-            drawn.map(|loss| columns(loss.median_w, loss.quantiles_w)),
-        ));
+        return Ok(Found {
+            numbers: numbers(&found.summary),
+            drawn: drawn.map(|loss| columns(loss.median_w, loss.quantiles_w)),
+            outside: joined(&codes(&found.warnings)),
+        });
     }
     let (losses, draws) = of_mesh(pair)?;
-    let drawn = draws.map(|draws| of_draws(Quantiles::of(&draws.draws_w())));
-    Ok((numbers(&losses.summary), drawn))
+    Ok(Found {
+        numbers: numbers(&losses.summary),
+        drawn: draws.map(|draws| of_draws(Quantiles::of(&draws.draws_w()))),
+        outside: joined(&codes(&losses.warnings)),
+    })
 }
 
 /// Losses of a mesh with its draws, if they are requested and it has some.
@@ -241,12 +292,12 @@ fn tables(case: &LoadedCase, shared: &SharedTables) -> Option<Arc<Contacts>> {
 }
 
 /// The columns of a case.
-fn values((value, drawn): &Found, names: &[String]) -> Vec<String> {
+fn values(found: &Found, names: &[String]) -> Vec<String> {
     let of_draws = |name: &str| {
         let place = DRAWN.iter().position(|drawn| *drawn == name)?;
-        Some(drawn.as_ref()?[place].to_string())
+        Some(found.drawn?[place].to_string())
     };
-    let of = |name: &String| match value.get(name) {
+    let of = |name: &String| match found.numbers.get(name) {
         _ if is_drawn(name) => of_draws(name).unwrap_or_default(),
         Some(Value::Number(number)) => number.to_string(),
         // A known column without a number in this case.
