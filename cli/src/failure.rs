@@ -12,6 +12,7 @@ use asperity::case::{Place, Source};
 use asperity::key_words::with_keys;
 use asperity::{Error, Remedy};
 use asperity_report::ReportError;
+use clap::error::{ContextKind, ContextValue};
 
 use crate::interrupt::INTERRUPTED;
 use crate::words;
@@ -35,6 +36,12 @@ pub struct Failure {
 struct Snippet {
     text: Arc<Source>,
     span: Range<usize>,
+}
+
+/// Whether an argument, which clap takes for an option, begins a negative number.
+fn is_negative_number(argument: &str) -> bool {
+    let number = argument.strip_prefix('-');
+    number.is_some_and(|number| number.starts_with(|c: char| c.is_ascii_digit() || c == '.'))
 }
 
 impl Failure {
@@ -74,6 +81,14 @@ impl Failure {
             !part.starts_with("tip: to pass") && !part.starts_with("For more information")
         };
         let mut advice: Vec<String> = paragraphs.filter(is_advice).collect();
+        let unknown = refusal.get(ContextKind::InvalidArg);
+        if let Some(ContextValue::String(argument)) = unknown
+            && is_negative_number(argument)
+        {
+            let text =
+                format!("a negative value follows an equals sign, as --option=\"{argument}\"");
+            advice.insert(0, text);
+        }
         advice.push("--help lists commands and options.".to_owned());
         let message = message.strip_prefix("error: ").unwrap_or(&message);
         Self::new("E213", message).advising(advice.join("; ").replace("tip: ", ""))

@@ -197,6 +197,33 @@ fn every_table_of_cases_has_the_codes_of_inputs_outside_of_their_ranges() {
 }
 
 #[test]
+fn a_plan_of_a_million_cases_checks_corners_and_a_sample() {
+    // The last torque is refused: only a corner or a large part of the sample finds it.
+    let study = "case = \"quick.toml\"\ncolumns = [\"loss_w\"]\n\
+        [[axis]]\nkey = \"operation.torque\"\nvalues = [\"80 N m\", \"90 N m\", \"1e300 N m\"]\n\
+        [sample]\nmethod = \"latin-hypercube\"\ncount = 350000\n\
+        vary.\"operation.bulk_temperature\" = { uniform = [\"60 °C\", \"100 °C\"] }\n";
+    let bench = quick();
+    bench.write("study.toml", study);
+    let begin = Instant::now();
+    let plan = bench
+        .run(&["sweep", "run", "study.toml", "--plan"])
+        .well()
+        .out;
+    // A case takes 2 ms; all of them take half an hour.
+    assert!(begin.elapsed() < Duration::from_secs(120));
+    assert!(
+        plan.contains("1050000 cases: 3 on the axes x 350000 of the sample"),
+        "{plan}"
+    );
+    assert!(
+        plan.contains(" of them: the corners of the axes and a sample"),
+        "{plan}"
+    );
+    assert!(plan.contains("E212 in "), "{plan}");
+}
+
+#[test]
 fn missing_cases_are_told_with_status_3_and_a_restart_runs_them() {
     let bench = quick();
     let part = ["sweep", "run", "study.toml", "--shard", "1/2"];

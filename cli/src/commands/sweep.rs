@@ -15,6 +15,9 @@ use crate::failure::Failure;
 use crate::interrupt::cancelling;
 use crate::output::{Progress, print, shown};
 
+/// Name of the work before the first case is run.
+const CHECKING: &str = "checking the cases";
+
 /// `asperity sweep`
 pub fn sweep(command: &SweepCommand, common: &Common) -> Result<(), Failure> {
     match command {
@@ -58,7 +61,10 @@ fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
 
 fn plan(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     let study = load(&args.sweep)?;
-    let plan = sweep::plan(&study).map_err(|error| refused(&args.sweep, &error))?;
+    let progress = Progress::of(common.quiet, CHECKING);
+    let plan = sweep::plan(&study, &|done, total| progress.at(done, total));
+    drop(progress);
+    let plan = plan.map_err(|error| refused(&args.sweep, &error))?;
     print(common, || &plan, || text_of_plan(&plan))
 }
 
@@ -67,6 +73,12 @@ fn text_of_plan(plan: &Plan) -> String {
         "study {}\n{} cases: {} on the axes x {} of the sample\n",
         plan.study, plan.cases, plan.axis_points, plan.sample_points
     );
+    if plan.checked < plan.cases {
+        text.push_str(&format!(
+            "checked {} of them: the corners of the axes and a sample\n",
+            plan.checked
+        ));
+    }
     text.extend(plan.refused.iter().map(line_of));
     let minutes = plan.seconds / 60.0;
     text.push_str(&format!(
@@ -93,14 +105,24 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     })?;
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
-    let progress = Progress::of(common.quiet, "cases");
+    let progress = Progress::of(common.quiet, CHECKING);
     let watch = |event: Event<'_>| match event {
-        Event::Checked { refused, of } => {
+        Event::Checking { cases, of } => progress.at(cases, of),
+        Event::Checked {
+            refused,
+            checked,
+            of,
+        } => {
+            progress.begin("cases");
             let count: usize = refused.values().map(|refused| refused.count).sum();
             if count > 0 && !common.quiet {
                 let lines: String = refused.iter().map(line_of).collect();
                 let rows = "cases cannot be run; their rows hold only the error code";
-                let warning = Warning::new("W430", format!("{count} of {of} {rows}"));
+                let cases = match checked < of {
+                    true => format!("{checked} checked"),
+                    false => of.to_string(),
+                };
+                let warning = Warning::new("W430", format!("{count} of {cases} {rows}"));
                 progress.note(&format!("{warning}\n{}", lines.trim_end()));
             }
         }

@@ -1,5 +1,6 @@
 //! Cases: loaded, changed, run.
 
+use asperity::core::number;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -633,7 +634,7 @@ impl Case {
 pub fn on_the_path(place: Option<f64>) -> Result<Option<f64>, Failure> {
     match place {
         Some(place) if !(0.0..=1.0).contains(&place) => {
-            let message = format!("position {place}: must be 0 (A) to 1 (E)");
+            let message = format!("position {}: must be 0 (A) to 1 (E)", number(place));
             Err(Failure::new("E209", message))
         }
         place => Ok(place),

@@ -22,7 +22,7 @@ use super::case_list::{CaseList, key_of_tables, resolved};
 use super::error::SweepError;
 use super::known_columns::{DRAWN, is_drawn, needs_draws, numbers_of};
 use super::parts::{Rows, close, make_folder_of_parts, outputs, read};
-use super::refused::{Refused, refusals};
+use super::refused::{Refused, checked, refusals};
 use super::study::Study;
 use super::study_input::Detail;
 
@@ -66,10 +66,19 @@ const AT_ONCE: usize = 16;
 /// Progress event of a shard.
 #[derive(Debug, Clone, Copy)]
 pub enum Event<'a> {
-    /// All cases of the shard are resolved; none has been run.
+    /// Cases of the shard have been resolved.
+    Checking {
+        /// Number of cases resolved so far.
+        cases: usize,
+        /// Number of cases to resolve.
+        of: usize,
+    },
+    /// The cases of the shard are resolved, of many the corners of the axes and a sample; none has been run.
     Checked {
         /// Cases that cannot be resolved, by code; each becomes a row with its code.
         refused: &'a BTreeMap<String, Refused>,
+        /// Number of cases resolved.
+        checked: usize,
         /// Number of cases to run.
         of: usize,
     },
@@ -82,7 +91,7 @@ pub enum Event<'a> {
     },
 }
 
-/// Resolves all cases of a shard that are not in a closed part in `folder`, then runs them, with events to `watch`. A
+/// Resolves the cases of a shard that are not in a closed part in `folder`, of many some, then runs them, with events to `watch`. A
 /// part is closed after 1000 cases or 30 s, and when the work is cancelled.
 ///
 /// # Errors
@@ -101,8 +110,15 @@ pub fn run(
         .filter(|number| !done.contains_key(number))
         .collect();
     let of = pending.len();
-    let refused = &refusals(study, &list, &pending)?;
-    watch(Event::Checked { refused, of });
+    let numbers = checked(&list, &pending);
+    let checking = |cases, of| watch(Event::Checking { cases, of });
+    let refused = &refusals(study, &list, &numbers, &checking)?;
+    let checked = numbers.len();
+    watch(Event::Checked {
+        refused,
+        checked,
+        of,
+    });
     let shared = SharedTables::default();
     let (mut rows, mut opened) = (Rows::new(), Instant::now());
     let mut finished = 0;
