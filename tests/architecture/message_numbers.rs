@@ -31,8 +31,13 @@ fn raw_numbers(text: &str) -> Vec<(usize, String, String)> {
         });
         for name in numbers {
             let is_formatted = attribute.contains(&format!(" {name} = "));
-            let is_shown = |end: &str| message.contains(&format!("{{{name}{end}"));
-            if (is_shown("}") || is_shown(":.")) && !is_formatted {
+            let parts = message.split('{').skip(1);
+            let mut formats = parts.filter_map(|part| part.split('}').next()?.strip_prefix(name));
+            // An exponent keeps the digits few by itself.
+            let is_raw = |format: &str| {
+                format.is_empty() || format.starts_with(":.") && !format.ends_with('e')
+            };
+            if formats.any(is_raw) && !is_formatted {
                 let line = 1 + text[..at].matches('\n').count();
                 found.push((line, name.to_owned(), message.to_owned()));
             }

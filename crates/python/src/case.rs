@@ -118,6 +118,11 @@ fn formulation_of(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
     name.map(|name| named("formulation", name)).transpose()
 }
 
+fn name_of(formulation: Formulation) -> String {
+    let name = json!(formulation);
+    name.as_str().unwrap_or_default().to_owned()
+}
+
 /// Film and regime of a mesh.
 #[derive(serde::Serialize)]
 struct MeshRegime {
@@ -303,7 +308,7 @@ impl Case {
                     name: train.source.name().to_owned(),
                     text: train.source.text().to_owned(),
                     keys: Some(train.keys.clone()),
-                    formulation: train.formulation.map(|chosen| chosen.name().to_owned()),
+                    formulation: train.formulation.map(name_of),
                     folder,
                     files,
                     traces,
