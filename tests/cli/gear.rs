@@ -493,6 +493,26 @@ depths = 0
 "#;
 
 #[test]
+fn a_train_of_thousands_of_meshes_is_refused() {
+    let mesh = |k: usize| {
+        let gears = "gears = { teeth = [23, 68], module = \"1.8 mm\", face_width = \"32 mm\" }";
+        format!(
+            "[mesh.m{k}]\nshafts = [\"s{k}\", \"s{}\"]\n{gears}\n",
+            k + 1
+        )
+    };
+    let meshes: String = (0..3000).map(mesh).collect();
+    let rest = TRAIN.split_once("[operation]").unwrap().1;
+    let bench = bench(&format!(
+        "[train]\ninput = \"s0\"\n{meshes}[operation]{rest}"
+    ));
+    for command in ["check", "run"] {
+        let said = bench.run(&[command, "case.toml"]);
+        said.refused(2, "E212", &["mesh: a train of 3000 meshes", "at most 100"]);
+    }
+}
+
+#[test]
 fn a_gear_train_gives_its_shafts_its_meshes_and_one_loss() {
     let bench = bench(TRAIN);
     let said = bench.run(&["run", "case.toml", "-o", "train"]).well().out;

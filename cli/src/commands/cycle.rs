@@ -1,5 +1,6 @@
 //! `asperity cycle`: energy lost over a cycle, from a map.
 
+use asperity_core::number;
 use std::path::Path;
 
 use asperity::case::VehicleInput;
@@ -84,11 +85,11 @@ fn temperature(args: &CycleArgs, map: &Map) -> Result<usize, Failure> {
     };
     let at = nodes.iter().position(|node| *node == celsius);
     at.ok_or_else(|| {
-        let known: Vec<String> = nodes.iter().map(f64::to_string).collect();
+        let known: Vec<String> = nodes.iter().map(|node| number(*node)).collect();
         let known = known.join(", ");
         Failure::new(
             "E209",
-            format!("--temperature {celsius}: the map has {known} °C"),
+            format!("--temperature {}: the map has {known} °C", number(celsius)),
         )
     })
 }

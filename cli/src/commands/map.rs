@@ -71,6 +71,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let with = With {
         added: added.as_ref(),
         cycle: cycle.as_ref(),
+        beside: Some(&folder),
     };
     let exports = exports(args, &map, with)?;
     let extras = MapExtras {

@@ -4,6 +4,7 @@
 //! No option of a command is named here: an explanation lists its settings, and the program that shows it names them.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use asperity_core::remedy::Setting;
 use serde::{Deserialize, Serialize};
@@ -54,6 +55,21 @@ impl Warning {
             ..*self
         }
     }
+}
+
+/// Codes of the warnings about an input outside of a fitted, tested or usual range.
+const OUTSIDE: [&str; 6] = ["W401", "W402", "W403", "W405", "W428", "W443"];
+
+/// The column `outside` of a table of cases: distinct codes of warnings about an input outside of its range, with spaces.
+///
+/// ```
+/// use asperity_case::message::outside_codes;
+/// assert_eq!(outside_codes(["W443", "W409", "W401", "W401"]), "W401 W443");
+/// ```
+pub fn outside_codes<'a>(codes: impl IntoIterator<Item = &'a str>) -> String {
+    let codes = codes.into_iter().filter(|code| OUTSIDE.contains(code));
+    let codes = Vec::from_iter(BTreeSet::from_iter(codes));
+    codes.join(" ")
 }
 
 impl std::fmt::Display for Warning {
@@ -133,6 +149,7 @@ explanations! {
     "E137" "no trace of this name": "A pattern names the traces of a flank, and no file has such a name, or no folder is known to search in." => "Check folder and pattern: * stands for any characters of a file's name and ? for one. Names are relative to the case file.";
     "E138" "a table of losses cannot be used": "The file is not a table of loss torques: a column is missing, a cell is not a number, a loss is negative, or the rows do not form a complete grid of torques and speeds at each temperature." => "Give the columns speed_rpm and loss_torque_nm and, if the loss depends on them, torque_nm and temperature_c, with a row for every combination.";
     "E139" "a range outside of the trace": "The range of a trace that is to be used ends beyond its last point. The message states the length of the trace." => "";
+    "E140" "a file changed since the case was read": "A case is stored with the content of every file that was read for it, and a file on disk is no longer the one that the case was read from." => "Read the case again.";
     "E201" "the case file cannot be opened": "The system refused to open the case file." => "";
     "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: each line is key = value, text is in quotation marks, the encoding is UTF-8.";
     "E203" "unknown key": "The case file has a key that does not exist, or a study a key or column." => "Correct the spelling or remove the key.";
@@ -175,7 +192,7 @@ explanations! {
     "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name, create its folder, or free some space.";
     "E402" "not a result": "The file or folder named is not the result of a run, or lacks the requested data." => "Name a result folder, e.g. results/e-drive, or its result.json.";
     "E501" "internal fault": "A consistency check within the program failed. This is a fault of the program, not of the input." => "Please report it with the case file.";
-    "E502" "cancelled": "The program that had started the work cancelled it; there is no result." => "Start it again.";
+    "E502" "cancelled": "The program that had started the work, or Ctrl-C, cancelled it; there is no result. A sweep has written the rows of its finished cases." => "Start it again.";
     "W111" "a unit was assumed": "The file does not name a unit, and only one is plausible." => "State the unit to be sure." [ZUnit, XUnit];
     "W112" "form not removed": "The trace still contains the shape of the flank, so its parameters do not describe roughness." => "Remove the form, e.g. with poly2." [Form];
     "W113" "spacing coarse for the noise filter": "The spacing is above a fifth of the cut-off lambda_s, so the filter is poorly sampled." => "Choose a longer noise cut-off lambda_s, or measure with a finer spacing." [NoiseCutoff];
@@ -239,7 +256,7 @@ explanations! {
     "W426" "a second, hotter equilibrium": "Friction that rises with the temperature can maintain a second, hotter equilibrium, or heat the flanks beyond the range of the oil's laws: an iteration started 60 K above the oil does not end at the bulk temperature. All numbers are for the bulk temperature." => "Check the loss over the temperature, as asperity map shows it; a better cooled mesh has a single equilibrium.";
     "W427" "traced teeth left out": "The traced teeth of both flanks make more than 64 pairs, so as many teeth of each flank are paired as make 64 pairs: the first of a list, rows of a surface spread evenly." => "State the most important teeth first, or fewer teeth or rows.";
     "W428" "density outside the fitted range": "Modulus and strength of a sintered steel were taken from its density by relations fitted to 6.7 to 7.4 g/cm3, and the density lies outside." => "Give young, poisson and elastic_limit as measured.";
-    "W430" "cases of a sweep cannot be run": "All cases were resolved before the first was run, and some of them are refused; each will be a row without results, with its code." => "Stop and correct the study if they are not meant to fail. A plan of the study lists them without running it.";
+    "W430" "cases of a sweep cannot be run": "The cases, of a large study the corners of its axes and a sample, were resolved before the first was run, and some of them are refused; each will be a row without results, with its code." => "Stop and correct the study if they are not meant to fail. A plan of the study lists them without running it.";
     "W431" "losses outside the mesh left out": "The case states losses of its gearbox, and the numbers here are for the mesh only." => "Nothing, if the mesh is meant; asperity run adds the gearbox.";
     "W432" "outside of the micropitting specification": "ISO/TS 6336-22 was made from external gears of 3 to 11 mm module at 8 to 60 m/s and holds for virtual contact ratios below 2.5 and pressure and helix angles up to 25 degrees. The gears or their operation lie outside." => "Compare the specific film with your own tests of such gears only; it is not a rating.";
     "W433" "contact on the fillet": "The tip of the mating gear reaches below the involute that the tool has left, into the fillet: the gears interfere, or rub where no law of the model is valid. The path of contact is still evaluated to its end." => "Check addendum, tip diameters, dedendum and fillet radius on the drawing: shorten the tips, or state the root as it is cut.";

@@ -1,5 +1,6 @@
 //! Warnings about a file that was read.
 
+use asperity_core::number;
 use std::borrow::Cow;
 
 use asperity_core::quantity::Length;
@@ -48,7 +49,9 @@ pub enum Warning {
     #[error("x decreases along the file; the trace was reversed")]
     Reversed,
     /// The stated spacing overrides the spacing of the x column.
-    #[error("spacing {stated} was stated, the x column says {column:.4}; the stated one is used")]
+    #[error(
+        "spacing {stated:.6} was stated, the x column says {column:.4}; the stated one is used"
+    )]
     SpacingOverridden {
         /// Stated spacing.
         stated: Length,
@@ -93,13 +96,13 @@ pub enum Warning {
         heights: usize,
     },
     /// The first line is assumed to be the spacing.
-    #[error("line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles")]
+    #[error("line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles", value = number(*value))]
     SpacingFromFirstLine {
         /// The number.
         value: f64,
     },
     /// The spacing follows from a length printed with few digits.
-    #[error("the spacing follows from an evaluation length printed as {length}: it is known to {:.4} % only", 100.0 * uncertainty)]
+    #[error("the spacing follows from an evaluation length printed as {length:.6}: it is known to {:.4} % only", 100.0 * uncertainty)]
     LengthRounded {
         /// The length.
         length: Length,
@@ -201,7 +204,7 @@ pub enum Warning {
     },
     /// x was a roll length or angle and was converted to the distance along the involute.
     #[error(
-        "x is a {abscissa}; converted with the base radius {base_radius} to the distance along the involute and resampled to {spacing:.4}"
+        "x is a {abscissa}; converted with the base radius {base_radius:.6} to the distance along the involute and resampled to {spacing:.4}"
     )]
     RollLengthConverted {
         /// Meaning of x.

@@ -324,6 +324,7 @@ impl Map {
             let with = With {
                 added: added.as_ref(),
                 cycle: cycle.as_ref(),
+                beside: None,
             };
             let files = export(&self.0, format, with)?;
             Ok(files

@@ -28,7 +28,7 @@ mod write;
 
 pub use checksum::{hex, sha256};
 pub use finite::{NotFinite, check_finite};
-pub use plain_text::{cell, one_line, printable};
+pub use plain_text::{cell, line_of_cells, one_line, printable, text_of_cell};
 pub use read::{regular_file, whole_file, whole_text};
 pub use sealed::{seal, unseal};
 #[cfg(feature = "write")]

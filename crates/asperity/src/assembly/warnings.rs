@@ -8,12 +8,12 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{OutOfRange, Treatment};
 use asperity_efficiency::equivalent_friction;
 use asperity_ehl::PlasticCeiling;
-use asperity_gear::{Gear, StiffnessSource};
+use asperity_gear::{EdgeContactNote, Gear, LoadMapEvidence, StiffnessSource};
 
 use crate::lubrication::{LubricatedPosition, LubricatedWindow, NOTED_DEVIATION};
+use crate::mesh::Mesh;
 use crate::pictures::Picture;
 use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
-use crate::result::LoadReport;
 use crate::result::{FullFilmRow, GearboxReport, MicropittingReport, RecordRow, Regime, Summary};
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::case::{Case, Formulation, LoadedCase};
@@ -63,19 +63,18 @@ pub(crate) fn warnings(
     Ok(found)
 }
 
-/// Warnings about a case on the positions `mesh` of its path that need no solution.
-pub(crate) fn of_case(
-    loaded: &LoadedCase,
-    mesh: &[MeshPosition],
-    load: &LoadReport,
-) -> Result<Vec<Warning>, PositionError> {
+/// Warnings about a case on its mesh that need no solution.
+pub(crate) fn of_case(loaded: &LoadedCase, mesh: &Mesh) -> Result<Vec<Warning>, PositionError> {
     let mut found = Vec::new();
+    let at = || mesh.positions.iter();
     notes(loaded, &mut found);
     same_trace(loaded, &mut found);
-    no_sliding(loaded, mesh.iter(), &mut found);
-    yielding(loaded, mesh.iter(), &mut found)?;
-    covered(loaded, mesh.iter(), &mut found);
-    self::load(loaded, mesh.iter(), load, &mut found);
+    no_sliding(loaded, at(), &mut found);
+    yielding(loaded, at(), &mut found)?;
+    covered(loaded, at(), &mut found);
+    let edge_contact = mesh.load.edge_contact_note()?;
+    let evidence = mesh.load.evidence();
+    load(loaded, at(), (edge_contact.as_ref(), evidence), &mut found);
     Ok(found)
 }
 
@@ -238,11 +237,11 @@ fn code(note: &OutOfRange) -> &'static str {
 pub(crate) fn load<'a>(
     loaded: &LoadedCase,
     positions: impl ExactSizeIterator<Item = &'a MeshPosition>,
-    load: &LoadReport,
+    (edge_contact, evidence): (Option<&EdgeContactNote>, &LoadMapEvidence),
     found: &mut Vec<Warning>,
 ) {
     let mut add = |code, text: String| found.push(Warning::new(code, text));
-    if let Some(note) = &load.edge_contact {
+    if let Some(note) = edge_contact {
         add(
             "W421",
             format!(
@@ -264,16 +263,16 @@ pub(crate) fn load<'a>(
             ),
         );
     }
-    if !load.evidence.converged {
+    if !evidence.converged {
         add(
             "W423",
             format!(
                 "the load over the teeth did not settle: the last change is {:.1e} of the mean load",
-                load.evidence.residual
+                evidence.residual
             ),
         );
     }
-    if let Some(StiffnessSource::IsoForRootForm(gear)) = load.evidence.stiffness {
+    if let Some(StiffnessSource::IsoForRootForm(gear)) = evidence.stiffness {
         add(
             "W424",
             format!(

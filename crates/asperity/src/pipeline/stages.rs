@@ -18,7 +18,7 @@ use crate::lubrication::{
 use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
-use crate::result::{LoadReport, Losses, Outcome, RunInFlanks};
+use crate::result::{Losses, Outcome, RunInFlanks};
 use asperity_case::case::{Case, Formulation, LoadedCase};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::is_substituted;
@@ -56,8 +56,7 @@ pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
     if loaded.case.model.run_in {
         running_in::places(&loaded.case, &loaded.surfaces, &mesh.positions).map_err(Box::new)?;
     }
-    let load = LoadReport::new(&loaded.case, &mesh.load).map_err(Box::new)?;
-    Ok(warnings_of_case(loaded, &mesh.positions, &load).map_err(Box::new)?)
+    Ok(warnings_of_case(loaded, &mesh).map_err(Box::new)?)
 }
 
 /// The mesh of a case on traces that cover it, under the load of `contacts` if that is known.

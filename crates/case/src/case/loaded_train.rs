@@ -1,10 +1,12 @@
 //! A gear train with the loaded case of each of its meshes.
 
+use std::path::Path;
+
 use asperity_core::quantity::Power;
 
 use super::any_input::AnyInput;
 use super::defaults::DefaultUsed;
-use super::files::FileSums;
+use super::files::{FileContents, FileSums};
 use super::input::CaseInput;
 use super::loaded::LoadedCase;
 use super::resolve::Case;
@@ -216,6 +218,28 @@ impl LoadedTrain {
     pub fn files_read(&self) -> FileSums {
         let of_meshes = self.meshes().flat_map(|mesh| mesh.case.files_read());
         of_meshes.chain(self.sums.clone()).collect()
+    }
+
+    /// Content of every file that was read for the train.
+    ///
+    /// # Errors
+    /// As [`LoadedCase::contents`].
+    pub fn contents(&self) -> Result<FileContents, Error> {
+        let mut contents = FileContents::new();
+        for mesh in self.meshes() {
+            contents.extend(mesh.case.contents()?);
+            contents.extend(mesh.case.contents_of(&self.sums)?);
+        }
+        Ok(contents)
+    }
+
+    /// The train with `folder` as the folder of files that a change names, as [`LoadedCase::in_folder`].
+    #[must_use]
+    pub fn in_folder(mut self, folder: &Path) -> Self {
+        for mesh in self.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
+            mesh.case = mesh.case.clone().in_folder(folder);
+        }
+        self
     }
 
     /// SHA-256 of everything that determines the result, as [`LoadedCase::fingerprint`].

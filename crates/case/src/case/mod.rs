@@ -79,7 +79,7 @@ pub use calibration::cholesky;
 pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput, SIMULATED};
 pub use defaults::DefaultUsed;
 pub use error::{CaseError, did_you_mean};
-pub use files::{FILE_KEYS, FileSums};
+pub use files::{Content, FILE_KEYS, FileContents, FileSums};
 pub use finish::FinishName;
 pub use flank_place::{FlankPlaceInput, TraceStart};
 pub use gear_input::{
@@ -114,8 +114,8 @@ pub use source::Source;
 pub use steel::STEEL_FLOW_PRESSURE;
 #[cfg(feature = "case-files")]
 pub use text::{
-    Findings, Resolver, check, from_text, load, load_holding, load_set, load_with, markdown,
-    open_source, schema,
+    Findings, Resolver, check, from_contents, from_text, load, load_holding, load_set, load_with,
+    markdown, open_source, schema,
 };
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};

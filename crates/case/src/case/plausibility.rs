@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use asperity_core::decimals;
 use asperity_core::quantity::{AngularSpeed, Pressure, Torque};
 use asperity_gear::GearPair;
 use asperity_oil::LubricantState;
@@ -97,7 +98,12 @@ impl AtPitchPoint {
             return Ok(());
         }
         let key = Section::of(source, "operation").key(self.key);
-        let seen = format!("a {} of {:.0} {}", self.name, self.value, self.unit);
+        let seen = format!(
+            "a {} of {} {}",
+            self.name,
+            decimals(self.value, 0),
+            self.unit
+        );
         Err(impossible_at(source, key, seen, self.usual()))
     }
 

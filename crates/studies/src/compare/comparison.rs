@@ -4,6 +4,7 @@ use asperity::case::LoadedCase;
 use asperity::case::gear_train::LoadedTrain;
 use asperity::flanks::Surfaces;
 use asperity::gear_train::{MeshRow, TrainOutcome, run_train};
+use asperity::message::outside_codes;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
@@ -142,6 +143,13 @@ impl FinishResult {
         let of_pair = of_pair.map(|loss| (loss.median_w, loss.quantiles_w));
         let of_train = self.loss_distribution;
         of_pair.or(of_train.map(|loss| (loss.median_w, loss.quantiles_w)))
+    }
+
+    /// Codes of the warnings about inputs outside of their ranges, with spaces.
+    #[must_use]
+    pub fn outside(&self) -> String {
+        let codes = self.warnings.iter();
+        outside_codes(codes.filter_map(|warning| warning.split(' ').next()))
     }
 
     /// Roughness under the contact of a pair of gears by offset.

@@ -1,5 +1,6 @@
 //! Page of a cycle.
 
+use asperity_core::decimals;
 use asperity_core::numerics::range;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
@@ -36,8 +37,8 @@ fn energy(result: &CycleResult, map: &Map) -> Markup {
         @for verdict in verdicts(result) { p { strong { (verdict) } } }
         @if let Some(note) = left_aside(result) { p { (note) "." } }
         @for warning in &result.warnings { p { (warning) "." } }
-        p { "Scope: " (result.scope) " only. " (format!("{:.1}", result.drive_wh)) " Wh at the " (pinion) " while it drives, "
-            (format!("{:.1}", result.coast_wh)) " Wh while the " (wheel) " drives, " (format!("{:.0}", result.duration_s)) " s, flanks at "
+        p { "Scope: " (result.scope) " only. " (decimals(result.drive_wh, 1)) " Wh at the " (pinion) " while it drives, "
+            (decimals(result.coast_wh, 1)) " Wh while the " (wheel) " drives, " (decimals(result.duration_s, 0)) " s, flanks at "
             (result.temperature_c) " °C."
             @if result.outside_share > 0.0 {
                 " Outside of the map, where the ratio of loss to torque is that of its edge: " (percent(result.outside_energy_share))

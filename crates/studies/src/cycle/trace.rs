@@ -1,5 +1,6 @@
 //! Reading of a cycle, and conversion to the pinion.
 
+use asperity_core::number;
 use std::f64::consts::PI;
 
 use asperity::case::{VehicleInput, range_of};
@@ -80,8 +81,7 @@ pub enum CycleError {
     },
     /// A number is not possible for a vehicle or gear drive.
     #[error(
-        "line {line}: {column} = {value} is beyond -{limit} to {limit}; check unit and decimal point"
-    )]
+        "line {line}: {column} = {value} is beyond -{limit} to {limit}; check unit and decimal point", value = number(*value), limit = number(*limit))]
     Beyond {
         /// Line of the file, counted from 1.
         line: u64,
@@ -93,7 +93,7 @@ pub enum CycleError {
         limit: f64,
     },
     /// Time does not increase.
-    #[error("line {line}: time_s = {time_s} does not rise from {before} before it")]
+    #[error("line {line}: time_s = {time_s} does not rise from {before} before it", time_s = number(*time_s), before = number(*before))]
     Time {
         /// Line of the file, counted from 1.
         line: u64,
@@ -112,7 +112,7 @@ pub enum CycleError {
     #[error(transparent)]
     Impossible(#[from] Box<asperity::Error>),
     /// A number of the vehicle is not valid.
-    #[error("vehicle.{key} = {value} must be {rule}")]
+    #[error("vehicle.{key} = {value} must be {rule}", value = number(*value))]
     Vehicle {
         /// The key.
         key: &'static str,

@@ -1,6 +1,7 @@
 //! Errors of exports.
 
 use super::added::AddedLossError;
+use asperity_core::number;
 
 /// Error of an export.
 #[derive(Debug, thiserror::Error)]
@@ -45,8 +46,7 @@ pub enum ExportError {
     },
     /// The loss torque rises faster than the torque.
     #[error(
-        "{format} cannot hold this map: near {torque_nm} N m and {speed_rpm} 1/min the loss torque rises faster than the torque"
-    )]
+        "{format} cannot hold this map: near {torque_nm} N m and {speed_rpm} 1/min the loss torque rises faster than the torque", torque_nm = number(*torque_nm), speed_rpm = number(*speed_rpm))]
     Slope {
         /// The format.
         format: &'static str,

@@ -1,6 +1,6 @@
 //! Export formats, and the files of a map in a format.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
@@ -50,6 +50,8 @@ pub struct With<'a> {
     pub added: Option<&'a AddedLoss>,
     /// Cycle that weights the formats with a single number.
     pub cycle: Option<&'a Cycle>,
+    /// Folder or file next to which a library is compiled, in a draft; `None` for the folder of temporary files.
+    pub beside: Option<&'a Path>,
 }
 
 /// Files of `map` in one format: one per finish and, if the format holds only one temperature, one per temperature.
@@ -76,7 +78,7 @@ pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFil
                     files.push(file(&format!("{name}_meshes"), "csv", meshes));
                 }
             }
-            Format::Fmu => files.push(file(&name, "fmu", fmu::archive(&fields)?)),
+            Format::Fmu => files.push(file(&name, "fmu", fmu::archive(&fields, with.beside)?)),
             Format::Co2mpas => files.push(file(
                 &format!("{name}_co2mpas"),
                 "json",

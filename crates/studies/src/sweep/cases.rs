@@ -19,7 +19,7 @@ use super::study::Study;
 /// })?;
 /// let text = r#"{ "axis": [{ "key": "operation.speed", "values": ["3000 1/min", "9000 1/min"] }], "columns": ["loss_w"] }"#;
 /// let cases = Cases::of(Study::of_case(case, text, ".".as_ref())?)?;
-/// assert_eq!(cases.header(), ["case", "id", "operation.speed", "loss_w", "code"]);
+/// assert_eq!(cases.header(), ["case", "id", "operation.speed", "loss_w", "outside", "code"]);
 /// let rows = cases.rows(0..cases.count())?;
 /// assert_eq!(rows[1][2], "9000 1/min");
 /// assert!(rows[1][3].parse::<f64>()? > 0.0);
@@ -44,13 +44,19 @@ impl Cases {
         })
     }
 
+    /// SHA-256 of everything that the cases follow from.
+    #[must_use]
+    pub fn study(&self) -> &str {
+        &self.study.hash
+    }
+
     /// Number of cases.
     #[must_use]
     pub fn count(&self) -> usize {
         self.list.count()
     }
 
-    /// Names of the columns of a row: number, id, inputs, results, error code.
+    /// Names of the columns of a row: number, id, inputs, results, codes of warnings, error code.
     #[must_use]
     pub fn header(&self) -> Vec<String> {
         header(&self.study, &self.list)
@@ -62,6 +68,7 @@ impl Cases {
     /// When a file that a case reads has changed since the study was loaded.
     pub fn rows(&self, numbers: Range<usize>) -> Result<Vec<Vec<String>>, SweepError> {
         let numbers: Vec<usize> = numbers.collect();
-        rows_of(&self.study, &self.list, &numbers, &self.contacts)
+        let rows = rows_of(&self.study, &self.list, &numbers, &self.contacts)?;
+        rows.into_iter().collect()
     }
 }

@@ -1,6 +1,7 @@
 //! The work of a shard.
 
-use std::collections::BTreeMap;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -9,6 +10,7 @@ use asperity::case::LoadedCase;
 use asperity::case::gear_train::LoadedTrain;
 use asperity::core::cancel::checkpoint;
 use asperity::gear_train::{run_train, train_losses};
+use asperity::message::{Warning, outside_codes};
 use asperity::pipeline::{KeptFields, losses, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity::uncertainty::{Predictive, Quantiles, predictive};
@@ -20,7 +22,7 @@ use super::case_list::{CaseInputs, CaseList, resolved};
 use super::error::SweepError;
 use super::known_columns::{DRAWN, is_drawn, needs_draws, numbers_of};
 use super::parts::{Rows, close, make_folder_of_parts, outputs, read};
-use super::refused::{Refused, refusals};
+use super::refused::{Refused, checked, refusals};
 use super::study::Study;
 use super::study_input::Detail;
 
@@ -61,10 +63,19 @@ const AT_ONCE: usize = 16;
 /// Progress event of a shard.
 #[derive(Debug, Clone, Copy)]
 pub enum Event<'a> {
-    /// All cases of the shard are resolved; none has been run.
+    /// Cases of the shard have been resolved.
+    Checking {
+        /// Number of cases resolved so far.
+        cases: usize,
+        /// Number of cases to resolve.
+        of: usize,
+    },
+    /// The cases of the shard are resolved, of many the corners of the axes and a sample; none has been run.
     Checked {
         /// Cases that cannot be resolved, by code; each becomes a row with its code.
         refused: &'a BTreeMap<String, Refused>,
+        /// Number of cases resolved.
+        checked: usize,
         /// Number of cases to run.
         of: usize,
     },
@@ -77,11 +88,11 @@ pub enum Event<'a> {
     },
 }
 
-/// Resolves all cases of a shard that are not in a closed part in `folder`, then runs them, with events to `watch`. A
-/// part is closed after 1000 cases or 30 s.
+/// Resolves the cases of a shard that are not in a closed part in `folder`, of many some, then runs them, with events to `watch`. A
+/// part is closed after 1000 cases or 30 s, and when the work is cancelled.
 ///
 /// # Errors
-/// When the study is not valid, or a part cannot be written. A case without a result becomes a row with its code.
+/// When the study is not valid, a part cannot be written, or the work is cancelled. A case without a result becomes a row with its code.
 pub fn run(
     study: &Study,
     shard: Shard,
@@ -96,32 +107,48 @@ pub fn run(
         .filter(|number| !done.contains_key(number))
         .collect();
     let of = pending.len();
-    let refused = &refusals(study, &list, &pending)?;
-    watch(Event::Checked { refused, of });
+    let numbers = checked(&list, &pending);
+    let checking = |cases, of| watch(Event::Checking { cases, of });
+    let refused = &refusals(study, &list, &numbers, &checking)?;
+    let checked = numbers.len();
+    watch(Event::Checked {
+        refused,
+        checked,
+        of,
+    });
     let shared = SharedContacts::default();
     let (mut rows, mut opened) = (Rows::new(), Instant::now());
     let mut finished = 0;
     for numbers in pending.chunks(AT_ONCE) {
-        let results = rows_of(study, &list, numbers, &shared)?;
-        // Rows of cancelled cases are not written.
-        checkpoint().map_err(Error::from).map_err(Box::new)?;
-        finished += results.len();
-        rows.extend(numbers.iter().copied().zip(results));
+        // An error ends the shard; the rows finished before it are written.
+        let mut ended = Ok(());
+        for (number, row) in numbers.iter().zip(rows_of(study, &list, numbers, &shared)?) {
+            match row {
+                Ok(row) => {
+                    rows.insert(*number, row);
+                    finished += 1;
+                }
+                Err(error) => ended = ended.and(Err(error)),
+            }
+        }
         watch(Event::Done {
             cases: finished,
             of,
         });
-        if rows.len() >= CASES_OF_A_PART || opened.elapsed() >= TIME_OF_A_PART {
+        let is_full = rows.len() >= CASES_OF_A_PART || opened.elapsed() >= TIME_OF_A_PART;
+        if is_full || ended.is_err() {
             close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
             opened = Instant::now();
         }
+        ended?;
     }
     close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
     Ok(finished)
 }
 
-/// The rows of cases: number, id, inputs, results, code. Their contacts are solved first, each once, so that no case computes
-/// what another does at the same time.
+/// The rows of cases: number, id, inputs, results, codes of warnings about inputs outside of their ranges, error code. Their
+/// contacts are solved first, each once, so that no case computes what another does at the same time. A row that was not finished
+/// when the program was asked to stop is an error.
 ///
 /// # Errors
 /// When a file has changed since the study was loaded. Any other error of a case becomes the code of its row.
@@ -130,7 +157,7 @@ pub(super) fn rows_of(
     list: &CaseList,
     numbers: &[usize],
     shared: &SharedContacts,
-) -> Result<Vec<Vec<String>>, SweepError> {
+) -> Result<Vec<Result<Vec<String>, SweepError>>, SweepError> {
     let resolve = |number: &usize| {
         let inputs = list.inputs(*number);
         match resolved(study, &inputs) {
@@ -152,7 +179,11 @@ pub(super) fn rows_of(
         shared.clone()
     };
     let names = outputs(study);
-    let row = |(number, inputs, case)| row(study, (number, inputs, case), &names, &store);
+    let row = |(number, inputs, case)| {
+        let row = row(study, (number, inputs, case), &names, &store);
+        checkpoint().map_err(Error::from)?;
+        Ok(row)
+    };
     Ok(cases.into_par_iter().map(row).collect())
 }
 
@@ -179,22 +210,29 @@ fn row(
     };
     let mut row = vec![number.to_string(), id];
     row.extend(inputs.columns);
-    match found.map(|found| values(&found, names)) {
-        Ok(values) => {
-            row.extend(values);
-            row.push(String::new());
+    let (outside, code) = match found {
+        Ok(found) => {
+            row.extend(values(&found, names));
+            (found.outside, String::new())
         }
         Err(code) => {
             row.extend(names.iter().map(|_| String::new()));
-            row.push(code);
+            (String::new(), code)
         }
-    }
+    };
+    row.extend([outside, code]);
     row
 }
 
-/// Numbers of a case by the names of their columns, and median, 5 and 95 % quantiles of its draws if they are requested and
-/// the case has some.
-type Found = (Value, Option<[f64; 3]>);
+/// Results of a case.
+struct Found {
+    /// Numbers by the names of their columns.
+    numbers: Value,
+    /// Median, 5 and 95 % quantiles of its draws, if they are requested and the case has some.
+    drawn: Option<[f64; 3]>,
+    /// Codes of the warnings about inputs outside of their ranges.
+    outside: String,
+}
 
 fn result(
     study: &Study,
@@ -206,26 +244,57 @@ fn result(
     let of_draws = |found: Quantiles| columns(found.median_w, found.quantiles_w);
     let with_contacts = study.input.detail.unwrap_or_default() == Detail::Contacts;
     let of_mesh = |case: &LoadedCase| mesh_losses(case, store, with_draws);
+    let codes = |warnings: &[Warning]| {
+        let codes = warnings.iter().map(|warning| warning.code.to_string());
+        codes.collect::<BTreeSet<String>>()
+    };
+    let joined = |codes: &BTreeSet<String>| outside_codes(codes.iter().map(String::as_str));
     let Some(pair) = case.pair() else {
-        let found = match with_contacts {
-            true => run_train(case, &KeptFields::Highest, with_draws, &|_, _| {})?.result,
-            false => train_losses(case, &of_mesh)?,
+        let (found, mut outside) = match with_contacts {
+            true => {
+                let found = run_train(case, &KeptFields::Highest, with_draws, &|_, _| {})?;
+                let meshes = found.meshes.iter();
+                let outside = meshes.flat_map(|mesh| codes(&mesh.result.warnings));
+                (found.result, outside.collect())
+            }
+            false => {
+                let outside = RefCell::new(BTreeSet::new());
+                let noted = |case: &LoadedCase| {
+                    let (losses, draws) = of_mesh(case)?;
+                    outside.borrow_mut().extend(codes(&losses.warnings));
+                    Ok((losses, draws))
+                };
+                let found = train_losses(case, &noted)?;
+                (found, outside.into_inner())
+            }
         };
-        return Ok((numbers_of(&found), found.loss_distribution.map(of_draws)));
+        let mut parts = found.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
+        if parts.any(|part| !part.outside.is_empty()) {
+            outside.insert("W401".to_owned());
+        }
+        return Ok(Found {
+            numbers: numbers_of(&found),
+            drawn: found.loss_distribution.map(of_draws),
+            outside: joined(&outside),
+        });
     };
     let numbers = |summary: &Summary| serde_json::to_value(summary).unwrap_or_default();
     if with_contacts {
         let run = Run::new(pair).without_pictures().band(with_draws);
         let found = run.execute()?.result;
         let drawn = found.uncertainty.map(|found| found.loss);
-        return Ok((
-            numbers(&found.summary),
-            drawn.map(|loss| columns(loss.median_w, loss.quantiles_w)),
-        ));
+        return Ok(Found {
+            numbers: numbers(&found.summary),
+            drawn: drawn.map(|loss| columns(loss.median_w, loss.quantiles_w)),
+            outside: joined(&codes(&found.warnings)),
+        });
     }
     let (losses, draws) = of_mesh(pair)?;
-    let drawn = draws.map(|draws| of_draws(Quantiles::of(&draws.draws_w())));
-    Ok((numbers(&losses.summary), drawn))
+    Ok(Found {
+        numbers: numbers(&losses.summary),
+        drawn: draws.map(|draws| of_draws(Quantiles::of(&draws.draws_w()))),
+        outside: joined(&codes(&losses.warnings)),
+    })
 }
 
 /// Losses of a mesh with its draws, if they are requested and it has some.
@@ -247,12 +316,12 @@ fn mesh_losses(
 }
 
 /// The columns of a case.
-fn values((value, drawn): &Found, names: &[String]) -> Vec<String> {
+fn values(found: &Found, names: &[String]) -> Vec<String> {
     let of_draws = |name: &str| {
         let place = DRAWN.iter().position(|drawn| *drawn == name)?;
-        Some(drawn.as_ref()?[place].to_string())
+        Some(found.drawn?[place].to_string())
     };
-    let of = |name: &String| match value.get(name) {
+    let of = |name: &String| match found.numbers.get(name) {
         _ if is_drawn(name) => of_draws(name).unwrap_or_default(),
         Some(Value::Number(number)) => number.to_string(),
         // A known column without a number in this case.
