@@ -204,10 +204,13 @@ fn merged(mut base: Value, change: &Value) -> Value {
     base
 }
 
+/// A value with another one in place of one of its entries.
+type Replace<'a> = Box<dyn Fn(Value) -> Value + 'a>;
+
 /// Every way to scale one number, which is not zero, of `value` by `factor`, with the path of its key.
 fn scaled(value: &Value, path: &str, factor: f64, found: &mut Vec<(String, Value)>) {
     let below = |name: &str| format!("{path}.{name}").trim_start_matches('.').to_owned();
-    let mut inner: Vec<(String, Value, Box<dyn Fn(Value) -> Value + '_>)> = Vec::new();
+    let mut inner: Vec<(String, Value, Replace<'_>)> = Vec::new();
     match value {
         Value::Object(keys) => {
             for (key, old) in keys {
