@@ -54,6 +54,7 @@ pub struct Train {
 
 /// A case as content, which is pickled.
 #[derive(FromPyObject, IntoPyObject)]
+#[pyo3(from_item_all)]
 struct CaseContent {
     /// Path of the case file as the user gave it.
     name: String,

@@ -35,6 +35,12 @@ def _value(text: str) -> Any:
         return text
 
 
+def _title(code: str) -> str:
+    """What a code is about."""
+    explained = _asperity.explain(code)
+    return explained[0] if explained else ""
+
+
 class Sweep(Iterator[Record]):
     """The cases of a study, run as they are asked for: an iterator of rows.
 
@@ -102,7 +108,7 @@ class Sweep(Iterator[Record]):
             self._told.call(len(self._rows), len(self._raw))
         firsts = {code: row["case"] for row in reversed(self._rows[first:]) for code in row["outside"].split()}
         warn(
-            f"{code} {(_asperity.explain(code) or ("",))[0]}, first in case {case}; the column outside shows which cases have it"
+            f"{code} {_title(code)}, first in case {case}; the column outside shows which cases have it"
             for code, case in sorted(firsts.items())
             if code not in known
         )
