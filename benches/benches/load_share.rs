@@ -83,8 +83,8 @@ fn benches(criterion: &mut Criterion) {
     let film = || PositionFilm::new(&rheology, &contact, black_box(bulk), &settings);
     let pair = PairSpectrum::of(spectra.each_ref());
     let attenuate = || {
-        let attenuation = film().expect("a film").attenuation(&pair);
-        AttenuatedTraces::new(spectra.each_ref(), &attenuation.expect("an inlet"))
+        let flattening = film().expect("a film").flattening(&pair);
+        AttenuatedTraces::new(spectra.each_ref(), &flattening.expect("an inlet"))
     };
     criterion.bench_function("film and attenuation of a position", |bencher| {
         bencher.iter(attenuate);
@@ -94,8 +94,8 @@ fn benches(criterion: &mut Criterion) {
     let mut position = film().expect("a film");
     criterion.bench_function("load share of a window by its table", |bencher| {
         bencher.iter(|| {
-            let rms = attenuated.window_rms(starts, WINDOW).expect("a window");
-            position.share(&table, rms)
+            let roughness = attenuated.window(starts, WINDOW).expect("a window");
+            position.share(&table, &roughness)
         });
     });
 }

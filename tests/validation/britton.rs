@@ -150,11 +150,11 @@ fn friction(gap_law: GapLaw, celsius: f64, windows: &Windows) -> (Estimate, f64)
     let bulk = Temperature::from_si(celsius + 273.15);
     let mut film = PositionFilm::new(&oil, &contact, bulk, &settings).unwrap();
     let spectra = flanks.map(|z| TraceSpectrum::new(z.heights(), z.spacing()).unwrap());
-    let attenuation = film.attenuation(&PairSpectrum::of(spectra.each_ref()));
+    let attenuation = film.flattening(&PairSpectrum::of(spectra.each_ref()));
     let attenuated = AttenuatedTraces::new(spectra.each_ref(), &attenuation.unwrap());
     let coefficients = windows.contacts.iter().map(|(starts, table)| {
-        let rms = attenuated.window_rms(*starts, windows.points).unwrap();
-        film.share(table, rms).unwrap().value.coefficient
+        let roughness = attenuated.window(*starts, windows.points).unwrap();
+        film.share(table, &roughness).unwrap().value.coefficient
     });
     let coefficients: Vec<f64> = coefficients.collect();
     let value = coefficients.iter().sum::<f64>() / WINDOWS as f64;

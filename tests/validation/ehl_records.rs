@@ -12,7 +12,9 @@ use std::sync::OnceLock;
 use asperity::LoadedCase;
 use asperity::ehl::RecordSettings;
 use asperity::lubrication::{ComparedWindow, WINDOWS, compared_windows, share_settings};
-use asperity::mixed_film::{AttenuatedTraces, PositionFilm};
+use asperity::mixed_film::{
+    AttenuatedTraces, GapRoughness, LoadShareSettings, LoadShareSolution, PositionFilm,
+};
 use asperity::reference_solution::{LARGEST_ROUGHNESS, ReferenceContact, ReferenceSettings};
 use asperity::uncertainty::model_deviation;
 use asperity_core::Profile;
@@ -33,7 +35,7 @@ use mixed_ehl_records::EYRING_STRESS;
     dead_code,
     reason = "the example also makes the records, which takes minutes"
 )]
-mod mixed_ehl_records;
+pub mod mixed_ehl_records;
 
 /// Difference of the loads below 20 and 50 nm above which a record has no defined share.
 const UNDEFINED: f64 = 0.15;
@@ -197,18 +199,15 @@ fn compared(
 }
 
 /// The contact of a condition with its windows.
-struct Windows {
+pub struct Windows {
     loaded: LoadedCase,
     contact: ReferenceContact,
     windows: Vec<ComparedWindow>,
     spectra: [TraceSpectrum; 2],
-    /// Whether σ_d of a window is √2 times the root mean square of the heights above their mean line alone, which is the same for
-    /// heights that are distributed evenly about it.
-    of_peaks: bool,
 }
 
 impl Windows {
-    fn of(condition: &mixed_ehl_records::Condition, count: usize) -> Self {
+    pub fn of(condition: &mixed_ehl_records::Condition, count: usize) -> Self {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let loaded = condition.load(&workspace).unwrap();
         // As the records: isothermal, ridges across the face.
@@ -231,25 +230,22 @@ impl Windows {
             contact,
             windows,
             spectra,
-            of_peaks: false,
         }
     }
 
-    /// σ_d of the heights of a window above their mean line.
-    fn of_peaks(heights: &[Vec<f64>; 2], window: &ComparedWindow) -> Length {
-        let part = |k: usize| heights[k][window.starts[k]..].iter().take(window.points);
-        let sum: Vec<f64> = part(0).zip(part(1)).map(|(a, b)| a + b).collect();
-        let mean = sum.iter().sum::<f64>() / sum.len() as f64;
-        let squares = sum.iter().map(|z| (z - mean).max(0.0).powi(2));
-        Length::from_si((2.0 * squares.sum::<f64>() / sum.len() as f64).sqrt())
+    /// The choices of the case, with heat.
+    pub fn settings(&self) -> LoadShareSettings {
+        share_settings(&self.loaded, &self.contact).unwrap()
     }
 
-    /// The fast model with the constants of the records and no thermal reduction of the film, with Ψ in the length of the inlet from both whole traces or from each window.
-    fn fast(&self, law: GapLaw, of_each_window: bool, heat: FilmHeat) -> Fast {
+    /// The fast model in every window with the constants of the records and no thermal reduction of the film, with Ψ in the length
+    /// of the inlet from both whole traces or from each window.
+    pub fn solutions(
+        &self,
+        settings: &LoadShareSettings,
+        of_each_window: bool,
+    ) -> Vec<LoadShareSolution> {
         let case = &self.loaded.case;
-        let mut settings = share_settings(&self.loaded, &self.contact).unwrap();
-        settings.gap_law = law;
-        settings.film.heat = heat;
         let line = (self.contact.position).line_contact(case.modulus, case.materials);
         let rheology = case.rheology.clone().unwrap();
         let constants = TractionConstants {
@@ -260,29 +256,41 @@ impl Windows {
             ..*rheology.constants()
         };
         let rheology = rheology.with_constants(constants).unwrap();
-        let mut film = PositionFilm::new(&rheology, &line, case.temperature, &settings).unwrap();
+        let mut film = PositionFilm::new(&rheology, &line, case.temperature, settings).unwrap();
         let spectra = self.spectra.each_ref();
-        let attenuation = film.attenuation(&PairSpectrum::of(spectra)).unwrap();
-        let whole = AttenuatedTraces::new(spectra, &attenuation);
-        let heights = TraceSpectrum::attenuated_pair(spectra, &attenuation);
-        let found = self.windows.iter().map(|window| {
-            let mut rms = match self.of_peaks {
-                true => Self::of_peaks(&heights, window),
-                false => whole.window_rms(window.starts, window.points).unwrap(),
-            };
+        let flattening = film.flattening(&PairSpectrum::of(spectra)).unwrap();
+        let whole = AttenuatedTraces::new(spectra, &flattening);
+        let of_window = |window: &ComparedWindow| {
+            let mut roughness = whole.window(window.starts, window.points).unwrap();
             let next = |rms: Length| {
                 let psi = inlet_factor(rms, film.supply_film(), settings.lay).unwrap();
                 let scale = film.nabla_per_length() * psi.powf(-1.0 / 3.0);
-                let attenuation = Attenuation::new(law, scale).unwrap();
-                let traces = AttenuatedTraces::new(spectra, &attenuation);
-                traces.window_rms(window.starts, window.points).unwrap()
+                let attenuation = Attenuation::new(settings.gap_law, scale).unwrap();
+                let traces = AttenuatedTraces::new(spectra, &attenuation.into());
+                let window = traces.window(window.starts, window.points);
+                window.unwrap().deviation
             };
             for _ in 0..WINDOW_ITERATIONS * usize::from(of_each_window) {
+                let rms = roughness.deviation;
                 let (first, second) = (next(rms), next(next(rms)));
                 let (step, change) = (first - rms, second - first - first + rms);
-                rms = rms - step * (step / change);
+                roughness.deviation = rms - step * (step / change);
             }
-            let solved = film.share(&window.contact, rms).unwrap().value;
+            film.share(&window.contact, &roughness).unwrap().value
+        };
+        self.windows.iter().map(of_window).collect()
+    }
+
+    fn fast(&self, law: GapLaw, of_each_window: bool, heat: FilmHeat) -> Fast {
+        let mut settings = self.settings();
+        settings.gap_law = law;
+        settings.film.heat = heat;
+        self.fast_by(&settings, of_each_window)
+    }
+
+    fn fast_by(&self, settings: &LoadShareSettings, of_each_window: bool) -> Fast {
+        let solved = self.solutions(settings, of_each_window);
+        let found = solved.iter().map(|solved| {
             [
                 solved.asperity_share,
                 solved.mean_gap.si() * 1e6,
@@ -539,7 +547,7 @@ fn by_cause(table: &str, conditions: Vec<mixed_ehl_records::Condition>) -> Vec<B
     let records = records(table);
     let rows = conditions.into_par_iter().map(|condition| {
         let record = &records[&condition.name];
-        let mut many = Windows::of(&condition, MANY_WINDOWS);
+        let many = Windows::of(&condition, MANY_WINDOWS);
         let few = Windows::of(&condition, WINDOWS);
         let cold = |windows: &Windows| windows.fast(GapLaw::Inlet, false, FilmHeat::Isothermal);
         let hot = |windows: &Windows| {
@@ -548,8 +556,14 @@ fn by_cause(table: &str, conditions: Vec<mixed_ehl_records::Condition>) -> Vec<B
                 .friction
         };
         let (first, second) = ((cold(&few), hot(&few)), (cold(&many), hot(&many)));
-        many.of_peaks = true;
-        let third = (cold(&many), hot(&many));
+        let of_peaks = |heat: FilmHeat| {
+            let mut settings = many.settings();
+            settings.gap_roughness = GapRoughness::Peaks;
+            settings.film.heat = heat;
+            many.fast_by(&settings, false)
+        };
+        let third = [FilmHeat::Isothermal, FilmHeat::FilmAndSurfaces].map(of_peaks);
+        let third = (third[0], third[1].friction);
         let share = 0.5 * (record.below[0] + record.below[1]);
         let is_defined = record.below[1] - record.below[0] <= UNDEFINED;
         let all = [first, second, third];

@@ -11,6 +11,7 @@ mod britton;
 mod comparison;
 mod document;
 mod ehl_records;
+mod film_records;
 mod fluid_film;
 mod full_film_losses;
 mod gate;

@@ -7,6 +7,8 @@
 //! | M, L | Moes' load and material number, with the sum of the surface speeds | - |
 //! | ∇ | dimensionless wavelength (l/a) M^(3/4) L^(−1/2) | - |
 //! | A | amplitude in the contact over amplitude outside | - |
+//! | E* | reduced modulus | Pa |
+//! | p′ | pressure that flattens a wave | Pa |
 //! | σ_d | standard deviation of the deformed composite window | m |
 //!
 //! Source: C. H. Venner, F. Couhier, A. A. Lubrecht, J. A. Greenwood (1997), equation 5 as quoted by an open
@@ -18,7 +20,7 @@
 use std::sync::Arc;
 
 use asperity_core::numerics::{complex_inverse, real_transforms};
-use asperity_core::quantity::Length;
+use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, cite};
 use rustfft::Fft;
 use rustfft::num_complex::Complex;
@@ -141,6 +143,36 @@ impl Attenuation {
         1.0 / (1.0 + nabla * (first + second * nabla))
     }
 
+    /// Pressure that flattens a wave from its height outside to its height in the contact, over the height outside \[Pa/m\].
+    ///
+    /// ```text
+    /// p′/z = (π E*/l) (1 − A)                                               [Ripple-pressure]
+    /// ```
+    ///
+    /// A wave of pressure of amplitude p displaces both surfaces by p l/(π E*).
+    ///
+    /// ```
+    /// use asperity_core::quantity::{Length, Pressure};
+    /// use asperity_ehl_regime::{Attenuation, GapLaw};
+    /// let (wave, modulus) = (Length::from_si(50e-6), Pressure::from_si(115e9));
+    /// let pressure = |nabla| Attenuation::new(GapLaw::Inlet, nabla).map(|a| a.ripple(wave, modulus));
+    /// assert_eq!(pressure(0.0)?, 0.0);
+    /// // A wave that is pressed flat altogether.
+    /// assert!((pressure(1e12)? / (std::f64::consts::PI * 115e9 / 50e-6) - 1.0).abs() < 1e-12);
+    /// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+    /// ```
+    #[must_use]
+    pub fn ripple(&self, wavelength: Length, modulus: Pressure) -> f64 {
+        cite!("Ripple-pressure");
+        self.ripple_of(wavelength, modulus)
+    }
+
+    /// [`ripple`](Self::ripple) for a loop over many waves, around which the equation is cited.
+    fn ripple_of(&self, wavelength: Length, modulus: Pressure) -> f64 {
+        let flattened = 1.0 - self.ratio_of(wavelength);
+        std::f64::consts::PI * modulus.si() / wavelength.si() * flattened
+    }
+
     /// Slope dA/d ln ∇ at a wavelength.
     ///
     /// ```
@@ -238,14 +270,32 @@ impl TraceSpectrum {
         [first, second]: [&Self; 2],
         attenuation: &Attenuation,
     ) -> [Vec<f64>; 2] {
+        cite!("Venner");
+        Self::filtered_pair([first, second], |wavelength| {
+            attenuation.ratio_of(wavelength)
+        })
+    }
+
+    /// Pressures \[Pa\] that flatten two traces as [`attenuated_pair`](Self::attenuated_pair) leaves them, by
+    /// \[Ripple-pressure\], free of their mean.
+    #[must_use]
+    pub fn ripple_pair(
+        [first, second]: [&Self; 2],
+        attenuation: &Attenuation,
+        modulus: Pressure,
+    ) -> [Vec<f64>; 2] {
+        cite!("Ripple-pressure");
+        Self::filtered_pair([first, second], |wavelength| {
+            attenuation.ripple_of(wavelength, modulus)
+        })
+    }
+
+    fn filtered_pair([first, second]: [&Self; 2], factor: impl Fn(Length) -> f64) -> [Vec<f64>; 2] {
+        cite!("Attenuated-trace");
         if first.points == second.points && first.spacing == second.spacing {
-            cite!("Attenuated-trace");
-            cite!("Venner");
-            Self::transformed(first, Some(second), |wavelength| {
-                attenuation.ratio_of(wavelength)
-            })
+            Self::transformed(first, Some(second), factor)
         } else {
-            [first, second].map(|trace| trace.attenuated(attenuation))
+            [first, second].map(|trace| trace.filtered(&factor))
         }
     }
 

@@ -131,8 +131,9 @@ impl Lay {
         ))
     }
 
-    /// t = (3/(1 + γ) − 1)/2
-    fn factor(self) -> f64 {
+    /// Lay factor t = (3/(1 + γ) − 1)/2: 1 for ridges across the face, ¼ without a lay.
+    #[must_use]
+    pub fn factor(self) -> f64 {
         0.5 * (3.0 / (1.0 + self.0) - 1.0)
     }
 }

@@ -107,14 +107,14 @@ pub fn main() -> Outcome<()> {
             bodies: [steel(), steel()],
         };
         let mut film = PositionFilm::new(&rheology, &contact, bulk(), &settings)?;
-        let attenuation = film.attenuation(&PairSpectrum::of(spectra.each_ref()))?;
-        let traces = AttenuatedTraces::new(spectra.each_ref(), &attenuation);
+        let flattening = film.flattening(&PairSpectrum::of(spectra.each_ref()))?;
+        let traces = AttenuatedTraces::new(spectra.each_ref(), &flattening);
         let mut sums = [0.0; 4];
         for (starts, table) in &windows {
-            let rms = traces.window_rms(*starts, points)?;
-            let found = film.share(table, rms)?.value;
+            let roughness = traces.window(*starts, points)?;
+            let found = film.share(table, &roughness)?.value;
             let values = [
-                rms.si() * 1e6,
+                roughness.deviation.si() * 1e6,
                 found.asperity_share,
                 found.mean_gap.si() * 1e6,
                 found.coefficient,

@@ -1,98 +1,97 @@
 //! Both whole traces as the inlet of one contact leaves them.
 
+use asperity_core::DomainError;
 use asperity_core::profile::mirrored_window;
-use asperity_core::quantity::Length;
-use asperity_core::{DomainError, cite};
-use asperity_ehl_regime::{Attenuation, TraceSpectrum};
+use asperity_ehl_regime::TraceSpectrum;
 
 use crate::error::LoadShareError;
+use crate::window_roughness::{Flattening, WindowRoughness, deviation_gradient};
 
 /// Two prepared traces, attenuated for one contact, from which windows are cut.
 #[derive(Debug, Clone)]
 pub struct AttenuatedTraces {
     heights: [Vec<f64>; 2],
+    /// Pressures that flatten the heights \[Pa\], if the film needs them.
+    pressures: Option<[Vec<f64>; 2]>,
+    peak_weight: f64,
 }
 
 impl AttenuatedTraces {
     /// The traces behind two spectra, flattened as
-    /// [`PositionFilm::attenuation`](crate::PositionFilm::attenuation) gives it.
+    /// [`PositionFilm::flattening`](crate::PositionFilm::flattening) returns it.
     #[must_use]
-    pub fn new(traces: [&TraceSpectrum; 2], attenuation: &Attenuation) -> Self {
+    pub fn new(traces: [&TraceSpectrum; 2], flattening: &Flattening) -> Self {
+        let attenuation = &flattening.attenuation;
+        let ripple = |modulus| TraceSpectrum::ripple_pair(traces, attenuation, modulus);
         Self {
             heights: TraceSpectrum::attenuated_pair(traces, attenuation),
+            pressures: flattening.ripple_modulus.map(ripple),
+            peak_weight: flattening.peak_weight,
         }
     }
 
-    /// Standard deviation σ_d of the sum of two windows of `points` cells that begin at `starts`.
+    /// Roughness of two windows of `points` cells together that begin at `starts`.
     ///
     /// # Errors
     /// When a window leaves its trace or is empty.
-    pub fn window_rms(&self, starts: [usize; 2], points: usize) -> Result<Length, LoadShareError> {
+    pub fn window(
+        &self,
+        starts: [usize; 2],
+        points: usize,
+    ) -> Result<WindowRoughness, LoadShareError> {
         let rule = "must be at least 1";
         DomainError::require(points > 0, "points of the window", points as f64, "-", rule)?;
-        let part = |k: usize| {
-            let available = self.heights[k].len();
-            let end = starts[k].saturating_add(points);
-            self.heights[k]
-                .get(starts[k]..end)
-                .ok_or(LoadShareError::WindowBeyondTrace {
-                    start: starts[k],
+        for (heights, start) in self.heights.iter().zip(starts) {
+            let available = heights.len();
+            if start.saturating_add(points) > available {
+                return Err(LoadShareError::WindowBeyondTrace {
+                    start,
                     points,
                     available,
-                })
+                });
+            }
+        }
+        let sums = |of: &[Vec<f64>; 2]| -> Vec<f64> {
+            let [first, second] = [0, 1].map(|k: usize| &of[k][starts[k]..starts[k] + points]);
+            first.iter().zip(second).map(|(a, b)| a + b).collect()
         };
-        Ok(deviation(part(0)?, part(1)?))
+        Ok(self.of(sums))
+    }
+
+    fn of(&self, window: impl Fn(&[Vec<f64>; 2]) -> Vec<f64>) -> WindowRoughness {
+        let pressures = self.pressures.as_ref().map(&window);
+        let heights = window(&self.heights);
+        WindowRoughness::of(&heights, pressures.as_deref(), self.peak_weight)
     }
 
     /// Derivative of σ_d over the sum of the heights at each point of two windows, which are mirrored beyond the ends of their
     /// traces; zero where σ_d is.
-    ///
-    /// ```text
-    /// ∂σ_d/∂y_i = (y_i − ȳ)/(n σ_d)                                              [Rms-gradient]
-    /// ```
     #[must_use]
     pub fn rms_gradient(&self, starts: [isize; 2], points: usize) -> Vec<f64> {
-        cite!("Rms-gradient");
-        let [first, second] =
-            [0, 1].map(|k: usize| mirrored_window(&self.heights[k], starts[k], points));
-        let deviation = deviation(&first, &second).si();
-        let sums: Vec<f64> = first.iter().zip(&second).map(|(a, b)| a + b).collect();
-        let n = points as f64;
-        let mean = sums.iter().sum::<f64>() / n;
-        let of = |y: &f64| match deviation > 0.0 {
-            true => (y - mean) / (n * deviation),
-            false => 0.0,
-        };
-        sums.iter().map(of).collect()
+        deviation_gradient(
+            &mirrored_sums(&self.heights, starts, points),
+            self.peak_weight,
+        )
     }
 
-    /// The same of windows that may reach beyond the ends of their traces, where these are mirrored.
-    pub(crate) fn mirrored_rms(
+    /// [`window`](Self::window) that may reach beyond the ends of the traces, where these are mirrored.
+    pub(crate) fn mirrored(
         &self,
         starts: [isize; 2],
         points: usize,
-    ) -> Result<Length, LoadShareError> {
+    ) -> Result<WindowRoughness, LoadShareError> {
         let inside = |k: usize| {
             let start = usize::try_from(starts[k]).ok()?;
             (start + points <= self.heights[k].len()).then_some(start)
         };
         if let (Some(first), Some(second)) = (inside(0), inside(1)) {
-            return self.window_rms([first, second], points);
+            return self.window([first, second], points);
         }
-        let part = |k: usize| mirrored_window(&self.heights[k], starts[k], points);
-        Ok(deviation(&part(0), &part(1)))
+        Ok(self.of(|of| mirrored_sums(of, starts, points)))
     }
 }
 
-/// Standard deviation of the sum of two windows.
-pub(crate) fn deviation(first: &[f64], second: &[f64]) -> Length {
-    let (mut sum, mut squares) = (0.0, 0.0);
-    for (a, b) in first.iter().zip(second) {
-        let z = a + b;
-        sum += z;
-        squares += z * z;
-    }
-    let n = first.len() as f64;
-    let mean = sum / n;
-    Length::from_si((squares / n - mean * mean).max(0.0).sqrt())
+fn mirrored_sums(of: &[Vec<f64>; 2], starts: [isize; 2], points: usize) -> Vec<f64> {
+    let [first, second] = [0, 1].map(|k: usize| mirrored_window(&of[k], starts[k], points));
+    first.iter().zip(&second).map(|(a, b)| a + b).collect()
 }

@@ -5,9 +5,9 @@ use asperity_core::line_contact::LineContact;
 use asperity_core::quantity::Length;
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_oil::FilmRheology;
-use asperity_tribo_friction::film_friction::solve;
 use asperity_tribo_friction::{
     FilmContact, FilmFriction, FilmLineContact, FilmSettings, FilmTraction, FrictionError,
+    LoadedFilm,
 };
 
 /// Friction of a film of the oil of a case: shear law, limiting shear stress, heat of film and surfaces.
@@ -51,8 +51,9 @@ impl FilmFriction for FilmAlone {
             film: self.film(at),
             temperature: at.bulk_temperature,
         };
-        let solved = solve(&self.rheology, &contact, FilmSettings::default())?;
-        Ok(solved.map(|solution| {
+        let mut film = LoadedFilm::new(&self.rheology, &contact, FilmSettings::default())?;
+        film.carry(at.film_share)?;
+        Ok(film.solve()?.map(|solution| {
             FilmTraction::of(solution.coefficient)
                 .with_rises(solution.surface_rise, solution.largest_film_rise)
         }))

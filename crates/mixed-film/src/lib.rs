@@ -16,7 +16,7 @@
 //! |---|---|
 //! | contact under prescribed film pressure | [`RoughContact`] |
 //! | the same at those of twelve shares that a film needs, once per window | [`ContactTable`] |
-//! | roughness flattened in the inlet | [`AttenuatedTraces`], [`TraceSpectra`] |
+//! | roughness flattened in the inlet | [`AttenuatedTraces`], [`TraceSpectra`], [`WindowRoughness`] |
 //! | film, share and friction at one temperature and speed | [`PositionFilm`], [`LoadShareSolution`] |
 //! | gradient of the friction over the heights | [`ShareGradient`] |
 //! | friction of the film without asperities | [`FilmAlone`] |
@@ -49,6 +49,7 @@ mod solution;
 mod spot_tree;
 mod spots;
 mod trace_spectra;
+mod window_roughness;
 
 pub use attenuated_traces::AttenuatedTraces;
 pub use contact_table::{ContactTable, TABLE_SHARES, TableRow};
@@ -61,3 +62,4 @@ pub use rough_contact::{ContactState, RoughContact, RoughWindow};
 pub use solution::{LineLosses, LoadShareSolution, ShareEvidence};
 pub use spot_tree::Spot;
 pub use trace_spectra::TraceSpectra;
+pub use window_roughness::{FilmPressure, Flattening, GapRoughness, RipplePart, WindowRoughness};

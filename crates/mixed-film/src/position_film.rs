@@ -15,8 +15,10 @@ use asperity_ehl_regime::{
     ThermalLaw, thermal_loading,
 };
 use asperity_oil::FilmRheology;
-use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, SharedFriction};
-use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmSettings, LoadedFilm};
+use asperity_tribo_friction::boundary::{
+    BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER_BOUNDARY, SharedFriction,
+};
+use asperity_tribo_friction::{FilmHeat, FilmLineContact, FilmRipple, FilmSettings, LoadedFilm};
 use serde::{Deserialize, Serialize};
 
 use crate::contact_table::ContactTable;
@@ -24,7 +26,8 @@ use crate::error::LoadShareError;
 use crate::rough_contact::{ContactState, RoughContact};
 use crate::solution::{LineLosses, LoadShareSolution, ShareEvidence};
 use crate::spot_tree::Spot;
-use crate::spots::{SpotConditions, SpotFriction};
+use crate::spots::{Feed, SpotConditions, SpotFriction, SpotStresses};
+use crate::window_roughness::{FilmPressure, Flattening, GapRoughness, WindowRoughness};
 
 /// Relative step at which the secant iteration for friction ends: it leaves 2e-12 in the root mean square, 2e-10 at most, of the
 /// windows of two shipped cases.
@@ -32,8 +35,13 @@ const TOLERANCE: f64 = 1e-6;
 /// Relative step in φ^¼ at which the direct solves end: 4e-8 of the share.
 const DIRECT_TOLERANCE: f64 = 1e-8;
 
-/// Shear stress of every spot of some contacts at the last temperature \[Pa\], if known.
-type Stresses = Vec<Vec<Option<f64>>>;
+/// Shear stresses of every spot of some contacts at the last temperature.
+type Stresses = Vec<Vec<SpotStresses>>;
+
+/// Thinnest film in a valley or on a peak of the ripple, over the smooth film.
+const THINNEST_RIPPLE: f64 = 0.2;
+/// Lay factors t of the lays 1 and 1/3: σ_d is of all heights at the first, of the heights above the mean line at the second.
+const PEAK_LAYS: [f64; 2] = [0.25, 0.625];
 
 /// Friction coefficient that no lubricated contact reaches: the upper end of its bracket.
 const MOST_FRICTION: f64 = 1.0;
@@ -59,16 +67,17 @@ pub enum InletSupply {
     Smooth,
 }
 
-/// Speed that carries oil into a touching spot.
+/// Film that a touching spot carries with it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum SpotSpeed {
-    /// The entrainment speed of the whole contact.
+    /// The film of the inlet until the flanks have slid past the spot; a spot that forms inside the contact has no film that flows.
+    Carried,
+    /// The film of the entrainment speed of the whole contact, in every spot.
     #[default]
     Entrainment,
-    /// Half the sliding speed: a spot moves with its flank. The largest structural choice of the model; neither
-    /// is derived, and this one is for the band.
+    /// The film of half the sliding speed, in every spot.
     HalfSliding,
 }
 
@@ -100,8 +109,14 @@ pub struct LoadShareSettings {
     pub supply: InletSupply,
     /// Law of the supply of rough flanks.
     pub gap_law: GapLaw,
-    /// Speed that carries oil into a touching spot.
+    /// Film that a touching spot carries with it.
     pub spot_speed: SpotSpeed,
+    /// Least boundary share β_i of spots that form inside the contact, with [`SpotSpeed::Carried`].
+    pub inner_boundary: f64,
+    /// Pressure at which the film shears.
+    pub film_pressure: FilmPressure,
+    /// Heights that count in the supply.
+    pub gap_roughness: GapRoughness,
     /// Factor on the asperity share after it is solved; 1, and ½ for the band.
     pub share_factor: f64,
     /// Nodes and heat of the film friction.
@@ -119,7 +134,10 @@ impl Default for LoadShareSettings {
             central_film: CentralFilm::MassFlow,
             supply: InletSupply::Rough,
             gap_law: GapLaw::default(),
-            spot_speed: SpotSpeed::Entrainment,
+            spot_speed: SpotSpeed::default(),
+            inner_boundary: INNER_BOUNDARY,
+            film_pressure: FilmPressure::default(),
+            gap_roughness: GapRoughness::default(),
             share_factor: 1.0,
             film: FilmSettings::default(),
         }
@@ -136,11 +154,11 @@ impl Default for LoadShareSettings {
 /// #     points: usize) -> Result<(), Box<dyn std::error::Error>> {
 /// let settings = LoadShareSettings::default();
 /// let mut film = PositionFilm::new(rheology, &contact, "90 °C".parse()?, &settings)?;
-/// let attenuation = film.attenuation(&PairSpectrum::of(spectra))?;
-/// let traces = AttenuatedTraces::new(spectra, &attenuation);
+/// let flattening = film.flattening(&PairSpectrum::of(spectra))?;
+/// let traces = AttenuatedTraces::new(spectra, &flattening);
 /// for (table, starts) in tables.iter().zip(starts) {
-///     let rms = traces.window_rms(*starts, points)?;
-///     println!("mu {:.4}", film.share(table, rms)?.value.coefficient);
+///     let window = traces.window(*starts, points)?;
+///     println!("mu {:.4}", film.share(table, &window)?.value.coefficient);
 /// }
 /// # Ok(())
 /// # }
@@ -236,6 +254,10 @@ impl<'a> PositionFilm<'a> {
         let rule = "must be above 0 and not above 1";
         let fits = factor > 0.0 && factor <= 1.0;
         DomainError::require(fits, "factor on the asperity share", factor, "-", rule)?;
+        let inner = settings.inner_boundary;
+        let rule = "must lie between 0 and 1";
+        let fits = (0.0..=1.0).contains(&inner);
+        DomainError::require(fits, "boundary share of inner spots", inner, "-", rule)?;
         let conditions = conditions(rheology, contact, bulk)?;
         let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)?;
         let central = settings
@@ -296,13 +318,26 @@ impl<'a> PositionFilm<'a> {
     ///
     /// # Errors
     /// When the film is not positive.
-    pub fn attenuation(&mut self, traces: &PairSpectrum) -> Result<Attenuation, LoadShareError> {
+    pub fn flattening(&mut self, traces: &PairSpectrum) -> Result<Flattening, LoadShareError> {
         let smooth = Attenuation::new(self.gap_law, self.nabla)?;
-        if self.gap_law == GapLaw::Power {
-            return Ok(smooth);
-        }
-        self.roughness_over_film = Some(traces.roughness(&smooth) / self.mass_flow);
-        Ok(self.inlet(traces)?.attenuation)
+        let attenuation = match self.gap_law {
+            GapLaw::Power => smooth,
+            GapLaw::Inlet => {
+                self.roughness_over_film = Some(traces.roughness(&smooth) / self.mass_flow);
+                self.inlet(traces)?.attenuation
+            }
+        };
+        let [of_all, of_peaks] = PEAK_LAYS;
+        let lay = (self.settings.lay.factor() - of_all) / (of_peaks - of_all);
+        Ok(Flattening {
+            attenuation,
+            peak_weight: match self.settings.gap_roughness {
+                GapRoughness::Peaks => lay.clamp(0.0, 1.0),
+                GapRoughness::Rms => 0.0,
+            },
+            ripple_modulus: (self.settings.film_pressure == FilmPressure::Rippled)
+                .then_some(self.contact.modulus),
+        })
     }
 
     fn inlet(&self, traces: &PairSpectrum) -> Result<RoughInlet, LoadShareError> {
@@ -324,25 +359,23 @@ impl<'a> PositionFilm<'a> {
     pub fn solve_rows<E: From<LoadShareError>>(
         &self,
         table: &ContactTable,
-        attenuated_rms: Length,
+        window: &WindowRoughness,
         contact: impl FnOnce() -> Result<RoughContact, E>,
     ) -> Result<(), E> {
-        let supply = self.supply_of(self.inlet_factor(attenuated_rms)?)?;
+        let supply = self.supply_of(self.inlet_factor(window.deviation)?)?;
         table.solve_for(&supply, contact)
     }
 
     /// Load share and friction of a window known by its table.
-    ///
-    /// `attenuated_rms` is σ_d of the window.
     ///
     /// # Errors
     /// When σ_d is negative, a row of the table is needed and not solved or an iteration does not end.
     pub fn share(
         &mut self,
         table: &ContactTable,
-        attenuated_rms: Length,
+        window: &WindowRoughness,
     ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
-        let psi = self.inlet_factor(attenuated_rms)?;
+        let psi = self.inlet_factor(window.deviation)?;
         let supply = self.supply_of(psi)?;
         let found = table.at_supply(&supply)?;
         let touching = match &found {
@@ -363,7 +396,7 @@ impl<'a> PositionFilm<'a> {
                 ],
             },
         };
-        self.conclude(&touching, attenuated_rms, psi)
+        self.conclude(&touching, window, psi)
     }
 
     /// Load share and friction of a window by direct contact solves, with the contact at the solved share.
@@ -373,14 +406,14 @@ impl<'a> PositionFilm<'a> {
     pub fn share_by_direct_solves(
         &mut self,
         contact: &mut RoughContact,
-        attenuated_rms: Length,
+        window: &WindowRoughness,
     ) -> Result<(Checked<LoadShareSolution>, Option<ContactState>), LoadShareError> {
-        let psi = self.inlet_factor(attenuated_rms)?;
+        let psi = self.inlet_factor(window.deviation)?;
         let supply = self.supply_of(psi)?;
         let share = direct_share(contact, &supply)?;
         if share.value == 0.0 {
             let touching = self.untouched(supply(0.0));
-            let solution = self.conclude(&touching, attenuated_rms, psi)?;
+            let solution = self.conclude(&touching, window, psi)?;
             return Ok((solution, None));
         }
         let state = contact.at(share.value)?;
@@ -396,7 +429,7 @@ impl<'a> PositionFilm<'a> {
                 state.solution.certificate.duality_gap,
             ],
         };
-        let solution = self.conclude(&touching, attenuated_rms, psi)?;
+        let solution = self.conclude(&touching, window, psi)?;
         Ok((solution, Some(state)))
     }
 
@@ -444,10 +477,11 @@ impl<'a> PositionFilm<'a> {
     fn conclude(
         &mut self,
         touching: &Touching<'_>,
-        attenuated_rms: Length,
+        window: &WindowRoughness,
         psi: f64,
     ) -> Result<Checked<LoadShareSolution>, LoadShareError> {
         let phi = touching.share.value * self.settings.share_factor;
+        self.load_film(1.0 - phi, window, touching.mean_gap)?;
         let (shared, spot_film, evidence) = if phi == 0.0 {
             self.film_alone()?
         } else {
@@ -458,7 +492,7 @@ impl<'a> PositionFilm<'a> {
         let force = self.contact.load.si() * (u1.si() - u2.si()).abs();
         let mut outside = self.outside.clone();
         let ratio = self.roughness_over_film;
-        let roughness_over_film = ratio.unwrap_or(attenuated_rms / self.central);
+        let roughness_over_film = ratio.unwrap_or(window.deviation / self.central);
         COMPARED.check(roughness_over_film, &mut outside);
         let value = LoadShareSolution {
             asperity_share: phi,
@@ -475,7 +509,7 @@ impl<'a> PositionFilm<'a> {
             },
             smooth_film: self.central,
             thermal_factor: self.thermal_factor,
-            attenuated_rms,
+            attenuated_rms: window.deviation,
             roughness_over_film,
             inlet_factor: psi,
             mean_gap: touching.mean_gap,
@@ -494,7 +528,38 @@ impl<'a> PositionFilm<'a> {
         Ok(Checked { value, outside })
     }
 
-    /// The smooth film, by the routine of film friction.
+    /// Lets the film carry its share of the load in a window with a mean gap.
+    ///
+    /// ```text
+    /// h = max(0.2, (g − y_d)/h_g) h_c                                       [Ripple-film]
+    /// ```
+    ///
+    /// y_d is the height of a part of the window over its mean line, g the mean gap, h_g the gap of smooth flanks.
+    fn load_film(
+        &mut self,
+        share: f64,
+        window: &WindowRoughness,
+        gap: Length,
+    ) -> Result<(), LoadShareError> {
+        match self.settings.film_pressure {
+            FilmPressure::Hertz => {}
+            FilmPressure::Rippled if window.is_rippled() => {
+                cite!("Ripple-film");
+                let [central, smooth] = [self.central.si(), self.supplied.si()];
+                let of_parts = window.ripple.iter().map(|part| FilmRipple {
+                    area: part.length,
+                    pressure: part.pressure,
+                    film: central * ((gap.si() - part.height) / smooth).max(THINNEST_RIPPLE),
+                });
+                self.film
+                    .carry_rippled(share, &of_parts.collect::<Vec<_>>())?;
+            }
+            FilmPressure::Rippled | FilmPressure::Own => self.film.carry(share)?,
+        }
+        Ok(())
+    }
+
+    /// The film without asperities, by the routine of film friction.
     fn film_alone(&mut self) -> Result<(SharedFriction, f64, Solved), LoadShareError> {
         let solution = self.film.solve()?.value;
         let shared = SharedFriction {
@@ -516,7 +581,7 @@ impl<'a> PositionFilm<'a> {
         let is_cold = unit_rise == 0.0 || self.film.heat() == FilmHeat::Isothermal;
         // Other windows at a position rub alike; the first starts from the friction of cold surfaces.
         let begun = self.before.filter(|_| !is_cold);
-        let none = |(spots, _): &(&[Spot], f64)| vec![None; spots.len()];
+        let none = |(spots, _): &(&[Spot], f64)| vec![SpotStresses::default(); spots.len()];
         let mut stresses: Stresses = spots.iter().map(none).collect();
         let begin = unit_rise * begun.unwrap_or(0.0);
         let ([film, slope], first) = self.parts_at(begin, spots, &mut stresses)?;
@@ -602,16 +667,24 @@ impl<'a> PositionFilm<'a> {
     fn spot_conditions(&self, rise: f64) -> SpotConditions<'a> {
         let [u1, u2] = self.contact.speeds.map(Speed::si);
         let sliding = (u1 - u2).abs();
-        let entrainment = match self.settings.spot_speed {
-            SpotSpeed::Entrainment => 0.5 * (u1 + u2),
-            // A spot without sliding keeps the least speed that a film can be computed for.
-            SpotSpeed::HalfSliding => (0.5 * sliding).max(1e-6),
+        let entrainment = 0.5 * (u1 + u2);
+        // A spot without sliding keeps the least speed that a film can be computed for.
+        let half_sliding = (0.5 * sliding).max(1e-6);
+        let feed = match self.settings.spot_speed {
+            SpotSpeed::Carried => Feed::Carried {
+                entrainment,
+                half_sliding,
+                half_width: self.hertz.half_width.si(),
+                inner_boundary: self.settings.inner_boundary,
+            },
+            SpotSpeed::Entrainment => Feed::At(entrainment),
+            SpotSpeed::HalfSliding => Feed::At(half_sliding),
         };
         SpotConditions {
             rheology: self.rheology,
             wall: Temperature::from_si(self.bulk + rise),
             modulus: self.contact.modulus.si(),
-            entrainment,
+            feed,
             sliding,
             boundary_layer: self.settings.boundary_layer,
         }

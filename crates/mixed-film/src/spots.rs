@@ -6,6 +6,9 @@
 //! | F_k, b_k | load and width of the contact that it is part of | N/m, m |
 //! | R_k | radius of the Hertz contact with that load and width | m |
 //! | h_k | film thickness of that contact by Moes, at the surface temperature of the whole contact | m |
+//! | u_m, a | entrainment speed and half width of the whole contact | m/s, m |
+//! | k | part of its way through the contact in which a spot is one that formed in the inlet | - |
+//! | β_i | least share on the boundary layer of a spot that formed inside the contact | - |
 //! | p_k | mean asperity pressure F_k/b_k | Pa |
 //! | τ_k | shear stress of its film | Pa |
 
@@ -34,10 +37,62 @@ pub(crate) struct SpotConditions<'a> {
     pub(crate) rheology: &'a FilmRheology,
     pub(crate) wall: Temperature,
     pub(crate) modulus: f64,
-    /// Speed that carries oil into a spot.
-    pub(crate) entrainment: f64,
+    pub(crate) feed: Feed,
     pub(crate) sliding: f64,
     pub(crate) boundary_layer: Length,
+}
+
+/// Films of the spots.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Feed {
+    /// One speed \[m/s\] that carries oil into every spot.
+    At(f64),
+    /// A spot keeps the film of the inlet until the flanks have slid past it; another forms inside the contact.
+    Carried {
+        /// u_m \[m/s\]
+        entrainment: f64,
+        /// |u₁ − u₂|/2 \[m/s\]
+        half_sliding: f64,
+        /// Half width a of the whole contact \[m\].
+        half_width: f64,
+        /// β_i
+        inner_boundary: f64,
+    },
+}
+
+/// Shear stresses of the films of a spot at a nearby state \[Pa\], if known.
+pub(crate) type SpotStresses = [Option<f64>; 2];
+
+/// Slid distance over the largest width of two equal crests, during which they touch.
+const CROSSING: f64 = 2.0 * std::f64::consts::SQRT_2;
+
+/// A film of a spot.
+#[derive(Debug, Clone, Copy)]
+struct SpotFilm {
+    /// Share of the spot.
+    part: f64,
+    /// Thickness \[m\].
+    film: f64,
+    /// Share of its load on the boundary layer.
+    boundary_share: f64,
+}
+
+/// Part of its way through the contact in which a spot is one that formed in the inlet.
+///
+/// ```text
+/// L = 2√2 u_m b/|u₁ − u₂|,  k = L/(4a) for L ≤ 2a, else 1 − a/L                [Carried-part]
+/// ```
+///
+/// Two crests of radius r that are offset by x overlap by b²/(2r) − x²/(4r), with the overlap of the Hertz contact whose largest
+/// width is b: they touch while the flanks slide by 2√2 b. Meanwhile the spot travels by L. At a distance x from the inlet the spots whose age is above x/u_m formed in it, max(0, 1 − x/L) of ages that are spread evenly;
+/// k is the mean over 2a. 1 without sliding.
+fn carried_part(entrainment: f64, sliding: f64, half_width: f64, width: f64) -> f64 {
+    cite!("Carried-part");
+    let travel = CROSSING * entrainment * width / sliding;
+    match travel <= 2.0 * half_width {
+        true => travel / (4.0 * half_width),
+        false => 1.0 - half_width / travel,
+    }
 }
 
 /// Friction of all spots of a contact, as means over their load.
@@ -86,7 +141,7 @@ impl SpotConditions<'_> {
     /// # Errors
     /// When a spot has no film.
     pub(crate) fn friction(&self, spots: &[Spot]) -> Result<SpotFriction, LoadShareError> {
-        self.friction_from(spots, &mut vec![None; spots.len()])
+        self.friction_from(spots, &mut vec![SpotStresses::default(); spots.len()])
     }
 
     /// [`friction`](Self::friction), started from the shear stress of each spot at a nearby temperature if it is known.
@@ -97,7 +152,7 @@ impl SpotConditions<'_> {
     pub(crate) fn friction_from(
         &self,
         spots: &[Spot],
-        stresses: &mut [Option<f64>],
+        stresses: &mut [SpotStresses],
     ) -> Result<SpotFriction, LoadShareError> {
         cite!("Spot-friction");
         let state = self.rheology.state(self.wall)?;
@@ -122,8 +177,8 @@ impl SpotConditions<'_> {
     pub(crate) fn limits_shear_rate(&self, spots: &[Spot]) -> Result<bool, LoadShareError> {
         let state = self.rheology.state(self.wall)?;
         for spot in spots {
-            let contact = [spot.joint_load.si(), spot.width.si()];
-            if self.of_spot(&state, contact, &mut None)?.film < THINNEST {
+            let films = self.films(&state, [spot.joint_load.si(), spot.width.si()])?;
+            if films.iter().any(|at| at.part > 0.0 && at.film < THINNEST) {
                 return Ok(true);
             }
         }
@@ -149,9 +204,9 @@ impl SpotConditions<'_> {
         cite!("Spot-gradient");
         let state = self.rheology.state(self.wall)?;
         let total: f64 = spots.iter().map(|spot| spot.load.si()).sum();
-        let mut stresses = vec![None; spots.len()];
+        let mut stresses = vec![SpotStresses::default(); spots.len()];
         let mean = self.friction_from(spots, &mut stresses)?.total(boundary);
-        let slopes = |(spot, mut stress): (&Spot, Option<f64>)| {
+        let slopes = |(spot, mut stress): (&Spot, SpotStresses)| {
             let mut at = |f: f64, b: f64| -> Result<f64, LoadShareError> {
                 let of_spot = self.of_spot(&state, [f, b], &mut stress)?;
                 Ok(of_spot.total(boundary))
@@ -167,37 +222,134 @@ impl SpotConditions<'_> {
         spots.iter().zip(stresses).map(slopes).collect()
     }
 
-    /// Friction and film of a contact with load and width `[f, b]`. `stress` holds the shear stress at a nearby state, if
-    /// known, and the solution afterwards.
+    /// Friction and film of a contact with load and width `[f, b]`. `stresses` holds the shear stresses of its films at a nearby
+    /// state, if known, and the solution afterwards.
     fn of_spot(
         &self,
         state: &FilmOilState,
         [f, b]: [f64; 2],
-        stress: &mut Option<f64>,
+        stresses: &mut SpotStresses,
     ) -> Result<SpotFriction, LoadShareError> {
+        let pressure = f / b;
+        let mut sum = SpotFriction::default();
+        for (at, stress) in self.films(state, [f, b])?.iter().zip(stresses) {
+            if at.part == 0.0 {
+                continue;
+            }
+            let place = (
+                Pressure::from_si(pressure),
+                Speed::from_si(self.sliding),
+                Length::from_si(at.film.max(THINNEST)),
+            );
+            let sheared_film = self.rheology.shear_stress_from(place, self.wall, *stress)?;
+            *stress = Some(sheared_film.value);
+            let of_film = SpotFriction {
+                boundary_share: at.boundary_share,
+                lubricated: (1.0 - at.boundary_share) * sheared_film.value / pressure,
+                film: at.film,
+            };
+            sum.add(&of_film, at.part);
+        }
+        Ok(sum)
+    }
+
+    /// The films of a contact with load and width.
+    ///
+    /// ```text
+    /// β = k β(h(u_m)) + (1 − k) max(β_i, β(h(|u₁ − u₂|/2))),  β(h) = 1/(1 + h/h_b)            [Carried-film]
+    /// ```
+    ///
+    /// A spot that forms inside the contact is surrounded by oil under its pressure. Sliding holds this oil at the stress where
+    /// τ/τ₀ is large, and for flow along the motion Eyring's viscosity η/cosh(τ/τ₀) is there τ₀ h/V, whatever η is: the
+    /// film that flows in is below a nanometre. β_i is what its roughness holds above the boundary layer.
+    fn films(
+        &self,
+        state: &FilmOilState,
+        contact: [f64; 2],
+    ) -> Result<[SpotFilm; 2], LoadShareError> {
+        let with_film = |part: f64, film: f64| -> Result<SpotFilm, LoadShareError> {
+            let share = boundary_share(Length::from_si(film), self.boundary_layer)?;
+            let boundary_share = share.clamp(0.0, 1.0);
+            Ok(SpotFilm {
+                part,
+                film,
+                boundary_share,
+            })
+        };
+        let (speed, inner) = match self.feed {
+            Feed::At(speed) => (speed, None),
+            Feed::Carried {
+                entrainment,
+                half_sliding,
+                half_width,
+                inner_boundary,
+            } => {
+                let part = carried_part(entrainment, self.sliding, half_width, contact[1]);
+                (entrainment, Some((part, half_sliding, inner_boundary)))
+            }
+        };
+        let film = self.film(state, contact, speed)?;
+        let Some((part, half_sliding, inner_boundary)) = inner.filter(|(part, ..)| *part < 1.0)
+        else {
+            return Ok([with_film(1.0, film)?, with_film(0.0, film)?]);
+        };
+        cite!("Carried-film");
+        let flowing = self.film(state, contact, half_sliding)?;
+        let layer = self.boundary_layer.si();
+        // Without a boundary layer nothing is left of the share on it.
+        let held = match layer > 0.0 {
+            true => flowing.min(layer * (1.0 / inner_boundary - 1.0)),
+            false => flowing,
+        };
+        Ok([with_film(part, film)?, with_film(1.0 - part, held)?])
+    }
+
+    /// Film \[m\] of a contact with load and width `[f, b]`, fed at a speed.
+    fn film(
+        &self,
+        state: &FilmOilState,
+        [f, b]: [f64; 2],
+        speed: f64,
+    ) -> Result<f64, LoadShareError> {
         let modulus = 2.0 * self.modulus;
-        let material = state.pressure_viscosity.si() * modulus;
         let radius = PI * self.modulus * 0.25 * b * b / (4.0 * f);
         let groups = FilmGroups {
-            material,
-            speed: state.viscosity.si() * self.entrainment / (modulus * radius),
+            material: state.pressure_viscosity.si() * modulus,
+            speed: state.viscosity.si() * speed / (modulus * radius),
             load: f / (modulus * radius),
         };
-        let film = moes(&groups, Length::from_si(radius))?;
-        let beta = boundary_share(film, self.boundary_layer)?.clamp(0.0, 1.0);
-        let pressure = f / b;
-        let (sliding, thickness) = (Speed::from_si(self.sliding), film.si().max(THINNEST));
-        let place = (
-            Pressure::from_si(pressure),
-            sliding,
-            Length::from_si(thickness),
-        );
-        let sheared_film = self.rheology.shear_stress_from(place, self.wall, *stress)?;
-        *stress = Some(sheared_film.value);
-        Ok(SpotFriction {
-            boundary_share: beta,
-            lubricated: (1.0 - beta) * sheared_film.value / pressure,
-            film: film.si(),
-        })
+        Ok(moes(&groups, Length::from_si(radius))?.si())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spot_that_is_slid_past_fast_forms_inside_the_contact() {
+        let (half_width, width) = (100e-6, 5e-6);
+        let at = |sliding: f64| carried_part(6.0, sliding, half_width, width);
+        assert_eq!(at(0.0), 1.0);
+        // Fast sliding: travel 2√2 · 6 · 5 µm/12 = 7.07 µm of a way of 200 µm.
+        assert!((at(12.0) - CROSSING * 2.5e-6 / 400e-6).abs() < 1e-15);
+        // Slow sliding: travel 20 half-widths.
+        assert!((at(CROSSING * 6.0 * width / (20.0 * half_width)) - 0.95).abs() < 1e-14);
+        // Both forms join with one slope where the travel is the width of the contact.
+        let joint = CROSSING * 6.0 * width / (2.0 * half_width);
+        assert!((at(joint) - 0.5).abs() < 1e-15);
+        let slope = |step: f64| (at(joint * (1.0 + step)) - at(joint)) / step;
+        assert!((slope(1e-6) - slope(-1e-6)).abs() < 1e-5);
+        // The mean over the way of the spots that are older than their distance from the inlet.
+        for sliding in [0.1, 0.5, 2.0, 9.0] {
+            let travel = CROSSING * 6.0 * width / sliding;
+            let n = 100_000;
+            let older = |i: u32| {
+                let x = 2.0 * half_width * (f64::from(i) + 0.5) / f64::from(n);
+                (1.0 - x / travel).max(0.0)
+            };
+            let mean = (0..n).map(older).sum::<f64>() / f64::from(n);
+            assert!((at(sliding) - mean).abs() < 1e-8, "{sliding}");
+        }
     }
 }

@@ -10,11 +10,11 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use asperity_core::Profile;
 use asperity_core::profile::mirrored_window;
-use asperity_core::quantity::Length;
-use asperity_ehl_regime::{Attenuation, PairSpectrum, TraceSpectrum};
+use asperity_ehl_regime::{PairSpectrum, TraceSpectrum};
 
-use crate::attenuated_traces::{AttenuatedTraces, deviation};
+use crate::attenuated_traces::AttenuatedTraces;
 use crate::error::LoadShareError;
+use crate::window_roughness::{Flattening, WindowRoughness};
 
 /// Number of pieces that are transformed at less cost than a whole trace of as many points: the windows of a contact are
 /// usually 16.
@@ -42,28 +42,28 @@ impl TraceSpectra {
         Ok(self.pair.get_or_init(|| made))
     }
 
-    /// Standard deviation of the sum of two windows of `points` points that begin at `starts`, flattened by `attenuation`;
+    /// Roughness of two windows of `points` points together that begin at `starts`, flattened by `flattening`;
     /// `whole` holds the attenuated traces once they were needed.
     ///
     /// # Errors
     /// When a window is empty.
-    pub fn window_rms(
+    pub fn window(
         &self,
         traces: [&Profile; 2],
         (starts, points): ([isize; 2], usize),
-        attenuation: &Attenuation,
+        flattening: &Flattening,
         whole: &mut Option<AttenuatedTraces>,
-    ) -> Result<Length, LoadShareError> {
+    ) -> Result<WindowRoughness, LoadShareError> {
         let piece = Piece::around(points);
         let longest = traces.map(Profile::len).into_iter().fold(0, usize::max);
         if longest > PIECES * piece.points {
-            return self.pieces_rms(traces, (starts, points), piece, attenuation);
+            return self.of_pieces(traces, (starts, points), piece, flattening);
         }
         if let Some(attenuated) = whole {
-            return attenuated.mirrored_rms(starts, points);
+            return attenuated.mirrored(starts, points);
         }
-        let attenuated = AttenuatedTraces::new(self.of_whole(traces)?.each_ref(), attenuation);
-        whole.insert(attenuated).mirrored_rms(starts, points)
+        let attenuated = AttenuatedTraces::new(self.of_whole(traces)?.each_ref(), flattening);
+        whole.insert(attenuated).mirrored(starts, points)
     }
 
     /// Spectra of both whole traces.
@@ -80,22 +80,19 @@ impl TraceSpectra {
         Ok(self.whole.get_or_init(|| made))
     }
 
-    fn pieces_rms(
+    fn of_pieces(
         &self,
         traces: [&Profile; 2],
         (starts, points): ([isize; 2], usize),
         piece: Piece,
-        attenuation: &Attenuation,
-    ) -> Result<Length, LoadShareError> {
+        flattening: &Flattening,
+    ) -> Result<WindowRoughness, LoadShareError> {
         let begins = starts.map(|start| piece.begin(start));
         let of = |body: usize| self.of_piece(body, traces[body], begins[body], piece.points);
         let (first, second) = (of(0)?, of(1)?);
-        let heights = TraceSpectrum::attenuated_pair([&*first, &*second], attenuation);
-        let window = |body: usize| {
-            let from = (starts[body] - begins[body]) as usize;
-            &heights[body][from..from + points]
-        };
-        Ok(deviation(window(0), window(1)))
+        let attenuated = AttenuatedTraces::new([&*first, &*second], flattening);
+        let from = [0, 1].map(|body: usize| (starts[body] - begins[body]) as usize);
+        attenuated.window(from, points)
     }
 
     fn of_piece(
@@ -151,7 +148,8 @@ impl Piece {
 
 #[cfg(test)]
 mod tests {
-    use asperity_ehl_regime::GapLaw;
+    use asperity_core::quantity::Length;
+    use asperity_ehl_regime::{Attenuation, GapLaw};
 
     use super::*;
 
@@ -179,15 +177,15 @@ mod tests {
             let points = (6.0 * half_width / 0.5e-6) as usize;
             for per_half_width in [2.0, 10.0, 60.0] {
                 let nabla = per_half_width / half_width;
-                let attenuation = Attenuation::new(GapLaw::Power, nabla).unwrap();
+                let attenuation = Attenuation::new(GapLaw::Power, nabla).unwrap().into();
                 let [first, second] = spectra.of_whole(both).unwrap();
                 let whole = AttenuatedTraces::new([first, second], &attenuation);
                 for starts in [[50_000, 90_001], [123_457, 20_000]] {
-                    let exact = whole.mirrored_rms(starts, points).unwrap();
+                    let exact = whole.mirrored(starts, points).unwrap().deviation;
                     let mut unused = None;
                     let of_piece =
-                        spectra.window_rms(both, (starts, points), &attenuation, &mut unused);
-                    let off = of_piece.unwrap() / exact - 1.0;
+                        spectra.window(both, (starts, points), &attenuation, &mut unused);
+                    let off = of_piece.unwrap().deviation / exact - 1.0;
                     assert!(unused.is_none());
                     // Waves as long as the piece are cut at its ends; 7e-5 were seen where the longest waves are left.
                     assert!(off.abs() < 2e-4, "{half_width} {per_half_width}: {off}");
@@ -202,11 +200,11 @@ mod tests {
         let both = [&traces[0], &traces[1]];
         let spectra = TraceSpectra::default();
         let mut whole = None;
-        let attenuation = Attenuation::new(GapLaw::Power, 1e5).unwrap();
-        let found = spectra.window_rms(both, ([100, 300], 1200), &attenuation, &mut whole);
+        let attenuation = Attenuation::new(GapLaw::Power, 1e5).unwrap().into();
+        let found = spectra.window(both, ([100, 300], 1200), &attenuation, &mut whole);
         let [first, second] = spectra.of_whole(both).unwrap();
         let exact = AttenuatedTraces::new([first, second], &attenuation);
-        assert_eq!(found.unwrap(), exact.window_rms([100, 300], 1200).unwrap());
+        assert_eq!(found.unwrap(), exact.window([100, 300], 1200).unwrap());
         assert!(whole.is_some());
     }
 }

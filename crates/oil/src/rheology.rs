@@ -96,6 +96,14 @@ pub struct FilmPoint {
 }
 
 impl FilmPoint {
+    /// A film at ambient pressure without sliding.
+    pub const REST: Self = Self {
+        pressure: 0.0,
+        roelands_growth: 0.0,
+        log_rate: f64::NEG_INFINITY,
+        heating: 0.0,
+    };
+
     /// Pressure \[Pa\].
     #[must_use]
     pub fn pressure(&self) -> f64 {

@@ -9,8 +9,12 @@
 //! | u₁, u₂, V_s | surface speeds, sliding speed u₁ − u₂ | m/s |
 //! | T₀, T_s | bulk temperature, mean temperature of the surfaces in the contact | K |
 //! | B = √(k ρ c), κ = k/(ρ c) | thermal contact coefficient and diffusivity of a flank | W s^½/(m² K), m²/s |
+//! | φ | share of the load on asperities | - |
+//! | p′ | pressure that flattens the roughness at a place of the film | Pa |
 //!
-//! The film has one thickness and carries the Hertz pressure; no asperities. The shear stress is that of
+//! The film has one thickness and carries the Hertz pressure; no asperities. Where asperities carry a share of the load, the
+//! film has the pressure of what is left to it ([`LoadedFilm::carry`]), and between rough flanks the pressure ripples
+//! ([`LoadedFilm::carry_rippled`]). The shear stress is that of
 //! [`FilmRheology`]: by default Eyring's law on Barus' viscosity below a limiting shear stress. Elastic shear is left out:
 //! it matters below slide-to-roll ratios of about 5·10⁻⁴, where the loss is negligible.
 //!
@@ -41,6 +45,11 @@ pub(crate) const MEAN_FLASH: f64 = 0.798_507_829_726;
 const LIMITED: f64 = 0.7;
 /// Relative step at which the iteration for the surface temperature ends; the error is its square.
 const TEMPERATURE_TOLERANCE: f64 = 1e-9;
+
+/// Places along half of a rippled film, and groups of its parts at each: within .6 % of the friction of sixteen places times all
+/// parts, .1 % in the mean.
+pub(crate) const PLACES: NonZeroUsize = NonZeroUsize::MIN.saturating_add(5);
+const GROUPS: usize = 4;
 
 /// Range in which the law was compared with measured gears.
 const RANGES: [FittedRange; 4] = [
@@ -121,6 +130,14 @@ struct Node {
     stress: Option<[f64; 2]>,
 }
 
+impl Node {
+    const EMPTY: Self = Self {
+        point: FilmPoint::REST,
+        weight: 0.0,
+        stress: None,
+    };
+}
+
 /// The film of one contact, for evaluation at any surface temperature.
 ///
 /// Stores the stresses of the last temperature as the start of the next.
@@ -141,6 +158,25 @@ pub struct LoadedFilm<'a> {
     max_pressure: f64,
     heat: FilmHeat,
     outside: Vec<OutOfRange>,
+    /// Pressure of the whole load at each node \[Pa\], and friction coefficient of the whole load per stress there \[1/Pa\].
+    hertz: Vec<[f64; 2]>,
+    /// The same at the places of a rippled film.
+    few: Vec<[f64; 2]>,
+    /// |u₁ − u₂| \[m/s\]
+    sliding: f64,
+    /// Thickness of the smooth film \[m\].
+    film: f64,
+}
+
+/// A part of a film between rough flanks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FilmRipple {
+    /// Share of the area.
+    pub area: f64,
+    /// Pressure p′ that flattens the roughness there \[Pa\].
+    pub pressure: f64,
+    /// Film thickness there \[m\].
+    pub film: f64,
 }
 
 /// Loaded area of a film, in SI units.
@@ -159,6 +195,8 @@ pub(crate) struct FilmArea {
     pub rise_per_friction: f64,
     /// Pressure at each node, and friction coefficient per stress there.
     pub nodes: Vec<[f64; 2]>,
+    /// The same at the places of a rippled film.
+    pub few: Vec<[f64; 2]>,
 }
 
 impl<'a> LoadedFilm<'a> {
@@ -210,6 +248,7 @@ impl<'a> LoadedFilm<'a> {
             bulk,
             rise_per_friction,
             nodes: gauss_legendre(settings.nodes).iter().map(node).collect(),
+            few: gauss_legendre(PLACES).iter().map(node).collect(),
         };
         Self::on(rheology, area, settings.heat)
     }
@@ -233,16 +272,10 @@ impl<'a> LoadedFilm<'a> {
             range.check(value, &mut outside);
         }
         let sliding = (u1 - u2).abs();
-        let node = |&[pressure, weight]: &[f64; 2]| {
-            let point = rheology.film_point(pressure, sliding, area.film);
-            Node {
-                point: match heat {
-                    FilmHeat::FilmAndSurfaces => point,
-                    FilmHeat::Isothermal => point.isothermal(),
-                },
-                weight,
-                stress: None,
-            }
+        let node = |&[pressure, weight]: &[f64; 2]| Node {
+            point: point(rheology, heat, [pressure, sliding, area.film]),
+            weight,
+            stress: None,
         };
         Ok(Self {
             rheology,
@@ -256,7 +289,68 @@ impl<'a> LoadedFilm<'a> {
             max_pressure: area.max_pressure,
             heat,
             outside,
+            hertz: area.nodes,
+            few: area.few,
+            sliding,
+            film: area.film,
         })
+    }
+
+    /// Lets the film carry `share` of the load, the rest of which is on asperities; its friction coefficient is then relative to
+    /// this share.
+    ///
+    /// ```text
+    /// μ_f = 2a/((1 − φ) w) ∫₀^(π/2) τ cos t dt,  p = (1 − φ) p₀ cos t                [Own-pressure]
+    /// ```
+    ///
+    /// The half width belongs to the whole load: a Hertz contact with the load (1 − φ) w and the radius R/(1 − φ). The heat of the
+    /// surfaces comes from the friction of the whole contact ([`surface_rise`](Self::surface_rise)).
+    ///
+    /// # Errors
+    /// When the share is not above 0 and at most 1.
+    pub fn carry(&mut self, share: f64) -> Result<(), FrictionError> {
+        cite!("Own-pressure");
+        require_share(share)?;
+        self.nodes.resize(self.hertz.len(), Node::EMPTY);
+        for (node, [pressure, weight]) in self.nodes.iter_mut().zip(&self.hertz) {
+            let at = [share * pressure, self.sliding, self.film];
+            node.point = point(self.rheology, self.heat, at);
+            node.weight = weight / share;
+        }
+        Ok(())
+    }
+
+    /// [`carry`](Self::carry) of a film between rough flanks, whose pressure ripples. `parts` are in the order of their pressures.
+    ///
+    /// ```text
+    /// p = max(0, (1 − φ) p₀ cos t + (1 − φ)² p′ + c),  c so that the mean over the parts is (1 − φ) p₀ cos t   [Rippled-film]
+    /// ```
+    ///
+    /// One 1 − φ because the film carries that share, one because it does that share of the flattening. At every place along
+    /// the contact, neighbouring parts are taken together in groups of equal load, each with its load over its mean pressure as area
+    /// and the mean of ln h, in which Eyring's stress is a line. Parts without ripple are [`carry`](Self::carry).
+    ///
+    /// # Errors
+    /// When the share is not above 0 and at most 1, or there are no parts.
+    pub fn carry_rippled(&mut self, share: f64, parts: &[FilmRipple]) -> Result<(), FrictionError> {
+        cite!("Rippled-film");
+        require_share(share)?;
+        let areas: f64 = parts.iter().map(|part| part.area).sum();
+        let rule = "must be positive";
+        DomainError::require(areas > 0.0, "area of the film", areas, "-", rule)?;
+        self.nodes.resize(self.few.len() * GROUPS, Node::EMPTY);
+        let mut nodes = self.nodes.iter_mut();
+        for [pressure, weight] in &self.few {
+            let mean = share * pressure;
+            for group in groups(mean, share * share, parts) {
+                let Some(node) = nodes.next() else { break };
+                let film = (group.log_film / group.load).exp();
+                let at = [group.square / group.load, self.sliding, film];
+                node.point = point(self.rheology, self.heat, at);
+                node.weight = weight / share * group.load / at[0] / areas;
+            }
+        }
+        Ok(())
     }
 
     /// Inputs outside the ranges in which the law was compared with measured gears.
@@ -382,6 +476,75 @@ impl<'a> LoadedFilm<'a> {
     #[must_use]
     pub fn heat(&self) -> FilmHeat {
         self.heat
+    }
+}
+
+/// Parts of a rippled film that are taken together, as integrals over their area.
+#[derive(Debug, Clone, Copy, Default)]
+struct Group {
+    /// ∫ p
+    load: f64,
+    /// ∫ p²
+    square: f64,
+    /// ∫ p ln h
+    log_film: f64,
+}
+
+/// Groups of equal load of the parts of a film at a place with a mean pressure, whose ripple is `scale` times their p′.
+fn groups(mean: f64, scale: f64, parts: &[FilmRipple]) -> [Group; GROUPS] {
+    let rippled = |part: &FilmRipple| mean + scale * part.pressure;
+    let total: f64 = parts.iter().map(|part| part.area).sum();
+    // From the highest pressure on, as many parts as are above zero with the pressure c that leaves them the whole load.
+    let (mut area, mut load, mut offset, mut first) = (0.0, 0.0, 0.0, parts.len());
+    for (k, part) in parts.iter().enumerate().rev() {
+        area += part.area;
+        load += part.area * rippled(part);
+        let c = (mean * total - load) / area;
+        if rippled(part) + c <= 0.0 {
+            break;
+        }
+        (offset, first) = (c, k);
+    }
+    let each = mean * total / GROUPS as f64;
+    let mut groups = [Group::default(); GROUPS];
+    let (mut k, mut room) = (0, each);
+    for part in &parts[first..] {
+        let pressure = rippled(part) + offset;
+        let mut rest = part.area * pressure;
+        while rest > 0.0 {
+            let is_last = k + 1 == GROUPS;
+            let taken = if is_last { rest } else { rest.min(room) };
+            groups[k].load += taken;
+            groups[k].square += taken * pressure;
+            groups[k].log_film += taken * part.film.ln();
+            rest -= taken;
+            room -= taken;
+            if room <= 0.0 && !is_last {
+                k += 1;
+                room = each;
+            }
+        }
+    }
+    groups
+}
+
+fn require_share(share: f64) -> Result<(), FrictionError> {
+    let rule = "must be above 0 and at most 1";
+    let fits = share > 0.0 && share <= 1.0;
+    DomainError::require(fits, "share of the film", share, "-", rule)?;
+    Ok(())
+}
+
+/// The point of a film at a pressure, a sliding speed and a film thickness.
+fn point(
+    rheology: &FilmRheology,
+    heat: FilmHeat,
+    [pressure, sliding, film]: [f64; 3],
+) -> FilmPoint {
+    let point = rheology.film_point(pressure, sliding, film);
+    match heat {
+        FilmHeat::FilmAndSurfaces => point,
+        FilmHeat::Isothermal => point.isothermal(),
     }
 }
 

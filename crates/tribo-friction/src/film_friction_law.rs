@@ -26,6 +26,9 @@ pub struct FilmContact<'a> {
     pub modulus: Pressure,
     /// Hertz half-width a.
     pub half_width: Length,
+    /// Share of the load that the film carries, at whose pressure a law of film friction shears it; 1 with
+    /// `film_pressure = "hertz"`.
+    pub film_share: f64,
     /// Steel of both bodies, with conductivity, density and specific heat.
     pub materials: [Material; 2],
     /// Bulk temperature of the flanks and of the oil at the inlet.

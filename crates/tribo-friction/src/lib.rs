@@ -43,7 +43,7 @@ pub mod xu;
 pub use conditions::{FrictionConditions, MeshConditions};
 pub use error::FrictionError;
 pub use film_friction::{
-    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmSettings, LoadedFilm,
+    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmRipple, FilmSettings, LoadedFilm,
 };
 pub use film_friction_law::{FilmContact, FilmFriction, FilmTraction, NamedFriction};
 pub use flash::flash_temperature;

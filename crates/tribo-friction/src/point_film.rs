@@ -30,7 +30,7 @@ use serde::Serialize;
 
 use crate::error::FrictionError;
 use crate::film_friction::{
-    FilmArea, FilmFrictionSolution, FilmHeat, FilmSettings, LoadedFilm, MEAN_FLASH,
+    FilmArea, FilmFrictionSolution, FilmHeat, FilmSettings, LoadedFilm, MEAN_FLASH, PLACES,
 };
 
 /// Mean rise of the strips of an ellipse over that of its middle strip, B(1/2, 11/4)/B(1/2, 2).
@@ -106,6 +106,7 @@ impl<'a> LoadedFilm<'a> {
             bulk: DomainError::positive("bath temperature", contact.temperature)?,
             rise_per_friction,
             nodes: gauss_legendre(settings.nodes).iter().map(node).collect(),
+            few: gauss_legendre(PLACES).iter().map(node).collect(),
         };
         Self::on(rheology, area, settings.heat)
     }

@@ -27,7 +27,9 @@ use asperity_oil::{
 };
 use asperity_tribo_friction::boundary::{SharedFriction, boundary_share};
 use asperity_tribo_friction::film_friction::{LoadedFilm, solve};
-use asperity_tribo_friction::{FilmFrictionSolution, FilmHeat, FilmLineContact, FilmSettings};
+use asperity_tribo_friction::{
+    FilmFrictionSolution, FilmHeat, FilmLineContact, FilmRipple, FilmSettings,
+};
 use proptest::prelude::*;
 use serde_json::Value;
 use std::num::NonZeroUsize;
@@ -423,6 +425,136 @@ fn the_slope_over_surface_temperature_is_that_of_the_friction() {
             (slope / numeric - 1.0).abs() < 1e-5,
             "{shear:?} {pressure:?}: {slope} {numeric}"
         );
+    }
+}
+
+#[test]
+fn a_film_with_a_share_of_the_load_is_a_hertz_contact_of_that_share_and_half_width() {
+    let (rheology, contact) = (oil("M100"), e_drive(0.3));
+    let loaded = |line, share: f64| {
+        let contact = FilmLineContact { line, ..contact };
+        let mut film = LoadedFilm::new(&rheology, &contact, FilmSettings::default()).unwrap();
+        film.carry(share).unwrap();
+        film
+    };
+    let mut whole = LoadedFilm::new(&rheology, &contact, FilmSettings::default()).unwrap();
+    let rise = 7.0;
+    let all = whole.friction_at(rise).unwrap();
+    assert_eq!(loaded(contact.line, 1.0).friction_at(rise).unwrap(), all);
+    assert_eq!(
+        loaded(contact.line, 1.0).surface_rise(0.05),
+        whole.surface_rise(0.05)
+    );
+    for share in [0.9, 0.4, 0.01] {
+        let lighter = LineContact {
+            load: contact.line.load * share,
+            radius: contact.line.radius / share,
+            ..contact.line
+        };
+        let [found, slope] = loaded(contact.line, share).friction_at(rise).unwrap();
+        let [expected, expected_slope] = loaded(lighter, 1.0).friction_at(rise).unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-12, "{share}");
+        assert!((slope / expected_slope - 1.0).abs() < 1e-9, "{share}");
+        // The surfaces are heated by the friction of the whole load.
+        assert_eq!(
+            loaded(contact.line, share).surface_rise(0.05),
+            whole.surface_rise(0.05)
+        );
+    }
+    for share in [0.0, 1.1, f64::NAN] {
+        assert!(whole.carry(share).is_err(), "{share}");
+        assert!(whole.carry_rippled(share, &[]).is_err(), "{share}");
+    }
+    assert!(whole.carry_rippled(0.5, &[]).is_err());
+}
+
+#[test]
+fn a_rippled_film_shears_as_its_parts_do() {
+    let contact = e_drive(0.3);
+    let film = contact.film.si();
+    let ripple = |parts: &[[f64; 2]], size: f64| -> Vec<FilmRipple> {
+        let area = 1.0 / parts.len() as f64;
+        let part = |[pressure, thinner]: &[f64; 2]| FilmRipple {
+            area,
+            pressure: size * pressure,
+            film: film * (1.0 - size * 1e-9 * thinner),
+        };
+        parts.iter().map(part).collect()
+    };
+    // Peaks, whose film is thinner, and long shallow valleys.
+    let parts: Vec<[f64; 2]> = (0..24)
+        .map(|k| {
+            let x = (f64::from(k) + 0.5) / 24.0;
+            [-(1.0 - x).ln() - 1.0, 0.3 * (x - 0.5)]
+        })
+        .collect();
+    for (name, load) in [("e-fluid", 1.0), ("e-fluid", 0.15), ("M100", 1.0)] {
+        let rheology = oil(name);
+        let line = LineContact {
+            load: contact.line.load * load,
+            ..contact.line
+        };
+        let contact = FilmLineContact { line, ..contact };
+        let settings = FilmSettings {
+            heat: FilmHeat::Isothermal,
+            ..FilmSettings::default()
+        };
+        let p0 = 2.0 * line.load.si() / std::f64::consts::PI / {
+            let product = 4.0 * line.load.si() * line.radius.si();
+            (product / (std::f64::consts::PI * line.modulus.si())).sqrt()
+        };
+        let friction = |share: f64, parts: &[FilmRipple]| {
+            let mut film = LoadedFilm::new(&rheology, &contact, settings).unwrap();
+            film.carry_rippled(share, parts).unwrap();
+            film.friction_at(0.0).unwrap()[0]
+        };
+        let sliding = (line.speeds[0].si() - line.speeds[1].si()).abs();
+        for share in [1.0, 0.7] {
+            let mut even = LoadedFilm::new(&rheology, &contact, settings).unwrap();
+            even.carry(share).unwrap();
+            let [even, _] = even.friction_at(0.0).unwrap();
+            // Six places leave 1e-4 of the sixteen of an even film.
+            let flat = friction(share, &ripple(&parts, 0.0)) / even;
+            assert!((flat - 1.0).abs() < 2e-4, "{name} {share}: {flat}");
+            for size in [0.03e9, 0.2e9, 0.5e9] {
+                let parts = ripple(&parts, size);
+                // Every part at 200 places, with the pressure that holds the load of each place.
+                let (mut stress, mut weight) = (0.0, 0.0);
+                for place in 0..200 {
+                    let x = (f64::from(place) + 0.5) / 200.0;
+                    let mean = share * p0 * (1.0 - x * x).sqrt();
+                    let load = |offset: f64| -> f64 {
+                        let of = |part: &FilmRipple| {
+                            (mean + share * share * part.pressure + offset).max(0.0)
+                        };
+                        parts.iter().map(|part| part.area * of(part)).sum()
+                    };
+                    let [mut low, mut high] = [-10e9, 10e9];
+                    for _ in 0..80 {
+                        let middle = 0.5 * (low + high);
+                        match load(middle) < mean {
+                            true => low = middle,
+                            false => high = middle,
+                        }
+                    }
+                    for part in &parts {
+                        let pressure = (mean + share * share * part.pressure + low).max(0.0);
+                        let point = rheology
+                            .film_point(pressure, sliding, part.film)
+                            .isothermal();
+                        let wall = contact.temperature.si();
+                        let (found, _) = rheology.heated_stress(&point, wall, None).unwrap();
+                        stress += part.area * found.value;
+                    }
+                    weight += mean;
+                }
+                let found = friction(share, &parts) / (stress / weight);
+                assert!(
+                    (found - 1.0).abs() < 0.01,
+                    "{name} {load} {share} {size}: {found}"
+                );
+            }
+        }
     }
 }
 

@@ -31,12 +31,13 @@ const FLASH_SETTLED: f64 = 1e-6;
 /// Most passes of the flash feedback; each pass shrinks the change about tenfold.
 const FLASH_PASSES: usize = 50;
 
-/// Friction in the film by `law`, for each of the roughnesses at a position. With flash feedback the oil is taken at bulk
-/// plus flash temperature, found by repeated substitution.
+/// Friction in a film with `film_share` of the load by `law`, for each of the roughnesses at a position. With flash feedback the
+/// oil is taken at bulk plus flash temperature, found by repeated substitution.
 pub(crate) fn in_film<'a>(
     case: &Case,
     law: &dyn FilmFriction,
     position: (&MeshPosition, &FormulaFilm),
+    film_share: f64,
     roughness: impl IntoIterator<Item = &'a Roughness>,
 ) -> Result<Vec<InFilm>, PositionError> {
     struct Open<'a> {
@@ -57,7 +58,10 @@ pub(crate) fn in_film<'a>(
         let contacts = open
             .iter()
             .map(|one| film_contact(case, position, one.roughness, &one.oil));
-        let contacts = contacts.collect::<Result<Vec<_>, _>>()?;
+        let mut contacts = contacts.collect::<Result<Vec<_>, _>>()?;
+        for contact in &mut contacts {
+            contact.film_share = film_share;
+        }
         let mut left = Vec::new();
         for (one, found) in open.into_iter().zip(law.tractions(&contacts)?) {
             let mu = case.model.friction_scale * found.value.coefficient;
@@ -105,7 +109,7 @@ pub(crate) fn flash(case: &Case, position: &MeshPosition, mu: f64) -> Result<f64
     Ok(flash_temperature(&contact, position.hertz.half_width, mu)?)
 }
 
-/// The local contact at `position` with the oil in the state `oil`.
+/// The local contact at `position` with the oil in the state `oil`, the whole load on the film.
 pub(crate) fn film_contact<'a>(
     case: &'a Case,
     (position, film): (&MeshPosition, &FormulaFilm),
@@ -117,6 +121,7 @@ pub(crate) fn film_contact<'a>(
         surface_speeds: [position.motion.u1, position.motion.u2],
         modulus: case.modulus,
         half_width: position.hertz.half_width,
+        film_share: 1.0,
         materials: case.materials,
         bulk_temperature: case.temperature,
         oil: *oil,

@@ -2,8 +2,6 @@
 
 use asperity_core::Checked;
 use asperity_core::profile::mirrored_indices;
-use asperity_core::quantity::Length;
-use asperity_ehl_regime::Attenuation;
 
 use super::chosen_laws::ChosenLaws;
 use crate::contacts::WindowContact;
@@ -13,7 +11,8 @@ use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::{
-    AttenuatedTraces, Kinks, LoadShareSettings, LoadShareSolution, PositionFilm, SmoothFilm,
+    AttenuatedTraces, Flattening, Kinks, LoadShareSettings, LoadShareSolution, PositionFilm,
+    SmoothFilm, WindowRoughness,
 };
 
 /// Film of a position with the traces as its inlet leaves them.
@@ -22,7 +21,7 @@ pub(crate) struct RoughFilm<'a> {
     film: PositionFilm<'a>,
     surfaces: Surfaces,
     /// Flattening of the traces, once a window was needed.
-    attenuation: Option<Attenuation>,
+    flattening: Option<Flattening>,
     /// Both whole traces, once a window was cut from them.
     traces: Option<AttenuatedTraces>,
 }
@@ -57,6 +56,9 @@ impl<'a> RoughFilm<'a> {
             supply,
             gap_law: model.gap_law,
             spot_speed: model.spot_speed,
+            inner_boundary: model.inner_boundary,
+            film_pressure: model.film_pressure,
+            gap_roughness: model.gap_roughness,
             share_factor: model.asperity_share_factor,
             ..LoadShareSettings::default()
         };
@@ -71,26 +73,25 @@ impl<'a> RoughFilm<'a> {
             case,
             film,
             surfaces: surfaces.clone(),
-            attenuation: None,
+            flattening: None,
             traces: None,
         }))
     }
 
     /// Flattening of the traces, computed at first need.
-    fn flattening(&mut self) -> Result<Attenuation, PositionError> {
-        let attenuation = match self.attenuation {
+    fn flattening(&mut self) -> Result<Flattening, PositionError> {
+        let flattening = match self.flattening {
             Some(known) => known,
-            None => self.film.attenuation(self.surfaces.pair_spectrum()?)?,
+            None => self.film.flattening(self.surfaces.pair_spectrum()?)?,
         };
-        Ok(*self.attenuation.insert(attenuation))
+        Ok(*self.flattening.insert(flattening))
     }
 
-    /// Standard deviation of the attenuated windows.
-    fn window_rms(&mut self, window: Window) -> Result<Length, PositionError> {
-        let attenuation = self.flattening()?;
+    /// Roughness of the attenuated windows.
+    fn roughness(&mut self, window: Window) -> Result<WindowRoughness, PositionError> {
+        let flattening = self.flattening()?;
         let window = (window.starts, window.points);
-        self.surfaces
-            .window_rms(window, &attenuation, &mut self.traces)
+        (self.surfaces).window(window, &flattening, &mut self.traces)
     }
 
     /// Load share and friction of a window; its contact is solved as far as that needs, and stored.
@@ -102,10 +103,12 @@ impl<'a> RoughFilm<'a> {
         contact: &WindowContact,
         window: Window,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
-        let rms = self.window_rms(window)?;
+        let roughness = self.roughness(window)?;
         let (table, rough) = contact.table()?;
-        (self.film).solve_rows(table, rms, || rough.map_or_else(|| contact.rough(), Ok))?;
-        Ok(self.film.share(table, rms)?)
+        (self.film).solve_rows(table, &roughness, || {
+            rough.map_or_else(|| contact.rough(), Ok)
+        })?;
+        Ok(self.film.share(table, &roughness)?)
     }
 }
 
@@ -141,23 +144,23 @@ impl RoughFilm<'_> {
         force: f64,
         sums: &mut HeightGradient,
     ) -> Result<(), PositionError> {
-        let rms = self.window_rms(window)?;
+        let roughness = self.roughness(window)?;
         let Some(table) = contact.table.get() else {
             return Ok(());
         };
-        let kinks = self.film.kinks(table, rms)?;
+        let kinks = self.film.kinks(table, &roughness)?;
         sums.kinks += kinks;
         if kinks.apart > 0 {
             return Ok(());
         }
         let mut rough = contact.rough()?;
         let scale = self.case.model.friction_scale;
-        let found = self.film.gradient(&mut rough, table, rms, scale)?;
+        let found = (self.film).gradient(&mut rough, table, &roughness, scale)?;
         let (starts, points) = (window.starts, window.points);
-        let attenuation = self.flattening()?;
+        let flattening = self.flattening()?;
         let spectra = self.surfaces.whole_spectra()?;
         let traces = (self.traces)
-            .get_or_insert_with(|| AttenuatedTraces::new(spectra.each_ref(), &attenuation));
+            .get_or_insert_with(|| AttenuatedTraces::new(spectra.each_ref(), &flattening));
         let of_rms = traces.rms_gradient(starts, points);
         for body in [0, 1] {
             let [direct, flattened] = [&mut sums.direct[body], &mut sums.flattened[body]];

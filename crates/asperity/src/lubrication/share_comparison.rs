@@ -162,6 +162,9 @@ pub fn share_settings(
         central_film: model.central_film,
         gap_law: model.gap_law,
         spot_speed: model.spot_speed,
+        inner_boundary: model.inner_boundary,
+        film_pressure: model.film_pressure,
+        gap_roughness: model.gap_roughness,
         share_factor: model.asperity_share_factor,
         ..LoadShareSettings::default()
     })
@@ -186,11 +189,11 @@ fn solved(
     let spectrum = |trace: &Profile| TraceSpectrum::new(trace.heights(), trace.spacing());
     let [first, second] = contact.traces.each_ref().map(spectrum);
     let spectra = [&first?, &second?];
-    let attenuation = film.attenuation(&PairSpectrum::of(spectra))?;
-    let traces = AttenuatedTraces::new(spectra, &attenuation);
+    let flattening = film.flattening(&PairSpectrum::of(spectra))?;
+    let traces = AttenuatedTraces::new(spectra, &flattening);
     let share = |window: &ComparedWindow| {
-        let rms = traces.window_rms(window.starts, window.points)?;
-        Ok(film.share(&window.contact, rms)?.value)
+        let roughness = traces.window(window.starts, window.points)?;
+        Ok(film.share(&window.contact, &roughness)?.value)
     };
     windows.iter().map(share).collect()
 }

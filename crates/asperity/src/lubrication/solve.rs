@@ -6,7 +6,8 @@ use asperity_contact::{ContactSolution, ContactWarning};
 use asperity_core::Checked;
 use asperity_core::cancel::checkpoint;
 use asperity_ehl_regime::Regime;
-use asperity_mixed_film::{Kinks, LoadShareSolution};
+use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
+use asperity_mixed_film::{FilmPressure, Kinks, LoadShareSolution};
 
 use super::chosen_laws::ChosenLaws;
 use super::decision::{Decision, Undecided};
@@ -81,7 +82,7 @@ impl Lubrication<'_> {
         if !self.is_film_alone() {
             let roughness = contacts.iter().map(|contact| &contact.roughness);
             let law = self.laws.friction.as_ref();
-            by_law = friction::in_film(self.case, law, (at, &film), roughness)?;
+            by_law = friction::in_film(self.case, law, (at, &film), 1.0, roughness)?;
         }
         let decided = self.decided((at, &film), contacts, recorded)?;
         for (k, (contact, decided)) in contacts.iter().zip(decided).enumerate() {
@@ -365,15 +366,15 @@ impl Lubrication<'_> {
         }
     }
 
-    /// Friction of a film without asperities: from the full film or the load share if these solve for it, else by the
-    /// law. It does not depend on the roughness: all offsets take it from the first one.
+    /// Friction of the film: from the full film or the load share if these solve for it, else by the law, which depends on the
+    /// roughness through the film's share of the load only: offsets of one share take it from the first of them.
     fn in_film(
         &self,
         position: (&MeshPosition, &FormulaFilm),
         roughness: &Roughness,
         decision: &Decision,
         (full_film, share): (Option<&FullFilm>, Option<&Checked<LoadShareSolution>>),
-        film_alone: &mut Option<InFilm>,
+        film_alone: &mut Option<(f64, InFilm)>,
     ) -> Result<InFilm, PositionError> {
         let case = self.case;
         let by_full_film = full_film.and_then(|film| film.coefficient);
@@ -383,12 +384,19 @@ impl Lubrication<'_> {
                 outside: share.map(|share| share.outside.clone()).unwrap_or_default(),
             });
         }
-        if film_alone.is_none() {
+        let film_share = match (case.formulation, case.model.film_pressure) {
+            (Formulation::Paper, _) | (_, FilmPressure::Hertz) => 1.0,
+            (Formulation::Corrected, FilmPressure::Own | FilmPressure::Rippled) => {
+                decision.shared.film_share.max(1.0 - LARGEST_SHARE)
+            }
+        };
+        if !matches!(film_alone, Some((share, _)) if *share == film_share) {
             let law = self.laws.friction.as_ref();
-            let by_law = friction::in_film(case, law, position, [roughness])?;
-            *film_alone = by_law.into_iter().next();
+            let by_law = friction::in_film(case, law, position, film_share, [roughness])?;
+            *film_alone = by_law.into_iter().next().map(|film| (film_share, film));
         }
-        film_alone.clone().ok_or(PositionError::NoProfile)
+        let known = film_alone.as_ref().map(|(_, film)| film.clone());
+        known.ok_or(PositionError::NoProfile)
     }
 
     /// Whether the film friction of the case is for a film without asperities, which a solved film can replace.

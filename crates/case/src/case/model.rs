@@ -11,7 +11,7 @@ use asperity_ehl_regime::{FilmLaw, ThermalLaw};
 use asperity_gear::{GearPair, LoadLaw, LoadMapSettings};
 use asperity_ns_film::FluidModel;
 use asperity_oil::PressureLaw;
-use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER};
+use asperity_tribo_friction::boundary::{BOUNDARY_FRICTION, BOUNDARY_LAYER, INNER_BOUNDARY};
 use asperity_tribo_friction::{FrictionSettings, RoughnessReading};
 use serde::{Deserialize, Serialize};
 
@@ -23,7 +23,7 @@ use super::path_point::{NamedPoint, PathPoint};
 use super::rows::{OPEN, choices};
 use super::section::{Section, domain};
 use super::source::Source;
-use asperity_mixed_film::SpotSpeed;
+use asperity_mixed_film::{FilmPressure, GapRoughness, SpotSpeed};
 
 /// Reading of the 2022 model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -117,9 +117,21 @@ choices! {
     /// (`paper`: `mass-flow`).
     #[serde(skip_serializing_if = "Option::is_none")]
     lambda_film: CentralFilm = each(CentralFilm::Gap, CentralFilm::MassFlow);
-    /// Speed at which oil is carried into touching asperities: `entrainment` (default) or `half-sliding`, for
-    /// the band.
-    spot_speed: SpotSpeed = corrected(SpotSpeed::Entrainment);
+    /// Film that touching asperities carry with them: of the `entrainment` speed (default) or of half the sliding speed,
+    /// `half-sliding`, in all of them, or `carried`, of the inlet until the flanks have slid past.
+    spot_speed: SpotSpeed = corrected(SpotSpeed::default());
+    /// Least share on the boundary layer of asperities that come into contact past the inlet, with `spot_speed = "carried"`; default 0.75.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inner_boundary: f64 = of_carried_spots(spot_speed) usual "" [0.05, 1.0],
+        check("inner boundary", |b| (0.0..=1.0).contains(&b), "must be 0 to 1");
+    /// Pressure at which the film shears where asperities carry a share of the load: `hertz` (default), of the whole load,
+    /// `own`, of its own share, or `rippled`, which in addition rises over the peaks that it flattens.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    film_pressure: FilmPressure = corrected(FilmPressure::default());
+    /// Heights that count in the mean gap that the inlet supplies to `load_share = "solved"`: `rms` (default), all, or `peaks`,
+    /// those above the mean line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap_roughness: GapRoughness = corrected(GapRoughness::default());
     /// Factor on the solved asperity load share, for the band; default 1.
     asperity_share_factor: f64 = corrected(1.0) usual "" [0.01, 1.0],
         check("factor on the asperity share", |k| k > 0.0 && k <= 1.0, "must be above 0 and at most 1");
@@ -294,6 +306,14 @@ impl Choices<'_> {
             true => self.defaults.take(key, stated, default),
             false => stated.unwrap_or(default),
         })
+    }
+
+    /// The least boundary share of spots that form inside the contact.
+    fn of_carried_spots(&mut self, key: Key, stated: Option<f64>, speed: SpotSpeed) -> Choice<f64> {
+        match speed {
+            SpotSpeed::Carried => self.corrected(key, stated, INNER_BOUNDARY),
+            _ => self.listed_if(key, stated, false, INNER_BOUNDARY),
+        }
     }
 
     /// No default.

@@ -17,9 +17,9 @@ use crate::flanks::local_roughness::{Roughness, peaks};
 use crate::flanks::placement::Placement;
 use crate::flanks::surrogate_record::SurrogateRecord;
 use crate::mesh_position::MeshPosition;
-use asperity_ehl_regime::{Attenuation, Lay, PairSpectrum, TraceSpectrum};
-use asperity_mixed_film::AttenuatedTraces;
+use asperity_ehl_regime::{Lay, PairSpectrum, TraceSpectrum};
 use asperity_mixed_film::TraceSpectra;
+use asperity_mixed_film::{AttenuatedTraces, Flattening, WindowRoughness};
 
 /// λs at which summits are measured without a noise filter: the usual stylus filter.
 const SUMMIT_WINDOW: Length = Length::from_si(2.5e-6);
@@ -348,16 +348,15 @@ impl Surfaces {
         &self.textures
     }
 
-    /// Standard deviation of the sum of two windows, each its first point and their number of points, flattened by
-    /// `attenuation`; `whole` holds the attenuated traces once they were needed.
-    pub fn window_rms(
+    /// Roughness of two windows together, each its first point and their number of points, flattened by
+    /// `flattening`; `whole` holds the attenuated traces once they were needed.
+    pub fn window(
         &self,
         window: ([isize; 2], usize),
-        attenuation: &Attenuation,
+        flattening: &Flattening,
         whole: &mut Option<AttenuatedTraces>,
-    ) -> Result<Length, PositionError> {
-        let found = (self.spectra).window_rms(self.traces()?, window, attenuation, whole);
-        Ok(found?)
+    ) -> Result<WindowRoughness, PositionError> {
+        Ok((self.spectra).window(self.traces()?, window, flattening, whole)?)
     }
 
     /// Spectra of both whole traces.

@@ -37,6 +37,7 @@ use crate::contact_table::ContactTable;
 use crate::error::LoadShareError;
 use crate::rough_contact::RoughContact;
 use crate::spots::SpotConditions;
+use crate::window_roughness::WindowRoughness;
 
 /// Step of the difference quotient of the friction over the surface temperature \[K\].
 const TEMPERATURE_STEP: f64 = 0.02;
@@ -138,9 +139,9 @@ impl PositionFilm<'_> {
     pub fn kinks(
         &mut self,
         table: &ContactTable,
-        attenuated_rms: Length,
+        window: &WindowRoughness,
     ) -> Result<Kinks, LoadShareError> {
-        let supply = self.supply_of(self.inlet_factor(attenuated_rms)?)?;
+        let supply = self.supply_of(self.inlet_factor(window.deviation)?)?;
         let is_next = |gap: Length, other: f64| (gap.si() - other).abs() < NEXT_TO;
         let mut kinks = Kinks {
             windows: 1,
@@ -155,7 +156,7 @@ impl PositionFilm<'_> {
         let mut rows = at.rows.iter();
         kinks.rows = usize::from(rows.any(|(row, _)| is_next(row.mean_gap, gap.si())));
         kinks.limited_slopes = usize::from(at.limits_a_slope());
-        let rise = self.share(table, attenuated_rms)?.value.surface_rise;
+        let rise = self.share(table, window)?.value.surface_rise;
         let conditions = self.spot_conditions(rise);
         let mut is_at_floor = at.share.value >= LARGEST_SHARE;
         for (row, _) in at.rows {
@@ -180,7 +181,7 @@ impl PositionFilm<'_> {
         &mut self,
         contact: &mut RoughContact,
         table: &ContactTable,
-        attenuated_rms: Length,
+        window: &WindowRoughness,
         film_scale: f64,
     ) -> Result<ShareGradient, LoadShareError> {
         cite!("Share-gradient");
@@ -188,13 +189,14 @@ impl PositionFilm<'_> {
             by_height: vec![0.0; contact.points()],
             by_rms: 0.0,
         };
+        let attenuated_rms = window.deviation;
         let psi = self.inlet_factor(attenuated_rms)?;
         let supply = self.supply_of(psi)?;
         let Some(at) = table.at_supply(&supply)? else {
             return Ok(gradient);
         };
         let root = at.share.value;
-        let coefficient = self.share(table, attenuated_rms)?.value.coefficient;
+        let coefficient = self.share(table, window)?.value.coefficient;
         let is_isothermal = self.film.heat() == FilmHeat::Isothermal;
         let unit_rise = match is_isothermal {
             true => 0.0,

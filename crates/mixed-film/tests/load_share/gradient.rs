@@ -27,11 +27,11 @@ fn gradient(flanks: &Flanks, settings: &LoadShareSettings) -> [Vec<f64>; 2] {
     let mut film = PositionFilm::new(&rheology, &contact, celsius(90.0), settings).unwrap();
     let [first, second] = &flanks.spectra;
     let pair = PairSpectrum::of([first, second]);
-    let traces = AttenuatedTraces::new([first, second], &film.attenuation(&pair).unwrap());
+    let traces = AttenuatedTraces::new([first, second], &film.flattening(&pair).unwrap());
     let n = points(&contact);
     let starts = STARTS.map(|start| start as isize);
-    let rms = traces.window_rms(STARTS, n).unwrap();
-    let found = film.gradient(&mut rough, &table, rms, 1.0).unwrap();
+    let window = traces.window(STARTS, n).unwrap();
+    let found = film.gradient(&mut rough, &table, &window, 1.0).unwrap();
     let of_rms = traces.rms_gradient(starts, n);
     let places = |body: usize| mirrored_indices(flanks.heights[body].len(), starts[body], n);
     let flattened = [0, 1].map(|body: usize| {
@@ -130,7 +130,8 @@ fn kinks_are_counted_within_a_nanometre_of_mean_gap() {
     // Kinks where the supply is `gap`: the roughness is searched that the inlet needs for it.
     let mut at = |gap: f64| {
         let supplied = |film: &mut PositionFilm<'_>, rms: f64| {
-            let share = film.share(&table, Length::from_si(rms)).unwrap().value;
+            let window = WindowRoughness::even(Length::from_si(rms));
+            let share = film.share(&table, &window).unwrap().value;
             (share.mean_gap.si(), share.asperity_share)
         };
         let [mut low, mut high] = [0.0, 1e-5];
@@ -143,7 +144,7 @@ fn kinks_are_counted_within_a_nanometre_of_mean_gap() {
         }
         let (found, share) = supplied(&mut film, low);
         assert!((found - gap).abs() < 1e-13, "{found} {gap}");
-        let kinks = film.kinks(&table, Length::from_si(low));
+        let kinks = film.kinks(&table, &WindowRoughness::even(Length::from_si(low)));
         let kinks = kinks.unwrap();
         assert_eq!((kinks.windows, kinks.apart == 1), (1, share == 0.0));
         kinks
@@ -164,7 +165,7 @@ fn a_window_without_contact_or_film_is_counted_as_apart_or_at_a_floor() {
     let (mut contact, rheology, settings) =
         (e_drive(), oil("e-fluid"), LoadShareSettings::default());
     let (_, table) = exact_table(&contact, ground());
-    let rms = Length::from_si(0.0);
+    let rms = &WindowRoughness::even(Length::from_si(0.0));
     let bulk = celsius(90.0);
     let thick = SmoothFilm {
         central: table.first_touch_gap() * 2.0,

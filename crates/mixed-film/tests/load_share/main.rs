@@ -14,7 +14,7 @@ mod properties;
 use std::path::Path;
 use std::sync::OnceLock;
 
-use asperity_contact::SolverSettings;
+use asperity_contact::{Boundary, PeriodicKernel, Solver, SolverSettings};
 use asperity_core::Profile;
 use asperity_core::line_contact::LineContact;
 use asperity_core::material::Material;
@@ -25,9 +25,9 @@ use asperity_core::quantity::{
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_ehl_regime::{Attenuation, GapLaw, PairSpectrum, ThermalLaw, TraceSpectrum};
 use asperity_mixed_film::{
-    AttenuatedTraces, ContactTable, InletSupply, Kinks, LoadShareError, LoadShareSettings,
-    LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SmoothFilm, SpotSpeed,
-    TABLE_SHARES,
+    AttenuatedTraces, ContactTable, FilmPressure, GapRoughness, InletSupply, Kinks, LoadShareError,
+    LoadShareSettings, LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SmoothFilm,
+    SpotSpeed, TABLE_SHARES, WindowRoughness,
 };
 use asperity_oil::{BaseOil, FilmRheology, LubricantInput, TractionConstants, ViscosityLaw};
 use asperity_roughness::preparation::{Preparation, prepare};
@@ -226,9 +226,9 @@ fn share(
     let mut film = PositionFilm::new(&rheology, contact, celsius(temperature), settings).unwrap();
     let [first, second] = &flanks.spectra;
     let pair = PairSpectrum::of([first, second]);
-    let traces = AttenuatedTraces::new([first, second], &film.attenuation(&pair).unwrap());
-    let rms = traces.window_rms(starts, points(contact)).unwrap();
-    film.share(table, rms).unwrap().value
+    let traces = AttenuatedTraces::new([first, second], &film.flattening(&pair).unwrap());
+    let window = traces.window(starts, points(contact)).unwrap();
+    film.share(table, &window).unwrap().value
 }
 
 const STARTS: [usize; 2] = [3000, 1200];
@@ -237,6 +237,17 @@ const STARTS: [usize; 2] = [3000, 1200];
 fn ground_table() -> &'static ContactTable {
     static TABLE: OnceLock<ContactTable> = OnceLock::new();
     TABLE.get_or_init(|| table(&e_drive(), ground(), STARTS, FLOW))
+}
+
+/// The laws that the independent program has: all spots with the film of the entrainment speed, the film at the Hertz pressure, all
+/// heights in the supply.
+fn former() -> LoadShareSettings {
+    LoadShareSettings {
+        spot_speed: SpotSpeed::Entrainment,
+        film_pressure: FilmPressure::Hertz,
+        gap_roughness: GapRoughness::Rms,
+        ..LoadShareSettings::default()
+    }
 }
 
 fn at(settings: &LoadShareSettings) -> LoadShareSolution {
@@ -270,7 +281,7 @@ fn load_share_of_the_reference_windows() {
             boundary_friction: of("mu_b"),
             lay: Lay::ACROSS,
             gap_law: GapLaw::Power,
-            ..LoadShareSettings::default()
+            ..former()
         };
         settings.film.nodes = std::num::NonZeroUsize::new(32).unwrap();
         let mut film = PositionFilm::new(&rheology, &contact, celsius(90.0), &settings).unwrap();
@@ -282,12 +293,13 @@ fn load_share_of_the_reference_windows() {
         );
         let [first, second] = &flanks.spectra;
         let pair = PairSpectrum::of([first, second]);
-        let traces = AttenuatedTraces::new([first, second], &film.attenuation(&pair).unwrap());
-        let rms = traces.window_rms(starts, n).unwrap();
+        let traces = AttenuatedTraces::new([first, second], &film.flattening(&pair).unwrap());
+        let window = &traces.window(starts, n).unwrap();
+        let rms = window.deviation;
         near("attenuated rms", rms.si() / of("Sqd"), 1.0, 1e-8);
         let composite = flanks.window(starts, n);
         let mut rough = rough(&contact, &composite, FLOW).unwrap();
-        let (solution, state) = film.share_by_direct_solves(&mut rough, rms).unwrap();
+        let (solution, state) = film.share_by_direct_solves(&mut rough, window).unwrap();
         let solution = solution.value;
         near("inlet factor", solution.inlet_factor / of("psi"), 1.0, 1e-8);
         // The reference's own tolerances.
@@ -327,7 +339,7 @@ fn load_share_of_the_reference_windows() {
         }
         // The table instead of direct solves.
         let table = ContactTable::build(&mut rough).unwrap();
-        let quick = film.share(&table, rms).unwrap().value;
+        let quick = film.share(&table, window).unwrap().value;
         near(
             "share by table",
             quick.asperity_share,
@@ -357,10 +369,9 @@ fn smooth_flanks_have_the_film_friction_alone() {
     let rheology = oil("e-fluid");
     let settings = LoadShareSettings::default();
     let mut film = PositionFilm::new(&rheology, &contact, celsius(90.0), &settings).unwrap();
-    let by_table = film.share(&table, Length::from_si(0.0)).unwrap().value;
-    let (direct, state) = film
-        .share_by_direct_solves(&mut smooth, Length::from_si(0.0))
-        .unwrap();
+    let even = WindowRoughness::even(Length::from_si(0.0));
+    let by_table = film.share(&table, &even).unwrap().value;
+    let (direct, state) = film.share_by_direct_solves(&mut smooth, &even).unwrap();
     let alone = film_friction::solve(
         &rheology,
         &FilmLineContact {
@@ -420,7 +431,7 @@ fn a_row_is_the_same_whichever_others_are_solved() {
         for temperature in temperatures {
             let bulk = celsius(temperature);
             let film = || PositionFilm::new(&rheology, &contact, bulk, &settings).unwrap();
-            let rms = Length::from_si(0.2e-6);
+            let rms = &WindowRoughness::even(Length::from_si(0.2e-6));
             let (mut of_whole, mut film) = (film(), film());
             let needed = film.share(&table, rms).unwrap_err();
             assert!(
@@ -644,12 +655,172 @@ fn structural_choices_move_the_friction_the_way_they_say() {
 }
 
 #[test]
+fn spots_keep_the_film_of_the_inlet_without_sliding() {
+    let contact = line_contact(1.4379302065e5, 3.6272968270e-3, [6.4, 6.4]);
+    let by = |spot_speed| {
+        let settings = LoadShareSettings {
+            spot_speed,
+            ..former()
+        };
+        share(&contact, ground(), ground_table(), STARTS, 90.0, &settings)
+    };
+    assert_eq!(by(SpotSpeed::Carried), by(SpotSpeed::Entrainment));
+}
+
+#[test]
+fn the_share_of_carried_spots_on_the_boundary_layer_is_between_its_ends() {
+    let with = |settings: LoadShareSettings| at(&settings).boundary_of_asperities;
+    let inner = |inner_boundary| {
+        with(LoadShareSettings {
+            spot_speed: SpotSpeed::Carried,
+            inner_boundary,
+            ..former()
+        })
+    };
+    let fed = |spot_speed| {
+        with(LoadShareSettings {
+            spot_speed,
+            ..former()
+        })
+    };
+    let (carried, flowing) = (fed(SpotSpeed::Entrainment), fed(SpotSpeed::HalfSliding));
+    // Without a least share, spots that form inside have the film of half the sliding speed.
+    let shares = [
+        carried,
+        inner(0.0),
+        inner(0.6),
+        inner(0.75),
+        inner(0.9),
+        inner(1.0),
+    ];
+    assert!(shares.is_sorted() && shares[0] < shares[1], "{shares:?}");
+    assert!(inner(0.0) < flowing && inner(1.0) < 1.0);
+    // β = k β(u_m) + (1 − k) β_i is a line in β_i where β_i is above the share of the film that flows.
+    let line = (inner(0.9) - inner(0.75)) / (inner(1.0) - inner(0.9));
+    assert!((line - 1.5).abs() < 0.02, "{line}");
+    // Without a boundary layer nothing rubs on it.
+    let none = LoadShareSettings {
+        spot_speed: SpotSpeed::Carried,
+        boundary_layer: Length::from_si(0.0),
+        ..former()
+    };
+    assert_eq!(with(none), 0.0);
+    let refused = LoadShareSettings {
+        inner_boundary: 1.1,
+        ..former()
+    };
+    let rheology = oil("e-fluid");
+    assert!(PositionFilm::new(&rheology, &e_drive(), celsius(90.0), &refused).is_err());
+}
+
+#[test]
+fn the_films_own_pressure_changes_nothing_where_nothing_touches() {
+    let by = |film_pressure, temperature: f64, flanks: &Flanks| {
+        let settings = LoadShareSettings {
+            film_pressure,
+            ..former()
+        };
+        let (contact, starts) = (e_drive(), [100, 100]);
+        let table = table(&contact, flanks, starts, FLOW);
+        share(&contact, flanks, &table, starts, temperature, &settings)
+    };
+    let apart = superfinished().scaled(0.05);
+    let [hertz, own, rippled] = [
+        FilmPressure::Hertz,
+        FilmPressure::Own,
+        FilmPressure::Rippled,
+    ]
+    .map(|p| by(p, 40.0, &apart));
+    assert_eq!(hertz.asperity_share, 0.0);
+    assert_eq!(hertz, own);
+    let ripple = rippled.coefficient / own.coefficient - 1.0;
+    assert!(ripple.abs() > 1e-6 && ripple.abs() < 0.01, "{ripple}");
+    // Where asperities carry load, the film shears less at its own pressure, and more where it ripples.
+    let [hertz, own, rippled] = [
+        FilmPressure::Hertz,
+        FilmPressure::Own,
+        FilmPressure::Rippled,
+    ]
+    .map(|pressure| by(pressure, 120.0, ground()));
+    assert!(own.asperity_share > 0.1 && own.asperity_share == hertz.asperity_share);
+    assert!(own.film_coefficient < 0.95 * hertz.film_coefficient);
+    assert!(rippled.film_coefficient != own.film_coefficient);
+}
+
+#[test]
+fn a_film_ripples_at_none_of_smooth_flanks() {
+    let contact = e_drive();
+    let n = points(&contact);
+    let smooth = Flanks::new([vec![0.0; n], vec![0.0; n]]);
+    let table = table(&contact, &smooth, [0, 0], FLOW);
+    let by = |film_pressure| {
+        let settings = LoadShareSettings {
+            film_pressure,
+            ..former()
+        };
+        share(&contact, &smooth, &table, [0, 0], 90.0, &settings)
+    };
+    assert_eq!(by(FilmPressure::Rippled), by(FilmPressure::Own));
+}
+
+#[test]
+fn pressure_of_the_ripple_presses_waves_to_their_heights_in_the_contact() {
+    let n = 480;
+    let wave = |points: f64, i: usize| (std::f64::consts::TAU * i as f64 / points).sin();
+    let heights: Vec<f64> = (0..n)
+        .map(|i| 0.2e-6 * wave(120.0, i) + 0.05e-6 * wave(20.0, i))
+        .collect();
+    let spectrum = TraceSpectrum::new(&heights, SPACING).unwrap();
+    let attenuation = Attenuation::new(GapLaw::Inlet, 2e5).unwrap();
+    let modulus = Pressure::from_si(115e9);
+    let pair = [&spectrum, &spectrum];
+    let [pressure, _] = TraceSpectrum::ripple_pair(pair, &attenuation, modulus);
+    let [left, _] = TraceSpectrum::attenuated_pair(pair, &attenuation);
+    let boundary = Boundary::Periodic(PeriodicKernel::Spectral);
+    let mut displacement = vec![0.0; n];
+    let mut solver = Solver::new(n, boundary).unwrap();
+    solver
+        .displacement((SPACING, modulus), &pressure, &mut displacement)
+        .unwrap();
+    for i in 0..n {
+        let pressed = heights[i] - displacement[i];
+        assert!(
+            (pressed - left[i]).abs() < 1e-12,
+            "{i}: {pressed} {}",
+            left[i]
+        );
+    }
+}
+
+#[test]
+fn heights_above_the_mean_line_count_up_to_a_third_of_lay() {
+    let rms = |gap_roughness, gamma: f64| {
+        at(&LoadShareSettings {
+            gap_roughness,
+            lay: Lay::new(gamma).unwrap(),
+            ..former()
+        })
+        .attenuated_rms
+    };
+    let [peaks, all] = [GapRoughness::Peaks, GapRoughness::Rms];
+    assert_eq!(rms(peaks, 1.0), rms(all, 1.0));
+    let full = rms(peaks, 1.0 / 3.0);
+    assert!((full / rms(all, 1.0 / 3.0) - 1.0).abs() > 1e-3);
+    // Linear in t between t = 0.625 and 0.25: half-way t = 0.4375, γ = 3/(2 t + 1) − 1.
+    let halfway = 3.0 / 1.875 - 1.0;
+    let squares = |length: Length| length.si() * length.si();
+    let mean = 0.5 * (squares(rms(peaks, 1.0 / 3.0)) + squares(rms(all, 1.0 / 3.0)));
+    // The flattening itself follows the lay a little.
+    assert!((squares(rms(peaks, halfway)) / mean - 1.0).abs() < 0.05);
+}
+
+#[test]
 fn windows_beyond_their_trace_or_narrower_than_the_contact_are_refused() {
     let [first, second] = &ground().spectra;
-    let attenuation = Attenuation::new(GapLaw::Power, 1e5).unwrap();
+    let attenuation = Attenuation::new(GapLaw::Power, 1e5).unwrap().into();
     let traces = AttenuatedTraces::new([first, second], &attenuation);
-    assert!(traces.window_rms([5400, 0], 200).is_err());
-    assert!(traces.window_rms([0, 0], 0).is_err());
+    assert!(traces.window([5400, 0], 200).is_err());
+    assert!(traces.window([0, 0], 0).is_err());
     assert!(rough(&e_drive(), &[0.0; 100], FLOW).is_err());
     assert!(rough(&e_drive(), &vec![f64::NAN; 1001], FLOW).is_err());
 }

@@ -133,7 +133,8 @@ proptest! {
         let rheology = oil("e-fluid");
         let bulk = celsius(drawn.temperature);
         let mut film = PositionFilm::new(&rheology, contact, bulk, &LoadShareSettings::default()).unwrap();
-        let found = film.share(&table, Length::from_si(0.0)).unwrap().value;
+        let even = WindowRoughness::even(Length::from_si(0.0));
+        let found = film.share(&table, &even).unwrap().value;
         let alone = FilmLineContact {
             line: *contact,
             film: film.smooth_film(),
@@ -329,8 +330,8 @@ fn in_units(drawn: &Drawn, gap_law: GapLaw, units: &Units) -> LoadShareSolution 
         let z: Vec<f64> = z.iter().map(|z| z * length).collect();
         TraceSpectrum::new(&z, SPACING * length).unwrap()
     });
-    let attenuation = film.attenuation(&PairSpectrum::of(spectra.each_ref()));
+    let attenuation = film.flattening(&PairSpectrum::of(spectra.each_ref()));
     let traces = AttenuatedTraces::new(spectra.each_ref(), &attenuation.unwrap());
-    let rms = traces.window_rms(starts, n).unwrap();
-    film.share(&table, rms).unwrap().value
+    let window = traces.window(starts, n).unwrap();
+    film.share(&table, &window).unwrap().value
 }
