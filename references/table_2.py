@@ -164,8 +164,19 @@ LOAD = 113_408.970_605_022_6
 
 
 def gupta(p0, e_star, loading, srr):
-    top = max(0.3, 1 - 13.2 * p0 / (2 * e_star) * loading ** 0.42)
-    return top / (1 + 0.213 * (1 + 2.23 * abs(srr) ** 0.83) * loading ** 0.64)
+    pressure, sliding = 13.2 * p0 / (2 * e_star), 0.213 * (1 + 2.23 * abs(srr) ** 0.83)
+
+    def steepness(at):
+        top, slid = pressure * at ** 0.42, sliding * at ** 0.64
+        return 0.42 * top / max(1 - top, 1e-3) + 0.64 * slid / (1 + slid)
+
+    # Beyond the loading where the factor falls with its power -0.345, it keeps this power.
+    end, low = loading, 0.0
+    if steepness(loading) > 0.345:
+        for _ in range(200):
+            middle = (low + end) / 2
+            low, end = (low, middle) if steepness(middle) > 0.345 else (middle, end)
+    return (1 - pressure * end ** 0.42) / (1 + sliding * end ** 0.64) * (end / loading) ** 0.345
 
 
 def film_factor(asperity, flank, exponent):

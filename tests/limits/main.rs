@@ -5,6 +5,7 @@
 mod band;
 mod bulk;
 mod cancelling;
+mod cold_oil;
 mod constant_friction;
 mod equations_used;
 mod friction_laws;

@@ -14,9 +14,9 @@
 //! (1992) 269 (form confirmed in Arana, Larrañaga and Ulacia 2019, eq. 24); L. E. Murch and
 //! W. R. D. Wilson, ASME J. Lubr. Technol. 97 (1975) 212, written 1/(1 + 0.254 L^0.62) by Wilson
 //! and Sheu (1983), who also say that it holds for pure rolling only. Sliding therefore puts a
-//! note on Murch–Wilson. Gupta's numerator turns negative at very high p₀/E′ and L, where the film would
-//! vanish as the oil thickens; it is held at 0.3, with a note (judgement: a switch to another law there would
-//! be a step of 3 to 7 in the film).
+//! note on Murch–Wilson. Gupta's factor falls ever faster with L, and its numerator turns negative: a colder or faster contact
+//! would have less film. Beyond the loading L₁ at which the film no longer rises with the speed, its steepness is held, with a
+//! note (judgement: a switch to another law there would be a step of 3 to 7 in the film).
 
 use asperity_core::quantity::{DynamicViscosity, PerKelvin, Pressure, Speed, ThermalConductivity};
 use asperity_core::{Checked, DomainError, FittedRange, Treatment, cite};
@@ -24,26 +24,18 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::RegimeError;
 
-/// Least numerator of Gupta's factor (judgement: 0.49 or more on an e-drive down to -30 °C).
-const LEAST_NUMERATOR: f64 = 0.3;
+/// Steepest fall −d ln φ/d ln L of Gupta's factor: half the power of the speed in the isothermal film of Dowson and Toyoda,
+/// V_e^0.69, as L grows with the square of the speed. Steeper, the film would thin as the gears turn faster. Film and rolling rise
+/// with the viscosity by at least its power 0.65.
+const STEEPEST: f64 = 0.345;
 
-/// Range in which Gupta's numerator is above its lower bound: no published range is narrower.
-const GUPTA_NUMERATOR: FittedRange = FittedRange::new(
-    "13.2 (p0/E') L^0.42",
-    0.0,
-    1.0 - LEAST_NUMERATOR,
-    "-",
-    "Gupta (numerator held at 0.3)",
-);
-
-/// Range in which the factor falls less steeply with the speed than the isothermal film rises (V_e^0.69, Dowson and
-/// Toyoda); outside it the film would thin as the gears turn faster.
+/// Range in which the factor falls less steeply.
 const GUPTA_FALL: FittedRange = FittedRange::new(
-    "-d ln(factor)/d ln(speed)",
+    "-d ln(factor)/d ln(loading)",
     0.0,
-    0.69,
+    STEEPEST,
     "-",
-    "Gupta (film falls as the speed rises)",
+    "Gupta (steepness held)",
 );
 
 /// Murch and Wilson's analysis has equal surface speeds (Wilson and Sheu 1983).
@@ -163,8 +155,10 @@ fn checked_sliding(slide_to_roll: f64) -> Result<f64, DomainError> {
 /// Thermal reduction by Gupta et al.
 ///
 /// ```text
-/// φ = max(0.3, 1 − 13.2 (p₀/E′) L^0.42) / (1 + 0.213 (1 + 2.23 |SRR|^0.83) L^0.64)   [P10]
+/// φ = (1 − 13.2 (p₀/E′) L^0.42) / (1 + 0.213 (1 + 2.23 |SRR|^0.83) L^0.64) up to L₁, φ(L₁) (L₁/L)^0.345 beyond     [P10]
 /// ```
+///
+/// L₁ is where −d ln φ/d ln L is 0.345.
 ///
 /// # Errors
 /// When p₀ or L is negative, E* not positive, or a value not finite.
@@ -187,23 +181,70 @@ pub fn gupta(
     let e = 2.0 * DomainError::positive("reduced modulus", reduced_modulus)?;
     let l = checked_loading(loading)?;
     let srr = checked_sliding(slide_to_roll)?;
-    let pressure = PRESSURE_TERM.0 * (p0 / e) * l.powf(PRESSURE_TERM.1);
-    let sliding = 1.0 + SLIDING_TERM.0 * srr.powf(SLIDING_TERM.1);
-    let loading = LOADING_TERM.0 * sliding * l.powf(LOADING_TERM.1);
-    let mut outside = Vec::new();
-    GUPTA_NUMERATOR.check_as(Treatment::Held, pressure, &mut outside);
-    let numerator = (1.0 - pressure).max(LEAST_NUMERATOR);
-    // −d ln φ/d ln V_e: L grows with the square of the speed.
-    let of_numerator = match numerator > LEAST_NUMERATOR {
-        true => PRESSURE_TERM.1 * pressure / numerator,
-        false => 0.0,
+    let form = Gupta {
+        pressure: PRESSURE_TERM.0 * (p0 / e),
+        loading: LOADING_TERM.0 * (1.0 + SLIDING_TERM.0 * srr.powf(SLIDING_TERM.1)),
     };
-    let fall = 2.0 * (of_numerator + LOADING_TERM.1 * loading / (1.0 + loading));
-    GUPTA_FALL.check(fall, &mut outside);
-    Ok(Checked {
-        value: numerator / (1.0 + loading),
-        outside,
-    })
+    let fall = form.fall(l);
+    let mut outside = Vec::new();
+    GUPTA_FALL.check_as(Treatment::Held, fall, &mut outside);
+    let value = match fall > STEEPEST {
+        true => {
+            let end = form.end(l);
+            form.factor(end) * (end / l).powf(STEEPEST)
+        }
+        false => form.factor(l),
+    };
+    Ok(Checked { value, outside })
+}
+
+/// Gupta's form at one pressure and slide-to-roll ratio.
+struct Gupta {
+    /// 13.2 p₀/E′
+    pressure: f64,
+    /// 0.213 (1 + 2.23 |SRR|^0.83)
+    loading: f64,
+}
+
+impl Gupta {
+    fn terms(&self, l: f64) -> [f64; 2] {
+        [
+            self.pressure * l.powf(PRESSURE_TERM.1),
+            self.loading * l.powf(LOADING_TERM.1),
+        ]
+    }
+
+    fn factor(&self, l: f64) -> f64 {
+        let [pressure, loading] = self.terms(l);
+        (1.0 - pressure) / (1.0 + loading)
+    }
+
+    /// −d ln φ/d ln L, which rises with L; 42 where the numerator is below a hundredth.
+    fn fall(&self, l: f64) -> f64 {
+        const LEAST: f64 = 0.01;
+        let [pressure, loading] = self.terms(l);
+        let of_numerator = match 1.0 - pressure > LEAST {
+            true => pressure / (1.0 - pressure),
+            false => 1.0 / LEAST,
+        };
+        PRESSURE_TERM.1 * of_numerator + LOADING_TERM.1 * loading / (1.0 + loading)
+    }
+
+    /// L₁ below a loading at which the fall is steeper, by bisection of ln L to its last digit.
+    fn end(&self, l: f64) -> f64 {
+        /// Without loading there is no fall: e^−1000 of a finite loading is 0.
+        const REACH: f64 = 1e3;
+        const HALVINGS: usize = 64;
+        let [mut low, mut high] = [l.ln() - REACH, l.ln()];
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            match self.fall(middle.exp()) > STEEPEST {
+                true => high = middle,
+                false => low = middle,
+            }
+        }
+        low.exp()
+    }
 }
 
 /// Thermal reduction in pure rolling by Murch and Wilson.

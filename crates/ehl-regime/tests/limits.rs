@@ -199,17 +199,45 @@ fn no_thermal_loading_is_no_reduction() {
 }
 
 #[test]
-fn guptas_numerator_is_held_with_a_note_and_the_film_never_vanishes() {
-    let factor = gupta(Pressure::from_si(4e9), Pressure::from_si(115e9), 100.0, 0.1).unwrap();
-    let denominator = 1.0 + 0.213 * (1.0 + 2.23 * 0.1_f64.powf(0.83)) * 100.0_f64.powf(0.64);
-    assert!((factor.value * denominator - 0.3).abs() < 1e-15);
-    // The numerator is held, and the film falls as the speed rises.
-    assert_eq!(factor.outside.len(), 2);
-    // No step where the floor begins, 13.2 p₀/E′ L^0.42 = 0.7.
-    let p0 = Pressure::from_si(1.2e9);
-    let edge = (0.7 / 13.2 * 230e9 / 1.2e9_f64).powf(1.0 / 0.42);
-    let at = |l: f64| gupta(p0, Pressure::from_si(115e9), l, 0.5).unwrap().value;
-    assert!((at(0.999_999 * edge) / at(1.000_001 * edge) - 1.0).abs() < 1e-4);
+fn the_steepness_of_guptas_factor_is_held_with_a_note() {
+    let modulus = Pressure::from_si(115e9);
+    for (p0, srr) in [(0.3e9, 0.0), (1.2e9, 0.5), (4e9, 1.9)] {
+        let at = |l: f64| gupta(Pressure::from_si(p0), modulus, l, srr).unwrap();
+        let form = |l: f64| {
+            let loading = 0.213 * (1.0 + 2.23 * srr.powf(0.83)) * l.powf(0.64);
+            (1.0 - 13.2 * p0 / 230e9 * l.powf(0.42)) / (1.0 + loading)
+        };
+        let fall = |l: f64| {
+            let log = |step: f64| at(l * (1.0 + step)).value.ln();
+            (log(-1e-5) - log(1e-5)) / 2e-5
+        };
+        let mut before = 0.0;
+        let mut counts = [0, 0];
+        for k in -60..60 {
+            let l = 10_f64.powf(0.1 * f64::from(k));
+            let (found, steepness) = (at(l), fall(l));
+            let is_held = found.outside.len() == 1;
+            counts[usize::from(is_held)] += 1;
+            assert!(
+                steepness > before - 1e-9 && steepness < 0.345 + 1e-8,
+                "{l} {steepness}"
+            );
+            before = steepness;
+            match is_held {
+                true => assert!((steepness - 0.345).abs() < 1e-8, "{l} {steepness}"),
+                // To the bit.
+                false => assert!((found.value / form(l) - 1.0).abs() < 1e-15, "{l}"),
+            }
+        }
+        assert!(counts.iter().all(|count| *count > 20), "{counts:?}");
+    }
+    // However cold: there is a film.
+    assert!(
+        gupta(Pressure::from_si(4e9), modulus, 1e12, 1.9)
+            .unwrap()
+            .value
+            > 0.0
+    );
 }
 
 #[test]

@@ -579,15 +579,18 @@ class ModelInput(TypedDict, total=False):
     face_coupling: Optional[float]
     film: Optional[Literal["dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line"]]
     film_friction: Optional[Literal["eyring", "carreau", "newton", "xu", "benedict-kelley", "iso-14179-1", "iso-14179-2", "matsumoto", "doleschel", "eyring-arana", "constant"]]
+    film_pressure: Optional[Literal["rippled", "own", "hertz"]]
     film_pressure_law: Optional[Literal["barus", "roelands"]]
     flash_feedback: Optional[bool]
     fluid_pressure: Optional[Literal["reynolds-cross", "paper"]]
     friction_scale: Optional[float]
     full_film: Optional[Literal["formulas", "ehl", "ehl-transient"]]
     gap_law: Optional[Literal["inlet", "power"]]
+    gap_roughness: Optional[Literal["peaks", "rms"]]
     hysteresis: Optional[Union[float, str]]
     include_running_in: Optional[bool]
     inlet_layer: Optional[Quantity]
+    inner_boundary: Optional[float]
     lambda_film: Optional[Literal["mass-flow", "gap"]]
     lay: Optional[Union[Literal["across", "isotropic"], Sequence[Union[Literal["across", "isotropic"], float]], float]]
     load_distribution: Optional[Union[Literal["elastic", "iso-stiffness", "uniform", "mean-length", "min-potential", "trapezoid"], LoadDistribution]]
@@ -598,7 +601,7 @@ class ModelInput(TypedDict, total=False):
     position: Optional[Union[Literal["A", "B", "C", "D", "E"], float]]
     positions: Optional[int]
     run_in: Optional[bool]
-    spot_speed: Optional[Literal["entrainment", "half-sliding"]]
+    spot_speed: Optional[Literal["carried", "entrainment", "half-sliding"]]
     stiffness_factor: Optional[float]
     thermal: Optional[Literal["gupta", "murch-wilson", "none"]]
     tolerance: Optional[float]
@@ -1092,15 +1095,18 @@ CaseKeys = TypedDict(
         "model.face_coupling": "Optional[float]",
         "model.film": 'Optional[Literal["dowson-toyoda", "moes", "ertel-grubin", "hamrock-dowson", "hamrock-dowson-line"]]',
         "model.film_friction": 'Optional[Literal["eyring", "carreau", "newton", "xu", "benedict-kelley", "iso-14179-1", "iso-14179-2", "matsumoto", "doleschel", "eyring-arana", "constant"]]',
+        "model.film_pressure": 'Optional[Literal["rippled", "own", "hertz"]]',
         "model.film_pressure_law": 'Optional[Literal["barus", "roelands"]]',
         "model.flash_feedback": "Optional[bool]",
         "model.fluid_pressure": 'Optional[Literal["reynolds-cross", "paper"]]',
         "model.friction_scale": "Optional[float]",
         "model.full_film": 'Optional[Literal["formulas", "ehl", "ehl-transient"]]',
         "model.gap_law": 'Optional[Literal["inlet", "power"]]',
+        "model.gap_roughness": 'Optional[Literal["peaks", "rms"]]',
         "model.hysteresis": "Optional[Union[float, str]]",
         "model.include_running_in": "Optional[bool]",
         "model.inlet_layer": "Optional[Quantity]",
+        "model.inner_boundary": "Optional[float]",
         "model.lambda_film": 'Optional[Literal["mass-flow", "gap"]]',
         "model.lay": 'Optional[Union[Literal["across", "isotropic"], Sequence[Union[Literal["across", "isotropic"], float]], float]]',
         "model.lay.0": 'Optional[Union[Literal["across", "isotropic"], float]]',
@@ -1114,7 +1120,7 @@ CaseKeys = TypedDict(
         "model.position": 'Optional[Union[Literal["A", "B", "C", "D", "E"], float]]',
         "model.positions": "Optional[int]",
         "model.run_in": "Optional[bool]",
-        "model.spot_speed": 'Optional[Literal["entrainment", "half-sliding"]]',
+        "model.spot_speed": 'Optional[Literal["carried", "entrainment", "half-sliding"]]',
         "model.stiffness_factor": "Optional[float]",
         "model.thermal": 'Optional[Literal["gupta", "murch-wilson", "none"]]',
         "model.tolerance": "Optional[float]",

@@ -1,0 +1,33 @@
+//! Film and rolling of a cold oil.
+
+use std::path::Path;
+
+use asperity::case::load_with;
+
+#[test]
+fn film_and_rolling_do_not_fall_as_the_oil_thickens_in_the_cold() {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases");
+    // An oil above 100 Pa s is refused: the mineral oil is below it down to −30 °C.
+    for (name, coldest) in [("e-drive-superfinished.toml", -40), ("fzg-c.toml", -30)] {
+        let case = load_with(&cases.join(name), &|input| {
+            (input.model.positions, input.model.offsets) = (Some(4), Some(1));
+        });
+        let case = case.unwrap();
+        let tables = asperity::pipeline::contacts(&case).unwrap();
+        let mut before: Option<(f64, Vec<f64>)> = None;
+        for celsius in (coldest..=40).rev().step_by(5) {
+            let at = format!("{celsius} °C");
+            let cold = case.with_key("operation.bulk_temperature", &at).unwrap();
+            let losses = asperity::pipeline::losses_with(&tables, &cold).unwrap();
+            let films = losses.path.iter().map(|row| row.film_central_um).collect();
+            let now: (f64, Vec<f64>) = (losses.summary.rolling_w, films);
+            if let Some((rolling, films)) = &before {
+                assert!(now.0 > *rolling, "{name} {celsius} °C: {} {rolling}", now.0);
+                for (now, before) in now.1.iter().zip(films) {
+                    assert!(now > before, "{name} {celsius} °C: {now} {before}");
+                }
+            }
+            before = Some(now);
+        }
+    }
+}
