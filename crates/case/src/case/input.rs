@@ -504,8 +504,8 @@ table! {
         "rz": "Rz over Rq", |flank| over(flank.rz, flank.rq), "" usual [2.0, 25.0] possible [1.0, 250.0];
         "rz": "Rz over Ra", |flank| over(flank.rz, flank.ra), "" usual [2.0, 30.0] possible [1.0, 300.0];
         "rpk": "Rpk over Rz", |flank| over(flank.rpk, flank.rz), "" usual [0.002, 0.6] possible [0.0, 1.0];
-        "rpk": "Rpk over Ra", |flank| over(flank.rpk, flank.ra), "" usual [0.02, 6.0] possible [0.0, 30.0];
-        "rpk": "Rpk over Rq", |flank| over(flank.rpk, flank.rq), "" usual [0.02, 5.0] possible [0.0, 25.0];
+        "rpk": "Rpk over Ra", |flank| over(flank.rpk, flank.ra), "" usual [0.02, 6.0] possible [0.0, 300.0];
+        "rpk": "Rpk over Rq", |flank| over(flank.rpk, flank.rq), "" usual [0.02, 5.0] possible [0.0, 1e12];
     }
 }
 
