@@ -173,6 +173,12 @@ impl Attenuation {
         std::f64::consts::PI * modulus.si() / wavelength.si() * flattened
     }
 
+    /// Slope of [`ripple`](Self::ripple) over ln ∇ \[Pa/m\].
+    #[must_use]
+    pub fn ripple_slope(&self, wavelength: Length, modulus: Pressure) -> f64 {
+        -std::f64::consts::PI * modulus.si() / wavelength.si() * self.slope(wavelength)
+    }
+
     /// Slope dA/d ln ∇ at a wavelength.
     ///
     /// ```

@@ -5,7 +5,7 @@ use asperity_core::profile::mirrored_window;
 use asperity_ehl_regime::TraceSpectrum;
 
 use crate::error::LoadShareError;
-use crate::window_roughness::{Flattening, WindowRoughness, deviation_gradient};
+use crate::window_roughness::{Flattening, WindowRoughness, deviation_gradient, part_gradient};
 
 /// Two prepared traces, attenuated for one contact, from which windows are cut.
 #[derive(Debug, Clone)]
@@ -72,6 +72,19 @@ impl AttenuatedTraces {
             &mirrored_sums(&self.heights, starts, points),
             self.peak_weight,
         )
+    }
+
+    /// Derivatives over the sums of the pressures and of the heights at each point of two windows, from those over the pressures and
+    /// heights of the parts of their ripple. `None` of a film that does not ripple.
+    #[must_use]
+    pub fn ripple_gradient(
+        &self,
+        starts: [isize; 2],
+        points: usize,
+        by_parts: &[[f64; 2]],
+    ) -> Option<[Vec<f64>; 2]> {
+        let pressures = mirrored_sums(self.pressures.as_ref()?, starts, points);
+        (!by_parts.is_empty()).then(|| part_gradient(&pressures, by_parts))
     }
 
     /// [`window`](Self::window) that may reach beyond the ends of the traces, where these are mirrored.

@@ -156,6 +156,26 @@ pub(crate) fn deviation_gradient(heights: &[f64], weight: f64) -> Vec<f64> {
     heights.iter().map(of).collect()
 }
 
+/// Derivatives over pressure and height at each point, from those over the parts, which are means over their points without the mean
+/// of the window.
+pub(crate) fn part_gradient(pressures: &[f64], by_parts: &[[f64; 2]]) -> [Vec<f64>; 2] {
+    let n = pressures.len();
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_unstable_by(|&i, &j| pressures[i].total_cmp(&pressures[j]));
+    let filled = (0..PARTS).map(|k| &order[k * n / PARTS..(k + 1) * n / PARTS]);
+    let filled = filled.filter(|points| !points.is_empty());
+    let total = [0, 1].map(|of: usize| by_parts.iter().map(|by| by[of]).sum::<f64>() / n as f64);
+    let mut gradient = total.map(|mean| vec![-mean; n]);
+    for (points, by_part) in filled.zip(by_parts) {
+        for &point in points {
+            for (of, by) in gradient.iter_mut().zip(by_part) {
+                of[point] += by / points.len() as f64;
+            }
+        }
+    }
+    gradient
+}
+
 /// The parts of a window, sorted by pressure.
 fn ripple(heights: &[f64], pressures: &[f64]) -> Vec<RipplePart> {
     let means = [heights, pressures].map(mean);

@@ -11,8 +11,8 @@ use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::{
-    AttenuatedTraces, Flattening, Kinks, LoadShareSettings, LoadShareSolution, PositionFilm,
-    SmoothFilm, WindowRoughness,
+    AttenuatedTraces, FilmPressure, FlattenedGradient, Flattening, Kinks, LoadShareSettings,
+    LoadShareSolution, PositionFilm, SmoothFilm, WindowRoughness,
 };
 
 /// Film of a position with the traces as its inlet leaves them.
@@ -116,8 +116,8 @@ impl<'a> RoughFilm<'a> {
 pub(crate) struct HeightGradient {
     /// Over the heights in the rough contacts.
     direct: [Vec<f64>; 2],
-    /// Over the heights that the inlet has flattened.
-    flattened: [Vec<f64>; 2],
+    /// Over the heights that the inlet has flattened, and the pressures that do.
+    flattened: FlattenedGradient,
     /// Kinks of the windows.
     pub(crate) kinks: Kinks,
 }
@@ -127,7 +127,10 @@ impl HeightGradient {
         let zeros = || Ok::<_, PositionError>(surfaces.traces()?.map(|t| vec![0.0; t.len()]));
         Ok(Self {
             direct: zeros()?,
-            flattened: zeros()?,
+            flattened: FlattenedGradient {
+                heights: zeros()?,
+                pressures: zeros()?,
+            },
             kinks: Kinks::default(),
         })
     }
@@ -150,7 +153,7 @@ impl RoughFilm<'_> {
         };
         let kinks = self.film.kinks(table, &roughness)?;
         sums.kinks += kinks;
-        if kinks.apart > 0 {
+        if kinks.apart > 0 && self.case.model.film_pressure != FilmPressure::Rippled {
             return Ok(());
         }
         let mut rough = contact.rough()?;
@@ -162,12 +165,22 @@ impl RoughFilm<'_> {
         let traces = (self.traces)
             .get_or_insert_with(|| AttenuatedTraces::new(spectra.each_ref(), &flattening));
         let of_rms = traces.rms_gradient(starts, points);
+        let by_ripple = traces.ripple_gradient(starts, points, &found.by_parts);
         for body in [0, 1] {
-            let [direct, flattened] = [&mut sums.direct[body], &mut sums.flattened[body]];
+            let [direct, flattened] = [&mut sums.direct[body], &mut sums.flattened.heights[body]];
             let places = mirrored_indices(direct.len(), starts[body], points);
-            for ((i, by_height), by_sum) in places.zip(&found.by_height).zip(&of_rms) {
+            let places: Vec<usize> = places.collect();
+            for ((&i, by_height), by_sum) in places.iter().zip(&found.by_height).zip(&of_rms) {
                 direct[i] += force * by_height;
                 flattened[i] += force * found.by_rms * by_sum;
+            }
+            let Some([by_pressure, by_height]) = &by_ripple else {
+                continue;
+            };
+            let pressures = &mut sums.flattened.pressures[body];
+            for ((&i, by_pressure), by_height) in places.iter().zip(by_pressure).zip(by_height) {
+                pressures[i] += force * by_pressure;
+                flattened[i] += force * by_height;
             }
         }
         Ok(())

@@ -7,16 +7,18 @@
 //! | g(φ), g_j | mean gap, at the shares of the table | m |
 //! | h̄ | gap supplied | m |
 //! | B | friction of the asperities (1 − β) μ_a + β μ_b, between two rows of the table with weights w_r | - |
+//! | F | part of the film (1 − φ) μ_f in the friction, at the pressure of its share and of its ripple | - |
+//! | P_j, Y_j | pressure that flattens a part of the window, and its height in the contact | Pa, m |
 //! | c | rise of the surface temperature per friction coefficient | K |
 //!
-//! The friction follows from the heights in two ways: through the rough contact, whose gaps decide the share and whose
-//! spots decide B, and through σ_d, which decides the supply.
+//! The friction follows from the heights in three ways: through the rough contact, whose gaps decide the share and whose
+//! spots decide B, through σ_d, which decides the supply, and through the ripple of the film.
 //!
 //! ```text
 //! dφ = (dh̄ − Σ (∂g/∂g_j) dg_j)/(g′(φ) − h̄′(φ))
-//! dμ = φ (1 + κ) Σ w_r dB_r + M dφ
-//! M = (1 + κ) (B + φ Σ w_r′ B_r) − (s + κ) μ_f
-//! κ = c [s (1 − φ) ∂μ_f/∂T + φ ∂B/∂T]/(1 − c [(1 − φ) ∂μ_f/∂T + φ ∂B/∂T])
+//! dμ = φ (1 + κ) Σ w_r dB_r + M dφ + (s + κ) [∂F/∂h̄ dh̄ + Σ_j (∂F/∂P_j dP_j + ∂F/∂Y_j dY_j)]
+//! M = (1 + κ) (B + φ Σ w_r′ B_r) + (s + κ) ∂F/∂φ
+//! κ = c [s ∂F/∂T + φ ∂B/∂T]/(1 − c [∂F/∂T + φ ∂B/∂T])
 //! dh̄/dσ_d = h̄ (Ψ² − 1)/(Ψ² σ_d)
 //! ```
 //!
@@ -37,12 +39,16 @@ use crate::contact_table::ContactTable;
 use crate::error::LoadShareError;
 use crate::rough_contact::RoughContact;
 use crate::spots::SpotConditions;
-use crate::window_roughness::WindowRoughness;
+use crate::window_roughness::{FilmPressure, WindowRoughness};
 
 /// Step of the difference quotient of the friction over the surface temperature \[K\].
 const TEMPERATURE_STEP: f64 = 0.02;
 /// Relative step of the difference quotient of the supply over the share.
 const SHARE_STEP: f64 = 1e-5;
+/// Step of the difference quotients of the film's part over its share of the load.
+const FILM_SHARE_STEP: f64 = 1e-4;
+/// Relative step of those over gap and heights, and over the pressure that flattens a part in Hertz pressures.
+const RIPPLE_STEP: f64 = 1e-4;
 
 /// Change of the mean gap that counts as next to a kink \[m\]: heights that move by 1 nm move it by 1 nm at most.
 const NEXT_TO: f64 = 1e-9;
@@ -84,15 +90,28 @@ pub struct ShareGradient {
     pub by_height: Vec<f64>,
     /// Over σ_d of the window, through the supply \[1/m\].
     pub by_rms: f64,
+    /// Over pressure \[1/Pa\] and height \[1/m\] of each part of the window's ripple.
+    pub by_parts: Vec<[f64; 2]>,
+}
+
+/// Gradient of a number over both traces as the inlet flattens them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlattenedGradient {
+    /// Over the heights in the contact.
+    pub heights: [Vec<f64>; 2],
+    /// Over the pressures that flatten them \[1/Pa\].
+    pub pressures: [Vec<f64>; 2],
 }
 
 impl PositionFilm<'_> {
     /// Gradient of a number over the heights of both whole traces, from its gradient over their heights as the inlet of this
-    /// contact flattens them.
+    /// contact flattens them, and over the pressures that do.
     ///
     /// ```text
-    /// ∂J/∂z = A ∂J/∂z_d + (Σ ∂J/∂z_d dz_d/d ln n) d ln n/dz                 [Flattened-gradient]
+    /// ∂J/∂z = A ∂J/∂z_d + R ∂J/∂p′ + (Σ ∂J/∂z_d dz_d/d ln n + Σ ∂J/∂p′ dp′/d ln n) d ln n/dz        [Flattened-gradient]
     /// ```
+    ///
+    /// R = (π E*/l)(1 − A) is the pressure over the height of a wave.
     ///
     /// The second term is zero with the gap law `power`, whose flattening does not depend on the heights.
     ///
@@ -102,7 +121,7 @@ impl PositionFilm<'_> {
         &self,
         spectra: &[TraceSpectrum; 2],
         pair: &PairSpectrum,
-        flattened: &[Vec<f64>; 2],
+        flattened: &FlattenedGradient,
     ) -> Result<[Vec<f64>; 2], LoadShareError> {
         cite!("Flattened-gradient");
         let inlet = match self.gap_law {
@@ -116,10 +135,25 @@ impl PositionFilm<'_> {
         let mut by_scale = 0.0;
         let mut gradient = [Vec::new(), Vec::new()];
         for (body, of_body) in gradient.iter_mut().enumerate() {
-            let spectrum = TraceSpectrum::new(&flattened[body], spectra[body].spacing())?;
-            *of_body = spectrum.attenuated(&attenuation);
-            let slopes = spectra[body].filtered(|wave| attenuation.slope(wave));
-            by_scale += (flattened[body].iter().zip(slopes)).fold(0.0, |sum, (a, b)| sum + a * b);
+            let (own, spacing) = (&spectra[body], spectra[body].spacing());
+            let product = |of: &[f64], slopes: Vec<f64>| {
+                (of.iter().zip(slopes)).fold(0.0, |sum, (a, b)| sum + a * b)
+            };
+            let heights = &flattened.heights[body];
+            *of_body = TraceSpectrum::new(heights, spacing)?.attenuated(&attenuation);
+            by_scale += product(heights, own.filtered(|wave| attenuation.slope(wave)));
+            let pressures = &flattened.pressures[body];
+            if pressures.iter().all(|of_pressure| *of_pressure == 0.0) {
+                continue;
+            }
+            let modulus = self.contact.modulus;
+            let ripple = |wave| attenuation.ripple(wave, modulus);
+            let by_pressure = TraceSpectrum::new(pressures, spacing)?.filtered(ripple);
+            for (sum, height) in of_body.iter_mut().zip(by_pressure) {
+                *sum += height;
+            }
+            let slope = |wave| attenuation.ripple_slope(wave, modulus);
+            by_scale += product(pressures, own.filtered(slope));
         }
         if let Some(inlet) = inlet {
             let by_height = inlet.scale_gradient(pair, spectra.each_ref());
@@ -188,16 +222,37 @@ impl PositionFilm<'_> {
         let mut gradient = ShareGradient {
             by_height: vec![0.0; contact.points()],
             by_rms: 0.0,
+            by_parts: Vec::new(),
         };
         let attenuated_rms = window.deviation;
         let psi = self.inlet_factor(attenuated_rms)?;
         let supply = self.supply_of(psi)?;
+        // Relative slope of the gap supplied over σ_d.
+        let by_deviation = match attenuated_rms.si() > 0.0 {
+            true => (1.0 - 1.0 / (psi * psi)) / attenuated_rms.si(),
+            false => 0.0,
+        };
+        let is_isothermal = self.film.heat() == FilmHeat::Isothermal;
         let Some(at) = table.at_supply(&supply)? else {
+            let coefficient = self.share(table, window)?.value.coefficient;
+            let unit_rise = match is_isothermal {
+                true => 0.0,
+                false => self.film.surface_rise(1.0),
+            };
+            let state = FilmState {
+                share: 1.0,
+                gap: supply(0.0),
+                rise: unit_rise * coefficient,
+            };
+            let [_, slope] = self.film_part(window, state)?;
+            let scale = film_scale + unit_rise * film_scale * slope / (1.0 - unit_rise * slope);
+            let (by_gap, by_parts) = self.ripple_slopes(window, state, scale)?;
+            gradient.by_rms = by_gap * state.gap * by_deviation;
+            gradient.by_parts = by_parts;
             return Ok(gradient);
         };
         let root = at.share.value;
         let coefficient = self.share(table, window)?.value.coefficient;
-        let is_isothermal = self.film.heat() == FilmHeat::Isothermal;
         let unit_rise = match is_isothermal {
             true => 0.0,
             false => self.film.surface_rise(1.0),
@@ -215,29 +270,40 @@ impl PositionFilm<'_> {
         let mean = |of_rows: [f64; 2]| weights[0] * of_rows[0] + weights[1] * of_rows[1];
         let of_rows = asperities(&self.spot_conditions(rise))?;
         let spread = of_rows[1] - of_rows[0];
-        let [film, film_slope] = self.film.friction_at(rise)?;
+        let state = FilmState {
+            share: 1.0 - phi,
+            gap: at.mean_gap().si(),
+            rise,
+        };
+        let mut with_share = |step: f64| -> Result<f64, LoadShareError> {
+            let share = (state.share + step).min(1.0);
+            Ok(self.film_part(window, FilmState { share, ..state })?[0])
+        };
+        let step = FILM_SHARE_STEP.min(0.5 * phi).min(0.5 * (1.0 - phi));
+        let by_film_share = (with_share(step)? - with_share(-step)?) / (2.0 * step);
+        let [_, film_slope] = self.film_part(window, state)?;
         let mut heated = 0.0;
         if unit_rise > 0.0 {
             let at = |rise| Ok::<_, LoadShareError>(mean(asperities(&self.spot_conditions(rise))?));
             let step = TEMPERATURE_STEP;
             heated = (at(rise + step)? - at(rise - step)?) / (2.0 * step);
         }
-        let slope = |film_scale: f64| film_scale * (1.0 - phi) * film_slope + phi * heated;
+        let slope = |film_scale: f64| film_scale * film_slope + phi * heated;
         let feedback = unit_rise * slope(film_scale) / (1.0 - unit_rise * slope(1.0));
 
         let by_asperities = phi * (1.0 + feedback);
-        let by_root = factor * ((1.0 + feedback) * mean(of_rows) - (film_scale + feedback) * film)
-            + by_asperities * at.slope * spread;
+        let (by_supply, by_parts) = self.ripple_slopes(window, state, film_scale + feedback)?;
+        gradient.by_parts = by_parts;
+        let by_share = (1.0 + feedback) * mean(of_rows) - (film_scale + feedback) * by_film_share;
+        let mut by_root = factor * by_share + by_asperities * at.slope * spread;
         let (gap_slope, by_first_touch, by_rows) = at.gap_slopes();
         let mut by_gap = 0.0;
         if root < LARGEST_SHARE {
             let step = SHARE_STEP * root;
             let supply_slope = (supply(root + step) - supply(root - step)) / (2.0 * step);
+            by_root += by_supply * supply_slope;
             by_gap = by_root / (gap_slope - supply_slope);
-            if attenuated_rms.si() > 0.0 {
-                let part = 1.0 - 1.0 / (psi * psi);
-                gradient.by_rms = by_gap * supply(root) * part / attenuated_rms.si();
-            }
+            gradient.by_rms = (by_gap + by_supply) * supply(root) * by_deviation;
         }
         let mut add = |heights: Vec<f64>| {
             for (sum, height) in gradient.by_height.iter_mut().zip(heights) {
@@ -267,4 +333,68 @@ impl PositionFilm<'_> {
         }
         Ok(gradient)
     }
+
+    /// Part of the film in the friction, and its slope over the surface temperature \[1/K\].
+    fn film_part(
+        &mut self,
+        window: &WindowRoughness,
+        state: FilmState,
+    ) -> Result<[f64; 2], LoadShareError> {
+        self.load_film(state.share, window, Length::from_si(state.gap))?;
+        let friction = self.film.friction_at(state.rise)?;
+        Ok(friction.map(|value| state.share * value))
+    }
+
+    /// Slopes of `scale` times the part of the film over the mean gap \[1/m\], and over pressure and height of each part of the
+    /// ripple; zero of a film that does not ripple.
+    fn ripple_slopes(
+        &mut self,
+        window: &WindowRoughness,
+        state: FilmState,
+        scale: f64,
+    ) -> Result<(f64, Vec<[f64; 2]>), LoadShareError> {
+        if self.settings.film_pressure != FilmPressure::Rippled || !window.is_rippled() {
+            return Ok((0.0, Vec::new()));
+        }
+        let steps = [
+            RIPPLE_STEP * self.hertz.max_pressure.si(),
+            RIPPLE_STEP * state.gap,
+        ];
+        let mut by_gap = 0.0;
+        for side in [1.0, -1.0] {
+            let gap = state.gap + side * steps[1];
+            by_gap += side * self.film_part(window, FilmState { gap, ..state })?[0];
+        }
+        let mut moved = window.clone();
+        let mut by_parts = Vec::with_capacity(window.ripple.len());
+        for part in 0..window.ripple.len() {
+            let mut slopes = [0.0; 2];
+            for (which, slope) in slopes.iter_mut().enumerate() {
+                for side in [1.0, -1.0] {
+                    let step = side * steps[which];
+                    let moved_part = &mut moved.ripple[part];
+                    match which {
+                        0 => moved_part.pressure += step,
+                        _ => moved_part.height += step,
+                    }
+                    *slope += side * self.film_part(&moved, state)?[0];
+                    moved.ripple[part] = window.ripple[part];
+                }
+                *slope *= scale / (2.0 * steps[which]);
+            }
+            by_parts.push(slopes);
+        }
+        Ok((scale * by_gap / (2.0 * steps[1]), by_parts))
+    }
+}
+
+/// State of a film.
+#[derive(Debug, Clone, Copy)]
+struct FilmState {
+    /// Share of the load.
+    share: f64,
+    /// Mean gap \[m\].
+    gap: f64,
+    /// Rise of the surface temperature \[K\].
+    rise: f64,
 }
