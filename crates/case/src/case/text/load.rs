@@ -157,9 +157,12 @@ pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Loade
 /// As for [`load`].
 pub fn from_contents(name: &str, text: &str, contents: FileContents) -> Result<LoadedCase, Error> {
     let mut source = Source::new("case.toml", text)?;
+    let read = CaseInput::read(&source);
+    // The text is TOML, whatever the name ends in.
     name.clone_into(&mut source.name);
     let files = Files::holding(None, contents);
-    changed(&mut source, files, &[], &|_| {}).map_err(|error| Error::in_text(error, source))
+    let case = read.and_then(|input| complete(input, &source, files.into(), None));
+    case.map_err(|error| Error::in_text(error, source))
 }
 
 impl LoadedCase {
