@@ -32,7 +32,7 @@ pub(crate) struct WindowInputs {
     pub surfaces: Surfaces,
     /// Half-widths of the contact to each side of a window.
     pub reach: f64,
-    modulus: Pressure,
+    pub modulus: Pressure,
     flow_pressure: [Pressure; 2],
     tolerance: f64,
     exact: bool,

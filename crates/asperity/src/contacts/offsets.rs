@@ -61,11 +61,15 @@ pub(super) fn offsets_needed(
         let row = first(at)?;
         let windows = || row.iter().filter(|window| window.window.is_some());
         let gaps: Result<Vec<f64>, PositionError> = windows()
-            .map(|window| Ok(window.middle_gap()?.si()))
+            .map(|window| {
+                let gap = window.middle_gap();
+                Ok(gap.map_err(|error| window.keeping(error, at))?.si())
+            })
             .collect();
-        let gap = mean(gaps?.into_iter()).max(THINNEST.si());
+        let gap = mean(gaps?).max(THINNEST.si());
         let friction = windows().map(|window| {
-            let share = window.share_at_gap(Length::from_si(gap))?;
+            let share = window.share_at_gap(Length::from_si(gap));
+            let share = share.map_err(|error| window.keeping(error, at))?;
             Ok(film * (1.0 - share) + asperities * share)
         });
         let friction = friction.collect::<Result<Vec<f64>, PositionError>>()?;

@@ -10,7 +10,7 @@ use super::inputs::WindowInputs;
 use crate::mesh::MeshPosition;
 use asperity_case::case::{Formulation, LoadedCase};
 use asperity_case::error::PositionError;
-use asperity_case::flanks::{Roughness, Window};
+use asperity_case::flanks::{Roughness, Window, WindowPair};
 
 /// The rough contact of one window, and its roughness.
 #[derive(Debug, Clone)]
@@ -123,6 +123,19 @@ impl WindowContact {
     pub(super) fn middle_gap(&self) -> Result<Length, PositionError> {
         let (table, rough) = self.table()?;
         table.middle_gap(|| rough.map_or_else(|| self.rough(), Ok))
+    }
+
+    /// `error` of the contact at `position` with the gap of the window, if it did not converge.
+    pub(crate) fn keeping(&self, error: PositionError, position: &MeshPosition) -> PositionError {
+        let pair = self.window.and_then(|window| {
+            let WindowPlace { zone, offset, .. } = self.place;
+            let flanks = window.cut(&self.inputs.surfaces, zone, offset).ok()?;
+            WindowPair::new(flanks, position, self.inputs.modulus).ok()
+        });
+        match pair {
+            Some(pair) => error.keeping(&pair.x, &pair.gap),
+            None => error,
+        }
     }
 
     /// Whether the contact was solved at any share.

@@ -168,7 +168,7 @@ impl Lubrication<'_> {
             let share = match (&mut rough_film, contact.window) {
                 (Some(film), Some(window)) => {
                     let share = film.share(contact, window);
-                    Some(share.map_err(|error| self.keeping(error, at, contact, (k, count)))?)
+                    Some(share.map_err(|error| contact.keeping(error, at))?)
                 }
                 _ => None,
             };
@@ -338,20 +338,6 @@ impl Lubrication<'_> {
         };
         let flanks = window.cut(self.surfaces, at.zone, offset)?;
         WindowPair::new(flanks, at, self.case.modulus).map(Some)
-    }
-
-    /// The error with the gap of its window, if the contact did not converge.
-    fn keeping(
-        &self,
-        error: PositionError,
-        at: &MeshPosition,
-        contact: &WindowContact,
-        offset: (usize, usize),
-    ) -> PositionError {
-        match self.pair(at, contact, offset) {
-            Ok(Some(pair)) => error.keeping(&pair.x, &pair.gap),
-            _ => error,
-        }
     }
 
     /// Whether the load share depends on the heights of a window: the paper's, and any user-defined law may.

@@ -312,6 +312,10 @@ impl Choices<'_> {
     fn of_carried_spots(&mut self, key: Key, stated: Option<f64>, speed: SpotSpeed) -> Choice<f64> {
         match speed {
             SpotSpeed::Carried => self.corrected(key, stated, INNER_BOUNDARY),
+            _ if stated.is_some() => {
+                let rule = "belongs to spot_speed = \"carried\"; state both, or leave this out";
+                Err(Section::of(self.source, key).conflict("", rule))
+            }
             _ => self.listed_if(key, stated, false, INNER_BOUNDARY),
         }
     }
