@@ -58,7 +58,8 @@ impl Solved<'_> {
         let path = self.path()?;
         let running_in = running_in(&self.loaded.case, &self.meshes);
         check(&summary, &running_in, gearbox.as_ref(), &path)?;
-        let edge_contact = self.map.edge_contact_note()?;
+        // Losses do not need the second load map of a warning, and are no worse without it.
+        let edge_contact = self.map.edge_contact_note().ok().flatten();
         let of_mesh = (&summary, gearbox.as_ref(), edge_contact.as_ref());
         Ok(Losses {
             outside: warnings::outside(self.loaded, &self.positions, &summary)?,

@@ -203,7 +203,7 @@ class Case:
 
     def _with_law(self, called: Called) -> Case:
         kind, law = called
-        raw = self._raw.with_law(kind, name_of(law), exponent_of(kind, law), called)
+        raw = self._raw.with_law(kind, name_of(law), exponent_of(kind, law), called.__call__)
         return Case._of(raw, {**self._laws, kind: called}, self._raw)
 
     def _on_finish(self, finish: Any, offsets: Optional[int]) -> Case:
