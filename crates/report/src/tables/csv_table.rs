@@ -25,7 +25,7 @@ pub fn write<R: Serialize>(
     Ok(())
 }
 
-/// `rows` with their header as text, marked as by [`write`]; `file` is the name in messages.
+/// `rows` with their header as text, marked as by [`write()`]; `file` is the name in messages.
 ///
 /// # Errors
 /// When a number is not finite, or a row cannot be written as CSV.
@@ -36,7 +36,7 @@ pub fn text<R: Serialize>(
     fill(Vec::new(), file, rows)
 }
 
-/// Rows of cells as text, marked as by [`write`]; `file` is the name in messages.
+/// Rows of cells as text, marked as by [`write()`]; `file` is the name in messages.
 ///
 /// # Errors
 /// When the rows have different lengths.
@@ -51,7 +51,7 @@ pub fn text_of_cells(
     finished(writer, file)
 }
 
-/// Rows of cells from the text of a table with its header, without the marks of [`write`].
+/// Rows of cells from the text of a table with its header, without the marks of [`write()`].
 ///
 /// # Errors
 /// When the text is not a table.
