@@ -47,6 +47,10 @@ pub fn range_of(key: &str) -> Option<Limits> {
 }
 
 /// Every relation between keys, of the first of equal tables: the key that it is reported at, the quantity, and its usual range.
+#[cfg_attr(
+    not(feature = "case-files"),
+    allow(dead_code, reason = "the page of the case file lists them")
+)]
 pub(super) fn relations() -> Vec<[String; 3]> {
     let mut found = Vec::new();
     let mut judge = |at: KeyPath<'_>, limits: &Limits, _: &[f64]| {
