@@ -4,7 +4,8 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | K | offsets of each pair of traces against each other | - |
-//! | φ_ik | asperity share of position i at offset k under a mean gap of 0.2 µm | - |
+//! | g_i | mean gap at position i: the mean over the offsets at φ = 0.28, at least 0.2 µm | m |
+//! | φ_ik | asperity share of position i at offset k under the mean gap g_i | - |
 //! | μ_ik | friction coefficient that represents it | - |
 //! | w_i | line load times sliding per turn, times the contact line of position i | J |
 //! | s_i | standard deviation of μ_ik over the offsets | - |

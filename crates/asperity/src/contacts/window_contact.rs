@@ -78,7 +78,7 @@ impl WindowContact {
     /// The window ready to be pressed.
     ///
     /// # Errors
-    /// When there is no window, or the contact refuses the numbers.
+    /// When no window is resolved, or a number is outside the domain of the contact.
     pub(crate) fn rough(&self) -> Result<RoughContact, PositionError> {
         let WindowPlace {
             load,

@@ -11,7 +11,7 @@
 //! Outside of the map the ratio of loss to torque is constant, see [`Surface`](crate::map::Surface). A cycle with more than
 //! 5 % of its energy there is an error unless explicitly permitted.
 //!
-//! A negative speed is reverse. Driving and braking are told by the sign of the power T ω, and the map is evaluated at the same
+//! A negative speed is reverse. Driving and braking differ by the sign of the power T ω, and the map is evaluated at the same
 //! power forwards.
 //!
 //! The torque of a vehicle follows from its resistances, without the losses of the drive.
