@@ -27,7 +27,8 @@ use asperity_case::error::{Error, PositionError};
 
 /// Thinnest mean gap under which the windows of a position are compared: a film from the middle of the range of gears.
 const THINNEST: Length = Length::from_si(0.2e-6);
-/// Friction of film and of asperities that weight their shares: some friction is needed, and its level hardly matters.
+/// Friction coefficients of film and of asperities, own choice: at the low pressures of part load they scatter as the loss does; at high
+/// pressures, where both coefficients are close, they ask for more offsets than the loss needs.
 const FRICTION: [f64; 2] = [0.03, 0.09];
 /// Standard error of the mean over the offsets that is sought, over the mean.
 const SOUGHT: f64 = 0.01;
