@@ -78,7 +78,11 @@ fn traced_teeth_and_their_pairs_are_told() {
     ]
     .concat();
     let said = in_a_line(&bench.run(&more).well().out);
-    assert!(said.contains("wheel not sampled: lower bound"), "{said}");
+    assert!(said.contains("a lower bound (W450);"), "{said}");
+    assert!(
+        said.contains("W450 one tooth of the wheel is traced"),
+        "{said}"
+    );
 }
 
 #[test]

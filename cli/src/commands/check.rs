@@ -6,7 +6,6 @@ use asperity::case::{self, DefaultUsed, LoadedCase};
 use asperity::message::Warning;
 use asperity::pipeline;
 use asperity::pipeline::{KeptFields, chooses_offsets};
-use asperity_core::unique;
 use asperity_studies::estimate::{Estimate, estimate, estimate_of_train, measured};
 use serde_json::{Value, json};
 
@@ -122,21 +121,7 @@ fn of_pair(loaded: LoadedCase) -> Result<ValidCase, Error> {
 
 fn of_train(train: LoadedTrain) -> Result<ValidCase, Error> {
     let cases = || train.meshes().map(|mesh| &mesh.case);
-    let found = cases().map(pipeline::check);
-    let found = found.collect::<Result<Vec<_>, Error>>()?;
-    let of_loaded = cases().flat_map(|case| &case.warnings);
-    let mut warnings: Vec<Warning> = train.warnings.iter().chain(of_loaded).cloned().collect();
-    for (mesh, own) in train.meshes().zip(&found) {
-        // What applies to some meshes names them.
-        let named = own.iter().map(
-            |warning| match found.iter().all(|of| of.contains(warning)) {
-                true => warning.clone(),
-                false => warning.with(&format!(" [{}]", mesh.name)),
-            },
-        );
-        warnings.extend(named);
-    }
-    let warnings = unique(warnings);
+    let warnings = asperity::gear_train::check(&train)?;
     let fields = KeptFields::Highest;
     let work = estimate_of_train(&train, &fields, measured)
         .or_else(|_| estimate_of_train(&train, &fields, estimate))?;

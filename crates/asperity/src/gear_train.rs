@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity_core::quantity::Power;
+use asperity_core::unique;
 use asperity_gear::gear_train::{TrainShaft, TrainTorques};
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySpeeds};
 use serde::{Deserialize, Serialize};
@@ -425,6 +426,38 @@ fn loaded_by_losses(loaded: LoadedTrain) -> Result<LoadedTrain, Error> {
     })))
 }
 
+/// Checks all meshes of a train as [`pipeline::check`], and returns the warnings that need no solution: a warning that not all
+/// meshes have names its mesh. The parts of the gearbox are checked at the torques of a train whose meshes lose nothing.
+///
+/// # Errors
+/// The error with which a run ends.
+pub fn check(train: &LoadedTrain) -> Result<Vec<Warning>, Error> {
+    let found = train.meshes().map(|mesh| pipeline::check(&mesh.case));
+    let found = found.collect::<Result<Vec<_>, Error>>()?;
+    let of_loaded = train.meshes().flat_map(|mesh| &mesh.case.warnings);
+    let mut warnings: Vec<Warning> = train.warnings.iter().chain(of_loaded).cloned().collect();
+    for (mesh, own) in train.meshes().zip(&found) {
+        let named = own.iter().map(
+            |warning| match found.iter().all(|of| of.contains(warning)) {
+                true => warning.clone(),
+                false => warning.with(&format!(" [{}]", mesh.name)),
+            },
+        );
+        warnings.extend(named);
+    }
+    let gearbox = gearbox_without_losses(train).map_err(|error| Error::Whole(Box::new(error)))?;
+    let parts = gearbox.iter().flat_map(|report| &report.parts);
+    warnings_of_gearbox(parts, &mut warnings);
+    Ok(unique(warnings))
+}
+
+fn gearbox_without_losses(train: &LoadedTrain) -> Result<Option<GearboxReport>, PositionError> {
+    let losses = train.by_stage(&vec![Power::from_si(0.0); train.meshes().count()]);
+    let flow = train.train.flow(&losses)?;
+    let report = train_gearbox::report(train, &flow, &losses, 0.0)?;
+    Ok(report.map(|(report, _)| report))
+}
+
 /// The case of a mesh at another load.
 fn at_load(case: &LoadedCase, load: MeshLoad) -> Result<LoadedCase, Error> {
     match MeshLoad::of(&case.case) == load {
@@ -475,7 +508,8 @@ fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, 
     }
     let power_in_w: f64 = powers().map(|power| power.max(0.0)).sum();
     let mut warnings = loaded.warnings.clone();
-    warnings_of_gearbox(gearbox.as_ref(), &mut warnings);
+    let parts = gearbox.iter().flat_map(|report| &report.parts);
+    warnings_of_gearbox(parts, &mut warnings);
     Ok(TrainResult {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: loaded.title.clone(),

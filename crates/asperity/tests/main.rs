@@ -4,6 +4,7 @@ mod calibrated_draws;
 mod cases;
 mod draws;
 mod examples;
+mod findings;
 mod flanks;
 mod keys;
 mod mesh_load;

@@ -19,7 +19,7 @@ use crate::html::overview::warnings;
 use crate::html::page;
 use crate::printed::stated;
 use crate::ridges;
-use crate::summary::{besides_the_mesh, not_converged, note, weightiest};
+use crate::summary::{besides_the_mesh, note, weightiest};
 use crate::tables;
 use crate::tiles::{Tile, TileKind};
 use crate::wrap::{COLUMNS, wrapped};
@@ -130,8 +130,6 @@ pub fn brief_of_train(outcome: &TrainOutcome) -> String {
             let line = format!("{}: {ridges}", row.mesh);
             text.push_str(&format!("{}\n", wrapped(&line, "  ")));
         }
-        let not_converged = not_converged(&mesh.result);
-        text.extend(not_converged.map(|line| format!("{}: {line}", row.mesh)));
         let warning = weightiest(&mesh.result);
         text.extend(warning.map(|warning| note(&of_mesh(&warning, row), COLUMNS)));
     }

@@ -37,9 +37,6 @@ pub fn summary_within(result: &RunResult, columns: usize) -> String {
 /// else the one that is worth most watts.
 pub fn brief(result: &RunResult, columns: usize) -> String {
     let mut text = verdict(result, columns);
-    if let Some(line) = not_converged(result) {
-        text.push_str(&line);
-    }
     text.extend(weightiest(result).map(|warning| note(&warning, columns)));
     text
 }
@@ -50,12 +47,10 @@ pub fn headline(result: &RunResult) -> String {
     format!("efficiency (mesh only)  {efficiency}   loss {loss}")
 }
 
-/// Relative load error above which a solution is reported as not converged: the paper stops at 1 %.
-const LARGE_LOAD_ERROR: f64 = 0.011;
 /// Codes of warnings about inputs that make the result doubtful, the most important first.
 const DOUBTFUL: &[&str] = &[
-    "W201", "W402", "W426", "W412", "W405", "W441", "W322", "W117", "W124", "W327", "W128", "W112",
-    "W132", "W448", "W118", "W111", "W125",
+    "W451", "W201", "W402", "W426", "W412", "W405", "W441", "W322", "W117", "W124", "W327", "W128",
+    "W112", "W132", "W448", "W118", "W111", "W125",
 ];
 /// Component of the uncertainty that the warnings of a code are about.
 const SUBJECTS: &[(&str, Subject)] = &[
@@ -67,6 +62,7 @@ const SUBJECTS: &[(&str, Subject)] = &[
     ("W417", Subject::Sampling),
     ("W418", Subject::Sampling),
     ("W437", Subject::Sampling),
+    ("W450", Subject::Sampling),
 ];
 
 /// The warning of the first screen, with its worth in words.
@@ -196,9 +192,7 @@ fn factors(s: &Summary) -> String {
 fn pairs_text(pairs: &PairSampling) -> String {
     let [pinion, wheel] = pairs.traces;
     let own = |power: f64| rounded(power, pairs.half_width_w);
-    let bound = pairs.not_sampled().map_or(String::new(), |gear| {
-        format!(", {gear} not sampled: lower bound")
-    });
+    let bound = pairs.bound();
     let [s1, s2] = pairs.between_w;
     format!(
         "pairs  {pinion} traced teeth of the pinion on {wheel} of the wheel, mean {} W, standard error {} W{bound}; \
@@ -312,28 +306,15 @@ fn positions(s: &Summary) -> String {
     }
 }
 
-/// The line of a result whose load error is large.
-pub(crate) fn not_converged(result: &RunResult) -> Option<String> {
-    let s = &result.summary;
-    (s.worst_load_error > LARGE_LOAD_ERROR).then(|| {
-        format!(
-            "not converged  {}: the load error is up to {:.0} %, within model.numerical_error\n",
-            positions(s),
-            100.0 * s.worst_load_error
-        )
-    })
-}
-
 fn convergence(result: &RunResult) -> String {
     let s = &result.summary;
     let count = positions(s);
-    match not_converged(result) {
-        Some(line) => line.trim_end().to_owned(),
-        None if s.mixed_share > 0.0 => format!(
-            "converged  {count} (worst load error {:.0e}, duality gap {:.0e})",
+    match s.mixed_share > 0.0 {
+        true => format!(
+            "solved  {count} (worst load error {:.0e}, duality gap {:.0e})",
             s.worst_load_error, s.worst_duality_gap,
         ),
-        None => format!("converged  {count} (full film: no contact to solve)"),
+        false => format!("solved  {count} (full film: no contact to solve)"),
     }
 }
 

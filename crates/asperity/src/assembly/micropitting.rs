@@ -71,7 +71,7 @@ pub(crate) fn report(
             true => "root of the pinion against the tip of the wheel".to_owned(),
             false => "tip of the pinion against the root of the wheel".to_owned(),
         },
-        outside: outside(&loaded.case),
+        outside: outside_of_scope(&loaded.case),
         load_factor: rating.load_factor,
         permissible: given.permissible,
         safety: given
@@ -83,7 +83,7 @@ pub(crate) fn report(
 }
 
 /// Inputs outside of the scope.
-fn outside(case: &Case) -> Vec<String> {
+pub(super) fn outside_of_scope(case: &Case) -> Vec<String> {
     let gears = &case.gears;
     let cosine = gears.base_helix.si().cos();
     let values = [

@@ -9,7 +9,10 @@ mod reversed;
 mod solved;
 mod warnings;
 
-pub(crate) use warnings::{gearbox as warnings_of_gearbox, of_case as warnings_of_case};
+pub(crate) use warnings::{
+    RELIEF_NOT_STATED, gearbox as warnings_of_gearbox, of_case as warnings_of_case,
+    relief as relief_warning,
+};
 
 pub use reversed::Reversed;
 
@@ -34,9 +37,9 @@ use crate::records::{PathRecords, PlacedRecord};
 use crate::result::film_constants::film_constants;
 use crate::result::gearbox;
 use crate::result::{
-    FlankRecord, GearboxReport, LoadReport, Losses, MicropittingReport, OffsetRow, Outcome,
-    PairSampling, PointRow, PositionRow, RecordRow, Regime, RunInFlanks, RunResult, RunningIn,
-    SCHEMA_VERSION, Scope, Summary, ToothTrace, TracePairs,
+    FlankRecord, GearboxReport, LoadReport, Losses, OffsetRow, Outcome, PairSampling, PointRow,
+    PositionRow, RecordRow, Regime, RunInFlanks, RunResult, RunningIn, SCHEMA_VERSION, Scope,
+    Summary, ToothTrace, TracePairs,
 };
 use crate::sampling::{means_of_pairs, pair_sampling};
 use asperity_case::balance::{Unbalanced, efficiency, finite, sum};
@@ -63,7 +66,7 @@ impl Solved<'_> {
         let of_mesh = (&summary, gearbox.as_ref(), edge_contact.as_ref());
         Ok(Losses {
             outside: warnings::outside(self.loaded, &self.positions, &summary)?,
-            warnings: self.warnings(of_mesh, &[], None, &self.record_rows())?,
+            warnings: self.warnings(of_mesh, &[], &self.record_rows())?,
             summary,
             path,
             offsets: offset_rows(&self.meshes),
@@ -95,7 +98,7 @@ impl Solved<'_> {
         let micropitting = micropitting::report(self.loaded, &self.positions, &views, &ends)?;
         let records = self.record_rows();
         let of_mesh = (&summary, gearbox.as_ref(), load.edge_contact.as_ref());
-        let warnings = self.warnings(of_mesh, &pictures, micropitting.as_ref(), &records)?;
+        let warnings = self.warnings(of_mesh, &pictures, &records)?;
         let result = RunResult {
             schema_version: SCHEMA_VERSION,
             program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -143,19 +146,19 @@ impl Solved<'_> {
     }
 
     /// Every warning about a solved case: its files, positions and gearbox, the load over its teeth, its records. Losses have
-    /// no pictures and no micropitting rating.
+    /// no pictures.
     fn warnings(
         &self,
         (summary, gearbox, edge_contact): OfMesh<'_>,
         pictures: &[Option<Picture>],
-        micropitting: Option<&MicropittingReport>,
         records: &[RecordRow],
     ) -> Result<Vec<Warning>, PositionError> {
         let (loaded, positions) = (self.loaded, &self.positions);
         let mut warnings = loaded.warnings.clone();
         warnings.extend(warnings::warnings(loaded, positions, pictures, summary)?);
-        warnings::gearbox(gearbox, &mut warnings);
-        warnings::micropitting(micropitting, &mut warnings);
+        let parts = gearbox.iter().flat_map(|report| &report.parts);
+        warnings::gearbox(parts, &mut warnings);
+        warnings::micropitting(loaded, &mut warnings);
         let evidence = self.map.evidence();
         let at = positions.iter().map(|position| &position.at);
         warnings::load(loaded, at, (edge_contact, evidence), &mut warnings);

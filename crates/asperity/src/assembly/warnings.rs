@@ -10,11 +10,13 @@ use asperity_efficiency::equivalent_friction;
 use asperity_ehl::PlasticCeiling;
 use asperity_gear::{EdgeContactNote, Gear, LoadMapEvidence, StiffnessSource};
 
-use crate::lubrication::{LubricatedPosition, LubricatedWindow, NOTED_DEVIATION};
+use super::micropitting::outside_of_scope;
+use crate::lubrication::{FormulaFilm, LubricatedPosition, LubricatedWindow, NOTED_DEVIATION};
 use crate::mesh::Mesh;
 use crate::pictures::Picture;
 use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
-use crate::result::{FullFilmRow, GearboxReport, MicropittingReport, RecordRow, Regime, Summary};
+use crate::result::gearbox::{GearboxPart, parts_of_case};
+use crate::result::{FullFilmRow, RecordRow, Regime, Summary};
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::case::{Case, Formulation, LoadedCase};
 use asperity_case::error::PositionError;
@@ -25,6 +27,8 @@ use asperity_case::mesh_position::MeshPosition;
 use asperity_case::message::{Subject, Warning};
 use asperity_oil::GOLD_FIT;
 
+/// Code of the warning about a tip relief that is not stated.
+pub(crate) const RELIEF_NOT_STATED: &str = "W439";
 /// Least part of the loss at untested pressures that is worth a warning.
 const LEAST_SHARE: f64 = 0.005;
 
@@ -36,9 +40,10 @@ pub(crate) fn warnings(
     summary: &Summary,
 ) -> Result<Vec<Warning>, PositionError> {
     let mut found = Vec::new();
+    found.extend(relief(loaded, None));
     notes(loaded, &mut found);
     bulk(loaded, &mut found);
-    ranges(positions, &mut found);
+    ranges(positions.iter().map(outside_at), &mut found);
     let equivalent = equivalent_friction(summary.efficiency, summary.loss_factor_local)?;
     if !equivalent.outside.is_empty() {
         found.push(Warning::new(
@@ -57,18 +62,35 @@ pub(crate) fn warnings(
     );
     stress(loaded, positions, pictures, &mut found)?;
     contacts(positions, &mut found);
-    roughness(loaded, positions, &mut found);
+    load_reached(positions.len(), summary, &mut found);
+    one_tooth(loaded, &mut found);
+    roughness(loaded, positions, &mut found)?;
     full_film(positions, &mut found);
     above_tested_pressure(&loaded.case, positions, summary, &mut found);
     Ok(found)
 }
 
-/// Warnings about a case on its mesh that need no solution.
-pub(crate) fn of_case(loaded: &LoadedCase, mesh: &Mesh) -> Result<Vec<Warning>, PositionError> {
+/// Warnings about a case on its mesh with its smooth films that need no solution of its contacts: those of a run that follow
+/// from the case alone.
+pub(crate) fn of_case(
+    loaded: &LoadedCase,
+    mesh: &Mesh,
+    films: &[FormulaFilm],
+) -> Result<Vec<Warning>, PositionError> {
     let mut found = Vec::new();
     let at = || mesh.positions.iter();
+    found.extend(relief(loaded, None));
     notes(loaded, &mut found);
+    ranges(
+        films.iter().map(|film| film.outside.iter().collect()),
+        &mut found,
+    );
     same_trace(loaded, &mut found);
+    one_tooth(loaded, &mut found);
+    values_alone(loaded, &mut found)?;
+    short_traces(loaded, at(), &mut found);
+    gearbox(&parts_of_case(&loaded.case)?, &mut found);
+    micropitting(loaded, &mut found);
     no_sliding(loaded, at(), &mut found);
     yielding(loaded, at(), &mut found)?;
     covered(loaded, at(), &mut found);
@@ -176,24 +198,76 @@ fn bulk(loaded: &LoadedCase, found: &mut Vec<Warning>) {
     found.push(Warning::new("W426", text));
 }
 
+/// W439: the amounts that a tip relief which is not stated may have, and the loss at both ends where it was drawn.
+pub(crate) fn relief(loaded: &LoadedCase, at_ends: Option<[f64; 2]>) -> Option<Warning> {
+    let assumed = loaded.case.assumed_relief.as_ref()?;
+    let gears = match assumed.gears {
+        [true, false] => "of the pinion",
+        [false, true] => "of the wheel",
+        _ => "of both gears",
+    };
+    let edges = match loaded.case.gears.internal {
+        true => "",
+        false => ", with contact of the tip edges,",
+    };
+    let most = 1e6 * assumed.approach.si();
+    let worth = at_ends.map_or(String::new(), |ratios| {
+        let [none, whole] = ratios.map(|ratio| 100.0 * (ratio - 1.0));
+        format!(": none{edges} changes the loss by {none:+.0} %, {most:.0} um by {whole:+.0} %")
+    });
+    let text = format!("tip relief {gears} not stated, taken from 0 to {most:.0} um{worth}");
+    Some(Warning::new(RELIEF_NOT_STATED, text))
+}
+
 /// W401: a part of the gearbox outside the range of its law.
-pub(crate) fn gearbox(gearbox: Option<&GearboxReport>, found: &mut Vec<Warning>) {
-    let parts = gearbox.iter().flat_map(|report| &report.parts);
+pub(crate) fn gearbox<'a>(
+    parts: impl IntoIterator<Item = &'a GearboxPart>,
+    found: &mut Vec<Warning>,
+) {
     for part in parts {
         let notes = part.outside.iter();
         found.extend(notes.map(|note| Warning::new("W401", format!("{}: {note}", part.name))));
     }
 }
 
-/// W432: a rating outside the scope of its specification.
-pub(crate) fn micropitting(rating: Option<&MicropittingReport>, found: &mut Vec<Warning>) {
-    let outside = rating.map_or(&[][..], |rating| &rating.outside);
+/// W432: a case to be rated outside the scope of the specification.
+pub(crate) fn micropitting(loaded: &LoadedCase, found: &mut Vec<Warning>) {
+    let outside = match loaded.case.input.micropitting {
+        Some(_) => outside_of_scope(&loaded.case),
+        None => return,
+    };
     if !outside.is_empty() {
         let text = format!(
             "the specific film is not a rating by ISO/TS 6336-22 here: {}",
             outside.join("; ")
         );
         found.push(Warning::new("W432", text));
+    }
+}
+
+/// W450: one tooth of a flank is traced, and several of the other.
+fn one_tooth(loaded: &LoadedCase, found: &mut Vec<Warning>) {
+    let gear = match loaded.surfaces.several_teeth() {
+        Some([1, _]) => Gear::Pinion,
+        Some([_, 1]) => Gear::Wheel,
+        _ => return,
+    };
+    let text = format!(
+        "one tooth of the {gear} is traced: the standard error of the mean loss leaves out the scatter between its teeth"
+    );
+    found.push(Warning::new("W450", text));
+}
+
+/// W451: contacts that carry their load less closely than the paper's limit, within `model.numerical_error`.
+fn load_reached(positions: usize, summary: &Summary, found: &mut Vec<Warning>) {
+    /// The paper stops at 1 %.
+    const LARGE: f64 = 0.011;
+    if summary.worst_load_error > LARGE {
+        let percent = 100.0 * summary.worst_load_error;
+        let text = format!(
+            "the contacts of {positions} positions carry their load with an error of up to {percent:.0} %, within model.numerical_error"
+        );
+        found.push(Warning::new("W451", text));
     }
 }
 
@@ -206,11 +280,8 @@ pub(crate) fn outside(
     let named = |note: &OutOfRange| format!("{} {}: {}", code(note), note.correlation, note.name);
     let of_the_case = loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes);
     let mut found: BTreeSet<String> = of_the_case.map(named).collect();
-    for position in positions {
-        found.extend(position.film.outside.iter().map(named));
-        let offsets = position.offsets.iter();
-        found.extend(offsets.flat_map(|offset| offset.friction.outside.iter().map(named)));
-    }
+    let of_positions = positions.iter().flat_map(outside_at);
+    found.extend(of_positions.map(named));
     let equivalent = equivalent_friction(summary.efficiency, summary.loss_factor_local)?;
     if !equivalent.outside.is_empty() {
         found.insert("W402 equivalent friction".to_owned());
@@ -306,8 +377,18 @@ pub(crate) fn load<'a>(
     }
 }
 
-/// W401 and W403: one line for each correlation and input, over all positions.
-fn ranges(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+/// Inputs of film and friction outside their ranges at a solved position.
+fn outside_at(position: &LubricatedPosition) -> Vec<&OutOfRange> {
+    let offsets = position.offsets.iter();
+    let in_friction = offsets.flat_map(|offset| &offset.friction.outside);
+    position.film.outside.iter().chain(in_friction).collect()
+}
+
+/// W401 and W403: one line for each correlation and input, over all positions, of which `outside` are the inputs.
+fn ranges<'a>(
+    outside: impl ExactSizeIterator<Item = Vec<&'a OutOfRange>>,
+    found: &mut Vec<Warning>,
+) {
     struct Seen<'a> {
         note: &'a OutOfRange,
         least: f64,
@@ -315,8 +396,7 @@ fn ranges(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
         positions: usize,
     }
     let mut seen: BTreeMap<(&str, &str), Seen<'_>> = BTreeMap::new();
-    let mut add = |note, is_new: &mut BTreeSet<(&str, &str)>| {
-        let note: &OutOfRange = note;
+    let mut add = |note: &'a OutOfRange, is_new: &mut BTreeSet<(&str, &str)>| {
         let key = (note.correlation, note.name);
         let entry = seen.entry(key).or_insert(Seen {
             note,
@@ -330,13 +410,10 @@ fn ranges(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
             entry.positions += 1;
         }
     };
-    for position in positions {
+    let positions = outside.len();
+    for at in outside {
         let mut here = BTreeSet::new();
-        let offsets = position
-            .offsets
-            .iter()
-            .flat_map(|offset| &offset.friction.outside);
-        for note in position.film.outside.iter().chain(offsets) {
+        for note in at {
             add(note, &mut here);
         }
     }
@@ -356,7 +433,7 @@ fn ranges(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
                 note.unit_after_a_number(),
                 note.limits(|&limit| short(limit)),
                 entry.positions,
-                positions.len(),
+                positions,
             ),
         ));
     }
@@ -579,20 +656,17 @@ fn full_film(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
 }
 
 /// W406, W407, W408, W411: limits of the traces.
-fn roughness(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+fn roughness(
+    loaded: &LoadedCase,
+    positions: &[LubricatedPosition],
+    found: &mut Vec<Warning>,
+) -> Result<(), PositionError> {
     if !loaded.surfaces.are_measured() {
-        let known = positions.iter().all(|position| {
-            position
-                .offsets
-                .iter()
-                .all(|offset| offset.lambda_star.is_some())
-        });
-        found.push(Warning::new("W408", values_alone(known)));
-        return;
+        return values_alone(loaded, found);
     }
     if loaded.surfaces.is_surrogate() {
         // W438 reports them, and there is no trace to improve.
-        return;
+        return Ok(());
     }
     // A solved or recorded load share does not depend on Λ*.
     let is_paper = loaded.case.formulation == Formulation::Paper;
@@ -630,35 +704,46 @@ fn roughness(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut 
             ),
         ));
     }
-    short_traces(loaded, positions, found);
-    covered(loaded, positions.iter().map(|position| &position.at), found);
+    let at = || positions.iter().map(|position| &position.at);
+    short_traces(loaded, at(), found);
+    covered(loaded, at(), found);
+    Ok(())
 }
 
-/// Text of W408: the film ratio from which the load share follows.
-fn values_alone(lambda_star_known: bool) -> String {
-    let ratio = match lambda_star_known {
+/// W408: the film ratio from which the load share of a flank without a trace follows.
+fn values_alone(loaded: &LoadedCase, found: &mut Vec<Warning>) -> Result<(), PositionError> {
+    if loaded.surfaces.are_measured() {
+        return Ok(());
+    }
+    let peak = loaded.surfaces.roughness_of_values()?.reduced_peak;
+    let ratio = match peak.is_some_and(|peak| peak > 0.0) {
         true => "Lambda*",
         false => "without rpk and asperity_radius the classical film ratio",
     };
-    format!(
+    let text = format!(
         "a flank is given by roughness values only, so the rough contact was not computed: the load share follows from the film ratio, {ratio}"
-    )
+    );
+    found.push(Warning::new("W408", text));
+    Ok(())
 }
 
 /// W407: traces of few independent windows.
-fn short_traces(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+fn short_traces<'a>(
+    loaded: &LoadedCase,
+    positions: impl Iterator<Item = &'a MeshPosition>,
+    found: &mut Vec<Warning>,
+) {
     const FEW: f64 = 4.0;
     const ENOUGH: f64 = 8.0;
-    let offsets = positions.iter().map(|position| position.offsets.len());
-    // The traces of several teeth are the sample, however long each is.
-    if offsets.max() <= Some(1) || loaded.surfaces.several_teeth().is_some() {
+    let surfaces = &loaded.surfaces;
+    let has_one = surfaces.offsets(loaded.case.model.offsets) <= surfaces.pairs();
+    // The traces of several teeth are the sample, however long each is; surrogates have no trace to improve.
+    if has_one || surfaces.several_teeth().is_some() || surfaces.is_surrogate() {
         return;
     }
-    let half_widths = positions
-        .iter()
-        .map(|position| position.at.hertz.half_width.si());
+    let half_widths = positions.map(|at| at.hertz.half_width.si());
     let widest = Length::from_si(half_widths.fold(0.0, f64::max));
-    let Some(windows) = windows_of_traces(&loaded.surfaces, loaded.case.model.window, widest)
+    let Some(windows) = windows_of_traces(surfaces, loaded.case.model.window, widest)
         .filter(|windows| *windows < FEW)
     else {
         return;

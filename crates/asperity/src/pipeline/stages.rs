@@ -49,21 +49,22 @@ pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
     let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
     let firsts = |position: &MeshPosition| {
         check_mesh_position(position)?;
-        plausible_film(&loaded.case, position)?;
-        WindowContact::check(loaded, position)
+        let film = plausible_film(&loaded.case, position)?;
+        WindowContact::check(loaded, position)?;
+        Ok(film)
     };
-    numbered(mesh.positions.par_iter().map(firsts).collect())?;
+    let films = numbered(mesh.positions.par_iter().map(firsts).collect())?;
     if loaded.case.model.run_in {
         running_in::places(&loaded.case, &loaded.surfaces, &mesh.positions).map_err(Box::new)?;
     }
-    Ok(warnings_of_case(loaded, &mesh).map_err(Box::new)?)
+    Ok(warnings_of_case(loaded, &mesh, &films).map_err(Box::new)?)
 }
 
 /// The mesh of a case on traces that cover it, under the load of `contacts` if that is known.
 fn placed_mesh(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Mesh, PositionError> {
     let case = &loaded.case;
     // A table that does not reach the operating point is reported before the work.
-    crate::result::gearbox::check(case)?;
+    crate::result::gearbox::parts_of_case(case)?;
     let mesh = match contacts.and_then(|contacts| contacts.load_map(case)) {
         Some(map) => Mesh::under(&MeshInputs::of(case), case.speed, map.clone())?,
         None => Mesh::of(case)?,

@@ -124,7 +124,7 @@ pub(crate) fn report(case: &Case, mesh: Power) -> Result<Option<GearboxReport>, 
         return Ok(None);
     };
     let at = operating_point(case);
-    let parts = parts(case, &at)?;
+    let parts = parts_of_case(case)?;
     let parts_w: f64 = parts.iter().map(|part| part.loss_w).sum();
     let loss = mesh + Power::from_si(parts_w);
     let operation = MeshOperation {
@@ -143,9 +143,9 @@ pub(crate) fn report(case: &Case, mesh: Power) -> Result<Option<GearboxReport>, 
     }))
 }
 
-/// Whether every part has a loss at the operating point of the case.
-pub(crate) fn check(case: &Case) -> Result<(), PositionError> {
-    parts(case, &operating_point(case)).map(|_| ())
+/// The parts at the operating point of the case.
+pub(crate) fn parts_of_case(case: &Case) -> Result<Vec<GearboxPart>, PositionError> {
+    parts(case, &operating_point(case))
 }
 
 fn operating_point(case: &Case) -> OperatingPoint {

@@ -225,13 +225,12 @@ impl PairSampling {
         self.traces[0] * self.traces[1]
     }
 
-    /// The gear of which a single tooth is sampled, so that the error is a lower bound.
+    /// What follows the standard error where a single tooth of a gear is sampled: that it is a lower bound.
     #[must_use]
-    pub const fn not_sampled(&self) -> Option<&'static str> {
+    pub const fn bound(&self) -> &'static str {
         match self.traces {
-            [1, _] => Some("pinion"),
-            [_, 1] => Some("wheel"),
-            _ => None,
+            [1, _] | [_, 1] => ", a lower bound (W450)",
+            _ => "",
         }
     }
 }

@@ -156,12 +156,9 @@ mod tests {
         // Variance 7, SE² = 7/3, d = 2.
         assert!((sampling.standard_error_w.powi(2) - 7.0 / 3.0).abs() < 1e-12);
         assert_eq!(sampling.freedom, 2.0);
-        assert_eq!(sampling.not_sampled(), Some("wheel"));
-        assert_eq!(
-            found(&[1.0, 2.0, 6.0], [1, 3]).not_sampled(),
-            Some("pinion")
-        );
-        assert_eq!(found(&[1.0, 2.0, 6.0, 3.0], [2, 2]).not_sampled(), None);
+        assert_eq!(sampling.bound(), ", a lower bound (W450)");
+        assert_eq!(found(&[1.0, 2.0, 6.0], [1, 3]).bound(), sampling.bound());
+        assert_eq!(found(&[1.0, 2.0, 6.0, 3.0], [2, 2]).bound(), "");
     }
 
     #[test]

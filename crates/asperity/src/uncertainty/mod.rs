@@ -30,6 +30,7 @@ use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::Z_95;
 use asperity_core::provenance::Provenance;
 
+use crate::assembly::{RELIEF_NOT_STATED, relief_warning};
 use crate::assembly::{equations_used, sources_used};
 use crate::contacts::Contacts;
 use crate::pipeline::{KeptFields, Progress, outcome};
@@ -39,7 +40,7 @@ use crate::result::{
 };
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::balance::Unbalanced;
-use asperity_case::case::{AssumedRelief, LoadedCase};
+use asperity_case::case::LoadedCase;
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::{Subject, Warning};
 use asperity_uncertainty::{Component, Measured, Ranged, State, UncertainParameter as Constant};
@@ -94,18 +95,25 @@ pub(crate) fn run_and_draw(
     let done = |evaluated| progress(before + evaluated, before + more);
     let found = used.collect(|| uncertainty(&loaded, &outcome, &contacts, &done));
     let (uncertainty, predictive) = found?;
-    outcome.result.uncertainty = Some(uncertainty);
     let warnings = &mut outcome.result.warnings;
-    let of_relief = loaded.case.assumed_relief.as_ref();
-    if let Some((assumed, ends)) = of_relief.zip(predictive.at_ends_of_relief()) {
-        let internal = loaded.case.gears.internal;
-        warnings.insert(0, relief_warning(assumed, ends, internal));
+    let relief = relief_warning(&loaded, predictive.at_ends_of_relief());
+    let before = warnings.iter_mut();
+    for (before, with_worth) in before.filter(|w| w.code == RELIEF_NOT_STATED).zip(relief) {
+        *before = with_worth;
     }
     if predictive.surface_rms > PRECISE {
         let percent = 100.0 * predictive.surface_rms;
         let text = format!("the draws interpolate ln loss over the constants to {percent:.1} %");
         warnings.push(Warning::new("W440", text));
     }
+    if uncertainty.beyond_power > 0 {
+        let text = format!(
+            "{} of {} draws exceeded the power into the mesh and were set to it",
+            uncertainty.beyond_power, uncertainty.draws
+        );
+        warnings.push(Warning::new("W440", text));
+    }
+    outcome.result.uncertainty = Some(uncertainty);
     note(&mut outcome.result, &used.tags());
     known.push(contacts);
     Ok((outcome, Some(predictive)))
@@ -117,27 +125,6 @@ pub(crate) fn run_and_draw(
 /// As [`losses`](crate::losses), of misplaced traces.
 pub fn standard_error(loaded: &LoadedCase, nominal: &Losses) -> Result<f64, Error> {
     evaluations::standard_error(loaded, &Nominal::of(nominal))
-}
-
-/// W439: the amounts that the tip relief may have, and the loss at both ends.
-fn relief_warning(assumed: &AssumedRelief, at_ends: [f64; 2], internal: bool) -> Warning {
-    let gears = match assumed.gears {
-        [true, false] => "of the pinion",
-        [false, true] => "of the wheel",
-        _ => "of both gears",
-    };
-    let [none, whole] = at_ends.map(|ratio| 100.0 * (ratio - 1.0));
-    let edges = match internal {
-        true => "",
-        false => ", with contact of the tip edges,",
-    };
-    let most = 1e6 * assumed.approach.si();
-    Warning::new(
-        "W439",
-        format!(
-            "tip relief {gears} not stated, taken from 0 to {most:.0} um: none{edges} changes the loss by {none:+.0} %, {most:.0} um by {whole:+.0} %"
-        ),
-    )
 }
 
 /// Adds the equations of the uncertainty to the equations of the run.

@@ -55,9 +55,6 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
             "Median and 5 to 95 % of the loss over " (uncertainty.draws) " draws, which interpolate "
             (uncertainty.evaluations) " evaluations (error of ln loss " (format!("{:.4}", uncertainty.interpolation_error))
             "). Each component is drawn alone. Trust: " (uncertainty.trust_text()) "."
-            @if uncertainty.beyond_power > 0 {
-                " " (uncertainty.beyond_power) " draws exceeded the power into the mesh and were set to it."
-            }
         }
         p { "Sampling of the flanks: " (sampling(&uncertainty.sampling)) "." }
         h3 { "Constants" }
@@ -99,9 +96,7 @@ fn sampling(part: &SamplingPart) -> String {
             windows.numerical_error,
         ),
         SamplingPart::Pairs(pairs) => {
-            let bound = pairs.not_sampled().map_or(String::new(), |gear| {
-                format!(", {gear} not sampled: lower bound")
-            });
+            let bound = pairs.bound();
             let misplaced = pairs.misplaced_w.map_or(String::new(), |[down, up]| {
                 format!("; with the traces shifted by two half-widths {down:+.1} and {up:+.1} W")
             });
