@@ -207,3 +207,32 @@ fn points_of_a_map_and_finishes_of_a_comparison_are_those_of_runs() {
         assert!(drawn(compared)["median_w"].is_number());
     }
 }
+
+#[test]
+fn what_a_sensitivity_and_an_evidence_start_from_and_a_page_shows_is_a_run() {
+    let bench = bench();
+    let run = bench
+        .run(&["run", "case.toml", "--json", "-o", "run"])
+        .well();
+    let run = run.json();
+    let changes = bench.run(&["sensitivity", "case.toml", "--json", "-o", "sensitivity"]);
+    assert_eq!(changes.well().json()["loss_w"], run["summary"]["loss_w"]);
+    let drawn = &run["uncertainty"]["loss"];
+    let evidence = bench
+        .run(&["evidence", "case.toml", "--json"])
+        .well()
+        .json();
+    for key in ["median_w", "quantiles_w", "sd_ln"] {
+        assert!(!drawn[key].is_null());
+        assert_eq!(evidence["loss"][key], drawn[key], "{key}");
+    }
+    // The page has the verdict of the terminal.
+    let page = fs::read_to_string(bench.path("run/report.html")).unwrap();
+    let text = bench
+        .run(&["run", "case.toml", "--no-output"])
+        .well()
+        .unwrapped();
+    let verdict = text.split("loss ").nth(1).unwrap();
+    let verdict = &verdict[..=verdict.find(')').unwrap()];
+    assert!(page.contains(verdict), "{verdict}");
+}
