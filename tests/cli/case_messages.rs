@@ -430,6 +430,16 @@ fn messages_about_absurd_numbers_are_short() {
             assert!(longest_number(&message) < 12, "{set}: {message}");
         }
     }
+    // A number that the program computed.
+    let seal = r#"gearbox={ seals = [{ shaft = "pinion", diameter = "900 mm" }] }"#;
+    let run = ["run", "case.toml", "--set", "operation.torque=40 N m"];
+    let said = bench.run(&[&run[..], &["--set", seal]].concat());
+    assert!(
+        said.err.contains("are not below the input power"),
+        "{}",
+        said.err
+    );
+    assert!(longest_number(&said.err) < 6, "{}", said.err);
 }
 
 #[test]

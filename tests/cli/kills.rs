@@ -269,9 +269,11 @@ fn a_killed_conversion_leaves_the_older_file() {
     });
 }
 
+#[cfg(target_os = "linux")]
 #[test]
 fn a_killed_export_leaves_nothing_in_the_folder_of_temporary_files() {
-    if !cfg!(target_os = "linux") || Command::new("cc").arg("--version").output().is_err() {
+    use std::os::unix::fs::PermissionsExt;
+    if Command::new("cc").arg("--version").output().is_err() {
         return;
     }
     let bench = bench();
@@ -287,26 +289,39 @@ fn a_killed_export_leaves_nothing_in_the_folder_of_temporary_files() {
         "--export",
         "fmu",
     ];
-    let map = || {
+    let map = |path: String| {
         let axes = ["--torque=50,100", "--speed=3000,9000"];
         Command::new(program())
             .args([&map[..], &axes].concat())
             .current_dir(bench.path(""))
             .env("TMPDIR", bench.path("temporary"))
+            .env("PATH", path)
             .spawn()
             .unwrap()
     };
-    for _ in 0..kills() {
-        let mut child = map();
-        caught_writing(&mut child, &bench, "");
-        let _ = child.kill();
-        child.wait().unwrap();
-        let left = fs::read_dir(bench.path("temporary")).unwrap();
-        assert_eq!(left.flatten().count(), 0);
+    // A compiler that says when it is at work, and takes its time.
+    let mark = bench.path("compiling");
+    let slow = format!("#!/bin/sh\ntouch {}\nexec sleep 1\n", mark.display());
+    fs::create_dir(bench.path("slow")).unwrap();
+    bench.write("slow/cc", slow);
+    let executable = fs::Permissions::from_mode(0o755);
+    fs::set_permissions(bench.path("slow/cc"), executable).unwrap();
+    let path = std::env::var("PATH").unwrap();
+    let mut child = map(format!("{}:{path}", bench.path("slow").display()));
+    while !mark.exists() {
+        assert!(
+            matches!(child.try_wait(), Ok(None)),
+            "the compiler was not called"
+        );
+        std::thread::sleep(Duration::from_millis(5));
     }
-    // A compiler may outlive the killed command.
-    std::thread::sleep(Duration::from_secs(6));
-    assert!(map().wait().unwrap().success());
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let left = fs::read_dir(bench.path("temporary")).unwrap();
+    assert_eq!(left.flatten().count(), 0);
+    // The compiler outlives the killed command.
+    std::thread::sleep(Duration::from_secs(2));
+    assert!(map(path).wait().unwrap().success());
     assert_eq!(drafts_in(&bench, ""), Vec::<String>::new());
 }
 
