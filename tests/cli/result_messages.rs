@@ -225,6 +225,15 @@ fn marching_that_misses_the_load_is_not_converged() {
 }
 
 #[test]
+fn a_load_that_is_reached_roughly_is_named_on_the_first_screen() {
+    let bench = bench_with("offsets", "numerical_error = \"20 %\"");
+    let run = ["run", "case.toml", "--formulation", "paper", "--no-output"];
+    let said = bench.run(&run).well();
+    let says = "W451 the contacts carry their load with an error of up to ";
+    assert!(said.out.contains(says), "{}", said.out);
+}
+
+#[test]
 fn an_oil_thinner_than_a_law_takes_is_outside_the_model() {
     let bench = bench_with("bulk_temperature", "bulk_temperature = \"240 °C\"");
     let says = [

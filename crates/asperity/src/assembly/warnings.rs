@@ -62,7 +62,7 @@ pub(crate) fn warnings(
     );
     stress(loaded, positions, pictures, &mut found)?;
     contacts(positions, &mut found);
-    load_reached(positions.len(), summary, &mut found);
+    load_reached(summary, &mut found);
     one_tooth(loaded, &mut found);
     roughness(loaded, positions, &mut found)?;
     full_film(positions, &mut found);
@@ -259,13 +259,13 @@ fn one_tooth(loaded: &LoadedCase, found: &mut Vec<Warning>) {
 }
 
 /// W451: contacts that carry their load less closely than the paper's limit, within `model.numerical_error`.
-fn load_reached(positions: usize, summary: &Summary, found: &mut Vec<Warning>) {
+fn load_reached(summary: &Summary, found: &mut Vec<Warning>) {
     /// The paper stops at 1 %.
     const LARGE: f64 = 0.011;
     if summary.worst_load_error > LARGE {
         let percent = 100.0 * summary.worst_load_error;
         let text = format!(
-            "the contacts of {positions} positions carry their load with an error of up to {percent:.0} %, within model.numerical_error"
+            "the contacts carry their load with an error of up to {percent:.0} %, within model.numerical_error"
         );
         found.push(Warning::new("W451", text));
     }
