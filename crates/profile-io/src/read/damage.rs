@@ -1,5 +1,6 @@
 //! Errors of files that break the rules of their format.
 
+use super::dialect::is_missing;
 use super::error::{ReadFault, shortened};
 use super::format::Format;
 use super::metadata::number;
@@ -20,13 +21,9 @@ pub(super) fn height(format: Format, field: &str) -> Result<f64, ReadFault> {
 
 /// The height in `field`, NaN for a point that the format marks as missing.
 pub(super) fn height_or_gap(format: Format, field: &str) -> Result<f64, ReadFault> {
-    let is_gap = ["bad", "nan"]
-        .iter()
-        .any(|gap| field.eq_ignore_ascii_case(gap));
-    if is_gap {
-        Ok(f64::NAN)
-    } else {
-        height(format, field)
+    match is_missing(field) {
+        true => Ok(f64::NAN),
+        false => height(format, field),
     }
 }
 

@@ -35,7 +35,7 @@ const CANDIDATES: [(Separator, DecimalSign); 9] = [
     (Separator::None, DecimalSign::Comma),
 ];
 
-/// Marks of instruments for a missing height.
+/// Marks of instruments and programs for a missing height, in every format of text.
 const MISSING: &[&str] = &[
     "nan",
     "-nan",
@@ -63,6 +63,16 @@ const MISSING: &[&str] = &[
     "*****",
     "#n/a",
     "void",
+    "no data",
+    "no_data",
+    "nodata",
+    "no value",
+    "missing",
+    "invalid",
+    "masked",
+    "undefined",
+    "ungültig",
+    "fehlt",
     "",
 ];
 
@@ -159,7 +169,8 @@ fn sign(separator: Separator) -> Option<char> {
     }
 }
 
-fn is_missing(cell: &str) -> bool {
+/// Whether `cell` is a mark for a missing height.
+pub(super) fn is_missing(cell: &str) -> bool {
     cell.len() <= LONGEST_MISSING && MISSING.iter().any(|mark| mark.eq_ignore_ascii_case(cell))
 }
 

@@ -102,6 +102,8 @@ formats! {
     SensofarPlux "Sensofar plux" [] ["plux"] SEVERAL UNPACKED;
     /// Zygo MetroPro (dat).
     MetroPro "Zygo MetroPro (dat)" [b"\x88\x1b\x03\x6f", b"\x88\x1b\x03\x70", b"\x88\x1b\x03\x71"] [] SEVERAL;
+    /// Zygo MetroPro and Mx, points as text (xyz).
+    ZygoXyz "Zygo XYZ text" [b"Zygo XYZ Data File"] [] SEVERAL;
     /// Zygo Mx, HDF5 (datx).
     ZygoDatx "Zygo datx" [] ["datx"] SEVERAL
         "take a released binary or wheel, which read HDF5, build with feature hdf5, or export the surface as dat (MetroPro), X3P or text from Mx";

@@ -66,7 +66,44 @@ pub(super) fn read(
     if x.len() != y.len() || y.iter().any(|y| y.is_nan()) {
         return Ok(None);
     }
-    Ok(Points::of(&x, &y, &z, true).or_else(|| Points::of(&y, &x, &z, false)))
+    let complete = Points::of(&x, &y, &z, true).or_else(|| Points::of(&y, &x, &z, false));
+    Ok(complete.or_else(|| Points::with_holes(&x, &y, &z)))
+}
+
+/// Nodes of a coordinate: `count` of them, `step` apart.
+struct Nodes {
+    first: f64,
+    step: f64,
+    count: usize,
+}
+
+impl Nodes {
+    /// The even nodes that `values` are on, each up to rounding; `None` if there are none.
+    fn of(values: &[f64]) -> Option<Self> {
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        sorted.dedup();
+        let (first, last) = (*sorted.first()?, *sorted.last()?);
+        // Single nodes may have no point at all, most have.
+        let mut steps: Vec<f64> = sorted.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        steps.sort_by(f64::total_cmp);
+        let intervals = ((last - first) / steps.get(steps.len() / 2)?).round();
+        let nodes = Self {
+            first,
+            step: (last - first) / intervals,
+            count: intervals as usize + 1,
+        };
+        let is_near = |x: &f64| (x - nodes.at(nodes.nearest(*x))).abs() <= SAME * nodes.step;
+        sorted.iter().all(is_near).then_some(nodes)
+    }
+
+    fn nearest(&self, x: f64) -> usize {
+        ((x - self.first) / self.step).round() as usize
+    }
+
+    fn at(&self, node: usize) -> f64 {
+        self.first + self.step * node as f64
+    }
 }
 
 impl Points {
@@ -91,6 +128,32 @@ impl Points {
             across,
             heights: z.to_vec(),
             along_x,
+        })
+    }
+
+    /// The grid of points of which some are left out, by rounding of their coordinates: fewer than half of its nodes may lack
+    /// a point, and none has two.
+    fn with_holes(x: &[f64], y: &[f64], z: &[f64]) -> Option<Self> {
+        let [columns, rows] = [Nodes::of(x)?, Nodes::of(y)?];
+        let count = columns.count.checked_mul(rows.count)?;
+        if rows.count < 2 || columns.count < 2 || count > 2 * x.len() {
+            return None;
+        }
+        let mut heights = vec![f64::NAN; count];
+        let mut is_taken = vec![false; count];
+        for ((x, y), z) in x.iter().zip(y).zip(z) {
+            let node = rows.nearest(*y) * columns.count + columns.nearest(*x);
+            if std::mem::replace(&mut is_taken[node], true) {
+                return None;
+            }
+            heights[node] = *z;
+        }
+        let along = |nodes: &Nodes| (0..nodes.count).map(|node| nodes.at(node)).collect();
+        Some(Self {
+            along: along(&columns),
+            across: along(&rows),
+            heights,
+            along_x: true,
         })
     }
 
@@ -125,8 +188,13 @@ impl Points {
             false => self.height(line, i),
         };
         let (z, before): (Vec<f64>, usize) = if options.line.is_mean() {
-            let sum = |i| (0..count).map(|line| at(i, line)).sum::<f64>();
-            ((0..x.len()).map(|i| sum(i) / count as f64).collect(), 0)
+            let there = |i| {
+                (0..count)
+                    .map(move |line| at(i, line))
+                    .filter(|z| !z.is_nan())
+            };
+            let mean = |i| there(i).sum::<f64>() / there(i).count() as f64;
+            ((0..x.len()).map(mean).collect(), 0)
         } else {
             let line = chosen_row(options.row, count, x.len())?;
             let before = if as_stored { line * x.len() } else { 0 };
@@ -183,6 +251,45 @@ impl Points {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn points_with_holes_are_on_a_grid_by_rounding_and_the_others_are_missing() {
+        let nodes = (0..4).flat_map(|row| (0..6).map(move |column| (column, row)));
+        let there = nodes.filter(|node| ![(0, 0), (3, 2), (5, 2), (5, 3)].contains(node));
+        // Steps of 1/3, printed with two decimals, and of 2.
+        let printed = |x: f64| (100.0 * x).round() / 100.0;
+        let points: Vec<[f64; 3]> = there
+            .map(|(c, r)| {
+                [
+                    printed(f64::from(c) / 3.0),
+                    f64::from(2 * r),
+                    f64::from(10 * r + c),
+                ]
+            })
+            .collect();
+        let [x, y, z] = [0, 1, 2].map(|k| points.iter().map(|p| p[k]).collect::<Vec<_>>());
+        let found = Points::with_holes(&x, &y, &z).unwrap();
+        assert_eq!((found.along.len(), found.lines()), (6, 4));
+        assert_eq!((found.height(2, 2), found.height(4, 3)), (22.0, 34.0));
+        for (column, row) in [(0, 0), (3, 2), (5, 2), (5, 3)] {
+            assert!(found.height(column, row).is_nan());
+        }
+        // The mean of a column is over the points that are there.
+        let mean = ReadOptions {
+            line: TraceLine::Mean,
+            ..ReadOptions::default()
+        };
+        let trace = found.trace(&mean).unwrap().rows;
+        assert_eq!(
+            trace.z,
+            [20.0, 16.0, 17.0, (3.0 + 13.0 + 33.0) / 3.0, 19.0, 10.0]
+        );
+        // Twice a point, or scattered points: no grid.
+        let twice = |values: &[f64]| [values, &values[..1]].concat();
+        assert!(Points::with_holes(&twice(&x), &twice(&y), &twice(&z)).is_none());
+        let scattered: Vec<f64> = x.iter().map(|x| x + 0.1 * (7.0 * x).sin()).collect();
+        assert!(Points::with_holes(&scattered, &y, &z).is_none());
+    }
 
     #[test]
     fn lines_along_either_coordinate_are_found_and_others_are_none() {

@@ -45,6 +45,7 @@ fn every_point_of_every_areal_format_is_where_it_was_written() {
         Format::SensofarPlu,
         Format::SensofarPlux,
         Format::MetroPro,
+        Format::ZygoXyz,
         Format::Opd,
         Format::SdfBinary,
         Format::SdfBinary,
@@ -89,7 +90,14 @@ fn every_point_of_every_areal_format_is_where_it_was_written() {
             let dx = found.dx.unwrap().si();
             assert!((dx / 0.5e-6 - 1.0).abs() < 1e-6, "{name}: {dx}");
         }
-        if ![Format::Matlab, Format::Opdx, Format::MetroPro].contains(&format) {
+        if ![
+            Format::Matlab,
+            Format::Opdx,
+            Format::MetroPro,
+            Format::ZygoXyz,
+        ]
+        .contains(&format)
+        {
             let dy = found.dy.unwrap().si();
             assert!((dy / 2e-6 - 1.0).abs() < 1e-6, "{name}: {dy}");
         }

@@ -266,6 +266,31 @@ pub fn metropro(sign: i16) -> Vec<u8> {
     bytes
 }
 
+/// Zygo XYZ: micrometres by pixels that are counted from (12, 8), each with its place.
+pub fn zygo_xyz() -> Vec<u8> {
+    let head = [
+        "Zygo XYZ Data File - Format 1",
+        "0 0 0 0 \"Mon Nov 02 10:00:00 2026\"",
+        "0 0 120 3 1 255",
+        &format!("12 8 {COLUMNS} {ROWS}"),
+        "\"flank 7\"",
+        "\"\"",
+        "\"\"",
+        "0 0.5 6.328e-07 0 1 0 5e-07 1793000000",
+        "1 0 0 0 0 0 \"\"",
+        "#\n",
+    ]
+    .join("\n");
+    let one = |x: usize, y: usize| {
+        let height = match is_hole(x, y) {
+            true => "No Data".to_owned(),
+            false => format!("{:.3}", um(x, y)),
+        };
+        format!("{} {} {height}\n", x + 12, y + 8).into_bytes()
+    };
+    [head.into_bytes(), points(one), b"#\n".to_vec()].concat()
+}
+
 /// Wyko OPD: nanometres in floats, column by column from the last row up.
 pub fn opd() -> Vec<u8> {
     let column = |x| (0..ROWS).rev().map(move |y| (x, y));
@@ -566,6 +591,7 @@ pub fn all() -> Vec<(&'static str, Vec<u8>)> {
         ("a.plu", plu()),
         ("a.plux", plux()),
         ("a.dat", metropro(0)),
+        ("a.xyz", zygo_xyz()),
         ("a.opd", opd()),
         ("a.sdf", sdf_binary(false)),
         ("b.sdf", sdf_binary(true)),

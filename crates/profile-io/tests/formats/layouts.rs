@@ -162,6 +162,21 @@ fn points_on_a_grid_are_the_lines_of_a_surface() {
         assert!((surface.dy.unwrap().si() / 2e-6 - 1.0).abs() < 1e-9);
         assert!((surface.z[POINTS + 5] - 2e-6 * height(5)).abs() < 1e-12);
     }
+    // Points that a program leaves out are missing.
+    let holes = [(0, 1), (5, 1), (6, 1), (9, 2)];
+    let text = text(&mut along_x.clone().filter(|point| !holes.contains(point)));
+    let surface = read_surface_bytes("a.csv", text.as_bytes(), &ReadOptions::default()).unwrap();
+    assert_eq!((surface.columns, surface.rows), (POINTS, lines));
+    assert_eq!(surface.measured(), lines * POINTS - holes.len());
+    let refused_row = read_bytes("a.csv", text.as_bytes(), &row(2)).unwrap_err();
+    assert_eq!(refused_row.code(), "E107");
+    let filled = ReadOptions {
+        gaps: Gaps::Interpolate,
+        ..row(2)
+    };
+    let reading = read_bytes("a.csv", text.as_bytes(), &filled).unwrap();
+    assert_eq!(reading.points, POINTS - 1, "the first point is cut off");
+    assert!((reading.profile.heights()[2] - 2e-6 * height(3)).abs() < 1e-12);
     // Points on no grid are refused, and not read as one line.
     let scattered = pairs(|x, z| format!("{},{},{z:.6}", (x * 37.0) % 11.0, (x * 17.0) % 13.0));
     assert!(refused("a.csv", &scattered).starts_with("E112"));

@@ -25,6 +25,7 @@ mod sdf_binary;
 mod sur;
 pub(crate) mod trace;
 mod vk;
+mod zygo_xyz;
 
 pub(crate) use plu::recognised as is_plu;
 
@@ -46,6 +47,7 @@ pub(crate) fn read(
         Format::KeyenceVk => vk::read(stream, size)?,
         Format::SensofarPlu => plu::read(held(stream)?)?,
         Format::MetroPro => metropro::read(held(stream)?)?,
+        Format::ZygoXyz => zygo_xyz::read(&held(stream)?)?,
         Format::Opd => opd::read(held(stream)?)?,
         Format::SdfBinary => sdf_binary::read(held(stream)?)?,
         Format::Opdx => opdx::read(held(stream)?)?,
