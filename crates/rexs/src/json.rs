@@ -10,8 +10,8 @@ use crate::model::{Attribute, Component, LoadCase, Model, Relation};
 type Object = Map<String, Value>;
 
 /// Reads a REXS model from JSON.
-pub fn read(bytes: &[u8]) -> Result<Model, RexsError> {
-    let value: Value = serde_json::from_slice(bytes).map_err(|error| RexsError::Malformed {
+pub fn read(model: &str) -> Result<Model, RexsError> {
+    let value: Value = serde_json::from_str(model).map_err(|error| RexsError::Malformed {
         place: format!("line {}", error.line()),
         what: error.to_string(),
     })?;

@@ -1,7 +1,9 @@
 //! Reading a REXS file of any of the three formats.
 
+use std::borrow::Cow;
 use std::io::{Cursor, Read};
 
+use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 use zip::ZipArchive;
 
 use crate::error::RexsError;
@@ -56,12 +58,33 @@ fn too_large() -> RexsError {
 }
 
 fn text(bytes: &[u8]) -> Result<Model, RexsError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    match bytes.iter().find(|byte| !byte.is_ascii_whitespace()) {
-        Some(b'<') => xml::read(bytes),
-        Some(b'{') => json::read(bytes),
+    let text = decoded(bytes);
+    match text.trim_start().chars().next() {
+        Some('<') => xml::read(&text),
+        Some('{') => json::read(&text),
         _ => Err(RexsError::NotRexs),
     }
+}
+
+/// The text of a file: in the encoding of its byte order mark, of the zeros of UTF-16, or of its XML declaration, else UTF-8.
+fn decoded(bytes: &[u8]) -> Cow<'_, str> {
+    /// Bytes in which the declaration is looked for.
+    const HEAD: usize = 200;
+    let by_zeros = match bytes {
+        [b'<' | b'{', 0, ..] => Some(UTF_16LE),
+        [0, b'<' | b'{', ..] => Some(UTF_16BE),
+        _ => None,
+    };
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD)]);
+    let declared = head.split_once("encoding=").and_then(|(before, rest)| {
+        let label = rest.strip_prefix(['"', '\''])?.split(['"', '\'']).next()?;
+        let is_declaration = before.trim_start_matches('\u{feff}').starts_with("<?xml");
+        Encoding::for_label(label.as_bytes()).filter(|_| is_declaration)
+    });
+    // Whether bytes or words are swapped is not in a declaration that could be read as bytes.
+    let declared = declared.filter(|encoding| encoding.is_ascii_compatible());
+    let encoding = by_zeros.or(declared).unwrap_or(UTF_8);
+    encoding.decode(bytes).0
 }
 
 /// Unpacks the only REXS file in a zip; `.rexs` is preferred to `.rexsj`.

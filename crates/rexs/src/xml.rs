@@ -6,6 +6,20 @@ use quick_xml::events::{BytesStart, Event};
 use crate::error::RexsError;
 use crate::model::{Attribute, Component, LoadCase, Model, Relation};
 
+/// Elements of a model that are read, with what is in them. Others, such as the sums over a load spectrum (`accumulation`), may
+/// hold components of the same numbers.
+const READ: [&str; 9] = [
+    "model",
+    "relations",
+    "relation",
+    "ref",
+    "components",
+    "component",
+    "attribute",
+    "load_spectrum",
+    "load_case",
+];
+
 /// Elements whose end tags have not been read yet.
 #[derive(Default)]
 struct Open {
@@ -13,23 +27,22 @@ struct Open {
     attribute: Option<(String, Attribute)>,
     relation: Option<Relation>,
     load_case: Option<LoadCase>,
-    /// Depth of elements inside the attribute: an array or a matrix.
+    /// Depth of elements inside the attribute, an array or a matrix, or inside an element that is not read.
     nested: usize,
 }
 
 /// Reads a REXS model from XML.
-pub fn read(bytes: &[u8]) -> Result<Model, RexsError> {
-    let mut reader = Reader::from_reader(bytes);
-    let mut buffer = Vec::new();
+pub fn read(text: &str) -> Result<Model, RexsError> {
+    let bytes = text.as_bytes();
+    let mut reader = Reader::from_str(text);
     let mut model: Option<Model> = None;
     let mut open = Open::default();
     let mut depth = 0_usize;
     loop {
-        buffer.clear();
         let at = usize::try_from(reader.buffer_position()).unwrap_or(bytes.len());
         let malformed_here = |what: String| malformed(bytes, at, what);
         let event = reader
-            .read_event_into(&mut buffer)
+            .read_event()
             .map_err(|error| malformed_here(error.to_string()))?;
         match event {
             Event::Start(element) | Event::Empty(element) if model.is_none() => {
@@ -86,11 +99,12 @@ fn head(element: &BytesStart<'_>) -> Result<Model, String> {
 }
 
 fn open_element(element: &BytesStart<'_>, open: &mut Open) -> Result<(), String> {
-    if open.attribute.is_some() {
+    let name = element.name();
+    if open.attribute.is_some() || open.nested > 0 || !READ.contains(&name.as_ref()) {
         open.nested += 1;
         return Ok(());
     }
-    match element.name().as_ref() {
+    match name.as_ref() {
         "component" => {
             open.component = Some(Component {
                 id: value(element, "id")?,

@@ -39,6 +39,68 @@ fn stages_are_in_the_order_of_the_file_and_the_pinion_is_the_smaller_gear() {
     assert!(matches!(kinds[2], StageKind::Other { kind } if kind == "bevel_stage"));
 }
 
+/// The model is that of `CHAIN`.
+fn is_chain(bytes: &[u8]) {
+    let model = Model::read(bytes).unwrap();
+    assert_eq!(model.components.len(), chain().components.len());
+    assert_eq!(text_of(&model, 1).toml, text_of(&chain(), 1).toml);
+}
+
+#[test]
+fn what_a_spectrum_sums_up_is_no_second_component() {
+    let id = chain().components.keys().next().unwrap().clone();
+    for aside in ["accumulation", "vendor_data"] {
+        let sums = format!(
+            r#"<{aside}><component id="{id}" type="x"><attribute id="operating_time" unit="h">5000</attribute></component></{aside}>"#
+        );
+        let spectrum = format!("<load_spectrum>{sums}</load_spectrum></model>");
+        is_chain(CHAIN.replace("</model>", &spectrum).as_bytes());
+        is_chain(
+            CHAIN
+                .replace("<components>", &format!("{sums}<components>"))
+                .as_bytes(),
+        );
+    }
+}
+
+#[test]
+fn a_model_is_read_in_the_encoding_that_it_has() {
+    let start = CHAIN.find("<model").unwrap();
+    let named = |encoding: &str| {
+        format!("<?xml version='1.0' encoding=\"{encoding}\"?>\n<!-- Prüfstand für Getriebe -->\n")
+            + &CHAIN[start..]
+    };
+    let in_latin = |text: String| text.chars().map(|c| c as u8).collect::<Vec<u8>>();
+    assert!(CHAIN[start..].is_ascii());
+    is_chain(named("UTF-8").as_bytes());
+    is_chain(format!("\u{feff}{}", named("utf-8")).as_bytes());
+    for label in ["ISO-8859-1", "windows-1252", "latin1"] {
+        is_chain(&in_latin(named(label)));
+    }
+    let words = |mark: &str| -> Vec<u16> {
+        (mark.to_owned() + &named("UTF-16"))
+            .encode_utf16()
+            .collect()
+    };
+    for mark in ["\u{feff}", ""] {
+        is_chain(
+            &words(mark)
+                .iter()
+                .flat_map(|w| w.to_le_bytes())
+                .collect::<Vec<u8>>(),
+        );
+        is_chain(
+            &words(mark)
+                .iter()
+                .flat_map(|w| w.to_be_bytes())
+                .collect::<Vec<u8>>(),
+        );
+    }
+    // A declaration in a comment, or cut off, is none.
+    is_chain(named("UTF-8").replace("Prüfstand", "encoding=").as_bytes());
+    assert!(Model::read(b"<?xml encoding=").is_err());
+}
+
 #[test]
 fn each_number_of_a_case_names_its_attribute() {
     let case = text_of(&chain(), 1);
