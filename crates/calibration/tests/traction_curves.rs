@@ -241,8 +241,51 @@ fn an_export_of_a_machine_gives_the_constants_of_its_table() {
         120
     );
     let wrong = text.replacen("\t10.00\t1.000\t", "\t90.00\t1.000\t", 1);
+    // One bad reading is left out, a column of bad ones is refused.
+    let readings = read_pcs("mtm.txt", &wrong, &machine(), Probe::Lube).unwrap();
+    let bad: Vec<&Reading> = readings
+        .iter()
+        .filter(|one| one.contradiction.is_some())
+        .collect();
+    assert_eq!((readings.len(), bad.len()), (120, 1));
+    let without = OilFit::of(&oil(false), &readings, Vec::new(), REFERENCE).unwrap();
+    let told = without.warnings.iter().any(|warning| {
+        warning.text.contains("one reading is left out: mtm.txt:")
+            && warning.text.contains("sliding speed 90 mm/s")
+    });
+    assert!(
+        told && without.points.len() == found.points.len() - 1,
+        "{:?}",
+        without.warnings
+    );
+    let wrong = text.replace("\t1.000\t", "\t7.000\t");
     let refused = read_pcs("mtm.txt", &wrong, &machine(), Probe::Lube).unwrap_err();
     assert!(matches!(refused, OilError::Row { .. }), "{refused}");
+    // The title may lack, and a slow step prints few digits of its sliding speed.
+    let untitled = text
+        .split_once("Step 1")
+        .map(|(_, rest)| format!("Step 1{rest}"))
+        .unwrap();
+    assert!(is_pcs(&untitled));
+    assert_eq!(
+        read_pcs("mtm.txt", &untitled, &machine(), Probe::Lube)
+            .unwrap()
+            .len(),
+        120
+    );
+    for printed in ["-0.01", "0.00"] {
+        let slow = format!(
+            "1\t-0.0002\t\t40.0\t40.0\t30.000\t25.00\t{printed}\t-0.020\t-0.0068\t-0.0002\r\n"
+        );
+        let head = text.find("SRR (%)").unwrap();
+        let begin = head + text[head..].find('\n').unwrap() + 1;
+        let with = format!("{}{slow}{}", &text[..begin], &text[begin..]);
+        let readings = read_pcs("mtm.txt", &with, &machine(), Probe::Lube).unwrap();
+        assert!(
+            readings.iter().all(|one| one.contradiction.is_none()),
+            "{printed}"
+        );
+    }
 }
 
 #[test]

@@ -71,6 +71,7 @@ impl SetPoint {
                 traction: 0.0,
                 sigma: None,
                 film: None,
+                contradiction: None,
             },
             readings: 1,
             curve,

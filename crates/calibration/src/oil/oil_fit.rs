@@ -16,7 +16,7 @@ use super::error::OilError;
 use super::fit::{LawFit, PointErrors, expected, fit_law};
 use super::helpful::{Helpful, helpful};
 use super::problem::{CONSTANTS, FACTOR, FALL, Nuisance, Priors, STATED, STATED_CONSTANTS, Zero};
-use super::reading::{Reading, SetPoint, set_points};
+use super::reading::{Reading, SetPoint, left_out, set_points};
 use super::selection::{Dropped, Judged, judge};
 use crate::block::digits;
 use crate::information::correlations;
@@ -271,7 +271,7 @@ impl OilFit {
         };
         found.refuse(&fits, settings.is_forced)?;
         let doubts = found.doubts_of(best);
-        let warnings = found.warnings_of(best, &doubts);
+        let warnings = found.warnings_of(best, &doubts, left_out(readings));
         Ok(Self {
             doubts,
             warnings,
@@ -374,8 +374,14 @@ impl OilFit {
         texts
     }
 
-    fn warnings_of(&self, best: &LawFit<'_>, doubts: &[String]) -> Vec<Warning> {
+    fn warnings_of(
+        &self,
+        best: &LawFit<'_>,
+        doubts: &[String],
+        left_out: Option<String>,
+    ) -> Vec<Warning> {
         let mut texts = doubts.to_vec();
+        texts.extend(left_out);
         let far = match self.temperatures_c[..] {
             [only] => {
                 texts.push(format!(

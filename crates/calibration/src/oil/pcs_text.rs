@@ -28,8 +28,10 @@ const LUBE: [&str; 2] = ["Lube RTD Temp", "Lube Temp"];
 const POT: [&str; 2] = ["Pot RTD Temp", "Pot Temp"];
 /// Difference \[K\] from the pot at which a probe of the oil reads air.
 const AIR: f64 = 15.0;
-/// Tolerances of two columns that state one quantity: relative, and by rounding.
-const SAME: [f64; 2] = [0.02, 1.5e-4];
+/// Relative difference of two columns that state one quantity; what was rounded away in the printed digits comes on top.
+const SAME: f64 = 0.02;
+/// One reading in so many may contradict itself: more are no faults of single readings.
+const ONE_IN: usize = 20;
 
 /// Probe whose temperature is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
@@ -42,18 +44,22 @@ pub enum Probe {
     Pot,
 }
 
-/// Whether a text is an export of such a machine.
+/// Whether a text is an export of such a machine: a step starts in it.
 #[must_use]
 pub fn is_pcs(text: &str) -> bool {
-    let first = text.trim_start_matches('\u{feff}').lines().next();
-    first.is_some_and(|line| line.contains("Test Data File"))
+    text.lines().any(starts_step)
+}
+
+fn starts_step(line: &str) -> bool {
+    let line = line.trim_start_matches('\u{feff}');
+    line.starts_with("Step ") && line.contains(" started at")
 }
 
 /// Reads an export.
 ///
 /// # Errors
-/// When no table has the columns of a traction curve, a cell is not a number, two columns contradict each other, or the
-/// probe of the oil reads air.
+/// When no table has the columns of a traction curve, a cell is not a number, two columns contradict each other in more than
+/// one reading of twenty, or the probe of the oil reads air.
 pub fn read_pcs(
     name: &str,
     text: &str,
@@ -68,7 +74,7 @@ pub fn read_pcs(
             .split('\t')
             .map(str::trim)
             .collect();
-        if line.starts_with("Step ") && line.contains(" started at") {
+        if starts_step(line) {
             (step, columns) = (step + 1, None);
         } else if let Some(found) = Columns::of(&cells, probe) {
             columns = Some(found);
@@ -93,6 +99,14 @@ pub fn read_pcs(
             file: name.to_owned(),
         }),
         false => {
+            let wrong = readings.iter().filter(|one| one.contradiction.is_some());
+            if let Some(first) = wrong.clone().next()
+                && wrong.count() * ONE_IN > readings.len()
+            {
+                let rule = first.contradiction.clone().unwrap_or_default();
+                let line = first.line;
+                return Err(Place { file: name, line }.fault(rule));
+            }
             for reading in &mut readings {
                 reading.film = film_at(&films, reading);
             }
@@ -163,6 +177,25 @@ fn number(cells: &[&str], index: usize, name: &str, place: Place<'_>) -> Result<
     let value = cell.replace(',', ".").parse::<f64>().ok();
     let fault = || place.fault(format!("{name}: {cell:?} is not a finite number"));
     value.filter(|value| value.is_finite()).ok_or_else(fault)
+}
+
+/// Half a unit of the last printed digit of a cell, in its own unit.
+fn rounded_away(cells: &[&str], index: usize) -> f64 {
+    let cell = cells.get(index).copied().unwrap_or_default();
+    let mantissa = cell.split(['e', 'E']).next().unwrap_or_default();
+    let decimals = mantissa
+        .split_once(['.', ','])
+        .map_or(0, |(_, after)| after.len());
+    let exponent: i32 = cell
+        .split_once(['e', 'E'])
+        .and_then(|(_, e)| e.parse().ok())
+        .unwrap_or(0);
+    0.5 * 10_f64.powi(exponent.saturating_sub(decimals.try_into().unwrap_or(i32::MAX)))
+}
+
+/// Whether two statements of one quantity agree, of whose printed digits `rounding` was cut off.
+fn agree([a, b]: [f64; 2], rounding: f64) -> bool {
+    (a - b).abs() <= SAME * a.max(b) + rounding * (1.0 + 1e-9)
 }
 
 /// Indices of the columns of a table.
@@ -243,31 +276,36 @@ impl Columns {
                 pot,
             });
         }
-        let agree = |a: f64, b: f64, unit: f64| {
-            (a - b).abs() <= SAME[0] * a.abs().max(b.abs()) + SAME[1] * unit
-        };
-        if let Some(sliding) = optional(self.sliding, SLIDING)?
-            && !agree(sliding.abs(), (0.01 * slide * speed).abs(), speed.abs())
-        {
-            let rule = format!(
+        // Half a unit of the last printed digit of each.
+        let [of_slide, of_speed] = [self.slide, self.speed].map(|k| rounded_away(cells, k));
+        let [of_traction, of_load] = [self.traction, self.load].map(|k| rounded_away(cells, k));
+        let contradiction = if let Some((k, sliding)) =
+            self.sliding.zip(optional(self.sliding, SLIDING)?)
+            && !agree(
+                [sliding.abs(), 0.01 * (slide * speed).abs()],
+                rounded_away(cells, k) + 0.01 * (of_slide * speed.abs() + of_speed * slide.abs()),
+            ) {
+            Some(format!(
                 "sliding speed {} mm/s is not the slide-to-roll ratio of {} % times the rolling speed of {} mm/s",
                 number_text(sliding),
                 number_text(slide),
                 number_text(speed)
-            );
-            return Err(place.fault(rule));
-        }
-        if let Some(force) = optional(self.force, FORCE)?
-            && !agree(force.abs(), (traction * load).abs(), load.abs())
+            ))
+        } else if let Some((k, force)) = self.force.zip(optional(self.force, FORCE)?)
+            && !agree(
+                [force.abs(), (traction * load).abs()],
+                rounded_away(cells, k) + of_traction * load.abs() + of_load * traction.abs(),
+            )
         {
-            let rule = format!(
+            Some(format!(
                 "traction force {} N is not the traction coefficient {} times the load of {} N",
                 number_text(force),
                 number_text(traction),
                 number_text(load)
-            );
-            return Err(place.fault(rule));
-        }
+            ))
+        } else {
+            None
+        };
         Ok(Reading {
             file: place.file.to_owned(),
             line: place.line,
@@ -285,6 +323,7 @@ impl Columns {
             traction,
             sigma: None,
             film: None,
+            contradiction,
         })
     }
 }

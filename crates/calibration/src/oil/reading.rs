@@ -31,6 +31,8 @@ pub struct Reading {
     pub sigma: Option<f64>,
     /// Measured film, if stated.
     pub film: Option<Length>,
+    /// Two columns of the reading that contradict each other, in words: no set point has it.
+    pub contradiction: Option<String>,
 }
 
 impl Reading {
@@ -162,6 +164,20 @@ fn turned(mut negative: Reading, is_signed: bool) -> Reading {
     negative
 }
 
+/// The readings that contradict themselves, in words; `None` if there are none.
+pub(super) fn left_out(readings: &[Reading]) -> Option<String> {
+    let with = |reading: &Reading| {
+        let rule = reading.contradiction.as_ref()?;
+        Some(format!("{}:{}: {rule}", reading.file, reading.line))
+    };
+    let mut found = readings.iter().filter_map(with);
+    let first = found.next()?;
+    Some(match found.count() {
+        0 => format!("one reading is left out: {first}"),
+        more => format!("{} readings are left out, the first is {first}", more + 1),
+    })
+}
+
 /// The set points of readings, in the order of curves and slide-to-roll ratios; whatever the order of the readings.
 ///
 /// A set point with a negative slide-to-roll ratio only has the sign of ratio and friction changed. So has the friction of a
@@ -169,7 +185,7 @@ fn turned(mut negative: Reading, is_signed: bool) -> Reading {
 #[must_use]
 pub fn set_points(readings: &[Reading]) -> Vec<SetPoint> {
     let mut curves: Vec<Vec<&Reading>> = Vec::new();
-    for reading in readings {
+    for reading in readings.iter().filter(|one| one.contradiction.is_none()) {
         match curves
             .iter_mut()
             .find(|curve| is_same_curve(curve[0], reading))
@@ -281,6 +297,7 @@ mod tests {
             traction,
             sigma: None,
             film: None,
+            contradiction: None,
         }
     }
 

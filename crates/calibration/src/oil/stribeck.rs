@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::base::OilBase;
 use super::error::OilError;
 use super::problem::distinct;
-use super::reading::{Reading, SetPoint, set_points};
+use super::reading::{Reading, SetPoint, left_out, set_points};
 use super::selection::LEAST_SLIDE;
 use super::traction::BOUNDARY_RATIO;
 
@@ -159,10 +159,10 @@ impl Stribeck {
             deviation,
             range: quantiles(Z_95),
             band: quantiles(Z_975),
-            warnings: oil
-                .outside(&temperatures_c, FAR)
-                .map(|text| Warning::new("W441", text))
+            warnings: left_out(readings)
                 .into_iter()
+                .chain(oil.outside(&temperatures_c, FAR))
+                .map(|text| Warning::new("W441", text))
                 .collect(),
             states,
             temperatures_c,

@@ -182,6 +182,7 @@ fn reading(file: &str, row: NumberRow<'_>, machine: &Machine) -> Result<Reading,
         traction: row.number("traction")?,
         sigma: row.optional("sigma")?,
         film: film.map(|nm| Length::from_si(1e-9 * nm)),
+        contradiction: None,
     })
 }
 
