@@ -1,7 +1,8 @@
 //! A single column of heights after a header number: NPL text profiles.
 //!
-//! NPL text states the spacing in um on line 1. Such a first line is recognised by its number of decimals, because
-//! instruments write all heights with the same number of decimals.
+//! NPL text states the spacing in um on line 1, and other programs the number of heights, with lines of conditions above or
+//! without. Such a first number is recognised by its number of decimals, because instruments write all heights with the same
+//! number of decimals.
 
 use asperity_core::numerics::extremes;
 
@@ -50,23 +51,20 @@ pub(super) fn interpret(
         true => heights.first().copied().filter(|value| value.is_finite()),
         false => None,
     };
-    if let (true, Some(value)) = (is_headed, header_number) {
-        let (low, high) = extremes(&heights[1..]);
-        let is_height = (low..=high).contains(&value);
-        return match options.dx {
-            Some(_) if is_height => Ok(Special::delimited()),
-            Some(_) => Err(damaged(
-                Format::DelimitedText,
-                "its first number is written unlike the heights and is outside of their range",
-                &value.to_string(),
-            )),
-            None => Err(no_spacing(SpacingHint::None)),
-        };
-    }
+    let is_count = |value: f64| value == (heights.len() - 1) as f64;
+    let header_number = match header_number {
+        Some(value) if is_count(value) => {
+            heights.remove(0);
+            None
+        }
+        other => other,
+    };
     match (options.dx, header_number) {
         (Some(_), None) => Ok(Special::delimited()),
         (None, None) => Err(no_spacing(SpacingHint::None)),
-        (Some(dx), Some(value)) if agrees(LengthUnit::Micrometre.metres(value), dx.si()) => {
+        (Some(dx), Some(value))
+            if !is_headed && agrees(LengthUnit::Micrometre.metres(value), dx.si()) =>
+        {
             heights.remove(0);
             Ok(Special {
                 format: Format::NplText,
@@ -74,6 +72,22 @@ pub(super) fn interpret(
                 spacing: None,
             })
         }
+        (Some(_), Some(value)) => {
+            let unlike = |what| damaged(Format::DelimitedText, what, &value.to_string());
+            let (low, high) = extremes(&heights[1..]);
+            if !is_headed && plausible(value, heights.len()) {
+                Err(unlike(
+                    "its first number is written unlike the heights and may be another spacing in um than the stated one",
+                ))
+            } else if (low..=high).contains(&value) {
+                Ok(Special::delimited())
+            } else {
+                Err(unlike(
+                    "its first number is written unlike the heights, is outside of their range, and is not their number",
+                ))
+            }
+        }
+        (None, Some(_)) if is_headed => Err(no_spacing(SpacingHint::None)),
         (None, Some(value)) if plausible(value, heights.len()) => {
             heights.remove(0);
             warnings.push(Warning::SpacingFromFirstLine { value });

@@ -127,12 +127,29 @@ fn heights_alone_need_a_spacing_and_header_numbers_are_no_heights() {
         dx: Some(Length::from_si(0.25e-6)),
         ..options.clone()
     };
-    assert_eq!(
-        read_bytes("a.txt", npl.as_bytes(), &wrong)
-            .unwrap_err()
-            .code(),
-        "E110"
-    );
+    let refused = read_bytes("a.txt", npl.as_bytes(), &wrong).unwrap_err();
+    assert_eq!(refused.code(), "E117", "{refused}");
+
+    // The number of heights, with conditions above it or without.
+    for above in [
+        "",
+        "\" TEST \"\r\nDATE2026/11/02,TIME 10:12:00\r\nRa 0.32 um\r\n",
+    ] {
+        let counted = format!("{above}{POINTS}\r\n{column}");
+        let reading = read_bytes("a.txt", counted.as_bytes(), &options).unwrap();
+        check(&reading);
+        assert_eq!(
+            (reading.format, reading.points),
+            (Format::DelimitedText, POINTS)
+        );
+        let refused = read_text(&counted).unwrap_err();
+        let hint = SpacingHint::None;
+        assert!(matches!(refused.fault, ReadFault::NoSpacing { hint: h, .. } if h == hint));
+        // Another number is neither.
+        let other = format!("{above}{}\r\n{column}", POINTS + 7);
+        let refused = read_bytes("a.txt", other.as_bytes(), &options).unwrap_err();
+        assert_eq!(refused.code(), "E117", "{refused}");
+    }
 
     let surfcom = format!("10.00000\r\n{POINTS}\r\n{column}");
     let refused = read_text(&surfcom).unwrap_err();
