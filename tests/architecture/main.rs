@@ -17,6 +17,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &["asperity-fourier"]),
     ("crates/oil", &["asperity-core"]),
     ("crates/storage", &[]),
+    ("crates/table", &[]),
     ("crates/rexs", &[]),
     ("crates/profile-io", &["asperity-core", "asperity-storage"]),
     ("crates/roughness", &["asperity-core"]),
@@ -56,6 +57,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "asperity-ns-film",
             "asperity-mixed-film",
             "asperity-efficiency",
+            "asperity-table",
             "asperity-storage",
         ],
     ),
@@ -102,6 +104,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "crates/studies",
         &[
+            "asperity-table",
             "asperity-storage",
             "asperity-report",
             "asperity",
@@ -114,6 +117,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "crates/calibration",
         &[
+            "asperity-table",
             "asperity-storage",
             "asperity-report",
             "asperity",

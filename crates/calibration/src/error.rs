@@ -1,30 +1,19 @@
 //! Errors of a calibration, each with a code.
 
 use asperity_core::{decimals, number};
-
-/// Invalid row.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{line}: {column}: {rule}")]
-pub struct RowFault {
-    /// Its line.
-    pub line: usize,
-    /// Its column.
-    pub column: &'static str,
-    /// The value and the rule that it violates.
-    pub rule: String,
-}
+use asperity_table::{Ragged, RowFault};
 
 /// Error of a calibration or a design.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CalibrationError {
-    /// The table cannot be parsed.
+    /// A row of the table has another number of cells than its header.
     #[error("{file}: {source}")]
-    Csv {
+    Ragged {
         /// Name of the table.
         file: String,
-        /// Cause.
-        source: csv::Error,
+        /// Its line and numbers.
+        source: Ragged,
     },
     /// The table cannot be opened.
     #[error("{file}: cannot be opened: {reason}")]
@@ -140,7 +129,7 @@ impl CalibrationError {
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
-            Self::Csv { .. } | Self::Column { .. } | Self::Rows { .. } | Self::NoCase { .. } => {
+            Self::Ragged { .. } | Self::Column { .. } | Self::Rows { .. } | Self::NoCase { .. } => {
                 "E134"
             }
             Self::Open { .. } => "E103",

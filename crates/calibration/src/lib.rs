@@ -47,10 +47,11 @@ mod summary;
 pub mod surfaces;
 mod write;
 
+pub use asperity_table::RowFault;
 pub use block::block;
 pub use calibrate::{Watch, calibrate};
 pub use design::{Design, Limits, plan};
-pub use error::{CalibrationError, RowFault};
+pub use error::CalibrationError;
 pub use files::{RigFiles, table_text};
 pub use result::{
     Calibration, Evidence, FittedParameter, FittedPoint, HeldOut, HelpfulPoint, Identifiability,

@@ -3,7 +3,9 @@
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
 
-use crate::error::{CalibrationError, RowFault};
+use asperity_table::RowFault;
+
+use crate::error::CalibrationError;
 use crate::parameters::Parameter;
 use crate::problem::{Observation, PointSurfaces};
 use crate::response::Region;
@@ -151,7 +153,7 @@ impl Rig {
                 let holds = (FACTOR.recip()..=FACTOR).contains(&ratio);
                 (!holds).then(|| RowFault {
                     line: row.line,
-                    column: "loss_w",
+                    column: "loss_w".into(),
                     rule: format!(
                         "{:.4} W is {ratio:.2} times the {model:.1} W predicted by the model; a unit, the scope or the case is wrong",
                         row.loss_w

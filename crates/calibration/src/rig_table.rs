@@ -17,8 +17,10 @@ use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::{CalibrationError, RowFault};
-use crate::number_table::{NumberRow, NumberTable};
+use asperity_table::{Row, RowFault, Table};
+
+use crate::error::CalibrationError;
+use crate::number_table;
 
 /// Scope of a measured loss.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -179,11 +181,11 @@ impl RigTable {
     /// # Ok::<(), asperity_calibration::CalibrationError>(())
     /// ```
     pub fn read(name: &str, text: &str) -> Result<Self, CalibrationError> {
-        let table = NumberTable::read(name, text)?;
+        let table = number_table::read(name, text)?;
         check_columns(name, &table)?;
-        let rows = table.all(name, row)?;
+        let rows = number_table::all((name, &table), row)?;
         let unused = table
-            .names
+            .names()
             .iter()
             .filter(|column| !KNOWN.contains(&column.as_str()));
         Ok(Self {
@@ -244,12 +246,12 @@ impl RigTable {
 }
 
 /// Checks that the needed columns are there in their units.
-fn check_columns(file: &str, table: &NumberTable) -> Result<(), CalibrationError> {
+fn check_columns(file: &str, table: &Table) -> Result<(), CalibrationError> {
     let refuse = |rule: String| CalibrationError::Column {
         file: file.to_owned(),
         rule,
     };
-    for name in &table.names {
+    for name in table.names() {
         let stem = STEMS.iter().find(|(stem, _)| name.starts_with(stem));
         if let (Some((_, column)), false) = (stem, KNOWN.contains(&name.as_str())) {
             return Err(refuse(format!(
@@ -279,7 +281,7 @@ fn check_columns(file: &str, table: &NumberTable) -> Result<(), CalibrationError
     }
 }
 
-fn row(cells: NumberRow<'_>) -> Result<RigRow, RowFault> {
+fn row(cells: Row<'_>) -> Result<RigRow, RowFault> {
     let includes = cells.text("includes").ok_or_else(|| {
         let rule = "is missing; write mesh or mesh+bearings, the scope of the loss";
         cells.fault("includes", rule)
@@ -311,11 +313,11 @@ fn row(cells: NumberRow<'_>) -> Result<RigRow, RowFault> {
         loss_w,
         sigma_w: cells.number("sigma_w")?,
         includes,
-        assembly: cells.text("assembly").unwrap_or_else(|| "1".to_owned()),
-        run: cells.text("run"),
+        assembly: cells.text("assembly").unwrap_or("1").to_owned(),
+        run: cells.text("run").map(str::to_owned),
         order: cells.optional("order")?,
-        flank_state: cells.text("flank_state"),
-        case: cells.text("case"),
+        flank_state: cells.text("flank_state").map(str::to_owned),
+        case: cells.text("case").map(str::to_owned),
     };
     plausible(&row, loss).map_err(|(column, rule)| cells.fault(column, rule))?;
     Ok(row)

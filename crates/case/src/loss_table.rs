@@ -2,19 +2,27 @@
 
 use asperity_efficiency::EfficiencyError;
 use asperity_efficiency::loss_table::{LossRow, LossTable};
-use serde::Deserialize;
+use asperity_table::{Ragged, Row, RowFault, Table};
 
 /// Reasons why a file is not a table of losses.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum LossTableError {
-    /// The table cannot be read.
+    /// A row of the table has another number of cells than its header.
     #[error("{name}: {source}")]
-    Csv {
+    Ragged {
         /// Name of the table.
         name: String,
-        /// Reason given by the reader.
-        source: csv::Error,
+        /// Its line and numbers.
+        source: Ragged,
+    },
+    /// A cell is missing or no number.
+    #[error("{name}:{source}")]
+    Cell {
+        /// Name of the table.
+        name: String,
+        /// The first such cell.
+        source: RowFault,
     },
     /// The rows form no table.
     #[error("{name}: {source}")]
@@ -26,32 +34,25 @@ pub enum LossTableError {
     },
 }
 
-#[derive(Deserialize)]
-struct Row {
-    /// `None` if the loss depends on the speed only.
-    torque_nm: Option<f64>,
-    speed_rpm: f64,
-    temperature_c: Option<f64>,
-    loss_torque_nm: Option<f64>,
-    /// In place of the torque.
-    loss_w: Option<f64>,
-}
-
-impl Row {
-    /// Loss torque \[N m\]; NaN, which no table has, unless one of torque and power is stated, at a speed above 0.
-    fn loss_torque_nm(&self) -> f64 {
-        match (self.loss_torque_nm, self.loss_w) {
-            (Some(torque), None) => torque,
-            (None, Some(power)) if self.speed_rpm > 0.0 => {
-                power / (self.speed_rpm * std::f64::consts::PI / 30.0)
-            }
-            _ => f64::NAN,
-        }
-    }
+/// A node of the table. Its loss torque \[N m\] is NaN, which no table has, unless one of torque and power is stated, at a speed
+/// above 0.
+fn node(row: Row<'_>) -> Result<LossRow, RowFault> {
+    let speed_rpm = row.number("speed_rpm")?;
+    let loss_torque_nm = match (row.optional("loss_torque_nm")?, row.optional("loss_w")?) {
+        (Some(torque), None) => torque,
+        (None, Some(power)) if speed_rpm > 0.0 => power / (speed_rpm * std::f64::consts::PI / 30.0),
+        _ => f64::NAN,
+    };
+    Ok(LossRow {
+        torque_nm: row.optional("torque_nm")?,
+        speed_rpm,
+        temperature_c: row.optional("temperature_c")?,
+        loss_torque_nm,
+    })
 }
 
 /// Reads a table with the columns `speed_rpm`, `loss_torque_nm` or `loss_w` (with speeds above 0) and, where the loss depends
-/// on them, `torque_nm` and `temperature_c`: a grid of nodes, in any order. Lines that begin with # are comments.
+/// on them, `torque_nm` and `temperature_c`: a grid of nodes, in any order.
 ///
 /// # Errors
 /// When the text is no such table, or its rows form no grid.
@@ -64,23 +65,15 @@ impl Row {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read(name: &str, text: &str) -> Result<LossTable, LossTableError> {
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
-    let mut rows = Vec::new();
-    for row in reader.deserialize() {
-        let row: Row = row.map_err(|source| LossTableError::Csv {
-            name: name.to_owned(),
-            source,
-        })?;
-        rows.push(LossRow {
-            torque_nm: row.torque_nm,
-            speed_rpm: row.speed_rpm,
-            temperature_c: row.temperature_c,
-            loss_torque_nm: row.loss_torque_nm(),
-        });
-    }
+    let table = Table::read(text).map_err(|source| LossTableError::Ragged {
+        name: name.to_owned(),
+        source,
+    })?;
+    let rows = table.rows().map(node).collect::<Result<Vec<_>, _>>();
+    let rows = rows.map_err(|source| LossTableError::Cell {
+        name: name.to_owned(),
+        source,
+    })?;
     LossTable::new(&rows).map_err(|source| LossTableError::Rows {
         name: name.to_owned(),
         source,

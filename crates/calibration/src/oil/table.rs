@@ -18,8 +18,10 @@ use asperity_core::quantity::{Force, Length, Pressure, Speed, Temperature, Therm
 
 use super::machine::{Machine, Setting};
 use super::reading::Reading;
-use crate::error::{CalibrationError, RowFault};
-use crate::number_table::{NumberRow, NumberTable};
+use asperity_table::{Row, RowFault};
+
+use crate::error::CalibrationError;
+use crate::number_table;
 
 /// Known columns.
 const KNOWN: [&str; 16] = [
@@ -102,13 +104,13 @@ pub fn read_table(
     text: &str,
     machine: &Machine,
 ) -> Result<Vec<Reading>, CalibrationError> {
-    let table = NumberTable::read(name, text)?;
+    let table = number_table::read(name, text)?;
     let refuse = |rule: String| CalibrationError::Column {
         file: name.to_owned(),
         rule,
     };
     let mut renamed = Vec::new();
-    for column in &table.names {
+    for column in table.names() {
         if LINE_CONTACT.iter().any(|stem| column.starts_with(stem)) {
             return Err(refuse(format!("column {column}: {LINE_RULE}")));
         }
@@ -139,10 +141,10 @@ pub fn read_table(
             )));
         }
     }
-    table.all(name, |row| reading(name, row, machine))
+    number_table::all((name, &table), |row| reading(name, row, machine))
 }
 
-fn reading(file: &str, row: NumberRow<'_>, machine: &Machine) -> Result<Reading, RowFault> {
+fn reading(file: &str, row: Row<'_>, machine: &Machine) -> Result<Reading, RowFault> {
     for (column, [low, high], unit) in POSSIBLE {
         let value = row.optional(column)?;
         if let Some(value) = value.filter(|value| !(low..=high).contains(value)) {
@@ -169,7 +171,7 @@ fn reading(file: &str, row: NumberRow<'_>, machine: &Machine) -> Result<Reading,
         file: file.to_owned(),
         line: row.line,
         step: 0,
-        group: row.text("group").unwrap_or_default(),
+        group: row.text("group").unwrap_or_default().to_owned(),
         machine,
         setting: Setting {
             load,
@@ -187,7 +189,7 @@ fn reading(file: &str, row: NumberRow<'_>, machine: &Machine) -> Result<Reading,
 }
 
 /// The machine of a row.
-fn machine_of(row: NumberRow<'_>, default: &Machine) -> Result<Machine, RowFault> {
+fn machine_of(row: Row<'_>, default: &Machine) -> Result<Machine, RowFault> {
     let mut machine = *default;
     let millimetres = |column| -> Result<Option<Length>, RowFault> {
         let value = row.optional(column)?;

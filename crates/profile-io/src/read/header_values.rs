@@ -9,7 +9,7 @@ use super::options::{Axis, LengthUnit};
 use super::text::Line;
 
 /// Names of the distance between two points, in lower case, with blanks instead of other marks.
-const SPACING: [&str; 24] = [
+const SPACING: [&str; 26] = [
     "dx",
     "delta x",
     "spacing",
@@ -31,6 +31,8 @@ const SPACING: [&str; 24] = [
     "lateral resolution",
     "pixel size",
     "x pixel size",
+    "xy calibration",
+    "xy spacing",
     "schrittweite",
     "punktabstand",
     "messpunktabstand",
@@ -38,8 +40,10 @@ const SPACING: [&str; 24] = [
 /// Names of the sides of a matrix: Gwyddion in English and German.
 const WIDTH: [&str; 2] = ["width", "breite"];
 const HEIGHT: [&str; 2] = ["height", "höhe"];
-/// Names of the unit of heights: Gwyddion, Bruker NanoScope.
-const UNIT: [&str; 8] = [
+/// Names of the unit of heights: Gwyddion, Bruker NanoScope, Keyence.
+const UNIT: [&str; 10] = [
+    "unit",
+    "einheit",
     "value units",
     "werteinheiten",
     "exported image units",
@@ -98,7 +102,12 @@ impl HeaderValues {
                 .text
                 .trim_start_matches(['#', '%', '/', '*', '!', '\\', ' ', '"']);
             if let Some((key, value)) = text.split_once(['=', ':', '\t', ';', ',']) {
-                values.take(key, value.trim_matches([' ', '\t', ';', ',', '"']));
+                // Number and unit may be cells of their own.
+                let cells = value
+                    .split(['\t', ';', '"'])
+                    .map(|cell| cell.trim_matches([' ', ',']));
+                let cells: Vec<&str> = cells.filter(|cell| !cell.is_empty()).collect();
+                values.take(key, &cells.join(" "));
             }
         }
         values
@@ -219,6 +228,8 @@ mod tests {
             "\"Sampling interval [mm]\"\t0.0005",
             "% Punktabstand in um: 0,5",
             "// Step size (nm): 500",
+            "\"XY Calibration\",\"0.5\",\"um\"",
+            "dx;0,0005;mm",
         ] {
             let spacing = of(text).spacing.unwrap_or_else(|| panic!("{text}"));
             assert!((spacing / 0.5e-6 - 1.0).abs() < 1e-12, "{text}");
@@ -242,6 +253,8 @@ mod tests {
         }
         let bruker = of("\\Exported image units: nm");
         assert_eq!(bruker.z_unit, Some(Stated::Length(LengthUnit::Nanometre)));
+        let keyence = of("\"Output image data\",\"Height\"\n\"Unit\",\"um\"");
+        assert_eq!(keyence.z_unit, Some(Stated::Length(LengthUnit::Micrometre)));
         let radians = of("# Width: 1 um\n# Value units: rad");
         assert_eq!(radians.z_unit, Some(Stated::Other("rad".into())));
     }

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use asperity::case::{VehicleInput, range_of};
 use asperity::message::Warning;
+use asperity_table::{Ragged, RowFault, Table};
 
 use crate::map::forwards;
 
@@ -58,33 +59,29 @@ impl CyclePoint {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CycleError {
-    /// The table cannot be read.
-    #[error("{0}")]
-    Csv(#[from] csv::Error),
+    /// A row has another number of cells than the header.
+    #[error(transparent)]
+    Ragged(#[from] Ragged),
     /// Columns are missing.
     #[error(
-        "columns {found}; required are time_s with torque_nm and speed_rpm, or time_s with speed_km_h"
+        "columns {found}; required are time_s with torque_nm and speed_rpm, or time_s with speed_km_h or speed_m_s"
     )]
     Columns {
         /// Columns of the table.
         found: String,
     },
+    /// A quantity is stated in two columns.
+    #[error("columns {0} and {1} state one quantity; leave one of them out")]
+    Twice(String, String),
     /// A cell is not a finite number.
-    #[error("line {line}: {column} is {text:?} and no finite number")]
-    Cell {
-        /// Line of the file, counted from 1.
-        line: u64,
-        /// The column.
-        column: &'static str,
-        /// The text.
-        text: String,
-    },
+    #[error("line {0}")]
+    Cell(#[from] RowFault),
     /// A number is not possible for a vehicle or gear drive.
     #[error(
         "line {line}: {column} = {value} is beyond -{limit} to {limit}; check unit and decimal point", value = number(*value), limit = number(*limit))]
     Beyond {
         /// Line of the file, counted from 1.
-        line: u64,
+        line: usize,
         /// The column, or the quantity computed from the speed of the vehicle.
         column: &'static str,
         /// The number.
@@ -96,7 +93,7 @@ pub enum CycleError {
     #[error("line {line}: time_s = {time_s} does not rise from {before} before it", time_s = number(*time_s), before = number(*before))]
     Time {
         /// Line of the file, counted from 1.
-        line: u64,
+        line: usize,
         /// Time \[s\].
         time_s: f64,
         /// Time of the previous row \[s\].
@@ -134,7 +131,8 @@ impl CycleError {
     }
 }
 
-/// Reads the cycle in `text`, a table with a header row; `#` begins a comment. The speed of a vehicle is converted to the
+/// Reads the cycle in `text`, a table with a header row ([`Table`]), whose columns may have the names that other programs give
+/// them ([`COLUMNS`]). The speed of a vehicle is converted to the
 /// pinion with `vehicle`.
 ///
 /// # Errors
@@ -148,7 +146,7 @@ impl CycleError {
 /// # Ok::<(), asperity_studies::cycle::CycleError>(())
 /// ```
 pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleError> {
-    let table = Table::read(text)?;
+    let table = Columns(Table::read(text)?);
     let time = table.column("time_s")?.ok_or_else(|| table.lacking())?;
     if time.len() < 2 {
         return Err(CycleError::Short);
@@ -269,12 +267,6 @@ fn weights(time: &[f64]) -> Vec<f64> {
     (0..=last).map(weight).collect()
 }
 
-/// Table with cells as text.
-struct Table {
-    names: Vec<String>,
-    rows: Vec<csv::StringRecord>,
-}
-
 /// Largest time \[s\]: about thirty years.
 const LONGEST: f64 = 1e9;
 /// Largest speed of a vehicle \[km/h\], above the land speed record of 1228 km/h.
@@ -294,39 +286,72 @@ fn limit(column: &str) -> f64 {
     }
 }
 
-impl Table {
-    fn read(text: &str) -> Result<Self, CycleError> {
-        let mut reader = csv::ReaderBuilder::new()
-            .comment(Some(b'#'))
-            .trim(csv::Trim::All)
-            .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
-        let names = reader.headers()?.iter().map(str::to_owned).collect();
-        let rows = reader.records().collect::<Result<_, _>>()?;
-        Ok(Self { names, rows })
-    }
+/// Names of the columns of a cycle in other programs, with what their numbers are multiplied by: km/h and grades in per cent of
+/// VECTO, metres per second and grades as fractions of FASTSim, whose names are those of its versions 2 and 3.
+const COLUMNS: [(&str, &[(&str, f64)]); 5] = [
+    (
+        "time_s",
+        &[
+            ("time_seconds", 1.0),
+            ("<t>", 1.0),
+            ("cycsecs", 1.0),
+            ("t_s", 1.0),
+            ("zeit_s", 1.0),
+        ],
+    ),
+    ("torque_nm", &[("drehmoment_nm", 1.0), ("moment_nm", 1.0)]),
+    ("speed_rpm", &[("drehzahl_rpm", 1.0), ("speed_1_min", 1.0)]),
+    (
+        "speed_km_h",
+        &[
+            ("speed_kmh", 1.0),
+            ("speed_kph", 1.0),
+            ("<v>", 1.0),
+            ("v_km_h", 1.0),
+            ("geschwindigkeit_km_h", 1.0),
+            ("speed_m_s", 3.6),
+            ("speed_meters_per_second", 3.6),
+            ("speed_mps", 3.6),
+            ("cycmps", 3.6),
+            ("v_m_s", 3.6),
+        ],
+    ),
+    (
+        "grade_percent",
+        &[
+            ("<grad>", 1.0),
+            ("slope_percent", 1.0),
+            ("steigung_percent", 1.0),
+            ("grade", 100.0),
+            ("cycgrade", 100.0),
+        ],
+    ),
+];
 
+/// A cycle as a table.
+struct Columns(Table);
+
+impl Columns {
     fn lacking(&self) -> CycleError {
         CycleError::Columns {
-            found: self.names.join(", "),
+            found: Vec::from_iter(self.0.heads()).join(", "),
         }
     }
 
-    /// The numbers of a column; `None` if the column does not exist.
+    /// The numbers of a column of [`COLUMNS`]; `None` if the table has none of its names.
     fn column(&self, column: &'static str) -> Result<Option<Vec<f64>>, CycleError> {
-        let Some(at) = self.names.iter().position(|name| name == column) else {
+        let known = COLUMNS.iter().find(|(name, _)| *name == column);
+        let others = known.map_or(&[][..], |(_, others)| *others);
+        let names = std::iter::once((column, 1.0)).chain(others.iter().copied());
+        let mut there = names.filter(|(name, _)| self.0.has(name));
+        let Some((name, factor)) = there.next() else {
             return Ok(None);
         };
-        let number = |(index, row): (usize, &csv::StringRecord)| {
-            let text = row.get(at).unwrap_or_default();
-            let value = text.parse().ok().filter(|value: &f64| value.is_finite());
-            value.ok_or_else(|| CycleError::Cell {
-                line: self.line(index),
-                column,
-                text: text.to_owned(),
-            })
-        };
-        let numbers = self.rows.iter().enumerate().map(number);
-        let numbers: Vec<f64> = numbers.collect::<Result<_, _>>()?;
+        if let Some((other, _)) = there.next() {
+            return Err(CycleError::Twice(name.to_owned(), other.to_owned()));
+        }
+        let numbers = self.0.rows().map(|row| Ok(factor * row.number(name)?));
+        let numbers: Vec<f64> = numbers.collect::<Result<_, RowFault>>()?;
         self.check(column, &numbers)?;
         Ok(Some(numbers))
     }
@@ -348,9 +373,8 @@ impl Table {
     }
 
     /// Line of the file at which a row begins.
-    fn line(&self, row: usize) -> u64 {
-        let record = self.rows.get(row).and_then(csv::StringRecord::position);
-        record.map_or(0, csv::Position::line)
+    fn line(&self, row: usize) -> usize {
+        self.0.rows().nth(row).map_or(0, |row| row.line)
     }
 }
 
@@ -415,10 +439,38 @@ mod tests {
     }
 
     #[test]
+    fn cycles_of_other_programs_and_tables_are_one() {
+        let own = "time_s,speed_km_h,grade_percent\n0,0,0\n10,10.8,1\n20.5,10.8,1\n30,0,0\n";
+        let own = cycle(own, Some(&vehicle())).unwrap();
+        for text in [
+            "<t>,<v>,<grad>\n0,0,0\n10,10.8,1\n20.5,10.8,1\n30,0,0\n",
+            "time_seconds,speed_meters_per_second,grade,road_type\n0,0,0,0\n10,3,0.01,0\n20.5,3,0.01,0\n30,0,0,0\n",
+            "cycSecs,cycMps,cycGrade,cycRoadType\n0,0,0,0\n10,3,0.01,0\n20.5,3,0.01,0\n30,0,0,0\n",
+            "Zeit [s];Geschwindigkeit [km/h];Steigung [%]\n0;0;0\n10;10,8;1\n20,5;10,8;1\n30;0;0\n",
+            "time [s]\tspeed [m/s]\tgrade [%]\r\n0\t0\t0\r\n10\t3\t1\r\n20.5\t3\t1\r\n30\t0\t0\r\n",
+        ] {
+            let found = cycle(text, Some(&vehicle())).unwrap();
+            assert_eq!(found.points.len(), own.points.len());
+            for (a, b) in found.points.iter().zip(&own.points) {
+                assert_eq!(a.time_s, b.time_s);
+                assert!((a.torque_nm - b.torque_nm).abs() < 1e-9, "{text}");
+                assert!((a.speed_rpm - b.speed_rpm).abs() < 1e-9, "{text}");
+            }
+        }
+        // A grade in per cent in the column of a fraction.
+        let steep = "time_seconds,speed_meters_per_second,grade\n0,0,0\n10,3,4\n20,3,0\n";
+        let error = cycle(steep, Some(&vehicle())).unwrap_err().to_string();
+        assert!(error.contains("grade_percent = 400 is beyond"), "{error}");
+    }
+
+    #[test]
     fn what_is_no_cycle_is_told_by_its_line() {
         let of = |text: &str| cycle(text, None).unwrap_err().to_string();
         assert!(of("time_s,torque_nm,speed_rpm\n0,1,1\n0,1,1\n").starts_with("line 3: time_s"));
         assert!(of("time_s,torque_nm,speed_rpm\n0,1,x\n1,1,1\n").starts_with("line 2: speed_rpm"));
+        assert!(of("time_s,torque_nm,speed_rpm\n0,1\n1,1,1\n").starts_with("line 2 has 2 cells"));
+        let twice = of("time_s,speed_km_h,v [m/s]\n0,1,1\n1,1,1\n");
+        assert!(twice.starts_with("columns speed_km_h and v_m_s"), "{twice}");
         assert!(of("t,torque\n0,1\n").contains("t, torque"));
         let bad = VehicleInput {
             ratio: 0.0,

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use asperity::case::gear_train::LoadedTrain;
 use asperity::case::nearest_name;
 use asperity_core::numerics::standard_normal_quantile;
+use asperity_table::Table;
 use toml::Value;
 
 use super::amount::{Amount, text_of};
@@ -334,32 +335,22 @@ fn varied(key: &str, distribution: &Distribution) -> Result<Varied, SweepError> 
 fn list(study: &Study) -> Result<Sample, SweepError> {
     let table = study.table.as_deref();
     let table = table.ok_or_else(|| SweepError::key("sample.file", "a list needs its table"))?;
-    let refused = |error: csv::Error| SweepError::key("sample.file", error.to_string());
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .trim(csv::Trim::All)
-        .from_reader(table);
-    let header = reader.headers().map_err(refused)?;
-    let keys: Vec<(String, String)> = header
-        .iter()
-        .map(|name| match name.split_once('[') {
+    let refused = |rule: String| SweepError::key("sample.file", rule);
+    let table = std::str::from_utf8(table).map_err(|_| refused("is not UTF-8".to_owned()))?;
+    let table = Table::read(table).map_err(|error| refused(error.to_string()))?;
+    let keys: Vec<(String, String)> = table
+        .heads()
+        .map(|head| match head.split_once('[') {
             Some((key, unit)) => (
                 key.trim().to_owned(),
                 unit.trim_end_matches(']').trim().to_owned(),
             ),
-            None => (name.to_owned(), String::new()),
+            None => (head.to_owned(), String::new()),
         })
         .collect();
-    let mut rows = Vec::new();
-    for (index, record) in reader.records().enumerate() {
-        let record = record.map_err(refused)?;
-        let numbers = record.iter().map(|text| {
-            let number = text.parse().ok().filter(|value: &f64| value.is_finite());
-            let rule = format!("row {}: {text:?} is not a finite number", index + 1);
-            number.ok_or_else(|| SweepError::key("sample.file", rule))
-        });
-        rows.push(numbers.collect::<Result<Vec<f64>, _>>()?);
-    }
+    let rows = table.rows().map(|row| row.numbers());
+    let rows = rows.collect::<Result<Vec<Vec<f64>>, _>>();
+    let rows = rows.map_err(|fault| refused(fault.to_string()))?;
     match rows.is_empty() {
         true => Err(SweepError::key("sample.file", "the table has no rows")),
         false => Ok(Sample::Rows { keys, rows }),
