@@ -17,6 +17,8 @@ fn option(setting: Setting) -> &'static str {
         Setting::Encoding => "--encoding",
         Setting::Gaps => "--gaps",
         Setting::Row => "--row",
+        // A command on one profile takes one of them.
+        Setting::Rows => "surface.pinion.rows",
         Setting::Line => "--line",
         Setting::Abscissa => "--abscissa",
         Setting::BaseRadius => "--base-radius",

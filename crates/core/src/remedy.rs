@@ -31,6 +31,8 @@ pub enum Setting {
     Gaps,
     /// Number of the profile in a file that holds several.
     Row,
+    /// Number of profiles that a case takes from a file that holds several.
+    Rows,
     /// Trace that is taken from a surface.
     Line,
     /// Meaning of the column of positions.
@@ -68,6 +70,7 @@ impl Setting {
             Self::Encoding => "encoding",
             Self::Gaps => "gaps",
             Self::Row => "row",
+            Self::Rows => "rows",
             Self::Line => "line",
             Self::Abscissa => "abscissa",
             Self::BaseRadius => "base_radius",

@@ -385,9 +385,10 @@ impl ReadFault {
             Self::Damaged { .. } => Remedy::act("export it again, or as text"),
             Self::TooLarge { .. } => Remedy::act("export a single profile"),
             Self::SeveralProfiles { rows, .. } => {
+                let several = Value::This(rows.min(&8).to_string().into());
                 Remedy::set(Setting::Row, Value::OneOf(format!("1 .. {rows}").into()))
-                    .or_set(Setting::Line, Value::This("mean".into()))
-                    .because("for the mean of all")
+                    .or_set(Setting::Rows, several)
+                    .because("for several of them")
             }
             Self::NotHeights { .. } => Remedy::act("export the heights"),
             Self::SeveralArrays { .. } => {

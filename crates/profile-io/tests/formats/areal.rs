@@ -124,7 +124,7 @@ fn rows_columns_and_means_are_traces() {
         }
         let refused = trace(name, &bytes, TraceLine::Row, None).unwrap_err();
         assert_eq!(refused.code(), "E119", "{name}");
-        let remedy = "Set row to 1 .. 3, or set line to mean for the mean of all";
+        let remedy = "Set row to 1 .. 3, or set rows to 3 for several of them";
         assert_eq!(refused.remedy().to_string(), remedy);
         assert_eq!(
             trace(name, &bytes, TraceLine::Row, Some(4))
