@@ -20,6 +20,7 @@
 //! negative, and every formula holds unchanged except A = T₁T₂ − sgn(z₂)·√(r_a2² − r_b2²).
 
 use asperity_core::DomainError;
+use asperity_core::cite;
 use asperity_core::quantity::{Angle, Length};
 use serde::{Deserialize, Serialize};
 
@@ -226,6 +227,30 @@ impl GearPair {
         let difference = addendum(0) - addendum(1);
         let sum = self.profile_shift_sum;
         [0.5 * (sum + difference), 0.5 * (sum - difference)]
+    }
+
+    /// Tip alteration coefficient in normal modules, by which the tips of an external pair are shortened so that they keep the
+    /// clearance of the basic rack:
+    ///
+    /// ```text
+    /// k = (a − r₁ − r₂)/mₙ − (x₁ + x₂)                                           [Pair-5]
+    /// ```
+    ///
+    /// Zero or negative without backlash. Source: ISO 21771:2007; drawings apply it or state tip diameters.
+    ///
+    /// ```
+    /// use asperity_gear::{GearPair, GearPairInput};
+    /// let input = GearPairInput {
+    ///     profile_shift: Some([0.6, 0.36]),
+    ///     ..GearPairInput::standard([12, 24], "3 mm".parse()?, "0 deg".parse()?, "30 mm".parse()?)
+    /// };
+    /// assert!((GearPair::new(&input)?.tip_alteration() + 0.1267).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn tip_alteration(&self) -> f64 {
+        cite!("Pair-5");
+        let [r1, r2] = self.reference_radius;
+        (self.centre_distance - r1 - r2) / self.normal_module - self.profile_shift_sum
     }
 
     /// Whether the tips of a pinion and its ring may interfere away from the line of action, because their tooth

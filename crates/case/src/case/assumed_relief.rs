@@ -57,7 +57,9 @@ impl AssumedRelief {
             torque: Torque::from_si(torque),
             ..*conditions
         };
-        let Some(approach) = law.load_map(&loaded)?.evidence().mean_approach else {
+        // Under a load that no teeth bear the stiffness is meaningless; the pressure then names the load.
+        let approach = law.load_map(&loaded)?.evidence().mean_approach;
+        let Some(approach) = approach.filter(|approach| approach.si() > 0.0) else {
             return Ok(None);
         };
         Ok(Some(Self {

@@ -20,7 +20,9 @@ use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
 use super::lay::Lays;
 use super::oil_file::OilFile;
-use super::plausibility::{SYMBOLS, at_pitch_point, divided_shifts, of_files, step_up, unusual};
+use super::plausibility::{
+    SYMBOLS, at_pitch_point, divided_shifts, little_clearance, of_files, step_up, unusual,
+};
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
 use super::source::{MeshKeys, Source};
@@ -383,6 +385,7 @@ pub(super) fn complete(
         unusual.into_iter().chain(step_up(&case.gears, source)),
     );
     warnings.extend(divided_shifts(&case.input.gears, &case.gears, source));
+    warnings.extend(little_clearance(&case.input.gears, &case.gears, source));
     warnings.extend(read_as_keys(source));
     let oil = case.oil_file.iter();
     warnings.extend(oil.flat_map(|oil| oil.warnings(&case.input, case.temperature)));

@@ -17,6 +17,8 @@ use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 
 /// Code of a division of the profile shifts.
 const DIVIDED: &str = "W445";
+/// Code of tips that leave little clearance.
+const CLEARANCE: &str = "W452";
 /// Code of the warning that names the keys of symbols.
 pub(super) const SYMBOLS: &str = "W202";
 /// Code of a key that is read by its former name.
@@ -180,9 +182,41 @@ pub(super) fn divided_shifts(
     })
 }
 
+/// W452: tips of the addendum alone that leave little clearance, and what the tip alteration of ISO 21771 is worth.
+pub(super) fn little_clearance(
+    input: &GearsInput,
+    gears: &GearPair,
+    source: &Source,
+) -> Option<Warning> {
+    /// Alteration \[modules\] from which drawings have it: a fifth of the usual clearance of 0.25 modules.
+    const WORTHWHILE: f64 = -0.05;
+    let k = gears.tip_alteration();
+    if gears.internal || input.tip_diameter.is_some() || k >= WORTHWHILE {
+        return None;
+    }
+    let altered = gears.with_tip_chamfer([gears.normal_module * -k; 2]).ok()?;
+    let both = [gears, &altered].map(|pair| {
+        let [d1, d2] = pair.tip_radius.map(|r| decimals(2e3 * r.si(), 3));
+        let [contact, loss] = [pair.path.eps_alpha, pair.ohlendorf_loss_factor()];
+        format!(
+            "tips of {d1} and {d2} mm, a contact ratio of {} and H_V {} by Ohlendorf",
+            decimals(contact, 3),
+            decimals(loss, 3)
+        )
+    });
+    let key = source.key_in_train("gears.tip_diameter".into());
+    let [without, with] = both;
+    let text = format!(
+        "{key}: not stated, taken by the addendum alone: {without}; the tip alteration k = {} of ISO 21771 gives {with}",
+        decimals(k, 3)
+    );
+    Some(Warning::new(CLEARANCE, text))
+}
+
 /// The warnings that are not about numbers of the case.
 pub(super) fn of_files(warnings: &[Warning]) -> Vec<Warning> {
-    let is_of_a_file =
-        |warning: &&Warning| ![UNUSUAL, SYMBOLS, FORMER_NAME, DIVIDED].contains(&&*warning.code);
+    let is_of_a_file = |warning: &&Warning| {
+        ![UNUSUAL, SYMBOLS, FORMER_NAME, DIVIDED, CLEARANCE].contains(&&*warning.code)
+    };
     warnings.iter().filter(is_of_a_file).cloned().collect()
 }
