@@ -682,6 +682,7 @@ fn tips_of_the_addendum_alone_are_noted_with_what_their_alteration_is_worth() {
             "gears.module=3 mm",
             "gears.helix=0 deg",
             "gears.profile_shift=[0.6, 0.36]",
+            "model.positions=4",
             tips,
         ];
         let set = gears.into_iter().flat_map(|key| ["--set", key]);
