@@ -89,18 +89,16 @@ fn kept_contacts_give_the_losses_of_fresh_ones() {
 }
 
 #[test]
-fn the_draws_with_spots_fed_at_half_the_sliding_speed_are_runs_of_that_model() {
+fn the_draws_over_the_boundary_share_of_inner_spots_are_runs_with_that_share() {
     let (case, found) = e_drive();
-    let other = case
-        .with_key("model.spot_speed", "\"half-sliding\"")
-        .unwrap();
-    let run = asperity::losses(&other).unwrap().summary.loss_w;
-    let row = found
-        .structures
-        .iter()
-        .find(|row| row.name.contains("half the sliding"));
-    let drawn = row.unwrap().loss_w.unwrap();
-    assert!((drawn / run - 1.0).abs() < 0.03, "{drawn} {run}");
+    for share in ["0.6", "0.75", "0.9"] {
+        let other = case.with_key("model.inner_boundary", share).unwrap();
+        let run = asperity::losses(&other).unwrap().summary.loss_w;
+        let mut rows = found.structures.iter();
+        let row = rows.find(|row| row.name.ends_with(share));
+        let drawn = row.unwrap().loss_w.unwrap();
+        assert!((drawn / run - 1.0).abs() < 0.015, "{share}: {drawn} {run}");
+    }
 }
 
 #[test]

@@ -251,6 +251,6 @@ fn surrogates_lose_what_the_traces_of_their_ra_lose() {
         let [expected, _] = logarithm(&measured);
         let [mean, deviation] = logarithm(&surrogates);
         assert!((mean - expected).abs() < 0.1, "{name}: {mean} {expected}");
-        assert!(deviation < 0.08, "{name}: {deviation}");
+        assert!(deviation < 0.11, "{name}: {deviation}");
     }
 }

@@ -73,9 +73,9 @@ pub enum InletSupply {
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum SpotSpeed {
     /// The film of the inlet until the flanks have slid past the spot; a spot that forms inside the contact has no film that flows.
+    #[default]
     Carried,
     /// The film of the entrainment speed of the whole contact, in every spot.
-    #[default]
     Entrainment,
     /// The film of half the sliding speed, in every spot.
     HalfSliding,
@@ -585,6 +585,7 @@ impl<'a> PositionFilm<'a> {
         let mut stresses: Stresses = spots.iter().map(none).collect();
         let begin = unit_rise * begun.unwrap_or(0.0);
         let ([film, slope], first) = self.parts_at(begin, spots, &mut stresses)?;
+        let mut last = [(begin, film, first); 2];
         let found = self.shared(phi, film, &first).parts()?.total();
         if is_cold {
             let evidence = Solved {
@@ -601,13 +602,22 @@ impl<'a> PositionFilm<'a> {
         let mut failed = None;
         let excess = |mu| match known.take() {
             Some(at_from) => at_from,
-            None => match self.total_at(phi, unit_rise * mu, spots, &mut stresses) {
-                Ok(total) => mu - total,
-                Err(error) => {
-                    failed = Some(error);
-                    f64::NAN
+            None => {
+                let rise = unit_rise * mu;
+                let total =
+                    self.parts_at(rise, spots, &mut stresses)
+                        .and_then(|([film, _], spot)| {
+                            last = [last[1], (rise, film, spot)];
+                            Ok(self.shared(phi, film, &spot).parts()?.total())
+                        });
+                match total {
+                    Ok(total) => mu - total,
+                    Err(error) => {
+                        failed = Some(error);
+                        f64::NAN
+                    }
                 }
-            },
+            }
         };
         let root = secant_root(
             excess,
@@ -626,24 +636,24 @@ impl<'a> PositionFilm<'a> {
         })?;
         let mu = evidence.value;
         self.before = Some(mu);
-        let ([film, _], spot) = self.parts_at(unit_rise * mu, spots, &mut stresses)?;
+        // Along the line through the last two evaluations: the step from the last leaves its square.
+        let [
+            (before, film_before, spot_before),
+            (after, mut film, mut spot),
+        ] = last;
+        if after != before {
+            let part = (unit_rise * mu - after) / (after - before);
+            film += part * (film - film_before);
+            let last = spot;
+            spot.add(&last, part);
+            spot.add(&spot_before, -part);
+        }
         let shared = self.shared(phi, film, &spot);
         let evidence = Solved {
             residual: mu - shared.parts()?.total(),
             ..evidence
         };
         Ok((shared, spot.film, evidence))
-    }
-
-    fn total_at(
-        &mut self,
-        phi: f64,
-        rise: f64,
-        spots: &[(&[Spot], f64)],
-        stresses: &mut Stresses,
-    ) -> Result<f64, LoadShareError> {
-        let ([film, _], spot) = self.parts_at(rise, spots, stresses)?;
-        Ok(self.shared(phi, film, &spot).parts()?.total())
     }
 
     /// Film friction with its slope, and the spots', at a rise of the surface temperature; `stresses` of the last rise are

@@ -7,6 +7,16 @@ use serde::{Deserialize, Serialize};
 
 /// Parts of equal length into which a window is sorted by the pressure that flattens it.
 const PARTS: usize = 24;
+/// Places of a window that are sorted at least, at even distances: twelve a part.
+const PLACES: usize = 12 * PARTS;
+
+/// Distance of the places of a window that are sorted.
+const fn stride(points: usize) -> usize {
+    match points / PLACES {
+        0 => 1,
+        stride => stride,
+    }
+}
 
 /// Heights that count in the gap that the inlet of rough flanks supplies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
@@ -14,9 +24,9 @@ const PARTS: usize = 24;
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum GapRoughness {
     /// Heights above the mean line: across the ridges the narrow places decide the flow.
+    #[default]
     Peaks,
     /// All heights.
-    #[default]
     Rms,
 }
 
@@ -26,11 +36,11 @@ pub enum GapRoughness {
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum FilmPressure {
     /// The pressure of the film's share of the load, higher where it flattens peaks and lower in valleys.
+    #[default]
     Rippled,
     /// The pressure of the film's share of the load.
     Own,
     /// The Hertz pressure of the whole load.
-    #[default]
     Hertz,
 }
 
@@ -159,13 +169,20 @@ pub(crate) fn deviation_gradient(heights: &[f64], weight: f64) -> Vec<f64> {
 /// Derivatives over pressure and height at each point, from those over the parts, which are means over their points without the mean
 /// of the window.
 pub(crate) fn part_gradient(pressures: &[f64], by_parts: &[[f64; 2]]) -> [Vec<f64>; 2] {
-    let n = pressures.len();
-    let mut order: Vec<usize> = (0..n).collect();
+    let mut order: Vec<usize> = (0..pressures.len())
+        .step_by(stride(pressures.len()))
+        .collect();
+    let n = order.len();
     order.sort_unstable_by(|&i, &j| pressures[i].total_cmp(&pressures[j]));
     let filled = (0..PARTS).map(|k| &order[k * n / PARTS..(k + 1) * n / PARTS]);
     let filled = filled.filter(|points| !points.is_empty());
     let total = [0, 1].map(|of: usize| by_parts.iter().map(|by| by[of]).sum::<f64>() / n as f64);
-    let mut gradient = total.map(|mean| vec![-mean; n]);
+    let mut gradient = [0, 1].map(|_| vec![0.0; pressures.len()]);
+    for &point in &order {
+        for (of, mean) in gradient.iter_mut().zip(total) {
+            of[point] -= mean;
+        }
+    }
     for (points, by_part) in filled.zip(by_parts) {
         for &point in points {
             for (of, by) in gradient.iter_mut().zip(by_part) {
@@ -178,20 +195,21 @@ pub(crate) fn part_gradient(pressures: &[f64], by_parts: &[[f64; 2]]) -> [Vec<f6
 
 /// The parts of a window, sorted by pressure.
 fn ripple(heights: &[f64], pressures: &[f64]) -> Vec<RipplePart> {
-    let means = [heights, pressures].map(mean);
     let mut places: Vec<[f64; 2]> = (pressures.iter().zip(heights))
-        .map(|(p, z)| [p - means[1], z - means[0]])
+        .step_by(stride(heights.len()))
+        .map(|(p, z)| [*p, *z])
         .collect();
-    places.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
     let n = places.len();
+    let means = [0, 1].map(|of: usize| places.iter().map(|at| at[of]).sum::<f64>() / n as f64);
+    places.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
     let part = |k: usize| {
         let of_part = &places[k * n / PARTS..(k + 1) * n / PARTS];
         let count = of_part.len() as f64;
         let sum = |i: usize| of_part.iter().map(|place| place[i]).sum::<f64>();
         RipplePart {
             length: count / n as f64,
-            pressure: sum(0) / count,
-            height: sum(1) / count,
+            pressure: sum(0) / count - means[0],
+            height: sum(1) / count - means[1],
         }
     };
     (0..PARTS)

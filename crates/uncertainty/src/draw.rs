@@ -39,8 +39,8 @@ const fn order(k: usize) -> usize {
 pub struct Draw {
     /// Constants by their axis.
     pub constants: [f64; AXES.len()],
-    /// State of the structure, 0 to 1.
-    pub state: f64,
+    /// β_i in its range, 0 to 1.
+    pub inner_boundary: f64,
     /// Weight of the bias of the model, 0 to 1.
     pub weight: f64,
     /// Rolling loss.
@@ -77,7 +77,7 @@ impl Draw {
     pub const fn medians() -> Self {
         Self {
             constants: [0.0; AXES.len()],
-            state: 0.0,
+            inner_boundary: 0.5,
             weight: 0.0,
             rolling: 0.0,
             relief: 0.5,
@@ -114,7 +114,7 @@ pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
         let factor = |k: usize| orders[FIRST + k][j];
         Draw {
             constants: std::array::from_fn(|k| cut[orders[order(k)][j]]),
-            state: place(factor(0)),
+            inner_boundary: place(factor(0)),
             weight: place(factor(1)),
             rolling: normal[factor(2)],
             relief: place(factor(3)),

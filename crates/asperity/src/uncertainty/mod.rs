@@ -42,7 +42,9 @@ use asperity_case::balance::Unbalanced;
 use asperity_case::case::{AssumedRelief, LoadedCase};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::Warning;
-use asperity_uncertainty::{Component, Measured, Ranged, State, UncertainParameter as Constant};
+use asperity_uncertainty::{
+    Component, InnerBoundary, Measured, Ranged, UncertainParameter as Constant,
+};
 
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
@@ -192,10 +194,11 @@ fn uncertainty(
         };
         return Err(Error::Whole(Box::new(PositionError::from(impossible))));
     }
-    let structures = State::ALL.into_iter().filter_map(|state| {
+    let structures = [0.0, 0.5, 1.0].into_iter().filter_map(|place| {
+        let share = InnerBoundary::value(place);
         Some(AlternativeRow {
-            name: state.name().to_owned(),
-            loss_w: Some(predictive.in_state(state)?),
+            name: format!("boundary share of inner spots {share}"),
+            loss_w: Some(predictive.at_inner_boundary(place)?),
             refuted_by: String::new(),
         })
     });
@@ -311,8 +314,8 @@ fn parts(
             "model.load_share = \"ehl\"".to_owned(),
         ),
         (
-            Component::Structure,
-            "boundary rule and feed of the spots",
+            Component::InnerBoundary,
+            "boundary share of inner spots",
             RIG.to_owned(),
         ),
         (
