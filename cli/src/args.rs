@@ -141,8 +141,7 @@ pub enum Command {
         --finish superfinished=demo/superfinished_pinion.csv,demo/superfinished_wheel.csv \\\n    \
         --export vecto,modelica,fmu\n\n\
         The losses are of the mesh only, without bearings, seals and churning. Every point is the\n\
-        run at this torque, speed and temperature, with the number of offsets that the case needs at\n\
-        its own speed and temperature.")]
+        run at this torque, speed and temperature.")]
     Map(MapArgs),
     /// Energy lost over a driving cycle, from a map
     #[command(
@@ -362,7 +361,7 @@ pub struct CompareArgs {
         value_name = "NAME[@MESH]=PINION.csv[,WHEEL.csv]"
     )]
     pub finishes: Vec<FinishArg>,
-    /// Number of offsets along the traces at which the flanks are paired [default: that of the finish that needs most]
+    /// Number of offsets along the traces at which the flanks are paired [default: those that each finish needs]
     #[arg(long)]
     pub offsets: Option<usize>,
     /// Folder of the comparison [default: results/<name of the case>-compare, named as for run]

@@ -4,14 +4,17 @@ use std::borrow::Cow;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Level, Renderer};
-use asperity::case::Place;
+use asperity::case::{Place, Source};
 use asperity::key_words::with_keys;
 use asperity::{Error, Remedy};
 use asperity_report::ReportError;
+use clap::error::{ContextKind, ContextValue};
 
+use crate::interrupt::INTERRUPTED;
 use crate::words;
 
 /// Error with its stable code.
@@ -22,7 +25,7 @@ pub struct Failure {
     message: String,
     place: Option<Place>,
     remedy: Remedy,
-    snippet: Option<Box<Snippet>>,
+    snippet: Option<Snippet>,
     /// Specific advice, in place of the general advice of the code.
     specific_advice: Option<Cow<'static, str>>,
     is_told: bool,
@@ -31,9 +34,14 @@ pub struct Failure {
 /// The text of a case file and the bytes of it that the error is about.
 #[derive(Debug)]
 struct Snippet {
-    file: String,
-    text: String,
+    text: Arc<Source>,
     span: Range<usize>,
+}
+
+/// Whether an argument, which clap takes for an option, begins a negative number.
+fn is_negative_number(argument: &str) -> bool {
+    let number = argument.strip_prefix('-');
+    number.is_some_and(|number| number.starts_with(|c: char| c.is_ascii_digit() || c == '.'))
 }
 
 impl Failure {
@@ -73,6 +81,14 @@ impl Failure {
             !part.starts_with("tip: to pass") && !part.starts_with("For more information")
         };
         let mut advice: Vec<String> = paragraphs.filter(is_advice).collect();
+        let unknown = refusal.get(ContextKind::InvalidArg);
+        if let Some(ContextValue::String(argument)) = unknown
+            && is_negative_number(argument)
+        {
+            let text =
+                format!("a negative value follows an equals sign, as --option=\"{argument}\"");
+            advice.insert(0, text);
+        }
         advice.push("--help lists commands and options.".to_owned());
         let message = message.strip_prefix("error: ").unwrap_or(&message);
         Self::new("E213", message).advising(advice.join("; ").replace("tip: ", ""))
@@ -95,11 +111,10 @@ impl Failure {
             let (text, place) = (error.text()?, place?);
             // The place may be in a file that the case names.
             let span = place.span.clone().filter(|_| place.file == text.name())?;
-            Some(Box::new(Snippet {
-                file: text.name().to_owned(),
-                text: text.text().to_owned(),
+            Some(Snippet {
+                text: Arc::clone(text),
                 span,
-            }))
+            })
         };
         Self {
             code: error.code(),
@@ -119,12 +134,13 @@ impl Failure {
         self
     }
 
-    /// The exit status: 2 bad input, 3 not converged, 4 outside the model, 5 internal fault.
+    /// The exit status: 2 bad input, 3 not converged, 4 outside the model, 5 internal fault, 130 interrupted.
     fn status(&self) -> u8 {
         match self.code {
             "E301" | "E304" | "E307" | "E309" | "E311" => 3,
             "E302" | "E303" | "E305" | "E306" | "E308" | "E314" | "E315" => 4,
             "E501" => 5,
+            "E502" => INTERRUPTED,
             _ => 2,
         }
     }
@@ -191,7 +207,8 @@ impl Failure {
     /// The error with the marked line of the case file.
     fn pictured(&self, snippet: &Snippet, advice: Option<String>) -> String {
         let place = AnnotationKind::Primary.span(snippet.span.clone());
-        let source = annotate_snippets::Snippet::source(&snippet.text).path(&snippet.file);
+        let source =
+            annotate_snippets::Snippet::source(snippet.text.text()).path(snippet.text.name());
         let title = Level::ERROR.primary_title(&self.message).id(self.code);
         let error = title
             .element(source.annotation(place))

@@ -6,6 +6,7 @@ mod failure;
 #[doc(hidden)]
 pub mod fuzzing;
 mod help;
+mod interrupt;
 mod output;
 mod words;
 
@@ -18,9 +19,6 @@ use args::{CaseCommand, Cli, Command, Common};
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
 use failure::Failure;
-
-/// Exit status of a process that was interrupted.
-const INTERRUPTED: i32 = 130;
 
 /// Runs the command line of this process and returns its exit status.
 pub fn main() -> ExitCode {
@@ -43,11 +41,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             return u8::try_from(help.exit_code()).unwrap_or(u8::MAX);
         }
     };
-    // Temporary files are removed on Ctrl-C and SIGTERM. Without the handler the next start would remove them.
-    let _ = ctrlc::set_handler(|| {
-        asperity_storage::abandon();
-        std::process::exit(INTERRUPTED);
-    });
+    interrupt::handle();
     // A panic unwinds to here, so that temporary files are removed.
     let done = std::panic::catch_unwind(AssertUnwindSafe(|| {
         start_threads(&cli.common).and_then(|()| dispatch(&cli))

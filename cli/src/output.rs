@@ -128,7 +128,8 @@ fn write_bytes(bytes: &[u8]) -> Result<(), Failure> {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::new(
             "E401",
             format!("standard output: cannot be written: {error}"),
-        )),
+        )
+        .advising("Redirect the output to another place, or free some space there.")),
         _ => Ok(()),
     }
 }

@@ -22,6 +22,7 @@ fn option(setting: Setting) -> &'static str {
         Setting::BaseRadius => "--base-radius",
         Setting::Uneven => "--uneven",
         Setting::Range => "--range",
+        Setting::Invert => "--invert",
         Setting::Outliers => "--outliers",
         Setting::Form => "--form",
         Setting::Cutoff => "--lambda-c",
@@ -48,6 +49,10 @@ fn in_options(action: &Action) -> String {
                 "set"
             };
             let instruction = match to {
+                Value::This(value) if settings[..] == [Setting::Invert] => match value.as_ref() {
+                    "true" => format!("{verb} {names}"),
+                    value => format!("{verb} {names}={value}"),
+                },
                 Value::This(value) | Value::OneOf(value) => {
                     format!("{verb} {names} {}", argument(settings, value))
                 }
@@ -138,6 +143,12 @@ mod tests {
         let none = Remedy::set(Setting::Cutoff, Value::This("0 mm".into()));
         assert_eq!(with_options("m", &none), "m. Pass --lambda-c none");
         assert_eq!(with_options("m?", &none), "m?");
+        let invert = |value: &'static str| Remedy::set(Setting::Invert, Value::This(value.into()));
+        assert_eq!(with_options("m", &invert("true")), "m. Pass --invert");
+        assert_eq!(
+            with_options("m", &invert("false")),
+            "m. Pass --invert=false"
+        );
     }
 
     #[test]

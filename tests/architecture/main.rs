@@ -4,6 +4,7 @@ mod embedded;
 mod file_imports;
 mod hosted;
 mod key_names;
+mod message_numbers;
 mod plain_english;
 mod words;
 

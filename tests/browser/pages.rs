@@ -245,6 +245,8 @@ const COMMANDS: [(&[&str], &[&str]); 12] = [
             "calibrate",
             "design/simulated.csv",
             "case.toml",
+            "--hold",
+            "boundary-layer",
             "-o",
             "found",
         ],

@@ -1,6 +1,8 @@
 //! Commands about a case beside its run: keys set past it, standard input, `check`, `oils`, `diff`.
 
-use crate::bench::{Bench, E_DRIVE, root, with_line};
+use std::process::Command;
+
+use crate::bench::{Bench, E_DRIVE, program, root, with_line};
 
 fn bench() -> Bench {
     let bench = Bench::new();
@@ -102,6 +104,44 @@ fn check_tells_every_error_at_once_and_runs_nothing() {
     let listed = bench.run(&["check", "bad.toml", "--json"]);
     assert_eq!(listed.json()["errors"].as_array().unwrap().len(), 6);
     assert_eq!(bench.listing(), before);
+}
+
+#[test]
+fn check_of_thousands_of_wrong_keys_shows_fifty() {
+    let bench = bench();
+    let keys: String = (0..2000).map(|key| format!("k{key} = {key}\n")).collect();
+    bench.write("keys.toml", format!("{keys}{E_DRIVE}"));
+    let said = bench.run(&["check", "keys.toml"]);
+    assert_eq!(said.status, 2);
+    assert_eq!(said.err.matches("E203 ").count(), 50);
+    assert!(
+        said.err
+            .ends_with("keys.toml: 2000 errors; 1950 more than the 50 shown\n"),
+        "{}",
+        said.err
+    );
+    let listed = bench.run(&["check", "keys.toml", "--json"]).json();
+    assert_eq!(listed["errors"].as_array().unwrap().len(), 50);
+    assert_eq!(listed["errors_not_shown"], 1950);
+}
+
+/// A copy of the text and its index for each error took 1.6 GB; the limit on the address space leaves room for the program
+/// and its threads, the test of /usr/bin/time for the peak is 27 MB.
+#[test]
+#[cfg(target_os = "linux")]
+fn check_of_thousands_of_wrong_keys_needs_little_memory() {
+    let bench = bench();
+    let keys: String = (0..2000).map(|key| format!("k{key} = {key}\n")).collect();
+    bench.write("keys.toml", format!("{keys}{E_DRIVE}"));
+    let limited = Command::new("sh")
+        .args(["-c", "ulimit -v 400000; exec \"$0\" check keys.toml"])
+        .arg(program())
+        .current_dir(bench.path("."))
+        .output()
+        .unwrap();
+    let err = String::from_utf8(limited.stderr).unwrap();
+    assert_eq!(limited.status.code(), Some(2), "{err}");
+    assert!(err.contains("2000 errors"), "{err}");
 }
 
 #[test]

@@ -118,7 +118,7 @@ const DOMAINS: &[Bad] = &[
     bad("bulk_temperature", "bulk_temperature = \"-60 °C\"", "E212", &["operation.bulk_temperature", "Pa s there", "usual is 0.001 to 10 Pa s"]),
     bad("density", "density = \"845000 kg/m3\"", "E212", &["lubricant.density", "usual is 700 to 1200 kg/m3"]),
     bad("elastic_limit", "elastic_limit = \"1500 GPa\"", "E212", &["material.pinion.elastic_limit", "usual is 150 to 4000 MPa"]),
-    bad("viscosity", "viscosity = { law = \"astm-d341\", at_40 = \"30.8 m2/s\", at_100 = \"5.9 m2/s\" }", "E212", &["lubricant.viscosity.at_40", "usual is 4 to 2000 mm2/s"]),
+    bad("viscosity", "viscosity = { law = \"astm-d341\", at_40 = \"30.8 m2/s\", at_100 = \"5.9 m2/s\" }", "E212", &["lubricant.viscosity.at_40", "usual is 5 to 2000 mm2/s"]),
     bad("offsets", "tolerance = 1e-2", "E211", &["model.tolerance = 1e-2", "1e-16 to 1e-4"]),
     bad("helix", "helix = \"95 deg\"", "E209", &["gears.helix = \"95 deg\"", "within 60 deg"]),
     bad("torque", "torque = \"0 N m\"", "E209", &["operation.torque = \"0 N m\"", "not zero"]),
@@ -389,4 +389,109 @@ fn a_value_that_was_set_is_quoted_and_not_the_one_of_the_file() {
         "{message}"
     );
     assert!(!message.contains("1.8 mm"), "{message}");
+}
+
+/// The longest run of digits in a text.
+fn longest_number(text: &str) -> usize {
+    let runs = text.split(|c: char| !c.is_ascii_digit());
+    runs.map(str::len).max().unwrap_or(0)
+}
+
+#[test]
+fn messages_about_absurd_numbers_are_short() {
+    let bench = Bench::new();
+    bench.write("case.toml", E_DRIVE);
+    bench.write_flanks();
+    let keys = [
+        ("operation.torque", "N m"),
+        ("operation.speed", "1/min"),
+        ("operation.bulk_temperature", "K"),
+        ("gears.module", "mm"),
+        ("gears.face_width", "mm"),
+        ("gears.centre_distance", "mm"),
+        ("material.pinion.young", "GPa"),
+        ("lubricant.density", "kg/m3"),
+        ("surface.cutoff", "mm"),
+        ("model.boundary_friction", ""),
+        ("model.window", ""),
+        ("model.tolerance", ""),
+    ];
+    for (key, unit) in keys {
+        for number in [
+            "1e300",
+            "1.2345678901234567e9",
+            "-1e-300",
+            "0.1234567890123456",
+        ] {
+            let set = format!("{key}={number} {unit}");
+            let said = bench.run(&["check", "case.toml", "--set", set.trim()]);
+            // The value itself is shown as it is written.
+            let message = (said.out + &said.err).replace(number, "");
+            assert!(longest_number(&message) < 12, "{set}: {message}");
+        }
+    }
+}
+
+#[test]
+fn help_fits_the_fault() {
+    let bench = Bench::new();
+    bench.write("case.toml", E_DRIVE);
+    bench.write_flanks();
+    let cases: [(&[&str], &str, &str, &str); 5] = [
+        (
+            &["evidence", "case.toml", "--hours", "x=1e308"],
+            "E209",
+            "no measurement is called \"x\"",
+            "one of the names traction-curve, ",
+        ),
+        (
+            &["evidence", "case.toml", "--hours", "rig-day=1e308"],
+            "E209",
+            "the hours must be a number from 0 to below 1e6",
+            "",
+        ),
+        (
+            &[
+                "callout",
+                "case.toml",
+                "--loss",
+                "500 W",
+                "--confidence",
+                "90",
+            ],
+            "E209",
+            "confidence = 9000 %",
+            "write 0.9 or \"90 %\"",
+        ),
+        (
+            &["callout", "case.toml", "--loss=-5 W"],
+            "E209",
+            "loss = -5 W: must be positive",
+            "",
+        ),
+        (
+            &["callout", "case.toml", "--loss", "-5 W"],
+            "E213",
+            "unexpected argument '-5",
+            "a negative value follows an equals sign, as --option=\"-5",
+        ),
+    ];
+    for (arguments, code, says, help) in cases {
+        let said = bench.run(arguments);
+        assert!(said.err.starts_with(code), "{}", said.err);
+        let (message, advice) = said.err.split_once("\n  help: ").unwrap();
+        assert!(message.contains(says), "{message}");
+        assert!(advice.contains(help), "{advice}");
+    }
+    if cfg!(target_os = "linux") {
+        let full = std::fs::File::create("/dev/full").unwrap();
+        let oils = std::process::Command::new(crate::bench::program())
+            .arg("oils")
+            .stdout(full)
+            .output()
+            .unwrap();
+        let err = String::from_utf8(oils.stderr).unwrap();
+        assert!(err.starts_with("E401 standard output: "), "{err}");
+        assert!(err.contains("help: Redirect the output"), "{err}");
+    }
 }

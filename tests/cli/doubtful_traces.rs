@@ -43,6 +43,48 @@ fn heights_in_a_wrong_unit_are_warned_of_and_no_case_runs_on_them() {
 }
 
 #[test]
+fn depths_are_heights_of_the_same_flank_and_a_case_turns_other_values() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    let file = |name: &str, sign: f64| {
+        let table = rows(6000, |i, z| {
+            format!("{:.1},{:.5}", 0.5 * i as f64, sign * z)
+        });
+        format!("x_um,{name}_um\n{table}")
+    };
+    bench.write("height.csv", file("height", 1.0));
+    bench.write("depth.csv", file("depth", -1.0));
+    bench.write("sensor.csv", file("z", -1.0));
+    let info = |name: &'static str| vec!["profile", "info", name, "--lambda-c", "0.25mm"];
+    assert_eq!(codes(&bench, &info("depth.csv")), ["W328"]);
+    let rsk = |arguments: &[&str]| {
+        let json = bench.run(&[arguments, &["--json"]].concat()).well().json();
+        json["iso4287"]["rsk"].as_f64().unwrap()
+    };
+    let right = rsk(&info("height.csv"));
+    assert!(right != 0.0);
+    assert_eq!(rsk(&info("depth.csv")), right);
+    assert_eq!(rsk(&info("sensor.csv")), -right);
+    let turned = [&info("sensor.csv")[..], &["--invert"]].concat();
+    assert_eq!((rsk(&turned), codes(&bench, &turned)), (right, vec![]));
+    let kept = [&info("depth.csv")[..], &["--invert=false"]].concat();
+    assert_eq!((rsk(&kept), codes(&bench, &kept)), (-right, vec![]));
+    let shown = bench.run(&turned).well().out;
+    assert!(shown.contains("sensor.csv\", invert = true }"), "{shown}");
+    // The film of a run depends on the sign.
+    let regime = |flank: &str| {
+        let line = format!("pinion = {{ file = {flank} }}");
+        bench.write("case.toml", with_line("pinion =", &line));
+        let said = bench.run(&["run", "case.toml", "--json", "--no-output", "--no-band"]);
+        said.well().json()["summary"]["loss_w"].as_f64().unwrap()
+    };
+    let loss = regime("\"height.csv\"");
+    assert_eq!(regime("\"depth.csv\""), loss);
+    assert_eq!(regime("\"sensor.csv\", invert = true"), loss);
+    assert!(regime("\"sensor.csv\"") != loss);
+}
+
+#[test]
 fn uneven_positions_are_warned_of_and_resampled_on_request() {
     let bench = Bench::new();
     let uneven = rows(2000, |i, z| {

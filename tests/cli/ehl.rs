@@ -275,6 +275,36 @@ fn flanks_can_have_run_in() {
     assert!(number(&fresh, "max_pressure_pa") <= 7.0e9 * (1.0 + 1e-9));
 }
 
+/// Whether a run would take the record in `bytes` from `file`.
+fn accepts(file: &std::path::Path, bytes: &[u8]) -> bool {
+    let name = file.file_stem().unwrap().to_str().unwrap();
+    let name = name.strip_prefix("record-").unwrap();
+    let stored: Value = serde_json::from_slice(bytes).unwrap();
+    let version = stored["version"].as_str().unwrap();
+    asperity_storage::unseal::<asperity::records::PathRecord>(name, version, bytes).is_some()
+}
+
+/// The text of a stored record with each of its numbers changed by 1 %, one after the other.
+fn changed_numbers(record: &[u8]) -> Vec<Vec<u8>> {
+    let text = std::str::from_utf8(record).unwrap();
+    let begin = text.find("\"value\"").unwrap();
+    let is_number = |c: char| c.is_ascii_digit() || "+-.e".contains(c);
+    let mut found = Vec::new();
+    let mut at = begin;
+    while let Some(next) = text[at..].find([':', '[', ',']) {
+        let from = at + next + 1;
+        let length = text[from..].find(|c| !is_number(c)).unwrap_or(0);
+        if let Ok(number) = text[from..from + length].parse::<f64>()
+            && number != 0.0
+        {
+            let [before, after] = [&text[..from], &text[from + length..]];
+            found.push(format!("{before}{:?}{after}", 1.01 * number).into_bytes());
+        }
+        at = from;
+    }
+    found
+}
+
 #[test]
 fn a_run_takes_shares_from_records_and_keeps_them() {
     let bench = Bench::new();
@@ -304,8 +334,43 @@ fn a_run_takes_shares_from_records_and_keeps_them() {
     assert_eq!(found["records"].as_array().unwrap().len(), 2);
     assert!(number(&found["summary"], "asperity_share_standard_error") > 0.0);
     assert_eq!(std::fs::read_dir(bench.path("kept")).unwrap().count(), 2);
-    let once = bench.run(&[&options[..], &["--threads", "1"]].concat());
-    assert_eq!(once.well().json(), found);
+    let again = || {
+        bench
+            .run(&[&options[..], &["--threads", "1"]].concat())
+            .well()
+            .json()
+    };
+    assert_eq!(again(), found);
+    // Records that were changed are not believed.
+    let entries = std::fs::read_dir(bench.path("kept")).unwrap();
+    let files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    let [first, second] = [0, 1].map(|k: usize| std::fs::read(&files[k]).unwrap());
+    let larger = String::from_utf8(first.clone())
+        .unwrap()
+        .replace("\"mean\":0.", "\"mean\":0.9");
+    for damaged in [
+        second.clone(),
+        first[..first.len() / 2].to_vec(),
+        larger.into_bytes(),
+    ] {
+        std::fs::write(&files[0], &damaged).unwrap();
+        assert_eq!(again(), found);
+        assert_eq!(
+            std::fs::read(&files[0]).unwrap(),
+            first,
+            "it was computed anew"
+        );
+    }
+    assert!(accepts(&files[0], &first) && !accepts(&files[1], &first));
+    let numbers = changed_numbers(&first);
+    assert!(numbers.len() > 300, "{}", numbers.len());
+    for changed in numbers {
+        assert!(
+            !accepts(&files[0], &changed),
+            "{}",
+            String::from_utf8_lossy(&changed)
+        );
+    }
     bench
         .run(&[
             "run",

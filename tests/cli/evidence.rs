@@ -49,14 +49,14 @@ fn hours_of_no_measurement_and_cases_without_interval_are_refused() {
     let bench = Bench::new();
     bench.write_flanks();
     bench.write("case.toml", E_DRIVE);
-    for hours in [
-        "sleep=8",
-        "traction-plan",
-        "traction-plan=-1",
-        "rig-day=soon",
+    for (hours, says) in [
+        ("sleep=8", "no measurement is called \"sleep\""),
+        ("traction-plan", "the hours must be a number"),
+        ("traction-plan=-1", "the hours must be a number"),
+        ("rig-day=soon", "the hours must be a number"),
     ] {
         let run = bench.run(&["evidence", "case.toml", "--hours", hours]);
-        run.refused(2, "E209", &[hours, "traction-curve, traction-plan"]);
+        run.refused(2, "E209", &[hours, says]);
     }
     let paper = ["--set", "formulation=paper"];
     bench

@@ -178,19 +178,23 @@ fn a_planetary_set_gives_a_table_and_a_result_for_each_mesh() {
             .map(|mesh| w(&mesh[name]))
             .sum::<f64>()
     };
-    for (k, name) in ["loss_q05_w", "loss_q95_w"].into_iter().enumerate() {
+    for (k, name) in ["loss_p05_w", "loss_p95_w"].into_iter().enumerate() {
         let of_set = w(&json["loss_distribution"]["quantiles_w"][k]);
         assert!(
             (of_set / (3.0 * of_meshes(name)) - 1.0).abs() < 0.12,
             "{json:#}"
         );
     }
+    // Both names for one version.
+    for [name, former] in [["loss_p05_w", "loss_q05_w"], ["loss_p95_w", "loss_q95_w"]] {
+        assert_eq!(json["meshes"][0][name], json["meshes"][0][former]);
+    }
     // A mesh has the same loss in the row of the set and in its own summary, and its warnings are printed.
     for mesh in json["meshes"].as_array().unwrap() {
         let name = mesh["mesh"].as_str().unwrap();
         let row = said.lines().find(|line| line.starts_with(name)).unwrap();
         let [median, low, high] =
-            ["loss_median_w", "loss_q05_w", "loss_q95_w"].map(|key| w(&mesh[key]));
+            ["loss_median_w", "loss_p05_w", "loss_p95_w"].map(|key| w(&mesh[key]));
         for (at, unit) in [(row, ""), (&said, " W")] {
             let [loss, _] = with_interval(median, [low, high], 1e5, [unit, ""]);
             assert!(at.contains(&loss), "{loss} is not in {at}");
@@ -489,6 +493,26 @@ depths = 0
 "#;
 
 #[test]
+fn a_train_of_thousands_of_meshes_is_refused() {
+    let mesh = |k: usize| {
+        let gears = "gears = { teeth = [23, 68], module = \"1.8 mm\", face_width = \"32 mm\" }";
+        format!(
+            "[mesh.m{k}]\nshafts = [\"s{k}\", \"s{}\"]\n{gears}\n",
+            k + 1
+        )
+    };
+    let meshes: String = (0..3000).map(mesh).collect();
+    let rest = TRAIN.split_once("[operation]").unwrap().1;
+    let bench = bench(&format!(
+        "[train]\ninput = \"s0\"\n{meshes}[operation]{rest}"
+    ));
+    for command in ["check", "run"] {
+        let said = bench.run(&[command, "case.toml"]);
+        said.refused(2, "E212", &["mesh: a train of 3000 meshes", "at most 100"]);
+    }
+}
+
+#[test]
 fn a_gear_train_gives_its_shafts_its_meshes_and_one_loss() {
     let bench = bench(TRAIN);
     let said = bench.run(&["run", "case.toml", "-o", "train"]).well().out;
@@ -535,7 +559,7 @@ fn a_gear_train_gives_its_shafts_its_meshes_and_one_loss() {
         .collect();
     assert_eq!(w(&json["loss_w"]), losses[0] + losses[1]);
     // Oil and constants are drawn together: the band is between independent and equal draws.
-    let band = |row: &serde_json::Value| w(&row["loss_q95_w"]) - w(&row["loss_q05_w"]);
+    let band = |row: &serde_json::Value| w(&row["loss_p95_w"]) - w(&row["loss_p05_w"]);
     let [first, second] = [0, 1].map(|k: usize| band(&json["meshes"][k]));
     let quantiles = &json["loss_distribution"]["quantiles_w"];
     let whole = w(&quantiles[1]) - w(&quantiles[0]);
@@ -627,6 +651,10 @@ fn a_gear_train_that_is_not_determined_is_refused_at_its_key() {
     bench
         .run(&[&run[..], &["--set", &idle[1]]].concat())
         .refused(2, "E206", &["leave out meshes that run idle"]);
+    // Where capitals count as small letters, both results would have one folder.
+    bench.write("case.toml", TRAIN.replace("mesh.slow", "mesh.Fast"));
+    let says = ["mesh.Fast", "result folder of another mesh"];
+    bench.run(&run).refused(2, "E205", &says);
     let bad = TRAIN
         .replace("2.5 mm", "2.5 m")
         .replace("m100", "m1000")

@@ -269,6 +269,47 @@ fn a_killed_conversion_leaves_the_older_file() {
     });
 }
 
+#[test]
+fn a_killed_export_leaves_nothing_in_the_folder_of_temporary_files() {
+    if !cfg!(target_os = "linux") || Command::new("cc").arg("--version").output().is_err() {
+        return;
+    }
+    let bench = bench();
+    fs::create_dir(bench.path("temporary")).unwrap();
+    let map = [
+        "map",
+        "case.toml",
+        "-o",
+        "out",
+        "-q",
+        "--band",
+        "none",
+        "--export",
+        "fmu",
+    ];
+    let map = || {
+        let axes = ["--torque=50,100", "--speed=3000,9000"];
+        Command::new(program())
+            .args([&map[..], &axes].concat())
+            .current_dir(bench.path(""))
+            .env("TMPDIR", bench.path("temporary"))
+            .spawn()
+            .unwrap()
+    };
+    for _ in 0..kills() {
+        let mut child = map();
+        caught_writing(&mut child, &bench, "");
+        let _ = child.kill();
+        child.wait().unwrap();
+        let left = fs::read_dir(bench.path("temporary")).unwrap();
+        assert_eq!(left.flatten().count(), 0);
+    }
+    // A compiler may outlive the killed command.
+    std::thread::sleep(Duration::from_secs(6));
+    assert!(map().wait().unwrap().success());
+    assert_eq!(drafts_in(&bench, ""), Vec::<String>::new());
+}
+
 /// Sends a signal while the command has a draft, and checks that it goes; the times it was caught so.
 #[cfg(unix)]
 fn signalled_while_writing(bench: &Bench, arguments: &[&str], whole: impl Fn()) -> usize {

@@ -122,6 +122,13 @@ fn traces_are_said_to_narrow_the_interval_only_where_they_do() {
         polished.contains("; traces would hardly narrow the band"),
         "{polished}"
     );
+    // Nor are traces named as what narrows the largest parts.
+    let advice = |said: &str| {
+        let (_, after) = said.split_once("narrower with ").unwrap_or_default();
+        after.split(" trust ").next().unwrap_or_default().to_owned()
+    };
+    assert!(advice(&ground).contains("traces of the flanks"), "{ground}");
+    assert!(!advice(&polished).contains("traces"), "{polished}");
 }
 
 #[test]

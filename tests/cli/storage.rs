@@ -1,6 +1,7 @@
 //! Outputs of every command: ours are replaced, the user's are kept, nothing odd gets out.
 
 use std::fs;
+use std::path::Path;
 
 use crate::bench::{Bench, E_DRIVE, root};
 
@@ -253,6 +254,101 @@ fn names_and_titles_do_nothing_in_a_spreadsheet_or_a_terminal() {
     );
     let missing = bench.run(&["profile", "info", "no\u{1b}[31m.csv"]);
     assert!(!missing.err.contains('\u{1b}'), "{}", missing.err);
+}
+
+/// Every cell of the tables in `folder` and the folders below it, with the name of its file.
+fn cells_of_tables(folder: &Path) -> Vec<(String, String)> {
+    let mut cells = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            cells.extend(cells_of_tables(&path));
+        } else if path.extension().is_some_and(|ending| ending == "csv") {
+            let mut reader = csv::ReaderBuilder::new()
+                .has_headers(false)
+                .flexible(true)
+                .from_path(&path)
+                .unwrap();
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            for row in reader.records() {
+                let row = row.unwrap();
+                cells.extend(row.iter().map(|cell| (name.clone(), cell.to_owned())));
+            }
+        }
+    }
+    cells
+}
+
+#[track_caller]
+fn no_formula_in_tables_of(folder: &Path) {
+    let cells = cells_of_tables(folder);
+    assert!(!cells.is_empty());
+    for (file, cell) in cells {
+        let is_number = cell.parse().is_ok_and(f64::is_finite);
+        assert!(
+            is_number || !cell.trim_start().starts_with(['=', '+', '-', '@']),
+            "{file}: {cell}"
+        );
+    }
+}
+
+#[test]
+fn no_name_of_a_train_or_a_sweep_is_a_formula_in_a_table() {
+    let bench = bench();
+    bench.write(
+        "train.toml",
+        r#"
+[train]
+input = "motor"
+[mesh.fast]
+shafts = ["motor", "=cmd|' /C calc'!A0"]
+gears = { teeth = [23, 68], module = "1.8 mm", helix = "23.4 deg", face_width = "32 mm", pinion = { tip_relief = "none" }, wheel = { tip_relief = "none" } }
+[operation]
+torque = "145 N m"
+speed = "9000 1/min"
+bulk_temperature = "90 °C"
+[lubricant]
+oil = "m100"
+[surface]
+cutoff = "0.25 mm"
+pinion = { file = "pinion.csv" }
+wheel = { file = "wheel.csv" }
+[model]
+offsets = 2
+positions = 4
+"#,
+    );
+    let whole = ["run", "train.toml", "--no-band", "-q", "-o", "train"];
+    bench.run(&whole).well();
+    no_formula_in_tables_of(&bench.path("train"));
+    bench.write(
+        "study.toml",
+        r#"
+case = "case.toml"
+[[axis]]
+name = "=1+1"
+choice."=cmd|calc, \"A\"" = { "operation.torque" = "80 N m" }
+choice.b = { "operation.torque" = "90 N m" }
+[[axis]]
+key = "gears.profile_shift.0"
+values = ["-0.01", "+0.01", "0.02"]
+"#,
+    );
+    for shard in ["1/2", "2/2"] {
+        bench
+            .run(&["sweep", "run", "study.toml", "-q", "--shard", shard])
+            .well();
+    }
+    no_formula_in_tables_of(&bench.path("parts"));
+    bench
+        .run(&["sweep", "merge", "study.toml", "-q", "-o", "out"])
+        .well();
+    no_formula_in_tables_of(&bench.path("out"));
+    let table = fs::read_to_string(bench.path("out/sweep.csv")).unwrap();
+    assert!(table.contains("\"'=cmd|calc, \"\"A\"\"\""), "{table}");
+    // Names are read back from the parts without their marks.
+    let json = fs::read_to_string(bench.path("out/sweep.json")).unwrap();
+    assert!(json.contains("=1+1") && !json.contains("'=1+1"), "{json}");
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 use std::fs;
 use std::process::{Command, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
+
+use asperity::message::outside_codes;
 
 use crate::bench::{Bench, E_DRIVE, program};
 
@@ -111,6 +113,116 @@ fn shards_and_threads_give_the_same_table() {
     }
 }
 
+#[cfg(unix)]
+#[test]
+fn a_signal_closes_the_open_part_with_the_rows_that_are_finished() {
+    const CASES: u64 = 64;
+    let bench = bench(STUDY);
+    let run = |parts: &str| {
+        Command::new(program())
+            .args(["sweep", "run", "study.toml", "--parts", parts, "--quiet"])
+            .current_dir(bench.path(""))
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap()
+    };
+    let begin = Instant::now();
+    assert!(run("whole").wait().unwrap().success());
+    let whole = begin.elapsed();
+    // All cases make a single part, which a signal used to discard. A busy machine may be too slow or too fast.
+    let in_the_middle = |(signal, parts): (&str, &str)| {
+        (1..=8).any(|eighth| {
+            let child = run(parts);
+            std::thread::sleep(whole * (9 - eighth) / 9);
+            let sent = Command::new("kill")
+                .args([signal, &child.id().to_string()])
+                .status();
+            assert!(sent.is_ok());
+            let ended = child.wait_with_output().unwrap();
+            let err = String::from_utf8(ended.stderr).unwrap();
+            let status = ["sweep", "status", "study.toml", "--parts", parts, "--json"];
+            let done = match bench.run(&status).json()["done"].as_u64() {
+                Some(done @ 1..CASES) => done,
+                _ => {
+                    let _ = fs::remove_dir_all(bench.path(parts));
+                    return false;
+                }
+            };
+            assert_eq!(ended.status.code(), Some(130), "{err}");
+            let says = format!("E502 interrupted: {done} of {CASES} cases are done");
+            assert!(err.starts_with(&says), "{err}");
+            true
+        })
+    };
+    for signal in [("-INT", "interrupted"), ("-TERM", "terminated")] {
+        assert!(in_the_middle(signal), "{signal:?}");
+    }
+    assert!(run("interrupted").wait().unwrap().success());
+    assert_eq!(sum_of(&bench, "interrupted"), sum_of(&bench, "whole"));
+}
+
+#[test]
+fn every_table_of_cases_has_the_codes_of_inputs_outside_of_their_ranges() {
+    let study = "case = \"case.toml\"\n[[axis]]\nkey = \"operation.bulk_temperature\"\nvalues = [\"90 °C\", \"250 °C\"]\n";
+    let bench = bench(study);
+    let hot = ["--set", "operation.bulk_temperature=250 °C"];
+    let run = ["run", "case.toml", "--no-output", "--no-band", "--json"];
+    let outside_in_run = |more: &[&str]| {
+        let run = bench.run(&[&run[..], more].concat()).well().json();
+        let codes = run["warnings"].as_array().unwrap().iter();
+        outside_codes(codes.map(|warning| warning["code"].as_str().unwrap()))
+    };
+    let in_runs = [outside_in_run(&[]), outside_in_run(&hot)];
+    assert!(in_runs[1].contains("W401"), "{in_runs:?}");
+    let cells = |file: &str| -> Vec<String> {
+        let mut table = csv::Reader::from_path(bench.path(file)).unwrap();
+        let headers = table.headers().unwrap().clone();
+        let column = headers.iter().position(|name| name == "outside").unwrap();
+        let rows = table.records().map(|row| row.unwrap()[column].to_owned());
+        rows.collect()
+    };
+    bench.run(&["sweep", "run", "study.toml", "-q"]).well();
+    let merge = ["sweep", "merge", "study.toml", "-o", "out"];
+    let said = bench.run(&merge).well().out;
+    assert_eq!(cells("out/sweep.csv"), in_runs);
+    assert!(said.contains("W401 in "), "{said}");
+    let finishes = ["--finish", "a=pinion.csv", "--finish", "b=wheel.csv"];
+    let compare = ["compare", "case.toml", "-o", "compared", "-q"];
+    bench.run(&[&compare[..], &finishes, &hot].concat()).well();
+    assert!(
+        cells("compared/compare.csv")
+            .iter()
+            .all(|cell| cell.contains("W401"))
+    );
+}
+
+#[test]
+fn a_plan_of_a_million_cases_checks_corners_and_a_sample() {
+    // The last torque is refused: only a corner or a large part of the sample finds it.
+    let study = "case = \"quick.toml\"\ncolumns = [\"loss_w\"]\n\
+        [[axis]]\nkey = \"operation.torque\"\nvalues = [\"80 N m\", \"90 N m\", \"1e300 N m\"]\n\
+        [sample]\nmethod = \"latin-hypercube\"\ncount = 350000\n\
+        vary.\"operation.bulk_temperature\" = { uniform = [\"60 °C\", \"100 °C\"] }\n";
+    let bench = quick();
+    bench.write("study.toml", study);
+    let begin = Instant::now();
+    let plan = bench
+        .run(&["sweep", "run", "study.toml", "--plan"])
+        .well()
+        .out;
+    // A case takes 2 ms; all of them take half an hour.
+    assert!(begin.elapsed() < Duration::from_secs(120));
+    assert!(
+        plan.contains("1050000 cases: 3 on the axes x 350000 of the sample"),
+        "{plan}"
+    );
+    assert!(
+        plan.contains(" of them: the corners of the axes and a sample"),
+        "{plan}"
+    );
+    assert!(plan.contains("E212 in "), "{plan}");
+}
+
 #[test]
 fn missing_cases_are_told_with_status_3_and_a_restart_runs_them() {
     let bench = quick();
@@ -135,7 +247,7 @@ fn missing_cases_are_told_with_status_3_and_a_restart_runs_them() {
         .well();
     let table = fs::read_to_string(bench.path("out/sweep.csv")).unwrap();
     assert_eq!(table.lines().count(), 91);
-    assert!(table.starts_with("case,id,operation.bulk_temperature [°C],loss_w,code\n0,"));
+    assert!(table.starts_with("case,id,operation.bulk_temperature [°C],loss_w,outside,code\n0,"));
 }
 
 #[test]

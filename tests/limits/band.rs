@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use asperity::case::{LoadedCase, load_with};
+use asperity::oil::FilmConstantName;
 use asperity::pipeline::KeptFields;
 use asperity::result::loss_band::{Trust, Uncertainty};
 use asperity::uncertainty::{PairedDifference, Verdict, difference};
@@ -377,13 +378,13 @@ fn a_calibrated_case_has_the_same_loss_and_smaller_parts() {
 fn constants_of_a_calibrated_case_are_told_with_their_source() {
     let constants = &calibrated().film_constants;
     for name in [
-        "boundary_friction",
-        "boundary_layer_m",
-        "limiting_shear",
-        "eyring_stress_pa",
+        FilmConstantName::BoundaryFriction,
+        FilmConstantName::BoundaryLayer,
+        FilmConstantName::LimitingShear,
+        FilmConstantName::EyringStress,
     ] {
         let found: Vec<_> = constants.iter().filter(|one| one.name == name).collect();
-        assert_eq!(found.len(), 1, "{name}");
+        assert_eq!(found.len(), 1, "{name:?}");
         assert_eq!(found[0].source, "made up for a test");
     }
 }

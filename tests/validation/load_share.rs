@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::{Mutex, OnceLock};
 
 use asperity::case::{CaseInput, LoadedCase, load};
+use asperity::oil::FilmConstantName;
 use asperity::pipeline::{contacts, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity_tests::assert_close;
@@ -235,15 +236,14 @@ fn every_assumed_constant_is_told_with_its_band_and_how_sure_it_is() {
         result.film_constants
     };
     let told = of(&[]);
-    let names: Vec<&str> = told.iter().map(|constant| &*constant.name).collect();
     for name in [
-        "limiting_shear",
-        "eyring_stress_pa",
-        "boundary_friction",
-        "boundary_layer_m",
+        FilmConstantName::LimitingShear,
+        FilmConstantName::EyringStress,
+        FilmConstantName::BoundaryFriction,
+        FilmConstantName::BoundaryLayer,
     ] {
         let constant = told.iter().find(|constant| constant.name == name);
-        let constant = constant.unwrap_or_else(|| panic!("{name} is not in {names:?}"));
+        let constant = constant.unwrap_or_else(|| panic!("{name:?} is not in {told:?}"));
         assert!(constant.low.unwrap() < constant.value && constant.value < constant.high.unwrap());
         assert!(!constant.source.is_empty());
     }
@@ -252,7 +252,7 @@ fn every_assumed_constant_is_told_with_its_band_and_how_sure_it_is() {
     assert!(
         given
             .iter()
-            .all(|constant| constant.name != "boundary_friction")
+            .all(|constant| constant.name != FilmConstantName::BoundaryFriction)
     );
     assert!(of(&[("formulation", "paper")]).is_empty());
 }

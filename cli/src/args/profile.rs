@@ -335,4 +335,7 @@ pub struct ReadingArgs {
     /// Part of the trace that is used, by distances from its first point: "1.2mm..6.4mm"
     #[arg(long)]
     pub range: Option<TraceRange>,
+    /// Turn the values, which grow into the material, into heights; false keeps those that the file names depths
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true", value_name = "BOOL")]
+    pub invert: Option<bool>,
 }

@@ -1,5 +1,6 @@
 //! `asperity calibrate`: boundary layer and film traction from a rig table, and the design of measurements.
 
+use asperity_core::number;
 use std::time::Instant;
 
 use asperity::LoadedCase;
@@ -95,7 +96,7 @@ fn limit(option: &str, value: Option<f64>) -> Result<Option<f64>, Failure> {
     match value.filter(|value| !(value.is_finite() && *value > 0.0)) {
         Some(value) => Err(Failure::new(
             "E209",
-            format!("{option} = {value}: must be positive"),
+            format!("{option} = {}: must be positive", number(value)),
         )),
         None => Ok(value),
     }

@@ -1,5 +1,6 @@
 //! `asperity callout`: limit of a roughness parameter for a stated loss.
 
+use asperity::core::quantity::Ratio;
 use asperity::pipeline::KeptFields;
 use asperity_studies::callout::{self, CallOut, CallOutError, CallOutSettings};
 
@@ -32,7 +33,14 @@ pub fn callout(args: &CalloutArgs, common: &Common) -> Result<(), Failure> {
     let found = callout::callout(&loaded, &settings, &|done, total| progress.at(done, total));
     let found = found.map_err(|error| match error {
         CallOutError::Case(error) => Failure::about(&args.case, &error),
-        error => Failure::new(error.code(), format!("{}: {error}", args.case.display())),
+        error => {
+            let shares = [args.confidence, args.scatter].map(Ratio::value);
+            let failure = Failure::new(error.code(), format!("{}: {error}", args.case.display()));
+            match shares.iter().any(|share| *share > 1.0) {
+                true => failure.advising("A share without % is a fraction: write 0.9 or \"90 %\"."),
+                false => failure,
+            }
+        }
     })?;
     progress.begin(WRITING);
     study::write(&found, (), &folder)?;

@@ -15,21 +15,27 @@ use crate::args::{CheckArgs, Common};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, print_json, print_text};
 
+/// Largest number of errors that are shown.
+const MOST_ERRORS: usize = 50;
+
 /// `asperity check`
 pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
-    let shown = Progress::of(common.quiet, READING);
+    let reading = Progress::of(common.quiet, READING);
     let (source, folder) = source(&args.case)?;
     let name = source.name().to_owned();
-    let (mut failures, valid) = match gear_train::is_train(&source) {
+    let (errors, valid) = match gear_train::is_train(&source) {
         true => {
             let findings = gear_train::check(source, folder, &keys(&args.set));
-            (failures(&findings.errors), findings.case.map(of_train))
+            (findings.errors, findings.case.map(of_train))
         }
         false => {
             let findings = case::check(source, folder, &keys(&args.set));
-            (failures(&findings.errors), findings.case.map(of_pair))
+            (findings.errors, findings.case.map(of_pair))
         }
     };
+    let shown = errors.iter().take(MOST_ERRORS);
+    let mut failures: Vec<Failure> = shown.map(Failure::of).collect();
+    let not_shown = errors.len() - failures.len();
     // Errors that a run would report after reading the case.
     let valid = match valid.transpose() {
         Ok(valid) => valid,
@@ -38,9 +44,9 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
             None
         }
     };
-    drop(shown);
+    drop(reading);
     if common.json {
-        print_json(&report(&failures, valid.as_ref()))?;
+        print_json(&report(&failures, not_shown, valid.as_ref()))?;
     }
     let Some(valid) = &valid else {
         for failure in &failures {
@@ -48,10 +54,13 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
                 failure.print();
             }
         }
-        let count = failures.len();
-        let plural = if count == 1 { "" } else { "s" };
+        let count = counted(failures.len() + not_shown, "error", "errors");
         if !common.json {
-            crate::output::note(&format!("{name}: {count} error{plural}"));
+            let more = match not_shown {
+                0 => String::new(),
+                _ => format!("; {not_shown} more than the {MOST_ERRORS} shown"),
+            };
+            crate::output::note(&format!("{name}: {count}{more}"));
         }
         return match failures.into_iter().next() {
             Some(first) => Err(first.printed()),
@@ -99,29 +108,38 @@ fn counted(count: usize, one: &str, several: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { several })
 }
 
-fn failures(errors: &[Error]) -> Vec<Failure> {
-    errors.iter().map(Failure::of).collect()
-}
-
 fn of_pair(loaded: LoadedCase) -> Result<ValidCase, Error> {
-    pipeline::check(&loaded)?;
+    let found = pipeline::check(&loaded)?;
     Ok(ValidCase {
         work: measured(&loaded, &KeptFields::Highest)
             .or_else(|_| estimate(&loaded, &KeptFields::Highest))?,
         traced: traced(&loaded).into_iter().collect(),
         may_need_more: chooses_offsets(&loaded),
-        warnings: loaded.warnings,
+        warnings: [loaded.warnings, found].concat(),
         defaults: loaded.case.defaults,
     })
 }
 
 fn of_train(train: LoadedTrain) -> Result<ValidCase, Error> {
     let cases = || train.meshes().map(|mesh| &mesh.case);
-    cases().try_for_each(pipeline::check)?;
+    let found = cases().map(pipeline::check);
+    let found = found.collect::<Result<Vec<_>, Error>>()?;
+    let of_loaded = cases().flat_map(|case| &case.warnings);
+    let mut warnings: Vec<Warning> = train.warnings.iter().chain(of_loaded).cloned().collect();
+    for (mesh, own) in train.meshes().zip(&found) {
+        // What applies to some meshes names them.
+        let named = own.iter().map(
+            |warning| match found.iter().all(|of| of.contains(warning)) {
+                true => warning.clone(),
+                false => warning.with(&format!(" [{}]", mesh.name)),
+            },
+        );
+        warnings.extend(named);
+    }
+    let warnings = unique(warnings);
     let fields = KeptFields::Highest;
     let work = estimate_of_train(&train, &fields, measured)
         .or_else(|_| estimate_of_train(&train, &fields, estimate))?;
-    let warnings = unique(cases().flat_map(|case| case.warnings.iter().cloned()));
     let may_need_more = cases().any(chooses_offsets);
     Ok(ValidCase {
         traced: cases().filter_map(traced).collect(),
@@ -132,11 +150,12 @@ fn of_train(train: LoadedTrain) -> Result<ValidCase, Error> {
     })
 }
 
-fn report(failures: &[Failure], valid: Option<&ValidCase>) -> Value {
+fn report(failures: &[Failure], not_shown: usize, valid: Option<&ValidCase>) -> Value {
     let error = |failure: &Failure| failure.json()["error"].take();
     let errors: Vec<Value> = failures.iter().map(error).collect();
     json!({
         "errors": errors,
+        "errors_not_shown": not_shown,
         "warnings": valid.map(|valid| &valid.warnings),
         "defaults": valid.map(|valid| &valid.defaults),
         "estimate": valid.map(|valid| &valid.work),

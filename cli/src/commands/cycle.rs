@@ -1,10 +1,11 @@
 //! `asperity cycle`: energy lost over a cycle, from a map.
 
+use asperity_core::number;
 use std::path::Path;
 
 use asperity::case::VehicleInput;
 use asperity_storage::whole_text;
-use asperity_studies::cycle::{self, Cycle, CycleResult, EnergyError};
+use asperity_studies::cycle::{self, Cycle, CycleError, CycleResult, EnergyError};
 use asperity_studies::map::{self, Map, MapError};
 
 use super::{keys, study};
@@ -69,10 +70,11 @@ pub fn read_cycle(file: &Path, vehicle: Option<&VehicleInput>) -> Result<Cycle, 
     let name = file.display();
     let text = whole_text(file, LARGEST_TABLE)
         .map_err(|error| Failure::new("E103", format!("{name}: {error}")))?;
-    cycle::cycle(&text, vehicle).map_err(|error| {
-        Failure::new("E101", format!("{name}: {error}")).advising(
+    cycle::cycle(&text, vehicle).map_err(|error| match error {
+        CycleError::Impossible(error) => Failure::of(&error),
+        error => Failure::new(error.code(), format!("{name}: {error}")).advising(
             "A cycle is a table with time_s and torque_nm, speed_rpm at the pinion, or speed_km_h with [vehicle] in the case.",
-        )
+        ),
     })
 }
 
@@ -83,11 +85,11 @@ fn temperature(args: &CycleArgs, map: &Map) -> Result<usize, Failure> {
     };
     let at = nodes.iter().position(|node| *node == celsius);
     at.ok_or_else(|| {
-        let known: Vec<String> = nodes.iter().map(f64::to_string).collect();
+        let known: Vec<String> = nodes.iter().map(|node| number(*node)).collect();
         let known = known.join(", ");
         Failure::new(
             "E209",
-            format!("--temperature {celsius}: the map has {known} °C"),
+            format!("--temperature {}: the map has {known} °C", number(celsius)),
         )
     })
 }

@@ -34,10 +34,17 @@ fn efforts(changes: &[String]) -> Result<Vec<Effort>, Failure> {
     let mut efforts = Effort::usual().to_vec();
     for change in changes {
         let (name, hours) = change.split_once('=').unwrap_or((change, ""));
-        let hours = hours.trim().parse().unwrap_or(f64::NAN);
-        if !Effort::set(&mut efforts, name.trim(), hours) {
+        let name = name.trim();
+        if efforts.iter().all(|effort| effort.key != name) {
             let names = Effort::usual().map(|effort| effort.key).join(", ");
-            let message = format!("--hours {change}: give NAME=HOURS, the names are {names}");
+            let message = format!("--hours {change}: no measurement is called \"{name}\"");
+            return Err(Failure::new("E209", message)
+                .advising(format!("Give NAME=HOURS with one of the names {names}.")));
+        }
+        let hours = hours.trim().parse().unwrap_or(f64::NAN);
+        if !Effort::set(&mut efforts, name, hours) {
+            let message =
+                format!("--hours {change}: the hours must be a number from 0 to below 1e6");
             return Err(Failure::new("E209", message));
         }
     }

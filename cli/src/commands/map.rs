@@ -8,7 +8,8 @@ use asperity::message::explain;
 use asperity::pipeline::KeptFields;
 use asperity_storage::whole_text;
 use asperity_studies::compare::Finish;
-use asperity_studies::export::{self, AddedLoss, With};
+use asperity_studies::cycle::CyclePoint;
+use asperity_studies::export::{self, AddedLoss, ExportError, With};
 use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 
 use super::cycle::{LARGEST_TABLE, read_cycle};
@@ -28,6 +29,11 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let Some(first) = finishes.first() else {
         return Err(Failure::new("E501", "a map without a finish"));
     };
+    let names: Vec<&str> = finishes.iter().map(|finish| finish.name.as_str()).collect();
+    for format in &args.export {
+        export::check_names(&names, format.format())
+            .map_err(|error| not_exported(*format, &error))?;
+    }
     let axes = axes(args, &first.case)?;
     let cycle = match &args.cycle {
         Some(file) => Some(read_cycle(file, first.case.input.vehicle())?),
@@ -40,7 +46,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let visited: Vec<[f64; 2]> = cycle
         .iter()
         .flat_map(|cycle| &cycle.points)
-        .map(|point| [point.torque_nm, point.speed_rpm.abs()])
+        .map(CyclePoint::forwards)
         .collect();
     let (name, title) = (result_name(&args.case), &first.case.title);
     let folder = study::folder::<Map>(args.output.as_deref(), &name, "map", title)?;
@@ -65,6 +71,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let with = With {
         added: added.as_ref(),
         cycle: cycle.as_ref(),
+        beside: Some(&folder),
     };
     let exports = exports(args, &map, with)?;
     let extras = MapExtras {
@@ -80,18 +87,17 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
 fn exports(args: &MapArgs, map: &Map, with: With<'_>) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut files = Vec::new();
     for format in &args.export {
-        let exported = export::export(map, format.format(), with).map_err(|error| {
-            Failure::new(
-                "E205",
-                format!("--export {}: {error}", name_of_value(*format)),
-            )
-            .advising(
-                "The map itself can be computed without --export; a format may need other axes.",
-            )
-        })?;
+        let exported = export::export(map, format.format(), with);
+        let exported = exported.map_err(|error| not_exported(*format, &error))?;
         files.extend(exported.into_iter().map(|file| (file.name, file.bytes)));
     }
     Ok(files)
+}
+
+fn not_exported(format: ExportArg, error: &ExportError) -> Failure {
+    let message = format!("--export {}: {error}", name_of_value(format));
+    Failure::new("E205", message)
+        .advising("The map itself can be computed without --export; a format may need other axes.")
 }
 
 fn added_loss(file: &Path) -> Result<AddedLoss, Failure> {

@@ -35,6 +35,7 @@ mod study;
 pub mod sweep;
 mod work;
 
+use asperity_core::number;
 use std::ffi::{OsStr, OsString};
 use std::io::Read as _;
 use std::path::Path;
@@ -238,6 +239,9 @@ fn on_the_path(loaded: &LoadedCase, position: Option<PathPoint>) -> Result<Optio
     }
     Err(Failure::new(
         "E209",
-        format!("--position {fraction}: must be A to E, or 0 (A) to 1 (E)"),
+        format!(
+            "--position {}: must be A to E, or 0 (A) to 1 (E)",
+            number(fraction)
+        ),
     ))
 }

@@ -1,7 +1,7 @@
 //! `asperity sweep`: many cases, in shards.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use asperity::message::{self, Warning};
@@ -12,7 +12,11 @@ use asperity_studies::sweep::{
 use super::study;
 use crate::args::{Common, SweepArgs, SweepCommand, SweepMergeArgs, SweepRunArgs};
 use crate::failure::Failure;
+use crate::interrupt::cancelling;
 use crate::output::{Progress, print, shown};
+
+/// Name of the work before the first case is run.
+const CHECKING: &str = "checking the cases";
 
 /// `asperity sweep`
 pub fn sweep(command: &SweepCommand, common: &Common) -> Result<(), Failure> {
@@ -57,7 +61,10 @@ fn refused(args: &SweepArgs, error: &SweepError) -> Failure {
 
 fn plan(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     let study = load(&args.sweep)?;
-    let plan = sweep::plan(&study).map_err(|error| refused(&args.sweep, &error))?;
+    let progress = Progress::of(common.quiet, CHECKING);
+    let plan = sweep::plan(&study, &|done, total| progress.at(done, total));
+    drop(progress);
+    let plan = plan.map_err(|error| refused(&args.sweep, &error))?;
     print(common, || &plan, || text_of_plan(&plan))
 }
 
@@ -66,6 +73,12 @@ fn text_of_plan(plan: &Plan) -> String {
         "study {}\n{} cases: {} on the axes x {} of the sample\n",
         plan.study, plan.cases, plan.axis_points, plan.sample_points
     );
+    if plan.checked < plan.cases {
+        text.push_str(&format!(
+            "checked {} of them: the corners of the axes and a sample\n",
+            plan.checked
+        ));
+    }
     text.extend(plan.refused.iter().map(line_of));
     let minutes = plan.seconds / 60.0;
     text.push_str(&format!(
@@ -92,22 +105,37 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     })?;
     let study = load(&args.sweep)?;
     let folder = parts(&args.sweep, &study);
-    let progress = Progress::of(common.quiet, "cases");
-    let done = sweep::run(&study, shard, &folder, &|event| match event {
-        Event::Checked { refused, of } => {
+    let progress = Progress::of(common.quiet, CHECKING);
+    let watch = |event: Event<'_>| match event {
+        Event::Checking { cases, of } => progress.at(cases, of),
+        Event::Checked {
+            refused,
+            checked,
+            of,
+        } => {
+            progress.begin("cases");
             let count: usize = refused.values().map(|refused| refused.count).sum();
             if count > 0 && !common.quiet {
                 let lines: String = refused.iter().map(line_of).collect();
                 let rows = "cases cannot be run; their rows hold only the error code";
-                let warning = Warning::new("W430", format!("{count} of {of} {rows}"));
+                let cases = match checked < of {
+                    true => format!("{checked} checked"),
+                    false => of.to_string(),
+                };
+                let warning = Warning::new("W430", format!("{count} of {cases} {rows}"));
                 progress.note(&format!("{warning}\n{}", lines.trim_end()));
             }
         }
         Event::Done { cases, of } => progress.at(cases, of),
-    });
+    };
+    let done = cancelling(|| sweep::run(&study, shard, &folder, &watch));
     drop(progress);
-    let done = done.map_err(|error| refused(&args.sweep, &error))?;
-    let status = sweep::status(&study, &folder).map_err(|error| refused(&args.sweep, &error))?;
+    let status = || sweep::status(&study, &folder).map_err(|error| refused(&args.sweep, &error));
+    let done = match done {
+        Err(error) if error.is_cancelled() => return Err(interrupted(&status()?, &folder)),
+        done => done.map_err(|error| refused(&args.sweep, &error))?,
+    };
+    let status = status()?;
     let text = || {
         format!(
             "ran {done} cases of shard {}\n{}parts in {} in {:.1} s\n",
@@ -119,6 +147,17 @@ fn run(args: &SweepRunArgs, common: &Common) -> Result<(), Failure> {
     };
     print(common, || &status, text)?;
     refuse_if_all_failed(status.cases, &status.failed, common)
+}
+
+/// Error of a run that a signal ended.
+fn interrupted(status: &Status, folder: &Path) -> Failure {
+    let message = format!(
+        "interrupted: {} of {} cases are done, with their parts in {}",
+        status.done,
+        status.cases,
+        shown(folder)
+    );
+    Failure::new("E502", message).advising("The same command runs the other cases.")
 }
 
 /// Error if all `cases` have an error code; `failed` is their number by code. The result is already on standard output.

@@ -7,6 +7,7 @@ use asperity_gear::gear_train::{TrainShaft, TrainTorques};
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySpeeds};
 use serde::{Deserialize, Serialize};
 
+use crate::assembly::warnings_of_gearbox;
 use crate::contacts::Contacts;
 use crate::pipeline::{self, KeptFields, Progress};
 use crate::result::gearbox::{GearboxReport, Scope};
@@ -20,6 +21,7 @@ use asperity_case::balance;
 use asperity_case::case::gear_train::{LoadedMesh, LoadedTrain};
 use asperity_case::case::{LoadedCase, MeshLoad, StageKind, TrainFlow};
 use asperity_case::error::{Error, PositionError};
+use asperity_case::message::Warning;
 
 /// The result of a gear train, in addition to the results of its meshes.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -64,6 +66,9 @@ pub struct TrainResult {
     /// Planetary sets by the names of their stages.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sets: BTreeMap<String, PlanetaryReport>,
+    /// Warnings about the train as a whole; a mesh has its own in its result.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<Warning>,
     /// Measurements that would narrow the interval, the one that leaves the narrowest first; empty if they were not sought.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub evidence: Vec<EvidenceRow>,
@@ -178,8 +183,14 @@ pub struct MeshRow {
     pub loss_median_w: Option<f64>,
     /// Its 5 % quantile.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub loss_q05_w: Option<f64>,
+    pub loss_p05_w: Option<f64>,
     /// Its 95 % quantile.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_p95_w: Option<f64>,
+    /// Former name of `loss_p05_w`, which the next version leaves out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_q05_w: Option<f64>,
+    /// Former name of `loss_p95_w`, which the next version leaves out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss_q95_w: Option<f64>,
     /// Its part by sliding \[W\].
@@ -463,6 +474,8 @@ fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, 
         balance::efficiency(of, gearbox.efficiency, gearbox.loss_w, gearbox.power_in_w)?;
     }
     let power_in_w: f64 = powers().map(|power| power.max(0.0)).sum();
+    let mut warnings = loaded.warnings.clone();
+    warnings_of_gearbox(gearbox.as_ref(), &mut warnings);
     Ok(TrainResult {
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: loaded.title.clone(),
@@ -482,6 +495,7 @@ fn result(loaded: &LoadedTrain, runs: &[MeshLosses<'_>]) -> Result<TrainResult, 
         shafts,
         meshes,
         sets,
+        warnings,
         evidence: Vec::new(),
     })
 }
@@ -553,6 +567,7 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
     let pressures = run.path.iter().map(|row| row.hertz_pressure_mpa);
     let highest = pressures.fold(0.0, f64::max);
     let MeshLosses { summary, drawn, .. } = run;
+    let [low, high] = [0, 1].map(|end: usize| drawn.map(|(_, ends)| ends[end]));
     MeshRow {
         mesh: mesh.name.clone(),
         count: kind.count(),
@@ -560,8 +575,10 @@ fn row(mesh: &LoadedMesh, kind: &StageKind, run: &MeshLosses<'_>) -> MeshRow {
         speed_rad_per_s: mesh.case.case.speed.si(),
         loss_w: summary.loss_w,
         loss_median_w: drawn.map(|(median, _)| median),
-        loss_q05_w: drawn.map(|(_, [low, _])| low),
-        loss_q95_w: drawn.map(|(_, [_, high])| high),
+        loss_p05_w: low,
+        loss_p95_w: high,
+        loss_q05_w: low,
+        loss_q95_w: high,
         sliding_w: summary.sliding_w,
         rolling_w: summary.rolling_w,
         efficiency: summary.efficiency,
@@ -758,7 +775,10 @@ impl MeshRow {
 
     /// Median and quantiles of the loss \[W\]; `None` without an interval.
     fn drawn_w(&self) -> Option<(f64, [f64; 2])> {
-        Some((self.loss_median_w?, [self.loss_q05_w?, self.loss_q95_w?]))
+        // Results of former versions have the former names only.
+        let low = self.loss_p05_w.or(self.loss_q05_w)?;
+        let high = self.loss_p95_w.or(self.loss_q95_w)?;
+        Some((self.loss_median_w?, [low, high]))
     }
 }
 

@@ -77,7 +77,7 @@ pub use asperity_case::{
 };
 pub use assembly::Reversed;
 pub use case::{Case, CaseInput, LoadedCase};
-pub use contacts::Contacts;
+pub use contacts::{ContactStore, Contacts};
 pub use error::{Error, PositionError, UnsolvedContact};
 pub use pipeline::losses;
 pub use result::{Outcome, RunResult};

@@ -333,3 +333,21 @@ fn traces_that_cannot_be_are_refused_when_they_are_made() {
     bad[7] = f64::NAN;
     assert_eq!(code(&bad, dx), "E116");
 }
+
+#[test]
+fn losses_have_the_warnings_of_a_run() {
+    let hot = e_drive()
+        .with_key("operation.bulk_temperature", "250 °C")
+        .unwrap();
+    let few = hot
+        .with(|input| {
+            input.model.positions = Some(6);
+            input.model.offsets = Some(2);
+        })
+        .unwrap();
+    let losses = asperity::losses(&few).unwrap();
+    let run = asperity::Run::new(&few).without_pictures();
+    let run = run.band(false).execute().unwrap().result;
+    assert!(run.warnings.len() > few.warnings.len());
+    assert_eq!(losses.warnings, run.warnings);
+}

@@ -9,6 +9,7 @@ mod keys;
 mod mesh_load;
 mod messages;
 mod oil_files;
+mod ranges;
 mod records;
 mod rows;
 mod run_in;

@@ -103,8 +103,8 @@ fn the_words_of_rust_are_translated() {
             "model.offsets",
             "a",
             "string \"a\" does not fit, expected a whole number, 0 or more \
-             (Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the loss scatters \
-             from offset to offset (`paper`: 1))",
+             (Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the contacts \
+             differ from offset to offset; 4 of each pair of surrogates (`paper`: 1))",
         ),
         (
             "gears.teeth",

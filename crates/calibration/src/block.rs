@@ -13,15 +13,20 @@ const FACTORS: [f64; 5] = [1.0, 0.995, 0.99, 0.97, 0.9];
 /// Square of the smallest pivot of such correlations.
 const LEAST_PIVOT: f64 = 1e-3;
 
-/// Writes the block of the identified parameters; `correlations` are between all `parameters`.
+/// Writes the block of the identified parameters, fitted to measurements `source` or to simulated ones; `correlations` are
+/// between all `parameters`.
 #[must_use]
-pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f64>]) -> String {
+pub fn block(
+    (source, is_simulated): (&str, bool),
+    parameters: &[FittedParameter],
+    correlations: &[Vec<f64>],
+) -> String {
     let included: Vec<(usize, &FittedParameter)> = parameters
         .iter()
         .enumerate()
         .filter(|(_, parameter)| is_identified(parameter))
         .collect();
-    let mut text = format!("[calibration]\nsource = {}\n", quoted(source));
+    let mut text = origin(source, is_simulated);
     for (_, parameter) in &included {
         text.push_str(&constant(&parameter.key, parameter.value, parameter.band));
         text.push('\n');
@@ -44,6 +49,16 @@ pub fn block(source: &str, parameters: &[FittedParameter], correlations: &[Vec<f
         text.push_str("]\n");
     }
     text
+}
+
+/// First lines of the table: the measurements, and whether they were simulated.
+pub(crate) fn origin(source: &str, is_simulated: bool) -> String {
+    let simulated = if is_simulated {
+        "simulated = true\n"
+    } else {
+        ""
+    };
+    format!("[calibration]\nsource = {}\n{simulated}", quoted(source))
 }
 
 /// A constant with its 2.5 % and 97.5 % quantile.
@@ -146,12 +161,13 @@ mod tests {
             fitted("eyring_stress", 4.321e6, Verdict::Identified),
         ];
         let correlations = vec![vec![-0.3; 4]; 4];
-        let text = block("rig.csv \"first\"", &all, &correlations);
+        let text = block(("rig.csv \"first\"", true), &all, &correlations);
         let head = "gears = { teeth = [23, 68], module = \"2 mm\", face_width = \"30 mm\" }\n\
                     operation = { torque = \"100 N m\", speed = \"3000 1/min\", bulk_temperature = \"60 °C\" }\n\
                     lubricant = { oil = \"m100\" }\nsurface = { pinion = { rq = \"0.3 um\" } }\n";
         let case: asperity::CaseInput = format!("{head}{text}").parse().unwrap();
         let read: CalibrationInput = case.calibration.unwrap();
+        assert_eq!(read.simulated, Some(true));
         assert_eq!(read.source.as_deref(), Some("rig.csv 'first'"));
         assert_eq!(read.boundary_friction.unwrap().value, 0.08321);
         assert!((read.boundary_layer.unwrap().low.si() - 10.11e-9).abs() < 1e-15);

@@ -53,13 +53,6 @@ pub fn middle_95(values: &[f64]) -> Option<[f64; 2]> {
     Some([quantile(0.025), quantile(0.975)])
 }
 
-/// The middle value, of an even number the upper one; `None` of none.
-pub(crate) fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

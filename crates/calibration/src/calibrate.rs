@@ -147,7 +147,7 @@ fn report(
         assemblies,
         identifiability,
         stages: fit.stages.clone(),
-        block: block(&source, &parameters, &between),
+        block: block((&source, table.is_simulated), &parameters, &between),
         parameters,
         correlations: between,
         nuisance: nuisance(rig, fit),

@@ -1,5 +1,7 @@
 //! Errors of a calibration, each with a code.
 
+use asperity_core::{decimals, number};
+
 /// Invalid row.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{line}: {column}: {rule}")]
@@ -66,9 +68,8 @@ pub enum CalibrationError {
     },
     /// The residuals are more than three times the stated errors.
     #[error(
-        "{file}: the model does not explain these points within 3 times your errors: the residuals are {ratio:.1} times sigma_w; largest: {}",
-        listed_residuals(file, largest)
-    )]
+        "{file}: the model does not explain these points within 3 times your errors: the residuals are {ratio} times sigma_w; largest: {}",
+        listed_residuals(file, largest), ratio = decimals(*ratio, 1))]
     Unexplained {
         /// Name of the table.
         file: String,
@@ -109,7 +110,7 @@ pub enum CalibrationError {
         case: String,
     },
     /// A limit of the rig leaves no candidates.
-    #[error("{name} = {value}: {rule}")]
+    #[error("{name} = {value}: {rule}", value = number(*value))]
     Limit {
         /// The limit.
         name: &'static str,

@@ -1,10 +1,9 @@
 //! Identifiability of the parameters by the points of a rig, and the most useful further measurements, before the fit.
 
 use asperity::case::CalibratedName;
-use asperity_core::numerics::range;
+use asperity_core::numerics::{median, range};
 use nalgebra::{DMatrix, DVector};
 
-use crate::bootstrap::median;
 use crate::error::CalibrationError;
 use crate::information::{
     correlations, covariance, deviation_without_prior, information, variances_after,

@@ -9,6 +9,7 @@ use maud::{Markup, html};
 
 use crate::birge::Scatter;
 use crate::design::Design;
+use crate::oil::is_simulated_source;
 use crate::result::{Calibration, FittedParameter, FittedPoint, Verdict};
 use crate::rig_table::SIMULATED;
 use crate::summary::{percent, range, scatter, shown, tenths, unit_of};
@@ -104,7 +105,7 @@ pub(crate) fn notes(sentences: &[String], sources: &[[String; 2]], warnings: &[W
         text += &wrapped(line, "  ");
         text.push('\n');
     }
-    if sources.iter().any(|[file, _]| file.contains(SIMULATED)) {
+    if sources.iter().any(is_simulated_source) {
         text += &format!("{SIMULATED} curves: a rehearsal, not a measurement\n");
     }
     for warning in warnings {

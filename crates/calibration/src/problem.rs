@@ -18,10 +18,10 @@
 //! The nuisance terms are in standard deviations of their priors; every prior adds a residual.
 
 use asperity_core::cite;
+use asperity_core::numerics::median;
 use nalgebra::{DMatrix, DVector};
 
 use crate::birge::Scatter;
-use crate::bootstrap::median;
 use crate::least_squares::Residuals;
 use crate::parameters::{ASSEMBLY, BEARINGS, NO_LOAD, ROLLING, TEMPERATURE};
 use crate::response::{Region, Response};

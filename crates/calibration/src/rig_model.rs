@@ -7,10 +7,10 @@ use asperity::Contacts;
 use asperity::LoadedCase;
 use asperity::pipeline::{coldest_losses_with, contacts};
 use asperity::uncertainty::UncertainParameter;
+use asperity_core::numerics::median;
 use asperity_core::quantity::{AngularSpeed, Temperature, Torque};
 use rayon::prelude::*;
 
-use crate::bootstrap::median;
 use crate::error::CalibrationError;
 use crate::parameters::Parameter;
 

@@ -1,10 +1,9 @@
 //! Simulated rigs: losses of the model with the errors of a rig. All files that hold them declare them as simulated.
 
-use asperity_core::numerics::standard_normal_quantile;
+use asperity_core::numerics::{median, standard_normal_quantile};
 use chacha20::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 
-use crate::bootstrap::median;
 use crate::error::CalibrationError;
 use crate::parameters::{ASSEMBLY, NO_LOAD, ROLLING, TEMPERATURE};
 use crate::rig_model::RigModel;

@@ -1,6 +1,8 @@
 //! Invariants of printed results: every number is finite, parts add up to their total, efficiencies lie within 0 and 1
 //! and are one minus loss over power.
 
+use asperity_core::number;
+
 /// Largest difference between a total and its parts, relative to the total: rounding of sums of some thousand terms.
 const TOLERANCE: f64 = 1e-9;
 
@@ -9,7 +11,7 @@ const TOLERANCE: f64 = 1e-9;
 #[non_exhaustive]
 pub enum Unbalanced {
     /// A number that is not finite.
-    #[error("{of} is {value} {unit}, which is not a result")]
+    #[error("{of} is {value} {unit}, which is not a result", value = number(*value))]
     NotFinite {
         /// Name of the number.
         of: &'static str,
@@ -19,7 +21,7 @@ pub enum Unbalanced {
         unit: &'static str,
     },
     /// An efficiency below 0 or above 1.
-    #[error("{of} is {value}, not within 0 and 1")]
+    #[error("{of} is {value}, not within 0 and 1", value = number(*value))]
     Efficiency {
         /// Name of the efficiency.
         of: &'static str,
@@ -27,7 +29,7 @@ pub enum Unbalanced {
         value: f64,
     },
     /// A total that is not the sum of its parts.
-    #[error("{of} is {total} {unit}, and its parts together are {parts} {unit}")]
+    #[error("{of} is {total} {unit}, and its parts together are {parts} {unit}", total = number(*total), parts = number(*parts))]
     Sum {
         /// Name of the total.
         of: &'static str,

@@ -1,7 +1,9 @@
 //! The error of the orchestrator: why a case cannot be run, or a run has no result.
 
+use asperity_core::{DomainError, decimals, number};
+use std::sync::Arc;
+
 use asperity_contact::ContactError;
-use asperity_core::DomainError;
 use asperity_core::cancel::Cancelled;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_efficiency::EfficiencyError;
@@ -76,7 +78,7 @@ pub enum PositionError {
     #[error(transparent)]
     Lubricant(#[from] asperity_oil::LubricantError),
     /// The flash temperature fed back into the oil does not settle.
-    #[error("the flash temperature did not settle in {passes} passes (last {flash_kelvin:.1} K)")]
+    #[error("the flash temperature did not settle in {passes} passes (last {flash_kelvin} K)", flash_kelvin = decimals(*flash_kelvin, 1))]
     FlashNotSettled {
         /// Last flash temperature \[K\].
         flash_kelvin: f64,
@@ -105,8 +107,7 @@ pub enum PositionError {
     Domain(#[from] DomainError),
     /// The points are too far apart for the contact.
     #[error(
-        "dx {spacing_um:.3} um gives {points:.1} points per Hertz half-width (at least {least} needed)"
-    )]
+        "dx {spacing_um} um gives {points} points per Hertz half-width (at least {least} needed)", least = number(*least), spacing_um = decimals(*spacing_um, 3), points = decimals(*points, 1))]
     TooCoarse {
         /// Spacing \[µm\].
         spacing_um: f64,
@@ -117,8 +118,7 @@ pub enum PositionError {
     },
     /// The prepared trace does not cover the window.
     #[error(
-        "the prepared trace of {available_um:.0} um is shorter than the {needed_um:.0} um that the windows of the contact need"
-    )]
+        "the prepared trace of {available_um} um is shorter than the {needed_um} um that the windows of the contact need", available_um = decimals(*available_um, 0), needed_um = decimals(*needed_um, 0))]
     TraceTooShort {
         /// Prepared length \[µm\].
         available_um: f64,
@@ -240,7 +240,7 @@ pub enum Error {
         /// Cause.
         error: Box<CaseError>,
         /// The text of the case.
-        text: Box<Source>,
+        text: Arc<Source>,
     },
     /// A mesh position failed; nothing is reported.
     #[error("position {number} of {count}: {source}{}", advice(source))]
@@ -297,11 +297,11 @@ fn advice(source: &PositionError) -> &'static str {
 }
 
 impl Error {
-    /// A case error with the text that it is about.
-    pub fn in_text(error: CaseError, text: Source) -> Self {
+    /// A case error with the text that it is about, which the errors of a case share.
+    pub fn in_text(error: CaseError, text: impl Into<Arc<Source>>) -> Self {
         Self::CaseText {
             error: Box::new(error),
-            text: Box::new(text),
+            text: text.into(),
         }
     }
 
@@ -344,7 +344,7 @@ impl Error {
     }
 
     /// The text of the case, where it came from a text; [`place`](Self::place) gives the span in it.
-    pub fn text(&self) -> Option<&Source> {
+    pub fn text(&self) -> Option<&Arc<Source>> {
         match self {
             Self::CaseText { text, .. } => Some(text),
             _ => None,

@@ -102,7 +102,7 @@ fn written(settings: &[Setting], value: &str) -> String {
             Some((x, z)) => format!("{{ x = {x}, z = {z} }}"),
             None => format!("{{ z = {value} }}"),
         },
-        [Setting::Row | Setting::Outliers] => value.to_owned(),
+        [Setting::Row | Setting::Outliers | Setting::Invert] => value.to_owned(),
         _ => format!("\"{value}\""),
     }
 }

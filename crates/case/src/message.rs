@@ -4,6 +4,7 @@
 //! No option of a command is named here: an explanation lists its settings, and the program that shows it names them.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use asperity_core::remedy::Setting;
 use serde::{Deserialize, Serialize};
@@ -15,6 +16,24 @@ pub struct Warning {
     pub code: Cow<'static, str>,
     /// Values found and expected.
     pub text: String,
+    /// Component of the uncertainty that the warning is about, if its code leaves it open.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub about: Option<Subject>,
+}
+
+/// Component of the uncertainty that a warning can be about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Subject {
+    /// Pressure-viscosity coefficient of the oil.
+    PressureViscosity,
+    /// Tip relief that is not stated.
+    TipRelief,
+    /// Error of the fast model.
+    FastModel,
+    /// Sampling of the flanks.
+    Sampling,
 }
 
 impl Warning {
@@ -23,6 +42,7 @@ impl Warning {
         Self {
             code: code.into(),
             text: text.into(),
+            about: None,
         }
     }
 
@@ -32,8 +52,24 @@ impl Warning {
         Self {
             code: self.code.clone(),
             text: self.text.clone() + more,
+            ..*self
         }
     }
+}
+
+/// Codes of the warnings about an input outside of a fitted, tested or usual range.
+const OUTSIDE: [&str; 6] = ["W401", "W402", "W403", "W405", "W428", "W443"];
+
+/// The column `outside` of a table of cases: distinct codes of warnings about an input outside of its range, with spaces.
+///
+/// ```
+/// use asperity_case::message::outside_codes;
+/// assert_eq!(outside_codes(["W443", "W409", "W401", "W401"]), "W401 W443");
+/// ```
+pub fn outside_codes<'a>(codes: impl IntoIterator<Item = &'a str>) -> String {
+    let codes = codes.into_iter().filter(|code| OUTSIDE.contains(code));
+    let codes = Vec::from_iter(BTreeSet::from_iter(codes));
+    codes.join(" ")
 }
 
 impl std::fmt::Display for Warning {
@@ -113,6 +149,7 @@ explanations! {
     "E137" "no trace of this name": "A pattern names the traces of a flank, and no file has such a name, or no folder is known to search in." => "Check folder and pattern: * stands for any characters of a file's name and ? for one. Names are relative to the case file.";
     "E138" "a table of losses cannot be used": "The file is not a table of loss torques: a column is missing, a cell is not a number, a loss is negative, or the rows do not form a complete grid of torques and speeds at each temperature." => "Give the columns speed_rpm and loss_torque_nm and, if the loss depends on them, torque_nm and temperature_c, with a row for every combination.";
     "E139" "a range outside of the trace": "The range of a trace that is to be used ends beyond its last point. The message states the length of the trace." => "";
+    "E140" "a file changed since the case was read": "A case is stored with the content of every file that was read for it, and a file on disk is no longer the one that the case was read from." => "Read the case again.";
     "E201" "the case file cannot be opened": "The system refused to open the case file." => "";
     "E202" "the case file is not TOML": "The text breaks the rules of TOML (or of JSON, for a .json file), or is not text in UTF-8." => "Look at the line named: each line is key = value, text is in quotation marks, the encoding is UTF-8.";
     "E203" "unknown key": "The case file has a key that does not exist, or a study a key or column." => "Correct the spelling or remove the key.";
@@ -124,7 +161,7 @@ explanations! {
     "E209" "a number outside its domain": "A number in the case or on the command line is impossible, such as a negative module." => "Correct the value named.";
     "E210" "unknown tag or code": "No equation has that tag, or no message has that code." => "Look the name up in the list.";
     "E211" "the tolerance is too large": "A contact solved to a tolerance above 1e-4 can have grossly wrong pressures, and saves hardly any time." => "Give a tolerance of at most 1e-4; 1e-8 is the default.";
-    "E212" "a number beyond physical sense": "The value is beyond that of any gear drive, usually because of a wrong unit or a misplaced decimal point." => "Check the unit; the message names the usual range.";
+    "E212" "a number beyond physical sense": "The value, or a quantity that follows from it and other keys, is beyond that of any gear drive, usually because of a wrong unit or a misplaced decimal point." => "Check the unit; the message names the usual range.";
     "E213" "the command line cannot be read": "A command, an option or an argument is unknown, missing or of another form, or two options exclude each other." => "";
     "E220" "no such preset": "No gears, steel or oil of the library has this name." => "Take one of the names that the message lists.";
     "E222" "an impossible part of the gearbox": "A number of a seal, a bearing or the oil jet is outside its domain, is missing for this kind of bearing, or belongs to another kind. The constants of a bearing are those of its catalogue, in the units printed there." => "Correct the number that is named.";
@@ -155,7 +192,7 @@ explanations! {
     "E401" "a result cannot be written": "The system refused to write, or the place is taken by something that is not a result." => "Choose another place or name, create its folder, or free some space.";
     "E402" "not a result": "The file or folder named is not the result of a run, or lacks the requested data." => "Name a result folder, e.g. results/e-drive, or its result.json.";
     "E501" "internal fault": "A consistency check within the program failed. This is a fault of the program, not of the input." => "Please report it with the case file.";
-    "E502" "cancelled": "The program that had started the work cancelled it; there is no result." => "Start it again.";
+    "E502" "cancelled": "The program that had started the work, or Ctrl-C, cancelled it; there is no result. A sweep has written the rows of its finished cases." => "Start it again.";
     "W111" "a unit was assumed": "The file does not name a unit, and only one is plausible." => "State the unit to be sure." [ZUnit, XUnit];
     "W112" "form not removed": "The trace still contains the shape of the flank, so its parameters do not describe roughness." => "Remove the form, e.g. with poly2." [Form];
     "W113" "spacing coarse for the noise filter": "The spacing is above a fifth of the cut-off lambda_s, so the filter is poorly sampled." => "Choose a longer noise cut-off lambda_s, or measure with a finer spacing." [NoiseCutoff];
@@ -178,17 +215,19 @@ explanations! {
     "W130" "outliers replaced": "Points farther from the running median than surface.outliers (in a case) or the option allows were replaced by straight lines between their neighbours." => "Nothing, if they are dust or lost light. If the surface has such peaks, raise the limit." [Outliers];
     "W131" "fewer heights than stated": "The header of the file states more points than the file holds: the trace was aborted, or the file was cut off." => "Export the file again, or measure again, if the whole trace is needed.";
     "W132" "few sections dominate the trace": "The highest section of the trace at the usual cut-off of 0.25 mm has several times the median Rz of all: more than 4.4 + 0.7 ln n for n sections, which less than one ground flank in a thousand reaches. The trace crosses a groove, a pit or a step, or reaches beyond the edge of the flank, and its parameters are not those of a finish." => "Use only the sound part of the trace, which the message names, unless the whole flank has such features." [Range];
-    "W201" "outside the usual range": "A number in the case is outside the usual range for gear drives. It may be right, but a wrong unit is more likely." => "Check the unit and the decimal point.";
+    "W201" "outside the usual range": "A number in the case, or a quantity that follows from several, such as the face width over the pitch diameter, is outside the usual range for gear drives. It may be right, but a wrong unit is more likely." => "Check the unit and the decimal point.";
     "W202" "symbols read as keys": "The case file has symbols of a gear drawing in place of keys; each was read as the key named." => "Nothing, if the keys are the ones meant.";
     "W203" "a key by its former name": "The case states a key by a name of an earlier version, which is still read with its former meaning." => "Rename the key as the message says.";
+    "W204" "planets cannot be equally spaced": "Equally spaced planets mesh with sun and ring only if the sum of the tooth numbers of sun and ring is a multiple of the number of planets." => "Check the tooth numbers and the number of planets. The losses of a set whose planets are not equally spaced are the same.";
     "W320" "mean of a surface": "The trace is the mean of the rows or columns of a surface. Roughness that does not run across all of them is averaged out, so its parameters are smaller than those of a single line." => "Take single lines for roughness parameters, the mean for the form." [Row, Line];
-    "W321" "measured on a replica": "The file says that a replica was measured, so that peaks and valleys have changed places." => "Invert the heights in the instrument's software before exporting.";
+    "W321" "measured on a replica": "The file says that a replica was measured, so that peaks and valleys have changed places." => "Have the heights turned." [Invert];
     "W322" "the unit of the file is overridden": "A unit was stated for a column whose unit the file states too, and they differ. The stated one is used." => "Leave the unit out, unless the file is known to be wrong." [ZUnit, XUnit];
     "W323" "a stated unit is not used": "A unit was stated for a file that has scales and units of its own in its header. The lengths are those of the header." => "Leave the unit out." [ZUnit, XUnit];
     "W324" "positions kept": "The points of the trace are uneven and were written with their positions. Programs that assume even spacing read another trace." => "Have the trace resampled if the file has to be even." [Uneven];
     "W325" "the header of a profile is contradicted": "The header of the file states a spacing or a base radius that differs by more than 1 % from the x column or from the stated value." => "Check which one is right, and state it." [Spacing, BaseRadius];
     "W326" "empty rows left out": "Rows of the table hold neither a position nor a height, as some programs write behind an aborted trace. They were left out." => "None needed.";
     "W327" "equal heights": "All heights of the trace are equal, so it has no roughness: a run takes the flank as perfectly smooth." => "Export the trace anew, unless a smooth flank is meant: columns of position and height may be confused, or the heights have too few digits.";
+    "W328" "depths turned into heights": "The file names its values depths, which grow into the material. The program works with heights, which point out of it, so the values were turned." => "State the sign, which also confirms it." [Invert];
     "W401" "outside a fitted range": "A correlation was used outside the data it was fitted to, so its value is extrapolated: slightly beyond a limit it changes little, far beyond it may be wrong. A first screen states what it is worth, if it is a component of the interval of the loss." => "State the value if you know it, as lubricant.pressure_viscosity for the fit of Gold; otherwise compare the result with other laws, or choose a law fitted to this range.";
     "W402" "equivalent friction implausible": "The mean friction coefficient that explains the loss is outside 0.01 to 0.12, the range of lubricated steel." => "Check the roughness (form removed? units?) and the oil. In the paper formulation look at model.position: at the pitch point C nothing slides.";
     "W403" "an input held at the end of a range": "A fitted law is meaningless beyond its fitted range, so its input was held at the end of that range: the roughness in Xu's law, whose exp(exp S) diverges above S = 0.6 um, or the speeds and loads of Gupta's thermal factor. The warning names law and input." => "Choose another law for this input; for Xu's, model.clamp_roughness = false shows the law as printed.";
@@ -217,7 +256,7 @@ explanations! {
     "W426" "a second, hotter equilibrium": "Friction that rises with the temperature can maintain a second, hotter equilibrium, or heat the flanks beyond the range of the oil's laws: an iteration started 60 K above the oil does not end at the bulk temperature. All numbers are for the bulk temperature." => "Check the loss over the temperature, as asperity map shows it; a better cooled mesh has a single equilibrium.";
     "W427" "traced teeth left out": "The traced teeth of both flanks make more than 64 pairs, so as many teeth of each flank are paired as make 64 pairs: the first of a list, rows of a surface spread evenly." => "State the most important teeth first, or fewer teeth or rows.";
     "W428" "density outside the fitted range": "Modulus and strength of a sintered steel were taken from its density by relations fitted to 6.7 to 7.4 g/cm3, and the density lies outside." => "Give young, poisson and elastic_limit as measured.";
-    "W430" "cases of a sweep cannot be run": "All cases were resolved before the first was run, and some of them are refused; each will be a row without results, with its code." => "Stop and correct the study if they are not meant to fail. A plan of the study lists them without running it.";
+    "W430" "cases of a sweep cannot be run": "The cases, of a large study the corners of its axes and a sample, were resolved before the first was run, and some of them are refused; each will be a row without results, with its code." => "Stop and correct the study if they are not meant to fail. A plan of the study lists them without running it.";
     "W431" "losses outside the mesh left out": "The case states losses of its gearbox, and the numbers here are for the mesh only." => "Nothing, if the mesh is meant; asperity run adds the gearbox.";
     "W432" "outside of the micropitting specification": "ISO/TS 6336-22 was made from external gears of 3 to 11 mm module at 8 to 60 m/s and holds for virtual contact ratios below 2.5 and pressure and helix angles up to 25 degrees. The gears or their operation lie outside." => "Compare the specific film with your own tests of such gears only; it is not a rating.";
     "W433" "contact on the fillet": "The tip of the mating gear reaches below the involute that the tool has left, into the fillet: the gears interfere, or rub where no law of the model is valid. The path of contact is still evaluated to its end." => "Check addendum, tip diameters, dedendum and fillet radius on the drawing: shorten the tips, or state the root as it is cut.";

@@ -1,8 +1,8 @@
 //! Errors of contact computations.
 
-use asperity_core::DomainError;
 use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_core::{DomainError, number};
 
 use crate::boundary::Boundary;
 use crate::certificate::Certificate;
@@ -46,7 +46,7 @@ pub enum ContactError {
         got: usize,
     },
     /// An array has an invalid value.
-    #[error("{name}[{index}] = {value} {unit}: {rule}")]
+    #[error("{name}[{index}] = {value} {unit}: {rule}", value = number(*value))]
     BadElement {
         /// The array.
         name: &'static str,
@@ -61,7 +61,7 @@ pub enum ContactError {
     },
     /// At the pressure limit the whole window carries less than the load.
     #[error(
-        "the pressure limit {limit} carries at most {capacity} on this window, the load is {load}: raise the limit, widen the window or lower the load"
+        "the pressure limit {limit:.6} carries at most {capacity:.6} on this window, the load is {load:.6}: raise the limit, widen the window or lower the load"
     )]
     LimitBelowMeanPressure {
         /// Limit of the pressure.
@@ -73,7 +73,7 @@ pub enum ContactError {
     },
     /// The datum distance is too small for the approach to fix the load.
     #[error(
-        "the approach is measured from a datum at {datum}, which must lie farther than {least} (a quarter of the window): choose a larger datum distance"
+        "the approach is measured from a datum at {datum:.6}, which must lie farther than {least:.6} (a quarter of the window): choose a larger datum distance"
     )]
     DatumTooNear {
         /// Datum distance of the problem.
@@ -83,7 +83,7 @@ pub enum ContactError {
     },
     /// The approach of a periodic contact is beyond its mean gap, where no finite load holds it.
     #[error(
-        "a periodic contact is fully closed at an approach of {mean_gap}, so {approach} needs an infinite load: lower the approach or control the load"
+        "a periodic contact is fully closed at an approach of {mean_gap:.6}, so {approach:.6} needs an infinite load: lower the approach or control the load"
     )]
     ApproachBeyondMeanGap {
         /// Approach of the problem.
@@ -101,9 +101,8 @@ pub enum ContactError {
     },
     /// The largest number of iterations was reached, or no progress was possible.
     #[error(
-        "not converged to {tolerance:e} after {iterations} iterations (duality gap {:e}, penetration {:e}, load error {:e}): allow more iterations or a larger tolerance",
-        certificate.duality_gap, certificate.penetration, certificate.load_error
-    )]
+        "not converged to {tolerance} after {iterations} iterations (duality gap {}, penetration {}, load error {}): allow more iterations or a larger tolerance",
+        number(certificate.duality_gap), number(certificate.penetration), number(certificate.load_error), tolerance = number(*tolerance))]
     NotConverged {
         /// Iterations on the finest grid.
         iterations: usize,
@@ -114,8 +113,7 @@ pub enum ContactError {
     },
     /// The tolerance would accept useless solutions.
     #[error(
-        "the tolerance {tolerance:e} is too large: pressures could be wrong by more than half; give at most {most:e}"
-    )]
+        "the tolerance {tolerance} is too large: pressures could be wrong by more than half; give at most {most}", tolerance = number(*tolerance), most = number(*most))]
     ToleranceTooLarge {
         /// Tolerance of the settings.
         tolerance: f64,
@@ -142,8 +140,7 @@ pub enum ContactError {
     },
     /// The flanks still flow after all cycles.
     #[error(
-        "after {cycles} cycles the flanks still dissipate {left:e} of the first cycle's energy, more than the required {shakedown:e}: allow more cycles or a tighter tolerance of the contacts"
-    )]
+        "after {cycles} cycles the flanks still dissipate {left} of the first cycle's energy, more than the required {shakedown}: allow more cycles or a tighter tolerance of the contacts", left = number(*left), shakedown = number(*shakedown))]
     NotRunIn {
         /// Number of cycles.
         cycles: usize,
@@ -160,8 +157,7 @@ pub enum ContactError {
     },
     /// A fixed point was not reached.
     #[error(
-        "the pressure still changed by {residual:e} of its largest value after {steps} steps, more than the required {tolerance:e}: allow more steps or a larger tolerance"
-    )]
+        "the pressure still changed by {residual} of its largest value after {steps} steps, more than the required {tolerance}: allow more steps or a larger tolerance", residual = number(*residual), tolerance = number(*tolerance))]
     NoFixedPoint {
         /// Number of steps.
         steps: usize,

@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 
+use crate::message_number::number_with_unit;
 use crate::quantity::Quantity;
-use crate::unit_text;
 
 /// An input that an equation does not accept, with what it must satisfy.
 #[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
-#[error("{name} = {}: {rule}", value_with_unit(*value, unit))]
+#[error("{name} = {}: {rule}", number_with_unit(*value, unit))]
 pub struct DomainError {
     /// The input, by the name a reader of the signature knows.
     pub name: &'static str,
@@ -17,21 +17,6 @@ pub struct DomainError {
     pub unit: &'static str,
     /// Expectation as a phrase: "must be positive".
     pub rule: &'static str,
-}
-
-/// The value rounded to six significant digits, with its unit if it has one.
-fn value_with_unit(value: f64, unit: &str) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    let number = if rounded.is_finite() {
-        unit_text::format_shifted(rounded, 0)
-    } else {
-        rounded.to_string()
-    };
-    if unit.is_empty() || unit == "-" {
-        number
-    } else {
-        format!("{number} {unit}")
-    }
 }
 
 impl DomainError {

@@ -11,6 +11,7 @@ pub mod error;
 pub mod hardness;
 pub mod line_contact;
 pub mod material;
+mod message_number;
 pub mod numerics;
 pub mod powder_metal;
 pub mod presets;
@@ -23,6 +24,7 @@ mod unit_text;
 
 pub use checked::{Checked, FittedRange, OutOfRange, Treatment};
 pub use error::DomainError;
+pub use message_number::{decimals, number, number_with_unit};
 pub use profile::Profile;
 pub use quantity::Quantity;
 pub use remedy::{Action, Remedy, Setting};

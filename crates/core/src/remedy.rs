@@ -41,6 +41,8 @@ pub enum Setting {
     Uneven,
     /// Part of the trace that is used.
     Range,
+    /// Sign of the heights.
+    Invert,
     /// Replacement of spikes.
     Outliers,
     /// Form removed from a trace.
@@ -71,6 +73,7 @@ impl Setting {
             Self::BaseRadius => "base_radius",
             Self::Uneven => "uneven",
             Self::Range => "range",
+            Self::Invert => "invert",
             Self::Outliers => "outliers",
             Self::Form => "form",
             Self::Cutoff => "cutoff",

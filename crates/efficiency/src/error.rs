@@ -1,7 +1,7 @@
 //! Errors of losses and efficiencies.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::{LineEnergy, Power, Temperature};
+use asperity_core::{DomainError, decimals, number};
 
 /// Errors of losses and efficiency.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -24,7 +24,7 @@ pub enum EfficiencyError {
         expected: usize,
     },
     /// The losses are not below the input power.
-    #[error("the losses, {loss}, are not below the input power, {input}")]
+    #[error("the losses, {loss:.6}, are not below the input power, {input:.6}")]
     LossExceedsInput {
         /// Sum of the losses.
         loss: Power,
@@ -41,9 +41,8 @@ pub enum EfficiencyError {
     },
     /// The bulk temperature does not converge.
     #[error(
-        "the bulk temperature did not settle in {steps} steps (last {:.0} °C, still moving by {residual:.2} K)",
-        temperature.celsius()
-    )]
+        "the bulk temperature did not settle in {steps} steps (last {:.0} °C, still moving by {residual} K)",
+        temperature.celsius(), residual = decimals(*residual, 2))]
     BulkNotSettled {
         /// Last temperature.
         temperature: Temperature,
@@ -63,7 +62,7 @@ pub enum EfficiencyError {
         speeds: usize,
     },
     /// A row of a loss table has an invalid number.
-    #[error("{rule}, and is {value} in a row")]
+    #[error("{rule}, and is {value} in a row", value = number(*value))]
     TableRow {
         /// Rule.
         rule: &'static str,
@@ -72,8 +71,7 @@ pub enum EfficiencyError {
     },
     /// The operating point is outside of the loss table.
     #[error(
-        "the table has no loss at {torque_nm} N m, {speed_rpm} 1/min, {temperature_c} °C; nothing is extrapolated"
-    )]
+        "the table has no loss at {torque_nm} N m, {speed_rpm} 1/min, {temperature_c} °C; nothing is extrapolated", torque_nm = number(*torque_nm), speed_rpm = number(*speed_rpm), temperature_c = number(*temperature_c))]
     NotInTable {
         /// Torque \[N m\].
         torque_nm: f64,

@@ -1,9 +1,9 @@
 //! Reasons why a lubricated contact has no solution here.
 
 use asperity_contact::ContactError;
-use asperity_core::DomainError;
 use asperity_core::cancel::Cancelled;
 use asperity_core::quantity::Pressure;
+use asperity_core::{DomainError, decimals};
 
 /// Errors of a lubricated line contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -60,8 +60,7 @@ pub enum EhlError {
     },
     /// A time step failed at its smallest length.
     #[error(
-        "the time step at {time:.4} half-widths of travel did not converge at 1/{fraction} of its length (last change of the pressure {change:.2e} of the Hertz pressure): use more cells, a longer cut-off of the profiles, or a plastic ceiling"
-    )]
+        "the time step at {time} half-widths of travel did not converge at 1/{fraction} of its length (last change of the pressure {change:.2e} of the Hertz pressure): use more cells, a longer cut-off of the profiles, or a plastic ceiling", time = decimals(*time, 4))]
     StepFailed {
         /// Time in half-widths travelled at the mean speed.
         time: f64,
@@ -72,7 +71,7 @@ pub enum EhlError {
     },
     /// Film temperatures and shear stresses did not settle.
     #[error(
-        "the shear stress still changed by {change} after {iterations} iterations of the temperatures"
+        "the shear stress still changed by {change:.6} after {iterations} iterations of the temperatures"
     )]
     TemperaturesUnsettled {
         /// Iterations used.
@@ -84,7 +83,7 @@ pub enum EhlError {
     #[error(transparent)]
     HeatedStress(#[from] asperity_oil::LubricantError),
     /// The record was stopped by its watcher.
-    #[error("stopped at {time:.3} half-widths of travel")]
+    #[error("stopped at {time} half-widths of travel", time = decimals(*time, 3))]
     Stopped {
         /// Time reached.
         time: f64,

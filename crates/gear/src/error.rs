@@ -1,7 +1,7 @@
 //! Errors of gear geometry, kinematics and load.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, decimals, number};
 use serde::{Deserialize, Serialize};
 
 /// One of the two gears of a pair.
@@ -54,8 +54,7 @@ pub enum GearError {
     },
     /// Tip radii are unknown because only the sum of the profile shifts is known, and no division of it is possible.
     #[error(
-        "neither the profile shifts nor the tip diameters are given: the centre distance gives only the sum of the shifts, {sum:.4}; state both shifts with this sum, or both tip diameters"
-    )]
+        "neither the profile shifts nor the tip diameters are given: the centre distance gives only the sum of the shifts, {sum}; state both shifts with this sum, or both tip diameters", sum = decimals(*sum, 4))]
     TipRadiusUnknown {
         /// Sum of the profile shifts.
         sum: f64,
@@ -90,8 +89,7 @@ pub enum GearError {
     },
     /// For every division of the profile shifts a tooth is pointed.
     #[error(
-        "however the profile shifts are divided, a tooth is pointed: the tip half-angles times the tooth numbers sum to {sum:.4} rad and must be positive"
-    )]
+        "however the profile shifts are divided, a tooth is pointed: the tip half-angles times the tooth numbers sum to {sum} rad and must be positive", sum = decimals(*sum, 4))]
     PointedTips {
         /// Σ z·(half-angle of the tip land) \[rad\].
         sum: f64,
@@ -103,13 +101,13 @@ pub enum GearError {
         length: Length,
     },
     /// One spur pair leaves contact before the next enters.
-    #[error("a spur pair needs a transverse contact ratio above 1, this one has {eps_alpha:.4}")]
+    #[error("a spur pair needs a transverse contact ratio above 1, this one has {eps_alpha}", eps_alpha = decimals(*eps_alpha, 4))]
     SpurContactRatio {
         /// Transverse contact ratio.
         eps_alpha: f64,
     },
     /// One helical pair leaves contact before the next enters.
-    #[error("a helical pair needs a total contact ratio above 1, this one has {eps_gamma:.4}")]
+    #[error("a helical pair needs a total contact ratio above 1, this one has {eps_gamma}", eps_gamma = decimals(*eps_gamma, 4))]
     TotalContactRatio {
         /// Total contact ratio.
         eps_gamma: f64,
@@ -125,7 +123,7 @@ pub enum GearError {
         to: Length,
     },
     /// A profile coordinate outside the path of contact.
-    #[error("xi = {xi} is off the path of contact, which goes from 0 to {eps_alpha}")]
+    #[error("xi = {xi} is off the path of contact, which goes from 0 to {eps_alpha}", xi = number(*xi), eps_alpha = number(*eps_alpha))]
     CoordinateOffPath {
         /// Requested profile coordinate, in base pitches from A.
         xi: f64,
@@ -153,7 +151,7 @@ pub enum GearError {
         contact_radius: Length,
     },
     /// The compliance of a tooth is not a positive number.
-    #[error("the compliance of the teeth is unusable: {value} m2/N")]
+    #[error("the compliance of the teeth is unusable: {value} m2/N", value = number(*value))]
     ToothCompliance {
         /// The computed value.
         value: f64,
@@ -217,8 +215,7 @@ pub enum GearError {
     },
     /// A load sharing law outside its range of contact ratios.
     #[error(
-        "the load sharing \"{law}\" holds for transverse contact ratios from {low} to {high}, this pair has {eps_alpha:.4}"
-    )]
+        "the load sharing \"{law}\" holds for transverse contact ratios from {low} to {high}, this pair has {eps_alpha}", low = number(*low), high = number(*high), eps_alpha = decimals(*eps_alpha, 4))]
     SharingRange {
         /// Name of the law.
         law: &'static str,
@@ -230,7 +227,7 @@ pub enum GearError {
         high: f64,
     },
     /// An invalid load sharing table.
-    #[error("load sharing table, row {row}: xi = {xi}, share = {share}: {rule}")]
+    #[error("load sharing table, row {row}: xi = {xi}, share = {share}: {rule}", xi = number(*xi), share = number(*share))]
     SharingTable {
         /// Row, from 0.
         row: usize,
@@ -253,8 +250,7 @@ pub enum GearError {
     },
     /// The inverse of the involute function did not converge.
     #[error(
-        "no angle with involute {involute} found: the residual is {residual} after {iterations} iterations"
-    )]
+        "no angle with involute {involute} found: the residual is {residual} after {iterations} iterations", involute = number(*involute), residual = number(*residual))]
     InverseInvolute {
         /// Value of the involute function.
         involute: f64,

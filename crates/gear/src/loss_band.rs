@@ -157,6 +157,14 @@ impl LoadMap {
     }
 
     fn with_edge_contact(&self) -> Result<Option<f64>, GearError> {
+        if let Some(computed) = self.edge_contact.get() {
+            return Ok(*computed);
+        }
+        let with = self.solved_with_edge_contact()?;
+        Ok(*self.edge_contact.get_or_init(|| with))
+    }
+
+    fn solved_with_edge_contact(&self) -> Result<Option<f64>, GearError> {
         let known = self.settings().edge_contact || !self.is_elastic();
         if known || self.pair().internal || self.micro_geometry().relieves_profile() {
             return Ok(None);

@@ -220,6 +220,35 @@ impl ContactTable {
         Ok(Length::from_si(piece.gap(abscissa(asperity_share))))
     }
 
+    /// Mean gap at the share 0.28, which is solved first in every window.
+    ///
+    /// # Errors
+    /// When `contact` fails, or the contact does not converge.
+    pub fn middle_gap<E: From<LoadShareError>>(
+        &self,
+        contact: impl FnOnce() -> Result<RoughContact, E>,
+    ) -> Result<Length, E> {
+        if let Ok(known) = self.row(FIRST_SOLVED) {
+            return Ok(known.mean_gap);
+        }
+        Ok(self.solve(FIRST_SOLVED, &mut contact()?)?.mean_gap)
+    }
+
+    /// Asperity share under which the mean gap is `gap`; the rows that it needs are solved, and `contact` gives the window if
+    /// one is missing.
+    ///
+    /// # Errors
+    /// When `contact` fails, or a contact does not converge.
+    pub fn share_at_gap<E: From<LoadShareError>>(
+        &self,
+        gap: Length,
+        contact: impl FnOnce() -> Result<RoughContact, E>,
+    ) -> Result<f64, E> {
+        let supply = |_| gap.si();
+        self.solve_for(&supply, contact)?;
+        Ok(self.at_supply(&supply)?.map_or(0.0, |at| at.share.value))
+    }
+
     /// Solves the rows that are needed where the gap of the contact is the one supplied.
     pub(crate) fn solve_for<E: From<LoadShareError>>(
         &self,

@@ -1,9 +1,9 @@
 //! Errors of a load share solution.
 
 use asperity_contact::ContactError;
-use asperity_core::DomainError;
 use asperity_core::numerics::RootError;
 use asperity_core::quantity::Pressure;
+use asperity_core::{DomainError, number};
 use asperity_ehl_regime::RegimeError;
 use asperity_oil::LubricantError;
 use asperity_tribo_friction::FrictionError;
@@ -29,7 +29,7 @@ pub enum LoadShareError {
     Lubricant(#[from] LubricantError),
     /// A flow pressure that the film pressure reaches without asperities.
     #[error(
-        "flow pressure {flow_pressure} is below {least}, one and a half times the Hertz pressure: the flank would yield under the film alone"
+        "flow pressure {flow_pressure:.6} is below {least:.6}, one and a half times the Hertz pressure: the flank would yield under the film alone"
     )]
     FlowPressureTooLow {
         /// The flow pressure.
@@ -49,8 +49,7 @@ pub enum LoadShareError {
     },
     /// A row of a contact table that the film needs and nobody solved.
     #[error(
-        "the rough contact at asperity share {asperity_share} is needed and not solved: solve the rows for this film first"
-    )]
+        "the rough contact at asperity share {asperity_share} is needed and not solved: solve the rows for this film first", asperity_share = number(*asperity_share))]
     RowNotSolved {
         /// Asperity share of the row.
         asperity_share: f64,

@@ -1,6 +1,6 @@
 //! Errors of film computations.
 
-use asperity_core::DomainError;
+use asperity_core::{DomainError, number};
 
 /// Errors of the film pressure.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -28,7 +28,7 @@ pub enum FilmError {
         got: usize,
     },
     /// An array has an invalid value.
-    #[error("{name}[{index}] = {value} {unit}: {rule}")]
+    #[error("{name}[{index}] = {value} {unit}: {rule}", value = number(*value))]
     BadElement {
         /// The array.
         name: &'static str,

@@ -45,6 +45,44 @@ pub enum BaseOil {
     Polyglycol,
 }
 
+/// A constant of film or boundary layer, serialised as its name with its unit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum FilmConstantName {
+    /// Limiting shear stress over pressure.
+    LimitingShear,
+    /// Eyring stress.
+    #[serde(rename = "eyring_stress_pa")]
+    EyringStress,
+    /// Fall of the limiting shear stress with temperature.
+    #[serde(rename = "limiting_shear_temperature_per_k")]
+    LimitingShearTemperature,
+    /// Factor on the pressure-viscosity coefficient in the friction.
+    PressureViscosityFactor,
+    /// Thermal conductivity.
+    #[serde(rename = "conductivity_w_per_m_k")]
+    Conductivity,
+    /// Rise of the conductivity with pressure.
+    #[serde(rename = "conductivity_rise_per_gpa")]
+    ConductivityRise,
+    /// Bend of this rise.
+    #[serde(rename = "conductivity_bend_per_gpa")]
+    ConductivityBend,
+    /// Factor of Gold's law.
+    #[serde(rename = "gold_factor_per_gpa")]
+    GoldFactor,
+    /// Exponent of Gold's law.
+    GoldExponent,
+    /// Boundary friction.
+    BoundaryFriction,
+    /// Thickness of the boundary layer.
+    #[serde(rename = "boundary_layer_m")]
+    BoundaryLayer,
+    /// Share of the elastic energy lost by hysteresis.
+    Hysteresis,
+}
+
 /// Confidence in a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -181,12 +219,14 @@ impl BaseOil {
     /// As [`data`](Self::data).
     ///
     /// ```
-    /// use asperity_oil::{BaseOil, Mark};
+    /// use asperity_oil::{BaseOil, FilmConstantName, Mark};
     /// let constants = BaseOil::Ester.constants()?;
-    /// assert!(constants.iter().any(|(name, value)| *name == "limiting_shear" && value.mark == Mark::Judged));
+    /// let judged = (FilmConstantName::LimitingShear, Mark::Judged);
+    /// assert!(constants.iter().any(|(name, value)| (*name, value.mark) == judged));
     /// # Ok::<(), asperity_oil::LubricantError>(())
     /// ```
-    pub fn constants(self) -> Result<Vec<(&'static str, MarkedValue)>, LubricantError> {
+    pub fn constants(self) -> Result<Vec<(FilmConstantName, MarkedValue)>, LubricantError> {
+        use FilmConstantName as Name;
         let data = self.data()?;
         let [factor, exponent] = self.gold_constants();
         // No source states constants of group III; they are judged between those of mineral oil and PAO.
@@ -202,13 +242,13 @@ impl BaseOil {
             source: source.to_owned(),
         };
         Ok(vec![
-            ("limiting_shear", data.limiting_shear.clone()),
-            ("eyring_stress_pa", data.eyring_stress.clone()),
-            ("conductivity_w_per_m_k", data.conductivity.clone()),
-            ("conductivity_rise_per_gpa", data.conductivity_rise.clone()),
-            ("conductivity_bend_per_gpa", data.conductivity_bend.clone()),
-            ("gold_factor_per_gpa", gold(factor)),
-            ("gold_exponent", gold(exponent)),
+            (Name::LimitingShear, data.limiting_shear.clone()),
+            (Name::EyringStress, data.eyring_stress.clone()),
+            (Name::Conductivity, data.conductivity.clone()),
+            (Name::ConductivityRise, data.conductivity_rise.clone()),
+            (Name::ConductivityBend, data.conductivity_bend.clone()),
+            (Name::GoldFactor, gold(factor)),
+            (Name::GoldExponent, gold(exponent)),
         ])
     }
 }
@@ -255,7 +295,7 @@ mod tests {
                 );
             }
             for (name, constant) in family.constants().unwrap() {
-                assert!(base_oil_source(&constant.source).is_some(), "{name}");
+                assert!(base_oil_source(&constant.source).is_some(), "{name:?}");
             }
             assert!(data.limiting_shear.low.is_some() && data.limiting_shear.high.is_some());
         }

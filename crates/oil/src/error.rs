@@ -1,7 +1,7 @@
 //! Errors of a lubricant.
 
-use asperity_core::DomainError;
 use asperity_core::numerics::RootError;
+use asperity_core::{DomainError, number};
 
 /// Errors of the properties of a lubricant.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -47,7 +47,7 @@ pub enum LubricantError {
     )]
     NoBaseOil,
     /// α far from every oil: almost always a wrong unit.
-    #[error("alpha = {value:e} m2/N is {}", verdict(*.value, *.low, *.shift))]
+    #[error("alpha = {value} m2/N is {}", verdict(*.value, *.low, *.shift), value = number(*value))]
     ImplausiblePressureViscosity {
         /// The coefficient seen \[1/Pa\].
         value: f64,

@@ -47,7 +47,7 @@ mod viscosity_pressure;
 mod viscosity_table;
 mod viscosity_temperature;
 
-pub use base_oil::{BaseOil, BaseOilData, Mark, MarkedValue, base_oil_source};
+pub use base_oil::{BaseOil, BaseOilData, FilmConstantName, Mark, MarkedValue, base_oil_source};
 pub use density::{DensityLaw, DensityLine, RelativeDensity, dowson_higginson_density};
 pub use error::LubricantError;
 pub use heat::{cragoe_conductivity, cragoe_heat_capacity};
@@ -55,7 +55,8 @@ pub use input::{LubricantInput, ViscosityLaw};
 pub use library::{LibraryOil, library};
 pub use lubricant::{Assumption, Lubricant, LubricantState};
 pub use pressure_viscosity::{
-    HIGHEST_PLAUSIBLE, LOWEST_PLAUSIBLE, gold_pressure_viscosity, plausible_pressure_viscosity,
+    GOLD_FIT, HIGHEST_PLAUSIBLE, LOWEST_PLAUSIBLE, gold_pressure_viscosity,
+    plausible_pressure_viscosity,
 };
 pub use rheology::{FilmOilState, FilmPoint, FilmRheology, GOLD_TEMPERATURE};
 pub use shear_law::{

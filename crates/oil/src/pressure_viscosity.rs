@@ -19,13 +19,10 @@ use crate::{BaseOil, LubricantError};
 const MM2_PER_M2: f64 = 1e6;
 const PASCAL_PER_GPA: f64 = 1e9;
 /// Viscosities of the gear oils that the constants were used for (Fernandes and others 2013).
-const GOLD_RANGE: FittedRange = FittedRange::new(
-    "kinematic viscosity",
-    15.0,
-    350.0,
-    "mm2/s",
-    "Gold's pressure-viscosity fit",
-);
+const GOLD_RANGE: FittedRange =
+    FittedRange::new("kinematic viscosity", 15.0, 350.0, "mm2/s", GOLD_FIT);
+/// Name of Gold's law as a correlation.
+pub const GOLD_FIT: &str = "Gold's pressure-viscosity fit";
 /// Lowest plausible α \[1/Pa\]. Own choice: lubricants lie between about 5 and 50 1/GPa, and the
 /// window leaves a factor of two on either side.
 pub const LOWEST_PLAUSIBLE: PressureViscosity = PressureViscosity::from_si(2e-9);

@@ -1,5 +1,6 @@
 //! Warnings about a file that was read.
 
+use asperity_core::number;
 use std::borrow::Cow;
 
 use asperity_core::quantity::Length;
@@ -48,7 +49,9 @@ pub enum Warning {
     #[error("x decreases along the file; the trace was reversed")]
     Reversed,
     /// The stated spacing overrides the spacing of the x column.
-    #[error("spacing {stated} was stated, the x column says {column:.4}; the stated one is used")]
+    #[error(
+        "spacing {stated:.6} was stated, the x column says {column:.4}; the stated one is used"
+    )]
     SpacingOverridden {
         /// Stated spacing.
         stated: Length,
@@ -93,13 +96,13 @@ pub enum Warning {
         heights: usize,
     },
     /// The first line is assumed to be the spacing.
-    #[error("line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles")]
+    #[error("line 1 reads {value} and is taken as the spacing in um, as in NPL text profiles", value = number(*value))]
     SpacingFromFirstLine {
         /// The number.
         value: f64,
     },
     /// The spacing follows from a length printed with few digits.
-    #[error("the spacing follows from an evaluation length printed as {length}: it is known to {:.4} % only", 100.0 * uncertainty)]
+    #[error("the spacing follows from an evaluation length printed as {length:.6}: it is known to {:.4} % only", 100.0 * uncertainty)]
     LengthRounded {
         /// The length.
         length: Length,
@@ -156,6 +159,11 @@ pub enum Warning {
     /// According to the file a replica was measured.
     #[error("the file says that a replica was measured: its peaks are the valleys of the flank")]
     Replica,
+    /// Values that the file names depths were turned into heights.
+    #[error(
+        "the file names its values depths; they were turned, so that heights point out of the material"
+    )]
+    DepthsTurned,
     /// A value of the header differs from the value that is used.
     #[error("the header states a {what} of {stated:.6}, but {used:.6} is used, {reason}")]
     HeaderDisagrees {
@@ -196,7 +204,7 @@ pub enum Warning {
     },
     /// x was a roll length or angle and was converted to the distance along the involute.
     #[error(
-        "x is a {abscissa}; converted with the base radius {base_radius} to the distance along the involute and resampled to {spacing:.4}"
+        "x is a {abscissa}; converted with the base radius {base_radius:.6} to the distance along the involute and resampled to {spacing:.4}"
     )]
     RollLengthConverted {
         /// Meaning of x.
@@ -212,6 +220,9 @@ impl Warning {
     /// Remedy; empty if none is required.
     pub fn remedy(&self) -> Remedy {
         let dx = |why| Remedy::state(Setting::Spacing).because(why);
+        let invert = |to: &'static str, why| {
+            Remedy::set(Setting::Invert, Value::This(to.into())).because(why)
+        };
         match self {
             Self::UnitAssumed { axis, unit } => {
                 Remedy::set(axis.setting(), Value::This(unit.to_string().into()))
@@ -226,7 +237,8 @@ impl Warning {
             Self::ImplausibleHeights { steepness } => steepness.suspicion.remedy(),
             Self::HeaderDisagrees { what, .. } if what == "spacing" => dx("to choose"),
             Self::UnitNotUsed { axis, .. } => Remedy::omit(axis.setting()),
-            Self::Replica => Remedy::act("turn the heights round before exporting"),
+            Self::Replica => invert("true", "to turn the heights"),
+            Self::DepthsTurned => invert("false", "if they point out of the material"),
             _ => Remedy::none(),
         }
     }
@@ -256,6 +268,7 @@ impl Warning {
             Self::HeaderDisagrees { .. } => "W325",
             Self::EmptyRows { .. } => "W326",
             Self::EqualHeights => "W327",
+            Self::DepthsTurned => "W328",
         }
     }
 }

@@ -65,6 +65,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
             Just("1 m .. 2 m")
         ],
     );
+    let invert = weighted(0.2, any::<bool>());
     let line = prop_oneof![
         8 => Just(TraceLine::Row),
         1 => Just(TraceLine::Column),
@@ -79,7 +80,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
         encoding,
         dx,
         gaps,
-        (roll, base_radius, uneven, line, range),
+        (roll, base_radius, uneven, line, range, invert),
     )
         .prop_map(
             |(
@@ -91,7 +92,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
                 encoding,
                 dx,
                 gaps,
-                (abscissa, base_radius, uneven, line, range),
+                (abscissa, base_radius, uneven, line, range, invert),
             )| ReadOptions {
                 x_unit,
                 z_unit,
@@ -107,6 +108,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
                 base_radius: base_radius.map(Length::from_si),
                 uneven,
                 range: range.map(|range: &str| range.parse().unwrap()),
+                invert,
             },
         )
 }

@@ -9,7 +9,7 @@ use asperity_profile_io::Warning;
 use asperity_profile_io::read::steepness::Suspicion;
 use asperity_profile_io::read::{
     Format, Gaps, LengthUnit, ReadError, ReadFault, ReadOptions, Reading, SpacingHint, Uneven,
-    read, read_bytes,
+    read, read_bytes, read_surface_bytes,
 };
 
 const POINTS: usize = 2000;
@@ -469,4 +469,92 @@ fn the_number_of_a_trace_is_not_the_first_height_of_its_row_either() {
         ..ReadOptions::default()
     };
     assert_eq!(opened(&text, &options).unwrap_err().code(), "E117");
+}
+
+#[test]
+fn a_column_named_depth_is_turned_into_heights_in_every_language_of_the_dialects() {
+    let z = |i: usize| flank(DX_UM * i as f64);
+    let options = ReadOptions::default();
+    let heights = opened(&um("x [um];Height [um]", z), &options).unwrap();
+    for name in [
+        "Depth [um]",
+        "z_depth (um)",
+        "Profile depth [µm]",
+        "depth / um",
+        "Tiefe [µm]",
+        "Profiltiefe [um]",
+        "Profondeur (µm)",
+        "profondità [um]",
+        "Profundidad [um]",
+        "profundidade [um]",
+        "hloubka [um]",
+        "深さ [um]",
+        "深さ(μm)",
+        "深度 [um]",
+        "Глубина [um]",
+    ] {
+        let depths = opened(&um(&format!("x [um];{name}"), |i| -z(i)), &options).unwrap();
+        assert_eq!(depths.profile, heights.profile, "{name}");
+        assert_eq!(codes(&depths), ["W328"], "{name}");
+        let first = format!("{name};x [um]");
+        let swapped = table(&first, |i| -z(i), |i| DX_UM * i as f64);
+        assert_eq!(
+            opened(&swapped, &options).unwrap().profile,
+            heights.profile,
+            "{first}"
+        );
+    }
+    // More words than columns, and a column of its own.
+    let blanks = um("# x (um)  depth in um", |i| -z(i)).replace(';', " ");
+    let depths = opened(&blanks, &options).unwrap();
+    assert_eq!(codes(&depths), ["W328"]);
+    assert_eq!(depths.profile.heights(), heights.profile.heights());
+    // Heights under a line that states a depth.
+    for line in [
+        "Depth of cut;5 um",
+        "Rautiefe;3.2",
+        "Roughness depth Rz;3.2",
+        "Penetration depth 5;um",
+    ] {
+        let read = opened(&um(&format!("{line}\nx [um];z [um]"), z), &options).unwrap();
+        assert_eq!(read.profile, heights.profile, "{line}");
+        assert_eq!(codes(&read), [""; 0], "{line}");
+    }
+}
+
+#[test]
+fn a_stated_sign_overrides_the_name_of_the_column() {
+    let z = |i: usize| flank(DX_UM * i as f64);
+    let stated = |invert| ReadOptions {
+        invert: Some(invert),
+        ..ReadOptions::default()
+    };
+    for name in ["Depth", "z"] {
+        let text = um(&format!("x [um];{name} [um]"), z);
+        let [as_read, turned] = [false, true].map(|invert| opened(&text, &stated(invert)).unwrap());
+        assert_eq!(codes(&as_read), [""; 0]);
+        assert_eq!(codes(&turned), [""; 0]);
+        let back: Vec<f64> = turned.profile.heights().iter().map(|z| -z).collect();
+        assert_eq!(as_read.profile.heights(), back);
+        assert!((as_read.profile.heights()[10] - 1e-6 * z(10)).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn points_with_depths_are_a_surface_of_heights() {
+    let z = |x: usize, y: usize| flank(DX_UM * x as f64) + 0.01 * y as f64;
+    let rows = |sign: f64| -> String {
+        let point = |k: usize| {
+            let (x, y) = (k % 120, k / 120);
+            format!("{};{};{:.9e}\n", 0.5 * x as f64, 2 * y, sign * z(x, y))
+        };
+        (0..360).map(point).collect()
+    };
+    let surface = |name: &str, sign: f64| {
+        let text = format!("x [um];y [um];{name} [um]\n{}", rows(sign));
+        read_surface_bytes("points.csv", text.as_bytes(), &ReadOptions::default()).unwrap()
+    };
+    let (heights, depths) = (surface("z", 1.0), surface("depth", -1.0));
+    assert_eq!(heights.z, depths.z);
+    assert_eq!(depths.warnings, [Warning::DepthsTurned]);
 }

@@ -1,5 +1,6 @@
 //! Calibrations from the losses of a rig.
 
+use asperity::core::number;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -165,7 +166,7 @@ pub fn evidence(
     for (name, hours) in &hours {
         if !Effort::set(&mut efforts, name, *hours) {
             let names = Effort::usual().map(|effort| effort.key).join(", ");
-            let message = format!("hours: {name} = {hours}: the names are {names}");
+            let message = format!("hours: {name} = {}: the names are {names}", number(*hours));
             return Err(Failure::new("E209", message).into());
         }
     }

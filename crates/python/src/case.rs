@@ -1,16 +1,21 @@
 //! Cases: loaded, changed, run.
 
+use asperity::core::number;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity::Run;
 use asperity::case::gear_train::{self, LoadedMesh, LoadedTrain};
-use asperity::case::{self, Formulation, LoadedCase, Source, load_holding, open_source};
+use asperity::case::{
+    self, Content, FileContents, Formulation, LoadedCase, Source, from_contents, load_holding,
+    open_source,
+};
 use asperity::contacts::dry_contact::dry_contact;
 use asperity::core::Profile;
 use asperity::message::Warning;
 use asperity::pipeline::KeptFields;
 use asperity::pipeline::{self, RegimeRow};
+use asperity::quantity::Length;
 use asperity::result::gear_report;
 use asperity_calibration::evidence::{execute, execute_train};
 use pyo3::prelude::*;
@@ -43,6 +48,47 @@ pub struct Train {
     keys: Vec<(String, String)>,
     formulation: Option<Formulation>,
     laws: Vec<(LawOf, Arc<PythonLaw>)>,
+    /// Files in memory, of a case from its content.
+    held: FileContents,
+}
+
+/// A case as content, which is pickled.
+#[derive(FromPyObject, IntoPyObject)]
+#[pyo3(from_item_all)]
+struct CaseContent {
+    /// Path of the case file as the user gave it.
+    name: String,
+    /// Text with every key of a pair of gears, or the text of a gear train.
+    text: String,
+    /// Keys of a gear train set past its text; `None` for a pair of gears.
+    keys: Option<Vec<(String, String)>>,
+    /// Formulation of a gear train, over that of its text.
+    formulation: Option<String>,
+    /// Absolute folder that names of files are relative to.
+    folder: PathBuf,
+    /// Every file that was read.
+    files: Vec<(PathBuf, Vec<u8>)>,
+    /// Traces in memory: spacing in m, and heights in m as little-endian bytes.
+    traces: Vec<(PathBuf, f64, Vec<u8>)>,
+}
+
+impl CaseContent {
+    fn contents(
+        files: Vec<(PathBuf, Vec<u8>)>,
+        traces: Vec<(PathBuf, f64, Vec<u8>)>,
+    ) -> Result<FileContents, Failure> {
+        let files = files.into_iter();
+        let mut contents: FileContents = files
+            .map(|(name, bytes)| (name, Content::Bytes(bytes.into())))
+            .collect();
+        for (name, spacing, bytes) in traces {
+            let (numbers, _) = bytes.as_chunks();
+            let heights = numbers.iter().map(|number| f64::from_le_bytes(*number));
+            let profile = Profile::new(Length::from_si(spacing), heights.collect())?;
+            contents.insert(name, Content::Heights(profile.into()));
+        }
+        Ok(contents)
+    }
 }
 
 /// A case of either kind.
@@ -73,11 +119,39 @@ fn formulation_of(name: Option<&str>) -> Result<Option<Formulation>, Failure> {
     name.map(|name| named("formulation", name)).transpose()
 }
 
+fn name_of(formulation: Formulation) -> String {
+    let name = json!(formulation);
+    name.as_str().unwrap_or_default().to_owned()
+}
+
 /// Film and regime of a mesh.
 #[derive(serde::Serialize)]
 struct MeshRegime {
     title: String,
     rows: Vec<RegimeRow>,
+}
+
+fn traces_of_train() -> Failure {
+    let message =
+        "a case of several meshes takes its traces from files; write them with Profile.write";
+    Failure::new("E205", message)
+}
+
+impl Train {
+    /// The train read again, files in memory before those in `folder`.
+    fn read(self, folder: Option<&Path>) -> Result<Self, Failure> {
+        let loaded = gear_train::load_holding(
+            self.source.clone(),
+            folder,
+            self.held.clone(),
+            &self.keys,
+            self.formulation,
+        )?;
+        Ok(Self {
+            loaded: loaded.in_folder(&self.folder).into(),
+            ..self
+        })
+    }
 }
 
 /// Warnings of all meshes.
@@ -96,8 +170,7 @@ impl Case {
     ) -> Result<Self, Failure> {
         if gear_train::is_train(&source) {
             if !traces.is_empty() {
-                let message = "a case of several meshes takes its traces from files; write them with Profile.write";
-                return Err(Failure::new("E205", message));
+                return Err(traces_of_train());
             }
             let loaded = gear_train::load_set(source.clone(), folder, &keys, formulation)?;
             let train = Train {
@@ -107,6 +180,7 @@ impl Case {
                 keys,
                 formulation,
                 laws: Vec::new(),
+                held: FileContents::new(),
             };
             return Ok(Self {
                 kind: Kind::Train(train.into()),
@@ -197,6 +271,100 @@ impl Case {
         })
     }
 
+    /// The content of the case without its laws in Python.
+    fn content(&self, py: Python<'_>) -> PyResult<CaseContent> {
+        alone(py, || {
+            let (contents, folder) = match &self.kind {
+                Kind::Pair(loaded) => (loaded.contents()?, loaded.folder()),
+                Kind::Train(train) => (train.loaded.contents()?, Some(train.folder.as_path())),
+            };
+            let folder = folder.unwrap_or(Path::new(""));
+            let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
+            let (mut files, mut traces) = (Vec::new(), Vec::new());
+            for (name, content) in contents {
+                match content {
+                    Content::Bytes(bytes) => files.push((name, bytes.to_vec())),
+                    Content::Heights(profile) => {
+                        let heights = profile.heights().iter();
+                        let bytes = heights.flat_map(|height| height.to_le_bytes());
+                        traces.push((name, profile.spacing().si(), bytes.collect()));
+                    }
+                    other => {
+                        let message = format!("{}: {other:?} cannot be pickled", name.display());
+                        return Err(Failure::new("E501", message));
+                    }
+                }
+            }
+            Ok(match &self.kind {
+                Kind::Pair(loaded) => CaseContent {
+                    name: loaded.name().to_owned(),
+                    text: loaded.case.input.to_toml()?,
+                    keys: None,
+                    formulation: None,
+                    folder,
+                    files,
+                    traces,
+                },
+                Kind::Train(train) => CaseContent {
+                    name: train.source.name().to_owned(),
+                    text: train.source.text().to_owned(),
+                    keys: Some(train.keys.clone()),
+                    formulation: train.formulation.map(name_of),
+                    folder,
+                    files,
+                    traces,
+                },
+            })
+        })
+    }
+
+    /// The case of a content.
+    #[staticmethod]
+    fn from_content(py: Python<'_>, content: CaseContent) -> PyResult<Self> {
+        let formulation = formulation_of(content.formulation.as_deref())?;
+        alone(py, || {
+            let held = CaseContent::contents(content.files, content.traces)?;
+            let kind = match content.keys {
+                None => {
+                    let loaded = from_contents(&content.name, &content.text, held)?;
+                    Kind::Pair(loaded.in_folder(&content.folder).into())
+                }
+                Some(keys) => {
+                    let source =
+                        Source::new(&content.name, &content.text).map_err(asperity::Error::from)?;
+                    let loaded = gear_train::load_holding(
+                        source.clone(),
+                        None,
+                        held.clone(),
+                        &keys,
+                        formulation,
+                    )?;
+                    Kind::Train(Box::new(Train {
+                        loaded: loaded.in_folder(&content.folder).into(),
+                        source,
+                        folder: content.folder,
+                        keys,
+                        formulation,
+                        laws: Vec::new(),
+                        held,
+                    }))
+                }
+            };
+            Ok(Self { kind })
+        })
+    }
+
+    /// SHA-256 of everything that the result follows from, without laws in Python.
+    #[getter]
+    fn fingerprint(&self) -> String {
+        self.train()
+            .with_laws(&|mut case| {
+                case.laws = Default::default();
+                case
+            })
+            .fingerprint()
+    }
+
     /// The case with keys set, or taken away where the value is none.
     fn replace(
         &self,
@@ -233,13 +401,18 @@ impl Case {
                     all.retain(|(before, _)| *before != key);
                     all.push((key, value));
                 }
-                let changed = Self::of(
-                    train.source.clone(),
-                    &train.folder,
-                    &held,
-                    all,
-                    train.formulation,
-                )?;
+                if !held.is_empty() {
+                    return Err(traces_of_train());
+                }
+                let changed = Train {
+                    keys: all,
+                    laws: Vec::new(),
+                    ..train.as_ref().clone()
+                };
+                let changed = changed.read(Some(&train.folder))?;
+                let changed = Self {
+                    kind: Kind::Train(changed.into()),
+                };
                 let laws = train.laws.iter();
                 Ok(laws.fold(changed, |case, (kind, law)| case.with(*kind, law)))
             }
@@ -355,11 +528,16 @@ impl Case {
         &self,
         py: Python<'_>,
         detail: &str,
-        band: bool,
+        band: Option<bool>,
         threads: Option<isize>,
         progress: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Outcome> {
         let detail: Detail = named("detail", detail)?;
+        if (detail, band) == (Detail::Losses, Some(true)) {
+            let message = "detail = \"losses\" has no interval of the loss; leave band out, or run with detail = \"contacts\"";
+            return Err(Failure::new("E205", message).into());
+        }
+        let band = band.unwrap_or(detail == Detail::Fields);
         in_parallel(py, threads, progress.as_ref(), |told| {
             let shown = |done, total| told.tell(done, total);
             let found = match (&self.kind, detail) {
@@ -378,6 +556,7 @@ impl Case {
                 }
                 (Kind::Pair(loaded), Detail::Contacts) => Found::Whole(
                     Run::new(loaded)
+                        .band(band)
                         .progress(&shown)
                         .without_pictures()
                         .execute()?
@@ -461,7 +640,7 @@ impl Case {
 pub fn on_the_path(place: Option<f64>) -> Result<Option<f64>, Failure> {
     match place {
         Some(place) if !(0.0..=1.0).contains(&place) => {
-            let message = format!("position {place}: must be 0 (A) to 1 (E)");
+            let message = format!("position {}: must be 0 (A) to 1 (E)", number(place));
             Err(Failure::new("E209", message))
         }
         place => Ok(place),

@@ -184,7 +184,7 @@ pub fn cycle(
         let file = Path::new(&name);
         let table = table.map_or_else(|| text(file), Ok)?;
         let trace = driving::cycle(&table, map.input.vehicle());
-        let trace = trace.map_err(|error| Failure::new("E101", error.to_string()).about(&name))?;
+        let trace = trace.map_err(|error| Failure::new(error.code(), error.to_string()).about(&name))?;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
         let found = driving::evaluate(&map, temperature, (&trace, &stem), allow_outside);
         let found = found.map_err(|error| match error {
@@ -316,7 +316,7 @@ impl Map {
                         let found = driving::cycle(&text(file)?, self.0.input.vehicle());
                         let name = file.display().to_string();
                         Some(found.map_err(|error| {
-                            Failure::new("E101", error.to_string()).about(&name)
+                            Failure::new(error.code(), error.to_string()).about(&name)
                         })?)
                     }
                     None => None,
@@ -324,6 +324,7 @@ impl Map {
             let with = With {
                 added: added.as_ref(),
                 cycle: cycle.as_ref(),
+                beside: None,
             };
             let files = export(&self.0, format, with)?;
             Ok(files

@@ -34,6 +34,12 @@ impl Cases {
         self.0.count()
     }
 
+    /// SHA-256 of everything that the cases follow from.
+    #[getter]
+    fn study(&self) -> &str {
+        self.0.study()
+    }
+
     /// Names of the columns of a row.
     #[getter]
     fn header(&self) -> Vec<String> {

@@ -4,6 +4,7 @@ import concurrent.futures
 import json
 import multiprocessing
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -128,6 +129,106 @@ def test_cases_and_results_go_to_other_processes(case):
     assert pickle.loads(pickle.dumps(case.regime())) == case.regime()
 
 
+@pytest.fixture
+def on_disk(tmp_path):
+    """A case file with its traces, which a test may edit."""
+    for name in ("ground_pinion.csv", "ground_wheel.csv"):
+        (tmp_path / name).write_bytes((PROFILES / name).read_bytes())
+    text = (CASES / "e-drive.toml").read_text().replace("../profiles/", "")
+    (tmp_path / "case.toml").write_text(text + "\n[model]\npositions = 4\noffsets = 2\n")
+    return tmp_path / "case.toml"
+
+
+def edit_case(file):
+    file.write_text(file.read_text().replace("145 N m", "90 N m"))
+
+
+def edit_trace(file):
+    other = PROFILES / "superfinished.csv"
+    (file.parent / "ground_pinion.csv").write_bytes(other.read_bytes())
+
+
+def remove_all(file):
+    for other in list(file.parent.iterdir()):
+        other.unlink()
+
+
+@pytest.mark.parametrize("edit", [edit_case, edit_trace, remove_all])
+def test_a_pickled_case_is_its_content_and_not_its_path(on_disk, edit):
+    case = asperity.Case(on_disk)
+    loss = case.run("losses").loss_w
+    stored = pickle.dumps(case)
+    edit(on_disk)
+    again = pickle.loads(stored)
+    assert again == case and hash(again) == hash(case)
+    assert again.run("losses").loss_w == loss
+    hot = {"operation.bulk_temperature": "110 °C", "surface.cutoff": "0.2 mm"}
+    assert pickle.loads(pickle.dumps(again)).replace(hot).run("losses").loss_w == again.replace(hot).run("losses").loss_w
+
+
+@pytest.mark.parametrize("edit", [edit_trace, remove_all])
+def test_a_case_whose_files_have_changed_is_not_pickled(on_disk, edit):
+    case = asperity.Case(on_disk)
+    edit(on_disk)
+    with pytest.raises(asperity.AsperityError) as refused:
+        pickle.dumps(case)
+    assert refused.value.code == "E140"
+
+
+def test_caches_tell_edited_cases_apart(on_disk, tmp_path):
+    base = pytest.importorskip("dask.base")
+    joblib = pytest.importorskip("joblib")
+    cached = joblib.Memory(tmp_path / "cache", verbose=0).cache(loss_of)
+    first = asperity.Case(on_disk)
+    assert base.tokenize(first) == base.tokenize(asperity.Case(on_disk)) and cached(first) == loss_of(first)
+    edit_case(on_disk)
+    other = asperity.Case(on_disk)
+    assert base.tokenize(first) != base.tokenize(other) and first != other
+    assert cached(other) == loss_of(other) != loss_of(first)
+
+
+def loss_of(case):
+    return case.run("losses").loss_w
+
+
+@pytest.mark.parametrize("kind", SETS)
+def test_a_pickled_train_is_its_content(kind):
+    case = asperity.Case(SETS[kind])
+    again = pickle.loads(pickle.dumps(case))
+    assert again == case and again.is_planetary == case.is_planetary
+    changed = {"operation.bulk_temperature": "100 °C"}
+    assert again.replace(changed) == case.replace(changed) != case
+    mesh = case.mesh(case.meshes[0])
+    assert pickle.loads(pickle.dumps(mesh)) == mesh
+
+
+def test_short_ways_warn_as_a_run_does(case):
+    hot = case.replace({"operation.bulk_temperature": "250 °C"})
+
+    def codes(work):
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            work()
+        return {found.message.code for found in told if isinstance(found.message, asperity.AsperityWarning)}
+
+    whole = codes(lambda: hot.run("contacts"))
+    assert {"W401", "W409"} <= whole
+    assert codes(lambda: hot.run("losses")) == whole
+    finishes = {"ground": PROFILES / "ground_pinion.csv", "fine": PROFILES / "superfinished.csv"}
+    assert "W401" in codes(lambda: asperity.compare(hot, finishes, offsets=2))
+    assert "W401" in codes(lambda: asperity.map(hot, torque_nm=[100], speed_rpm=[9000], band="none"))
+    assert "W401" in codes(lambda: asperity.sweep(hot, {"torque_nm": [100]}).run())
+    rows = asperity.sweep(hot, {"torque_nm": [100]}).run()
+    assert "W401" in rows.outside[0].split()
+
+
+def test_losses_have_no_interval_and_say_so(case):
+    with pytest.raises(ValueError) as refused:
+        case.run("losses", band=True)
+    assert refused.value.code == "E205"
+    assert "uncertainty" in case.run("contacts", band=True)
+
+
 def losses_of(case):
     return case.run("losses")
 
@@ -151,6 +252,13 @@ def test_a_gear_train_has_the_results_of_its_meshes():
     assert not case.is_planetary and len(result.meshes) == 2
     assert result.loss_w == result.meshes[0].loss_w + result.meshes[1].loss_w
     assert case.meshes == ["a", "z"]
+    assert list(result.path.mesh) == [name for name, mesh in zip(case.meshes, result.meshes) for _ in mesh.path]
+    assert list(result.path.path_fraction) == [at for mesh in result.meshes for at in mesh.path.path_fraction]
+    assert "mesh" not in result.meshes[0].path.columns and "path_fraction" in result.to_pandas()
+    for of_one in (result.plot, result.fields, result.to_xarray):
+        with pytest.raises(asperity.AsperityError) as refused:
+            of_one()
+        assert refused.value.code == "E402" and "meshes[0]" in str(refused.value)
     assert case.mesh("z").run("losses").loss_w == result.meshes[1].loss_w
     wider = case.replace({"mesh.a.gears.face_width": "30 mm"}).run()
     assert wider.loss_w != result.loss_w

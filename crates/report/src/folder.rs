@@ -1,6 +1,7 @@
 //! The result folder: written as a whole, next to its target and then moved there, and read back.
 
 use std::fs;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use asperity::UnsolvedContact;
@@ -253,12 +254,13 @@ pub fn write_text(file: &Path, text: &str) -> Result<(), ReportError> {
     write_bytes(file, text.as_bytes())
 }
 
-/// Writes `bytes` into a folder under construction.
+/// Writes `bytes` as a new file into a folder under construction.
 ///
 /// # Errors
-/// When a file cannot be written.
+/// When a file cannot be written, or another one has its name.
 pub fn write_bytes(file: &Path, bytes: &[u8]) -> Result<(), ReportError> {
-    fs::write(file, bytes).map_err(ReportError::io(file))
+    let written = fs::File::create_new(file).and_then(|mut new| new.write_all(bytes));
+    written.map_err(ReportError::io(file))
 }
 
 /// Makes `folder` and its parents.

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use asperity::case::gear_train::mesh_folder;
 use asperity::gear_train::{MeshRow, TrainOutcome, TrainResult};
 use asperity::message::Warning;
 use asperity_storage::{check_folder, replace_folder, write_among};
@@ -20,7 +21,7 @@ use crate::printed::stated;
 use crate::ridges;
 use crate::summary::{besides_the_mesh, not_converged, note, weightiest};
 use crate::tables;
-use crate::tiles::Tile;
+use crate::tiles::{Tile, TileKind};
 use crate::wrap::{COLUMNS, wrapped};
 
 /// Kind of the folder in messages.
@@ -32,11 +33,6 @@ const KIND: &str = "gear train result";
 /// When `target` holds something else.
 pub fn check_train_place(target: &Path) -> Result<(), ReportError> {
     Ok(check_folder(target, KIND)?)
-}
-
-/// Folder of a mesh: its name as one word, `sun_planet` of "sun and planet".
-fn folder_of(mesh: &str) -> String {
-    mesh.replace(" and ", "_").replace(", ", "_")
 }
 
 /// Writes `outcome` as folder `target`: `train.json` (`planetary.json` of a case `[planetary]`), `meshes.csv`,
@@ -57,7 +53,7 @@ pub fn write_train(
             write_bytes(&folder.join(name), &text)?;
         }
         for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
-            let place = folder.join(folder_of(&row.mesh));
+            let place = folder.join(mesh_folder(&row.mesh));
             make_subfolder(&place)?;
             fill(mesh, &place, fields)?;
         }
@@ -74,7 +70,7 @@ pub fn texts_of_train(outcome: &TrainOutcome) -> Result<Vec<(String, Vec<u8>)>, 
     let whole = texts_of_whole(outcome)?.into_iter();
     files.extend(whole.map(|(name, text)| (name.to_owned(), text)));
     for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
-        let folder = folder_of(&row.mesh);
+        let folder = mesh_folder(&row.mesh);
         let of_mesh = texts(mesh)?.into_iter();
         files.extend(of_mesh.map(|(name, text)| (format!("{folder}/{name}"), text)));
     }
@@ -109,7 +105,7 @@ pub fn write_load_points_of_train(
     let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
     let files = meshes.map(|(mesh, row)| {
         let (name, text) = load_points(mesh)?;
-        Ok((format!("{}/{name}", folder_of(&row.mesh)), text))
+        Ok((format!("{}/{name}", mesh_folder(&row.mesh)), text))
     });
     let files = files.collect::<Result<Vec<_>, ReportError>>()?;
     Ok(write_among(target, &files)?)
@@ -123,10 +119,12 @@ pub fn summary_of_train(outcome: &TrainOutcome) -> String {
     tables_of_train(&outcome.result) + &notes.collect::<String>()
 }
 
-/// The result of a gear train for the terminal, with the ridges and at most one warning of each mesh, as [`crate::brief`].
+/// The result of a gear train for the terminal, with its own warnings, the ridges and at most one warning of each mesh, as [`crate::brief`].
 #[must_use]
 pub fn brief_of_train(outcome: &TrainOutcome) -> String {
     let mut text = tables_of_train(&outcome.result);
+    let of_train = outcome.result.warnings.iter();
+    text.extend(of_train.map(|warning| note(warning, COLUMNS)));
     for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
         if let Some(ridges) = ridges::line(&mesh.result) {
             let line = format!("{}: {ridges}", row.mesh);
@@ -145,14 +143,15 @@ fn of_mesh(warning: &Warning, mesh: &MeshRow) -> Warning {
     warning.with(&format!(" [{}]", mesh.mesh))
 }
 
-/// All warnings, each with its mesh.
+/// All warnings, with the names of the meshes.
 fn warnings_of(outcome: &TrainOutcome) -> Vec<Warning> {
     let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
     let warnings = meshes.flat_map(|(mesh, row)| {
         let warnings = mesh.result.warnings.iter();
         warnings.map(move |warning| of_mesh(warning, row))
     });
-    warnings.collect()
+    let of_train = outcome.result.warnings.iter().cloned();
+    of_train.chain(warnings).collect()
 }
 
 /// Losses, meshes and shafts of a gear train for the terminal.
@@ -171,12 +170,6 @@ pub fn tables_of_train(result: &TrainResult) -> String {
             "efficiency (gearbox)      {efficiency}   loss {loss}\n"
         ));
         text.push_str(&format!("{}\n", wrapped(&besides_the_mesh(gearbox), "  ")));
-        for part in &gearbox.parts {
-            for outside in &part.outside {
-                let text_of_part = format!("W401 {}: {outside}", part.name);
-                text.push_str(&format!("{}\n", wrapped(&text_of_part, "     ")));
-            }
-        }
     }
     for (name, set) in result.planetary_sets() {
         let name = if name.is_empty() {
@@ -241,18 +234,15 @@ pub fn tables_of_train(result: &TrainResult) -> String {
             rpm(row.speed_rad_per_s),
         ));
     }
-    if result
-        .planetary_sets()
-        .any(|(_, set)| !set.can_be_equally_spaced)
-    {
-        text.push_str("equally spaced planets cannot be assembled with these tooth numbers\n");
-    }
     text
 }
 
 fn rpm(speed: f64) -> String {
     format!("{:.1}", speed * 30.0 / std::f64::consts::PI)
 }
+
+/// Place of the loss of all meshes in the headline.
+const LOSS: usize = 1;
 
 /// Names and values of the headline.
 fn headline(result: &TrainResult) -> Vec<[String; 2]> {
@@ -287,6 +277,7 @@ fn headline(result: &TrainResult) -> Vec<[String; 2]> {
 #[must_use]
 pub fn tiles_of_train(result: &TrainResult) -> Vec<Tile> {
     let mut tiles: Vec<Tile> = headline(result).into_iter().map(Tile::of).collect();
+    tiles[LOSS].kind = TileKind::Loss;
     if result.loss_distribution.is_some() {
         tiles[0].note = "median, in brackets 5 to 95 %".to_owned();
     }
@@ -320,9 +311,6 @@ fn summary_page(outcome: &TrainOutcome) -> String {
         (evidence(&result.evidence, &|loss| result.digits().rounded(loss)))
         @if let Some(heat) = &result.heat { p { (heat.line()) "." } }
         @if let Some(gearbox) = &result.gearbox { (section(gearbox, result.loss_distribution.is_some())) }
-        @for (name, _) in result.planetary_sets().filter(|(_, set)| !set.can_be_equally_spaced) {
-            p { @if !name.is_empty() { (name) ": " } "equally spaced planets cannot be assembled with these tooth numbers." }
-        }
         (warnings(&warnings_of(outcome)))
     };
     page(
@@ -348,7 +336,7 @@ fn meshes(result: &TrainResult) -> Markup {
             tbody { @for row in &result.meshes {
                 @let [loss, efficiency, mu] = row.with_digits();
                 tr {
-                    td { a href={ (folder_of(&row.mesh)) "/report.html" } { (row.mesh) } }
+                    td { a href={ (mesh_folder(&row.mesh)) "/report.html" } { (row.mesh) } }
                     td.number { (row.count) }
                     td.number { (format!("{:.3}", row.torque_nm)) }
                     td.number { (rpm(row.speed_rad_per_s)) }

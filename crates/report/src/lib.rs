@@ -45,5 +45,5 @@ pub use summary::{
     besides_the_mesh, brief, headline, models, published_laws, summary, summary_within,
 };
 pub use thin::thin;
-pub use tiles::{Tile, tiles};
+pub use tiles::{Tile, TileKind, tiles};
 pub use wrap::{COLUMNS, wrapped, wrapped_within};

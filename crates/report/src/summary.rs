@@ -6,7 +6,7 @@ use crate::printed::{PrintedLoss, gearbox_with_interval, of_mesh, stated, stated
 use crate::ridges;
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped, wrapped_within};
-use asperity::message::Warning;
+use asperity::message::{Subject, Warning};
 use asperity::result::loss_band::{Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
     BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
@@ -54,20 +54,19 @@ pub fn headline(result: &RunResult) -> String {
 const LARGE_LOAD_ERROR: f64 = 0.011;
 /// Codes of warnings about inputs that make the result doubtful, the most important first.
 const DOUBTFUL: &[&str] = &[
-    "W402", "W426", "W412", "W405", "W441", "W322", "W117", "W201", "W124", "W327", "W128", "W112",
+    "W201", "W402", "W426", "W412", "W405", "W441", "W322", "W117", "W124", "W327", "W128", "W112",
     "W132", "W448", "W118", "W111", "W125",
 ];
-/// Component of the uncertainty that a warning is about, by the code and a word of the text.
-const COMPONENTS: &[(&str, &str, &str)] = &[
-    ("W439", "", "tip relief not stated"),
-    ("W401", "Gold", "pressure-viscosity"),
-    ("W415", "", "error of the fast model"),
-    ("W404", "", "sampling of the flanks"),
-    ("W406", "", "sampling of the flanks"),
-    ("W407", "", "sampling of the flanks"),
-    ("W417", "", "sampling of the flanks"),
-    ("W418", "", "sampling of the flanks"),
-    ("W437", "", "sampling of the flanks"),
+/// Component of the uncertainty that the warnings of a code are about.
+const SUBJECTS: &[(&str, Subject)] = &[
+    ("W439", Subject::TipRelief),
+    ("W415", Subject::FastModel),
+    ("W404", Subject::Sampling),
+    ("W406", Subject::Sampling),
+    ("W407", Subject::Sampling),
+    ("W417", Subject::Sampling),
+    ("W418", Subject::Sampling),
+    ("W437", Subject::Sampling),
 ];
 
 /// The warning of the first screen, with its worth in words.
@@ -92,12 +91,14 @@ fn worth(warning: &Warning, result: &RunResult) -> Option<f64> {
     if let ("W421", Some(edges)) = (&*warning.code, &result.load.edge_contact) {
         return Some((edges.with / edges.without - 1.0).abs() * result.summary.sliding_w);
     }
-    let is_about = |(code, word, _): &&(&str, &str, &str)| {
-        *code == warning.code && warning.text.contains(word)
-    };
-    let (.., name) = COMPONENTS.iter().find(is_about)?;
+    let of_code = SUBJECTS.iter().find(|(code, _)| *code == warning.code);
+    let subject = warning.about.or(of_code.map(|(_, subject)| *subject))?;
     let mut parts = result.uncertainty.as_ref()?.loss.parts.iter();
-    Some(parts.find(|part| part.name == *name)?.half_range_w())
+    Some(
+        parts
+            .find(|part| part.about == Some(subject))?
+            .half_range_w(),
+    )
 }
 
 pub(crate) fn note(warning: &Warning, columns: usize) -> String {
@@ -437,7 +438,17 @@ fn composition(uncertainty: &Uncertainty, columns: usize) -> String {
             INDENT,
             columns,
         ));
-        text.push_str(&line(&remedies(&parts, columns), INDENT, columns));
+        // Of flanks without traces the sampling is narrowed by traces.
+        let is_vain = |part: &UncertaintyPart| {
+            part.about == Some(Subject::Sampling)
+                && uncertainty.with_traces_w.is_some()
+                && !uncertainty.traces_narrow()
+        };
+        let narrowed = parts.into_iter().filter(|part| !is_vain(part));
+        let narrowed: Vec<&UncertaintyPart> = narrowed.collect();
+        if !narrowed.is_empty() {
+            text.push_str(&line(&remedies(&narrowed, columns), INDENT, columns));
+        }
     }
     if uncertainty.trust != Trust::SolvedContact {
         let trust = format!("trust  {}", uncertainty.trust_text());

@@ -20,6 +20,21 @@ pub struct Tile {
     pub rows: Vec<[String; 2]>,
     /// Explanation of the value; may be empty.
     pub note: String,
+    /// Its subject.
+    #[serde(skip)]
+    pub kind: TileKind,
+}
+
+/// Subject of a part of the headline.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum TileKind {
+    /// Loss of the mesh, or of all meshes.
+    Loss,
+    /// Largest contributions to the interval of the loss.
+    Sources,
+    /// All others.
+    #[default]
+    Other,
 }
 
 impl Tile {
@@ -57,7 +72,10 @@ pub fn tiles(result: &RunResult) -> Vec<Tile> {
         ..Tile::of([name.to_owned(), value])
     };
     let mut tiles = vec![
-        tile("loss of the mesh", loss, interval.to_owned()),
+        Tile {
+            kind: TileKind::Loss,
+            ..tile("loss of the mesh", loss, interval.to_owned())
+        },
         tile(
             "efficiency of the mesh",
             efficiency,
@@ -109,6 +127,7 @@ fn contributions(result: &RunResult) -> Option<Tile> {
         });
     Some(Tile {
         note: "5 to 95 % of the loss, each drawn alone".to_owned(),
+        kind: TileKind::Sources,
         ..Tile::rows("sources of the interval", rows.collect())
     })
 }

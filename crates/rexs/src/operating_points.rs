@@ -136,7 +136,7 @@ impl Point<'_> {
                 && let Some(data) = self.model.components.get(data)
                 && let Some((torque, from)) = self.number(data, "torque", Unit::NewtonMetre)?
             {
-                return Ok(Some((torque.abs(), from)));
+                return Ok(Some((torque.abs(), signed(from, torque))));
             }
         }
         let mut known = Vec::new();
@@ -145,7 +145,8 @@ impl Point<'_> {
             if let Some((torque, from)) = torque.filter(|(torque, _)| *torque != 0.0)
                 && let Some(ratio) = shaft_of(self.model, &load.id).and_then(|of| turns.get(of))
             {
-                known.push(((torque * ratio).abs(), through(from, *ratio)));
+                let from = signed(through(from, *ratio), torque);
+                known.push(((torque * ratio).abs(), from));
             }
         }
         Ok((known.len() == 1).then(|| known.swap_remove(0)))
@@ -164,6 +165,15 @@ impl Point<'_> {
             }
         }
         Ok(None)
+    }
+}
+
+/// The source of a torque, with a note where its sign is left out: files count it about the axis of a shaft, a case positive
+/// where the pinion drives.
+fn signed(from: String, torque: f64) -> String {
+    match torque < 0.0 {
+        true => format!("{from}, negative there; state it negative if the wheel drives"),
+        false => from,
     }
 }
 

@@ -7,7 +7,7 @@
 //! | z | heights over the least-squares plane | m |
 //! | ρ(t) | autocorrelation, unbiased over the overlap, ρ(0) = 1 | - |
 //! | Sal, Str | least distance with ρ = 0.2, and its ratio to the largest one | m, - |
-//! | Std | direction in which the sum of the spectral amplitudes is largest | ° |
+//! | Std | direction in which the angular power spectrum is largest | ° |
 //!
 //! Points without a height are left out of all sums.
 
@@ -276,34 +276,95 @@ impl Grid {
         }
     }
 
-    /// Std \[°\]: the half degree with the largest sum of amplitudes.
+    /// Std \[°\]: the direction in which the angular power spectrum is largest.
+    ///
+    /// The spectrum is summed in sectors about each half degree; from the largest sum on, the direction is the mean of the
+    /// spatial frequencies about it, weighted by their power, until it stays. A sector is at least a few lines of the spectrum
+    /// wide, over which the window spreads a wave.
     fn direction(&self) -> f64 {
         const STEPS_PER_DEGREE: f64 = 2.0;
         const BINS: usize = 360;
-        let mut lines: Vec<Complex<f64>> = self
-            .z
-            .iter()
-            .map(|z| Complex::new(if z.is_finite() { *z } else { 0.0 }, 0.0))
-            .collect();
-        transform(&mut lines, self.columns, self.rows);
-        let frequency = |k: usize, n: usize, d: f64| {
-            let k = if 2 * k > n {
-                k as f64 - n as f64
-            } else {
-                k as f64
-            };
-            k / (n as f64 * d)
+        /// Standard deviation of the weights of a sector \[rad\]: 5°.
+        const SECTOR: f64 = std::f64::consts::PI / 36.0;
+        /// Least standard deviation in distances of the lines; the window spreads a wave over two to either side.
+        const LINES: f64 = 2.5;
+        const MOST_ITERATIONS: usize = 100;
+        /// Angle \[rad\] to which the direction is determined.
+        const ACCURACY: f64 = 1e-6;
+        let power = self.power();
+        let mut bins = [0.0_f64; BINS];
+        for &[fx, fy, power] in &power {
+            let degrees = fy.atan2(fx).to_degrees().rem_euclid(180.0);
+            bins[((degrees * STEPS_PER_DEGREE) as usize).min(BINS - 1)] += power;
+        }
+        let weight = |bins: usize| {
+            let angle = (bins.min(BINS - bins) as f64 / STEPS_PER_DEGREE).to_radians();
+            (-0.5 * (angle / SECTOR).powi(2)).exp()
         };
-        let mut sums = [0.0_f64; BINS];
-        for (k, line) in lines.iter().enumerate().skip(1) {
+        let sector = |k: usize| {
+            let parts = bins.iter().enumerate();
+            parts
+                .map(|(at, sum)| weight(at.abs_diff(k)) * sum)
+                .sum::<f64>()
+        };
+        let sums: Vec<f64> = (0..BINS).map(sector).collect();
+        let largest = sums.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
+        let middle = |bin: usize| ((bin as f64 + 0.5) / STEPS_PER_DEGREE).to_radians();
+        let mut angle = largest.map_or(0.0, |(bin, _)| middle(bin));
+        for _ in 0..MOST_ITERATIONS {
+            let (sin, cos) = angle.sin_cos();
+            let along = sin / (self.columns as f64 * self.dx);
+            let least = LINES * along.hypot(cos / (self.rows as f64 * self.dy));
+            let (mut ahead, mut aside) = (0.0, 0.0);
+            for &[fx, fy, power] in &power {
+                let (u, v) = (fx * cos + fy * sin, fy * cos - fx * sin);
+                let variance = SECTOR.powi(2) * (u * u + v * v) + least * least;
+                let weighted = power * (-0.5 * v * v / variance).exp();
+                ahead += weighted * u.abs();
+                aside += weighted * v * u.signum();
+            }
+            let step = aside.atan2(ahead);
+            angle += step;
+            if step.abs() < ACCURACY {
+                break;
+            }
+        }
+        let degrees = angle.to_degrees().rem_euclid(180.0);
+        // To the digits of the iteration, so that 0 is not 179.99999.
+        (degrees * 1e3).round().rem_euclid(180e3) / 1e3
+    }
+
+    /// Spatial frequencies \[1/m\] of half of the spectrum with their power, after a Hann window. A wave is spread over two lines to
+    /// either side, and its mean stays.
+    fn power(&self) -> Vec<[f64; 3]> {
+        let hann = |k: usize, n: usize| {
+            (std::f64::consts::PI * (k as f64 + 0.5) / n as f64)
+                .sin()
+                .powi(2)
+        };
+        let window =
+            |k: usize| hann(k % self.columns, self.columns) * hann(k / self.columns, self.rows);
+        let known = || self.z.iter().enumerate().filter(|(_, z)| z.is_finite());
+        let (sum, weights) = known().fold((0.0, 0.0), |(sum, weights), (k, z)| {
+            (sum + window(k) * z, weights + window(k))
+        });
+        let mean = sum / weights;
+        let mut lines = vec![Complex::new(0.0, 0.0); self.z.len()];
+        for (k, z) in known() {
+            lines[k].re = window(k) * (z - mean);
+        }
+        transform(&mut lines, self.columns, self.rows);
+        let frequency = |k: usize, n: usize, d: f64| match 2 * k > n {
+            true => (k as f64 - n as f64) / (n as f64 * d),
+            false => k as f64 / (n as f64 * d),
+        };
+        let all = lines.iter().enumerate().map(|(k, line)| {
             let fx = frequency(k % self.columns, self.columns, self.dx);
             let fy = frequency(k / self.columns, self.rows, self.dy);
-            let degrees = fy.atan2(fx).to_degrees().rem_euclid(180.0);
-            let bin = ((degrees * STEPS_PER_DEGREE) as usize).min(BINS - 1);
-            sums[bin] += line.norm();
-        }
-        let largest = sums.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
-        largest.map_or(0.0, |(bin, _)| bin as f64 / STEPS_PER_DEGREE)
+            [fx, fy, line.norm_sqr()]
+        });
+        all.filter(|[fx, fy, _]| *fy > 0.0 || (*fy == 0.0 && *fx > 0.0))
+            .collect()
     }
 }
 

@@ -4,7 +4,7 @@
 //! Rpk of the whole, and the contacts on them are not those of the finish.
 
 use asperity_core::Profile;
-use asperity_core::numerics::extremes;
+use asperity_core::numerics::{extremes, median};
 use asperity_core::quantity::Length;
 
 use crate::height_parameters::sections_in;
@@ -41,12 +41,9 @@ pub(crate) fn dominant(
     let ranges = bounds.windows(2).map(|ends| extremes(&z[ends[0]..ends[1]]));
     let ranges: Vec<(f64, f64)> = ranges.collect();
     let height = |(low, high): &(f64, f64)| high - low;
-    let mut heights: Vec<f64> = ranges.iter().map(height).collect();
-    heights.sort_by(f64::total_cmp);
-    let (median, highest) = (
-        0.5 * (heights[(n - 1) / 2] + heights[n / 2]),
-        heights[n - 1],
-    );
+    let heights: Vec<f64> = ranges.iter().map(height).collect();
+    let median = median(heights.iter().copied())?;
+    let highest = heights.into_iter().fold(0.0, f64::max);
     // Rounding errors of a plane with an offset are no features.
     let (low, high) = extremes(primary.heights());
     let rounding = 1e3 * f64::EPSILON * low.abs().max(high.abs());

@@ -1,7 +1,7 @@
 //! Errors of filters, parameters and generators.
 
-use asperity_core::DomainError;
 use asperity_core::quantity::Length;
+use asperity_core::{DomainError, number};
 use serde::Serialize;
 
 /// Errors of filters, parameters and generators.
@@ -32,7 +32,7 @@ pub enum RoughnessError {
         purpose: &'static str,
     },
     /// The profile has no suitable summit.
-    #[error("no summit with a {window} window on either side lies above the {level}")]
+    #[error("no summit with a {window:.6} window on either side lies above the {level}")]
     NoSummit {
         /// Half width of the curvature window.
         window: Length,
@@ -40,7 +40,7 @@ pub enum RoughnessError {
         level: &'static str,
     },
     /// The summits are flat or hollow on average, so they have no radius.
-    #[error("the mean curvature of {count} summits is {curvature:e} 1/m: they have no radius")]
+    #[error("the mean curvature of {count} summits is {curvature} 1/m: they have no radius", curvature = number(*curvature))]
     NoRadius {
         /// Number of summits.
         count: usize,

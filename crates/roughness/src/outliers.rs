@@ -12,6 +12,7 @@
 //! remains. Towards the ends the window narrows symmetrically; the outermost points are never replaced.
 
 use asperity_core::cite;
+use asperity_core::numerics::{median, median_in_place};
 use asperity_core::profile::WIDEST_SPIKE;
 use asperity_core::quantity::Length;
 use asperity_core::{DomainError, Profile};
@@ -112,7 +113,7 @@ pub fn replace(
         "must lie between 1 and 1000 and fit into the profile",
     )?;
     let (distances, deviations) = distances(z, w);
-    let floor = median(&mut deviations.clone());
+    let floor = median(deviations.iter().copied()).unwrap_or_default();
     let threshold = |i: usize| k * NORMAL * deviations[i].max(floor);
     let outlier = |i: usize| distances[i] > threshold(i);
     let (mut cleaned, mut longest, mut replaced) = (z.to_vec(), 0, 0);
@@ -148,9 +149,11 @@ fn distances(z: &[f64], half_window: usize) -> (Vec<f64>, Vec<f64>) {
             // With a one-sided window slopes at the ends would be detected as spikes.
             let w = half_window.min(i).min(z.len() - 1 - i);
             window.extend_from_slice(&z[i - w..=i + w]);
-            let middle = median(&mut window);
+            // A window is never empty.
+            let middle = median_in_place(&mut window).unwrap_or_default();
             window.iter_mut().for_each(|z| *z = (*z - middle).abs());
-            ((z[i] - middle).abs(), median(&mut window))
+            let deviation = median_in_place(&mut window).unwrap_or_default();
+            ((z[i] - middle).abs(), deviation)
         })
         .unzip()
 }
@@ -165,10 +168,4 @@ fn bridge(z: &mut [f64], start: usize, length: usize) {
     for (step, z) in z[start..start + length].iter_mut().enumerate() {
         *z = from + (to - from) * (step + 1) as f64 / (length + 1) as f64;
     }
-}
-
-/// The median; for an even number the upper of the two middle values.
-fn median(values: &mut [f64]) -> f64 {
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }

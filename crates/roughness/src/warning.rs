@@ -35,7 +35,7 @@ pub enum Warning {
     },
     /// The grid is too coarse for the short-wave filter.
     #[error(
-        "spacing {spacing:.4} is more than a fifth of lambda_s {lambda_s}: the filter is poorly sampled"
+        "spacing {spacing:.4} is more than a fifth of lambda_s {lambda_s:.6}: the filter is poorly sampled"
     )]
     CoarseForLambdaS {
         /// Spacing of the profile.
@@ -44,7 +44,7 @@ pub enum Warning {
         lambda_s: Length,
     },
     /// Fewer sampling lengths than the standard five (ISO 4288).
-    #[error("{sections} sampling lengths of {lambda_c} in {length:.4}; five are usual")]
+    #[error("{sections} sampling lengths of {lambda_c:.6} in {length:.4}; five are usual")]
     FewSections {
         /// Number of sections.
         sections: usize,
@@ -67,7 +67,7 @@ pub enum Warning {
     },
     /// A few sections are much higher than the others: a groove, a step or an edge.
     #[error(
-        "a groove, a step or an edge between {from:.4} and {to:.4} of the trace dominates it: Rz is up to {highest:.3}, at {at:.4}, and above {OUTSIDE} times the median of {median:.3} in {count} of {sections} sections of {section}; before the roughness filter the heights there span {span:.3}"
+        "a groove, a step or an edge between {from:.4} and {to:.4} of the trace dominates it: Rz is up to {highest:.3}, at {at:.4}, and above {OUTSIDE} times the median of {median:.3} in {count} of {sections} sections of {section:.6}; before the roughness filter the heights there span {span:.3}"
     )]
     SectionsDominate {
         /// Number of sections above the limit.

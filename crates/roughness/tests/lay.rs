@@ -259,3 +259,78 @@ fn the_bound_of_short_surfaces_holds_the_lay() {
         }
     }
 }
+
+/// Lay of [`smoothed`] noise after the default filters along the rows: the distances at which the autocorrelation of the
+/// filtered spectrum is 0.2, in closed form across the rows and by summing the spectrum along them.
+fn filtered_lay([a, b]: [f64; 2], [dx, dy]: [f64; 2]) -> f64 {
+    let recipe = Preparation::default();
+    let [lambda_s, lambda_c] = [recipe.lambda_s, recipe.lambda_c].map(|l| l.unwrap().si());
+    // ISO 16610-21: half of an amplitude at the cut-off.
+    let passed = |wavelength: f64, cutoff: f64| 0.5_f64.powf((cutoff / wavelength).powi(2));
+    let lines: Vec<[f64; 2]> = (1..20_000)
+        .map(|k| {
+            let k = f64::from(k) * 50.0;
+            let wavelength = TAU / k;
+            let filter = passed(wavelength, lambda_s) * (1.0 - passed(wavelength, lambda_c));
+            [k, (-0.5 * (k * a * dx).powi(2)).exp() * filter * filter]
+        })
+        .collect();
+    let sum = |x: f64| {
+        lines
+            .iter()
+            .map(|[k, power]| power * (k * x).cos())
+            .sum::<f64>()
+    };
+    let step = 1e-2 * a * dx;
+    let level = 0.2 * sum(0.0);
+    let first = (1..1000)
+        .find(|i| sum(f64::from(*i) * step) < level)
+        .unwrap();
+    let (mut low, mut high) = (f64::from(first - 1) * step, f64::from(first) * step);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if sum(middle) > level {
+            low = middle
+        } else {
+            high = middle
+        }
+    }
+    low / (b * dy * (2.0 * 5.0_f64.ln()).sqrt())
+}
+
+#[test]
+fn the_interval_holds_the_lay_of_the_filtered_surface() {
+    const SEEDS: u64 = 12;
+    for (widths, columns, rows) in [
+        ([3.0, 12.0], 1000, 300),
+        ([8.0, 8.0], 1200, 200),
+        ([10.0, 30.0], 1600, 250),
+    ] {
+        let expected = filtered_lay(widths, [1e-6, 1e-6]);
+        let unfiltered = widths[0] / widths[1];
+        assert!(expected < 0.95 * unfiltered, "{expected}");
+        let spacings = [Length::from_si(1e-6); 2];
+        let found = (1..=SEEDS).map(|seed| {
+            let z = smoothed(columns, rows, widths, seed);
+            let filter = RoughnessFilter::Gaussian;
+            lay_of_rows(&z, columns, spacings, &Preparation::default(), filter)
+                .unwrap()
+                .unwrap()
+        });
+        let found: Vec<_> = found.collect();
+        let holds = |value: f64| {
+            let inside = found
+                .iter()
+                .filter(|lay| (lay.range[0]..=lay.range[1]).contains(&value));
+            inside.count()
+        };
+        println!(
+            "{widths:?}: {expected:.3}, {} of {SEEDS} intervals hold it, {} the unfiltered {unfiltered:.3}",
+            holds(expected),
+            holds(unfiltered)
+        );
+        // Of 95 % intervals fewer than nine of twelve hold the value with a probability of 0.2 %; 183 of 191 did in a trial of
+        // eight surfaces of ratios from 0.1 to 1.
+        assert!(holds(expected) >= 9, "{widths:?}: {}", holds(expected));
+    }
+}

@@ -7,6 +7,8 @@
 //! | writing a file whose name the user did not choose ([`save_new`]) | as [`save`], but never replacing another file |
 //! | replacing a folder ([`replace_folder`]) | filled as a draft, flushed, exchanged with the older folder by one rename, or by two with a journal if the system has no exchange |
 //! | files in a folder with other files ([`write_among`]) | each by [`save`], the manifest before and after |
+//! | a stored result ([`seal`], [`unseal`]) | used only with the right name, version and SHA-256 |
+//! | files read back ([`check_written`]) | by the manifest that was written with them |
 //! | ownership | a manifest with the SHA-256 of every file; a file that is not in it, or was changed, is never touched; a manifest with a path out of its folder is not accepted |
 //! | killed processes | the system releases the locks of their drafts; the next process that writes there recovers or removes them |
 //! | signals | [`abandon`] removes the drafts of this process |
@@ -20,15 +22,17 @@ mod checksum;
 mod finite;
 mod plain_text;
 mod read;
+mod sealed;
 #[cfg(feature = "write")]
 mod write;
 
 pub use checksum::{hex, sha256};
 pub use finite::{NotFinite, check_finite};
-pub use plain_text::{cell, one_line, printable};
+pub use plain_text::{cell, line_of_cells, one_line, printable, text_of_cell};
 pub use read::{regular_file, whole_file, whole_text};
+pub use sealed::{seal, unseal};
 #[cfg(feature = "write")]
 pub use write::{
-    Draft, MANIFEST, StorageError, abandon, check_among, check_folder, new_folder, new_folder_of,
-    replace_folder, save, save_new, write_among,
+    Draft, MANIFEST, StorageError, abandon, check_among, check_folder, check_written, new_folder,
+    new_folder_of, replace_folder, save, save_new, write_among,
 };

@@ -12,11 +12,11 @@ use std::io::Read as _;
 use std::process::Command;
 
 use asperity::case::{CaseInput, FlankInput, GearsInput, OperationInput};
-use asperity_studies::cycle::cycle;
+use asperity_studies::cycle::{cycle, evaluate};
 use asperity_studies::export::{
     AddedLoss, ExportError, Field, Format, With, c_source, export, gear_box_fit,
 };
-use asperity_studies::map::{Axes, FinishMap, Map, MeshPart, Numbers, Point};
+use asperity_studies::map::{Axes, FinishMap, Map, MeshPart, Numbers, Point, forwards};
 
 /// A made-up loss torque: 0.0075 |T|^1.02, a tenth more where the wheel drives, and 2e-4 √ω.
 fn made_up(torque: f64, rpm: f64) -> f64 {
@@ -131,7 +131,9 @@ fn bilinear(x: &[f64], y: &[f64], value: &dyn Fn(usize, usize) -> f64, at: [f64;
         let i = nodes.windows(2).position(|pair| v <= pair[1]).unwrap();
         (i, (v - nodes[i]) / (nodes[i + 1] - nodes[i]))
     };
-    let ((i, a), (j, b)) = (cell(x, at[0]), cell(y, at[1].abs()));
+    // Tables hold positive speeds.
+    let [torque, speed] = forwards(at[0], at[1]);
+    let ((i, a), (j, b)) = (cell(x, torque), cell(y, speed));
     (1.0 - a) * ((1.0 - b) * value(i, j) + b * value(i, j + 1))
         + a * ((1.0 - b) * value(i + 1, j) + b * value(i + 1, j + 1))
 }
@@ -455,6 +457,63 @@ fn the_fmu_describes_its_source_and_the_source_interpolates() {
         assert!((power - value * speed.abs() * PI / 30.0).abs() < 1e-9 * power.abs());
         assert_eq!(outside == 1.0, expected.is_outside, "{torque} {speed}");
     }
+}
+
+#[test]
+fn finishes_whose_files_would_have_one_name_are_refused() {
+    let map = map();
+    let named = |names: [&str; 2]| {
+        let mut map = map.clone();
+        map.finishes = names
+            .map(|name| FinishMap {
+                name: name.to_owned(),
+                ..map.finishes[0].clone()
+            })
+            .into();
+        map
+    };
+    for (names, format) in [
+        (["a b", "a_b"], Format::Csv),
+        (["a b", "a_b"], Format::Matlab),
+        (["Ground", "ground"], Format::Vecto),
+        (["a-b", "a_b"], Format::Advisor),
+        (["µ", "é"], Format::Fmu),
+    ] {
+        let error = export(&named(names), format, With::default()).unwrap_err();
+        assert!(
+            matches!(&error, ExportError::SameFile { finishes, .. } if *finishes == names),
+            "{error}"
+        );
+    }
+    for names in [["a b", "a-b"], ["a", "b"]] {
+        assert_eq!(
+            export(&named(names), Format::Csv, With::default())
+                .unwrap()
+                .len(),
+            2
+        );
+    }
+}
+
+#[test]
+fn a_cycle_in_reverse_has_the_energies_of_the_same_cycle_forwards() {
+    let map = map();
+    let of = |sign: f64| {
+        let row = |(time, [torque, speed]): (usize, [f64; 2])| {
+            format!("{time},{},{}\n", sign * torque, sign * speed)
+        };
+        let points = [[0.0, 0.0], [120.0, 3000.0], [20.0, 2000.0], [-60.0, 2500.0]];
+        let rows: String = points.into_iter().enumerate().map(row).collect();
+        let trace = cycle(&format!("time_s,torque_nm,speed_rpm\n{rows}"), None).unwrap();
+        evaluate(&map, 0, (&trace, "made up"), false).unwrap()
+    };
+    let (forwards, reverse) = (of(1.0), of(-1.0));
+    assert!(forwards.drive_wh > 0.0 && forwards.coast_wh > 0.0);
+    assert_eq!(
+        (forwards.drive_wh, forwards.coast_wh),
+        (reverse.drive_wh, reverse.coast_wh)
+    );
+    assert_eq!(forwards.finishes, reverse.finishes);
 }
 
 #[test]

@@ -302,7 +302,7 @@ fn a_sweep_of_a_train_has_the_numbers_of_its_runs() {
         assert!((found / expected - 1.0).abs() < 1e-12, "{row:?} {expected}");
     }
     assert!((found[4] + found[5] - found[0]).abs() < 1e-9);
-    assert_eq!(row[10], "");
+    assert_eq!(row[11], "");
     // Only the second mesh has another face.
     assert_eq!(rows[0][8], rows[2][8]);
     assert_ne!(rows[0][9], rows[2][9]);

@@ -1,6 +1,7 @@
 //! Two results side by side.
 
 use asperity::uncertainty::difference_of_meshes;
+use asperity_report::TileKind;
 use asperity_studies::compare::{difference_with_interval, drawn_together, verdict};
 use asperity_studies::diff::changed_keys;
 use serde::Serialize;
@@ -40,12 +41,12 @@ pub fn versus(first: &Finished, other: &Finished) -> Result<Versus, Failure> {
         let theirs = b.iter().find(|other| other.name == tile.name);
         let Some(theirs) = theirs else { continue };
         if !tile.value.is_empty() {
-            if tile.name.starts_with("loss of the mesh") || tile.name == "loss of all meshes" {
+            if tile.kind == TileKind::Loss {
                 of_loss = Some(rows.len());
             }
             let own = [tile, theirs].map(|tile| tile.value.clone());
             rows.push(row(&tile.name, own, String::new()));
-        } else if tile.name != "sources of the interval" {
+        } else if tile.kind != TileKind::Sources {
             for [name, loss] in &tile.rows {
                 let other = theirs.rows.iter().find(|[other, _]| other == name);
                 let other = other.map_or("-".to_owned(), |[_, loss]| loss.clone());

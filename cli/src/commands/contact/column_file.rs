@@ -219,7 +219,11 @@ fn even_spacing(name: &str, x: &[f64]) -> Result<Length, Failure> {
     if spacing <= 0.0 {
         return Err(Failure::new(
             "E105",
-            format!("{name}: column x must increase, it runs from {first} m to {last} m"),
+            format!(
+                "{name}: column x must increase, it runs from {} m to {} m",
+                asperity_core::number(*first),
+                asperity_core::number(*last)
+            ),
         )
         .advising("Sort the rows by x."));
     }

@@ -1,5 +1,6 @@
 //! Subsurface stress of a solved contact.
 
+use asperity_core::number;
 use std::path::Path;
 
 use asperity_contact::subsurface::{
@@ -43,7 +44,7 @@ pub fn stress(contact: &SolvedContact, args: &ContactArgs, path: &Path) -> Resul
     if !friction.is_finite() {
         return Err(Failure::new(
             "E209",
-            format!("--friction {friction}: must be finite"),
+            format!("--friction {}: must be finite", number(friction)),
         ));
     }
     let traction: Option<Vec<f64>> =

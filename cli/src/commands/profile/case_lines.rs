@@ -50,6 +50,7 @@ pub(super) fn case_lines(
         (Setting::Abscissa, text(named(&reading.abscissa))),
         (Setting::Uneven, text(named(&reading.uneven))),
         (Setting::Range, text(named(&reading.range))),
+        (Setting::Invert, named(&reading.invert)),
     ];
     let stated = options
         .into_iter()

@@ -1,5 +1,6 @@
 //! Reading, preparation and evaluation of a profile file, and writing of profiles.
 
+use asperity_core::number;
 use std::path::Path;
 
 use asperity_core::Profile;
@@ -161,8 +162,13 @@ pub(super) fn without_outliers(
     let Some(deviations) = deviations else {
         return Ok((reading, None));
     };
-    let (cleaned, record) = replace(&reading.profile, Outliers::beyond(deviations))
-        .map_err(|error| Failure::new("E209", format!("--outliers {deviations}: {error}")))?;
+    let (cleaned, record) =
+        replace(&reading.profile, Outliers::beyond(deviations)).map_err(|error| {
+            Failure::new(
+                "E209",
+                format!("--outliers {}: {error}", number(deviations)),
+            )
+        })?;
     Ok((reading.corrected(cleaned), Some(record)))
 }
 
@@ -183,6 +189,7 @@ fn read_options(args: &ReadingArgs, base_radius: Option<Length>) -> ReadOptions 
         base_radius,
         uneven: args.uneven.unwrap_or_default(),
         range: args.range,
+        invert: args.invert,
     }
 }
 

@@ -46,7 +46,7 @@ pub fn convert(args: &ProfileConvertArgs, common: &Common) -> Result<(), Failure
     let mut profile = reading.profile.clone();
     if let Some(dx) = args.resample {
         profile = resampled(&profile, dx)
-            .map_err(|error| Failure::new("E209", format!("--resample {dx}: {error}")))?;
+            .map_err(|error| Failure::new("E209", format!("--resample {dx:.6}: {error}")))?;
     }
     save(
         &args.output,

@@ -9,6 +9,8 @@ mod reversed;
 mod solved;
 mod warnings;
 
+pub(crate) use warnings::{gearbox as warnings_of_gearbox, of_case as warnings_of_case};
+
 pub use reversed::Reversed;
 
 pub(crate) use cycle::operation;
@@ -19,6 +21,7 @@ use asperity_core::numerics::{deviation, mean, median};
 use asperity_core::quantity::Power;
 use asperity_efficiency::output_torque::power_flow;
 use asperity_efficiency::{LossKind, MeshEfficiency, MeshOperation, equivalent_friction};
+use asperity_gear::EdgeContactNote;
 
 use self::deformation_losses::of_all_offsets;
 use self::published_laws::published_laws;
@@ -31,14 +34,22 @@ use crate::records::{PathRecords, PlacedRecord};
 use crate::result::film_constants::film_constants;
 use crate::result::gearbox;
 use crate::result::{
-    FlankRecord, GearboxReport, LoadReport, Losses, OffsetRow, Outcome, PairSampling, PointRow,
-    PositionRow, RecordRow, Regime, RunInFlanks, RunResult, RunningIn, SCHEMA_VERSION, Scope,
-    Summary, ToothTrace, TracePairs,
+    FlankRecord, GearboxReport, LoadReport, Losses, MicropittingReport, OffsetRow, Outcome,
+    PairSampling, PointRow, PositionRow, RecordRow, Regime, RunInFlanks, RunResult, RunningIn,
+    SCHEMA_VERSION, Scope, Summary, ToothTrace, TracePairs,
 };
 use crate::sampling::{means_of_pairs, pair_sampling};
 use asperity_case::balance::{Unbalanced, efficiency, finite, sum};
 use asperity_case::case::{BulkReport, Case, CaseInput};
 use asperity_case::error::PositionError;
+use asperity_case::message::Warning;
+
+/// What the warnings about a mesh take: its summary, its gearbox, and the effect of contact of the tip edges.
+type OfMesh<'a> = (
+    &'a Summary,
+    Option<&'a GearboxReport>,
+    Option<&'a EdgeContactNote>,
+);
 
 impl Solved<'_> {
     /// Losses, without the other parts of a result.
@@ -47,8 +58,12 @@ impl Solved<'_> {
         let path = self.path()?;
         let running_in = running_in(&self.loaded.case, &self.meshes);
         check(&summary, &running_in, gearbox.as_ref(), &path)?;
+        // Losses do not need the second load map of a warning, and are no worse without it.
+        let edge_contact = self.map.edge_contact_note().ok().flatten();
+        let of_mesh = (&summary, gearbox.as_ref(), edge_contact.as_ref());
         Ok(Losses {
             outside: warnings::outside(self.loaded, &self.positions, &summary)?,
+            warnings: self.warnings(of_mesh, &[], None, &self.record_rows())?,
             summary,
             path,
             offsets: offset_rows(&self.meshes),
@@ -72,27 +87,15 @@ impl Solved<'_> {
         let path = self.path()?;
         let running_in = running_in(case, &self.meshes);
         check(&summary, &running_in, gearbox.as_ref(), &path)?;
-        let mut warnings = self.loaded.warnings.clone();
         let load = LoadReport::new(case, self.map)?;
-        warnings.extend(warnings::warnings(
-            self.loaded,
-            &self.positions,
-            &pictures,
-            &summary,
-        )?);
-        warnings::gearbox(gearbox.as_ref(), &mut warnings);
         let named = points.iter().filter(|(name, _)| ["A", "E"].contains(name));
         let ends: Vec<&LubricatedPosition> = named.map(|(_, position)| position).collect();
         let views = pictures.iter().map(|picture| Some(&picture.as_ref()?.view));
         let views: Vec<_> = views.collect();
         let micropitting = micropitting::report(self.loaded, &self.positions, &views, &ends)?;
-        warnings::micropitting(micropitting.as_ref(), &mut warnings);
-        warnings::load(self.loaded, &self.positions, &load, &mut warnings);
-        let records = self
-            .records
-            .map(|records| record_rows(case, records))
-            .unwrap_or_default();
-        warnings::records(case, &records, &mut warnings)?;
+        let records = self.record_rows();
+        let of_mesh = (&summary, gearbox.as_ref(), load.edge_contact.as_ref());
+        let warnings = self.warnings(of_mesh, &pictures, micropitting.as_ref(), &records)?;
         let result = RunResult {
             schema_version: SCHEMA_VERSION,
             program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -137,6 +140,32 @@ impl Solved<'_> {
             load_map: self.map.clone(),
             traces: [0, 1].map(|body| self.loaded.flanks[body].trace.clone()),
         })
+    }
+
+    /// Every warning about a solved case: its files, positions and gearbox, the load over its teeth, its records. Losses have
+    /// no pictures and no micropitting rating.
+    fn warnings(
+        &self,
+        (summary, gearbox, edge_contact): OfMesh<'_>,
+        pictures: &[Option<Picture>],
+        micropitting: Option<&MicropittingReport>,
+        records: &[RecordRow],
+    ) -> Result<Vec<Warning>, PositionError> {
+        let (loaded, positions) = (self.loaded, &self.positions);
+        let mut warnings = loaded.warnings.clone();
+        warnings.extend(warnings::warnings(loaded, positions, pictures, summary)?);
+        warnings::gearbox(gearbox, &mut warnings);
+        warnings::micropitting(micropitting, &mut warnings);
+        let evidence = self.map.evidence();
+        let at = positions.iter().map(|position| &position.at);
+        warnings::load(loaded, at, (edge_contact, evidence), &mut warnings);
+        warnings::records(&loaded.case, records, &mut warnings)?;
+        Ok(warnings)
+    }
+
+    fn record_rows(&self) -> Vec<RecordRow> {
+        let rows = |records| record_rows(&self.loaded.case, records);
+        self.records.map(rows).unwrap_or_default()
     }
 
     /// Loss of each pair of teeth and the error of their mean, if there are several; none of one trace for each flank.

@@ -8,12 +8,12 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{OutOfRange, Treatment};
 use asperity_efficiency::equivalent_friction;
 use asperity_ehl::PlasticCeiling;
-use asperity_gear::{Gear, StiffnessSource};
+use asperity_gear::{EdgeContactNote, Gear, LoadMapEvidence, StiffnessSource};
 
 use crate::lubrication::{LubricatedPosition, LubricatedWindow, NOTED_DEVIATION};
+use crate::mesh::Mesh;
 use crate::pictures::Picture;
 use crate::reference_solution::{LARGEST_ROUGHNESS, elastic_above_flow};
-use crate::result::LoadReport;
 use crate::result::{FullFilmRow, GearboxReport, MicropittingReport, RecordRow, Regime, Summary};
 use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::case::{Case, Formulation, LoadedCase};
@@ -21,7 +21,9 @@ use asperity_case::error::PositionError;
 use asperity_case::flanks::is_substituted;
 use asperity_case::flanks::local_roughness::FEW_ASPERITIES;
 use asperity_case::flanks::placement::FULL_COVERAGE;
-use asperity_case::message::Warning;
+use asperity_case::mesh_position::MeshPosition;
+use asperity_case::message::{Subject, Warning};
+use asperity_oil::GOLD_FIT;
 
 /// Least part of the loss at untested pressures that is worth a warning.
 const LEAST_SHARE: f64 = 0.005;
@@ -34,9 +36,7 @@ pub(crate) fn warnings(
     summary: &Summary,
 ) -> Result<Vec<Warning>, PositionError> {
     let mut found = Vec::new();
-    for note in loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes) {
-        found.push(Warning::new(code(note), note.to_string()));
-    }
+    notes(loaded, &mut found);
     bulk(loaded, &mut found);
     ranges(positions, &mut found);
     let equivalent = equivalent_friction(summary.efficiency, summary.loss_factor_local)?;
@@ -49,19 +49,53 @@ pub(crate) fn warnings(
             ),
         ));
     }
-    if loaded.surfaces.same_trace {
-        found.push(Warning::new(
-            "W404",
-            "both flanks use the same trace, so their roughness is correlated and S = sqrt(Rq1^2 + Rq2^2) is not exact",
-        ));
-    }
-    no_sliding(loaded, positions, &mut found);
+    same_trace(loaded, &mut found);
+    no_sliding(
+        loaded,
+        positions.iter().map(|position| &position.at),
+        &mut found,
+    );
     stress(loaded, positions, pictures, &mut found)?;
     contacts(positions, &mut found);
     roughness(loaded, positions, &mut found);
     full_film(positions, &mut found);
     above_tested_pressure(&loaded.case, positions, summary, &mut found);
     Ok(found)
+}
+
+/// Warnings about a case on its mesh that need no solution.
+pub(crate) fn of_case(loaded: &LoadedCase, mesh: &Mesh) -> Result<Vec<Warning>, PositionError> {
+    let mut found = Vec::new();
+    let at = || mesh.positions.iter();
+    notes(loaded, &mut found);
+    same_trace(loaded, &mut found);
+    no_sliding(loaded, at(), &mut found);
+    yielding(loaded, at(), &mut found)?;
+    covered(loaded, at(), &mut found);
+    let edge_contact = mesh.load.edge_contact_note()?;
+    let evidence = mesh.load.evidence();
+    load(loaded, at(), (edge_contact.as_ref(), evidence), &mut found);
+    Ok(found)
+}
+
+/// W401 and W428: properties of oil and steel outside the range of their laws.
+fn notes(loaded: &LoadedCase, found: &mut Vec<Warning>) {
+    for note in loaded.case.oil_notes.iter().chain(&loaded.case.steel_notes) {
+        found.push(Warning {
+            about: (note.correlation == GOLD_FIT).then_some(Subject::PressureViscosity),
+            ..Warning::new(code(note), note.to_string())
+        });
+    }
+}
+
+/// W404: one trace for both flanks.
+fn same_trace(loaded: &LoadedCase, found: &mut Vec<Warning>) {
+    if loaded.surfaces.same_trace {
+        found.push(Warning::new(
+            "W404",
+            "both flanks use the same trace, so their roughness is correlated and S = sqrt(Rq1^2 + Rq2^2) is not exact",
+        ));
+    }
 }
 
 /// W443: the loss by film friction at pressures above those of the traction curves.
@@ -200,14 +234,14 @@ fn code(note: &OutOfRange) -> &'static str {
 }
 
 /// W421 to W425, W433: load over the teeth, and its cells.
-pub(crate) fn load(
+pub(crate) fn load<'a>(
     loaded: &LoadedCase,
-    positions: &[LubricatedPosition],
-    load: &LoadReport,
+    positions: impl ExactSizeIterator<Item = &'a MeshPosition>,
+    (edge_contact, evidence): (Option<&EdgeContactNote>, &LoadMapEvidence),
     found: &mut Vec<Warning>,
 ) {
     let mut add = |code, text: String| found.push(Warning::new(code, text));
-    if let Some(note) = &load.edge_contact {
+    if let Some(note) = edge_contact {
         add(
             "W421",
             format!(
@@ -218,28 +252,27 @@ pub(crate) fn load(
             ),
         );
     }
-    let is_substituted =
-        |position: &&LubricatedPosition| is_substituted(&loaded.surfaces, &position.at);
-    let light = positions.iter().filter(is_substituted).count();
+    let count = positions.len();
+    let is_substituted = |at: &&MeshPosition| is_substituted(&loaded.surfaces, at);
+    let light = positions.filter(is_substituted).count();
     if light > 0 {
         add(
             "W422",
             format!(
-                "{light} of {} cells of the path carry so little load that the spacing of the traces does not resolve their contact: the roughness of the whole traces is used there",
-                positions.len()
+                "{light} of {count} cells of the path carry so little load that the spacing of the traces does not resolve their contact: the roughness of the whole traces is used there"
             ),
         );
     }
-    if !load.evidence.converged {
+    if !evidence.converged {
         add(
             "W423",
             format!(
                 "the load over the teeth did not settle: the last change is {:.1e} of the mean load",
-                load.evidence.residual
+                evidence.residual
             ),
         );
     }
-    if let Some(StiffnessSource::IsoForRootForm(gear)) = load.evidence.stiffness {
+    if let Some(StiffnessSource::IsoForRootForm(gear)) = evidence.stiffness {
         add(
             "W424",
             format!(
@@ -340,12 +373,15 @@ fn short(value: f64) -> String {
 }
 
 /// W412: the paper's single position is the pitch point, where there is no sliding.
-fn no_sliding(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
+fn no_sliding<'a>(
+    loaded: &LoadedCase,
+    mut positions: impl Iterator<Item = &'a MeshPosition>,
+    found: &mut Vec<Warning>,
+) {
     /// Slide-to-roll ratios below this are round-off at the pitch point.
     const PURE_ROLLING: f64 = 1e-9;
-    let rolls =
-        |position: &LubricatedPosition| position.at.motion.slide_to_roll.abs() < PURE_ROLLING;
-    if loaded.case.formulation == Formulation::Paper && positions.iter().all(rolls) {
+    let rolls = |at: &MeshPosition| at.motion.slide_to_roll.abs() < PURE_ROLLING;
+    if loaded.case.formulation == Formulation::Paper && positions.all(rolls) {
         found.push(Warning::new(
             "W412",
             "the single position of the paper's reading is the pitch point, where there is no sliding: the efficiency contains no sliding loss. Set model.position, e.g. 0.25",
@@ -389,23 +425,18 @@ fn contacts(positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
     }
 }
 
-/// W405, W409, W410: yield below the surface, and flow of the asperities.
-fn stress(
+/// W405: yield below the surface by the smooth contact; the pressure that the flanks bear, the limit, and whether it is passed.
+fn yielding<'a>(
     loaded: &LoadedCase,
-    positions: &[LubricatedPosition],
-    pictures: &[Option<Picture>],
+    positions: impl Iterator<Item = &'a MeshPosition>,
     found: &mut Vec<Warning>,
-) -> Result<(), PositionError> {
+) -> Result<([f64; 2], bool), PositionError> {
     let materials = &loaded.case.materials;
     let bearable = first_yield_pressure(&materials[0], &materials[1])?.si();
-    let limit = materials[0]
-        .elastic_limit
-        .si()
-        .min(materials[1].elastic_limit.si());
-    let highest = positions
-        .iter()
-        .map(|position| position.at.hertz.max_pressure.si())
-        .fold(0.0, f64::max);
+    let limits = materials.each_ref().map(|steel| steel.elastic_limit.si());
+    let limit = limits[0].min(limits[1]);
+    let pressures = positions.map(|at| at.hertz.max_pressure.si());
+    let highest = pressures.fold(0.0, f64::max);
     if highest > bearable {
         found.push(Warning::new(
             "W405",
@@ -416,6 +447,18 @@ fn stress(
             ),
         ));
     }
+    Ok(([bearable, limit], highest > bearable))
+}
+
+/// W405, W409, W410: yield below the surface, and flow of the asperities.
+fn stress(
+    loaded: &LoadedCase,
+    positions: &[LubricatedPosition],
+    pictures: &[Option<Picture>],
+    found: &mut Vec<Warning>,
+) -> Result<(), PositionError> {
+    let at = positions.iter().map(|position| &position.at);
+    let ([bearable, limit], yields) = yielding(loaded, at, found)?;
     let flowing = |position: &&LubricatedPosition| {
         let mut contacts = position.offsets.iter().filter_map(|offset| offset.contact);
         contacts.any(|contact| contact.plastic_work > 0.0)
@@ -435,7 +478,7 @@ fn stress(
         strained(position, picture, limit, bearable)
     });
     let strained: usize = strained.sum();
-    if strained > 0 && highest <= bearable {
+    if strained > 0 && !yields {
         let contacts: usize = positions.iter().map(|p| p.offsets.len()).sum();
         found.push(Warning::new(
             "W410",
@@ -588,7 +631,7 @@ fn roughness(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut 
         ));
     }
     short_traces(loaded, positions, found);
-    covered(loaded, positions, found);
+    covered(loaded, positions.iter().map(|position| &position.at), found);
 }
 
 /// Text of W408: the film ratio from which the load share follows.
@@ -615,7 +658,9 @@ fn short_traces(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &m
         .iter()
         .map(|position| position.at.hertz.half_width.si());
     let widest = Length::from_si(half_widths.fold(0.0, f64::max));
-    let Some(windows) = windows_of_traces(loaded, widest).filter(|windows| *windows < FEW) else {
+    let Some(windows) = windows_of_traces(&loaded.surfaces, loaded.case.model.window, widest)
+        .filter(|windows| *windows < FEW)
+    else {
         return;
     };
     let length = length_for(ENOUGH, loaded.case.model.window, widest);
@@ -629,9 +674,12 @@ fn short_traces(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &m
 }
 
 /// W417: contacts beyond the ends of placed traces.
-fn covered(loaded: &LoadedCase, positions: &[LubricatedPosition], found: &mut Vec<Warning>) {
-    let stations = positions.iter().map(|position| &position.at);
-    let coverage = loaded.surfaces.coverage(stations);
+fn covered<'a>(
+    loaded: &LoadedCase,
+    positions: impl Iterator<Item = &'a MeshPosition> + Clone,
+    found: &mut Vec<Warning>,
+) {
+    let coverage = loaded.surfaces.coverage(positions);
     if let Some(coverage) = coverage.filter(|coverage| *coverage < FULL_COVERAGE) {
         found.push(Warning::new(
             "W417",

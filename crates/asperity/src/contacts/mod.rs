@@ -2,17 +2,21 @@
 
 mod displacements;
 pub mod dry_contact;
+mod inputs;
+mod offsets;
 mod pressed;
-mod rough_window;
 pub mod running_in;
+mod store;
 mod tables;
+mod window_contact;
 
 pub use dry_contact::{DryContact, dry_contact};
+pub use store::ContactStore;
 pub use tables::Contacts;
 
 pub(crate) use displacements::Displacements;
+pub(crate) use inputs::{ContactInputs, Offsets};
 pub(crate) use pressed::{
     LoadStep, Pressed, Pressing, full_film, pressing_history, settings, softer,
 };
-pub(crate) use rough_window::rough_window;
-pub(crate) use tables::WindowContact;
+pub(crate) use window_contact::WindowContact;

@@ -1,159 +1,117 @@
 //! Rough contacts of a whole mesh, stored for other oils, speeds and temperatures.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
-use asperity_core::cancel::checkpoint;
-use asperity_core::material::Material;
-use asperity_core::quantity::Torque;
-use asperity_gear::{GearPair, LoadLaw, LoadMap, LoadMapSettings, MicroGeometry};
-use asperity_mixed_film::ContactTable;
+use asperity_core::quantity::AngularSpeed;
+use asperity_gear::LoadMap;
+use rayon::prelude::*;
 
-use crate::mesh::{Mesh, MeshPosition};
-use asperity_case::case::{Case, Formulation, LoadedCase};
-use asperity_case::error::PositionError;
-use asperity_case::flanks::{Roughness, Surfaces, Window};
+use super::inputs::{ContactInputs, Offsets, WindowInputs};
+use super::offsets::offsets_needed;
+use super::window_contact::WindowContact;
+use crate::mesh::{Mesh, MeshPosition, numbered};
+use asperity_case::case::{Case, LoadInputs, LoadedCase};
+use asperity_case::error::{Error, PositionError};
+use asperity_case::flanks::placement::check_coverage;
+
+/// Speed at which the mesh of the contacts is laid out: its places, loads and radii are the same at any speed.
+const ANY_SPEED: AngularSpeed = AngularSpeed::from_si(1.0);
 
 /// Rough contact of every window of a mesh.
 ///
-/// The contacts depend on gears, torque, flanks and steel, but on neither oil, temperature nor speed: another of
-/// these costs film laws only ([`losses_with`](crate::pipeline::losses_with)). A contact is solved at the shares that a
-/// film needs, and stored.
+/// The contacts follow from the prepared traces, steels, gears and load, and from the keys of the contact, of which a single struct
+/// is made: from neither oil, temperature nor speed, nor from the order or the number of threads in which cases are computed.
+/// Another oil, temperature or speed costs film laws only ([`losses_with`](crate::pipeline::losses_with)). A contact is solved at
+/// the shares that a film needs, and stored.
 #[derive(Debug, Clone)]
 pub struct Contacts {
-    fingerprint: Vec<u64>,
-    surfaces: Surfaces,
-    load: StoredLoad,
+    inputs: ContactInputs,
+    load: LoadMap,
     /// Offsets of each pair of traces.
     each: usize,
     rows: BTreeMap<[u64; 4], Vec<Arc<WindowContact>>>,
 }
 
-/// The load over the teeth and all that it follows from.
-#[derive(Debug, Clone)]
-struct StoredLoad {
-    map: LoadMap,
-    /// `None` of a user-defined law.
-    law: Option<LoadLaw>,
-    gears: GearPair,
-    micro_geometry: MicroGeometry,
-    materials: [Material; 2],
-    settings: LoadMapSettings,
-    torque: Torque,
-}
-
-impl StoredLoad {
-    fn new(case: &Case, map: LoadMap) -> Self {
-        let is_named = case.laws.load_distribution.is_none();
-        Self {
-            map,
-            law: is_named.then(|| case.model.load_distribution.clone()),
-            gears: case.gears.clone(),
-            micro_geometry: case.micro_geometry.clone(),
-            materials: case.materials,
-            settings: case.load_settings,
-            torque: case.torque,
-        }
-    }
-
-    fn is_of(&self, case: &Case) -> bool {
-        case.laws.load_distribution.is_none()
-            && self.law.as_ref() == Some(&case.model.load_distribution)
-            && self.torque == case.torque
-            && self.gears == case.gears
-            && self.micro_geometry == case.micro_geometry
-            && self.materials == case.materials
-            && self.settings == case.load_settings
-    }
-}
-
-/// The rough contact of one window, and its roughness.
-#[derive(Debug, Clone)]
-pub(crate) struct WindowContact {
-    /// Roughness of the window, or of the flanks as a whole where no window is resolved.
-    pub roughness: Roughness,
-    /// Place of the window on the traces; `None` where no window is resolved.
-    pub window: Option<Window>,
-    /// The contact at the shares solved so far, once a film needed it.
-    pub table: OnceLock<ContactTable>,
-}
-
-impl WindowContact {
-    /// The windows of all offsets at `position`, with their roughness; those that `known` contacts have are shared.
+impl Contacts {
+    /// The contacts of `inputs` under their load over the flanks, which share the windows that `others` have under the same load.
+    /// Where the number of offsets follows from the contacts, it is settled here, once for all oils and speeds.
     ///
     /// # Errors
-    /// When the traces are too coarse or too short for the contact.
-    pub(crate) fn of_position(
-        loaded: &LoadedCase,
-        position: &MeshPosition,
-        known: &[&Contacts],
-    ) -> Result<Vec<Arc<Self>>, PositionError> {
-        let count = loaded.surfaces.offsets(loaded.case.model.offsets);
-        let contact = |k: usize| {
+    /// With the number of the position, when traces are too coarse or too short for a contact, or a contact has no solution.
+    pub(crate) fn solve<'a>(
+        inputs: ContactInputs,
+        load: LoadMap,
+        others: impl Iterator<Item = &'a Self>,
+    ) -> Result<Self, Error> {
+        let mesh = Mesh::under(&inputs.mesh, ANY_SPEED, load).map_err(Box::new)?;
+        if let Some(coverage) = inputs.windows.surfaces.coverage(mesh.positions.iter()) {
+            check_coverage(coverage).map_err(Box::new)?;
+        }
+        let known: Vec<&Self> = others
+            .filter(|other| other.inputs.windows == inputs.windows)
+            .collect();
+        let mut contacts = Self {
+            each: inputs.offsets.first(),
+            load: mesh.load,
+            rows: BTreeMap::new(),
+            inputs,
+        };
+        contacts.rows = contacts.rows_of(&mesh.positions, &known)?;
+        if contacts.inputs.offsets == Offsets::Needed {
+            let each = offsets_needed(
+                &contacts.inputs.windows,
+                &|at| contacts.at(at),
+                &mesh.positions,
+            )?;
+            if each > contacts.each {
+                let first = contacts.clone();
+                contacts.each = each;
+                let known: Vec<&Self> = known.into_iter().chain([&first]).collect();
+                contacts.rows = contacts.rows_of(&mesh.positions, &known)?;
+            }
+        }
+        Ok(contacts)
+    }
+
+    fn rows_of(
+        &self,
+        positions: &[MeshPosition],
+        known: &[&Self],
+    ) -> Result<BTreeMap<[u64; 4], Vec<Arc<WindowContact>>>, Error> {
+        let windows = &self.inputs.windows;
+        let count = windows.surfaces.offsets(self.each);
+        let of_offset = |at, k| {
             let mut shared = known
                 .iter()
-                .filter_map(|known| known.of_offset(position, (k, count)));
+                .filter_map(|known| known.of_offset(at, (k, count)));
             match shared.next() {
                 Some(shared) => Ok(shared),
-                None => Self::of_offset(loaded, position, (k, count)),
+                None => WindowContact::of_offset(windows, at, (k, count)),
             }
         };
-        (0..count).map(contact).collect()
+        let of_position = |at| (0..count).map(|k| of_offset(at, k)).collect();
+        let rows = numbered(positions.par_iter().map(of_position).collect())?;
+        Ok(positions.iter().map(key).zip(rows).collect())
     }
 
-    /// The window of offset `k` of `count` at `position`, with its roughness.
-    fn of_offset(
-        loaded: &LoadedCase,
-        position: &MeshPosition,
-        (k, count): (usize, usize),
-    ) -> Result<Arc<Self>, PositionError> {
-        checkpoint()?;
-        let (surfaces, model) = (&loaded.surfaces, &loaded.case.model);
-        Ok(Arc::new(Self {
-            window: Window::at(surfaces, position, model.window, k, count)?,
-            roughness: surfaces.roughness_at(position, model.window, (k, count))?,
-            table: OnceLock::new(),
-        }))
+    /// Inputs of the contacts.
+    pub(crate) fn inputs(&self) -> &ContactInputs {
+        &self.inputs
     }
 
-    /// Whether the contact was solved at any share.
-    fn is_solved(&self) -> bool {
-        (self.table.get()).is_some_and(|table| table.rows().next().is_some())
+    /// Whether these are the contacts by `inputs`.
+    pub(super) fn are_by(&self, inputs: &ContactInputs) -> bool {
+        self.have_windows_of(inputs) && self.inputs.mesh == inputs.mesh
     }
 
-    /// Checks the windows at the first offset of each pair of teeth as [`of_position`](Self::of_position) does.
-    ///
-    /// # Errors
-    /// When the traces do not have the windows, or the paper's formulation has no traces.
-    pub(crate) fn check(loaded: &LoadedCase, position: &MeshPosition) -> Result<(), PositionError> {
-        let (surfaces, model) = (&loaded.surfaces, &loaded.case.model);
-        let count = surfaces.offsets(model.offsets);
-        for k in (0..count).filter(|k| surfaces.begins_a_pair(*k, count)) {
-            let window = Window::at(surfaces, position, model.window, k, count)?;
-            if window.is_none() && loaded.case.formulation == Formulation::Paper {
-                return Err(PositionError::NoProfile);
-            }
-            surfaces.roughness_at(position, model.window, (k, count))?;
-        }
-        Ok(())
-    }
-}
-
-impl Contacts {
-    /// The contacts of a case with the windows of each position of `mesh`.
-    pub(crate) fn new(
-        loaded: &LoadedCase,
-        mesh: &Mesh,
-        rows: Vec<Vec<Arc<WindowContact>>>,
-    ) -> Self {
-        let (case, surfaces) = (&loaded.case, &loaded.surfaces);
-        Self {
-            each: case.model.offsets,
-            fingerprint: fingerprint(case, surfaces),
-            surfaces: surfaces.clone(),
-            load: StoredLoad::new(case, mesh.load.clone()),
-            rows: mesh.positions.iter().map(key).zip(rows).collect(),
-        }
+    /// Whether flanks, steels, size of the windows and number of offsets are the same as in `inputs`.
+    fn have_windows_of(&self, inputs: &ContactInputs) -> bool {
+        let same_number = match inputs.offsets {
+            Offsets::Fixed(each) => self.each == each,
+            Offsets::Needed => self.inputs.offsets == Offsets::Needed,
+        };
+        same_number && self.inputs.windows == inputs.windows
     }
 
     /// Number of offsets of each pair of traces.
@@ -169,12 +127,6 @@ impl Contacts {
         solved.map(|window| Arc::as_ptr(window) as usize)
     }
 
-    /// Whether these have windows of the flanks of `loaded`, of the same steels and size.
-    pub(crate) fn have_windows_of(&self, loaded: &LoadedCase) -> bool {
-        self.surfaces.has_flanks_of(&loaded.surfaces)
-            && self.fingerprint == fingerprint(&loaded.case, &loaded.surfaces)
-    }
-
     /// The contact of offset `k` of `count` at `position`; `None` if these have fewer offsets. The places of the windows
     /// nest.
     fn of_offset(
@@ -183,7 +135,7 @@ impl Contacts {
         (k, count): (usize, usize),
     ) -> Option<Arc<WindowContact>> {
         let row = self.rows.get(&key(position))?;
-        let pairs = self.surfaces.pairs();
+        let pairs = self.inputs.windows.surfaces.pairs();
         let [each, known] = [count, row.len()].map(|all| (all / pairs).max(1));
         let place = (k % each < known).then_some(k / each * known + k % each)?;
         row.get(place).cloned()
@@ -192,50 +144,50 @@ impl Contacts {
     /// The first `each` offsets of every pair of traces, shared with these.
     #[must_use]
     pub fn first(&self, each: usize) -> Self {
-        let first = |row: &Vec<Arc<WindowContact>>| {
-            let of_a_pair = (row.len() / self.surfaces.pairs()).max(1);
+        let pairs = self.inputs.windows.surfaces.pairs();
+        let each = each.min(self.each);
+        self.part(self.inputs.windows.clone(), each, |row| {
+            let of_a_pair = (row.len() / pairs).max(1);
             let pairs = row.chunks(of_a_pair);
             pairs
                 .flat_map(|pair| pair.iter().take(each).cloned())
                 .collect()
-        };
-        let mut part = Self {
-            each: each.min(self.each),
-            rows: BTreeMap::new(),
-            ..self.clone()
-        };
-        part.rows = self
-            .rows
-            .iter()
-            .map(|(key, row)| (*key, first(row)))
-            .collect();
-        part
+        })
     }
 
-    /// The contacts of the first pair of traces, which `first` has alone.
+    /// The contacts of the first pair of traces, which are the only ones of `first`.
     pub(crate) fn of_first_pair(&self, first: &LoadedCase) -> Self {
-        let of_a_pair = |row: &Vec<Arc<WindowContact>>| {
-            let count = row.len() / self.surfaces.pairs();
+        let pairs = self.inputs.windows.surfaces.pairs();
+        let windows = WindowInputs::of(&first.case, &first.surfaces).into();
+        self.part(windows, self.each, |row| {
+            let count = row.len() / pairs;
             row.iter().take(count.max(1)).cloned().collect()
-        };
-        let mut part = Self {
-            fingerprint: fingerprint(&first.case, &first.surfaces),
-            surfaces: first.surfaces.clone(),
-            rows: BTreeMap::new(),
-            ..self.clone()
-        };
-        part.rows = self
-            .rows
-            .iter()
-            .map(|(key, row)| (*key, of_a_pair(row)))
-            .collect();
-        part
+        })
+    }
+
+    /// A part of the windows of every position, as the contacts of a case that states their number.
+    fn part(
+        &self,
+        windows: Arc<WindowInputs>,
+        each: usize,
+        of_row: impl Fn(&[Arc<WindowContact>]) -> Vec<Arc<WindowContact>>,
+    ) -> Self {
+        let rows = self.rows.iter().map(|(key, row)| (*key, of_row(row)));
+        Self {
+            inputs: ContactInputs {
+                mesh: self.inputs.mesh.clone(),
+                windows,
+                offsets: Offsets::Fixed(each),
+            },
+            load: self.load.clone(),
+            each,
+            rows: rows.collect(),
+        }
     }
 
     /// Refuses contacts whose flanks, steels, windows or offsets differ from `loaded`.
     pub(crate) fn check(&self, loaded: &LoadedCase) -> Result<(), PositionError> {
-        let is_same = self.have_windows_of(loaded) && self.each == loaded.case.model.offsets;
-        match is_same {
+        match self.have_windows_of(&ContactInputs::of(loaded)) {
             true => Ok(()),
             false => Err(PositionError::OtherTables {
                 differs: "flank, steel, window or number of offsets",
@@ -259,7 +211,7 @@ impl Contacts {
 
     /// The load over the teeth of `case`, if it is the load of the contacts.
     pub(crate) fn load_map(&self, case: &Case) -> Option<&LoadMap> {
-        self.load.is_of(case).then_some(&self.load.map)
+        (self.inputs.mesh.load == LoadInputs::of(case)).then_some(&self.load)
     }
 
     /// Number of windows.
@@ -285,34 +237,6 @@ fn key(position: &MeshPosition) -> [u64; 4] {
     ]
     .map(f64::to_bits);
     [load, radius, place, position.zone as u64]
-}
-
-/// Bits of all other inputs of the contacts, except the traces.
-fn fingerprint(case: &Case, surfaces: &Surfaces) -> Vec<u64> {
-    let [pinion, wheel] = case.flow_pressure;
-    let mut bits: Vec<u64> = [
-        pinion.si(),
-        wheel.si(),
-        case.modulus.si(),
-        case.model.window,
-        case.model.tolerance,
-    ]
-    .map(f64::to_bits)
-    .to_vec();
-    let noise = case.preparation.lambda_s.map_or(0.0, |cutoff| cutoff.si());
-    bits.push(noise.to_bits());
-    bits.push(u64::from(case.laws.exact_contacts));
-    bits.extend(case.face_zones.iter().map(|edge| edge.to_bits()));
-    for met in surfaces.each() {
-        if let Some(placement) = met.placement() {
-            let places = placement.traces.iter();
-            bits.extend(places.flat_map(|placed| {
-                [placed.first_arc, placed.direction, placed.base_radius].map(f64::to_bits)
-            }));
-            bits.push(placement.misplaced.to_bits());
-        }
-    }
-    bits
 }
 
 #[cfg(test)]

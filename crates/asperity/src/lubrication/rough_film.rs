@@ -1,26 +1,23 @@
 //! Film and rough contact of one mesh position: the load share at any offset.
 
 use asperity_core::Checked;
-use asperity_core::line_contact::LineContact;
 use asperity_core::profile::mirrored_indices;
-use asperity_core::quantity::Length;
 
 use super::chosen_laws::ChosenLaws;
-use crate::contacts::{WindowContact, rough_window};
+use crate::contacts::WindowContact;
 use crate::mesh::MeshPosition;
 use asperity_case::case::{Case, Formulation};
 use asperity_case::error::PositionError;
 use asperity_case::flanks::{Surfaces, Window};
 use asperity_case::formula_film::FormulaFilm;
 use asperity_mixed_film::{
-    AttenuatedTraces, ContactTable, FilmPressure, FlattenedGradient, Flattening, Kinks,
-    LoadShareSettings, LoadShareSolution, PositionFilm, SmoothFilm, WindowRoughness,
+    AttenuatedTraces, FilmPressure, FlattenedGradient, Flattening, Kinks, LoadShareSettings,
+    LoadShareSolution, PositionFilm, SmoothFilm, WindowRoughness,
 };
 
 /// Film of a position with the traces as its inlet leaves them.
 pub(crate) struct RoughFilm<'a> {
     case: &'a Case,
-    contact: LineContact,
     film: PositionFilm<'a>,
     surfaces: Surfaces,
     /// Flattening of the traces, once a window was needed.
@@ -74,7 +71,6 @@ impl<'a> RoughFilm<'a> {
             PositionFilm::with_film(rheology, &contact, case.temperature, &settings, smooth)?;
         Ok(Some(Self {
             case,
-            contact,
             film,
             surfaces: surfaces.clone(),
             flattening: None,
@@ -98,8 +94,7 @@ impl<'a> RoughFilm<'a> {
         (self.surfaces).window(window, &flattening, &mut self.traces)
     }
 
-    /// Load share and friction of a window; its contact is solved as far as that needs, and stored. `composite` gives the sum
-    /// of the heights.
+    /// Load share and friction of a window; its contact is solved as far as that needs, and stored.
     ///
     /// # Errors
     /// When the contact has no solution.
@@ -107,22 +102,12 @@ impl<'a> RoughFilm<'a> {
         &mut self,
         contact: &WindowContact,
         window: Window,
-        composite: impl Fn() -> Result<(Vec<f64>, Length), PositionError>,
     ) -> Result<Checked<LoadShareSolution>, PositionError> {
         let roughness = self.roughness(window)?;
-        let solver = || {
-            let (heights, spacing) = composite()?;
-            rough_window(self.case, &self.contact, &heights, spacing)
-        };
-        let mut rough = None;
-        let table = match contact.table.get() {
-            Some(known) => known,
-            None => {
-                let table = ContactTable::new(rough.insert(solver()?));
-                contact.table.get_or_init(|| table)
-            }
-        };
-        (self.film).solve_rows(table, &roughness, || rough.map_or_else(solver, Ok))?;
+        let (table, rough) = contact.table()?;
+        (self.film).solve_rows(table, &roughness, || {
+            rough.map_or_else(|| contact.rough(), Ok)
+        })?;
         Ok(self.film.share(table, &roughness)?)
     }
 }
@@ -159,7 +144,6 @@ impl RoughFilm<'_> {
     pub(crate) fn add_gradient(
         &mut self,
         (contact, window): (&WindowContact, Window),
-        composite: impl Fn() -> Result<(Vec<f64>, Length), PositionError>,
         force: f64,
         sums: &mut HeightGradient,
     ) -> Result<(), PositionError> {
@@ -172,8 +156,7 @@ impl RoughFilm<'_> {
         if kinks.apart > 0 && self.case.model.film_pressure != FilmPressure::Rippled {
             return Ok(());
         }
-        let (heights, spacing) = composite()?;
-        let mut rough = rough_window(self.case, &self.contact, &heights, spacing)?;
+        let mut rough = contact.rough()?;
         let scale = self.case.model.friction_scale;
         let found = (self.film).gradient(&mut rough, table, &roughness, scale)?;
         let (starts, points) = (window.starts, window.points);

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use asperity_contact::{ContactSolution, ContactWarning};
 use asperity_core::Checked;
 use asperity_core::cancel::checkpoint;
-use asperity_core::quantity::Length;
 use asperity_ehl_regime::Regime;
 use asperity_ehl_regime::inlet_flow::LARGEST_SHARE;
 use asperity_mixed_film::{FilmPressure, Kinks, LoadShareSolution};
@@ -24,7 +23,7 @@ use crate::paper::{self, PrintedDeformation};
 use crate::records::{PathRecords, RecordedShare};
 use asperity_case::case::{Case, Formulation, FullFilmName};
 use asperity_case::error::PositionError;
-use asperity_case::flanks::{Roughness, Surfaces, Window, WindowPair};
+use asperity_case::flanks::{Roughness, Surfaces, WindowPair};
 use asperity_case::formula_film::FormulaFilm;
 
 /// Regime and load share in one window.
@@ -168,9 +167,8 @@ impl Lubrication<'_> {
             }
             let share = match (&mut rough_film, contact.window) {
                 (Some(film), Some(window)) => {
-                    let heights = || self.composite(at, window, (k, count));
-                    let share = film.share(contact, window, heights);
-                    Some(share.map_err(|error| self.keeping(error, at, contact, (k, count)))?)
+                    let share = film.share(contact, window);
+                    Some(share.map_err(|error| contact.keeping(error, at))?)
                 }
                 _ => None,
             };
@@ -248,11 +246,10 @@ impl Lubrication<'_> {
         let force = at.weight * at.mean_sliding() * at.load.si();
         let mut by_offset = Vec::with_capacity(count);
         let mut kinks = Kinks::default();
-        for (k, contact) in contacts.iter().enumerate() {
+        for contact in contacts {
             let mut sums = HeightGradient::none(self.surfaces)?;
             if let Some(window) = contact.window {
-                let heights = || self.composite(at, window, (k, count));
-                rough.add_gradient((contact, window), heights, force, &mut sums)?;
+                rough.add_gradient((contact, window), force, &mut sums)?;
             }
             by_offset.push(rough.gradient(&sums)?);
             kinks += sums.kinks;
@@ -339,34 +336,8 @@ impl Lubrication<'_> {
         let Some(window) = contact.window else {
             return Ok(None);
         };
-        let flanks = window.cut(self.surfaces, at, offset)?;
+        let flanks = window.cut(self.surfaces, at.zone, offset)?;
         WindowPair::new(flanks, at, self.case.modulus).map(Some)
-    }
-
-    /// The error with the gap of its window, if the contact did not converge.
-    fn keeping(
-        &self,
-        error: PositionError,
-        at: &MeshPosition,
-        contact: &WindowContact,
-        offset: (usize, usize),
-    ) -> PositionError {
-        match self.pair(at, contact, offset) {
-            Ok(Some(pair)) => error.keeping(&pair.x, &pair.gap),
-            _ => error,
-        }
-    }
-
-    /// Sum of the heights of both flanks in a window \[m\], and the distance of its points.
-    fn composite(
-        &self,
-        at: &MeshPosition,
-        window: Window,
-        offset: (usize, usize),
-    ) -> Result<(Vec<f64>, Length), PositionError> {
-        let [first, second] = window.cut(self.surfaces, at, offset)?;
-        let pairs = first.heights().iter().zip(second.heights());
-        Ok((pairs.map(|(a, b)| a + b).collect(), first.spacing()))
     }
 
     /// Whether the load share depends on the heights of a window: the paper's, and any user-defined law may.

@@ -4,10 +4,11 @@
 //! the loss factor is its sliding power, so that a constant coefficient gives μ H_V exactly. The paper takes a
 //! single place for the whole mesh.
 
-use asperity_core::quantity::{Length, LineLoad};
+use asperity_core::quantity::{AngularSpeed, Length, LineLoad};
 use asperity_gear::{LoadCell, LoadMap};
 
-use asperity_case::case::{Case, Formulation};
+use super::inputs::MeshInputs;
+use asperity_case::case::Formulation;
 use asperity_case::error::PositionError;
 use asperity_case::mesh_position::Resolution;
 
@@ -54,26 +55,35 @@ const LIGHT_CELL: f64 = 0.01;
 /// Share of the sliding power that the lightest cells may have together.
 const LIGHT_CELLS: f64 = 0.02;
 
-/// The places of a case under the load of `map`.
-pub(super) fn places(case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError> {
-    match case.formulation {
-        Formulation::Corrected => along_path(case, map),
-        Formulation::Paper => single(case, map).map(|place| vec![place]),
+/// The places of a mesh at a speed of the pinion under the load of `map`.
+pub(super) fn places(
+    inputs: &MeshInputs,
+    speed: AngularSpeed,
+    map: &LoadMap,
+) -> Result<Vec<Place>, PositionError> {
+    match inputs.formulation {
+        Formulation::Corrected => along_path(inputs, speed, map),
+        Formulation::Paper => single(inputs, map).map(|place| vec![place]),
     }
 }
 
 /// One place for each cell of the path.
-fn along_path(case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError> {
-    let width = case.gears.face_width;
-    let edges: Vec<_> = case.face_zones.iter().map(|edge| width * *edge).collect();
-    let cells = map.cells_in_zones(case.model.positions, &edges)?;
+fn along_path(
+    inputs: &MeshInputs,
+    speed: AngularSpeed,
+    map: &LoadMap,
+) -> Result<Vec<Place>, PositionError> {
+    let gears = &inputs.load.gears;
+    let width = gears.face_width;
+    let edges: Vec<_> = inputs.face_zones.iter().map(|edge| width * *edge).collect();
+    let cells = map.cells_in_zones(inputs.cells, &edges)?;
     let light = lightly_loaded(&cells);
-    let power = case.torque.si().abs() * case.speed.si();
+    let power = inputs.load.torque.si().abs() * speed.si();
     cells
         .iter()
         .zip(light)
         .map(|(cell, is_light)| {
-            let sliding = case.gears.kinematics(cell.s, case.speed)?.sliding.si();
+            let sliding = gears.kinematics(cell.s, speed)?.sliding.si();
             let at_its_place = cell.contact_length.si() * cell.load.si() * sliding.abs();
             Ok(Place {
                 s: cell.s,
@@ -92,12 +102,13 @@ fn along_path(case: &Case, map: &LoadMap) -> Result<Vec<Place>, PositionError> {
 }
 
 /// The single place of the paper, whose weight is the mean loaded length of contact line.
-fn single(case: &Case, map: &LoadMap) -> Result<Place, PositionError> {
-    let path = case.gears.path();
-    let s = path.a + (path.e - path.a) * case.model.position;
+fn single(inputs: &MeshInputs, map: &LoadMap) -> Result<Place, PositionError> {
+    let gears = &inputs.load.gears;
+    let path = gears.path();
+    let s = path.a + (path.e - path.a) * inputs.single;
     let place = Place::shown(map, s, Resolution::Required)?;
     Ok(Place {
-        weight: case.gears.single_position(s)?.weight,
+        weight: gears.single_position(s)?.weight,
         ..place
     })
 }

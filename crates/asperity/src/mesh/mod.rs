@@ -1,16 +1,18 @@
 //! The mesh without roughness and oil: positions along the path of contact with load, speeds and Hertz contact.
 
 mod cells;
+mod inputs;
 
 pub use asperity_case::mesh_position::{MeshPosition, Resolution};
 
 use asperity_contact::hertz_line::HertzLine;
-use asperity_core::quantity::Length;
+use asperity_core::quantity::{AngularSpeed, Length};
 use asperity_gear::LoadMap;
 
 use self::cells::Place;
+pub(crate) use self::inputs::MeshInputs;
 use asperity_case::case::Case;
-use asperity_case::error::PositionError;
+use asperity_case::error::{Error, PositionError};
 
 /// Load over the flanks and the mesh positions that follow from it.
 #[derive(Debug, Clone)]
@@ -36,15 +38,20 @@ impl Mesh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(case: &Case) -> Result<Self, PositionError> {
-        Self::under(case, case.load_map()?)
+        let inputs = MeshInputs::of(case);
+        Self::under(&inputs, case.speed, inputs.load.load_map()?)
     }
 
-    /// The mesh positions under a load over the flanks that is known.
-    pub(crate) fn under(case: &Case, load: LoadMap) -> Result<Self, PositionError> {
-        let places = cells::places(case, &load)?;
+    /// The mesh positions at a speed of the pinion under a load over the flanks that is known.
+    pub(crate) fn under(
+        inputs: &MeshInputs,
+        speed: AngularSpeed,
+        load: LoadMap,
+    ) -> Result<Self, PositionError> {
+        let places = cells::places(inputs, speed, &load)?;
         let numbered = places.iter().enumerate();
         let positions = numbered
-            .map(|(index, place)| position(case, index + 1, place))
+            .map(|(index, place)| position(inputs, speed, index + 1, place))
             .collect::<Result<_, _>>()?;
         Ok(Self { load, positions })
     }
@@ -56,22 +63,44 @@ impl Mesh {
         case: &Case,
     ) -> Result<Vec<(&'static str, MeshPosition)>, PositionError> {
         let path = case.gears.path();
+        let inputs = MeshInputs::of(case);
         let mut points = Vec::new();
         let named = path.named_points().into_iter();
         for (name, s) in named.filter(|(_, s)| (path.a..=path.e).contains(s)) {
             let place = Place::shown(&self.load, s, Resolution::WhereFine)?;
             if place.load.si() > 0.0 {
-                points.push((name, position(case, points.len() + 1, &place)?));
+                points.push((
+                    name,
+                    position(&inputs, case.speed, points.len() + 1, &place)?,
+                ));
             }
         }
         Ok(points)
     }
 }
 
-/// Position `number` at a place.
-fn position(case: &Case, number: usize, place: &Place) -> Result<MeshPosition, PositionError> {
+/// Values of all mesh positions, in order; an error names its position.
+pub(crate) fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Error> {
+    let count = of_positions.len();
+    let numbered = |(index, one): (usize, Result<T, PositionError>)| {
+        one.map_err(|source| Error::Position {
+            number: index + 1,
+            count,
+            source: Box::new(source),
+        })
+    };
+    of_positions.into_iter().enumerate().map(numbered).collect()
+}
+
+/// Position `number` at a place of a mesh at a speed of the pinion.
+fn position(
+    inputs: &MeshInputs,
+    speed: AngularSpeed,
+    number: usize,
+    place: &Place,
+) -> Result<MeshPosition, PositionError> {
     let Place { s, load, .. } = *place;
-    let motion = case.gears.kinematics(s, case.speed)?;
+    let motion = inputs.load.gears.kinematics(s, speed)?;
     Ok(MeshPosition {
         number,
         s,
@@ -82,7 +111,7 @@ fn position(case: &Case, number: usize, place: &Place) -> Result<MeshPosition, P
         zone: place.zone,
         motion,
         load,
-        hertz: HertzLine::new(load, motion.radius, case.modulus)?,
+        hertz: HertzLine::new(load, motion.radius, inputs.modulus)?,
     })
 }
 
@@ -91,6 +120,7 @@ fn position(case: &Case, number: usize, place: &Place) -> Result<MeshPosition, P
 /// # Errors
 /// When an equation refuses the numbers there, as where relief keeps the flanks apart.
 pub fn position_at(case: &Case, s: Length) -> Result<MeshPosition, PositionError> {
-    let place = Place::shown(&case.load_map()?, s, Resolution::Required)?;
-    position(case, 1, &place)
+    let inputs = MeshInputs::of(case);
+    let place = Place::shown(&inputs.load.load_map()?, s, Resolution::Required)?;
+    position(&inputs, case.speed, 1, &place)
 }

@@ -14,8 +14,9 @@ use asperity_roughness::composite::spaced_gradient;
 use rayon::prelude::*;
 
 use super::bulk_temperature::rise_exponent;
-use super::stages::{Stages, losses_with, numbered, sampled, warmed};
+use super::stages::{Stages, losses_with, sampled, warmed};
 use crate::contacts::Contacts;
+use crate::mesh::numbered;
 use crate::result::Losses;
 use asperity_case::case::{Formulation, LoadShareName, LoadedCase};
 use asperity_case::error::{Error, PositionError};
@@ -260,7 +261,6 @@ mod tests {
 
     use super::super::stages::{Stages, sampled};
     use super::gradient;
-    use crate::contacts::rough_window;
     use crate::pipeline::losses;
     use asperity_case::case::{CaseInput, LoadedCase, Source, load_holding, load_with};
     use asperity_roughness::composite::resampled;
@@ -361,18 +361,13 @@ mod tests {
         let points = case.surfaces.traces().unwrap().map(Profile::len);
         let mut found = Vec::new();
         for (number, position) in stages.lubricated().unwrap().iter().enumerate() {
-            let (at, windows) = (&position.at, contacts.at(&position.at).unwrap());
-            let line = at.line_contact(case.case.modulus, case.case.materials);
+            let windows = contacts.at(&position.at).unwrap();
             for (k, contact) in windows.iter().enumerate() {
                 let phi = position.offsets[k].solved.unwrap().asperity_share;
                 let Some(window) = contact.window.filter(|_| phi > 0.0) else {
                     continue;
                 };
-                let [first, second] = window.cut(&case.surfaces, at, (k, windows.len())).unwrap();
-                let pairs = first.heights().iter().zip(second.heights());
-                let composite: Vec<f64> = pairs.map(|(a, b)| a + b).collect();
-                let dx = first.spacing();
-                let mut rough = rough_window(&case.case, &line, &composite, dx).unwrap();
+                let mut rough = contact.rough().unwrap();
                 let above = TABLE_SHARES.partition_point(|share| *share <= phi);
                 for (row, share) in TABLE_SHARES.iter().enumerate().rev() {
                     found.push(RowContact {

@@ -15,7 +15,6 @@
 mod bulk_temperature;
 mod gradient;
 mod kept_fields;
-mod offsets;
 mod stages;
 mod survey;
 
@@ -23,9 +22,9 @@ pub use gradient::{
     LossGradient, check_heights, gradient, gradient_with, mean_gradient, refuse as check_gradient,
 };
 pub use kept_fields::KeptFields;
-pub use offsets::chooses_offsets;
 pub use stages::{
-    Progress, check, coldest_losses_with, contacts, contacts_beside, losses, losses_with, settled,
+    Progress, check, chooses_offsets, coldest_losses_with, contacts, contacts_beside, losses,
+    losses_with, settled,
 };
 pub use survey::{FilmRow, FilmSurvey, RegimeRow, film, survey};
 

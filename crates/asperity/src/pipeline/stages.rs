@@ -9,14 +9,13 @@ use rayon::prelude::*;
 
 use super::bulk_temperature;
 use super::kept_fields::KeptFields;
-use super::offsets::{chooses_offsets, offsets_needed, with_offsets};
 
-use crate::assembly::{Solved, equations_used, sources_used};
-use crate::contacts::{Contacts, WindowContact, running_in};
+use crate::assembly::{Solved, equations_used, sources_used, warnings_of_case};
+use crate::contacts::{ContactInputs, Contacts, Offsets, WindowContact, running_in};
 use crate::lubrication::{
     ChosenLaws, LubricatedPosition, Lubrication, check_mesh_position, plausible_film, records_of,
 };
-use crate::mesh::{Mesh, MeshPosition};
+use crate::mesh::{Mesh, MeshInputs, MeshPosition, numbered};
 use crate::pictures::Picture;
 use crate::records::PathRecords;
 use crate::result::{Losses, Outcome, RunInFlanks};
@@ -24,13 +23,15 @@ use asperity_case::case::{Case, Formulation, LoadedCase};
 use asperity_case::error::{Error, PositionError};
 use asperity_case::flanks::is_substituted;
 use asperity_case::flanks::placement::check_coverage;
+use asperity_case::message::Warning;
 
 /// Progress callback, called with (done, total).
 pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
 /// Checks all that a run checks before it solves a contact: the table of the gearbox, the mesh positions with their
 /// smooth films, the place of the traces, and at the first offset of each pair of teeth the windows in contact.
-/// Records of mixed lubrication are not computed, and a bulk temperature that follows from the loss is not sought.
+/// Records of mixed lubrication are not computed, and a bulk temperature that follows from the loss is not sought. Returns the
+/// warnings that need no solution and are not in the loaded case.
 ///
 /// # Errors
 /// The error with which a run ends.
@@ -44,7 +45,7 @@ pub type Progress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 /// assert_eq!(pipeline::check(&long).unwrap_err().code(), "E122");
 /// # Ok::<(), asperity::Error>(())
 /// ```
-pub fn check(loaded: &LoadedCase) -> Result<(), Error> {
+pub fn check(loaded: &LoadedCase) -> Result<Vec<Warning>, Error> {
     let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
     let firsts = |position: &MeshPosition| {
         check_mesh_position(position)?;
@@ -55,7 +56,7 @@ pub fn check(loaded: &LoadedCase) -> Result<(), Error> {
     if loaded.case.model.run_in {
         running_in::places(&loaded.case, &loaded.surfaces, &mesh.positions).map_err(Box::new)?;
     }
-    Ok(())
+    Ok(warnings_of_case(loaded, &mesh).map_err(Box::new)?)
 }
 
 /// The mesh of a case on traces that cover it, under the load of `contacts` if that is known.
@@ -64,26 +65,13 @@ fn placed_mesh(loaded: &LoadedCase, contacts: Option<&Contacts>) -> Result<Mesh,
     // A table that does not reach the operating point is reported before the work.
     crate::result::gearbox::check(case)?;
     let mesh = match contacts.and_then(|contacts| contacts.load_map(case)) {
-        Some(map) => Mesh::under(case, map.clone())?,
+        Some(map) => Mesh::under(&MeshInputs::of(case), case.speed, map.clone())?,
         None => Mesh::of(case)?,
     };
     if let Some(coverage) = loaded.surfaces.coverage(mesh.positions.iter()) {
         check_coverage(coverage)?;
     }
     Ok(mesh)
-}
-
-/// Values of all mesh positions, in order; an error names its position.
-pub(super) fn numbered<T>(of_positions: Vec<Result<T, PositionError>>) -> Result<Vec<T>, Error> {
-    let count = of_positions.len();
-    let numbered = |(index, one): (usize, Result<T, PositionError>)| {
-        one.map_err(|source| Error::Position {
-            number: index + 1,
-            count,
-            source: Box::new(source),
-        })
-    };
-    of_positions.into_iter().enumerate().map(numbered).collect()
 }
 
 /// The rough contacts of a case at every position and offset: they depend on neither oil, speed nor temperature.
@@ -102,54 +90,55 @@ pub fn contacts_beside(loaded: &LoadedCase, others: &[Contacts]) -> Result<Conta
     Ok(sampled(loaded, None, others)?.1.into_owned())
 }
 
-/// The case with the number of offsets that it needs, and its contacts: those that are known, or new ones, which
+/// The case with the number of offsets that its contacts have, and the contacts: those that are known, or new ones, which
 /// share the windows that `others` have under the same load.
 pub(super) fn sampled<'a>(
     loaded: &'a LoadedCase,
     known: Option<&'a Contacts>,
     others: &[Contacts],
 ) -> Result<(Cow<'a, LoadedCase>, Cow<'a, Contacts>), Error> {
-    if let Some(known) = known {
-        let loaded = with_offsets(loaded, known.offsets());
-        known.check(&loaded).map_err(Box::new)?;
-        return Ok((loaded, Cow::Borrowed(known)));
-    }
-    let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
-    let contacts = contacts_of(loaded, &mesh, others.iter())?;
-    if !chooses_offsets(loaded) {
-        return Ok((Cow::Borrowed(loaded), Cow::Owned(contacts)));
-    }
-    let first = Stages::on(
-        loaded,
-        mesh,
-        Cow::Borrowed(&contacts),
-        &|_, _| {},
-        Provenance::new(),
-    )?;
-    let wanted = offsets_needed(loaded, &first.lubricated()?);
-    let mesh = first.mesh;
-    let more = with_offsets(loaded, wanted);
-    let contacts = match wanted > contacts.offsets() {
-        true => contacts_of(&more, &mesh, others.iter().chain([&contacts]))?,
-        false => contacts,
+    let contacts = match known {
+        Some(known) => {
+            known.check(loaded).map_err(Box::new)?;
+            Cow::Borrowed(known)
+        }
+        None => {
+            let mesh = placed_mesh(loaded, None).map_err(Box::new)?;
+            Cow::Owned(contacts_of(loaded, &mesh, others.iter())?)
+        }
     };
-    Ok((more, Cow::Owned(contacts)))
+    Ok((with_offsets(loaded, contacts.offsets()), contacts))
 }
 
+/// The contacts of `loaded`, whose load over the flanks is that of `mesh`.
 fn contacts_of<'a>(
     loaded: &LoadedCase,
     mesh: &Mesh,
     others: impl Iterator<Item = &'a Contacts>,
 ) -> Result<Contacts, Error> {
-    let known: Vec<&Contacts> = others
-        .filter(|other| other.have_windows_of(loaded))
-        .collect();
-    let at = |position: &MeshPosition| {
-        check_mesh_position(position)?;
-        WindowContact::of_position(loaded, position, &known)
-    };
-    let rows = numbered(mesh.positions.par_iter().map(at).collect())?;
-    Ok(Contacts::new(loaded, mesh, rows))
+    numbered(mesh.positions.iter().map(check_mesh_position).collect())?;
+    Contacts::solve(ContactInputs::of(loaded), mesh.load.clone(), others)
+}
+
+/// Whether the number of offsets of `loaded` follows from its contacts: the case states none, and its load share follows from
+/// windows of traces whose place on the flank is not known.
+pub fn chooses_offsets(loaded: &LoadedCase) -> bool {
+    Offsets::of(loaded) == Offsets::Needed
+}
+
+/// `loaded` with this number of offsets.
+fn with_offsets(loaded: &LoadedCase, offsets: usize) -> Cow<'_, LoadedCase> {
+    if offsets == loaded.case.model.offsets {
+        return Cow::Borrowed(loaded);
+    }
+    let mut more = loaded.clone();
+    more.case.model.offsets = offsets;
+    for used in &mut more.case.defaults {
+        if used.key == "model.offsets" {
+            used.value = offsets.to_string();
+        }
+    }
+    Cow::Owned(more)
 }
 
 /// Losses of a case. They equal the losses of a whole run to the last digit.
@@ -425,7 +414,8 @@ impl<'a> Stages<'a> {
         let solve = |(name, at): &(&'static str, MeshPosition)| {
             self.used.collect(|| {
                 check_mesh_position(at)?;
-                let contacts = match WindowContact::of_position(loaded, at, &[]) {
+                let (windows, each) = (&self.contacts.inputs().windows, self.contacts.offsets());
+                let contacts = match WindowContact::of_position(windows, each, at) {
                     // Its window is wider than those of the positions, which have theirs.
                     Err(PositionError::TraceTooShort { .. }) => return Ok(None),
                     contacts => contacts?,
@@ -476,6 +466,7 @@ impl<'a> Stages<'a> {
         let ran_in = self.summed(flanks)?;
         let mut worn = self.loaded.clone();
         worn.surfaces = ran_in.surfaces.clone();
+        worn.case.input.model.offsets = Some(self.contacts.offsets());
         let shown = |done, _| (self.progress)(before + done, total);
         let mesh = self.mesh.clone();
         let contacts = Cow::Owned(self.used.collect(|| contacts_of(&worn, &mesh, [].iter()))?);

@@ -79,7 +79,7 @@ fn row(
         film_central_um: film.shown.central.si() * 1e6,
         film_minimum_um: film.shown.minimum.si() * 1e6,
         thermal_reduction: film.thermal_reduction,
-        lambda_star: median(decisions.iter().filter_map(|d| d.lambda_star).collect()),
+        lambda_star: median(decisions.iter().filter_map(|d| d.lambda_star)),
         film_ratio: Some(over(&|d| d.film_ratio)).filter(|ratio| ratio.is_finite()),
         film_share: over(&|d| d.shared.film_share),
         mixed_share: over(&|d| f64::from(d.regime == Regime::Mixed)),

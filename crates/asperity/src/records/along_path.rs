@@ -56,9 +56,9 @@ impl PathRecords {
         let found: Vec<_> = contacts
             .iter()
             .map(|contact| {
-                let file = store.file(contact);
-                let record = file.as_deref().and_then(RecordStore::find);
-                (file, record)
+                let name = RecordStore::name(contact);
+                let record = store.find(&name);
+                (name, record)
             })
             .collect();
         let missing = found.iter().filter(|(_, record)| record.is_none()).count();
@@ -66,14 +66,12 @@ impl PathRecords {
         let records: Vec<Result<PathRecord, PositionError>> = contacts
             .par_iter()
             .zip(found)
-            .map(|(contact, (file, record))| {
+            .map(|(contact, (name, record))| {
                 if let Some(record) = record {
                     return Ok(record);
                 }
                 let record = solved(contact)?;
-                if let Some(file) = &file {
-                    store.keep(file, &record);
-                }
+                store.keep(&name, &record);
                 progress(1 + done.fetch_add(1, Ordering::Relaxed), missing);
                 Ok(record)
             })

@@ -3,7 +3,7 @@
 use asperity_core::numerics::{Z_95, Z_975};
 use asperity_core::quantity::Length;
 use asperity_efficiency::swept::{HYSTERESIS, HYSTERESIS_BAND};
-use asperity_oil::{LubricantError, Mark, base_oil_source};
+use asperity_oil::{FilmConstantName, LubricantError, Mark, base_oil_source};
 use asperity_tribo_friction::boundary::{
     BOUNDARY_FRICTION, BOUNDARY_FRICTION_BAND, BOUNDARY_LAYER, BOUNDARY_LAYER_BAND,
 };
@@ -16,7 +16,7 @@ use asperity_case::case::{Calibrated, CalibratedName, Case, FittedName};
 #[non_exhaustive]
 pub struct FilmConstant {
     /// Its name, with its unit.
-    pub name: String,
+    pub name: FilmConstantName,
     /// The value used.
     pub value: f64,
     /// Lower end of its band, where one is known.
@@ -40,17 +40,21 @@ pub(crate) fn film_constants(case: &Case) -> Result<Vec<FilmConstant>, Lubricant
     let calibration = case.input.calibration.as_ref();
     let is_calibrated = |name| calibration.is_some_and(|found| found.of(name).is_some());
     let is_fitted = case.oil_file.is_some();
-    let used = |name: &str| match name {
-        "limiting_shear" => !is_fitted && !is_calibrated(CalibratedName::LimitingShear),
-        "eyring_stress_pa" => !is_fitted && !is_calibrated(CalibratedName::EyringStress),
-        "conductivity_w_per_m_k" => !given_conductivity,
-        "gold_factor_per_gpa" => !given_alpha,
+    let used = |name: FilmConstantName| match name {
+        FilmConstantName::LimitingShear => {
+            !is_fitted && !is_calibrated(CalibratedName::LimitingShear)
+        }
+        FilmConstantName::EyringStress => {
+            !is_fitted && !is_calibrated(CalibratedName::EyringStress)
+        }
+        FilmConstantName::Conductivity => !given_conductivity,
+        FilmConstantName::GoldFactor => !given_alpha,
         _ => true,
     };
     let constants = base.constants()?;
-    let constants = constants.into_iter().filter(|(name, _)| used(name));
+    let constants = constants.into_iter().filter(|(name, _)| used(*name));
     let of_oil = constants.map(|(name, constant)| FilmConstant {
-        name: name.to_owned(),
+        name,
         value: constant.value,
         low: constant.low,
         high: constant.high,
@@ -72,14 +76,14 @@ fn calibrated(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
     calibration.flat_map(|calibration| {
         CalibratedName::ALL.into_iter().filter_map(|name| {
             let found = calibration.of(name)?;
-            let unit = match name {
-                CalibratedName::BoundaryLayer => "_m",
-                CalibratedName::EyringStress => "_pa",
-                _ => "",
-            };
             let source = calibration.source.clone();
             Some(FilmConstant {
-                name: format!("{}{unit}", name.key()),
+                name: match name {
+                    CalibratedName::BoundaryFriction => FilmConstantName::BoundaryFriction,
+                    CalibratedName::BoundaryLayer => FilmConstantName::BoundaryLayer,
+                    CalibratedName::LimitingShear => FilmConstantName::LimitingShear,
+                    CalibratedName::EyringStress => FilmConstantName::EyringStress,
+                },
                 value: found.value,
                 low: Some(found.low),
                 high: Some(found.high),
@@ -103,13 +107,17 @@ fn fitted(case: &Case) -> impl Iterator<Item = FilmConstant> + '_ {
                 FittedName::LimitingShearTemperature => value + (end - value) * Z_95 / Z_975,
                 _ => value * (end / value).powf(Z_95 / Z_975),
             };
-            let unit = match name {
-                FittedName::EyringStress => "_pa",
-                FittedName::LimitingShearTemperature => "_per_k",
-                _ => "",
-            };
             FilmConstant {
-                name: format!("{}{unit}", name.key()),
+                name: match name {
+                    FittedName::EyringStress => FilmConstantName::EyringStress,
+                    FittedName::LimitingShear => FilmConstantName::LimitingShear,
+                    FittedName::LimitingShearTemperature => {
+                        FilmConstantName::LimitingShearTemperature
+                    }
+                    FittedName::PressureViscosityFactor => {
+                        FilmConstantName::PressureViscosityFactor
+                    }
+                },
                 value,
                 low: Some(quantile(low)),
                 high: Some(quantile(high)),
@@ -126,7 +134,7 @@ fn of_boundary(case: &Case) -> impl Iterator<Item = FilmConstant> {
     let [least, most] = BOUNDARY_LAYER_BAND.map(Length::si);
     let rows = [
         (
-            "boundary_friction",
+            FilmConstantName::BoundaryFriction,
             model.boundary_friction,
             BOUNDARY_FRICTION,
             BOUNDARY_FRICTION_BAND,
@@ -134,15 +142,15 @@ fn of_boundary(case: &Case) -> impl Iterator<Item = FilmConstant> {
             "between 0.065 to 0.07 of ground FZG flanks (Arana 2019) and 0.12 of tribometers",
         ),
         (
-            "boundary_layer_m",
+            FilmConstantName::BoundaryLayer,
             model.boundary_layer.si(),
             BOUNDARY_LAYER.si(),
             [least, most],
             Mark::Judged,
-            "boundary layer with the roughness below a short-wave cut-off of 2.5 um; judgement",
+            "boundary layer with the roughness below a short-wave cut-off of 2.5 um",
         ),
         (
-            "hysteresis",
+            FilmConstantName::Hysteresis,
             model.hysteresis,
             HYSTERESIS,
             HYSTERESIS_BAND,
@@ -160,7 +168,7 @@ fn of_boundary(case: &Case) -> impl Iterator<Item = FilmConstant> {
     let defaults = rows.filter(|(row, is_calibrated)| row.1 == row.2 && !is_calibrated);
     let defaults = defaults.map(|(row, _)| row);
     defaults.map(|(name, value, _, [low, high], mark, source)| FilmConstant {
-        name: name.to_owned(),
+        name,
         value,
         low: Some(low),
         high: Some(high),

@@ -1,5 +1,6 @@
 //! The uncertainty of a loss as plain data, and the digits that it leaves.
 
+use asperity_case::message::Subject;
 use asperity_uncertainty::Quantiles;
 use serde::{Deserialize, Serialize};
 
@@ -123,6 +124,9 @@ pub struct LossDistribution {
 pub struct UncertaintyPart {
     /// Its name.
     pub name: String,
+    /// The component, where warnings are about it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub about: Option<Subject>,
     /// Standard deviation of ln loss.
     pub sd_ln: f64,
     /// 5 % and 95 % quantiles of the loss, scaled as the run to the median of all draws \[W\].
@@ -291,13 +295,25 @@ impl Uncertainty {
     pub fn trust_text(&self) -> String {
         let text = self.trust.text();
         let digits = self.digits();
-        let printed = |ends: [f64; 2]| ends.map(|loss| digits.rounded(loss));
-        let now = printed(self.loss.quantiles_w);
-        match self.with_traces_w.map(printed) {
-            Some(ends) if ends == now => format!("{text}; traces would hardly narrow the band"),
-            Some([low, high]) => format!("{text}; traces would narrow the band to {low}..{high} W"),
+        match self.with_traces_w {
+            Some(_) if !self.traces_narrow() => {
+                format!("{text}; traces would hardly narrow the band")
+            }
+            Some(ends) => {
+                let [low, high] = ends.map(|loss| digits.rounded(loss));
+                format!("{text}; traces would narrow the band to {low}..{high} W")
+            }
             None => text.to_owned(),
         }
+    }
+
+    /// Whether traces in place of roughness values would leave an interval that is printed with other ends.
+    #[must_use]
+    pub fn traces_narrow(&self) -> bool {
+        let digits = self.digits();
+        let printed = |ends: [f64; 2]| ends.map(|loss| digits.rounded(loss));
+        let now = printed(self.loss.quantiles_w);
+        self.with_traces_w.is_some_and(|ends| printed(ends) != now)
     }
 
     /// The last place of printed losses and their parts.

@@ -619,6 +619,8 @@ pub struct Losses {
     pub gearbox: Option<GearboxReport>,
     /// Distinct inputs outside the range of a correlation or of lubricated steel: code, correlation, input.
     pub outside: Vec<String>,
+    /// Warnings, those of a whole run except for its pictures and ratings.
+    pub warnings: Vec<Warning>,
     /// Equations used.
     pub equations: Vec<EquationUse>,
 }

@@ -19,7 +19,6 @@ use asperity_core::cite;
 use asperity_core::quantity::Length;
 
 use crate::result::loss_band::WindowSampling;
-use asperity_case::case::LoadedCase;
 use asperity_case::flanks::{AVERAGING_WIDTH, Surfaces};
 
 /// Scatter of the whole loss over the sum of the scatters of its positions, which share places of the flank: 0.68 to
@@ -95,11 +94,14 @@ pub(crate) fn length_for(windows: f64, window: f64, half_width: Length) -> Lengt
     half_width * (windows * AVERAGING_WIDTH + 2.0 * window)
 }
 
-/// Independent windows of the traces of a case under contacts of half width `half_width`, added up over several
+/// Independent windows of `window` half-widths to each side on both flanks, under contacts of half width `half_width`, added up over several
 /// teeth; `None` if a flank was not measured.
-pub(crate) fn windows_of_traces(loaded: &LoadedCase, half_width: Length) -> Option<f64> {
-    let surfaces = &loaded.surfaces;
-    let free = free_way(surfaces, loaded.case.model.window, half_width)?;
+pub(crate) fn windows_of_traces(
+    surfaces: &Surfaces,
+    window: f64,
+    half_width: Length,
+) -> Option<f64> {
+    let free = free_way(surfaces, window, half_width)?;
     let teeth = surfaces
         .teeth()
         .map_or(1, |[pinion, wheel]| pinion.min(wheel));

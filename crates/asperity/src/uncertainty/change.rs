@@ -151,7 +151,11 @@ fn sampling_error_of_changes(
         let found = pair_sampling(&means_of_pairs(differences, surfaces.pairs()), teeth)?;
         return Some([found.standard_error_w, found.freedom]);
     }
-    let windows = windows_of_traces(loaded, widest(&base.path))?;
+    let windows = windows_of_traces(
+        &loaded.surfaces,
+        loaded.case.model.window,
+        widest(&base.path),
+    )?;
     let effective = windows.min(differences.len() as f64).max(2.0);
     Some([deviation(differences)? / effective.sqrt(), effective - 1.0])
 }

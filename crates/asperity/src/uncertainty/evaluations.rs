@@ -271,7 +271,9 @@ fn few_offsets(loaded: &LoadedCase) -> LoadedCase {
         false => loaded.clone(),
     };
     let each = OFFSETS / few.surfaces.pairs();
-    few.case.model.offsets = each.max(1).min(loaded.case.model.offsets);
+    let each = each.max(1).min(loaded.case.model.offsets);
+    few.case.model.offsets = each;
+    few.case.input.model.offsets = Some(each);
     few
 }
 
@@ -484,7 +486,11 @@ fn sampling_error(
     if shifts.is_some() {
         return Ok(of_place);
     }
-    let Some(windows) = windows_of_traces(loaded, widest(nominal.path)) else {
+    let Some(windows) = windows_of_traces(
+        &loaded.surfaces,
+        loaded.case.model.window,
+        widest(nominal.path),
+    ) else {
         return Ok(SamplingError::NONE);
     };
     let found = window_sampling(

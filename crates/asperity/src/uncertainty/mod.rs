@@ -41,7 +41,7 @@ use crate::sampling::{length_for, windows_of_traces};
 use asperity_case::balance::Unbalanced;
 use asperity_case::case::{AssumedRelief, LoadedCase};
 use asperity_case::error::{Error, PositionError};
-use asperity_case::message::Warning;
+use asperity_case::message::{Subject, Warning};
 use asperity_uncertainty::{
     Component, InnerBoundary, Measured, Ranged, UncertainParameter as Constant,
 };
@@ -289,7 +289,8 @@ fn parts(
         )
     });
     let half_width = widest(nominal.path);
-    let windows = windows_of_traces(loaded, half_width).unwrap_or(f64::INFINITY);
+    let windows = windows_of_traces(&loaded.surfaces, loaded.case.model.window, half_width)
+        .unwrap_or(f64::INFINITY);
     let longer = match windows < 8.0 {
         _ if loaded.surfaces.is_surrogate() => "traces of the flanks".to_owned(),
         true => {
@@ -308,11 +309,7 @@ fn parts(
             "tip relief not stated",
             "gears.pinion.tip_relief and gears.wheel.tip_relief".to_owned(),
         ),
-        (
-            Component::Model,
-            "error of the fast model",
-            "model.load_share = \"ehl\"".to_owned(),
-        ),
+        (Component::Model, "error of the fast model", RIG.to_owned()),
         (
             Component::InnerBoundary,
             "boundary share of inner spots",
@@ -344,8 +341,19 @@ fn parts(
         .chain(factors)
         .filter_map(|(component, name, remedy)| {
             let found = law.alone(component)?;
+            let constant = |k: usize| predictive.constants.get(k).map(|ranged| ranged.kind);
+            let about = match component {
+                Component::Sampling => Some(Subject::Sampling),
+                Component::Relief => Some(Subject::TipRelief),
+                Component::Model => Some(Subject::FastModel),
+                Component::Constant(k) => constant(k)
+                    .filter(|kind| *kind == Constant::PressureViscosity)
+                    .map(|_| Subject::PressureViscosity),
+                _ => None,
+            };
             Some(UncertaintyPart {
                 name: name.to_owned(),
+                about,
                 sd_ln: found.sd_ln,
                 quantiles_w: found.quantiles_w.map(|loss| scale * loss),
                 remedy,
@@ -389,7 +397,11 @@ fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>)
     if let Some(changes) = misplaced_w {
         return SamplingPart::OnePair(changes);
     }
-    let Some(windows) = windows_of_traces(loaded, widest(nominal.path)) else {
+    let Some(windows) = windows_of_traces(
+        &loaded.surfaces,
+        loaded.case.model.window,
+        widest(nominal.path),
+    ) else {
         return SamplingPart::None("no traces, no sampling error".to_owned());
     };
     let offsets = nominal.summary.offsets;

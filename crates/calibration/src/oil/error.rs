@@ -3,6 +3,7 @@
 use asperity::case::STEEPEST_FALL;
 use asperity::mixed_film::LoadShareError;
 use asperity::oil::LubricantError;
+use asperity_core::{decimals, number};
 
 use crate::error::CalibrationError;
 
@@ -47,8 +48,7 @@ pub enum OilError {
     NotRubbed,
     /// Too few points in boundary lubrication.
     #[error(
-        "{kept} of {points} set points after rubbing have a film of at most {ratio} times the roughness (thinnest: {thinnest:.2} times) and a slide-to-roll ratio of at least 0.5 %; at least {least} at two speeds are needed"
-    )]
+        "{kept} of {points} set points after rubbing have a film of at most {ratio} times the roughness (thinnest: {thinnest} times) and a slide-to-roll ratio of at least 0.5 %; at least {least} at two speeds are needed", ratio = number(*ratio), thinnest = decimals(*thinnest, 2))]
     FewBoundary {
         /// Such points.
         kept: usize,
@@ -94,8 +94,7 @@ pub enum OilError {
     },
     /// A probe of the oil that reads air.
     #[error(
-        "{file}:{line}: the probe of the oil reads {lube} °C where the pot has {pot} °C: it reads air. Take the temperature of the pot, if it is the one of the oil"
-    )]
+        "{file}:{line}: the probe of the oil reads {lube} °C where the pot has {pot} °C: it reads air. Take the temperature of the pot, if it is the one of the oil", lube = number(*lube), pot = number(*pot))]
     Air {
         /// Name of the file.
         file: String,
@@ -117,15 +116,14 @@ pub enum OilError {
         dropped: String,
     },
     /// A pressure that does not stiffen the oil.
-    #[error("the largest Hertz pressure is {gpa:.2} GPa; at least 0.4 GPa are needed")]
+    #[error("the largest Hertz pressure is {gpa} GPa; at least 0.4 GPa are needed", gpa = decimals(*gpa, 2))]
     LowPressure {
         /// Largest pressure \[GPa\].
         gpa: f64,
     },
     /// Curves that no law of pressure explains.
     #[error(
-        "no law explains the curves: squares of the residuals per point {per_point:.1}, at most 3 are accepted; largest: {worst}"
-    )]
+        "no law explains the curves: squares of the residuals per point {per_point}, at most 3 are accepted; largest: {worst}", per_point = decimals(*per_point, 1))]
     Unexplained {
         /// Squares of the residuals per point of the better law.
         per_point: f64,
@@ -145,7 +143,7 @@ pub enum OilError {
         worst: String,
     },
     /// A constant of no known oil.
-    #[error("{name} = {value:.4} {unit} is the one of no known oil: {low} to {high} {unit}")]
+    #[error("{name} = {value} {unit} is the one of no known oil: {low} to {high} {unit}", low = number(*low), high = number(*high), value = decimals(*value, 4))]
     NoOil {
         /// The constant.
         name: String,

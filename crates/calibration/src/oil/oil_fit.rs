@@ -1,5 +1,6 @@
 //! Oil constants from traction curves: selection, fit by both laws of pressure, decision, refusals and warnings.
 
+use asperity_core::number;
 use std::fmt::Write as _;
 
 use asperity::case::{DECISIVE, POORLY_EXPLAINED, STEEPEST_FALL, law_error};
@@ -354,7 +355,7 @@ impl OilFit {
             let FittedConstant {
                 name, value, unit, ..
             } = constant;
-            let value = digits(*value);
+            let (value, low, high) = (digits(*value), number(low), number(high));
             texts.push(format!(
                 "{name} = {value} {unit}: that of no known oil, {low} to {high}"
             ));

@@ -6,6 +6,7 @@
 //! A step with the column of an average film measures film thickness, usually on glass, and no traction. Its films replace the
 //! computed ones at the same load and set temperature, between its speeds, along straight lines over the logarithms.
 
+use asperity_core::number as number_text;
 use asperity_core::quantity::{Force, Length, Speed, Temperature};
 
 use super::error::OilError;
@@ -249,7 +250,10 @@ impl Columns {
             && !agree(sliding.abs(), (0.01 * slide * speed).abs(), speed.abs())
         {
             let rule = format!(
-                "sliding speed {sliding} mm/s is not the slide-to-roll ratio of {slide} % times the rolling speed of {speed} mm/s"
+                "sliding speed {} mm/s is not the slide-to-roll ratio of {} % times the rolling speed of {} mm/s",
+                number_text(sliding),
+                number_text(slide),
+                number_text(speed)
             );
             return Err(place.fault(rule));
         }
@@ -257,7 +261,10 @@ impl Columns {
             && !agree(force.abs(), (traction * load).abs(), load.abs())
         {
             let rule = format!(
-                "traction force {force} N is not the traction coefficient {traction} times the load of {load} N"
+                "traction force {} N is not the traction coefficient {} times the load of {} N",
+                number_text(force),
+                number_text(traction),
+                number_text(load)
             );
             return Err(place.fault(rule));
         }

@@ -10,8 +10,9 @@ use asperity_report::{ReportError, StudyResult, tables, write_text};
 use maud::{Markup, html};
 
 use super::stribeck::{BoundaryState, Stribeck};
+use super::text::is_simulated_source;
 use super::traction::BOUNDARY_RATIO;
-use crate::block::{constant, digits, quoted};
+use crate::block::{constant, digits, origin};
 use crate::page::{files, notes, warnings};
 
 const POINTS: &str = "points.csv";
@@ -59,8 +60,11 @@ impl Stribeck {
         let files: Vec<&str> = self.sources.iter().map(|[file, _]| &**file).collect();
         let key = CalibratedName::BoundaryFriction.key();
         format!(
-            "[calibration]\nsource = {}\n{}\n",
-            quoted(&files.join(", ")),
+            "{}{}\n",
+            origin(
+                &files.join(", "),
+                self.sources.iter().any(is_simulated_source)
+            ),
             constant(key, self.boundary_friction, self.band)
         )
     }

@@ -7,7 +7,7 @@ use super::machine::Machine;
 use super::pcs_text::{Probe, is_pcs, read_pcs};
 use super::reading::Reading;
 use super::table::read_table;
-use crate::rig_table::{SIMULATED, is_simulated};
+use crate::rig_table::is_simulated;
 
 /// Readings of a table or of a text export; `machine` has what they do not state.
 ///
@@ -25,12 +25,17 @@ pub fn read_text(
     }
 }
 
-/// Name and SHA-256 of a text; the name of simulated readings says so.
+/// Name and SHA-256 of a text; the name of simulated readings ends with a mark.
 #[must_use]
 pub fn source(name: &str, text: &str) -> [String; 2] {
-    let mark = match is_simulated(text) {
-        true => format!(" ({SIMULATED})"),
-        false => String::new(),
-    };
+    let mark = if is_simulated(text) { MARK } else { "" };
     [format!("{name}{mark}"), sha256(text.as_bytes())]
+}
+
+/// Mark behind the name of simulated readings.
+const MARK: &str = " (SIMULATED)";
+
+/// Whether a [`source`] holds simulated readings.
+pub(crate) fn is_simulated_source([name, _]: &[String; 2]) -> bool {
+    name.ends_with(MARK)
 }

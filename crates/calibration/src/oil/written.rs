@@ -7,6 +7,7 @@ use asperity::oil::PressureLaw;
 use asperity_core::quantity::{Pressure, Temperature};
 
 use super::oil_fit::{FittedConstant, OilFit};
+use super::text::is_simulated_source;
 use crate::block::{digits, rounded};
 
 impl OilFit {
@@ -86,6 +87,7 @@ impl OilFit {
                 this_law: plain(this_law)?,
             },
             source: sources.collect::<Vec<String>>().join("; "),
+            simulated: self.sources.iter().any(is_simulated_source),
             doubts: Vec::new(),
         })
     }

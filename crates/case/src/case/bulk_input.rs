@@ -3,25 +3,27 @@
 use asperity_core::quantity::ThermalConductance;
 use serde::{Deserialize, Serialize};
 
-/// Bulk temperature from the loss: by conductances, or `{ law = "iso", lubrication = "jet" }`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct BulkInput {
+use super::rows::table;
+
+table! {
+    /// Bulk temperature from the loss: by conductances, or `{ law = "iso", lubrication = "jet" }`.
+    #[derive(Copy)]
+    BulkInput;
+
     /// Law of the rise over the oil: `network` takes conductances, `iso` (unconfirmed) how the oil is supplied.
-    pub law: BulkLaw,
+    law: BulkLaw;
     /// How the oil reaches the mesh, with `iso`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub lubrication: Option<Lubrication>,
+    lubrication: Option<Lubrication>;
     /// Conductance from the pinion to the oil, with `network`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub pinion_to_oil: Option<ThermalConductance>,
+    pinion_to_oil: Option<ThermalConductance> = "W/K" usual [0.05, 5000.0] possible [1e-4, 1e6];
     /// Conductance from the wheel to the oil, with `network`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub wheel_to_oil: Option<ThermalConductance>,
+    wheel_to_oil: Option<ThermalConductance> = "W/K" usual [0.05, 5000.0] possible [1e-4, 1e6];
     /// Conductance from gear to gear, with `network`; default 0 W/K.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub between: Option<ThermalConductance>,
+    between: Option<ThermalConductance> = "W/K" usual [0.01, 500.0] possible [1e-4, 1e6];
 }
 
 /// Law of the rise of the bulk temperature over the oil.

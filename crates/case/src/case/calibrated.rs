@@ -35,6 +35,7 @@ pub(super) fn check(
     // The other keys need no check.
     let CalibrationInput {
         source: _,
+        simulated: _,
         boundary_friction,
         boundary_layer,
         limiting_shear,

@@ -4,29 +4,34 @@ use asperity_core::numerics::Cholesky;
 use asperity_core::quantity::{Length, Pressure};
 use serde::{Deserialize, Serialize};
 
-/// Parameters calibrated on a rig, each with the 95 % band that the band of the loss is drawn from.
-///
-/// `asperity calibrate` writes this table. A parameter that is left out keeps its default and its range.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct CalibrationInput {
+use super::rows::{Numbers, OPEN, table};
+
+table! {
+    /// Parameters calibrated on a rig, each with the 95 % band that the band of the loss is drawn from.
+    ///
+    /// `asperity calibrate` writes this table. A parameter that is left out keeps its default and its range.
+    #[derive(Default)]
+    CalibrationInput;
+
     /// Measurements from which the values come; printed with every result.
-    pub source: Option<String>,
+    source: Option<String>;
+    /// Whether the measurements were simulated, as in a rehearsal; every result then says so (W446). Default false.
+    simulated: Option<bool>;
     /// Coefficient of boundary friction μ_b, in place of `model.boundary_friction`.
-    pub boundary_friction: Option<Calibrated<f64>>,
+    boundary_friction: Option<Calibrated<f64>> = "" usual [0.02, 0.5] possible [0.001, 5.0];
     /// Thickness of the boundary layer h_b, in place of `model.boundary_layer`.
-    pub boundary_layer: Option<Calibrated<Length>>,
-    /// Limiting shear stress of the oil over its pressure, in place of that of its family.
-    pub limiting_shear: Option<Calibrated<f64>>,
-    /// Eyring stress of the oil, in place of that of its family.
-    pub eyring_stress: Option<Calibrated<Pressure>>,
+    boundary_layer: Option<Calibrated<Length>> = "nm" usual [0.5, 200.0] possible [0.001, 10_000.0];
+    /// Limiting shear stress of the oil over its pressure, instead of the value of its family.
+    limiting_shear: Option<Calibrated<f64>> = "" usual [0.01, 0.2] possible [0.001, 2.0];
+    /// Eyring stress of the oil, instead of the value of its family.
+    eyring_stress: Option<Calibrated<Pressure>> = "MPa" usual [0.5, 100.0] possible [0.001, 10_000.0];
     /// Correlations of the logarithms, pair by pair: `[{ between = ["boundary_friction", "boundary_layer"],
     /// value = -0.9 }]`; default none.
-    pub correlations: Option<Vec<CorrelationInput>>,
+    correlations: Option<Vec<CorrelationInput>> => table;
 }
 
-/// Word in the source of constants, or a comment of a table, that declares the measurements as simulated.
+/// Word in a comment of a table that declares its measurements as simulated; files of constants have a field for it, and those
+/// of former versions this word in their source.
 pub const SIMULATED: &str = "SIMULATED";
 
 /// A calibrated value with its 95 % band.
@@ -40,6 +45,13 @@ pub struct Calibrated<T> {
     pub low: T,
     /// Upper end of the 95 % band.
     pub high: T,
+}
+
+impl<T: Numbers> Numbers for Calibrated<T> {
+    fn numbers(&self, unit: &str) -> Vec<f64> {
+        let values = [&self.value, &self.low, &self.high].into_iter();
+        values.flat_map(|value| value.numbers(unit)).collect()
+    }
 }
 
 /// A parameter that can be calibrated.
@@ -57,15 +69,15 @@ pub enum CalibratedName {
     EyringStress,
 }
 
-/// Correlation of two parameters, of their logarithms where these are normal.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct CorrelationInput<N = CalibratedName> {
+table! {
+    /// Correlation of two parameters, of their logarithms where these are normal.
+    #[derive(Copy)]
+    CorrelationInput<N = CalibratedName>;
+
     /// The two parameters.
-    pub between: [N; 2],
+    between: [N; 2];
     /// Their correlation, between -1 and 1.
-    pub value: f64,
+    value: f64 = "" usual [-1.0, 1.0] possible OPEN;
 }
 
 impl CalibratedName {

@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use asperity_core::DomainError;
 use asperity_core::remedy::{Remedy, Setting};
+use asperity_core::{DomainError, number_with_unit};
 use asperity_profile_io::read::ReadError;
 
 use super::place::{IN_MEMORY, Place};
@@ -162,6 +162,12 @@ pub enum CaseError {
         /// Reason given by the operating system.
         reason: std::io::Error,
     },
+    /// A file that is no longer the one that the case was read from.
+    #[error("{file}: changed or was removed since the case was read")]
+    FileChanged {
+        /// Name of the file.
+        file: String,
+    },
     /// A pattern that matches no trace.
     #[error("{place}: {key} = \"{pattern}\": {}", no_traces(folder.as_deref()))]
     NoTraces {
@@ -240,8 +246,7 @@ fn rule(source: &DomainError, is_shown: bool) -> String {
     } = source;
     match (is_shown, *unit) {
         (true, _) => (*rule).to_owned(),
-        (false, "" | "-") => format!("{name} = {value}: {rule}"),
-        (false, unit) => format!("{name} = {value} {unit}: {rule}"),
+        (false, unit) => format!("{name} = {}: {rule}", number_with_unit(*value, unit)),
     }
 }
 
@@ -298,6 +303,7 @@ impl CaseError {
             Self::UnknownSteel { .. } => "E220",
             Self::Steels { .. } => "E501",
             Self::OpenNamed { .. } => "E103",
+            Self::FileChanged { .. } => "E140",
             Self::NoTraces { .. } => "E137",
             Self::LossTable { .. } => "E138",
             Self::GearboxPart { .. } => "E222",
@@ -353,6 +359,7 @@ impl CaseError {
             | Self::Profile { place, .. } => Some(place),
             Self::Open { .. }
             | Self::Folder { .. }
+            | Self::FileChanged { .. }
             | Self::Steels { .. }
             | Self::Preparation { .. } => None,
         }

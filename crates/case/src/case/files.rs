@@ -43,9 +43,13 @@ pub type FileSums = BTreeMap<PathBuf, String>;
 /// Bytes of the largest file that a case may name.
 const LARGEST: u64 = 1_000_000_000;
 
+/// Content of files, by the names that a case gives them.
+pub type FileContents = BTreeMap<PathBuf, Content>;
+
 /// Content of a file.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Content {
+#[non_exhaustive]
+pub enum Content {
     /// The bytes of a file.
     Bytes(Arc<[u8]>),
     /// A trace in memory.
@@ -135,10 +139,30 @@ pub(super) fn named(input: &CaseInput) -> Vec<Named> {
 pub(super) struct Files {
     /// Folder that names are relative to; `None` if all files are in memory.
     folder: Option<PathBuf>,
-    pub(super) held: BTreeMap<PathBuf, Content>,
+    pub(super) held: FileContents,
 }
 
 impl Files {
+    /// Files in memory, and below `folder` if there is one.
+    pub(super) fn holding(folder: Option<&Path>, held: FileContents) -> Self {
+        Self {
+            folder: folder.map(Path::to_owned),
+            held,
+        }
+    }
+
+    /// Contents of the files with these sums.
+    pub(super) fn contents(&self, sums: &FileSums) -> Result<FileContents, CaseError> {
+        let reader = Reader::of(self);
+        let content = |(name, sum): (&PathBuf, &String)| match reader.content(name) {
+            Ok((content, now)) if now == *sum => Ok((name.clone(), content)),
+            _ => Err(CaseError::FileChanged {
+                file: self.path_of(name).display().to_string(),
+            }),
+        };
+        sums.iter().map(content).collect()
+    }
+
     /// Files on disk, relative to `folder`.
     pub(super) fn in_folder(folder: &Path) -> Self {
         Self {

@@ -5,6 +5,8 @@ use asperity_core::quantity::{Angle, Length};
 use asperity_gear::{FlankPoint, Gear, GearError, GearPair};
 use serde::{Deserialize, Serialize};
 
+use super::rows::table;
+
 /// End of the flank at which a trace begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -17,29 +19,29 @@ pub enum TraceStart {
     Tip,
 }
 
-/// A point of a trace whose place on the flank is known, by one of five coordinates.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct FlankPlaceInput {
+table! {
+    /// A point of a trace whose place on the flank is known, by one of five coordinates.
+    #[derive(Copy, Default)]
+    FlankPlaceInput;
+
     /// Coordinate on the path of contact from T1 at which the point is in contact.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub position: Option<Length>,
+    position: Option<Length> = "mm" usual [0.05, 1000.0] possible [1e-4, 10_000.0];
     /// Roll length.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub roll_length: Option<Length>,
+    roll_length: Option<Length> = "mm" usual [0.05, 1000.0] possible [1e-4, 10_000.0];
     /// Radius.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub radius: Option<Length>,
+    radius: Option<Length> = "mm" usual [1.0, 2500.0] possible [0.05, 25_000.0];
     /// Diameter.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub diameter: Option<Length>,
+    diameter: Option<Length> = "mm" usual [2.0, 5000.0] possible [0.1, 50_000.0];
     /// Roll angle.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub roll_angle: Option<Angle>,
+    roll_angle: Option<Angle> = "deg" usual [0.1, 90.0] possible [1e-4, 1000.0];
     /// Distance of the point from the first one of the trace; default 0.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub x: Option<Length>,
+    x: Option<Length> = "mm" usual [0.001, 100.0] possible [-1000.0, 1000.0];
 }
 
 impl FlankPlaceInput {

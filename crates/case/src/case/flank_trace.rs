@@ -406,6 +406,13 @@ fn read_trace(
                 Some((part, cut)) => (part, cut.start),
                 None => (profile.as_ref().clone(), Length::default()),
             };
+            let profile = match input.invert {
+                Some(true) => {
+                    let heights = profile.heights().iter().map(|z| -z).collect();
+                    Profile::new(profile.spacing(), heights).map_err(domain(source, keys.table))?
+                }
+                _ => profile,
+            };
             let (profile, outliers) = match cleaned(&profile)? {
                 Some((cleaned, record)) => (cleaned, Some(record)),
                 None => (profile, None),
@@ -503,6 +510,7 @@ pub(super) fn read_options(input: &FlankInput) -> ReadOptions {
         base_radius,
         uneven,
         range,
+        invert,
         file: _,
         traces: _,
         mirrored: _,
@@ -531,5 +539,6 @@ pub(super) fn read_options(input: &FlankInput) -> ReadOptions {
         base_radius,
         uneven: uneven.unwrap_or_default(),
         range,
+        invert,
     }
 }

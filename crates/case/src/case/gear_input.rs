@@ -5,43 +5,45 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-/// Modifications of the flanks of one gear, its tip and its root.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct GearFlankInput {
+use super::rows::{Judge, KeyPath, OPEN, Ranged, table};
+
+table! {
+    /// Modifications of the flanks of one gear, its tip and its root.
+    #[derive(Copy, Default)]
+    GearFlankInput;
+
     /// Where the form of the profile comes from: `drawn` (default), as the keys below give it, or `from-trace`, from the
     /// trace of the flank, which must be placed and span the active flank.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub relief: Option<ReliefSource>,
+    relief: Option<ReliefSource>;
     /// Relief of the tips, `"none"` where there is none; where it is not stated it is uncertain, and a run takes half of
     /// the approach of the teeth under load.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub tip_relief: Option<TipRelief>,
+    tip_relief: Option<TipRelief> => table;
     /// Relief of the roots; default none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub root_relief: Option<ReliefInput>,
+    root_relief: Option<ReliefInput> => table;
     /// Radial chamfer of the tips, which shortens the active flank; default 0 mm.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub tip_chamfer: Option<Length>,
+    tip_chamfer: Option<Length> = "mm" per module usual [0.005, 0.3] possible [1e-4, 1.0];
     /// Lead crowning, zero in the middle of the face width; default 0 um.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub crowning: Option<Length>,
+    crowning: Option<Length> = "um" per module usual [-5.0, 30.0] possible [-500.0, 500.0];
     /// Lead slope over the face width, including shaft tilt; default 0 um.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub lead_slope: Option<Length>,
+    lead_slope: Option<Length> = "um" per module usual [-40.0, 40.0] possible [-500.0, 500.0];
     /// Profile slope, positive where material is missing at the tip; default 0 um.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub profile_slope: Option<Length>,
+    profile_slope: Option<Length> = "um" per module usual [-25.0, 25.0] possible [-500.0, 500.0];
     /// Profile crowning, zero in the middle of the path of contact; default 0 um.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub profile_crowning: Option<Length>,
+    profile_crowning: Option<Length> = "um" per module usual [-5.0, 25.0] possible [-500.0, 500.0];
     /// Dedendum h_fP* of the basic rack, in modules; default 1.25.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub dedendum: Option<f64>,
+    dedendum: Option<f64> = "" usual [1.0, 1.6] possible OPEN;
     /// Root fillet radius ρ_fP* of the basic rack, in modules; default 0.38.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub fillet_radius: Option<f64>,
+    fillet_radius: Option<f64> = "" usual [0.1, 0.5] possible OPEN;
 }
 
 impl GearFlankInput {
@@ -64,22 +66,22 @@ pub enum ReliefSource {
     FromTrace,
 }
 
-/// Relief of tips or roots: `{ amount = "10 um", length = "2.9 mm" }`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct ReliefInput {
+table! {
+    /// Relief of tips or roots: `{ amount = "10 um", length = "2.9 mm" }`.
+    #[derive(Copy)]
+    ReliefInput;
+
     /// Amount at the end of the active flank.
-    pub amount: Length,
+    amount: Length = "um" per module usual [0.1, 40.0] possible [0.001, 500.0];
     /// Roll length from the end of the active flank; this or `start_diameter`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub length: Option<Length>,
+    length: Option<Length> = "mm" per module usual [0.05, 5.0] possible [0.001, 50.0];
     /// Diameter at which the relief starts.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub start_diameter: Option<Length>,
+    start_diameter: Option<Length> = "mm" usual [3.0, 5000.0] possible [0.1, 50_000.0];
     /// Power with which the relief grows: 1 (linear, default) or 2 (parabolic).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub power: Option<u8>,
+    power: Option<u8> = "" usual [1.0, 2.0] possible OPEN;
 }
 
 /// Tip relief as a drawing states it: an amount over a length, or `"none"`.
@@ -113,6 +115,13 @@ impl TipRelief {
     }
 }
 
+impl Ranged for TipRelief {
+    fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
+        let drawn = stated.and_then(|relief| relief.drawn());
+        ReliefInput::visit(drawn.as_ref(), at, judge);
+    }
+}
+
 impl<'de> Deserialize<'de> for TipRelief {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(TipReliefVisitor)
@@ -143,16 +152,16 @@ impl<'de> Visitor<'de> for TipReliefVisitor {
     }
 }
 
-/// Relief of both ends of the face: `{ amount = "10 um", length = "3 mm" }`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct EndReliefInput {
+table! {
+    /// Relief of both ends of the face: `{ amount = "10 um", length = "3 mm" }`.
+    #[derive(Copy)]
+    EndReliefInput;
+
     /// Amount at the ends of the face width.
-    pub amount: Length,
+    amount: Length = "um" per module usual [0.1, 60.0] possible [0.001, 500.0];
     /// Length along the face width.
-    pub length: Length,
+    length: Length = "mm" usual [0.1, 200.0] possible [0.001, 5000.0];
     /// Power with which it grows: 1 (linear, default) or 2 (parabolic).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub power: Option<u8>,
+    power: Option<u8> = "" usual [1.0, 2.0] possible OPEN;
 }

@@ -5,10 +5,13 @@
 
 pub use super::loaded_train::{LoadedMesh, LoadedStage, LoadedTrain};
 #[cfg(feature = "case-files")]
-pub use super::text::train::{TrainFindings, check, from_text, is_train, load, load_set};
+pub use super::text::train::{
+    TrainFindings, check, from_text, is_train, load, load_holding, load_set,
+};
 #[cfg(feature = "case-files")]
 pub use super::text::train_keys::schema;
 pub use super::train_heat_input::HeatInput;
 pub use super::train_input::{
     MeshInput, PassedLosses, TrainCaseInput, TrainInput, TrainMaterialInput, TrainSurfaceInput,
 };
+pub use super::train_parts::mesh_folder;

@@ -151,14 +151,6 @@ pub(super) fn micro_geometry(
     let flanks = flanks(&input.gears, source);
     for (flank, section) in &flanks {
         refuse_drawn_and_measured(flank, *section)?;
-        for (name, stated) in [
-            ("crowning", flank.crowning),
-            ("lead_slope", flank.lead_slope),
-            ("profile_slope", flank.profile_slope),
-            ("profile_crowning", flank.profile_crowning),
-        ] {
-            check_amount(stated.unwrap_or_default(), *section, name)?;
-        }
     }
     let sum = |amount: fn(&GearFlankInput) -> Option<Length>, sign: f64| {
         let [first, second] = flanks.map(|(flank, _)| amount(&flank).unwrap_or_default());
@@ -189,7 +181,6 @@ pub(super) fn micro_geometry(
                           length,
                           power,
                       }| {
-        check_amount(amount, section, "end_relief")?;
         let shape = shape(power, section, "end_relief")?;
         Ok::<_, CaseError>(EndRelief {
             amount,
@@ -306,22 +297,12 @@ fn relief(drawn: ReliefInput, section: Section<'_>, name: &str) -> Result<Relief
             return Err(section.conflict(name, rule));
         }
     };
-    check_amount(amount, section, name)?;
     let shape = shape(power, section, name)?;
     Ok(Relief {
         amount,
         extent,
         shape,
     })
-}
-
-/// Refuses an amount of a modification of which no flank has that much.
-fn check_amount(amount: Length, section: Section<'_>, name: &str) -> Result<(), CaseError> {
-    const MOST: f64 = 1e-3;
-    let rule = "must be below 1 mm: a modification has some to some tens of micrometres";
-    DomainError::require(amount.si().abs() < MOST, "amount", amount.si(), "m", rule)
-        .map_err(section.domain(name))?;
-    Ok(())
 }
 
 fn shape(power: Option<u8>, section: Section<'_>, name: &str) -> Result<ReliefShape, CaseError> {

@@ -18,7 +18,6 @@ use asperity_profile_io::read::{
 };
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
-use serde::{Deserialize, Serialize};
 
 use super::bulk_input::BulkInput;
 use super::calibration::CalibrationInput;
@@ -29,47 +28,75 @@ use super::gearbox_input::GearboxInput;
 use super::micropitting_input::MicropittingInput;
 use super::model::{Formulation, ModelInput};
 use super::one_or_two::OneOrTwo;
-use super::rows::{OPEN, table};
+use super::rows::{OPEN, ratio, table};
 use super::trace_list::TraceList;
 
-/// A case: gears, steel, oil, operation, two measured flanks, and the model to use.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct CaseInput {
+table! {
+    /// A case: gears, steel, oil, operation, two measured flanks, and the model to use.
+    #[derive(Default)]
+    CaseInput;
+
     /// Title of the case, shown in every output.
-    pub title: Option<String>,
+    title: Option<String>;
     /// Reading of the model: `corrected` (default) or `paper`.
-    pub formulation: Option<Formulation>,
+    formulation: Option<Formulation>;
     /// The gear pair.
-    pub gears: GearsInput,
+    gears: GearsInput => table;
     /// Steel of the pinion, and of the wheel unless `material.wheel` is given.
     #[serde(default)]
-    pub material: MaterialInput,
+    material: MaterialInput => table;
     /// Operating conditions: torque, speed, temperature.
-    pub operation: OperationInput,
+    operation: OperationInput => table;
     /// The oil.
-    pub lubricant: LubricantInput,
+    lubricant: LubricantInput => table;
     /// The measured flanks and their preparation.
-    pub surface: SurfaceInput,
+    surface: SurfaceInput => table;
     /// Choices of the model.
     #[serde(default)]
-    pub model: ModelInput,
+    model: ModelInput => table;
     /// Parameters calibrated on a rig, as `asperity calibrate` writes them.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub calibration: Option<CalibrationInput>,
+    calibration: Option<CalibrationInput> => table;
     /// Losses of the gearbox other than the loss of the mesh; only the losses stated here are added.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub gearbox: Option<GearboxInput>,
+    gearbox: Option<GearboxInput> => table;
     /// Specific film thickness of the micropitting rating, compared with the measured flanks; computed if this table is stated.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub micropitting: Option<MicropittingInput>,
+    micropitting: Option<MicropittingInput> => table;
     /// Ranges of the default axes of `asperity map`; a run ignores them.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub map: Option<MapInput>,
+    map: Option<MapInput> => table;
     /// The vehicle of a cycle stated by its speed, for `asperity cycle`; a run ignores it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub vehicle: Option<VehicleInput>,
+    vehicle: Option<VehicleInput> => table;
+
+    => {
+        "map.torque_max": "largest torque over operation.torque", |case| case.over_torque(case.map.iter().map(|map| map.torque_max)),
+            "" usual [0.02, 200.0] possible OPEN;
+        "map.speed_max": "largest speed over operation.speed", CaseInput::speeds_of_map, "" usual [0.02, 200.0] possible OPEN;
+        "gearbox.bearings.at_torque": "torque of the loads over operation.torque", CaseInput::torques_of_bearings,
+            "" usual [0.02, 200.0] possible OPEN;
+    }
+}
+
+impl CaseInput {
+    fn over_torque(&self, torques: impl Iterator<Item = Option<Torque>>) -> Vec<f64> {
+        let size = |torque: Torque| torque.si().abs();
+        let of_case = size(self.operation.torque);
+        torques
+            .flat_map(|torque| ratio(torque.map(size), Some(of_case)))
+            .collect()
+    }
+
+    fn torques_of_bearings(&self) -> Vec<f64> {
+        let bearings = self.gearbox.iter().flat_map(|gearbox| &gearbox.bearings);
+        self.over_torque(bearings.map(|bearing| bearing.at_torque))
+    }
+
+    fn speeds_of_map(&self) -> Vec<f64> {
+        let most = self.map.and_then(|map| map.speed_max);
+        ratio(most.map(AngularSpeed::si), Some(self.operation.speed.si()))
+    }
 }
 
 table! {
@@ -100,23 +127,43 @@ table! {
     addendum: Option<f64> = "" usual [0.6, 1.6] possible OPEN;
     /// Flanks, tip and root of the pinion.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pinion: Option<GearFlankInput>;
+    pinion: Option<GearFlankInput> => table;
     /// Flanks, tip and root of the wheel.
     #[serde(skip_serializing_if = "Option::is_none")]
-    wheel: Option<GearFlankInput>;
+    wheel: Option<GearFlankInput> => table;
     /// Relief of both ends of the face, of pinion and wheel together; default none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    end_relief: Option<EndReliefInput>;
+    end_relief: Option<EndReliefInput> => table;
     /// Pitch deviations of successive pairs of teeth; default none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pitch_deviations: Option<Vec<Length>>;
+    pitch_deviations: Option<Vec<Length>> = "um" per module usual [-30.0, 30.0] possible [-1000.0, 1000.0];
     /// Direction in which the amounts of all modifications are measured: `transverse` (along the base
     /// tangent, as on inspection charts, default) or `normal` to the flank.
     #[serde(skip_serializing_if = "Option::is_none")]
     amounts: Option<AmountDirection>;
     /// Tolerance of the amounts of tip relief, used for the band of the loss factor; default none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    relief_tolerance: Option<Length>;
+    relief_tolerance: Option<Length> = "um" per module usual [0.1, 20.0] possible [0.001, 500.0];
+
+    => {
+        "face_width": "face width over the pitch diameter of the pinion (by teeth, module, helix)", GearsInput::width_ratios,
+            "" usual [0.12, 2.5] possible [0.002, 100.0];
+    }
+}
+
+impl GearsInput {
+    /// Face widths over the pitch diameter of the pinion.
+    fn width_ratios(&self) -> Vec<f64> {
+        let across = match self.module_plane {
+            Some(Plane::Transverse) => 1.0,
+            _ => self.helix.unwrap_or_default().si().cos(),
+        };
+        let diameter = f64::from(self.teeth[0]) * self.module.si() / across;
+        let widths = self.face_width.both().into_iter();
+        widths
+            .flat_map(|width| ratio(Some(width.si()), Some(diameter)))
+            .collect()
+    }
 }
 
 table! {
@@ -130,7 +177,7 @@ table! {
     steel: Option<String>;
     /// Hardness of the flanks, from which `flow_pressure` and `elastic_limit` follow; default that of `steel`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    hardness: Option<Hardness>;
+    hardness: Option<Hardness> = "HV" usual [100.0, 1200.0] possible OPEN;
     /// Young's modulus E.
     young: Option<Pressure> = "GPa" usual [50.0, 500.0] possible [1.0, 1500.0];
     /// Poisson's ratio ν.
@@ -140,23 +187,23 @@ table! {
     /// Pressure at which asperities yield (indentation hardness); default 7 GPa.
     flow_pressure: Option<Pressure> = "GPa" usual [0.3, 20.0] possible [1e-3, 150.0];
     /// Density.
-    density: Option<Density> = "kg/m3" usual [1000.0, 9000.0] possible [100.0, 25_000.0];
+    density: Option<Density> = "kg/m3" usual [2500.0, 9000.0] possible [100.0, 25_000.0];
     /// Thermal conductivity.
     conductivity: Option<ThermalConductivity> = "W/(m K)" usual [0.2, 120.0] possible [0.01, 3000.0];
     /// Specific heat capacity.
     heat_capacity: Option<SpecificHeat> = "J/(kg K)" usual [300.0, 2000.0] possible [50.0, 10_000.0];
 }
 
-/// Steel of both gears.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct MaterialInput {
+table! {
+    /// Steel of both gears.
+    #[derive(Default)]
+    MaterialInput;
+
     /// The pinion; also the wheel unless given.
     #[serde(default)]
-    pub pinion: BodyInput,
+    pinion: BodyInput => table;
     /// Steel of the wheel, where it differs.
-    pub wheel: Option<BodyInput>,
+    wheel: Option<BodyInput> => table;
 }
 
 table! {
@@ -171,21 +218,25 @@ table! {
     /// Bulk temperature of the flanks, one value or `[pinion, wheel]`: film and friction are computed at the mean of
     /// both. A case states this or `oil_temperature`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    bulk_temperature: Option<OneOrTwo<Temperature>> = "°C" usual [-30.0, 180.0] possible [-100.0, 400.0];
+    bulk_temperature: Option<OneOrTwo<Temperature>> = "°C" usual [-30.0, 160.0] possible [-100.0, 400.0];
     /// Temperature of the oil that is supplied to the mesh. The bulk temperature of the flanks then follows from the loss
     /// by `operation.bulk.law`, which must be stated.
     #[serde(skip_serializing_if = "Option::is_none")]
-    oil_temperature: Option<Temperature> = "°C" usual [-30.0, 180.0] possible [-100.0, 400.0];
+    oil_temperature: Option<Temperature> = "°C" usual [-30.0, 160.0] possible [-100.0, 400.0];
     /// Former name of `bulk_temperature`, or of `oil_temperature` if `operation.bulk` is stated.
     #[serde(skip_serializing_if = "Option::is_none")]
-    temperature: Option<Temperature> = "°C" usual [-30.0, 180.0] possible [-100.0, 400.0];
+    temperature: Option<Temperature> = "°C" usual [-30.0, 160.0] possible [-100.0, 400.0];
     /// Standard deviation of the stated temperature, of oil or flanks, by its measurement; 3 K for an oil sump without a probe
     /// in the jet. Without it the temperature is taken as exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     temperature_deviation: Option<Temperature> = "K" usual [0.2, 15.0] possible [0.01, 30.0];
     /// Law of the bulk temperature that follows from the loss, with `oil_temperature`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    bulk: Option<BulkInput>;
+    bulk: Option<BulkInput> => table;
+
+    => {
+        "bulk_temperature": "difference of the flanks", OperationInput::difference, "K" usual [-80.0, 80.0] possible [-500.0, 500.0];
+    }
 }
 
 /// Paths of the keys that state a temperature, and the keys that each of them replaces if it is set.
@@ -205,6 +256,15 @@ pub(super) const TEMPERATURE_KEYS: [(&str, &[&str]); 3] = [
 ];
 
 impl OperationInput {
+    /// The temperature of the pinion above that of the wheel \[K\].
+    fn difference(&self) -> Vec<f64> {
+        let stated = self.bulk_temperature.into_iter();
+        let of_both = stated.map(OneOrTwo::both);
+        of_both
+            .map(|[pinion, wheel]| (pinion - wheel).si())
+            .collect()
+    }
+
     /// The temperature that the case states: the mean of the flanks, or the temperature of the oil if the bulk temperature
     /// follows from the loss; `None` if it states none.
     #[must_use]
@@ -255,82 +315,91 @@ impl OperationInput {
     }
 }
 
-/// Ranges of the default axes of a map.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct MapInput {
+table! {
+    /// Ranges of the default axes of a map.
+    #[derive(Copy, Default)]
+    MapInput;
+
     /// Largest torque at the pinion or input shaft; default that of the operation.
-    pub torque_max: Option<Torque>,
+    torque_max: Option<Torque> = "N m" usual [0.01, 1e6] possible [1e-9, 1e8];
     /// Largest speed of the pinion or input shaft; default that of the operation.
-    pub speed_max: Option<AngularSpeed>,
+    speed_max: Option<AngularSpeed> = "1/min" usual [1.0, 60_000.0] possible [1e-6, 1e6];
 }
 
-/// A vehicle whose speed over time makes torque and speed of the pinion or input shaft.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct VehicleInput {
+table! {
+    /// A vehicle whose speed over time makes torque and speed of the pinion or input shaft.
+    #[derive(Copy)]
+    VehicleInput;
+
     /// Mass with its load.
-    pub mass: Mass,
+    mass: Mass = "kg" usual [50.0, 60_000.0] possible [1.0, 1e6];
     /// Rolling radius of the wheels.
-    pub wheel_radius: Length,
+    wheel_radius: Length = "m" usual [0.1, 1.2] possible [0.01, 10.0];
     /// Turns of the pinion or input shaft for one turn of the wheels.
-    pub ratio: f64,
+    ratio: f64 = "" usual [0.5, 100.0] possible [0.001, 10_000.0];
     /// Drag coefficient times frontal area, c_d A.
-    pub drag_area: Area,
+    drag_area: Area = "m2" usual [0.05, 12.0] possible [0.001, 100.0];
     /// Coefficient of the rolling resistance of the tyres.
-    pub rolling_resistance: f64,
+    rolling_resistance: f64 = "" usual [0.001, 0.05] possible [1e-5, 0.5];
     /// Mass plus the inertia of the rotating parts, over the mass; default 1.04.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub inertia_factor: Option<f64>,
-    /// Grade of the road if the cycle does not state it, rise over distance; default 0.
+    inertia_factor: Option<f64> = "" usual [1.0, 1.6] possible [0.5, 10.0];
+    /// Grade of the road if the cycle does not state it, rise over distance forwards; default 0.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub grade: Option<Ratio>,
+    grade: Option<Ratio> = "%" usual [-30.0, 30.0] possible [-100.0, 100.0];
 }
 
-/// The flanks that carry the load at a negative torque.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct CoastInput {
+table! {
+    /// The flanks that carry the load at a negative torque.
+    CoastInput;
+
     /// Trace of the pinion's coast flank.
-    pub pinion: FlankInput,
+    pinion: FlankInput => table;
     /// Trace of the wheel's coast flank; default: the pinion's coast flank, mirrored.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub wheel: Option<FlankInput>,
+    wheel: Option<FlankInput> => table;
 }
 
-/// The two flanks and how their traces are prepared.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct SurfaceInput {
+table! {
+    /// The two flanks and how their traces are prepared.
+    #[derive(Default)]
+    SurfaceInput;
+
     /// Trace of the pinion's flank.
-    pub pinion: FlankInput,
+    pinion: FlankInput => table;
     /// Trace of the wheel's flank; default: the pinion's trace, mirrored.
-    pub wheel: Option<FlankInput>,
+    wheel: Option<FlankInput> => table;
     /// Finish of flanks without a file: `ground` or `superfinished`; default by Ra, `ground` above 0.15 um and
     /// `superfinished` below 0.08 um, half of the surrogates each between.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub finish: Option<FinishName>,
+    finish: Option<FinishName>;
     /// Form removed from each trace; default `level` (a straight line).
-    pub form: Option<Form>,
+    form: Option<Form>;
     /// Cut-off λc that separates waviness from roughness; default as the file states, else 0.25 mm, usual on
     /// gear flanks; "0 mm" keeps the waviness.
-    pub cutoff: Option<Length>,
+    cutoff: Option<Length> = "mm" usual [0.08, 2.5] possible [0.001, 100.0];
     /// Cut-off λs below which detail counts as noise; default as the file states, else 2.5 um; "0 um" for
     /// none. State the cut-off of the instrument next to Ra of a flank without a file: else 2.5 to 25 um is assumed.
-    pub noise_cutoff: Option<Length>,
+    noise_cutoff: Option<Length> = "um" usual [0.25, 25.0] possible [0.001, 1000.0];
     /// Treatment of the ends of a trace in filtering; default `cut`.
-    pub ends: Option<Ends>,
+    ends: Option<Ends>;
     /// Spikes of up to six points farther than this number of robust standard deviations from the running median are
     /// replaced by straight lines before form removal; usual 6, default none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub outliers: Option<f64>,
+    outliers: Option<f64> = "" usual [3.0, 20.0] possible [0.1, 1000.0];
     /// The coast flanks, if they differ: they replace both flanks at a negative torque.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub coast: Option<CoastInput>,
+    coast: Option<CoastInput> => table;
+
+    => {
+        "noise_cutoff": "noise cut-off over the cut-off", |surface| over(surface.noise_cutoff, surface.cutoff),
+            "" usual [0.001, 0.125] possible OPEN;
+    }
+}
+
+/// Ratio of two lengths that are stated.
+fn over(above: Option<Length>, below: Option<Length>) -> Vec<f64> {
+    ratio(above.map(Length::si), below.map(Length::si))
 }
 
 impl SurfaceInput {
@@ -363,7 +432,7 @@ table! {
     /// `"pinion_*.csv"` whose files are taken by name, or tables with `tooth`, `y` (place across the face) and a place
     /// of their own. All pairs of teeth are computed, and the loss is their mean.
     #[serde(skip_serializing_if = "Option::is_none")]
-    traces: Option<TraceList>;
+    traces: Option<TraceList> => table;
     /// Read the trace from its other end (flanks face each other); not with `from` or `at`, which tell it.
     mirrored: Option<bool>;
     /// End of the flank at which the trace begins: `root` (default where the trace is placed) or `tip`.
@@ -372,15 +441,15 @@ table! {
     /// A point of the trace whose place on the flank is known: `{ diameter = "49 mm", x = "0.5 mm" }`. Files over
     /// roll lengths or roll angles need none. With both flanks placed, every contact takes the windows that meet there.
     #[serde(skip_serializing_if = "Option::is_none")]
-    at: Option<FlankPlaceInput>;
+    at: Option<FlankPlaceInput> => table;
     /// Unit of the positions, if the file does not state it.
     x_unit: Option<LengthUnit>;
     /// Unit of the heights, if the file does not state it.
     z_unit: Option<LengthUnit>;
     /// Spacing of the points, if the file does not state it.
-    dx: Option<Length>;
+    dx: Option<Length> = "um" usual [0.01, 10.0] possible [1e-5, 1000.0];
     /// Columns of position and height, counted from 1: `{ x = 1, z = 2 }`, or `{ z = 1 }`.
-    columns: Option<Columns>;
+    columns: Option<Columns> = "" usual [1.0, 100.0] possible [1.0, 1e5];
     /// Decimal sign: `point` or `comma`.
     decimal: Option<DecimalSign>;
     /// Column separator.
@@ -390,11 +459,11 @@ table! {
     /// Missing points: `refuse` (default) or `interpolate`.
     gaps: Option<Gaps>;
     /// Number of the profile in a file that holds several (a row of a surface), counted from 1.
-    row: Option<usize>;
+    row: Option<usize> = "" usual [1.0, 10_000.0] possible [1.0, 1e7];
     /// Number of rows of the surface in `file` that are taken as traces, spread evenly, each a tooth of its own; fewer if they make
     /// more than 64 pairs with those of the other flank.
     #[serde(skip_serializing_if = "Option::is_none")]
-    rows: Option<usize>;
+    rows: Option<usize> = "" usual [1.0, 1000.0] possible [1.0, 1e6];
     /// Trace taken from a surface: `row` (default) or `column`, with their number in `row`, or `mean` of all rows
     /// or `mean-column` of all columns.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -403,13 +472,16 @@ table! {
     /// in the header.
     abscissa: Option<Abscissa>;
     /// Base radius for positions that are roll lengths or roll angles; default that of the gear.
-    base_radius: Option<Length>;
+    base_radius: Option<Length> = "mm" usual [1.0, 2500.0] possible [0.05, 25_000.0];
     /// Unevenly spaced positions: `refuse` (default) or `resample`.
     uneven: Option<Uneven>;
     /// Part of the trace that is used, by distances from its first point: `"1.2 mm .. 6.4 mm"`; default all. It is cut before
     /// anything else is done, and `x` of `at` still counts from the first point of the whole trace.
     #[serde(skip_serializing_if = "Option::is_none")]
-    range: Option<TraceRange>;
+    range: Option<TraceRange> = "mm" usual [0.001, 100.0] possible [1e-5, 10_000.0];
+    /// Whether the values of the file grow into the material (depths, a replica), so that the heights are their negatives;
+    /// default: only if the file names them depths.
+    invert: Option<bool>;
     /// Finish of a flank without a file: `ground` or `superfinished`; default `surface.finish`.
     #[serde(skip_serializing_if = "Option::is_none")]
     finish: Option<FinishName>;
@@ -426,6 +498,15 @@ table! {
     rpk: Option<Length> = "um" usual [0.005, 10.0] possible [0.0, 500.0];
     /// Mean tip radius of the asperities of a flank without a file, for `load_share = "lambda-star"`.
     asperity_radius: Option<Length> = "um" usual [0.5, 10_000.0] possible [1e-3, 1e7];
+
+    => {
+        "ra": "Ra over Rq", |flank| over(flank.ra, flank.rq), "" usual [0.5, 1.0] possible [0.05, 1.1];
+        "rz": "Rz over Rq", |flank| over(flank.rz, flank.rq), "" usual [2.0, 25.0] possible [1.0, 250.0];
+        "rz": "Rz over Ra", |flank| over(flank.rz, flank.ra), "" usual [2.0, 30.0] possible [1.0, 300.0];
+        "rpk": "Rpk over Rz", |flank| over(flank.rpk, flank.rz), "" usual [0.002, 0.6] possible [0.0, 1.0];
+        "rpk": "Rpk over Ra", |flank| over(flank.rpk, flank.ra), "" usual [0.02, 6.0] possible [0.0, 300.0];
+        "rpk": "Rpk over Rq", |flank| over(flank.rpk, flank.rq), "" usual [0.02, 5.0] possible [0.0, 1e12];
+    }
 }
 
 impl FlankInput {

@@ -11,7 +11,7 @@ use asperity_tribo_friction::XuCalibration;
 use super::calibration::SIMULATED;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
-use super::files::{Content, FileSums, Files, Reader, XU_COEFFICIENTS};
+use super::files::{Content, FileContents, FileSums, Files, Reader, XU_COEFFICIENTS};
 use super::flank_form::shortest_form;
 use super::flanks::{Flanks, flanks};
 use super::gearbox::gearbox;
@@ -92,6 +92,38 @@ impl LoadedCase {
         of_all
             .map(|(name, sum)| (name.clone(), sum.clone()))
             .collect()
+    }
+
+    /// Content of every file that was read for this case, with which it can be read again without them.
+    ///
+    /// # Errors
+    /// When a file on disk is no longer the one that the case was read from.
+    pub fn contents(&self) -> Result<FileContents, Error> {
+        Ok(self.files.contents(&self.files_read())?)
+    }
+
+    pub(super) fn contents_of(&self, sums: &FileSums) -> Result<FileContents, CaseError> {
+        self.files.contents(sums)
+    }
+
+    /// The case with `folder` as the folder of files that a change names; those in memory come before those on disk.
+    #[must_use]
+    pub fn in_folder(self, folder: &Path) -> Self {
+        let held = self.files.held.clone();
+        Self {
+            files: Files::holding(Some(folder), held).into(),
+            ..self
+        }
+    }
+
+    /// Folder that names of files are relative to; `None` if all files are in memory.
+    pub fn folder(&self) -> Option<&Path> {
+        self.files.folder()
+    }
+
+    /// Name of the case in messages: the path of its file as the user gave it.
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// Files that the case would read with any of `inputs`, and their SHA-256; unreadable files are left out.
@@ -477,12 +509,18 @@ fn replaced_viscosity(oil: &LubricantInput) -> Option<Warning> {
 
 /// W446: constants of the case that were fitted to simulated measurements.
 fn simulated(input: &CaseInput, oil_file: Option<&OilFile>) -> Vec<Warning> {
-    let of_oil = oil_file.map(|file| ("lubricant.oil_file", &file.film_friction.source));
-    let calibration = input.calibration.as_ref();
-    let of_rig = calibration.and_then(|fit| Some(("calibration", fit.source.as_ref()?)));
-    let sources = of_oil.into_iter().chain(of_rig);
-    let simulated = sources.filter(|(_, source)| source.contains(SIMULATED));
-    let warning = |(key, source)| {
+    let of_oil = oil_file.map(|file| {
+        let fit = &file.film_friction;
+        ("lubricant.oil_file", fit.simulated, fit.source.as_str())
+    });
+    let of_rig = input.calibration.as_ref().map(|fit| {
+        let source = fit.source.as_deref().unwrap_or("source not stated");
+        ("calibration", fit.simulated.unwrap_or(false), source)
+    });
+    let fits = of_oil.into_iter().chain(of_rig);
+    // Files of former versions say it in the source.
+    let simulated = fits.filter(|(_, simulated, source)| *simulated || source.contains(SIMULATED));
+    let warning = |(key, _, source)| {
         let text = format!("{key}: constants were fitted to simulated measurements: {source}");
         Warning::new("W446", text)
     };

@@ -1,10 +1,12 @@
 //! A gear train with the loaded case of each of its meshes.
 
+use std::path::Path;
+
 use asperity_core::quantity::Power;
 
 use super::any_input::AnyInput;
 use super::defaults::DefaultUsed;
-use super::files::FileSums;
+use super::files::{FileContents, FileSums};
 use super::input::CaseInput;
 use super::loaded::LoadedCase;
 use super::resolve::Case;
@@ -18,6 +20,7 @@ use super::train_parts::{MeshParts, TrainParts};
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::flanks::Surfaces;
+use crate::message::Warning;
 
 /// A gear train, ready to run.
 #[derive(Debug, Clone)]
@@ -37,6 +40,8 @@ pub struct LoadedTrain {
     pub input: AnyInput,
     /// Every default in use, by the keys of the train.
     pub defaults: Vec<DefaultUsed>,
+    /// Warnings about the train as a whole.
+    pub warnings: Vec<Warning>,
     /// Sums of the tables of its gearbox.
     sums: FileSums,
 }
@@ -71,6 +76,7 @@ impl From<LoadedCase> for LoadedTrain {
             gearbox: None,
             input: case.case.input.clone().into(),
             defaults: case.case.defaults.clone(),
+            warnings: Vec::new(),
             sums: FileSums::new(),
             stages: vec![LoadedStage {
                 name: None,
@@ -112,6 +118,7 @@ impl LoadedTrain {
             stages: stages.collect(),
             input: input.into(),
             defaults,
+            warnings: parts.warnings,
         }
     }
 
@@ -211,6 +218,28 @@ impl LoadedTrain {
     pub fn files_read(&self) -> FileSums {
         let of_meshes = self.meshes().flat_map(|mesh| mesh.case.files_read());
         of_meshes.chain(self.sums.clone()).collect()
+    }
+
+    /// Content of every file that was read for the train.
+    ///
+    /// # Errors
+    /// As [`LoadedCase::contents`].
+    pub fn contents(&self) -> Result<FileContents, Error> {
+        let mut contents = FileContents::new();
+        for mesh in self.meshes() {
+            contents.extend(mesh.case.contents()?);
+            contents.extend(mesh.case.contents_of(&self.sums)?);
+        }
+        Ok(contents)
+    }
+
+    /// The train with `folder` as the folder of files that a change names, as [`LoadedCase::in_folder`].
+    #[must_use]
+    pub fn in_folder(mut self, folder: &Path) -> Self {
+        for mesh in self.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
+            mesh.case = mesh.case.clone().in_folder(folder);
+        }
+        self
     }
 
     /// SHA-256 of everything that determines the result, as [`LoadedCase::fingerprint`].

@@ -36,8 +36,10 @@ mod gearbox;
 mod gearbox_input;
 mod gears;
 mod input;
+mod key_ranges;
 mod law_names;
 mod lay;
+mod load_inputs;
 mod loaded;
 mod loaded_train;
 mod micropitting_input;
@@ -50,6 +52,7 @@ mod path_point;
 mod place;
 pub mod planetary;
 mod plausibility;
+mod ranges;
 mod resolve;
 mod rows;
 mod section;
@@ -76,7 +79,7 @@ pub use calibration::cholesky;
 pub use calibration::{Calibrated, CalibratedName, CalibrationInput, CorrelationInput, SIMULATED};
 pub use defaults::DefaultUsed;
 pub use error::{CaseError, did_you_mean};
-pub use files::{FILE_KEYS, FileSums};
+pub use files::{Content, FILE_KEYS, FileContents, FileSums};
 pub use finish::FinishName;
 pub use flank_place::{FlankPlaceInput, TraceStart};
 pub use gear_input::{
@@ -91,10 +94,12 @@ pub use input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
     OperationInput, SurfaceInput, VehicleInput,
 };
+pub use key_ranges::range_of;
 pub use law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
+pub use load_inputs::LoadInputs;
 pub use loaded::LoadedCase;
 pub use micropitting_input::MicropittingInput;
-pub use model::{EhlChoices, EhlInput, Formulation, Model, ModelInput};
+pub use model::{EhlChoices, EhlInput, Formulation, LEAST_OFFSETS, Model, ModelInput};
 pub use nearest_name::nearest_name;
 pub use oil_file::{
     DECISIVE, FitQuality, FittedFriction, FittedName, OilConstant, OilFile, OilSchema,
@@ -103,14 +108,14 @@ pub use oil_file::{
 pub use one_or_two::OneOrTwo;
 pub use path_point::{NamedPoint, PathPoint};
 pub use place::Place;
-pub use plausibility::possible_range;
 pub use resolve::{Case, resolve};
+pub use rows::Limits;
 pub use source::Source;
 pub use steel::STEEL_FLOW_PRESSURE;
 #[cfg(feature = "case-files")]
 pub use text::{
-    Findings, Resolver, check, from_text, load, load_holding, load_set, load_with, markdown,
-    open_source, schema,
+    Findings, Resolver, check, from_contents, from_text, load, load_holding, load_set, load_with,
+    markdown, open_source, schema,
 };
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};

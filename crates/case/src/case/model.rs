@@ -20,7 +20,7 @@ use super::error::{CaseError, LOOSEST_TOLERANCE};
 use super::law_names::{FilmFrictionLaw, FullFilmName, LoadShareName};
 use super::one_or_two::OneOrTwo;
 use super::path_point::{NamedPoint, PathPoint};
-use super::rows::choices;
+use super::rows::{OPEN, choices};
 use super::section::{Section, domain};
 use super::source::Source;
 use asperity_mixed_film::{FilmPressure, GapRoughness, SpotSpeed};
@@ -37,6 +37,9 @@ pub enum Formulation {
     Paper,
 }
 
+/// Offsets of a case that states none, at least.
+pub const LEAST_OFFSETS: usize = 16;
+
 choices! {
     /// Choices of the model.
     ModelInput =>
@@ -50,29 +53,29 @@ choices! {
 
     /// Number of cells along the path of contact, with one contact evaluated in each; default 16 (`paper`:
     /// one position).
-    positions: usize = of_path(16),
+    positions: usize = of_path(16) usual "" [1.0, 1000.0],
         check("positions", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
     /// The single position of the `paper` formulation: 0 at A, 1 at E, or `A` … `E`; default `C`.
-    position: PathPoint => f64 = point_of_path(),
+    position: PathPoint => f64 = point_of_path() usual "" [0.0, 1.0],
         check("position", |s| (0.0..=1.0).contains(&s), "must be A to E, or 0 to 1");
-    /// Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the loss
-    /// scatters from offset to offset (`paper`: 1).
-    offsets: usize = each(16, 1),
+    /// Number of offsets along the traces at which the flanks meet; default 16, and up to 256 where the contacts
+    /// differ from offset to offset; 4 of each pair of surrogates (`paper`: 1).
+    offsets: usize = each(LEAST_OFFSETS, 1) usual "" [1.0, 1000.0],
         check("offsets", |n| (1.0..=10_000.0).contains(&n), "must be 1 to 10000");
     /// Half-width of the contact window, in Hertz half-widths; default 3.
-    window: f64 = both(3.0),
+    window: f64 = both(3.0) usual "" [1.5, 50.0],
         check("window", |w| (1.5..=100.0).contains(&w), "must be 1.5 to 100 Hertz half-widths");
     /// Law of the load distribution over the teeth in contact; default `elastic` (`paper`: `mean-length`).
-    load_distribution: LoadLaw = each(LoadLaw::Elastic, LoadLaw::MeanLength);
+    load_distribution: LoadLaw = each(LoadLaw::Elastic, LoadLaw::MeanLength) => table;
     /// Correction factor C_M of the tooth stiffness, theoretical to measured; default 0.8.
     #[serde(skip_serializing_if = "Option::is_none")]
     stiffness_factor: f64 =
-        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().stiffness_factor),
+        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().stiffness_factor) usual "" [0.5, 1.5],
         check("stiffness factor", |k| (0.05..=20.0).contains(&k), "must be 0.05 to 20");
     /// Length over which a tooth spreads a load along its face width, in modules; default 1.55.
     #[serde(skip_serializing_if = "Option::is_none")]
     face_coupling: f64 =
-        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().face_coupling),
+        listed_if(load_distribution.is_elastic(), LoadMapSettings::default().face_coupling) usual "" [0.5, 5.0],
         check("face coupling", |l| (0.05..=20.0).contains(&l), "must be 0.05 to 20 modules");
     /// Include contact of tip edges outside the path of contact; default false.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -85,25 +88,25 @@ choices! {
     /// `barus`.
     film_pressure_law: PressureLaw = corrected(PressureLaw::default());
     /// Factor on the friction coefficient of the film (lubricant factor); default 1.
-    friction_scale: f64 = both(1.0),
+    friction_scale: f64 = both(1.0) usual "" [0.2, 3.0],
         check("friction scale", |k| k > 0.0 && k <= 10.0, "must be positive and at most 10");
     /// Friction coefficient of `film_friction = "constant"`.
-    constant_friction: f64 => Option<f64> = coefficient_of_constant_law(film_friction);
+    constant_friction: f64 => Option<f64> = coefficient_of_constant_law(film_friction) usual "" [0.002, 0.2];
     /// Coefficients of Xu's law from your own calibration: a JSON file, relative to the case file.
     xu_coefficients: PathBuf => Option<PathBuf> = as_stated();
     /// Lubricant factor X_L of `iso-14179-2`; default 1 (mineral oil).
-    lubricant_factor: f64 = both(1.0),
+    lubricant_factor: f64 = both(1.0) usual "" [0.3, 2.0],
         check("lubricant factor", |x| x > 0.0 && x <= 10.0, "must be positive and at most 10");
     /// Coefficient of boundary friction μ_b; default 0.09 (`paper`: 0.3, metal on metal).
-    boundary_friction: f64 = each(BOUNDARY_FRICTION, METAL_ON_METAL),
+    boundary_friction: f64 = each(BOUNDARY_FRICTION, METAL_ON_METAL) usual "" [0.02, 0.5],
         check("boundary friction", |mu| (0.0..=2.0).contains(&mu), "must be 0 to 2");
     /// Thickness of the boundary layer on touching asperities; default 10 nm, which applies to λs = 2.5 um.
-    boundary_layer: Length = corrected(BOUNDARY_LAYER),
+    boundary_layer: Length = corrected(BOUNDARY_LAYER) usual "nm" [0.5, 200.0],
         check("boundary layer", |h| (0.0..=1e-6).contains(&h), "must be 0 to 1 um");
     /// Lay γ of the roughness, one value for both flanks or `[pinion, wheel]`: from 0 or `across`, ridges
     /// across the whole face width, to 1 or `isotropic`; default as measured on the surface of the traces, otherwise 1/12,
     /// the middle of measured ground flanks.
-    lay: OneOrTwo<Lay> => [Lay; 2] = corrected(OneOrTwo::One(Lay::GROUND));
+    lay: OneOrTwo<Lay> => [Lay; 2] = corrected(OneOrTwo::One(Lay::GROUND)) usual "" [0.0, 1.0];
     /// Law of the mean gap that the inlet supplies to `load_share = "solved"`: `inlet` (default), whose inlet grows longer with
     /// the gap, or `power`, whose film thickens as the asperities take load off it.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -120,7 +123,7 @@ choices! {
     /// Least share on the boundary layer of asperities that come into contact past the inlet, with `spot_speed = "carried"`; default
     /// 0.75, drawn from 0.6 to 0.9.
     #[serde(skip_serializing_if = "Option::is_none")]
-    inner_boundary: f64 = of_carried_spots(spot_speed),
+    inner_boundary: f64 = of_carried_spots(spot_speed) usual "" [0.05, 1.0],
         check("inner boundary", |b| (0.0..=1.0).contains(&b), "must be 0 to 1");
     /// Pressure at which the film shears where asperities carry a share of the load: `rippled` (default), of its own share and
     /// higher over the peaks that it flattens, `own`, of its own share, or `hertz`, of the whole load.
@@ -131,7 +134,7 @@ choices! {
     #[serde(skip_serializing_if = "Option::is_none")]
     gap_roughness: GapRoughness = corrected(GapRoughness::default());
     /// Factor on the solved asperity load share, for the band; default 1.
-    asperity_share_factor: f64 = corrected(1.0),
+    asperity_share_factor: f64 = corrected(1.0) usual "" [0.01, 1.0],
         check("factor on the asperity share", |k| k > 0.0 && k <= 1.0, "must be above 0 and at most 1");
     /// Film thickness law; default `dowson-toyoda` (`paper`: `hamrock-dowson`).
     film: FilmLaw = each(FilmLaw::DowsonToyoda, FilmLaw::HamrockDowson);
@@ -152,22 +155,22 @@ choices! {
     /// default flooded. The film is starved; the rolling resistance is left as flooded. Needs `gap_law = "power"`: the law
     /// `inlet` is that of a flooded inlet.
     #[serde(skip_serializing_if = "Option::is_none")]
-    inlet_layer: Length => Option<Length> = starved_inlet(gap_law, load_share, full_film);
+    inlet_layer: Length => Option<Length> = starved_inlet(gap_law, load_share, full_film) usual "um" [0.01, 1000.0];
     /// The elastohydrodynamic solutions of `load_share = "ehl"` and `full_film`.
     #[serde(skip_serializing_if = "Option::is_none")]
-    ehl: EhlInput => EhlChoices = ehl_solutions(load_share, full_film);
+    ehl: EhlInput => EhlChoices = ehl_solutions(load_share, full_film) => table;
     /// Model of the fluid pressure across the film; default `reynolds-cross` (`paper`: `paper`).
     fluid_pressure: FluidModel = each(FluidModel::ReynoldsCross, FluidModel::Paper);
     /// Clamp the roughness in Xu's law at 0.6 um; default true (`paper`: false).
     clamp_roughness: bool = each(true, false);
     /// Step by which `paper` lowers the surfaces into each other; default 80 nm.
-    delta_step: Length = both(Length::from_si(80e-9)),
+    delta_step: Length = both(Length::from_si(80e-9)) usual "nm" [1.0, 1000.0],
         check("step", |d| d > 0.0 && d < 1e-3, "must be positive and below 1 mm");
     /// Load error at which the marching of `paper` stops; default 1 %.
-    numerical_error: Ratio => f64 = both(Ratio::new(0.01)),
+    numerical_error: Ratio => f64 = both(Ratio::new(0.01)) usual "%" [0.01, 20.0],
         check("numerical error", |e| e > 0.0 && e <= 0.2, "must be above 0 and at most 20 %");
     /// Tolerance of the contact solver's certificate; default 1e-8.
-    tolerance: f64 = both(1e-8),
+    tolerance: f64 = both(1e-8) usual "" [1e-10, 1e-6],
         check("tolerance", |t| (1e-16..=LOOSEST_TOLERANCE).contains(&t), "must be 1e-16 to 1e-4");
     /// Include the plastic work of running-in in the losses; default false.
     include_running_in: bool = both(false);
@@ -176,10 +179,10 @@ choices! {
     #[serde(skip_serializing_if = "Option::is_none")]
     run_in: bool = of_corrected_only(false);
     /// Fraction of the elastic energy lost in hysteresis, part of rolling; default 0.5 % (`paper`: 0).
-    hysteresis: Ratio => f64 = each(Ratio::new(HYSTERESIS), Ratio::new(0.0)),
+    hysteresis: Ratio => f64 = each(Ratio::new(HYSTERESIS), Ratio::new(0.0)) usual "%" [0.01, 5.0],
         check("hysteresis", |h| (0.0..=1.0).contains(&h), "must be 0 to 1");
     /// Number of depths at which subsurface stress is computed; default 24.
-    depths: usize = both(24), check("depths", |n| n <= 1000.0, "must be at most 1000");
+    depths: usize = both(24) usual "" [1.0, 1000.0], check("depths", |n| n <= 1000.0, "must be at most 1000");
 }
 
 choices! {
@@ -192,16 +195,16 @@ choices! {
 
     /// Number of records along the path of contact; default 8. Shares and friction are interpolated between
     /// them.
-    records: usize = of_records(8),
+    records: usize = of_records(8) usual "" [2.0, 64.0],
         check("records along the path", |n| (2.0..=64.0).contains(&n), "must be 2 to 64");
     /// Number of cells along the contact, a multiple of 64; default 512.
-    cells: usize = of_solutions(512), check(
+    cells: usize = of_solutions(512) usual "" [64.0, 8192.0], check(
         "cells across the film",
         |n| n % 64.0 == 0.0 && (64.0..=8192.0).contains(&n),
         "must be a multiple of 64, 64 to 8192"
     );
     /// Travel of a record in half-widths of the contact; default 20.
-    travel: f64 = of_records(20.0),
+    travel: f64 = of_records(20.0) usual "" [2.0, 1000.0],
         check("travel of a record", |a| (2.0..=1000.0).contains(&a), "must be 2 to 1000 half-widths");
     /// Cache folder for records, so that none is solved twice: `user` (default), the cache folder of the user
     /// (`asperity` in `$XDG_CACHE_HOME`, `~/.cache` or `%LOCALAPPDATA%`), a folder relative to the case file,
@@ -310,6 +313,10 @@ impl Choices<'_> {
     fn of_carried_spots(&mut self, key: Key, stated: Option<f64>, speed: SpotSpeed) -> Choice<f64> {
         match speed {
             SpotSpeed::Carried => self.corrected(key, stated, INNER_BOUNDARY),
+            _ if stated.is_some() => {
+                let rule = "belongs to spot_speed = \"carried\"; state both, or leave this out";
+                Err(Section::of(self.source, key).conflict("", rule))
+            }
             _ => self.listed_if(key, stated, false, INNER_BOUNDARY),
         }
     }

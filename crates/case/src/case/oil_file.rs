@@ -82,6 +82,9 @@ pub struct FittedFriction {
     pub fit: FitQuality,
     /// Files of the curves with their SHA-256.
     pub source: String,
+    /// Whether the curves were simulated.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub simulated: bool,
     /// What speaks against the constants, if anything does: what the fit had to assume of the machine or the oil.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub doubts: Vec<String>,

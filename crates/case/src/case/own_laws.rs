@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use asperity_ehl_regime::FilmThicknessLaw;
-use asperity_gear::{GearError, LoadConditions, LoadDistribution, LoadMap};
+use asperity_gear::{GearError, LoadDistribution, LoadMap};
 use asperity_tribo_friction::{FilmFriction, NamedFriction};
 
 use super::defaults::DefaultUsed;
+use super::load_inputs::LoadInputs;
 use super::resolve::Case;
 use crate::load_share_law::LoadShare;
 use asperity_mixed_film::FilmAlone;
@@ -118,19 +119,7 @@ impl Case {
     /// # Errors
     /// When the law does not hold for these gears, or puts no load on the teeth.
     pub fn load_map(&self) -> Result<LoadMap, GearError> {
-        let law = self.load_distribution();
-        let map = law.load_map(&LoadConditions {
-            pair: &self.gears,
-            torque: self.torque,
-            micro: &self.micro_geometry,
-            materials: &self.materials,
-            settings: &self.load_settings,
-        })?;
-        if map.samples().iter().all(|sample| sample.load.si() == 0.0) {
-            let law = law.name().to_owned();
-            return Err(GearError::NoLoad { law });
-        }
-        Ok(map)
+        LoadInputs::of(self).load_map()
     }
 
     /// The load sharing between film and asperities in use.

@@ -15,6 +15,7 @@ use super::error::CaseError;
 use super::gear_input::GearFlankInput;
 use super::input::{BodyInput, CaseInput, FlankInput, GearsInput, MaterialInput, OperationInput};
 use super::one_or_two::OneOrTwo;
+use super::rows::limits;
 use super::source::{MeshKeys, Source};
 use super::train_flow::StageKind;
 use super::train_parts::{MeshParts, StageParts, conflict, refused};
@@ -54,6 +55,13 @@ pub struct PlanetaryInput {
     pub planet: Option<GearFlankInput>,
     /// Flanks, tip and root of the ring.
     pub ring: Option<GearFlankInput>,
+}
+
+limits! {
+    PlanetaryInput;
+    planets = "" usual [1.0, 12.0] possible [1.0, 200.0];
+    ring_speed = "1/min" usual [-60_000.0, 60_000.0] possible [-1e6, 1e6];
+    load_share_factor = "" usual [1.0, 2.0] possible [0.1, 100.0];
 }
 
 /// Table of the set in a case.

@@ -1,26 +1,20 @@
-//! Numbers outside the usual range of their row, of which W201 warns, or outside its possible range, which E212 refuses.
-//!
-//! The usual ranges are those of gear drives from toys to wind turbines, the possible ones leave some powers
-//! of ten around them. Both are choices of this program: they are there to catch a wrong unit, not to judge a
-//! design. Zero, negative and missing numbers are judged by the equations that take them.
+//! Quantities that follow from the numbers of a case and show a wrong one: W201 and E212 as for [`ranges`].
 
-use std::borrow::Cow;
 use std::f64::consts::PI;
 
+use asperity_core::decimals;
 use asperity_core::quantity::{AngularSpeed, Pressure, Torque};
 use asperity_gear::GearPair;
-use asperity_oil::{LubricantInput, LubricantState, ViscosityLaw};
+use asperity_oil::LubricantState;
 
 use super::error::CaseError;
 use super::input::{CaseInput, GearsInput, OperationInput, TEMPERATURE_KEYS};
-use super::rows::{Limits, Table, in_unit, limits};
+use super::ranges::{self, UNUSUAL, digits, impossible_at, with_unit, within};
 use super::section::Section;
 use super::source::Source;
 use crate::message::Warning;
 use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 
-/// Code of the warning about an unusual number.
-const UNUSUAL: &str = "W201";
 /// Code of a division of the profile shifts.
 const DIVIDED: &str = "W445";
 /// Code of the warning that names the keys of symbols.
@@ -28,202 +22,9 @@ pub(super) const SYMBOLS: &str = "W202";
 /// Code of a key that is read by its former name.
 const FORMER_NAME: &str = "W203";
 
-limits! {
-    LubricantInput;
-    density = "kg/m3" usual [700.0, 1200.0] possible [300.0, 3000.0];
-    thermal_expansion = "1/K" usual [4e-4, 1.2e-3] possible [1e-6, 1e-2];
-    pressure_viscosity_factor = "" usual [0.5, 1.5] possible [0.1, 10.0];
-    limiting_shear_temperature = "1/K" usual [-0.005, 0.01] possible [-0.02, 0.02];
-    thermal_conductivity = "W/(m K)" usual [0.08, 0.3] possible [0.005, 5.0];
-    heat_capacity = "J/(kg K)" usual [1400.0, 3000.0] possible [200.0, 10_000.0];
-    temperature_coefficient = "1/K" usual [0.005, 0.15] possible [1e-4, 1.0];
-}
-
-/// Rows of the viscosity, whose keys depend on its law.
-const VISCOSITY: [Limits<LubricantInput>; 3] = [
-    Limits {
-        name: "viscosity",
-        unit: "mPa s",
-        usual: [1.0, 10_000.0],
-        possible: [0.05, 100_000.0],
-        numbers: |oil| match oil.viscosity {
-            Some(ViscosityLaw::Given {
-                dynamic_viscosity, ..
-            }) => vec![in_unit(dynamic_viscosity, "mPa s")],
-            _ => Vec::new(),
-        },
-    },
-    Limits {
-        name: "viscosity.at_40",
-        unit: "mm2/s",
-        usual: [4.0, 2000.0],
-        possible: [0.3, 1e5],
-        numbers: |oil| match oil.viscosity {
-            Some(ViscosityLaw::AstmD341 { at_40, .. }) => vec![in_unit(at_40, "mm2/s")],
-            _ => Vec::new(),
-        },
-    },
-    Limits {
-        name: "viscosity.at_100",
-        unit: "mm2/s",
-        usual: [1.0, 150.0],
-        possible: [0.2, 1e4],
-        numbers: |oil| match oil.viscosity {
-            Some(ViscosityLaw::AstmD341 { at_100, .. }) => vec![in_unit(at_100, "mm2/s")],
-            _ => Vec::new(),
-        },
-    },
-];
-
-/// Ranges of a key of the case file, with the numbers that a case states for it.
-#[derive(Clone)]
-pub(super) struct Range {
-    table: &'static str,
-    name: &'static str,
-    pub(super) unit: &'static str,
-    usual: [f64; 2],
-    possible: [f64; 2],
-    numbers: Vec<f64>,
-}
-
-/// Every range of the case file, with the numbers of `input`; without numbers if there is no case.
-fn ranges(input: Option<&CaseInput>) -> Vec<Range> {
-    let (surface, material) = (
-        input.map(|case| &case.surface),
-        input.map(|case| &case.material),
-    );
-    let lubricant = input.map(|case| &case.lubricant);
-    let wheel = material.and_then(|steels| steels.wheel.as_ref());
-    let wheel_flank = surface.and_then(|flanks| flanks.wheel.as_ref());
-    [
-        of_table("gears", input.map(|case| &case.gears)),
-        of_table("operation", input.map(|case| &case.operation)),
-        of_table("lubricant", lubricant),
-        of_rows("lubricant", &VISCOSITY, lubricant),
-        of_table("material.pinion", material.map(|steels| &steels.pinion)),
-        of_table("material.wheel", wheel),
-        of_table("surface.pinion", surface.map(|flanks| &flanks.pinion)),
-        of_table("surface.wheel", wheel_flank),
-    ]
-    .concat()
-}
-
-fn of_table<T: Table>(table: &'static str, stated: Option<&T>) -> Vec<Range> {
-    of_rows(table, T::LIMITS, stated)
-}
-
-fn of_rows<T>(table: &'static str, rows: &[Limits<T>], stated: Option<&T>) -> Vec<Range> {
-    let range = |row: &Limits<T>| Range {
-        table,
-        name: row.name,
-        unit: row.unit,
-        usual: row.usual,
-        possible: row.possible,
-        numbers: stated.map_or_else(Vec::new, row.numbers),
-    };
-    rows.iter().map(range).collect()
-}
-
-/// Smallest and largest possible size of the number at `key` in the unit that messages print; `None` for a key without
-/// a range.
-///
-/// ```
-/// use asperity_case::case::possible_range;
-/// assert_eq!(possible_range("operation.speed"), Some([1e-6, 1e6]));
-/// assert_eq!(possible_range("operation.bulk"), None);
-/// ```
-#[must_use]
-pub fn possible_range(key: &str) -> Option<[f64; 2]> {
-    range_of(key).map(|range| range.possible)
-}
-
-/// The range of the numbers at `key`.
-pub(super) fn range_of(key: &str) -> Option<Range> {
-    ranges(None).into_iter().find(|range| range.key() == key)
-}
-
 /// Viscosity of the oil at the bulk temperature \[Pa s\]: usual, and beyond which it is no oil of a gear drive.
 const OIL_USUAL: [f64; 2] = [1e-3, 10.0];
 const OIL_POSSIBLE: [f64; 2] = [1e-5, 100.0];
-
-fn within(value: f64, range: [f64; 2]) -> bool {
-    (range[0]..=range[1]).contains(&value)
-}
-
-impl Range {
-    fn key(&self) -> Cow<'static, str> {
-        format!("{}.{}", self.table, self.name).into()
-    }
-
-    /// The usual range as text with its unit.
-    pub(super) fn usual(&self) -> String {
-        let [low, high] = self.usual;
-        with_unit(&format!("{} to {}", digits(low), digits(high)), self.unit)
-    }
-
-    /// The first number outside `range`. If the range is of positive numbers, others are left to the equation that takes
-    /// them.
-    fn outside(&self, range: [f64; 2]) -> Option<f64> {
-        let judged = |value: &f64| range[0] < 0.0 || *value > 0.0;
-        let mut numbers = self.numbers.iter().copied().filter(judged);
-        numbers.find(|value| !within(*value, range))
-    }
-
-    /// The error of a number outside the possible range, if there is one.
-    fn refused(&self, source: &Source) -> Option<CaseError> {
-        let value = self.outside(self.possible)?;
-        let seen = with_unit(&digits(value), self.unit);
-        Some(impossible_at(source, self.key(), seen, self.usual()))
-    }
-}
-
-fn impossible_at(
-    source: &Source,
-    key: Cow<'static, str>,
-    seen: String,
-    usual: String,
-) -> CaseError {
-    CaseError::Impossible {
-        place: source.place_of(&key),
-        written: source.written(&key).map(str::to_owned),
-        key,
-        seen,
-        usual,
-    }
-}
-
-fn with_unit(text: &str, unit: &str) -> String {
-    match unit {
-        "" => text.to_owned(),
-        unit => format!("{text} {unit}"),
-    }
-}
-
-fn digits(value: f64) -> String {
-    let size = value.abs();
-    if size != 0.0 && !(1e-3..1e7).contains(&size) {
-        return format!("{value:.3e}");
-    }
-    let text = format!("{value:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
-/// Every number that no gear drive has.
-pub(super) fn impossible(input: &CaseInput, source: &Source) -> Vec<CaseError> {
-    let ranges = ranges(Some(input));
-    ranges
-        .iter()
-        .filter_map(|range| range.refused(source))
-        .collect()
-}
-
-/// Refuses the first number that no gear drive has.
-pub(super) fn refuse_impossible(input: &CaseInput, source: &Source) -> Result<(), CaseError> {
-    match impossible(input, source).into_iter().next() {
-        Some(error) => Err(error),
-        None => Ok(()),
-    }
-}
 
 /// Refuses an oil that does not flow at the bulk temperature, or is a gas there.
 pub(super) fn refuse_stiff_oil(
@@ -277,7 +78,7 @@ pub(super) fn at_pitch_point(
         AtPitchPoint {
             value: gears.working_pitch_radius[0].si().abs() * speed.si(),
             unit: "m/s",
-            usual: [0.0, 200.0],
+            usual: [0.05, 120.0],
             most: HIGHEST_SPEED,
             key: "speed",
             name: "pitch-line speed (by speed, teeth, module)",
@@ -297,7 +98,12 @@ impl AtPitchPoint {
             return Ok(());
         }
         let key = Section::of(source, "operation").key(self.key);
-        let seen = format!("a {} of {:.0} {}", self.name, self.value, self.unit);
+        let seen = format!(
+            "a {} of {} {}",
+            self.name,
+            decimals(self.value, 0),
+            self.unit
+        );
         Err(impossible_at(source, key, seen, self.usual()))
     }
 
@@ -330,13 +136,7 @@ pub(super) fn unusual(
     oil: &LubricantState,
     loads: &[AtPitchPoint],
 ) -> Vec<Warning> {
-    let note = |range: &Range| {
-        let value = with_unit(&digits(range.outside(range.usual)?), range.unit);
-        let (key, usual) = (source.key_in_train(range.key()), range.usual());
-        let text = format!("{key} = {value} is unusual; usual is {usual}");
-        Some(Warning::new(UNUSUAL, text))
-    };
-    let mut warnings: Vec<Warning> = ranges(Some(input)).iter().filter_map(note).collect();
+    let mut warnings = ranges::unusual(input, source);
     let viscosity = oil.dynamic_viscosity.si();
     if !within(viscosity, OIL_USUAL) {
         let [low, high] = OIL_USUAL;

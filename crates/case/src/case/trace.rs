@@ -98,24 +98,41 @@ impl Trace {
 
     /// The keys of a flank with this trace under this name.
     pub(super) fn into_input(self, name: PathBuf) -> FlankInput {
-        let options = self.options;
+        let ReadOptions {
+            x_unit,
+            z_unit,
+            dx,
+            columns,
+            decimal,
+            separator,
+            encoding,
+            gaps,
+            row,
+            line,
+            abscissa,
+            base_radius,
+            uneven,
+            range,
+            invert,
+        } = self.options;
         FlankInput {
             file: Some(name),
             mirrored: self.mirrored.then_some(true),
-            x_unit: options.x_unit,
-            z_unit: options.z_unit,
-            dx: options.dx,
-            columns: options.columns,
-            decimal: options.decimal,
-            separator: options.separator,
-            encoding: options.encoding,
-            gaps: Some(options.gaps).filter(|gaps| *gaps != Default::default()),
-            row: options.row,
-            line: Some(options.line).filter(|line| *line != Default::default()),
-            abscissa: options.abscissa,
-            base_radius: options.base_radius,
-            uneven: Some(options.uneven).filter(|uneven| *uneven != Default::default()),
-            range: options.range,
+            x_unit,
+            z_unit,
+            dx,
+            columns,
+            decimal,
+            separator,
+            encoding,
+            gaps: Some(gaps).filter(|gaps| *gaps != Default::default()),
+            row,
+            line: Some(line).filter(|line| *line != Default::default()),
+            abscissa,
+            base_radius,
+            uneven: Some(uneven).filter(|uneven| *uneven != Default::default()),
+            range,
+            invert,
             ..FlankInput::default()
         }
     }

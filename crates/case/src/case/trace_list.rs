@@ -9,6 +9,7 @@ use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::flank_place::{FlankPlaceInput, TraceStart};
+use super::rows::{Judge, KeyPath, Ranged, table};
 
 /// Traces of one flank: `"pinion_*.csv"`, or a list of files and of tables.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -32,31 +33,49 @@ pub enum TraceEntry {
     Table(TraceInput),
 }
 
-/// One of several traces of a flank; all other keys are those of the flank.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct TraceInput {
+table! {
+    /// One of several traces of a flank; all other keys are those of the flank.
+    #[derive(Default)]
+    TraceInput;
+
     /// File of the trace, relative to the case file.
-    pub file: PathBuf,
+    file: PathBuf;
     /// Number of the tooth; default: a tooth of its own for every trace.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub tooth: Option<u32>,
+    tooth: Option<u32> = "" usual [1.0, 1000.0] possible [1.0, 1e6];
     /// Place across the face, from the end of the face width that comes into contact last.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub y: Option<Length>,
+    y: Option<Length> = "mm" usual [0.1, 1000.0] possible [1e-4, 10_000.0];
     /// End of the flank at which the trace begins, where it is not that of the flank.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub from: Option<TraceStart>,
+    from: Option<TraceStart>;
     /// A point of the trace whose place is known, where it is not that of the flank.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub at: Option<FlankPlaceInput>,
+    at: Option<FlankPlaceInput> => table;
     /// Number of the profile in a file that holds several, counted from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub row: Option<usize>,
+    row: Option<usize> = "" usual [1.0, 10_000.0] possible [1.0, 1e7];
     /// Part of the trace that is used, where it is not that of the flank.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub range: Option<TraceRange>,
+    range: Option<TraceRange> = "mm" usual [0.001, 100.0] possible [1e-5, 10_000.0];
+}
+
+impl Ranged for TraceList {
+    fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
+        match stated {
+            Some(Self::List(entries)) => Vec::visit(Some(entries), at, judge),
+            Some(Self::Pattern(_)) => {}
+            None => TraceInput::visit(None, at, judge),
+        }
+    }
+}
+
+impl Ranged for TraceEntry {
+    fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
+        if let Some(Self::Table(trace)) = stated {
+            TraceInput::visit(Some(trace), at, judge);
+        }
+    }
 }
 
 impl TraceList {

@@ -2,22 +2,22 @@
 
 use asperity_core::DomainError;
 use asperity_core::quantity::{Power, Temperature, ThermalConductance};
-use serde::{Deserialize, Serialize};
 
-/// Heat from the oil through the housing to the ambient air.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct HeatInput {
+use super::rows::table;
+
+table! {
+    /// Heat from the oil through the housing to the ambient air.
+    HeatInput;
+
     /// Temperature of the ambient air.
-    pub ambient: Temperature,
+    ambient: Temperature = "°C" usual [-50.0, 70.0] possible [-100.0, 150.0];
     /// Conductance from oil to housing.
-    pub oil_to_housing: ThermalConductance,
+    oil_to_housing: ThermalConductance = "W/K" usual [0.5, 20_000.0] possible [0.001, 1e6];
     /// Conductance from housing to ambient air.
-    pub housing_to_ambient: ThermalConductance,
+    housing_to_ambient: ThermalConductance = "W/K" usual [0.2, 5000.0] possible [0.001, 1e6];
     /// Losses of other parts that heat the oil: seals, bearings, churning; default 0 W.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub other_losses: Option<Power>,
+    other_losses: Option<Power> = "W" usual [0.1, 1e6] possible [1e-6, 1e9];
 }
 
 impl HeatInput {

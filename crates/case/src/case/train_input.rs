@@ -23,12 +23,15 @@ use super::input::{
 };
 use super::model::{Formulation, ModelInput};
 use super::planetary::{self, PlanetaryInput, SetOfCase};
+use super::ranges::{Judged, refuse_impossible, unusual};
+use super::rows::{Judge, KeyPath, Ranged, limits};
 use super::section::domain;
 use super::source::{MeshKeys, Source};
 use super::train_flow::StageKind;
 use super::train_gearbox::{Hand, MeshPlace, TrainGearboxInput, train_gearbox};
 use super::train_heat_input::HeatInput;
-use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, refused};
+use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, mesh_folder, refused};
+use crate::message::Warning;
 
 /// A case of several meshes as the user writes it, on named shafts or of a single planetary set. Torque and speed of the
 /// operation are those of the input shaft, or of the sun.
@@ -78,6 +81,39 @@ pub struct TrainCaseInput {
     /// The vehicle of a cycle stated by its speed, for `asperity cycle`; a run ignores it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub vehicle: Option<VehicleInput>,
+}
+
+/// Name of a mesh in the paths of rows.
+pub(super) const MESH: &str = "NAME";
+
+impl Judged for TrainCaseInput {}
+
+/// The tables that are not of a single mesh: what a mesh has is judged with its case.
+impl Ranged for TrainCaseInput {
+    fn visit(stated: Option<&Self>, at: KeyPath<'_>, judge: Judge<'_>) {
+        let set = stated.map(|case| &case.planetary);
+        Ranged::visit(set, at.below(planetary::TABLE), judge);
+        let meshes = at.below("mesh");
+        match stated {
+            None => MeshInput::visit(None, meshes.below(MESH), judge),
+            Some(case) => {
+                for (name, mesh) in &case.mesh {
+                    MeshInput::visit(Some(mesh), meshes.below(name), judge);
+                }
+            }
+        }
+        Ranged::visit(stated.map(|case| &case.heat), at.below("heat"), judge);
+        Ranged::visit(stated.map(|case| &case.gearbox), at.below("gearbox"), judge);
+        Ranged::visit(stated.map(|case| &case.map), at.below("map"), judge);
+        Ranged::visit(stated.map(|case| &case.vehicle), at.below("vehicle"), judge);
+    }
+}
+
+limits! {
+    MeshInput;
+    at = "mm" usual [-5000.0, 5000.0] possible [-100_000.0, 100_000.0];
+    angle = "deg" usual [-360.0, 360.0] possible [-3600.0, 3600.0];
+    planetary => table;
 }
 
 /// Shafts at which the power enters and leaves a gear train.
@@ -225,6 +261,7 @@ impl TrainCaseInput {
         source: &Source,
         files: Reader<'_>,
     ) -> Result<TrainParts, CaseError> {
+        refuse_impossible(self, source)?;
         let (shafts, stages) = match &self.planetary {
             Some(set) => self.single_set(set, source)?,
             None => self.on_shafts(source)?,
@@ -247,6 +284,10 @@ impl TrainCaseInput {
             .map_err(refused(source, table))?;
         parts.heat = self.checked_heat(source)?;
         parts.gearbox = gearbox;
+        parts.warnings = unusual(self, source);
+        parts
+            .warnings
+            .extend(parts.stages.iter().filter_map(uneven_planets));
         parts.sums = files.into_sums();
         Ok(parts)
     }
@@ -289,6 +330,17 @@ impl TrainCaseInput {
             let rule = "is needed: the shaft with torque and speed of the operation";
             return Err(conflict(source, "train.input".to_owned(), rule));
         };
+        /// Largest number of meshes of a gear train, far above that of a gearbox with many speeds.
+        const MOST_MESHES: usize = 100;
+        if self.mesh.len() > MOST_MESHES {
+            return Err(CaseError::Impossible {
+                place: source.place_of("mesh"),
+                key: "mesh".into(),
+                written: None,
+                seen: format!("a train of {} meshes", self.mesh.len()),
+                usual: format!("1 to 20, at most {MOST_MESHES}"),
+            });
+        }
         let mut stages = BTreeMap::new();
         for (name, mesh) in &self.mesh {
             stages.insert(name.as_str(), self.stage(name, mesh, source)?);
@@ -363,6 +415,19 @@ impl TrainCaseInput {
                 },
                 drag: zero,
             });
+        }
+        let mut folders = Vec::new();
+        for (name, stage) in &ordered {
+            for mesh in &stage.meshes {
+                // Some file systems take capitals for small letters.
+                let folder = mesh_folder(&mesh.name).to_lowercase();
+                if folders.contains(&folder) {
+                    let rule =
+                        "would have the result folder of another mesh; change one of the names";
+                    return Err(conflict(source, format!("mesh.{name}"), rule));
+                }
+                folders.push(folder);
+            }
         }
         let place = |name: &String| shafts.iter().position(|shaft| shaft == name).unwrap_or(0);
         for (name, stage) in &ordered {
@@ -596,6 +661,24 @@ impl TrainCaseInput {
             ..CaseInput::default()
         }
     }
+}
+
+/// W204: planets that do not fit between sun and ring at equal spaces.
+fn uneven_planets(stage: &StageParts) -> Option<Warning> {
+    let StageKind::Planetary { set, .. } = &stage.kind else {
+        return None;
+    };
+    let [sun, ring] = stage.teeth;
+    let text = || {
+        let of_mesh = stage.name.as_ref().map(|name| format!("mesh.{name}."));
+        format!(
+            "{}planetary.planets: {} equally spaced planets cannot be assembled: the {} teeth of sun and ring together are not a multiple of their number",
+            of_mesh.unwrap_or_default(),
+            set.planets,
+            sun + ring
+        )
+    };
+    (!set.can_be_equally_spaced()).then(|| Warning::new("W204", text()))
 }
 
 /// Key of the bulk temperature that mesh `name` states itself, with its key in the train.

@@ -15,6 +15,7 @@ use super::source::{MeshKeys, Source};
 use super::train_flow::{StageKind, Train};
 use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
+use crate::message::Warning;
 
 /// A gear train with the inputs of its meshes, before their traces are read.
 pub(super) struct TrainParts {
@@ -25,6 +26,8 @@ pub(super) struct TrainParts {
     pub title: String,
     pub train: Train,
     pub stages: Vec<StageParts>,
+    /// Warnings about the train as a whole.
+    pub warnings: Vec<Warning>,
 }
 
 /// Input of the meshes of a stage.
@@ -42,6 +45,17 @@ pub(super) struct MeshParts {
     pub name: String,
     pub keys: Arc<MeshKeys>,
     pub case: CaseInput,
+}
+
+/// Result folder of a mesh: its name as one word, `sun_planet` of "sun and planet". Those of a train differ.
+///
+/// ```
+/// use asperity_case::case::gear_train::mesh_folder;
+/// assert_eq!(mesh_folder("second, sun and planet"), "second_sun_planet");
+/// ```
+#[must_use]
+pub fn mesh_folder(mesh: &str) -> String {
+    mesh.replace(" and ", "_").replace(", ", "_")
 }
 
 impl TrainParts {
@@ -89,6 +103,7 @@ impl TrainParts {
             title,
             train,
             stages,
+            warnings: Vec::new(),
         })
     }
 

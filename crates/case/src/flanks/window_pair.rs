@@ -129,15 +129,15 @@ impl Window {
         Ok(Some(Self { starts, points: n }))
     }
 
-    /// Heights of both flanks in the windows at offset `k` of `count`, beyond the ends of a trace from its mirror
+    /// Heights of both flanks in the windows in a zone of the face at offset `k` of `count`, beyond the ends of a trace from its mirror
     /// image.
     pub fn cut(
         self,
         surfaces: &Surfaces,
-        position: &MeshPosition,
+        zone: usize,
         (k, count): (usize, usize),
     ) -> Result<[Profile; 2], PositionError> {
-        let (surfaces, ..) = surfaces.met(position.zone, k, count);
+        let (surfaces, ..) = surfaces.met(zone, k, count);
         let [Texture::Trace(first), Texture::Trace(second)] = surfaces.textures() else {
             return Err(PositionError::NoProfile);
         };
@@ -163,7 +163,7 @@ impl Surfaces {
     ) -> Result<Roughness, PositionError> {
         let (of_pair, ..) = self.met(position.zone, k, count);
         match Window::at(self, position, window, k, count)? {
-            Some(window) => of_pair.roughness_of(&window.cut(self, position, (k, count))?),
+            Some(window) => of_pair.roughness_of(&window.cut(self, position.zone, (k, count))?),
             None => of_pair.roughness_as_a_whole(),
         }
     }
@@ -198,7 +198,7 @@ impl WindowPair {
         let Some(window) = Window::at(surfaces, position, window, k, count)? else {
             return Ok(None);
         };
-        let flanks = window.cut(surfaces, position, (k, count))?;
+        let flanks = window.cut(surfaces, position.zone, (k, count))?;
         Self::new(flanks, position, modulus).map(Some)
     }
 

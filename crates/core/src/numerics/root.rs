@@ -1,5 +1,7 @@
 //! A bracketed root, with evidence.
 
+use crate::message_number::number;
+
 /// A root with what is known about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root {
@@ -16,7 +18,7 @@ pub struct Root {
 #[non_exhaustive]
 pub enum RootError {
     /// The ends have values of the same sign, or one that is not a number.
-    #[error("no sign change between {low} (value {at_low}) and {high} (value {at_high})")]
+    #[error("no sign change between {low} (value {at_low}) and {high} (value {at_high})", low = number(*low), at_low = number(*at_low), high = number(*high), at_high = number(*at_high))]
     NotBracketed {
         /// Lower end.
         low: f64,
@@ -29,8 +31,7 @@ pub enum RootError {
     },
     /// The evaluations allowed were used up.
     #[error(
-        "the root is only known to lie within {width} of {value} after {evaluations} evaluations"
-    )]
+        "the root is only known to lie within {width} of {value} after {evaluations} evaluations", width = number(*width), value = number(*value))]
     NotConverged {
         /// Best value.
         value: f64,

@@ -8,15 +8,25 @@ pub fn mean(values: impl IntoIterator<Item = f64>) -> f64 {
     sum / count
 }
 
-/// Median; none of no values.
-pub fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let n = values.len();
-    let upper = *values.get(n / 2)?;
-    Some(match n % 2 {
-        0 => 0.5 * (values[n / 2 - 1] + upper),
-        _ => upper,
-    })
+/// Median, of an even number of values the mean of the two in the middle; `None` without values.
+pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
+    median_in_place(&mut values.into_iter().collect::<Vec<_>>())
+}
+
+/// [`median`], which changes the order of the values.
+pub fn median_in_place(values: &mut [f64]) -> Option<f64> {
+    let middle = values.len() / 2;
+    if values.is_empty() {
+        return None;
+    }
+    let is_even = values.len().is_multiple_of(2);
+    let (lower, &mut upper, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
+    let below = lower.iter().copied().max_by(f64::total_cmp);
+    Some(
+        below
+            .filter(|_| is_even)
+            .map_or(upper, |below| 0.5 * (below + upper)),
+    )
 }
 
 /// Sample standard deviation; none for fewer than two values.
@@ -49,9 +59,9 @@ mod tests {
 
     #[test]
     fn medians_and_deviations_of_few_values() {
-        assert_eq!(median(vec![]), None);
-        assert_eq!(median(vec![4.0, 1.0, 8.0]), Some(4.0));
-        assert_eq!(median(vec![8.0, 1.0, 4.0, 2.0]), Some(3.0));
+        assert_eq!(median([]), None);
+        assert_eq!(median([4.0, 1.0, 8.0]), Some(4.0));
+        assert_eq!(median([8.0, 1.0, 4.0, 2.0]), Some(3.0));
         assert_eq!(deviation(&[1.0]), None);
         assert_eq!(deviation(&[1.0, 4.0, 7.0]), Some(3.0));
     }

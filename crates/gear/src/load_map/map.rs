@@ -1,5 +1,7 @@
 //! The load map, solved at the phases of a mesh cycle.
 
+use std::sync::{Arc, OnceLock};
+
 use super::coupled::{self, ContactLine, Problem, Tails};
 use super::grid::Grid;
 use super::law::{LoadLaw, LoadMapSettings};
@@ -90,6 +92,8 @@ pub struct LoadMap {
     pub(super) samples: Vec<LoadSample>,
     pub(super) loss_factor: f64,
     pub(super) evidence: LoadMapEvidence,
+    /// Loss factor with contact of the tip edges, computed at most once for a map and its clones.
+    pub(crate) edge_contact: Arc<OnceLock<Option<f64>>>,
 }
 
 #[derive(Debug, Clone)]
@@ -176,6 +180,7 @@ impl LoadMap {
             samples: Vec::new(),
             loss_factor: 0.0,
             evidence,
+            edge_contact: Arc::default(),
         };
         map.run()?;
         Ok(map)

@@ -1,5 +1,7 @@
 //! Load map of a user-defined law for the load along the path of contact.
 
+use std::sync::Arc;
+
 use asperity_core::DomainError;
 use asperity_core::quantity::{Length, LineLoad};
 
@@ -77,6 +79,7 @@ impl LoadMap {
             samples,
             loss_factor: 0.0,
             evidence: LoadMapEvidence::of_a_rigid_law(),
+            edge_contact: Arc::default(),
         };
         map.loss_factor = map.sliding_integral(|_| 1.0);
         Ok(map)

@@ -119,7 +119,10 @@ pub(super) fn surface(
             _ => None,
         };
         let [x, _, z] = columns;
-        return Ok(points.surface(unit(options.x_unit, x), unit(options.z_unit, z)));
+        let mut areal = points.surface(unit(options.x_unit, x), unit(options.z_unit, z));
+        let depths = labels[z].is_depth.then_some(Warning::DepthsTurned);
+        areal.warnings.extend(depths);
+        return Ok(areal);
     }
     if sniffed.columns < FEWEST || labels.iter().any(|label| label.role.is_some()) {
         return Err(ReadFault::no_heights(
@@ -176,6 +179,12 @@ impl Parsed<'_> {
             empty,
         } = rows;
         warnings.extend((empty > 0).then_some(Warning::EmptyRows { rows: empty }));
+        let label = self.labels.get(self.chosen.z);
+        warnings.extend(
+            label
+                .filter(|label| label.is_depth)
+                .map(|_| Warning::DepthsTurned),
+        );
         grid::unmark(&mut z);
         let abscissa = self.abscissa();
         let base_radius = match (abscissa, self.options.base_radius) {

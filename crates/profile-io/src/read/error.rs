@@ -2,6 +2,7 @@
 
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
+use asperity_core::{decimals, number};
 
 use super::format::Format;
 use super::layout::Dialect;
@@ -82,7 +83,7 @@ pub enum ReadFault {
         source: std::io::Error,
     },
     /// No unit is stated, and the values do not determine it.
-    #[error("no unit found and {axis} span {span}")]
+    #[error("no unit found and {axis} span {span}", span = number(*span))]
     NoUnit {
         /// Column.
         axis: Axis,
@@ -90,7 +91,7 @@ pub enum ReadFault {
         span: f64,
     },
     /// x changes its direction.
-    #[error("{}", if previous == next { format!("x repeats {next}: two points at one place") } else { format!("x goes from {previous} to {next}, against the direction of the trace") })]
+    #[error("{}", if previous == next { format!("x repeats {}: two points at one place", number(*next)) } else { format!("x goes from {} to {}, against the direction of the trace", number(*previous), number(*next)) })]
     NotMonotone {
         /// Line, from 1.
         line: usize,
@@ -129,8 +130,7 @@ pub enum ReadFault {
     },
     /// The points are not on an even grid.
     #[error(
-        "uneven spacing, x = {x} (unit of the file) is {off:.3} spacings away from an even grid of {spacing:.4}"
-    )]
+        "uneven spacing, x = {x} (unit of the file) is {off} spacings away from an even grid of {spacing:.4}", x = number(*x), off = decimals(*off, 3))]
     UnevenSpacing {
         /// Line of the point farthest from the grid.
         line: usize,
@@ -143,8 +143,7 @@ pub enum ReadFault {
     },
     /// A gap between points: some must be missing.
     #[error(
-        "no points between x = {from:.6} and {to:.6}, {steps:.1} mean steps: they are missing, and resampling would draw a straight line there"
-    )]
+        "no points between x = {from:.6} and {to:.6}, {steps} mean steps: they are missing, and resampling would draw a straight line there", steps = decimals(*steps, 1))]
     GapInPositions {
         /// Position before the gap.
         from: Length,
@@ -270,7 +269,7 @@ pub enum ReadFault {
         steepness: Steepness,
     },
     /// An impossible value, for example of a length or spacing.
-    #[error("{what} is {value} {unit}, which no profile has")]
+    #[error("{what} is {value} {unit}, which no profile has", value = number(*value))]
     Impossible {
         /// Title.
         what: &'static str,
@@ -498,7 +497,8 @@ impl std::fmt::Display for SpacingHint {
             Self::XCounts => write!(f, " (x counts the points)"),
             Self::FirstLine(value) => write!(
                 f,
-                "; line 1 reads {value} and is written differently from the rest, like the spacing of an NPL text profile (um) or a length"
+                "; line 1 reads {} and is written differently from the rest, like the spacing of an NPL text profile (um) or a length",
+                number(value)
             ),
             Self::NominalLength { length, points } => write!(
                 f,

@@ -148,6 +148,17 @@ impl Found {
     }
 }
 
+/// Turns values that grow into the material: as stated, or those that the file names depths. The stated sign holds for a
+/// replica, too.
+pub(super) fn turn(values: &mut [f64], warnings: &mut Vec<Warning>, stated: Option<bool>) {
+    if stated.is_some() {
+        warnings.retain(|w| !matches!(w, Warning::Replica | Warning::DepthsTurned));
+    }
+    if stated.unwrap_or_else(|| warnings.contains(&Warning::DepthsTurned)) {
+        values.iter_mut().for_each(|value| *value = -*value);
+    }
+}
+
 /// Warning that a stated unit differs from the unit of the file.
 pub(super) fn unit_overridden(
     axis: Axis,

@@ -64,6 +64,47 @@ impl Stated {
 pub(super) struct Label {
     pub role: Option<Role>,
     pub unit: Option<Stated>,
+    /// Whether the values are named depths.
+    pub is_depth: bool,
+}
+
+/// Whether `name` is the name of depths, which grow into the material: "Depth", "z_depth [um]", "Profiltiefe". A name with a
+/// number states a value, and a roughness depth is Rz.
+pub(super) fn is_depth(name: &str) -> bool {
+    const DEPTH: &[&str] = &[
+        "depth",
+        "depths",
+        "tiefe",
+        "tiefen",
+        "profondeur",
+        "profondeurs",
+        "profondità",
+        "profondita",
+        "profundidad",
+        "profundidade",
+        "diepte",
+        "djup",
+        "dybde",
+        "syvyys",
+        "hloubka",
+        "głębokość",
+        "glebokosc",
+        "mélység",
+        "melyseg",
+        "derinlik",
+        "глубина",
+        "深さ",
+        "深度",
+        "깊이",
+    ];
+    const ROUGHNESS: &[&str] = &["rough", "rauh", "raut", "rugos"];
+    let lower = name.to_lowercase();
+    let before = lower.split(['[', '(']).next().unwrap_or_default();
+    let is_value = before.contains(|c: char| c.is_ascii_digit());
+    let mut words = before.split(|c: char| !c.is_alphabetic());
+    !is_value
+        && !ROUGHNESS.iter().any(|root| before.contains(root))
+        && words.any(|word| DEPTH.iter().any(|depth| word.ends_with(depth)))
 }
 
 /// The labels of the columns, from at most the last four header lines.
@@ -95,7 +136,10 @@ pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> V
         }
         if cells.len() == columns {
             for (label, cell) in labels.iter_mut().zip(&cells) {
-                label.role = label.role.or_else(|| role_of(cell));
+                if label.role.is_none() {
+                    label.role = role_of(cell);
+                    label.is_depth = is_depth(cell);
+                }
                 label.unit = label.unit.take().or_else(|| unit_of(cell));
             }
         } else {
@@ -104,6 +148,9 @@ pub(super) fn labels(header: &[Line<'_>], dialect: Dialect, columns: usize) -> V
             if units.len() == columns {
                 for (label, unit) in labels.iter_mut().zip(units) {
                     label.unit = label.unit.take().or(Some(unit));
+                }
+                if let [_, label] = &mut labels[..] {
+                    label.is_depth |= is_depth(text);
                 }
             }
         }
@@ -150,6 +197,7 @@ fn role_of(cell: &str) -> Option<Role> {
         return Some(Role::Roll(abscissa));
     }
     match () {
+        () if is_depth(&lower) => Some(Role::Z),
         () if is(X) => Some(Role::X),
         () if is(Z) => Some(Role::Z),
         () if name == "y" => Some(Role::Y),

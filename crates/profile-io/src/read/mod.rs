@@ -10,6 +10,7 @@
 //! | spacing dx | (x_last − x_first)/(n − 1), or as stated |
 //! | units | as stated, or from the header, or the only possible ones, or an error |
 //! | missing heights | an error, or interpolated on request |
+//! | sign of the heights | out of the material; values that the file names depths are turned, others as stated |
 //!
 //! The time is linear in the length of the file. Only this module opens files.
 
@@ -78,6 +79,7 @@ pub use resample::Resampled;
 pub use surface::Surface;
 pub use trace::{Positions, Trace};
 
+use areal::trace::Areal;
 use asperity_storage::regular_file;
 use found::Found;
 use text::{Head, Start, Stream, Text};
@@ -161,7 +163,7 @@ fn surface_of(
     if let Some(format) = format
         && let Some(found) = packed::surface(name, format, stream, &start, options)?
     {
-        return found.surface(name, options);
+        return turned_surface(found, name, options);
     }
     let found = match format {
         None | Some(Format::SdfAscii) => {
@@ -178,7 +180,14 @@ fn surface_of(
         }
         Some(format) => areal::read(format, stream, start.size)?.ok_or_else(|| refused(format))?,
     };
-    found.surface(name, options)
+    turned_surface(found, name, options)
+}
+
+/// The surface with heights out of the material.
+fn turned_surface(found: Areal, name: &str, options: &ReadOptions) -> Result<Surface, ReadFault> {
+    let mut surface = found.surface(name, options)?;
+    found::turn(&mut surface.z, &mut surface.warnings, options.invert);
+    Ok(surface)
 }
 
 /// The format identified by the first bytes, or by the members of an archive.
@@ -298,9 +307,12 @@ fn trace_in(
     options: &ReadOptions,
 ) -> Result<Trace, ReadError> {
     let trace = trace_of(name, stream, conditions, options);
-    let part = trace.and_then(|trace| match options.range {
-        Some(range) => trace.within(range),
-        None => Ok(trace),
+    let part = trace.and_then(|mut trace| {
+        found::turn(&mut trace.heights, &mut trace.warnings, options.invert);
+        match options.range {
+            Some(range) => trace.within(range),
+            None => Ok(trace),
+        }
     });
     part.map_err(|fault| fault.in_file(name))
 }

@@ -46,6 +46,9 @@ pub struct ReadOptions {
     pub uneven: Uneven,
     /// Part of the trace that is used.
     pub range: Option<TraceRange>,
+    /// Whether the values grow into the material, so that the heights are their negatives; by default they do if the file
+    /// names them depths.
+    pub invert: Option<bool>,
 }
 
 /// Text that is not one of the choices.
@@ -333,6 +336,14 @@ pub struct TraceRange {
     pub(super) from: Length,
     /// Distance of the end.
     pub(super) to: Length,
+}
+
+impl TraceRange {
+    /// Distances of begin and end from the first point.
+    #[must_use]
+    pub const fn ends(&self) -> [Length; 2] {
+        [self.from, self.to]
+    }
 }
 
 impl FromStr for TraceRange {

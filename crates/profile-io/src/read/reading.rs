@@ -21,7 +21,7 @@ use crate::warning::Warning;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Reading {
-    /// The profile, heights as in the file (no offset, form or tilt removed).
+    /// The profile, heights out of the material, as in the file (no offset, form or tilt removed).
     #[serde(skip)]
     pub profile: Profile,
     /// The facts about the file.

@@ -15,7 +15,7 @@
 use std::fmt;
 
 use asperity_core::Profile;
-use asperity_core::numerics::range;
+use asperity_core::numerics::{median, range};
 use asperity_core::profile::WIDEST_SPIKE;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
@@ -266,9 +266,7 @@ impl Slopes {
 fn sentinel(profile: &Profile, unit: LengthUnit) -> Option<Suspicion> {
     let z = profile.heights();
     // The median: a mark may occur often, but not at half of the points.
-    let mut ordered = z.to_vec();
-    let (_, middle, _) = ordered.select_nth_unstable_by(z.len() / 2, f64::total_cmp);
-    let middle = *middle;
+    let middle = median(z.iter().copied())?;
     let far = z
         .iter()
         .max_by(|a, b| (**a - middle).abs().total_cmp(&(**b - middle).abs()))?;

@@ -71,7 +71,7 @@ pub struct Trace {
     pub name: String,
     /// Positions of the points.
     pub positions: Positions,
-    /// Heights \[m\] as in the file (no offset, form or tilt removed).
+    /// Heights \[m\] out of the material, as in the file (no offset, form or tilt removed).
     #[serde(skip)]
     pub heights: Vec<f64>,
     /// Format of the file.

@@ -20,7 +20,8 @@ pub(super) fn write(
     let mut text = String::new();
     let mut comment = |name: &str, value: &Option<String>| {
         if let Some(value) = value {
-            let _ = writeln!(text, "# {name} = {}", field(value));
+            let line = format!("# {name} = {}", field(value));
+            let _ = writeln!(text, "{}", asperity_storage::line_of_cells(&line));
         }
     };
     comment("title", &metadata.title);

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
     from .keys import CaseKeys, CaseTables, Detail, Formulation
 
-Steps = tuple[tuple[str, tuple[Any, ...]], ...]
-"""What a case was made by: methods of the compiled part with their arguments."""
+Laws = dict[str, Called]
+"""Laws in Python by what they replace."""
 
 CaseLike = Union["Case", str, PathLike[str], Mapping[str, Any]]
 """A case, the file of one, or the tables of one."""
@@ -53,7 +53,7 @@ class Case:
     """
 
     _raw: _asperity.Case
-    _steps: Steps
+    _laws: Laws
 
     def __init__(
         self,
@@ -65,26 +65,19 @@ class Case:
         **tables: Unpack[CaseTables],
     ) -> None:
         if isinstance(case, (str, PathLike)):
-            self._take(Case.load(case, tables, formulation=formulation)._steps)
-        elif is_read(case):
-            step: tuple[str, tuple[Any, ...]] = ("from_text", ("case.toml", text_of(case), os.path.abspath(fspath(folder or ".")), [], formulation))
-            whole = Case._of((step,))
-            self._take((whole._with(tables) if tables else whole)._steps)
+            made = Case.load(case, tables, formulation=formulation)
         else:
-            given = tables_of({**(cast("Mapping[str, Any]", case) or {}), **tables})
-            traces: Traces = []
-            values = written(given, Schema(kind_of(given)), traces)
-            text = json.dumps(values, ensure_ascii=False, indent=1)
-            self._take((("from_text", ("case.json", text, os.path.abspath(fspath(folder or ".")), traces, formulation)),))
-
-    def _take(self, steps: Steps, before: Optional[_asperity.Case] = None) -> None:
-        """Makes the case by steps, the last of them from the case before it where that is at hand."""
-        raw: Any = _asperity.Case if before is None else before
-        for method, arguments in steps if before is None else steps[-1:]:
-            raw = getattr(raw, method)(*arguments)
-        self._raw = raw
-        self._steps = steps
-        warn(json.loads(self._raw.warnings), () if before is None else json.loads(before.warnings))
+            of = os.path.abspath(fspath(folder or "."))
+            if is_read(case):
+                made = Case._of(_asperity.Case.from_text("case.toml", text_of(case), of, [], formulation))
+                made = made._with(tables) if tables else made
+            else:
+                given = tables_of({**(cast("Mapping[str, Any]", case) or {}), **tables})
+                traces: Traces = []
+                values = written(given, Schema(kind_of(given)), traces)
+                text = json.dumps(values, ensure_ascii=False, indent=1)
+                made = Case._of(_asperity.Case.from_text("case.json", text, of, traces, formulation))
+        self._raw, self._laws = made._raw, {}
 
     @functools.cached_property
     def _about(self) -> dict[str, Any]:
@@ -92,16 +85,39 @@ class Case:
         return about
 
     @classmethod
-    def _of(cls, steps: Steps, before: Optional[_asperity.Case] = None) -> Case:
+    def _of(cls, raw: _asperity.Case, laws: Optional[Laws] = None, before: Optional[_asperity.Case] = None) -> Case:
+        """The case of the compiled part, after the warnings that the case before it does not have."""
         made = cls.__new__(cls)
-        made._take(steps, before)
+        made._raw, made._laws = raw, laws or {}
+        warn(json.loads(raw.warnings), () if before is None else json.loads(before.warnings))
         return made
 
     def __reduce__(self) -> tuple[Any, ...]:
-        (method, arguments), *others = self._steps
-        if method == "load":
-            arguments = (os.path.abspath(arguments[0]), *arguments[1:])
-        return Case._of, (((method, arguments), *others),)
+        return Case._unpickled, (self._raw.content(), self._raw.fingerprint, self._laws)
+
+    @classmethod
+    def _unpickled(cls, content: dict[str, Any], fingerprint: str, laws: Laws) -> Case:
+        """The case of its content: no file on disk is read, and another case is an error."""
+        raw = _asperity.Case.from_content(content)
+        if raw.fingerprint != fingerprint:
+            text = f"{content['name']}: the pickled case is another one in this version of the program"
+            raise AsperityError(text, "E140", "Read the case again.")
+        made = cls.__new__(cls)
+        made._raw, made._laws = raw, {}
+        for called in laws.values():
+            made = made._with_law(called)
+        return made
+
+    def __copy__(self) -> Case:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Case:
+        return self
+
+    def __dask_tokenize__(self) -> Any:
+        from dask.base import normalize_token
+
+        return normalize_token(("asperity.Case", self._raw.fingerprint, list(self._laws.values())))
 
     @classmethod
     def load(
@@ -113,14 +129,14 @@ class Case:
     ) -> Case:
         """The case in a TOML or JSON file, with ``keys`` set past its text: ``{"operation.torque": "20 N m"}``."""
         if not keys:
-            return cls._of((("load", (fspath(path), [], formulation)),))
+            return cls._of(_asperity.Case.load(fspath(path), [], formulation))
         traces: Traces = []
         keys = as_keys(keys)
         found = changes(keys, kind_of(keys), traces)
         set_keys = [(key, value) for key, value in found if value is not None]
         if traces or len(set_keys) < len(found):
             return cls.load(path, formulation=formulation)._with(keys)
-        return cls._of((("load", (fspath(path), set_keys, formulation)),))
+        return cls._of(_asperity.Case.load(fspath(path), set_keys, formulation))
 
     def replace(
         self,
@@ -143,7 +159,7 @@ class Case:
         """The case with other keys, whose names need not be known before the program runs."""
         traces: Traces = []
         found = changes(as_keys(keys), self._raw.gears_table, traces)
-        return self._then("replace", found, traces)
+        return Case._of(self._raw.replace(found, traces), self._laws, self._raw)
 
     def with_laws(
         self,
@@ -182,19 +198,13 @@ class Case:
             ("load-distribution", load_distribution),
         ):
             if law is not None:
-                made = made._then("with_law", kind, name_of(law), exponent_of(kind, law), Called(kind, law))
+                made = made._with_law(Called(kind, law))
         return made
 
-    def _then(self, method: str, *arguments: Any) -> Case:
-        """The case after one more step; changes of keys in a row are one step of the case in another process."""
-        steps = (*self._steps, (method, arguments))
-        made = Case._of(steps, self._raw)
-        if method == "replace" and self._steps[-1][0] == "replace":
-            keys, traces = self._steps[-1][1]
-            changed = {key for key, _ in arguments[0]}
-            joined = [*((key, value) for key, value in keys if key not in changed), *arguments[0]]
-            made._steps = (*self._steps[:-1], ("replace", (joined, [*traces, *arguments[1]])))
-        return made
+    def _with_law(self, called: Called) -> Case:
+        kind, law = called
+        raw = self._raw.with_law(kind, name_of(law), exponent_of(kind, law), called.__call__)
+        return Case._of(raw, {**self._laws, kind: called}, self._raw)
 
     def _on_finish(self, finish: Any, offsets: Optional[int]) -> Case:
         """The case on the traces of a finish: one for both flanks, or those of pinion and wheel."""
@@ -211,7 +221,7 @@ class Case:
 
         names = [name(trace) for trace in pair]
         wheel = names[1] if len(names) == 2 else None
-        return self._then("on_finish", names[0], wheel, traces, offsets)
+        return Case._of(self._raw.on_finish(names[0], wheel, traces, offsets), self._laws, self._raw)
 
     @property
     def title(self) -> str:
@@ -240,7 +250,7 @@ class Case:
 
     def mesh(self, name: str) -> Case:
         """The mesh of a gear train or planetary set as a case of its own, at its torque and speed."""
-        return self._then("mesh", name)
+        return Case._of(self._raw.mesh(name), self._laws, self._raw)
 
     @property
     def is_planetary(self) -> bool:
@@ -251,7 +261,7 @@ class Case:
         self,
         detail: Detail = "fields",
         *,
-        band: bool = True,
+        band: Optional[bool] = None,
         threads: Optional[int] = None,
         progress: Optional[Progress] = None,
     ) -> RunResult:
@@ -260,7 +270,7 @@ class Case:
         Args:
             detail: ``"losses"`` (a fraction of the time), ``"contacts"`` (the rough contacts at every offset), or
                 ``"fields"`` (as the command: fields and stress below the surface, too).
-            band: whether the uncertainty of the loss is computed with ``"fields"``.
+            band: whether the uncertainty of the loss is computed; default with ``"fields"`` only. Not with ``"losses"``.
             threads: number of threads; default, and -1, all cores.
             progress: ``f(done, total)``, ``tqdm``, or a bar of it.
 
@@ -299,13 +309,10 @@ class Case:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case):
             return NotImplemented
-        return self.to_dict() == other.to_dict() and self._laws() == other._laws()
+        return self._raw.fingerprint == other._raw.fingerprint and self._laws == other._laws
 
-    __hash__ = None  # type: ignore[assignment]
-
-    def _laws(self) -> dict[str, Any]:
-        """Laws in Python by what they replace."""
-        return {arguments[0]: arguments[3] for method, arguments in self._steps if method == "with_law"}
+    def __hash__(self) -> int:
+        return hash(self._raw.fingerprint)
 
     def __repr__(self) -> str:
         return f"<Case {self.title!r}>"

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._errors import AsperityError
+from ._errors import AsperityError, warn
 from ._profile import Profile
 from ._progress import Progress, Told
-from ._record import Table, drawn, variable, warned
+from ._record import Table, drawn, variable
 from ._study import RawStudy, Study
 
 if TYPE_CHECKING:
@@ -138,8 +138,7 @@ def compare(
         case: the case, whose traces are replaced by those of each finish. The finishes of a gear train are cases.
         finishes: by name a profile or file for both flanks (mirrored for the wheel), or a pair of pinion and wheel;
             at least two.
-        offsets: places along the traces at which the flanks meet, at least two; None for those of the finish that needs
-            most.
+        offsets: places along the traces at which the flanks meet, at least two; None for those that each finish needs.
         threads, progress: as in `Case.run`.
     """
     if len(finishes) < 2:
@@ -148,4 +147,8 @@ def compare(
         raise AsperityError(f"offsets {offsets}: one offset has no spread", "E209", "Give at least two offsets.")
     with Told(progress, "finishes") as told:
         raw, found, verdicts = _asperity.compare(cases_of(case, finishes, offsets), threads, told)
-    return warned(Comparison(raw, found, verdicts))
+    comparison = Comparison(raw, found, verdicts)
+    known = [warning for finish in finishes.values() if isinstance(finish, Case) for warning in finish._about["warnings"]]
+    rows = [warning for finish in comparison._values["finishes"] for warning in finish["warnings"]]
+    warn(dict.fromkeys(rows), [*as_case(case)._about["warnings"], *known])
+    return comparison

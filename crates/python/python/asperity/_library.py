@@ -112,4 +112,4 @@ def from_rexs(
     flanks = [None if trace is None else os.path.abspath(fspath(trace)) for trace in (pinion, wheel)]
     text, notes, not_read = _asperity.from_rexs(fspath(file), stage, load_case, (flanks[0], flanks[1]))
     folder = os.path.dirname(os.path.abspath(fspath(file)))
-    return RexsCase(Case._of((("from_text", ("case.toml", text, folder, [], None)),)), text, notes, not_read)
+    return RexsCase(Case._of(_asperity.Case.from_text("case.toml", text, folder, [], None)), text, notes, not_read)

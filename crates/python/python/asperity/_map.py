@@ -109,6 +109,7 @@ class Map(Values, MapArrays):
             temperature_c, temperature: a node of the map; default the first.
             finish: name of the finish, or its number.
 
+        A negative speed is reverse, where a negative torque drives: it has the loss of the same power forwards.
         Outside the map loss over torque is constant, with a warning: the loss at the edge times the torque over the
         torque of the edge. A place that is not a number has no loss.
         """

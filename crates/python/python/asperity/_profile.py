@@ -311,6 +311,7 @@ def read_profile(
     base_radius: Optional[Scalar] = None,
     uneven: Optional[Uneven] = None,
     range: Optional[str] = None,
+    invert: Optional[bool] = None,
 ) -> Profile:
     """Reads a profilometer file: text, CSV, X3P, SDF, SMD, PRF, Excel and others (docs/FILE_FORMATS.md).
 
@@ -326,6 +327,8 @@ def read_profile(
         abscissa, base_radius: for positions that are roll lengths or angles.
         uneven: ``"resample"`` for uneven positions.
         range: part of the trace that is read, by distances from its first point: ``"1.2 mm .. 6.4 mm"``.
+        invert: whether the values grow into the material (depths, a replica) and are turned into heights; by default only
+            those that the file names depths.
     """
     if isinstance(columns, int):
         chosen: Optional[dict[str, int]] = {"z": columns}
@@ -346,6 +349,7 @@ def read_profile(
         "base-radius": _length(base_radius),
         "uneven": uneven,
         "range": range,
+        "invert": invert,
     }
     keys = {key: value for key, value in options.items() if value is not None}
     with on_disk(path) as file:

@@ -155,8 +155,22 @@ class RunResult(Values, ResultValues):
 
     @property
     def path(self) -> Path:
-        """One row per mesh position from A to E; of several meshes, a row of each."""
-        return Path(self._values.get("path", self._values.get("meshes", [])))
+        """One row per mesh position from A to E; of several meshes the rows of each, with its name in ``mesh``."""
+        if not self._is_train:
+            return Path(self._values.get("path", []))
+        if self._outcome is None:
+            raise AsperityError("a result that was read back has no path of several meshes", "E402", "Run the case again.")
+        runs = zip(self._values["meshes"], self.meshes)
+        return Path([{"mesh": row["mesh"], **position} for row, run in runs for position in run._values["path"]])
+
+    @property
+    def _is_train(self) -> bool:
+        return "path" not in self._values and "meshes" in self._values
+
+    def _of_pair(self, what: str) -> None:
+        """Refuses what only a single mesh has."""
+        if self._is_train:
+            raise AsperityError(f"a result of several meshes has no {what}", "E402", f"Take the {what} of one of them: .meshes[0].")
 
     @property
     def warnings(self) -> Table:
@@ -177,6 +191,7 @@ class RunResult(Values, ResultValues):
         """Fields along the contact at a position, from 1 at A; by default where the pressure is highest."""
         if self._outcome is None:
             raise AsperityError("a result that was read back holds no fields", "E402", "Run the case again.")
+        self._of_pair("fields")
         if position is None:
             highest = self.path["p_max_mpa"]
             position = int(np.nanargmax(highest)) + 1 if np.isfinite(highest).any() else 1
@@ -213,6 +228,7 @@ class RunResult(Values, ResultValues):
         """The numbers along the path as an `xarray.Dataset` over ``path_fraction``, the summary in its ``attrs``."""
         import xarray
 
+        self._of_pair("arrays along the path")
         path = self.path
         columns = {name: path._at(name) for name in path.columns}
         at = columns.pop("path_fraction", np.arange(len(path)))
@@ -222,6 +238,7 @@ class RunResult(Values, ResultValues):
 
     def plot(self, ax: Any = None) -> Any:
         """Loss along the path in W per metre of contact line, on axes of matplotlib or as a `Chart`."""
+        self._of_pair("chart along the path")
         path = self.path
         parts = [
             ("film", "film_w_per_m"),
@@ -259,7 +276,7 @@ class RunResult(Values, ResultValues):
         rows += [(name, f"{of[key]:.4g} {unit}".strip()) for key, name, unit in names if key in of]
         rows += [("regime", str(of["regime"]))] if "regime" in of else []
         rows += [(str(warning.code), str(warning.text)) for warning in self.warnings]
-        chart = str(self.plot()) if "path_fraction" in self.path.columns else None
+        chart = None if self._is_train or "path_fraction" not in self.path.columns else str(self.plot())
         return page(self.title, rows, chart)
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, Optional, Union
 
 from . import _asperity
 from ._case import Case, CaseLike, as_case
-from ._errors import AsperityError
+from ._errors import AsperityError, warn
 from ._keys import Schema, written
 from ._progress import Progress, Told
 from ._quantity import OPERATING, as_keys
@@ -35,11 +35,18 @@ def _value(text: str) -> Any:
         return text
 
 
+def _title(code: str) -> str:
+    """What a code is about."""
+    explained = _asperity.explain(code)
+    return explained[0] if explained else ""
+
+
 class Sweep(Iterator[Record]):
     """The cases of a study, run as they are asked for: an iterator of rows.
 
-    A row has ``case`` (its number), ``id``, the inputs, the results and ``code``, the code of the error of a case
-    that has no result. Cases that share their contacts solve them once. Iterating again runs nothing twice. In another
+    A row has ``case`` (its number), ``id``, the inputs, the results, ``outside``, the codes of warnings about inputs
+    outside of their ranges, and ``code``, the code of the error of a case that has no result. The first case with a
+    warning raises it. Cases that share their contacts solve them once. Iterating again runs nothing twice. In another
     process the rows that were run are there, and ``progress`` is not called.
     """
 
@@ -49,12 +56,16 @@ class Sweep(Iterator[Record]):
         threads: Optional[int],
         progress: Optional[Progress] = None,
         rows: Optional[list[dict[str, Any]]] = None,
+        study: Optional[str] = None,
     ) -> None:
         if isinstance(source, str):
             self._raw = _asperity.Cases.load(source)
         else:
-            case, *study = source
-            self._raw = _asperity.Cases.of(case._raw, *study)
+            case, *keys = source
+            self._raw = _asperity.Cases.of(case._raw, *keys)
+        if study not in (None, self._raw.study):
+            text = "the pickled study is another one: a file that it reads, or the version of the program, has changed"
+            raise AsperityError(text, "E140", "Read the study again.")
         self._source = source
         self._threads = threads
         self._told = Told(progress, "cases")
@@ -63,7 +74,7 @@ class Sweep(Iterator[Record]):
         self._header = self._raw.header
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Sweep, (self._source, self._threads, None, self._rows)
+        return Sweep, (self._source, self._threads, None, self._rows, self._raw.study)
 
     @property
     def columns(self) -> list[str]:
@@ -88,12 +99,19 @@ class Sweep(Iterator[Record]):
 
     def _advance(self) -> None:
         first = len(self._rows)
+        known = {code for row in self._rows for code in row["outside"].split()}
         for cells in self._raw.rows(first, first + _AT_ONCE, self._threads):
             row = dict(zip(self._header, cells))
-            texts = {"id": row["id"], "code": row["code"] or None, "case": int(row["case"])}
+            texts = {"id": row["id"], "outside": row["outside"], "code": row["code"] or None, "case": int(row["case"])}
             self._rows.append({name: texts[name] if name in texts else _value(cell) for name, cell in row.items()})
         if self._told.call is not None:
             self._told.call(len(self._rows), len(self._raw))
+        firsts = {code: row["case"] for row in reversed(self._rows[first:]) for code in row["outside"].split()}
+        warn(
+            f"{code} {_title(code)}, first in case {case}; the column outside shows which cases have it"
+            for code, case in sorted(firsts.items())
+            if code not in known
+        )
 
     def run(self) -> Table:
         """All rows as a table."""

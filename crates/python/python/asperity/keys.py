@@ -335,6 +335,7 @@ class CalibrationInput(TypedDict, total=False):
     correlations: Optional[Sequence[CorrelationInput]]
     eyring_stress: Optional[Calibrated3]
     limiting_shear: Optional[Calibrated]
+    simulated: Optional[bool]
     source: Optional[str]
 
 
@@ -681,6 +682,7 @@ FlankInput = TypedDict(
         "finish": 'Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]',
         "from": 'Optional[Literal["root", "tip"]]',
         "gaps": 'Optional[Literal["refuse", "interpolate"]]',
+        "invert": "Optional[bool]",
         "line": 'Optional[Literal["row", "column", "mean", "mean-column"]]',
         "mirrored": "Optional[bool]",
         "ra": "Optional[Quantity]",
@@ -953,6 +955,7 @@ CaseKeys = TypedDict(
         "calibration.limiting_shear.high": "Optional[float]",
         "calibration.limiting_shear.low": "Optional[float]",
         "calibration.limiting_shear.value": "Optional[float]",
+        "calibration.simulated": "Optional[bool]",
         "calibration.source": "Optional[str]",
         "gearbox.bearings": "Optional[Union[Sequence[BearingInput], Sequence[MeshBearingInput]]]",
         "gearbox.jet": "Optional[JetInput]",
@@ -1159,6 +1162,7 @@ CaseKeys = TypedDict(
         "surface.coast.pinion.finish": 'Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]',
         "surface.coast.pinion.from": 'Optional[Literal["root", "tip"]]',
         "surface.coast.pinion.gaps": 'Optional[Literal["refuse", "interpolate"]]',
+        "surface.coast.pinion.invert": "Optional[bool]",
         "surface.coast.pinion.line": 'Optional[Literal["row", "column", "mean", "mean-column"]]',
         "surface.coast.pinion.mirrored": "Optional[bool]",
         "surface.coast.pinion.ra": "Optional[Quantity]",
@@ -1194,6 +1198,7 @@ CaseKeys = TypedDict(
         "surface.coast.wheel.finish": 'Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]',
         "surface.coast.wheel.from": 'Optional[Literal["root", "tip"]]',
         "surface.coast.wheel.gaps": 'Optional[Literal["refuse", "interpolate"]]',
+        "surface.coast.wheel.invert": "Optional[bool]",
         "surface.coast.wheel.line": 'Optional[Literal["row", "column", "mean", "mean-column"]]',
         "surface.coast.wheel.mirrored": "Optional[bool]",
         "surface.coast.wheel.ra": "Optional[Quantity]",
@@ -1235,6 +1240,7 @@ CaseKeys = TypedDict(
         "surface.pinion.finish": 'Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]',
         "surface.pinion.from": 'Optional[Literal["root", "tip"]]',
         "surface.pinion.gaps": 'Optional[Literal["refuse", "interpolate"]]',
+        "surface.pinion.invert": "Optional[bool]",
         "surface.pinion.line": 'Optional[Literal["row", "column", "mean", "mean-column"]]',
         "surface.pinion.mirrored": "Optional[bool]",
         "surface.pinion.ra": "Optional[Quantity]",
@@ -1270,6 +1276,7 @@ CaseKeys = TypedDict(
         "surface.wheel.finish": 'Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]',
         "surface.wheel.from": 'Optional[Literal["root", "tip"]]',
         "surface.wheel.gaps": 'Optional[Literal["refuse", "interpolate"]]',
+        "surface.wheel.invert": "Optional[bool]",
         "surface.wheel.line": 'Optional[Literal["row", "column", "mean", "mean-column"]]',
         "surface.wheel.mirrored": "Optional[bool]",
         "surface.wheel.ra": "Optional[Quantity]",
@@ -1429,6 +1436,7 @@ CaseKeys = TypedDict(
         "surface.planet.finish": 'Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]',
         "surface.planet.from": 'Optional[Literal["root", "tip"]]',
         "surface.planet.gaps": 'Optional[Literal["refuse", "interpolate"]]',
+        "surface.planet.invert": "Optional[bool]",
         "surface.planet.line": 'Optional[Literal["row", "column", "mean", "mean-column"]]',
         "surface.planet.mirrored": "Optional[bool]",
         "surface.planet.ra": "Optional[Quantity]",
@@ -1464,6 +1472,7 @@ CaseKeys = TypedDict(
         "surface.ring.finish": 'Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]',
         "surface.ring.from": 'Optional[Literal["root", "tip"]]',
         "surface.ring.gaps": 'Optional[Literal["refuse", "interpolate"]]',
+        "surface.ring.invert": "Optional[bool]",
         "surface.ring.line": 'Optional[Literal["row", "column", "mean", "mean-column"]]',
         "surface.ring.mirrored": "Optional[bool]",
         "surface.ring.ra": "Optional[Quantity]",
@@ -1499,6 +1508,7 @@ CaseKeys = TypedDict(
         "surface.sun.finish": 'Optional[Literal["ground", "superfinished", "honed", "hobbed", "shaved", "skived", "lapped", "shot-peened"]]',
         "surface.sun.from": 'Optional[Literal["root", "tip"]]',
         "surface.sun.gaps": 'Optional[Literal["refuse", "interpolate"]]',
+        "surface.sun.invert": "Optional[bool]",
         "surface.sun.line": 'Optional[Literal["row", "column", "mean", "mean-column"]]',
         "surface.sun.mirrored": "Optional[bool]",
         "surface.sun.ra": "Optional[Quantity]",

@@ -1,7 +1,8 @@
 //! The values that an engineer checks first: gears, oil at its temperature, contact, and mesh.
 
-use asperity::oil::Mark;
+use asperity::oil::{FilmConstantName, Mark};
 use asperity::result::{FilmConstant, PositionRow, RunResult, Scope};
+use asperity::uncertainty::UncertainParameter as Constant;
 use asperity_core::quantity::{Angle, Length};
 use maud::{Markup, html};
 
@@ -213,9 +214,10 @@ fn oil(result: &RunResult) -> Markup {
             origin("lubricant.pressure_viscosity"),
         ),
     ];
+    const ALPHA: usize = 3;
     let temperature = format!("{:.1} °C", oil.temperature.celsius());
     let drawn = result.uncertainty.iter().flat_map(|band| &band.constants);
-    let alpha = { drawn }.find(|constant| constant.name == "pressure-viscosity");
+    let alpha = { drawn }.find(|constant| constant.name == Constant::PressureViscosity.name());
     let alpha = alpha.map(|alpha| {
         let [_, low, high] = values(alpha);
         format!("{low} to {high}")
@@ -225,14 +227,14 @@ fn oil(result: &RunResult) -> Markup {
         div.scroll { table {
             thead { tr { th { "quantity" } th.number { "value" } th.number { "band" } th { "source" } } }
             tbody {
-                @for (name, value, source) in &state {
-                    @let band = alpha.as_deref().filter(|_| name.ends_with('α')).unwrap_or("–");
+                @for (row, (name, value, source)) in state.iter().enumerate() {
+                    @let band = alpha.as_deref().filter(|_| row == ALPHA).unwrap_or("–");
                     tr { th scope="row" { (name) } td.number { (value) " at " (temperature) } td.number { (band) } td { (source) } }
                 }
                 @for constant in &result.film_constants {
                     @let [value, band] = texts(constant);
                     tr {
-                        th scope="row" { (name(constant)) } td.number { (value) } td.number { (band) }
+                        th scope="row" { (shown(constant.name).0) } td.number { (value) } td.number { (band) }
                         td { (constant.source) (confidence(constant)) }
                     }
                 }
@@ -241,36 +243,34 @@ fn oil(result: &RunResult) -> Markup {
     }
 }
 
-/// Name of a constant in words.
-fn name(constant: &FilmConstant) -> &str {
-    match constant.name.as_str() {
-        "limiting_shear" => "limiting shear stress over pressure",
-        "eyring_stress_pa" => "Eyring stress",
-        "limiting_shear_temperature_per_k" => {
-            "fall of the limiting shear stress with temperature [1/K]"
+/// Name of a constant in words, with the unit and the factor by which its value is shown.
+const fn shown(name: FilmConstantName) -> (&'static str, &'static str, f64) {
+    match name {
+        FilmConstantName::LimitingShear => ("limiting shear stress over pressure", "", 1.0),
+        FilmConstantName::EyringStress => ("Eyring stress", " MPa", 1e-6),
+        FilmConstantName::LimitingShearTemperature => (
+            "fall of the limiting shear stress with temperature",
+            " 1/K",
+            1.0,
+        ),
+        FilmConstantName::PressureViscosityFactor => {
+            ("pressure-viscosity factor of the friction", "", 1.0)
         }
-        "pressure_viscosity_factor" => "pressure-viscosity factor of the friction",
-        "conductivity_w_per_m_k" => "thermal conductivity",
-        "conductivity_rise_per_gpa" => "its rise with pressure",
-        "conductivity_bend_per_gpa" => "the bend of that rise",
-        "gold_factor_per_gpa" => "factor of Gold's pressure-viscosity law",
-        "gold_exponent" => "exponent of Gold's law",
-        "boundary_friction" => "boundary friction",
-        "boundary_layer_m" => "boundary layer",
-        "hysteresis" => "share of elastic energy lost by hysteresis",
-        other => other,
+        FilmConstantName::Conductivity => ("thermal conductivity", " W/(m K)", 1.0),
+        FilmConstantName::ConductivityRise => ("its rise with pressure", " 1/GPa", 1.0),
+        FilmConstantName::ConductivityBend => ("the bend of that rise", " 1/GPa", 1.0),
+        FilmConstantName::GoldFactor => ("factor of Gold's pressure-viscosity law", " 1/GPa", 1.0),
+        FilmConstantName::GoldExponent => ("exponent of Gold's law", "", 1.0),
+        FilmConstantName::BoundaryFriction => ("boundary friction", "", 1.0),
+        FilmConstantName::BoundaryLayer => ("boundary layer", " nm", 1e9),
+        FilmConstantName::Hysteresis => ("share of elastic energy lost by hysteresis", "", 1.0),
+        _ => ("constant of another version", "", 1.0),
     }
 }
 
 /// Value and band of a constant as text.
 fn texts(constant: &FilmConstant) -> [String; 2] {
-    let (factor, unit) = match constant.name.as_str() {
-        name if name.ends_with("_pa") => (1e-6, " MPa"),
-        name if name.ends_with("_per_gpa") => (1.0, " 1/GPa"),
-        name if name.ends_with("_m_k") => (1.0, " W/(m K)"),
-        name if name.ends_with("_m") => (1e9, " nm"),
-        _ => (1.0, ""),
-    };
+    let (_, unit, factor) = shown(constant.name);
     // Round-off of the conversion is not shown.
     let number = |value: f64| (factor * value * 1e6).round() / 1e6;
     let band = match (constant.low, constant.high) {
@@ -280,12 +280,11 @@ fn texts(constant: &FilmConstant) -> [String; 2] {
     [format!("{}{unit}", number(constant.value)), band]
 }
 
-/// Confidence in a constant, unless its source says it.
+/// Confidence in a constant.
 fn confidence(constant: &FilmConstant) -> &'static str {
     match constant.mark {
         Mark::Seen => " (read there)",
         Mark::Calibrated => " (calibrated here)",
-        Mark::Judged if constant.source.ends_with("judgement") => "",
         Mark::Judged => " (judgement)",
     }
 }

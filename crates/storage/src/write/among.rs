@@ -11,6 +11,17 @@ use super::manifest::{MANIFEST, Manifest};
 use super::system::look;
 use crate::sha256;
 
+/// Checks that the files `names` in `folder` are as this program wrote them, by the sums in their manifest.
+///
+/// # Errors
+/// When one of them is not in the manifest or was changed since.
+pub fn check_written(folder: &Path, names: &[&str]) -> Result<(), StorageError> {
+    let manifest = Manifest::read(folder).unwrap_or_else(Manifest::new);
+    names
+        .iter()
+        .try_for_each(|name| manifest.check_file(folder, name))
+}
+
 /// Checks that the files `names` may be written into `folder`: each is absent, or is listed in the manifest and
 /// unchanged.
 ///

@@ -9,7 +9,7 @@ mod manifest;
 mod recovery;
 mod system;
 
-pub use among::{check_among, write_among};
+pub use among::{check_among, check_written, write_among};
 pub use draft::{Draft, abandon};
 pub use error::StorageError;
 pub use file::{save, save_new};

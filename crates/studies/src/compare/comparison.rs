@@ -1,9 +1,10 @@
 //! Comparison of several finishes on one case.
 
 use asperity::case::LoadedCase;
-use asperity::case::gear_train::{LoadedMesh, LoadedTrain};
+use asperity::case::gear_train::LoadedTrain;
 use asperity::flanks::Surfaces;
 use asperity::gear_train::{MeshRow, TrainOutcome, run_train};
+use asperity::message::outside_codes;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::Uncertainty;
 use asperity::result::{GearboxReport, OffsetRow, Outcome, Regime, RunResult, Scope};
@@ -144,6 +145,13 @@ impl FinishResult {
         of_pair.or(of_train.map(|loss| (loss.median_w, loss.quantiles_w)))
     }
 
+    /// Codes of the warnings about inputs outside of their ranges, with spaces.
+    #[must_use]
+    pub fn outside(&self) -> String {
+        let codes = self.warnings.iter();
+        outside_codes(codes.filter_map(|warning| warning.split(' ').next()))
+    }
+
     /// Roughness under the contact of a pair of gears by offset.
     pub(crate) fn roughness(&self) -> &[WindowRoughness] {
         self.pair.as_ref().map_or(&[], |pair| &pair.roughness)
@@ -162,8 +170,7 @@ pub struct Correlation {
     pub within_finishes: f64,
 }
 
-/// Runs all finishes and compares them with the first. Where the case states no offsets, each mesh has the offsets of the
-/// finish that needs most.
+/// Runs all finishes and compares them with the first. Each loses what a run of it alone gives.
 ///
 /// # Errors
 /// When a finish has no solution.
@@ -178,33 +185,6 @@ pub fn compare<C: Clone + Into<LoadedTrain>>(
         let outcome = run(&case)?;
         runs.push((finish.name.as_str(), case, outcome));
         progress(runs.len(), finishes.len());
-    }
-    let offsets_of = |(_, case, outcome): &(&str, LoadedTrain, TrainOutcome)| -> Vec<usize> {
-        let meshes = case.meshes().zip(&outcome.meshes);
-        let of_mesh = meshes.map(|(mesh, run)| run.offsets.len() / mesh.case.surfaces.pairs());
-        of_mesh.collect()
-    };
-    let mut most: Vec<usize> = Vec::new();
-    for offsets in runs.iter().map(offsets_of) {
-        most.resize(offsets.len(), 0);
-        for (most, offsets) in most.iter_mut().zip(offsets) {
-            *most = offsets.max(*most);
-        }
-    }
-    for entry in &mut runs {
-        let own = offsets_of(entry);
-        let (_, case, outcome) = entry;
-        let is_chosen = |mesh: &LoadedMesh| mesh.case.case.input.model.offsets.is_none();
-        let mut fewer = case.meshes().zip(own.iter().zip(&most));
-        if fewer.any(|(mesh, (own, most))| is_chosen(mesh) && own < most) {
-            let names: Vec<String> = case.meshes().map(|mesh| mesh.name.clone()).collect();
-            let more = case.with_each(&|_, name, input| {
-                let place = names.iter().position(|known| known == name);
-                let most = place.map(|place| most[place]);
-                input.model.offsets = input.model.offsets.or(most);
-            })?;
-            *outcome = run(&more)?;
-        }
     }
     let Some((_, first, _)) = runs.first() else {
         return Err(Error::Whole(Box::new(PositionError::NoProfile)));
@@ -304,7 +284,7 @@ fn finish_result(
                     count: row.count,
                     loss_w: row.loss_w,
                     loss_median_w: row.loss_median_w,
-                    loss_quantiles_w: row.loss_q05_w.zip(row.loss_q95_w).map(<[f64; 2]>::from),
+                    loss_quantiles_w: row.loss_p05_w.zip(row.loss_p95_w).map(<[f64; 2]>::from),
                     difference: pair
                         .map(|(first, own)| difference_of_meshes(&[single(first)], &[single(own)])),
                     mixed_share: summary.mixed_share,

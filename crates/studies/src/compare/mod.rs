@@ -1,7 +1,6 @@
 //! Several finishes on one case, a pair of gears or a gear train: losses, differences, and correlation of the roughness parameters with the loss.
 //!
-//! All finishes run at the same offsets of their traces and with the same draws of the uncertain parameters; differences are
-//! taken draw by draw. Roughness is evaluated on the windows under the contact in the middle of the path, so that it
+//! All finishes run with the same draws of the uncertain parameters; differences are taken draw by draw. Roughness is evaluated on the windows under the contact in the middle of the path, so that it
 //! belongs to the same part of the trace as the loss.
 
 mod comparison;

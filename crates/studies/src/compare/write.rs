@@ -1,12 +1,10 @@
 //! Output of a comparison: `compare.json`, tables, page and summary.
 
-use std::borrow::Cow;
 use std::path::Path;
 
 use asperity::result::Regime;
 use asperity_report::tables::{BODIES, FlankTables, write as write_table};
 use asperity_report::{ReportError, StudyResult};
-use asperity_storage::cell;
 use serde::Serialize;
 
 use super::comparison::{Comparison, FinishResult};
@@ -46,7 +44,7 @@ impl StudyResult for Comparison {
 fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     #[derive(Serialize)]
     struct FinishRow<'a> {
-        finish: Cow<'a, str>,
+        finish: &'a str,
         efficiency_percent: f64,
         loss_w: f64,
         loss_median_w: Option<f64>,
@@ -62,6 +60,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
         regime: Option<&'static str>,
         gearbox_efficiency_percent: Option<f64>,
         gearbox_loss_w: Option<f64>,
+        outside: String,
     }
     write_table(
         file,
@@ -71,7 +70,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
             let first = comparison.first_w(finish);
             let of_runs = first.map(|first| [finish.loss_w - first, finish.loss_w / first - 1.0]);
             FinishRow {
-                finish: cell(&finish.name),
+                finish: &finish.name,
                 efficiency_percent: 100.0 * finish.efficiency,
                 loss_w: finish.loss_w,
                 loss_median_w: loss.map(|(median, _)| median),
@@ -94,6 +93,7 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
                 regime: finish.regime.map(Regime::name),
                 gearbox_efficiency_percent: finish.gearbox.as_ref().map(|g| 100.0 * g.efficiency),
                 gearbox_loss_w: finish.gearbox.as_ref().map(|g| g.loss_w),
+                outside: finish.outside(),
             }
         }),
     )
@@ -102,8 +102,8 @@ fn finishes(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
 /// Row of `meshes.csv`: a mesh of a gear train with a finish, or one of its equal meshes.
 #[derive(Serialize)]
 struct MeshRow<'a> {
-    finish: Cow<'a, str>,
-    mesh: Cow<'a, str>,
+    finish: &'a str,
+    mesh: &'a str,
     count: u32,
     loss_w: f64,
     loss_median_w: Option<f64>,
@@ -121,8 +121,8 @@ fn meshes(comparison: &Comparison) -> impl Iterator<Item = MeshRow<'_>> {
         finish.meshes.iter().map(|mesh| {
             let difference = mesh.difference.as_ref();
             MeshRow {
-                finish: cell(&finish.name),
-                mesh: cell(&mesh.mesh),
+                finish: &finish.name,
+                mesh: &mesh.mesh,
                 count: mesh.count,
                 loss_w: mesh.loss_w,
                 loss_median_w: mesh.loss_median_w,
@@ -141,7 +141,7 @@ fn meshes(comparison: &Comparison) -> impl Iterator<Item = MeshRow<'_>> {
 /// Row of `path.csv`: the local loss of a finish.
 #[derive(Serialize)]
 struct PathRow<'a> {
-    finish: Cow<'a, str>,
+    finish: &'a str,
     s_mm: f64,
     loss_w_per_m: f64,
     loss_p05_w_per_m: Option<f64>,
@@ -155,7 +155,7 @@ fn path(comparison: &Comparison) -> impl Iterator<Item = PathRow<'_>> {
         rows.map(move |(k, row)| {
             let quantiles = quantiles.as_ref().map(|rows| rows[k]);
             PathRow {
-                finish: cell(&finish.name),
+                finish: &finish.name,
                 s_mm: row.s_mm,
                 loss_w_per_m: row.loss_w_per_m(),
                 loss_p05_w_per_m: quantiles.map(|[low, _]| low),
@@ -168,7 +168,7 @@ fn path(comparison: &Comparison) -> impl Iterator<Item = PathRow<'_>> {
 /// Row of `traces.csv`: a point of the roughness of a flank.
 #[derive(Serialize)]
 struct TracePoint<'a> {
-    finish: Cow<'a, str>,
+    finish: &'a str,
     flank: &'static str,
     x_um: f64,
     roughness_um: f64,
@@ -178,7 +178,7 @@ fn traces(comparison: &Comparison) -> impl Iterator<Item = TracePoint<'_>> {
     flanks(comparison).flat_map(|(finish, flank, tables)| {
         tables.trace.iter().filter_map(move |row| {
             Some(TracePoint {
-                finish: cell(&finish.name),
+                finish: &finish.name,
                 flank,
                 x_um: row.x_um,
                 roughness_um: row.roughness_um?,
@@ -190,7 +190,7 @@ fn traces(comparison: &Comparison) -> impl Iterator<Item = TracePoint<'_>> {
 /// Row of `spectra.csv`: a band of the spectrum of a flank.
 #[derive(Serialize)]
 struct SpectrumBand<'a> {
-    finish: Cow<'a, str>,
+    finish: &'a str,
     flank: &'static str,
     wavelength_um: f64,
     density_um3: f64,
@@ -200,7 +200,7 @@ fn spectra(comparison: &Comparison) -> impl Iterator<Item = SpectrumBand<'_>> {
     flanks(comparison).flat_map(|(finish, flank, tables)| {
         let bands = tables.spectrum_in_bands().into_iter();
         bands.map(move |row| SpectrumBand {
-            finish: cell(&finish.name),
+            finish: &finish.name,
             flank,
             wavelength_um: 1e3 / row.frequency_per_mm,
             density_um3: row.density_um3,
@@ -221,7 +221,7 @@ fn flanks(
 fn offsets(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     #[derive(Serialize)]
     struct OffsetRow<'a> {
-        finish: Cow<'a, str>,
+        finish: &'a str,
         offset: usize,
         loss_w: f64,
         ra_um: f64,
@@ -235,7 +235,7 @@ fn offsets(comparison: &Comparison, file: &Path) -> Result<(), ReportError> {
     let rows = comparison.finishes.iter().flat_map(|finish| {
         let both = finish.offsets.iter().zip(finish.roughness());
         both.map(|(row, window): (_, &WindowRoughness)| OffsetRow {
-            finish: cell(&finish.name),
+            finish: &finish.name,
             offset: row.offset,
             loss_w: row.loss_w,
             ra_um: window.ra_um,

@@ -1,7 +1,5 @@
 //! Shares of a cycle outside of a map.
 
-use std::f64::consts::PI;
-
 use super::trace::{Cycle, CyclePoint};
 use crate::map::Surface;
 
@@ -33,16 +31,13 @@ impl Coverage {
     /// Computes the shares of `cycle` outside of `surface`.
     #[must_use]
     pub fn of(surface: &Surface, cycle: &Cycle) -> Self {
-        let energy = |point: &CyclePoint| {
-            let omega = point.speed_rpm.abs() * PI / 30.0;
-            (point.torque_nm * omega).abs() * point.weight_s
-        };
+        let energy = |point: &CyclePoint| point.power_w().abs() * point.weight_s;
         let is_outside = |point: &CyclePoint| {
             let at = surface.loss_torque(point.torque_nm, point.speed_rpm);
             at.is_outside
         };
         let outside = |of: &dyn Fn(&CyclePoint) -> f64| share(cycle, of, &is_outside);
-        let torques = || cycle.points.iter().map(|point| point.torque_nm);
+        let torques = || cycle.points.iter().map(|point| point.forwards()[0]);
         let speeds = cycle.points.iter().map(|point| point.speed_rpm.abs());
         let end = |nodes: &[f64]| nodes.last().copied().unwrap_or_default();
         Self {

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use asperity::balance::{Unbalanced, efficiency, sum};
+use asperity::message::Warning;
 use asperity::uncertainty::Quantiles;
 use serde::Serialize;
 
@@ -42,6 +43,9 @@ pub struct CycleResult {
     pub outside_share: f64,
     /// Share of the moving time at torques whose sliding loss is scaled from the smallest resolved torque.
     pub extended_share: f64,
+    /// Unusual numbers of the vehicle.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<Warning>,
     /// The finishes; the first is the reference of differences.
     pub finishes: Vec<CycleFinish>,
     /// Points of the cycle, for table and chart.
@@ -125,11 +129,12 @@ pub fn evaluate(
     (cycle, name): (&Cycle, &str),
     takes_any: bool,
 ) -> Result<CycleResult, EnergyError> {
-    let omega = |point: &CyclePoint| point.speed_rpm.abs() * PI / 30.0;
-    let power = |point: &CyclePoint| point.torque_nm * omega(point);
     let energy = |is_meant: &dyn Fn(f64) -> bool| {
-        let of = cycle.points.iter().filter(|point| is_meant(power(point)));
-        of.map(|point| power(point).abs() * point.weight_s)
+        let of = cycle
+            .points
+            .iter()
+            .filter(|point| is_meant(point.power_w()));
+        of.map(|point| point.power_w().abs() * point.weight_s)
             .sum::<f64>()
             / WATT_HOUR
     };
@@ -209,9 +214,10 @@ pub fn evaluate(
         outside_share: coverage.outside_time,
         extended_share: map.finishes.first().map_or(0.0, |finish| {
             let [drive, coast] = finish.resolved_from_nm;
-            let is_extended = |point: &CyclePoint| (-coast..drive).contains(&point.torque_nm);
+            let is_extended = |point: &CyclePoint| (-coast..drive).contains(&point.forwards()[0]);
             share(cycle, &moving_time, &is_extended)
         }),
+        warnings: cycle.warnings.clone(),
         finishes,
         points: cycle.points.clone(),
     })
@@ -235,7 +241,7 @@ fn of_finish(finish: &FinishMap, surface: &Surface, cycle: &Cycle) -> CycleFinis
         let loss = surface.loss_torque(point.torque_nm, point.speed_rpm);
         let omega = point.speed_rpm.abs() * PI / 30.0;
         let energy = loss.value * omega * point.weight_s / WATT_HOUR;
-        lost[usize::from(point.torque_nm <= 0.0)] += energy;
+        lost[usize::from(point.forwards()[0] <= 0.0)] += energy;
         loss_w.push(loss.value * omega);
     }
     CycleFinish {

@@ -4,12 +4,15 @@
 //! torque is interpolated, not the efficiency.
 //!
 //! ```text
-//! T = F r_w/i,   ω = v i/r_w,   F = m λ dv/dt + ½ ρ c_d A v² + m g (f_r cos γ + sin γ)
+//! T = F r_w/i,   ω = v i/r_w,   F = m λ dv/dt + ½ ρ c_d A v |v| + m g (f_r sgn(v) cos γ + sin γ)
 //! E = Σ L(T, ω) ω Δt
 //! ```
 //!
 //! Outside of the map the ratio of loss to torque is constant, see [`Surface`](crate::map::Surface). A cycle with more than
 //! 5 % of its energy there is an error unless explicitly permitted.
+//!
+//! A negative speed is reverse. Driving and braking differ by the sign of the power T ω, and the map is evaluated at the same
+//! power forwards.
 //!
 //! The torque of a vehicle follows from its resistances, without the losses of the drive.
 

@@ -1,5 +1,6 @@
 //! Page of a cycle.
 
+use asperity_core::decimals;
 use asperity_core::numerics::range;
 use asperity_report::chart::{Axis, Chart, Drawing, Line, Series};
 use asperity_report::html::{figure, page};
@@ -9,6 +10,7 @@ use super::energy::CycleResult;
 use super::summary::{
     difference, is_banded, left_aside, lost, per_100_km, share_of_drive, verdicts,
 };
+use super::trace::CyclePoint;
 use crate::map::{Map, loss_fields, round_step};
 
 /// Approximate number of torque bins.
@@ -34,8 +36,9 @@ fn energy(result: &CycleResult, map: &Map) -> Markup {
     html! {
         @for verdict in verdicts(result) { p { strong { (verdict) } } }
         @if let Some(note) = left_aside(result) { p { (note) "." } }
-        p { "Scope: " (result.scope) " only. " (format!("{:.1}", result.drive_wh)) " Wh at the " (pinion) " while it drives, "
-            (format!("{:.1}", result.coast_wh)) " Wh while the " (wheel) " drives, " (format!("{:.0}", result.duration_s)) " s, flanks at "
+        @for warning in &result.warnings { p { (warning) "." } }
+        p { "Scope: " (result.scope) " only. " (decimals(result.drive_wh, 1)) " Wh at the " (pinion) " while it drives, "
+            (decimals(result.coast_wh, 1)) " Wh while the " (wheel) " drives, " (decimals(result.duration_s, 0)) " s, flanks at "
             (result.temperature_c) " °C."
             @if result.outside_share > 0.0 {
                 " Outside of the map, where the ratio of loss to torque is that of its edge: " (percent(result.outside_energy_share))
@@ -63,11 +66,7 @@ fn energy(result: &CycleResult, map: &Map) -> Markup {
 }
 
 fn operating_points(result: &CycleResult, map: &Map) -> Markup {
-    let visited: Vec<[f64; 2]> = result
-        .points
-        .iter()
-        .map(|point| [point.torque_nm, point.speed_rpm.abs()])
-        .collect();
+    let visited: Vec<[f64; 2]> = result.points.iter().map(CyclePoint::forwards).collect();
     let nearest = map
         .axes
         .temperature_c
@@ -82,7 +81,7 @@ fn operating_points(result: &CycleResult, map: &Map) -> Markup {
 
 /// Energy lost with each finish by torque, in steps of a round width.
 fn by_torque(result: &CycleResult) -> Option<Drawing> {
-    let torques = || result.points.iter().map(|point| point.torque_nm);
+    let torques = || result.points.iter().map(|point| point.forwards()[0]);
     let [low, high] = range(torques());
     let width = round_step((high - low) / BINS);
     if !width.is_finite() || width <= 0.0 {
@@ -102,7 +101,7 @@ fn by_torque(result: &CycleResult) -> Option<Drawing> {
     for finish in &result.finishes {
         let mut bins = vec![0.0; count];
         for (point, loss) in result.points.iter().zip(&finish.loss_w) {
-            bins[(bin(point.torque_nm) - first) as usize] += loss * point.weight_s / 3600.0;
+            bins[(bin(point.forwards()[0]) - first) as usize] += loss * point.weight_s / 3600.0;
         }
         let steps = bins.iter().enumerate();
         let steps = steps.flat_map(|(k, energy)| [[edge(k), *energy], [edge(k + 1), *energy]]);

@@ -1,6 +1,7 @@
 //! Summary of a cycle for the terminal.
 
 use asperity::result::loss_band::Digits;
+use asperity_core::{decimals, number};
 use asperity_report::wrapped;
 use asperity_storage::one_line;
 
@@ -11,15 +12,15 @@ use crate::map::banded;
 pub(super) fn summary(result: &CycleResult) -> String {
     let way = result
         .distance_km
-        .map_or(String::new(), |km| format!(", {km:.2} km"));
+        .map_or(String::new(), |km| format!(", {} km", decimals(km, 2)));
     let mut text = format!(
-        "{}\ncycle {}: {:.0} s{way}, {:.1} Wh driving, {:.1} Wh braking, flanks at {} °C (loss of the {} only)\n",
+        "{}\ncycle {}: {} s{way}, {} Wh driving, {} Wh braking, flanks at {} °C (loss of the {} only)\n",
         one_line(&result.title),
         one_line(&result.cycle),
-        result.duration_s,
-        result.drive_wh,
-        result.coast_wh,
-        result.temperature_c,
+        decimals(result.duration_s, 0),
+        decimals(result.drive_wh, 1),
+        decimals(result.coast_wh, 1),
+        number(result.temperature_c),
         result.scope
     );
     text.push_str(&format!(
@@ -52,6 +53,9 @@ pub(super) fn summary(result: &CycleResult) -> String {
     ));
     if let Some(note) = left_aside(result) {
         text.push_str(&format!("{}\n", wrapped(&note, "     ")));
+    }
+    for warning in &result.warnings {
+        text.push_str(&format!("{}\n", wrapped(&warning.to_string(), "     ")));
     }
     text
 }

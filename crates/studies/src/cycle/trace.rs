@@ -1,8 +1,12 @@
 //! Reading of a cycle, and conversion to the pinion.
 
+use asperity_core::number;
 use std::f64::consts::PI;
 
-use asperity::case::{VehicleInput, possible_range};
+use asperity::case::{VehicleInput, range_of};
+use asperity::message::Warning;
+
+use crate::map::forwards;
 
 /// Density of air at 20 °C \[kg/m³\].
 const AIR: f64 = 1.204;
@@ -19,6 +23,8 @@ pub struct Cycle {
     pub points: Vec<CyclePoint>,
     /// Distance driven \[km\]; `None` without a vehicle.
     pub distance_km: Option<f64>,
+    /// Unusual numbers of the vehicle.
+    pub warnings: Vec<Warning>,
 }
 
 /// Point of a cycle.
@@ -30,8 +36,22 @@ pub struct CyclePoint {
     pub weight_s: f64,
     /// Torque at the pinion \[N m\].
     pub torque_nm: f64,
-    /// Speed of the pinion \[1/min\].
+    /// Speed of the pinion \[1/min\]; negative in reverse.
     pub speed_rpm: f64,
+}
+
+impl CyclePoint {
+    /// Torque \[N m\], positive while the pinion drives, and speed \[1/min\] of the same power forwards.
+    #[must_use]
+    pub fn forwards(&self) -> [f64; 2] {
+        forwards(self.torque_nm, self.speed_rpm)
+    }
+
+    /// Power at the pinion \[W\]; negative while the wheel drives.
+    #[must_use]
+    pub fn power_w(&self) -> f64 {
+        self.torque_nm * self.speed_rpm * PI / 30.0
+    }
 }
 
 /// Error of a cycle.
@@ -61,8 +81,7 @@ pub enum CycleError {
     },
     /// A number is not possible for a vehicle or gear drive.
     #[error(
-        "line {line}: {column} = {value} is beyond -{limit} to {limit}; check unit and decimal point"
-    )]
+        "line {line}: {column} = {value} is beyond -{limit} to {limit}; check unit and decimal point", value = number(*value), limit = number(*limit))]
     Beyond {
         /// Line of the file, counted from 1.
         line: u64,
@@ -74,7 +93,7 @@ pub enum CycleError {
         limit: f64,
     },
     /// Time does not increase.
-    #[error("line {line}: time_s = {time_s} does not rise from {before} before it")]
+    #[error("line {line}: time_s = {time_s} does not rise from {before} before it", time_s = number(*time_s), before = number(*before))]
     Time {
         /// Line of the file, counted from 1.
         line: u64,
@@ -89,8 +108,11 @@ pub enum CycleError {
     /// The table has the speed of a vehicle, but no vehicle is given.
     #[error("speed_km_h needs the table [vehicle] in the case of the map")]
     NoVehicle,
+    /// A number of the vehicle that no vehicle has.
+    #[error(transparent)]
+    Impossible(#[from] Box<asperity::Error>),
     /// A number of the vehicle is not valid.
-    #[error("vehicle.{key} = {value} must be {rule}")]
+    #[error("vehicle.{key} = {value} must be {rule}", value = number(*value))]
     Vehicle {
         /// The key.
         key: &'static str,
@@ -99,6 +121,17 @@ pub enum CycleError {
         /// Rule.
         rule: &'static str,
     },
+}
+
+impl CycleError {
+    /// Stable code.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Impossible(error) => error.code(),
+            _ => "E101",
+        }
+    }
 }
 
 /// Reads the cycle in `text`, a table with a header row; `#` begins a comment. The speed of a vehicle is converted to the
@@ -128,6 +161,8 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
         });
     }
     let vehicle = vehicle.map(checked).transpose()?;
+    let warnings = vehicle.map(VehicleInput::unusual).transpose();
+    let warnings = warnings.map_err(Box::new)?.unwrap_or_default();
     let operating = (table.column("torque_nm")?, table.column("speed_rpm")?);
     let (torque, speed, way) = match (operating, table.column("speed_km_h")?) {
         ((Some(torque), Some(speed)), _) => {
@@ -167,10 +202,13 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
     Ok(Cycle {
         points: rows.map(point).collect(),
         distance_km,
+        warnings,
     })
 }
 
-/// Torque \[N m\] and speed \[1/min\] of the pinion from the speeds of the vehicle \[m/s\].
+/// Torque \[N m\] and speed \[1/min\] of the pinion from the speeds of the vehicle \[m/s\], both positive where the vehicle is
+/// driven forwards. Drag and rolling resistance act against the motion; a positive grade rises forwards. At standstill the
+/// brakes hold the vehicle.
 fn at_the_pinion(
     vehicle: &VehicleInput,
     time: &[f64],
@@ -186,10 +224,10 @@ fn at_the_pinion(
         let acceleration = (speeds[b] - speeds[a]) / (time[b] - time[a]);
         let slope = grade.map_or(usual, |grade| grade[k] / 100.0).atan();
         let v = speeds[k];
-        let rolls = if v > 0.0 { 1.0 } else { 0.0 };
+        let weight = if v == 0.0 { 0.0 } else { mass * GRAVITY };
         mass * inertia * acceleration
             + 0.5 * AIR * vehicle.drag_area.si() * v * v.abs()
-            + mass * GRAVITY * rolls * (vehicle.rolling_resistance * slope.cos() + slope.sin())
+            + weight * (v.signum() * vehicle.rolling_resistance * slope.cos() + slope.sin())
     };
     let torque = (0..=last).map(|k| force(k) * radius / vehicle.ratio);
     let rpm = speeds
@@ -246,7 +284,7 @@ const STEEPEST: f64 = 100.0;
 
 /// Largest possible absolute value of a column; for the pinion, the limits of a case.
 fn limit(column: &str) -> f64 {
-    let of_case = |key| possible_range(key).map_or(f64::MAX, |[_, most]| most);
+    let of_case = |key| range_of(key).map_or(f64::MAX, |range| range.possible[1]);
     match column {
         "time_s" => LONGEST,
         "speed_km_h" => FASTEST,
@@ -359,6 +397,21 @@ mod tests {
         let more = 1500.0 * 9.806_65 * (slope.sin() + 0.01 * (slope.cos() - 1.0)) * 0.03;
         let difference = found.points[2].torque_nm - level.points[2].torque_nm;
         assert!((difference - more).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_vehicle_in_reverse_has_mirrored_torques_and_equal_power() {
+        let text = "time_s,speed_km_h,grade_percent\n0,0,0\n1,3.6,2\n3,9,-5\n4,9,0\n6,0,0\n";
+        let mirrored = "time_s,speed_km_h,grade_percent\n0,0,0\n1,-3.6,-2\n3,-9,5\n4,-9,0\n6,0,0\n";
+        let [forwards, reverse] =
+            [text, mirrored].map(|text| cycle(text, Some(&vehicle())).unwrap());
+        for (there, back) in forwards.points.iter().zip(&reverse.points) {
+            assert_eq!(there.torque_nm, -back.torque_nm);
+            assert_eq!(there.speed_rpm, -back.speed_rpm);
+            assert_eq!(there.power_w(), back.power_w());
+        }
+        assert!(forwards.points[1].power_w() > 0.0 && forwards.points[3].power_w() < 0.0);
+        assert_eq!(forwards.distance_km, reverse.distance_km);
     }
 
     #[test]

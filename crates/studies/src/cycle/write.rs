@@ -1,10 +1,8 @@
 //! Output of a cycle: `cycle.json`, `cycle.csv`, `cycle.html` and summary.
 
-use std::borrow::Cow;
 use std::path::Path;
 
 use asperity_report::{ReportError, StudyResult, tables};
-use asperity_storage::cell;
 use serde::Serialize;
 
 use super::energy::CycleResult;
@@ -21,7 +19,7 @@ struct CyclePointRow<'a> {
     loss_median_w: Option<f64>,
     loss_p05_w: Option<f64>,
     loss_p95_w: Option<f64>,
-    finish: Cow<'a, str>,
+    finish: &'a str,
 }
 
 impl StudyResult for CycleResult {
@@ -52,7 +50,7 @@ impl StudyResult for CycleResult {
                     loss_median_w: of(0),
                     loss_p05_w: of(1),
                     loss_p95_w: of(2),
-                    finish: cell(&finish.name),
+                    finish: &finish.name,
                 }
             })
         });

@@ -1,6 +1,7 @@
 //! Errors of exports.
 
 use super::added::AddedLossError;
+use asperity_core::number;
 
 /// Error of an export.
 #[derive(Debug, thiserror::Error)]
@@ -11,6 +12,17 @@ pub enum ExportError {
     Holes {
         /// Name of the finish.
         finish: String,
+    },
+    /// Two files would have one name.
+    #[error(
+        "finishes {:?} and {:?} would both be exported as {name}: a name of a file has only letters, digits, - and _, and capitals count as small letters. Change one of the names",
+        finishes[0], finishes[1]
+    )]
+    SameFile {
+        /// Names of the finishes.
+        finishes: [String; 2],
+        /// Name of the file.
+        name: String,
     },
     /// The format needs torques of both signs.
     #[error("{format} needs torques of both signs, from beyond the smallest to beyond the largest")]
@@ -34,8 +46,7 @@ pub enum ExportError {
     },
     /// The loss torque rises faster than the torque.
     #[error(
-        "{format} cannot hold this map: near {torque_nm} N m and {speed_rpm} 1/min the loss torque rises faster than the torque"
-    )]
+        "{format} cannot hold this map: near {torque_nm} N m and {speed_rpm} 1/min the loss torque rises faster than the torque", torque_nm = number(*torque_nm), speed_rpm = number(*speed_rpm))]
     Slope {
         /// The format.
         format: &'static str,

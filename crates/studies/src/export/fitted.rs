@@ -154,12 +154,13 @@ pub(super) fn fastsim(field: &Field, cycle: &Cycle) -> Result<Vec<u8>, ExportErr
     })?;
     let (mut entered, mut lost, mut outside) = (0.0, 0.0, 0);
     for point in &cycle.points {
-        if point.torque_nm <= 0.0 {
+        let [torque_nm, speed_rpm] = point.forwards();
+        if torque_nm <= 0.0 {
             continue;
         }
-        let loss = surface.loss_torque(point.torque_nm, point.speed_rpm);
-        let angle = point.speed_rpm.abs() * point.weight_s;
-        entered += point.torque_nm * angle;
+        let loss = surface.loss_torque(torque_nm, speed_rpm);
+        let angle = speed_rpm * point.weight_s;
+        entered += torque_nm * angle;
         lost += loss.value * angle;
         outside += usize::from(loss.is_outside);
     }

@@ -50,12 +50,14 @@ static double between(const double *table, const Place *p) {
 }
 
 /* Outside the table loss over torque is held: the loss of the edge times the torque over that of the edge. A direction of
-   the torque that the table does not have takes the losses of the other one. Outside the temperatures the loss of the
+   the torque that the table does not have takes the losses of the other one; a negative speed has those of the same power at
+   the positive speed. Outside the temperatures the loss of the
    nearest one is held. */
 static void evaluate(Model *m) {
     Place p = {0, 0, 0, 0, 0, 0};
     int part;
-    double tau = m->v[TAU], y = m->v[OMEGA] < 0 ? -m->v[OMEGA] : m->v[OMEGA];
+    int is_reverse = m->v[OMEGA] < 0;
+    double tau = is_reverse ? -m->v[TAU] : m->v[TAU], y = is_reverse ? -m->v[OMEGA] : m->v[OMEGA];
     int is_other = (tau < 0 && T[0] >= 0) || (tau > 0 && T[NT - 1] <= 0);
     double t = is_other ? -tau : tau, x = edge(t), factor = x == t || x == 0 ? 1 : t / x;
     p.i = cell(T, NT, x);

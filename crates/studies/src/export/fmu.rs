@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
+use std::path::Path;
 use std::process::Command;
 
-use asperity_storage::{sha256, whole_file};
+use asperity_storage::{Draft, sha256, whole_file};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
@@ -75,9 +76,9 @@ fn first(fields: &[Field]) -> Result<&Field, ExportError> {
 }
 
 /// The unit: description, source and, if `cc` is available, a library for this machine.
-pub(super) fn archive(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
+pub(super) fn archive(fields: &[Field], beside: Option<&Path>) -> Result<Vec<u8>, ExportError> {
     let source = c_source(fields)?;
-    let library = library(&source);
+    let library = library(&source, beside);
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default();
     zip.start_file("modelDescription.xml", options)?;
@@ -106,19 +107,26 @@ struct Library {
     bytes: Vec<u8>,
 }
 
-/// Compiles the source; `None` without a compiler or for a platform without a path in the unit.
-fn library(source: &str) -> Option<Library> {
+/// Compiles the source in a draft next to `beside`; `None` without a compiler or for a platform without a path in the unit.
+fn library(source: &str, beside: Option<&Path>) -> Option<Library> {
     let (folder, ending) = match (std::env::consts::OS, std::env::consts::ARCH) {
         ("linux", "x86_64") => ("linux64", "so"),
         ("macos", "x86_64") => ("darwin64", "dylib"),
         _ => return None,
     };
-    let place = tempfile::tempdir().ok()?;
-    let (code, made) = (place.path().join("loss.c"), place.path().join("loss"));
+    // The next process removes the draft of a killed one.
+    let draft = beside.and_then(|beside| Draft::beside(beside).ok());
+    let elsewhere = || Draft::beside(&std::env::temp_dir().join(MODEL)).ok();
+    let place = draft.or_else(elsewhere)?;
+    let folder_of_draft = place.made();
+    std::fs::create_dir(&folder_of_draft).ok()?;
+    let [code, made] = ["loss.c", "loss"].map(|name| folder_of_draft.join(name));
     std::fs::write(&code, source).ok()?;
     let done = Command::new("cc")
         .args(["-O2", "-shared", "-fPIC", "-fvisibility=hidden", "-w", "-o"])
         .args([&made, &code])
+        // The compiler has temporary files, too.
+        .env("TMPDIR", &folder_of_draft)
         .output()
         .ok()?;
     done.status.success().then_some(())?;

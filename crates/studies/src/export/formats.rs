@@ -1,6 +1,6 @@
 //! Export formats, and the files of a map in a format.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
@@ -50,14 +50,22 @@ pub struct With<'a> {
     pub added: Option<&'a AddedLoss>,
     /// Cycle that weights the formats with a single number.
     pub cycle: Option<&'a Cycle>,
+    /// Folder or file next to which a library is compiled, in a draft; `None` for the folder of temporary files.
+    pub beside: Option<&'a Path>,
 }
 
 /// Files of `map` in one format: one per finish and, if the format holds only one temperature, one per temperature.
 ///
 /// # Errors
-/// When a point has no result, or the format cannot hold the map.
+/// When a point has no result, the format cannot hold the map, or two finishes would have files of one name.
 pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFile>, ExportError> {
     let mut files = Vec::new();
+    let names: Vec<&str> = map
+        .finishes
+        .iter()
+        .map(|finish| finish.name.as_str())
+        .collect();
+    check_names(&names, format)?;
     for (index, finish) in map.finishes.iter().enumerate() {
         let fields = Field::all(map, index, with.added)?;
         let name = file_name(&finish.name);
@@ -70,7 +78,7 @@ pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFil
                     files.push(file(&format!("{name}_meshes"), "csv", meshes));
                 }
             }
-            Format::Fmu => files.push(file(&name, "fmu", fmu::archive(&fields)?)),
+            Format::Fmu => files.push(file(&name, "fmu", fmu::archive(&fields, with.beside)?)),
             Format::Co2mpas => files.push(file(
                 &format!("{name}_co2mpas"),
                 "json",
@@ -88,6 +96,32 @@ pub fn export(map: &Map, format: Format, with: With<'_>) -> Result<Vec<ExportFil
         }
     }
     Ok(files)
+}
+
+/// Checks that each of `finishes` has files of its own in a format.
+///
+/// # Errors
+/// When two of them would have files of one name.
+pub fn check_names(finishes: &[&str], format: Format) -> Result<(), ExportError> {
+    let mut taken: Vec<(String, &str)> = Vec::new();
+    for finish in finishes {
+        let name = file_name(finish);
+        let names = match format {
+            Format::Csv => vec![format!("{name}_meshes"), name],
+            Format::Advisor => vec![advisor_name(&name)],
+            _ => vec![name],
+        };
+        for name in names {
+            // Some file systems take capitals for small letters.
+            let name = name.to_lowercase();
+            if let Some((_, other)) = taken.iter().find(|(taken, _)| *taken == name) {
+                let finishes = [*other, *finish].map(str::to_owned);
+                return Err(ExportError::SameFile { finishes, name });
+            }
+            taken.push((name, finish));
+        }
+    }
+    Ok(())
 }
 
 /// The file of a format that holds one temperature.
@@ -110,7 +144,7 @@ fn of_field(
         _ => {
             let text = advisor::text(field)?;
             file(
-                &format!("TX_{}", name.replace(['-', '.'], "_")),
+                &format!("TX_{}", advisor_name(name)),
                 "m",
                 text.into_bytes(),
             )
@@ -123,6 +157,11 @@ fn file(name: &str, ending: &str, bytes: Vec<u8>) -> ExportFile {
         name: PathBuf::from(format!("{name}.{ending}")),
         bytes,
     }
+}
+
+/// A name that is valid in MATLAB.
+fn advisor_name(name: &str) -> String {
+    name.replace(['-', '.'], "_")
 }
 
 /// A name that is valid in all file systems and programs.

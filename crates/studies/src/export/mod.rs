@@ -32,5 +32,5 @@ pub use error::ExportError;
 pub use field::Field;
 pub use fitted::{GearBoxFit, gear_box_fit};
 pub use fmu::c_source;
-pub use formats::{ExportFile, Format, With, export};
+pub use formats::{ExportFile, Format, With, check_names, export};
 pub use mat4::{Mat4, Matrix};

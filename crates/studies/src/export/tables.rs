@@ -1,6 +1,5 @@
 //! Tables with one row per node: CSV, and the transmission loss map of VECTO.
 
-use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -56,7 +55,7 @@ pub(super) fn meshes_csv(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
         torque_nm: f64,
         speed_rpm: f64,
         temperature_c: f64,
-        mesh: Cow<'a, str>,
+        mesh: &'a str,
         loss_torque_nm: f64,
     }
     let mut rows = Vec::new();
@@ -68,7 +67,7 @@ pub(super) fn meshes_csv(fields: &[Field]) -> Result<Vec<u8>, ExportError> {
                     torque_nm: field.torque_nm[index / across],
                     speed_rpm: field.speed_rpm[index % across],
                     temperature_c: field.temperature_c,
-                    mesh: asperity_storage::cell(mesh),
+                    mesh,
                     loss_torque_nm: *loss,
                 });
             }

@@ -16,7 +16,7 @@ use asperity::case::LoadedCase;
 use asperity_report::chart::Dress;
 use asperity_report::{ReportError, write_bytes};
 use asperity_storage::{
-    StorageError, check_among, check_folder, replace_folder, whole_file, write_among,
+    Draft, StorageError, check_among, check_folder, replace_folder, whole_file, write_among,
 };
 
 pub use figure::FigureError;
@@ -77,12 +77,15 @@ pub fn write(table_2: &LoadedCase, folder: &Path) -> Result<Vec<PathBuf>, Figure
         found => found.map(|()| true).map_err(ReportError::from)?,
     };
     // Made in a temporary folder, so that no incomplete file appears in the target.
-    let temporary = tempfile::tempdir().map_err(|source| StorageError::Io {
-        path: std::env::temp_dir(),
-        source,
-    });
-    let temporary = temporary.map_err(ReportError::from)?;
-    let made = temporary.path();
+    let refused = |source| {
+        ReportError::from(StorageError::Io {
+            path: folder.to_owned(),
+            source,
+        })
+    };
+    let temporary = Draft::beside(folder).map_err(refused)?;
+    let made = &temporary.made();
+    std::fs::create_dir(made).map_err(refused)?;
     let mut figures = random_contact::figures(made)?;
     figures.extend(lubricant_matrix::figures(table_2, made)?);
     figures.extend(thick_films::figures(table_2, made)?);

@@ -1,6 +1,7 @@
 //! Axes of a map.
 
 use asperity::case::gear_train::LoadedTrain;
+use asperity_core::number;
 use asperity_core::numerics::distinct;
 use serde::{Deserialize, Serialize};
 
@@ -26,7 +27,7 @@ pub enum AxisError {
         text: String,
     },
     /// A value is not permitted.
-    #[error("{value} {unit} is not a node of an axis of the {axis}: {rule}")]
+    #[error("{value} {unit} is not a node of an axis of the {axis}: {rule}", value = number(*value))]
     Value {
         /// Name of the axis.
         axis: &'static str,

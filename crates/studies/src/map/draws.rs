@@ -13,6 +13,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::axes::Axes;
+use super::surface::forwards;
 
 /// Points of a map whose draws are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
@@ -164,6 +165,7 @@ impl<'a> Drawn<'a> {
 
     /// The place of an operating point, rounded to a 64th of the interval between nodes.
     pub(crate) fn place(&self, torque_nm: f64, speed_rpm: f64, temperature_c: f64) -> Place {
+        let [torque_nm, speed_rpm] = forwards(torque_nm, speed_rpm);
         let side = usize::from(torque_nm < 0.0).min(self.sides.len() - 1);
         let nodes = self.sides[side].nodes;
         let ln = |nodes: &[f64], value: f64| {

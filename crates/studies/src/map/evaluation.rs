@@ -68,17 +68,9 @@ pub(super) fn computed_speed(speed: f64) -> f64 {
     if speed == 0.0 { CRAWL } else { speed }
 }
 
-/// Offsets of each pair of surrogates in a map, at most: their pairs are many, and each is a sample of its own.
-const OFFSETS_OF_SURROGATES: usize = 4;
-
 /// The case at `torque`, reduced to its mesh losses.
 pub(super) fn at_torque(case: &LoadedCase, torque: Torque) -> Result<LoadedCase, Error> {
-    let offsets = case.case.model.offsets;
-    let is_surrogate = case.surfaces.is_surrogate();
     case.with(|input| {
-        if is_surrogate {
-            input.model.offsets = Some(offsets.min(OFFSETS_OF_SURROGATES));
-        }
         input.operation.torque = torque;
         input.model.run_in = None;
         // The gearbox is the same for every finish and is added to the map once.

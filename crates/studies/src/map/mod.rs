@@ -54,5 +54,5 @@ pub use point::{
 };
 pub use read::{MapError, read};
 pub(crate) use summary::banded;
-pub use surface::{Interpolated, Surface};
+pub use surface::{Interpolated, Surface, forwards};
 pub use write::{EXPORTS, MapExtras};

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity_storage::{check_finite, whole_file};
+use asperity_storage::{check_finite, check_written, whole_file};
 
 use super::axes::Axes;
 use super::draws::DrawnNodes;
@@ -48,6 +48,14 @@ pub enum MapError {
         /// The reason.
         reason: String,
     },
+    /// A file was changed after the map was written.
+    #[error(
+        "{path}: not the map that was written: the file was changed, or its manifest.json is missing"
+    )]
+    Changed {
+        /// The file.
+        path: PathBuf,
+    },
     /// The table does not match the axes, or has a number that is not finite.
     #[error("{path}: not a map: row {row} is not the point that map.json has there")]
     Row {
@@ -72,7 +80,10 @@ pub fn read(folder: &Path) -> Result<Map, MapError> {
         path: file.clone(),
         source,
     })?;
-    check(&map).map_err(|reason| MapError::Damaged { path: file, reason })?;
+    check(&map).map_err(|reason| MapError::Damaged {
+        path: file.clone(),
+        reason,
+    })?;
     let path = folder.join("map.csv");
     let refused = |source| MapError::Csv {
         path: path.clone(),
@@ -116,13 +127,18 @@ pub fn read(folder: &Path) -> Result<Map, MapError> {
         }
         finish.points = points;
     }
-    match rows.next() {
-        None => Ok(map),
-        Some((number, _)) => Err(MapError::Row {
-            path: path.clone(),
+    if let Some((number, _)) = rows.next() {
+        return Err(MapError::Row {
+            path,
             row: number + 1,
-        }),
+        });
     }
+    for (file, name) in [(file, "map.json"), (path, "map.csv")] {
+        if check_written(folder, &[name]).is_err() {
+            return Err(MapError::Changed { path: file });
+        }
+    }
+    Ok(map)
 }
 
 /// Checks the axes and the sizes of the parts.

@@ -5,7 +5,8 @@ use asperity_core::numerics::NodeInterval;
 /// Loss torque over torque and speed, bilinear between the nodes.
 ///
 /// Outside of the nodes the ratio of loss to torque is constant: the loss at the nearest edge times the ratio of the
-/// torques, and the value is marked. A sign of the torque without nodes has the losses of the other sign.
+/// torques, and the value is marked. A sign of the torque without nodes has the losses of the other sign. A negative speed
+/// has the losses of the same power forwards, see [`forwards`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     /// Torques \[N m\], ascending.
@@ -30,16 +31,33 @@ impl Surface {
     /// T \[N m\] and a speed n \[1/min\] of either sign; f = 1 within the nodes, |T/T_edge| beyond.
     #[must_use]
     pub fn loss_torque(&self, torque_nm: f64, speed_rpm: f64) -> Interpolated {
+        let [torque_nm, speed_rpm] = forwards(torque_nm, speed_rpm);
         let (at, factor) = held(&self.torque_nm, torque_nm);
         let interval = |nodes: &[f64], at: f64| NodeInterval::of(nodes, |node| *node, at).held();
-        let across = interval(&self.speed_rpm, speed_rpm.abs());
+        let across = interval(&self.speed_rpm, speed_rpm);
         let speeds = self.speed_rpm.len();
         let loss = |i: usize| across.mean(|j| self.loss_torque_nm[i * speeds + j]);
         Interpolated {
             value: factor * interval(&self.torque_nm, at).mean(loss),
             is_outside: !reaches(&self.torque_nm, torque_nm)
-                || !reaches(&self.speed_rpm, speed_rpm.abs()),
+                || !reaches(&self.speed_rpm, speed_rpm),
         }
+    }
+}
+
+/// Torque and speed of the same power with a speed that is not negative: reverse operation, mirrored. A positive torque
+/// drives forwards, a negative one in reverse.
+///
+/// ```
+/// use asperity_studies::map::forwards;
+/// assert_eq!(forwards(-20.0, -500.0), [20.0, 500.0]);
+/// assert_eq!(forwards(-20.0, 500.0), [-20.0, 500.0]);
+/// ```
+#[must_use]
+pub fn forwards(torque_nm: f64, speed_rpm: f64) -> [f64; 2] {
+    match speed_rpm < 0.0 {
+        true => [-torque_nm, -speed_rpm],
+        false => [torque_nm, speed_rpm],
     }
 }
 
@@ -88,7 +106,8 @@ mod tests {
     fn nodes_are_met_and_beyond_them_loss_over_torque_is_held() {
         let surface = surface();
         assert_eq!(surface.loss_torque(0.0, 100.0).value, 2.0);
-        assert_eq!(surface.loss_torque(20.0, -100.0).value, 7.0);
+        assert_eq!(surface.loss_torque(-20.0, -100.0).value, 7.0);
+        assert_eq!(surface.loss_torque(10.0, -100.0).value, 4.0);
         assert_eq!(surface.loss_torque(10.0, 50.0).value, 0.5 * (1.5 + 6.0));
         assert!(!surface.loss_torque(10.0, 50.0).is_outside);
         let beyond = surface.loss_torque(30.0, 100.0);

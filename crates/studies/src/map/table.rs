@@ -72,7 +72,7 @@ impl<'a> PointRow<'a> {
             film_w: of(|n| n.film_w),
             lubricated_asperity_w: of(|n| n.lubricated_asperity_w),
             boundary_w: of(|n| n.boundary_w),
-            finish: asperity_storage::cell(&finish.name),
+            finish: Cow::Borrowed(&finish.name),
             deformation_w: of(|n| n.deformation_w),
             regime: numbers.map_or("", |n| n.regime().name()).into(),
         }

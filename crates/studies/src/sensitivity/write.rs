@@ -1,11 +1,9 @@
 //! Output of a sensitivity study: `sensitivity.json`, table, page and summary.
 
-use std::borrow::Cow;
 use std::path::Path;
 
 use asperity_report::tables::write as write_table;
 use asperity_report::{ReportError, StudyResult};
-use asperity_storage::cell;
 use serde::Serialize;
 
 use super::page;
@@ -33,8 +31,8 @@ impl StudyResult for Sensitivity {
 #[derive(Serialize)]
 struct ChangeRow<'a> {
     group: &'a str,
-    change: Cow<'a, str>,
-    to: Cow<'a, str>,
+    change: &'a str,
+    to: &'a str,
     difference_w: Option<f64>,
     change_percent: Option<f64>,
     difference_p05_w: Option<f64>,
@@ -51,8 +49,8 @@ fn rows(study: &Sensitivity) -> impl Iterator<Item = ChangeRow<'_>> {
         let effect = row.effect.as_ref();
         ChangeRow {
             group: row.group,
-            change: cell(&row.what),
-            to: cell(&row.to),
+            change: &row.what,
+            to: &row.to,
             difference_w: effect.map(|effect| effect.difference_w),
             change_percent: effect.map(|effect| 100.0 * effect.change),
             difference_p05_w: effect.and_then(|effect| Some(effect.sampling_quantiles_w?[0])),

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use asperity::case::gear_train::LoadedTrain;
-use asperity::case::{LoadedCase, nearest_name};
+use asperity::case::nearest_name;
 use asperity_core::numerics::standard_normal_quantile;
 use toml::Value;
 
@@ -18,6 +18,8 @@ use super::study_input::{Distribution, Method, SampleInput};
 
 /// Number of digits of the fingerprint of a case in its row.
 const ID: usize = 16;
+/// Number of axes of which both ends are combined with those of the others.
+const MOST_CROSSED: usize = 16;
 /// Largest number of cases of a study, whose numbers are stored in memory.
 const MOST_CASES: f64 = 1e7;
 
@@ -161,6 +163,20 @@ impl CaseList {
 
     pub(super) fn count(&self) -> usize {
         self.per_sample() * self.samples()
+    }
+
+    /// Numbers of the cases at both ends of every axis, at the first and the last point of the sample.
+    pub(super) fn corners(&self) -> impl Iterator<Item = usize> {
+        let lengths: Vec<usize> = self.axes.lengths().collect();
+        let samples = self.samples();
+        let ends = 1_usize << lengths.len().min(MOST_CROSSED);
+        (0..ends).flat_map(move |corner| {
+            let at = lengths.iter().enumerate().fold(0, |at, (axis, length)| {
+                let is_last = corner >> axis.min(MOST_CROSSED) & 1 == 1;
+                at * length + if is_last { length - 1 } else { 0 }
+            });
+            [0, samples - 1].map(|point| at * samples + point)
+        })
     }
 
     /// Number of points of the crossed axes.
@@ -369,31 +385,4 @@ pub(super) fn resolved(
     }
     let id = case.fingerprint()[..ID].to_owned();
     Ok((case, id))
-}
-
-/// Key of the inputs on which the contact tables of a mesh depend, so that cases can share them.
-pub(super) fn key_of_tables(case: &LoadedCase) -> Option<String> {
-    let mut input = serde_json::to_value(&case.case.input).ok()?;
-    let root = input.as_object_mut()?;
-    root.remove("lubricant");
-    root.remove("title");
-    let operation = root.get_mut("operation")?.as_object_mut()?;
-    operation.remove("speed");
-    operation.remove("temperature");
-    if let Some(model) = root
-        .get_mut("model")
-        .and_then(|model| model.as_object_mut())
-    {
-        for key in [
-            "boundary_friction",
-            "boundary_layer",
-            "friction_scale",
-            "spot_speed",
-            "asperity_share_factor",
-            "hysteresis",
-        ] {
-            model.remove(key);
-        }
-    }
-    serde_json::to_string(&input).ok()
 }

@@ -2,12 +2,10 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::case_list::CaseList;
 use super::error::SweepError;
 use super::parts::header;
-use super::run::{SharedTables, row_of};
+use super::run::{SharedContacts, rows_of};
 use super::study::Study;
 
 /// Cases of a study, which can be run in any order; shared contacts are solved once.
@@ -21,7 +19,7 @@ use super::study::Study;
 /// })?;
 /// let text = r#"{ "axis": [{ "key": "operation.speed", "values": ["3000 1/min", "9000 1/min"] }], "columns": ["loss_w"] }"#;
 /// let cases = Cases::of(Study::of_case(case, text, ".".as_ref())?)?;
-/// assert_eq!(cases.header(), ["case", "id", "operation.speed", "loss_w", "code"]);
+/// assert_eq!(cases.header(), ["case", "id", "operation.speed", "loss_w", "outside", "code"]);
 /// let rows = cases.rows(0..cases.count())?;
 /// assert_eq!(rows[1][2], "9000 1/min");
 /// assert!(rows[1][3].parse::<f64>()? > 0.0);
@@ -30,7 +28,7 @@ use super::study::Study;
 pub struct Cases {
     study: Study,
     list: CaseList,
-    tables: SharedTables,
+    contacts: SharedContacts,
 }
 
 impl Cases {
@@ -41,9 +39,15 @@ impl Cases {
     pub fn of(study: Study) -> Result<Self, SweepError> {
         Ok(Self {
             list: CaseList::of(&study)?,
-            tables: SharedTables::default(),
+            contacts: SharedContacts::default(),
             study,
         })
+    }
+
+    /// SHA-256 of everything that the cases follow from.
+    #[must_use]
+    pub fn study(&self) -> &str {
+        &self.study.hash
     }
 
     /// Number of cases.
@@ -52,7 +56,7 @@ impl Cases {
         self.list.count()
     }
 
-    /// Names of the columns of a row: number, id, inputs, results, error code.
+    /// Names of the columns of a row: number, id, inputs, results, codes of warnings, error code.
     #[must_use]
     pub fn header(&self) -> Vec<String> {
         header(&self.study, &self.list)
@@ -63,7 +67,8 @@ impl Cases {
     /// # Errors
     /// When a file that a case reads has changed since the study was loaded.
     pub fn rows(&self, numbers: Range<usize>) -> Result<Vec<Vec<String>>, SweepError> {
-        let row = |number| row_of(&self.study, &self.list, number, Some(&self.tables));
-        numbers.into_par_iter().map(row).collect()
+        let numbers: Vec<usize> = numbers.collect();
+        let rows = rows_of(&self.study, &self.list, &numbers, &self.contacts)?;
+        rows.into_iter().collect()
     }
 }

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use asperity::PositionError;
 use asperity::case::did_you_mean;
 
 fn with_other_inputs(others: &[PathBuf]) -> String {
@@ -125,6 +126,14 @@ impl SweepError {
             Self::Report(error) => error.code(),
             Self::Missing { .. } | Self::Changed { .. } => "E309",
             Self::Part { .. } | Self::Contradiction { .. } => "E402",
+        }
+    }
+
+    /// Whether the work was cancelled, and nothing failed.
+    pub fn is_cancelled(&self) -> bool {
+        match self {
+            Self::Case(error) => error.position().is_some_and(PositionError::is_cancelled),
+            _ => false,
         }
     }
 

@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 /// Columns that need the draws of a case.
 pub(super) const DRAWN: [&str; 3] = ["loss_median_w", "loss_p05_w", "loss_p95_w"];
 
-/// Columns of the draws of a mesh of a gear train.
-const DRAWN_OF_MESH: [&str; 3] = ["loss_median_w", "loss_q05_w", "loss_q95_w"];
+/// Former names of the quantiles of a mesh of a gear train, which the next version leaves out.
+const FORMER: [&str; 2] = ["loss_q05_w", "loss_q95_w"];
 
 pub(super) fn is_drawn(name: &str) -> bool {
     DRAWN.contains(&name)
@@ -18,7 +18,7 @@ pub(super) fn is_drawn(name: &str) -> bool {
 /// Whether a column requires the draws of a case, as its own or as one of a mesh.
 pub(super) fn needs_draws(name: &str) -> bool {
     let of_mesh = name.rsplit_once('.').map(|(_, column)| column);
-    is_drawn(name) || of_mesh.is_some_and(|column| DRAWN_OF_MESH.contains(&column))
+    is_drawn(name) || of_mesh.is_some_and(|column| is_drawn(column) || FORMER.contains(&column))
 }
 
 /// The numbers of a gear train by the names of their columns, which are those of a pair of gears where both have them; those
@@ -66,8 +66,15 @@ pub(super) fn known_columns(case: &LoadedTrain) -> Vec<String> {
                 let mut row = MeshRow::default();
                 row.mesh.clone_from(&mesh.name);
                 row.loss_median_w = Some(0.0);
-                row.loss_q05_w = Some(0.0);
-                row.loss_q95_w = Some(0.0);
+                let quantiles = [
+                    &mut row.loss_p05_w,
+                    &mut row.loss_p95_w,
+                    &mut row.loss_q05_w,
+                    &mut row.loss_q95_w,
+                ];
+                for quantile in quantiles {
+                    *quantile = Some(0.0);
+                }
                 row
             }));
             numbers_of(&train)

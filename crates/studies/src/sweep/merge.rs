@@ -1,5 +1,6 @@
 //! Merging of the parts of a study.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use asperity::fingerprint::sha256;
@@ -39,6 +40,7 @@ pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
         title: study.case.title.clone(),
         cases: count,
         failed: rows.values().filter(has_code).count(),
+        outside: outside_of(&rows),
         sha256: sha256(&table),
         effects: effects_of(study, &list, &rows, &inputs),
         outputs: values_of(study, &rows, first_output(&list)),
@@ -46,6 +48,16 @@ pub fn merge(study: &Study, folder: &Path) -> Result<Merged, SweepError> {
         inputs,
         table,
     })
+}
+
+/// Number of cases by the codes in the column before that of the error codes.
+fn outside_of(rows: &Rows) -> BTreeMap<String, usize> {
+    let mut counts = BTreeMap::new();
+    let cells = rows.values().filter_map(|row| row.iter().rev().nth(1));
+    for code in cells.flat_map(|cell| cell.split_whitespace()) {
+        *counts.entry(code.to_owned()).or_insert(0) += 1;
+    }
+    counts
 }
 
 /// Number and id of a case are before its inputs.

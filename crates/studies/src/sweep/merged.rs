@@ -1,5 +1,7 @@
 //! Data of a merged study.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::columns::InputColumn;
@@ -19,6 +21,8 @@ pub struct Merged {
     pub cases: usize,
     /// Number of cases without a result.
     pub failed: usize,
+    /// Number of cases by the code of a warning about inputs outside of their ranges.
+    pub outside: BTreeMap<String, usize>,
     /// SHA-256 of the table.
     pub sha256: String,
     /// Effects of all inputs on each result.

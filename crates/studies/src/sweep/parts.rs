@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use asperity::fingerprint::sha256;
-use asperity_storage::{StorageError, save, whole_file, whole_text};
+use asperity_report::tables;
+use asperity_storage::{StorageError, line_of_cells, save, whole_file, whole_text};
 use serde::Serialize;
 
 use super::case_list::CaseList;
@@ -65,12 +66,15 @@ pub(super) fn folder_of_parts(study: &Study, folder: &Path) -> PathBuf {
     folder.join(&study.hash)
 }
 
-/// Header of the table: number and id of the case, inputs, results, error code.
+/// Column of the codes of warnings about inputs outside of their ranges.
+const OUTSIDE: &str = "outside";
+
+/// Header of the table: number and id of the case, inputs, results, codes of warnings, error code.
 pub(super) fn header(study: &Study, list: &CaseList) -> Vec<String> {
     let mut names = vec!["case".to_owned(), "id".to_owned()];
     names.extend(list.columns());
     names.extend(outputs(study));
-    names.push("code".to_owned());
+    names.extend([OUTSIDE, "code"].map(str::to_owned));
     names
 }
 
@@ -111,19 +115,8 @@ pub(super) fn text_of(
     rows: impl Iterator<Item = Vec<String>>,
     path: &Path,
 ) -> Result<Vec<u8>, SweepError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let refused = |source: csv::Error| SweepError::Part {
-        path: path.to_owned(),
-        reason: source.to_string(),
-    };
-    writer.write_record(header).map_err(refused)?;
-    for row in rows {
-        writer.write_record(row).map_err(refused)?;
-    }
-    writer.into_inner().map_err(|error| SweepError::Part {
-        path: path.to_owned(),
-        reason: error.to_string(),
-    })
+    let head = std::iter::once(header.to_vec());
+    Ok(tables::text_of_cells(path, head.chain(rows))?)
 }
 
 /// Writes finished rows of a shard as a part.
@@ -168,6 +161,7 @@ const SUM: &str = "# sha256 ";
 /// Lines above the table of a part.
 fn head(name: &str, hash: &str, table: &[u8]) -> String {
     let name: String = name.chars().filter(|c| !c.is_control()).collect();
+    let name = line_of_cells(&name);
     format!("{STUDY}{name}\n{INPUTS}{hash}\n{SUM}{}\n", sha256(table))
 }
 
@@ -228,7 +222,6 @@ fn read_part(
         path: path.to_owned(),
         reason,
     };
-    let damaged = |source: csv::Error| refused(source.to_string());
     let bytes = whole_file(path, LARGEST_TABLE).map_err(|error| refused(error.to_string()))?;
     let mut lines = bytes.splitn(4, |byte| *byte == b'\n');
     let mut after = |word: &str| {
@@ -250,14 +243,12 @@ fn read_part(
             "it is damaged: its table has another SHA-256 than it states".to_owned(),
         ));
     }
-    let mut reader = csv::Reader::from_reader(table);
-    let header = reader.headers().map_err(damaged)?;
-    if !header.iter().eq(expected.iter().map(String::as_str)) {
+    let lines = tables::cells_of_text(table).map_err(|source| refused(source.to_string()))?;
+    let mut lines = lines.into_iter();
+    if lines.next().as_ref() != Some(expected) {
         return Err(refused("it has other columns".to_owned()));
     }
-    for record in reader.records() {
-        let record = record.map_err(damaged)?;
-        let cells: Vec<String> = record.iter().map(str::to_owned).collect();
+    for cells in lines {
         let number = cells[0].parse().ok().filter(|number| number < count);
         let number = number.ok_or_else(|| refused(format!("there is no case {}", cells[0])))?;
         match rows.get(&number) {

@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use super::case_list::CaseList;
 use super::error::SweepError;
-use super::refused::{Refused, refusals};
-use super::run::row_of;
+use super::refused::{Refused, checked, refusals};
+use super::run::{SharedContacts, rows_of};
 use super::study::Study;
 
 /// Size of a study and its estimated time.
@@ -22,7 +22,9 @@ pub struct Plan {
     pub axis_points: usize,
     /// Number of points of the sample.
     pub sample_points: usize,
-    /// Cases that cannot be resolved, by code: their number, and the first of them with its message.
+    /// Number of cases that were resolved: all, of many the corners of the axes and a sample.
+    pub checked: usize,
+    /// Cases among them that cannot be resolved, by code: their number, and the first of them with its message.
     pub refused: BTreeMap<String, Refused>,
     /// Estimated time on the threads of the pool \[s\], from a few cases that were run.
     pub seconds: f64,
@@ -30,22 +32,24 @@ pub struct Plan {
     pub bytes: f64,
 }
 
-/// Resolves all cases and runs a few.
+/// Resolves the cases, of many the corners of the axes and a sample, and runs a few; `watch` is called with (done, total).
 ///
 /// # Errors
 /// When the study is not valid.
-pub fn plan(study: &Study) -> Result<Plan, SweepError> {
+pub fn plan(study: &Study, watch: &(dyn Fn(usize, usize) + Sync)) -> Result<Plan, SweepError> {
     /// Number of cases run for the estimate.
     const SAMPLED: usize = 3;
     let list = CaseList::of(study)?;
     let count = list.count();
-    let refused = refusals(study, &list, &Vec::from_iter(0..count))?;
+    let checked = checked(&list, &Vec::from_iter(0..count));
+    let refused = refusals(study, &list, &checked, watch)?;
     let begin = Instant::now();
     let few = SAMPLED.min(count);
     let mut bytes = 0;
     for k in 0..few {
-        let row = row_of(study, &list, k * count / few, None)?;
-        bytes += row.iter().map(|cell| cell.len() + 1).sum::<usize>();
+        for row in rows_of(study, &list, &[k * count / few], &SharedContacts::default())? {
+            bytes += row?.iter().map(|cell| cell.len() + 1).sum::<usize>();
+        }
     }
     let each = |total: f64| total / few.max(1) as f64 * count as f64;
     Ok(Plan {
@@ -53,6 +57,7 @@ pub fn plan(study: &Study) -> Result<Plan, SweepError> {
         cases: count,
         axis_points: list.per_sample(),
         sample_points: list.samples(),
+        checked: checked.len(),
         refused,
         seconds: each(begin.elapsed().as_secs_f64()),
         bytes: each(bytes as f64),

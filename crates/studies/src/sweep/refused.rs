@@ -1,7 +1,10 @@
 //! Cases that cannot be resolved, determined before any case is run.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
+use asperity::Error;
+use asperity::core::cancel::checkpoint;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -20,7 +23,30 @@ pub struct Refused {
     pub message: String,
 }
 
-/// Cases among `numbers` that cannot be resolved, by code.
+/// Largest number of cases that are all resolved before a run, a few milliseconds each.
+const MOST: usize = 2000;
+/// Largest number of corners of the axes that are resolved.
+const MOST_CORNERS: usize = 512;
+
+/// The cases among `numbers` (sorted) that are resolved before a run: all of them, of many the corners of the axes and a
+/// sample.
+pub(super) fn checked(list: &CaseList, numbers: &[usize]) -> Vec<usize> {
+    /// Fraction of the golden ratio, whose multiples spread evenly and are in step with no axis.
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    if numbers.len() <= MOST {
+        return numbers.to_vec();
+    }
+    let corners = list.corners().take(MOST_CORNERS);
+    let corners = corners.filter(|number| numbers.binary_search(number).is_ok());
+    let spread = (0..MOST).map(|k| {
+        let share = (GOLDEN * k as f64).fract();
+        numbers[(share * numbers.len() as f64) as usize]
+    });
+    let all: BTreeSet<usize> = corners.chain(spread).collect();
+    all.into_iter().collect()
+}
+
+/// Cases among `numbers` that cannot be resolved, by code; `watch` is called with (done, total).
 ///
 /// # Errors
 /// When a file has changed since the study was loaded.
@@ -28,13 +54,21 @@ pub(super) fn refusals(
     study: &Study,
     list: &CaseList,
     numbers: &[usize],
+    watch: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<BTreeMap<String, Refused>, SweepError> {
+    let done = AtomicUsize::new(0);
     let refusals = numbers
         .par_iter()
-        .filter_map(|number| match resolved(study, &list.inputs(*number)) {
-            Ok(_) => None,
-            Err(error @ SweepError::Changed { .. }) => Some(Err(error)),
-            Err(refused) => Some(Ok((*number, refused.code_of_case(), refused.to_string()))),
+        .filter_map(|number| {
+            if let Err(cancelled) = checkpoint() {
+                return Some(Err(Error::from(cancelled).into()));
+            }
+            watch(done.fetch_add(1, Ordering::Relaxed) + 1, numbers.len());
+            match resolved(study, &list.inputs(*number)) {
+                Ok(_) => None,
+                Err(error @ SweepError::Changed { .. }) => Some(Err(error)),
+                Err(refused) => Some(Ok((*number, refused.code_of_case(), refused.to_string()))),
+            }
         })
         .collect::<Result<Vec<(usize, String, String)>, SweepError>>()?;
     let mut refused: BTreeMap<String, Refused> = BTreeMap::new();

@@ -1,26 +1,28 @@
 //! The work of a shard.
 
-use std::collections::{BTreeMap, HashMap};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use asperity::case::LoadedCase;
 use asperity::case::gear_train::LoadedTrain;
 use asperity::core::cancel::checkpoint;
 use asperity::gear_train::{run_train, train_losses};
-use asperity::pipeline::{KeptFields, contacts, losses, losses_with};
+use asperity::message::{Warning, outside_codes};
+use asperity::pipeline::{KeptFields, losses, losses_with};
 use asperity::result::{Losses, Summary};
 use asperity::uncertainty::{Predictive, Quantiles, predictive};
-use asperity::{Contacts, Error, Run};
+use asperity::{ContactStore, Error, Run};
 use rayon::prelude::*;
 use serde_json::Value;
 
-use super::case_list::{CaseList, key_of_tables, resolved};
+use super::case_list::{CaseInputs, CaseList, resolved};
 use super::error::SweepError;
 use super::known_columns::{DRAWN, is_drawn, needs_draws, numbers_of};
 use super::parts::{Rows, close, make_folder_of_parts, outputs, read};
-use super::refused::{Refused, refusals};
+use super::refused::{Refused, checked, refusals};
 use super::study::Study;
 use super::study_input::Detail;
 
@@ -48,12 +50,9 @@ impl std::str::FromStr for Shard {
     }
 }
 
-/// Contact tables by the part of the case on which they depend: cases with other oils, speeds and temperatures share
-/// them.
-pub(super) type SharedTables = Mutex<HashMap<String, Arc<Contacts>>>;
+/// Contacts of the cases of a study: those with other oils, speeds and temperatures share them.
+pub(super) type SharedContacts = Mutex<ContactStore>;
 
-/// Largest number of cached tables, some megabytes each.
-const MOST_TABLES: usize = 16;
 /// Number of cases after which a part is closed.
 const CASES_OF_A_PART: usize = 1000;
 /// Time after which a part is closed.
@@ -64,10 +63,19 @@ const AT_ONCE: usize = 16;
 /// Progress event of a shard.
 #[derive(Debug, Clone, Copy)]
 pub enum Event<'a> {
-    /// All cases of the shard are resolved; none has been run.
+    /// Cases of the shard have been resolved.
+    Checking {
+        /// Number of cases resolved so far.
+        cases: usize,
+        /// Number of cases to resolve.
+        of: usize,
+    },
+    /// The cases of the shard are resolved, of many the corners of the axes and a sample; none has been run.
     Checked {
         /// Cases that cannot be resolved, by code; each becomes a row with its code.
         refused: &'a BTreeMap<String, Refused>,
+        /// Number of cases resolved.
+        checked: usize,
         /// Number of cases to run.
         of: usize,
     },
@@ -80,11 +88,11 @@ pub enum Event<'a> {
     },
 }
 
-/// Resolves all cases of a shard that are not in a closed part in `folder`, then runs them, with events to `watch`. A
-/// part is closed after 1000 cases or 30 s.
+/// Resolves the cases of a shard that are not in a closed part in `folder`, of many some, then runs them, with events to `watch`. A
+/// part is closed after 1000 cases or 30 s, and when the work is cancelled.
 ///
 /// # Errors
-/// When the study is not valid, or a part cannot be written. A case without a result becomes a row with its code.
+/// When the study is not valid, a part cannot be written, or the work is cancelled. A case without a result becomes a row with its code.
 pub fn run(
     study: &Study,
     shard: Shard,
@@ -99,154 +107,221 @@ pub fn run(
         .filter(|number| !done.contains_key(number))
         .collect();
     let of = pending.len();
-    let refused = &refusals(study, &list, &pending)?;
-    watch(Event::Checked { refused, of });
-    let shared = SharedTables::default();
+    let numbers = checked(&list, &pending);
+    let checking = |cases, of| watch(Event::Checking { cases, of });
+    let refused = &refusals(study, &list, &numbers, &checking)?;
+    let checked = numbers.len();
+    watch(Event::Checked {
+        refused,
+        checked,
+        of,
+    });
+    let shared = SharedContacts::default();
     let (mut rows, mut opened) = (Rows::new(), Instant::now());
     let mut finished = 0;
     for numbers in pending.chunks(AT_ONCE) {
-        let results = numbers
-            .par_iter()
-            .map(|number| Ok((*number, row_of(study, &list, *number, Some(&shared))?)))
-            .collect::<Result<Vec<(usize, Vec<String>)>, SweepError>>()?;
-        // Rows of cancelled cases are not written.
-        checkpoint().map_err(Error::from).map_err(Box::new)?;
-        finished += results.len();
-        rows.extend(results);
+        // An error ends the shard; the rows finished before it are written.
+        let mut ended = Ok(());
+        for (number, row) in numbers.iter().zip(rows_of(study, &list, numbers, &shared)?) {
+            match row {
+                Ok(row) => {
+                    rows.insert(*number, row);
+                    finished += 1;
+                }
+                Err(error) => ended = ended.and(Err(error)),
+            }
+        }
         watch(Event::Done {
             cases: finished,
             of,
         });
-        if rows.len() >= CASES_OF_A_PART || opened.elapsed() >= TIME_OF_A_PART {
+        let is_full = rows.len() >= CASES_OF_A_PART || opened.elapsed() >= TIME_OF_A_PART;
+        if is_full || ended.is_err() {
             close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
             opened = Instant::now();
         }
+        ended?;
     }
     close(study, &list, (shard.number, shard.of), &mut rows, folder)?;
     Ok(finished)
 }
 
-/// The row of a case: number, id, inputs, results, code.
+/// The rows of cases: number, id, inputs, results, codes of warnings about inputs outside of their ranges, error code. Their
+/// contacts are solved first, each once, so that no case computes what another does at the same time. A row that was not finished
+/// when the program was asked to stop is an error.
 ///
 /// # Errors
-/// When a file has changed since the study was loaded. Any other error of the case becomes the code of its row.
-pub(super) fn row_of(
+/// When a file has changed since the study was loaded. Any other error of a case becomes the code of its row.
+pub(super) fn rows_of(
     study: &Study,
     list: &CaseList,
-    number: usize,
-    shared: Option<&SharedTables>,
-) -> Result<Vec<String>, SweepError> {
-    let inputs = list.inputs(number);
+    numbers: &[usize],
+    shared: &SharedContacts,
+) -> Result<Vec<Result<Vec<String>, SweepError>>, SweepError> {
+    let resolve = |number: &usize| {
+        let inputs = list.inputs(*number);
+        match resolved(study, &inputs) {
+            Err(error @ SweepError::Changed { .. }) => Err(error),
+            found => Ok((*number, inputs, found.map_err(|error| error.code_of_case()))),
+        }
+    };
+    let cases = numbers.par_iter().map(resolve);
+    let cases = cases.collect::<Result<Vec<_>, SweepError>>()?;
+    let store = {
+        let mut shared = shared.lock().unwrap_or_else(PoisonError::into_inner);
+        let trains = cases
+            .iter()
+            .filter_map(|(.., case)| Some(&case.as_ref().ok()?.0));
+        let meshes = trains
+            .filter(|train| uses_store(study, train))
+            .flat_map(|train| train.meshes().map(|mesh| &mesh.case));
+        shared.prepare(&meshes.collect::<Vec<_>>());
+        shared.clone()
+    };
     let names = outputs(study);
-    let (id, found) = match resolved(study, &inputs) {
-        Err(error @ SweepError::Changed { .. }) => return Err(error),
-        Err(error) => (String::new(), Err(error.code_of_case())),
+    let row = |(number, inputs, case)| {
+        let row = row(study, (number, inputs, case), &names, &store);
+        checkpoint().map_err(Error::from)?;
+        Ok(row)
+    };
+    Ok(cases.into_par_iter().map(row).collect())
+}
+
+/// Whether the meshes of a case run with the contacts that are stored for it: torques that follow from losses are not known
+/// before.
+fn uses_store(study: &Study, train: &LoadedTrain) -> bool {
+    !train.train.passes_losses && study.input.detail.unwrap_or_default() != Detail::Contacts
+}
+
+/// The row of a case, or its code where it cannot be resolved.
+fn row(
+    study: &Study,
+    (number, inputs, case): (usize, CaseInputs, Result<(LoadedTrain, String), String>),
+    names: &[String],
+    store: &ContactStore,
+) -> Vec<String> {
+    let (id, found) = match case {
+        Err(code) => (String::new(), Err(code)),
         Ok((case, id)) => {
-            let found = result(
-                study,
-                &case,
-                shared,
-                names.iter().any(|name| needs_draws(name)),
-            );
+            let with_draws = names.iter().any(|name| needs_draws(name));
+            let found = result(study, &case, store, with_draws);
             (id, found.map_err(|error| error.code().to_owned()))
         }
     };
     let mut row = vec![number.to_string(), id];
     row.extend(inputs.columns);
-    match found.map(|found| values(&found, &names)) {
-        Ok(values) => {
-            row.extend(values);
-            row.push(String::new());
+    let (outside, code) = match found {
+        Ok(found) => {
+            row.extend(values(&found, names));
+            (found.outside, String::new())
         }
         Err(code) => {
             row.extend(names.iter().map(|_| String::new()));
-            row.push(code);
+            (String::new(), code)
         }
-    }
-    Ok(row)
+    };
+    row.extend([outside, code]);
+    row
 }
 
-/// Numbers of a case by the names of their columns, and median, 5 and 95 % quantiles of its draws if they are requested and
-/// the case has some.
-type Found = (Value, Option<[f64; 3]>);
+/// Results of a case.
+struct Found {
+    /// Numbers by the names of their columns.
+    numbers: Value,
+    /// Median, 5 and 95 % quantiles of its draws, if they are requested and the case has some.
+    drawn: Option<[f64; 3]>,
+    /// Codes of the warnings about inputs outside of their ranges.
+    outside: String,
+}
 
 fn result(
     study: &Study,
     case: &LoadedTrain,
-    shared: Option<&SharedTables>,
+    store: &ContactStore,
     with_draws: bool,
 ) -> Result<Found, Error> {
     let columns = |median, [low, high]: [f64; 2]| [median, low, high];
     let of_draws = |found: Quantiles| columns(found.median_w, found.quantiles_w);
     let with_contacts = study.input.detail.unwrap_or_default() == Detail::Contacts;
-    let of_mesh = |case: &LoadedCase| mesh_losses(case, shared, with_draws);
+    let of_mesh = |case: &LoadedCase| mesh_losses(case, store, with_draws);
+    let codes = |warnings: &[Warning]| {
+        let codes = warnings.iter().map(|warning| warning.code.to_string());
+        codes.collect::<BTreeSet<String>>()
+    };
+    let joined = |codes: &BTreeSet<String>| outside_codes(codes.iter().map(String::as_str));
     let Some(pair) = case.pair() else {
-        let found = match with_contacts {
-            true => run_train(case, &KeptFields::Highest, with_draws, &|_, _| {})?.result,
-            false => train_losses(case, &of_mesh)?,
+        let (found, mut outside) = match with_contacts {
+            true => {
+                let found = run_train(case, &KeptFields::Highest, with_draws, &|_, _| {})?;
+                let meshes = found.meshes.iter();
+                let outside = meshes.flat_map(|mesh| codes(&mesh.result.warnings));
+                (found.result, outside.collect())
+            }
+            false => {
+                let outside = RefCell::new(BTreeSet::new());
+                let noted = |case: &LoadedCase| {
+                    let (losses, draws) = of_mesh(case)?;
+                    outside.borrow_mut().extend(codes(&losses.warnings));
+                    Ok((losses, draws))
+                };
+                let found = train_losses(case, &noted)?;
+                (found, outside.into_inner())
+            }
         };
-        return Ok((numbers_of(&found), found.loss_distribution.map(of_draws)));
+        let mut parts = found.gearbox.iter().flat_map(|gearbox| &gearbox.parts);
+        if parts.any(|part| !part.outside.is_empty()) {
+            outside.insert("W401".to_owned());
+        }
+        return Ok(Found {
+            numbers: numbers_of(&found),
+            drawn: found.loss_distribution.map(of_draws),
+            outside: joined(&outside),
+        });
     };
     let numbers = |summary: &Summary| serde_json::to_value(summary).unwrap_or_default();
     if with_contacts {
         let run = Run::new(pair).without_pictures().band(with_draws);
         let found = run.execute()?.result;
         let drawn = found.uncertainty.map(|found| found.loss);
-        return Ok((
-            numbers(&found.summary),
-            drawn.map(|loss| columns(loss.median_w, loss.quantiles_w)),
-        ));
+        return Ok(Found {
+            numbers: numbers(&found.summary),
+            drawn: drawn.map(|loss| columns(loss.median_w, loss.quantiles_w)),
+            outside: joined(&codes(&found.warnings)),
+        });
     }
     let (losses, draws) = of_mesh(pair)?;
-    let drawn = draws.map(|draws| of_draws(Quantiles::of(&draws.draws_w())));
-    Ok((numbers(&losses.summary), drawn))
+    Ok(Found {
+        numbers: numbers(&losses.summary),
+        drawn: draws.map(|draws| of_draws(Quantiles::of(&draws.draws_w()))),
+        outside: joined(&codes(&losses.warnings)),
+    })
 }
 
 /// Losses of a mesh with its draws, if they are requested and it has some.
 fn mesh_losses(
     case: &LoadedCase,
-    shared: Option<&SharedTables>,
+    store: &ContactStore,
     with_draws: bool,
 ) -> Result<(Losses, Option<Predictive>), Error> {
-    let drawn = |losses: Losses, tables: Option<&Contacts>| {
-        let draws = match with_draws {
-            true => predictive(case, &losses, tables)?,
-            false => None,
-        };
-        Ok((losses, draws))
+    let contacts = store.of(case);
+    let losses = match &contacts {
+        Some(contacts) => losses_with(contacts, case)?,
+        None => losses(case)?,
     };
-    if let Some(tables) = shared.and_then(|shared| tables(case, shared)) {
-        // Tables of another contact are an error here; the case is then computed without them.
-        if let Ok(losses) = losses_with(&tables, case) {
-            return drawn(losses, Some(&tables));
-        }
-    }
-    drawn(losses(case)?, None)
-}
-
-/// The contact tables of a mesh, computed on first use.
-fn tables(case: &LoadedCase, shared: &SharedTables) -> Option<Arc<Contacts>> {
-    let key = key_of_tables(case)?;
-    let lock = || shared.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(tables) = lock().get(&key) {
-        return Some(Arc::clone(tables));
-    }
-    let made = Arc::new(contacts(case).ok()?);
-    let mut cached = lock();
-    if cached.len() >= MOST_TABLES {
-        cached.clear();
-    }
-    cached.insert(key, Arc::clone(&made));
-    Some(made)
+    let draws = match with_draws {
+        true => predictive(case, &losses, contacts.as_deref())?,
+        false => None,
+    };
+    Ok((losses, draws))
 }
 
 /// The columns of a case.
-fn values((value, drawn): &Found, names: &[String]) -> Vec<String> {
+fn values(found: &Found, names: &[String]) -> Vec<String> {
     let of_draws = |name: &str| {
         let place = DRAWN.iter().position(|drawn| *drawn == name)?;
-        Some(drawn.as_ref()?[place].to_string())
+        Some(found.drawn?[place].to_string())
     };
-    let of = |name: &String| match value.get(name) {
+    let of = |name: &String| match found.numbers.get(name) {
         _ if is_drawn(name) => of_draws(name).unwrap_or_default(),
         Some(Value::Number(number)) => number.to_string(),
         // A known column without a number in this case.

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use asperity::message::explain;
 use asperity_report::{ReportError, StudyResult, tables, write_bytes};
 use asperity_storage::one_line;
 use serde::Serialize;
@@ -36,6 +37,10 @@ fn summary(merged: &Merged) -> String {
         merged.cases,
         merged.failed
     );
+    for (code, count) in &merged.outside {
+        let title = explain(code).map_or("", |entry| entry.title);
+        text.push_str(&format!("{code} in {count} cases: {title}\n"));
+    }
     if merged.effects.iter().any(|row| row.effect.is_some()) {
         text.push_str(&format!(
             "{:<20} {:<36} {:>30} {:>22} {:>22}\n",

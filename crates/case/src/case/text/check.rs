@@ -5,6 +5,7 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::Arc;
 
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
@@ -19,7 +20,7 @@ use crate::case::error::CaseError;
 use crate::case::files::Files;
 use crate::case::input::{CaseInput, TEMPERATURE_KEYS};
 use crate::case::loaded::{LoadedCase, complete};
-use crate::case::plausibility::impossible;
+use crate::case::ranges::impossible;
 use crate::case::source::{MeshKeys, Source};
 use crate::error::Error;
 
@@ -41,14 +42,20 @@ pub fn check(source: Source, folder: &Path, set: &[(String, String)]) -> Finding
     let mut source = source;
     let mut errors = Vec::new();
     let case = all(&mut source, folder, set, &mut errors);
-    let errors: Vec<Error> = errors
-        .into_iter()
-        .map(|error| Error::in_text(error, source.clone()))
-        .collect();
+    let errors = in_text(errors, source);
     Findings {
         case: case.filter(|_| errors.is_empty()),
         errors,
     }
+}
+
+/// The errors with the text that they share.
+pub(super) fn in_text(errors: Vec<CaseError>, text: Source) -> Vec<Error> {
+    let text = Arc::new(text);
+    let errors = errors.into_iter();
+    errors
+        .map(|error| Error::in_text(error, Arc::clone(&text)))
+        .collect()
 }
 
 fn all(
@@ -206,8 +213,8 @@ fn remove_unknown(
 ) {
     let mut unknown: BTreeSet<String> = BTreeSet::new();
     for path in source.key_paths() {
-        let is_below = |above: &String| path.starts_with(&format!("{above}."));
-        if unknown.iter().any(is_below) {
+        let mut above = path.match_indices('.').map(|(end, _)| &path[..end]);
+        if above.any(|table| unknown.contains(table)) {
             continue;
         }
         if let Some((key, nearest)) = first_unknown(mending.schema, std::iter::once(path)) {
@@ -249,9 +256,13 @@ fn missing_key(table: Option<&str>, message: &str) -> Option<String> {
 
 /// The part of a case that is replaced as a whole: a table with related keys, or a single key.
 fn part_of(key: &str) -> &str {
-    const WHOLE: [&str; 9] = [
+    const WHOLE: [&str; 14] = [
+        "calibration",
+        "gearbox",
         "gears",
         "lubricant",
+        "map",
+        "micropitting",
         "surface.coast",
         "surface.pinion",
         "surface.wheel",
@@ -260,9 +271,11 @@ fn part_of(key: &str) -> &str {
         "surface.sun",
         "surface.planet",
         "surface.ring",
+        "vehicle",
     ];
-    // The keys that state a temperature replace each other.
-    if TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key) {
+    // The keys that state a temperature replace each other, and one of them the law of the bulk temperature.
+    let is_temperature = TEMPERATURE_KEYS.iter().any(|(name, _)| *name == key);
+    if is_temperature || key.starts_with("operation.bulk.") {
         return TEMPERATURE_KEYS[0].0;
     }
     let is_in = |part: &&str| {

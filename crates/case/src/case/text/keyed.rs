@@ -13,7 +13,7 @@ use serde::de::{
 use serde::forward_to_deserialize_any;
 use toml::{Table, Value, map};
 
-use crate::case::plausibility::range_of;
+use crate::case::ranges::range_in_pair;
 
 /// Keys from the root to the value that is being read; after an error, to the value that cannot be read.
 type Path = RefCell<Vec<String>>;
@@ -38,7 +38,7 @@ fn with_usual_unit(key: &str, message: String) -> String {
     let usual = || {
         let (number, rest) = message.split_once(" has no unit; ")?;
         let (units, _) = rest.rsplit_once(" (as \"")?;
-        let unit = range_of(key)?.unit;
+        let unit = range_in_pair(key)?.unit;
         Some(format!(
             "{number} has no unit; {units} (as \"{number} {unit}\")"
         ))

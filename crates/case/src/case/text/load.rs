@@ -8,7 +8,7 @@ use asperity_storage::whole_file;
 
 use super::case_file::CaseFile;
 use crate::case::error::CaseError;
-use crate::case::files::{Content, Files};
+use crate::case::files::{Content, FileContents, Files};
 use crate::case::input::CaseInput;
 use crate::case::loaded::{LoadedCase, complete, keep_oil};
 use crate::case::model::Formulation;
@@ -141,6 +141,28 @@ pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Loade
         complete(input, &source, files.into(), None)
     };
     read().map_err(|error| Error::in_text(error, source.clone()))
+}
+
+/// Reads a case from the TOML `text` of its keys and the content of its files; no file on disk is read. Messages use `name`.
+///
+/// ```
+/// use asperity_case::case;
+/// let case = case::load("../../fixtures/cases/e-drive.toml".as_ref(), None)?;
+/// let again = case::from_contents(case.name(), &case.case.input.to_toml()?, case.contents()?)?;
+/// assert_eq!(again.fingerprint(), case.fingerprint());
+/// # Ok::<(), asperity_case::error::Error>(())
+/// ```
+///
+/// # Errors
+/// As for [`load`].
+pub fn from_contents(name: &str, text: &str, contents: FileContents) -> Result<LoadedCase, Error> {
+    let mut source = Source::new("case.toml", text)?;
+    let read = CaseInput::read(&source);
+    // The text is TOML, whatever the name ends in.
+    name.clone_into(&mut source.name);
+    let files = Files::holding(None, contents);
+    let case = read.and_then(|input| complete(input, &source, files.into(), None));
+    case.map_err(|error| Error::in_text(error, source))
 }
 
 impl LoadedCase {

@@ -24,7 +24,9 @@ mod written;
 pub use case_file::schema;
 pub use check::{Findings, check};
 pub(super) use key_names::{key_of, missing_key};
-pub use load::{Resolver, from_text, load, load_holding, load_set, load_with, open_source};
+pub use load::{
+    Resolver, from_contents, from_text, load, load_holding, load_set, load_with, open_source,
+};
 pub(super) use oil_file::oil_file;
 pub use page::markdown;
 pub(super) use train_keys::is_key_of_train;

@@ -45,6 +45,7 @@ fn table(f: &mut fmt::Formatter<'_>, name: &str, found: &FittedFriction) -> fmt:
         pressure_max,
         fit,
         source,
+        simulated,
         doubts,
     } = found;
     writeln!(f, "\n[{name}]\npressure_law = {}", inline(pressure_law)?)?;
@@ -74,6 +75,9 @@ fn table(f: &mut fmt::Formatter<'_>, name: &str, found: &FittedFriction) -> fmt:
         per_point?, other?, own?
     )?;
     writeln!(f, "source = {}", inline(source)?)?;
+    if *simulated {
+        writeln!(f, "simulated = true")?;
+    }
     match doubts.is_empty() {
         true => Ok(()),
         false => writeln!(f, "doubts = {}", inline(doubts)?),

@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::case_file::schema;
 use super::load::from_text;
 use super::symbols;
-use crate::case::plausibility::range_of;
+use crate::case::key_ranges::{range_of, relations};
 use crate::error::Error;
 
 /// The shortest case: the keys that it leaves out show the defaults.
@@ -31,6 +31,11 @@ relative to the case file. `asperity check case.toml` lists all errors at once a
 The column \"default\" shows what the shortest possible case uses, in the formulation `corrected`; \"-\" means that the key is
 required, has no default, or takes its default as its description says. A value outside the usual range raises warning
 W201; the case still runs.
+";
+
+const RELATIONS: &str = "\
+Quantities that follow from several keys, with the same warning; so have the Hertz pressure at the pitch point and the \
+pitch-line speed.
 ";
 
 const SYMBOLS: &str = "\
@@ -103,6 +108,12 @@ pub fn markdown() -> Result<String, Error> {
             &keys,
             &defaults,
         );
+    }
+    page.push_str("\n## Relations between keys\n\n");
+    page.push_str(RELATIONS);
+    page.push_str("\n| key | quantity | usual |\n|---|---|---|\n");
+    for [key, quantity, usual] in relations() {
+        page.push_str(&format!("| `{key}` | {quantity} | {usual} |\n"));
     }
     page.push_str(&format!(
         "\n## Symbols of a drawing\n\n{SYMBOLS}{}.\n",

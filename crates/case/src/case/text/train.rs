@@ -5,14 +5,15 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::case_file::CaseFile;
-use super::check::{completed, readable};
+use super::check::{completed, in_text, readable};
 use super::load::{Resolver, open_source};
 use crate::case::error::CaseError;
-use crate::case::files::{Files, Reader};
+use crate::case::files::{FileContents, Files, Reader};
 use crate::case::input::CaseInput;
 use crate::case::loaded::complete;
 use crate::case::loaded_train::LoadedTrain;
 use crate::case::model::Formulation;
+use crate::case::ranges::impossible;
 use crate::case::source::Source;
 use crate::case::train_input::TrainCaseInput;
 use crate::error::Error;
@@ -50,8 +51,24 @@ pub fn load_set(
     keys: &[(String, String)],
     formulation: Option<Formulation>,
 ) -> Result<LoadedTrain, Error> {
+    load_holding(source, Some(folder), FileContents::new(), keys, formulation)
+}
+
+/// Reads a gear train as [`load_set`] does, with files in memory, which come before those on disk; without a folder no file
+/// on disk is read.
+///
+/// # Errors
+/// As for [`load_set`].
+pub fn load_holding(
+    source: Source,
+    folder: Option<&Path>,
+    contents: FileContents,
+    keys: &[(String, String)],
+    formulation: Option<Formulation>,
+) -> Result<LoadedTrain, Error> {
     let mut source = source;
-    let loaded = read(&mut source, Origin::Folder(folder), keys, formulation);
+    let files = Files::holding(folder, contents);
+    let loaded = read(&mut source, Origin::Files(files), keys, formulation);
     loaded.map_err(|error| Error::in_text(error, source))
 }
 
@@ -66,9 +83,8 @@ pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Loade
 }
 
 /// Origin of the files of a train.
-#[derive(Clone, Copy)]
 enum Origin<'a> {
-    Folder(&'a Path),
+    Files(Files),
     Memory(Resolver<'a>),
 }
 
@@ -82,16 +98,16 @@ fn read(
     for (key, value) in keys {
         input.set_in(source, key, value)?;
     }
-    let mut files = match from {
-        Origin::Folder(folder) => Files::in_folder(folder),
-        Origin::Memory(_) => Files::default(),
+    let (mut files, resolver) = match from {
+        Origin::Files(files) => (files, None),
+        Origin::Memory(resolver) => (Files::default(), Some(resolver)),
     };
-    if let Origin::Memory(resolver) = from {
+    if let Some(resolver) = resolver {
         let tables = input.gearbox.iter().flat_map(|gearbox| &gearbox.tables);
         files.gather_tables(tables.map(|table| table.file.as_path()), source, resolver)?;
     }
     let parts = input.parts(source, Reader::of(&files))?;
-    if let Origin::Memory(resolver) = from {
+    if let Some(resolver) = resolver {
         for mesh in parts.meshes() {
             files.gather(&mesh.case, &source.of_mesh(&mesh.keys), resolver)?;
         }
@@ -124,10 +140,7 @@ pub fn check(source: Source, folder: &Path, keys: &[(String, String)]) -> TrainF
     let mut source = source;
     let mut errors = Vec::new();
     let case = all(&mut source, folder, keys, &mut errors);
-    let errors: Vec<Error> = errors
-        .into_iter()
-        .map(|error| Error::in_text(error, source.clone()))
-        .collect();
+    let errors = in_text(errors, source);
     TrainFindings {
         case: case.filter(|_| errors.is_empty()),
         errors,
@@ -141,14 +154,18 @@ fn all(
     errors: &mut Vec<CaseError>,
 ) -> Option<LoadedTrain> {
     let (input, mending) = readable::<TrainCaseInput>(source, keys, errors)?;
+    errors.extend(impossible(&input, source));
     let files = Files::in_folder(folder);
     let parts = match input.parts(source, Reader::of(&files)) {
         Ok(parts) => parts,
         Err(error) => {
-            if !TrainCaseInput::TABLES
+            let is_blamed = TrainCaseInput::TABLES
                 .iter()
-                .any(|table| mending.is_known(table))
-            {
+                .any(|table| mending.is_known(table));
+            let is_known = errors
+                .iter()
+                .any(|known| identity(known) == identity(&error));
+            if !is_blamed && !is_known {
                 errors.push(error);
             }
             return None;

@@ -2,8 +2,9 @@
 
 use crate::read::error::{ReadFault, shortened};
 use crate::read::format::Format;
+use crate::read::header::is_depth;
 
-/// Names of the array of heights among several arrays.
+/// Names of the array of heights among several arrays, in addition to those of depths.
 const NAMES: [&str; 4] = ["z", "heights", "height", "profile"];
 
 /// The only array, or of several the one with the name of heights, in whichever group it is.
@@ -13,7 +14,7 @@ pub(super) fn chosen<T>(
 ) -> Result<(String, T), ReadFault> {
     let is_named = |(name, _): &(String, T)| {
         let name = name.rsplit('/').next().unwrap_or_default().to_lowercase();
-        NAMES.contains(&name.as_str())
+        NAMES.contains(&name.as_str()) || is_depth(&name)
     };
     let at = match all.len() {
         0 => {

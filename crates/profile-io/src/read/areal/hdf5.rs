@@ -20,7 +20,9 @@ use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
+use crate::read::header::is_depth;
 use crate::read::metadata::short;
+use crate::warning::Warning;
 
 /// Maximum number of groups, and so of their depth.
 const MOST_GROUPS: usize = 100;
@@ -58,6 +60,10 @@ pub(super) fn arrays(bytes: &[u8], format: Format) -> Result<Areal, ReadFault> {
     };
     let mut found = Areal::new(format, Heights::Values { values, columns });
     found.unit = HeightUnit::Unstated;
+    let last = name.rsplit('/').next().unwrap_or_default();
+    found
+        .warnings
+        .extend(is_depth(last).then_some(Warning::DepthsTurned));
     found.metadata.title = short(&name);
     Ok(found)
 }

@@ -1,7 +1,7 @@
 //! MATLAB data of level 5: a profile as a vector, a surface as a matrix.
 //!
-//! The file has neither units nor spacing. Of several arrays the first one named `z`, `heights`, `height` or `profile`
-//! is read, ignoring case.
+//! The file has neither units nor spacing. Of several arrays the first one named `z`, `heights`, `height`, `profile` or
+//! `depth` is read, ignoring case.
 
 use super::bytes::part;
 use super::chosen::chosen;
@@ -11,7 +11,9 @@ use super::trace::{Areal, HeightUnit, Heights};
 use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
+use crate::read::header::is_depth;
 use crate::read::metadata::short;
+use crate::warning::Warning;
 
 const FORMAT: Format = Format::Matlab;
 /// Version and byte order, at the end of the header.
@@ -54,6 +56,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Areal, ReadFault> {
     let raw = raw.ok_or_else(|| fault("an array has fewer numbers than its size", ""))?;
     let mut found = Areal::new(FORMAT, Heights::Raw(raw));
     found.unit = HeightUnit::Unstated;
+    found
+        .warnings
+        .extend(is_depth(&name).then_some(Warning::DepthsTurned));
     found.metadata.title = short(&name);
     Ok(found)
 }

@@ -1,0 +1,126 @@
+//! All that the rough contacts of a mesh follow from. Contacts are computed from these inputs and from nothing else, and are
+//! stored under them.
+
+use std::sync::Arc;
+
+use asperity_contact::SolverSettings;
+use asperity_core::quantity::{Length, LineLoad, Pressure};
+use asperity_mixed_film::{RoughContact, RoughWindow};
+
+use crate::mesh::MeshInputs;
+use asperity_case::case::{Case, Formulation, LEAST_OFFSETS, LoadedCase};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::Surfaces;
+
+/// Loosest tolerance of the contacts that decide the loss: at 1e-4 it would move by 3e-5.
+const LOOSEST_TOLERANCE: f64 = 1e-8;
+/// Offsets of each pair of surrogates of a case that states none: the pairs are many, and each is a sample of its own.
+const OFFSETS_OF_SURROGATES: usize = 4;
+
+/// Inputs of the contacts of a mesh; two equal ones have the same contacts. Neither oil nor speed nor temperature is among them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ContactInputs {
+    pub mesh: MeshInputs,
+    pub windows: Arc<WindowInputs>,
+    pub offsets: Offsets,
+}
+
+/// Inputs of the contact of a window, except its place, load and radius.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct WindowInputs {
+    /// Both flanks, prepared and placed.
+    pub surfaces: Surfaces,
+    /// Half-widths of the contact to each side of a window.
+    pub reach: f64,
+    pub modulus: Pressure,
+    flow_pressure: [Pressure; 2],
+    tolerance: f64,
+    exact: bool,
+}
+
+/// Number of offsets of each pair of traces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Offsets {
+    /// Stated by the case, or the only choice.
+    Fixed(usize),
+    /// As many as the contacts need, at least [`LEAST_OFFSETS`].
+    Needed,
+}
+
+impl Offsets {
+    /// The offsets that a case states, or those that follow from its flanks.
+    pub(crate) fn of(loaded: &LoadedCase) -> Self {
+        let (case, surfaces) = (&loaded.case, &loaded.surfaces);
+        let default = case.model.offsets;
+        if case.input.model.offsets.is_some() || case.formulation == Formulation::Paper {
+            return Self::Fixed(default);
+        }
+        if surfaces.is_surrogate() {
+            return Self::Fixed(default.min(OFFSETS_OF_SURROGATES));
+        }
+        let follows_from_windows = case.load_share().supply().is_some()
+            && surfaces.are_measured()
+            && surfaces.placement().is_none();
+        match follows_from_windows {
+            true => Self::Needed,
+            false => Self::Fixed(default),
+        }
+    }
+
+    /// The number that is computed first.
+    pub(crate) fn first(self) -> usize {
+        match self {
+            Self::Fixed(number) => number,
+            Self::Needed => LEAST_OFFSETS,
+        }
+    }
+}
+
+impl ContactInputs {
+    pub(crate) fn of(loaded: &LoadedCase) -> Self {
+        Self {
+            mesh: MeshInputs::of(&loaded.case),
+            windows: Arc::new(WindowInputs::of(&loaded.case, &loaded.surfaces)),
+            offsets: Offsets::of(loaded),
+        }
+    }
+}
+
+impl WindowInputs {
+    pub(crate) fn of(case: &Case, surfaces: &Surfaces) -> Self {
+        Self {
+            surfaces: surfaces.clone(),
+            reach: case.model.window,
+            modulus: case.modulus,
+            flow_pressure: case.flow_pressure,
+            tolerance: case.model.tolerance,
+            exact: case.laws.exact_contacts,
+        }
+    }
+
+    /// The rough contact of heights `composite`, points `spacing` apart, under a load with a radius.
+    ///
+    /// # Errors
+    /// When the contact refuses the numbers.
+    pub(crate) fn rough_contact(
+        &self,
+        (load, radius): (LineLoad, Length),
+        composite: &[f64],
+        spacing: Length,
+    ) -> Result<RoughContact, PositionError> {
+        let [pinion, wheel] = self.flow_pressure.map(Pressure::si);
+        Ok(RoughContact::new(&RoughWindow {
+            composite,
+            spacing,
+            load,
+            radius,
+            modulus: self.modulus,
+            flow_pressure: Pressure::from_si(pinion.min(wheel)),
+            settings: SolverSettings {
+                tolerance: self.tolerance.min(LOOSEST_TOLERANCE),
+                ..SolverSettings::default()
+            },
+        })?
+        .exactly(self.exact))
+    }
+}

@@ -1,0 +1,162 @@
+//! The rough contact of one window, solved at the shares that a film needs.
+
+use std::sync::{Arc, OnceLock};
+
+use asperity_core::cancel::checkpoint;
+use asperity_core::quantity::{Length, LineLoad};
+use asperity_mixed_film::{ContactTable, RoughContact};
+
+use super::inputs::WindowInputs;
+use crate::mesh::MeshPosition;
+use asperity_case::case::{Formulation, LoadedCase};
+use asperity_case::error::PositionError;
+use asperity_case::flanks::{Roughness, Window, WindowPair};
+
+/// The rough contact of one window, and its roughness.
+#[derive(Debug, Clone)]
+pub(crate) struct WindowContact {
+    inputs: Arc<WindowInputs>,
+    place: WindowPlace,
+    /// Roughness of the window, or of the flanks as a whole where no window is resolved.
+    pub roughness: Roughness,
+    /// Place of the window on the traces; `None` where no window is resolved.
+    pub window: Option<Window>,
+    /// The contact at the shares solved so far, once a film needed it.
+    pub table: OnceLock<ContactTable>,
+}
+
+/// Which window of a mesh it is, with its load.
+#[derive(Debug, Clone, Copy)]
+struct WindowPlace {
+    load: LineLoad,
+    radius: Length,
+    zone: usize,
+    /// Offset and number of offsets of all pairs.
+    offset: (usize, usize),
+}
+
+impl WindowContact {
+    /// The windows of `each` offsets of every pair of traces at `position`, with their roughness.
+    ///
+    /// # Errors
+    /// When the traces are too coarse or too short for the contact.
+    pub(crate) fn of_position(
+        inputs: &Arc<WindowInputs>,
+        each: usize,
+        position: &MeshPosition,
+    ) -> Result<Vec<Arc<Self>>, PositionError> {
+        let count = inputs.surfaces.offsets(each);
+        let of_offset = |k| Self::of_offset(inputs, position, (k, count));
+        (0..count).map(of_offset).collect()
+    }
+
+    /// The window of offset `k` of `count` at `position`, with its roughness.
+    ///
+    /// # Errors
+    /// When the traces are too coarse or too short for the contact.
+    pub(super) fn of_offset(
+        inputs: &Arc<WindowInputs>,
+        position: &MeshPosition,
+        (k, count): (usize, usize),
+    ) -> Result<Arc<Self>, PositionError> {
+        checkpoint()?;
+        let surfaces = &inputs.surfaces;
+        Ok(Arc::new(Self {
+            inputs: Arc::clone(inputs),
+            place: WindowPlace {
+                load: position.load,
+                radius: position.motion.radius,
+                zone: position.zone,
+                offset: (k, count),
+            },
+            window: Window::at(surfaces, position, inputs.reach, k, count)?,
+            roughness: surfaces.roughness_at(position, inputs.reach, (k, count))?,
+            table: OnceLock::new(),
+        }))
+    }
+
+    /// The window ready to be pressed.
+    ///
+    /// # Errors
+    /// When no window is resolved, or a number is outside the domain of the contact.
+    pub(crate) fn rough(&self) -> Result<RoughContact, PositionError> {
+        let WindowPlace {
+            load,
+            radius,
+            zone,
+            offset,
+        } = self.place;
+        let window = self.window.ok_or(PositionError::NoProfile)?;
+        let [first, second] = window.cut(&self.inputs.surfaces, zone, offset)?;
+        let pairs = first.heights().iter().zip(second.heights());
+        let composite: Vec<f64> = pairs.map(|(a, b)| a + b).collect();
+        self.inputs
+            .rough_contact((load, radius), &composite, first.spacing())
+    }
+
+    /// The table of the contact, with the window if it was made for it.
+    ///
+    /// # Errors
+    /// As [`rough`](Self::rough).
+    pub(crate) fn table(&self) -> Result<(&ContactTable, Option<RoughContact>), PositionError> {
+        if let Some(known) = self.table.get() {
+            return Ok((known, None));
+        }
+        let rough = self.rough()?;
+        let table = ContactTable::new(&rough);
+        Ok((self.table.get_or_init(|| table), Some(rough)))
+    }
+
+    /// Asperity share of the window under the mean gap `gap`.
+    ///
+    /// # Errors
+    /// When the contact has no solution.
+    pub(super) fn share_at_gap(&self, gap: Length) -> Result<f64, PositionError> {
+        let (table, rough) = self.table()?;
+        table.share_at_gap(gap, || rough.map_or_else(|| self.rough(), Ok))
+    }
+
+    /// Mean gap of the window at the asperity share that is solved first.
+    ///
+    /// # Errors
+    /// When the contact has no solution.
+    pub(super) fn middle_gap(&self) -> Result<Length, PositionError> {
+        let (table, rough) = self.table()?;
+        table.middle_gap(|| rough.map_or_else(|| self.rough(), Ok))
+    }
+
+    /// `error` of the contact at `position` with the gap of the window, if it did not converge.
+    pub(crate) fn keeping(&self, error: PositionError, position: &MeshPosition) -> PositionError {
+        let pair = self.window.and_then(|window| {
+            let WindowPlace { zone, offset, .. } = self.place;
+            let flanks = window.cut(&self.inputs.surfaces, zone, offset).ok()?;
+            WindowPair::new(flanks, position, self.inputs.modulus).ok()
+        });
+        match pair {
+            Some(pair) => error.keeping(&pair.x, &pair.gap),
+            None => error,
+        }
+    }
+
+    /// Whether the contact was solved at any share.
+    pub(super) fn is_solved(&self) -> bool {
+        (self.table.get()).is_some_and(|table| table.rows().next().is_some())
+    }
+
+    /// Checks the windows at the first offset of each pair of teeth as [`of_position`](Self::of_position) does.
+    ///
+    /// # Errors
+    /// When the traces do not have the windows, or the paper's formulation has no traces.
+    pub(crate) fn check(loaded: &LoadedCase, position: &MeshPosition) -> Result<(), PositionError> {
+        let (surfaces, model) = (&loaded.surfaces, &loaded.case.model);
+        let count = surfaces.offsets(model.offsets);
+        for k in (0..count).filter(|k| surfaces.begins_a_pair(*k, count)) {
+            let window = Window::at(surfaces, position, model.window, k, count)?;
+            if window.is_none() && loaded.case.formulation == Formulation::Paper {
+                return Err(PositionError::NoProfile);
+            }
+            surfaces.roughness_at(position, model.window, (k, count))?;
+        }
+        Ok(())
+    }
+}
