@@ -43,7 +43,7 @@ const LARGEST_ROELANDS: f64 = 200.0;
 /// Mean over the film of the parabolic temperature profile above the walls; its middle has 1/8.
 const FILM_MEAN: f64 = 1.0 / 12.0;
 /// Relative step at which the Newton iteration of a shear stress ends; the error is its square.
-const STRESS_TOLERANCE: f64 = 1e-5;
+const STRESS_TOLERANCE: f64 = 1e-6;
 /// Largest stress that a start is taken to be near to, over the start.
 const START_REACH: f64 = 2.0;
 /// Above this ln(η γ̇/τ₀) the hyperbolic sine is its exponential to 3e-11 of the stress.
