@@ -114,6 +114,7 @@ fn quantiles_depend_little_on_the_seed() {
         inner_boundary: Some(InnerBoundary {
             slope: [0.07, 0.0, 0.0],
             bend: [0.0; 3],
+            boundary: [0.0; 2],
         }),
         roughness_over_film: Some(2.8),
         sampling: SamplingError {
@@ -351,6 +352,7 @@ fn the_boundary_share_of_inner_spots_is_drawn_evenly_about_the_run() {
         inner_boundary: Some(InnerBoundary {
             slope: [0.1, 0.02, 0.0],
             bend: [0.01, 0.0, 0.0],
+            boundary: [0.2, 0.01],
         }),
         ..plain()
     };
@@ -359,6 +361,10 @@ fn the_boundary_share_of_inner_spots_is_drawn_evenly_about_the_run() {
         let expected = 90.0 * f64::exp(ln) + 10.0;
         let at = found.at_inner_boundary(place).unwrap();
         assert!((at - expected).abs() < 1e-9, "{place}: {at}");
+    }
+    let inner = found.inner_boundary.as_ref().unwrap();
+    for (place, expected) in [(0.0, 0.81), (0.5, 1.0), (1.0, 1.21)] {
+        assert!((inner.boundary_at(place) - expected).abs() < 1e-15);
     }
     let ends = [0.0, 0.5, 1.0].map(InnerBoundary::value);
     assert!(

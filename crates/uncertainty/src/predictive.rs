@@ -99,6 +99,8 @@ pub struct InnerBoundary {
     pub slope: [f64; 3],
     /// b: the same.
     pub bend: [f64; 3],
+    /// Slope and bend of the friction of the boundary layer, over that at the middle.
+    pub boundary: [f64; 2],
 }
 
 impl InnerBoundary {
@@ -107,6 +109,14 @@ impl InnerBoundary {
     pub fn value(place: f64) -> f64 {
         let [low, high] = INNER_BOUNDARY_RANGE;
         low + place * (high - low)
+    }
+
+    /// Friction of the boundary layer at a place in the range of β_i, over that at the middle, at the medians.
+    #[must_use]
+    pub fn boundary_at(&self, place: f64) -> f64 {
+        let [slope, bend] = self.boundary;
+        let x = 2.0 * place - 1.0;
+        1.0 + x * (slope + x * bend)
     }
 }
 
@@ -302,7 +312,7 @@ impl Predictive {
 
     /// ln of the sliding loss over the one at the middle of β_i.
     fn by_inner_boundary(&self, draw: &Draw, z: &[f64]) -> f64 {
-        let Some(InnerBoundary { slope, bend }) = &self.inner_boundary else {
+        let Some(InnerBoundary { slope, bend, .. }) = &self.inner_boundary else {
             return 0.0;
         };
         cite!("Inner-boundary-draw");

@@ -33,7 +33,11 @@ pub struct Uncertainty {
     pub roughness_over_film: Option<f64>,
     /// Contribution of the sampling of the flanks.
     pub sampling: SamplingPart,
-    /// The loss by each admissible structure of the model, which the draws choose from.
+    /// Friction of the boundary layer at the 5 % and 95 % quantiles of the boundary share of inner spots \[W\]: how far the records of
+    /// mixed lubrication tell it from the friction of lubricated asperities. `None` if that share is not drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub boundary_w: Option<[f64; 2]>,
+    /// The loss over the boundary share of inner spots, which is drawn.
     pub structures: Vec<AlternativeRow>,
     /// The loss by models that measurements refute; none is drawn.
     pub other_models: Vec<AlternativeRow>,
@@ -398,12 +402,12 @@ impl Digits {
         Self { decimals }
     }
 
-    /// The last place that a quarter of the interval from `low` to `high` reaches, and four decimals at most.
+    /// The last place that a tenth of the interval from `low` to `high` reaches, and four decimals at most.
     ///
     /// ```
     /// use asperity::result::loss_band::Digits;
     /// assert_eq!(Digits::of_interval([520.0, 840.0]).last_place(), "10");
-    /// assert_eq!(Digits::of_interval([49.2, 50.1]).last_place(), "0.1");
+    /// assert_eq!(Digits::of_interval([49.2, 50.1]).last_place(), "0.01");
     /// ```
     #[must_use]
     pub fn of_interval([low, high]: [f64; 2]) -> Self {
@@ -416,7 +420,7 @@ impl Digits {
     /// ```
     /// use asperity::result::loss_band::Digits;
     /// let digits = |ends| Digits::of_difference(ends).last_place().to_owned();
-    /// assert_eq!([[3.0, 100.0], [20.0, 100.0], [-3.0, 100.0]].map(digits), ["1", "10", "10"]);
+    /// assert_eq!([[3.0, 110.0], [20.0, 130.0], [-3.0, 110.0]].map(digits), ["1", "10", "10"]);
     /// ```
     #[must_use]
     pub fn of_difference(ends: [f64; 2]) -> Self {
@@ -433,7 +437,7 @@ impl Digits {
     #[must_use]
     pub fn of_uncertainty(half_width: f64) -> Self {
         let decimals = match half_width.is_finite() && half_width > 0.0 {
-            true => (-(0.5 * half_width).log10().floor() as i32).min(Self::MOST),
+            true => (-(0.2 * half_width).log10().floor() as i32).min(Self::MOST),
             false => Self::MOST,
         };
         Self { decimals }

@@ -387,7 +387,19 @@ fn inner_boundary(base: &Base<'_>, ratio: &dyn Fn(&Losses) -> f64) -> Result<Inn
         let by_layer = (logs[1][of] - logs[2][of]) / (2.0 * SIDE);
         [logs[0][of], by_friction, by_layer]
     });
-    Ok(InnerBoundary { slope, bend })
+    let of_boundary = |at: &[Losses]| at[0].summary.boundary_w;
+    let boundary = match of_boundary(&middle) {
+        0.0 => [0.0; 2],
+        at_middle => {
+            let [low, high] = [&low, &high].map(|end| of_boundary(end) / at_middle);
+            [0.5 * (high - low), 0.5 * (high + low) - 1.0]
+        }
+    };
+    Ok(InnerBoundary {
+        slope,
+        bend,
+        boundary,
+    })
 }
 
 /// Rows of the lower triangle of the correlations of the measured constants.

@@ -221,6 +221,10 @@ fn uncertainty(
         interpolation_error: predictive.surface_rms,
         roughness_over_film: predictive.roughness_over_film,
         sampling: sampling(loaded, &predictive, &nominal),
+        boundary_w: predictive.inner_boundary.as_ref().map(|inner| {
+            let of_run = nominal.summary.boundary_w * quantiles.median_w / predictive.at_medians_w;
+            [0.05, 0.95].map(|place| of_run * inner.boundary_at(place))
+        }),
         structures: structures.collect(),
         other_models: others,
         trust: trust(loaded),
