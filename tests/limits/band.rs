@@ -103,6 +103,44 @@ fn the_draws_over_the_boundary_share_of_inner_spots_are_runs_with_that_share() {
 }
 
 #[test]
+fn a_lay_beyond_the_records_is_named_and_reaches_down_to_a_confirmed_lay() {
+    let with = |lay: &str| case("e-drive.toml").with_key("model.lay", lay).unwrap();
+    let found = |case: &LoadedCase| {
+        let outcome = Run::new(case).fields(&KEPT).band(true).execute();
+        outcome.unwrap().result
+    };
+    let is_far = |warnings: &[asperity::message::Warning]| {
+        warnings.iter().any(|warning| warning.code == "W452")
+    };
+    let far_part = |result: &RunResult| {
+        let parts = &result.uncertainty.as_ref().unwrap().loss.parts;
+        let mut parts = parts.iter();
+        parts
+            .find(|part| part.name == "lay beyond the records")
+            .cloned()
+    };
+    let recorded = found(&with("0.33"));
+    assert!(!is_far(&recorded.warnings) && far_part(&recorded).is_none());
+    let far = with("0.6");
+    assert!(is_far(&asperity::pipeline::check(&far).unwrap()));
+    let result = found(&far);
+    let shown = asperity_report::brief(&result, 80);
+    assert!(
+        shown.contains("W452") && shown.contains("(worth "),
+        "{shown}"
+    );
+    let confirmed = asperity::losses(&with("0.166666666666667")).unwrap();
+    let [low, high] = [&confirmed.summary, &result.summary].map(|summary| summary.loss_w);
+    let uncertainty = result.uncertainty.as_ref().unwrap();
+    // Scaled to the median of the draws: a twentieth of the way from either end.
+    let ends = far_part(&result).unwrap().quantiles_w;
+    for (end, part) in ends.into_iter().zip([0.05, 0.95]) {
+        let expected = uncertainty.scale() * (low + part * (high - low));
+        assert!((end / expected - 1.0).abs() < 5e-3, "{end} {expected}");
+    }
+}
+
+#[test]
 fn a_draw_is_a_run_with_its_constants() {
     let (case, found) = e_drive();
     assert!(

@@ -26,6 +26,7 @@ fn plain() -> Predictive {
         film_law: None,
         other_law: None,
         inner_boundary: None,
+        far_lay: None,
         relief: None,
         gap_law: GapLaw::Inlet,
         roughness_over_film: Some(1.0),
@@ -380,6 +381,22 @@ fn the_boundary_share_of_inner_spots_is_drawn_evenly_about_the_run() {
         assert!((found - expected).abs() < 0.02, "{found} {expected}");
     }
     assert_eq!(plain().at_inner_boundary(0.5), None);
+}
+
+#[test]
+fn a_lay_beyond_the_records_is_drawn_from_the_loss_at_a_confirmed_lay_to_its_own() {
+    let found = Predictive {
+        far_lay: Some(0.7),
+        ..plain()
+    };
+    // The sliding loss of 90 W.
+    assert!((found.at_confirmed_lay().unwrap() - (0.7 * 90.0 + 10.0) / 100.0).abs() < 1e-12);
+    let drawn = found.alone(Component::FarLay).unwrap();
+    for (quantile, part) in drawn.quantiles_w.into_iter().zip([0.95, 0.05]) {
+        let expected = 90.0 * (1.0 - 0.3 * part) + 10.0;
+        assert!((quantile - expected).abs() < 0.02, "{quantile} {expected}");
+    }
+    assert_eq!(plain().alone(Component::FarLay), None);
 }
 
 #[test]

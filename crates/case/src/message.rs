@@ -34,6 +34,8 @@ pub enum Subject {
     FastModel,
     /// Sampling of the flanks.
     Sampling,
+    /// Lay beyond the records of mixed lubrication.
+    Lay,
 }
 
 impl Warning {
@@ -275,4 +277,5 @@ explanations! {
     "W446" "fitted to simulated measurements": "The source in an oil file or in the table calibration declares the measurements as simulated; a rehearsed plan writes such a source. The constants, their intervals and the loss are no evidence about the oil or the drive." => "Fit the constants to measured curves or losses, or use this result only to rehearse the evaluation.";
     "W447" "lines of one surface count as teeth": "Several traces of a flank are lines of one surface. Each is computed as a tooth of its own, with all teeth of the other flank, so the standard error of the mean has the scatter within one flank only." => "Measure other teeth, and name a surface or trace of each in surface.pinion.traces and surface.wheel.traces; state the same number as tooth, and y, for lines of one tooth.";
     "W448" "trace longer than the active flank": "A trace without a known place is longer than the active flank of its gear, so that more than a tenth of it was not measured there; windows of the contact are taken from all of it." => "State the part on the active flank as range of the trace, or the place of the trace by at. If it was measured along the tooth or on a specimen of the same finish, keep it.";
+    "W452" "lay beyond the records": "The roughness of the flanks is less drawn out across the motion than that of every record of mixed lubrication that the load share was compared with (lay up to 1/3), and above a lay of 1/6 the contact of lines itself is not confirmed. The loss depends on the lay; its interval has a part from the loss at a lay of 1/6 to that at the lay of the case." => "Measure losses of such flanks on a rig (asperity calibrate), or state the lay that a surface shows in model.lay.";
 }

@@ -9,7 +9,7 @@ use crate::ridges;
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped, wrapped_within};
 use asperity::message::{Subject, Warning};
-use asperity::result::loss_band::{Trust, Uncertainty, UncertaintyPart, rounded};
+use asperity::result::loss_band::{Digits, Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
     BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
     Regime, RunResult, Summary,
@@ -56,8 +56,8 @@ pub fn headline(result: &RunResult) -> String {
 const LARGE_LOAD_ERROR: f64 = 0.011;
 /// Codes of warnings about inputs that make the result doubtful, the most important first.
 const DOUBTFUL: &[&str] = &[
-    "W201", "W402", "W426", "W412", "W405", "W441", "W322", "W117", "W124", "W327", "W128", "W112",
-    "W132", "W448", "W118", "W111", "W125",
+    "W201", "W402", "W426", "W412", "W452", "W405", "W441", "W322", "W117", "W124", "W327", "W128",
+    "W112", "W132", "W448", "W118", "W111", "W125",
 ];
 /// Component of the uncertainty that the warnings of a code are about.
 const SUBJECTS: &[(&str, Subject)] = &[
@@ -75,16 +75,25 @@ const SUBJECTS: &[(&str, Subject)] = &[
 pub(crate) fn weightiest(result: &RunResult) -> Option<Warning> {
     let doubt = |warning: &&Warning| DOUBTFUL.iter().position(|code| *code == warning.code);
     let doubtful = result.warnings.iter().filter(|w| doubt(w).is_some());
+    let digits = result.uncertainty.as_ref().map(Uncertainty::digits);
+    let with_worth = |warning: &Warning, watts: f64, digits: Digits| {
+        warning.with(&format!(" (worth {} W)", digits.rounded(watts)))
+    };
     if let Some(warning) = doubtful.min_by_key(doubt) {
-        return Some(warning.clone());
+        let known = worth(warning, result).zip(digits);
+        let known = known.filter(|(watts, digits)| digits.steps(*watts) > 0.0);
+        return Some(known.map_or_else(
+            || warning.clone(),
+            |(watts, digits)| with_worth(warning, watts, digits),
+        ));
     }
-    let digits = result.uncertainty.as_ref()?.digits();
+    let digits = digits?;
     let worth = result.warnings.iter().filter_map(|warning| {
         let watts = worth(warning, result)?;
         (digits.steps(watts) > 0.0).then_some((warning, watts))
     });
     let (warning, watts) = worth.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
-    Some(warning.with(&format!(" (worth {} W)", digits.rounded(watts))))
+    Some(with_worth(warning, watts, digits))
 }
 
 /// Change of the loss \[W\] that `warning` is about: half the range of its component of the uncertainty, or the contact of

@@ -24,6 +24,7 @@ const FIRST: usize = 6;
 const SECOND: usize = 8;
 const FILM_LAW: usize = SECOND + FACTORS;
 const PRESSURE_LAW: usize = AXES.len() + FACTORS + 1;
+const FAR_LAY: usize = PRESSURE_LAW + 1;
 
 /// Place of the axis of constant `k` among the orders.
 const fn order(k: usize) -> usize {
@@ -55,6 +56,8 @@ pub struct Draw {
     pub film_law: f64,
     /// Law of pressure where traction curves do not decide it, 0 to 1.
     pub pressure_law: f64,
+    /// Way from the loss at the lay of the case to that at the largest lay that is confirmed, 0 to 1.
+    pub far_lay: f64,
     /// Its part by the flanks.
     pub of_flanks: FlankDraw,
 }
@@ -85,6 +88,7 @@ impl Draw {
             power: 0.0,
             film_law: 0.0,
             pressure_law: 1.0,
+            far_lay: 0.0,
             of_flanks: FlankDraw {
                 model: 0.0,
                 sampling: 0.0,
@@ -104,7 +108,7 @@ pub fn shared_draws() -> impl Iterator<Item = Draw> {
 
 /// The strata of all draws on every axis.
 pub fn orders(seed: u64) -> Vec<Vec<usize>> {
-    permutations(DRAWS, PRESSURE_LAW + 1, seed)
+    permutations(DRAWS, FAR_LAY + 1, seed)
 }
 
 /// The draws with their strata in these orders.
@@ -122,6 +126,7 @@ pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
             power: normal[factor(5)],
             film_law: normal[orders[FILM_LAW][j]],
             pressure_law: place(orders[PRESSURE_LAW][j]),
+            far_lay: place(orders[FAR_LAY][j]),
             ..Draw::medians()
         }
     })

@@ -75,6 +75,9 @@ pub struct Predictive {
     /// The loss over β_i; `None` if no spot depends on it, or the case states it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inner_boundary: Option<InnerBoundary>,
+    /// Sliding loss at the largest lay that is confirmed, over that at the lay of the case; `None` of a lay among the records.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub far_lay: Option<f64>,
     /// Loss factors over tip reliefs; `None` if the case states its relief.
     pub relief: Option<ReliefFactors>,
     /// Law of the gap that the inlet supplies.
@@ -171,6 +174,8 @@ pub enum Component {
     Model,
     /// β_i.
     InnerBoundary,
+    /// Lay beyond the records of mixed lubrication.
+    FarLay,
     /// Rolling loss.
     Rolling,
     /// Error of the law of film friction.
@@ -266,6 +271,17 @@ impl Predictive {
         Some(self.law().loss(&draw))
     }
 
+    /// The loss at the largest lay that is confirmed, relative to the run; `None` of a lay among the records.
+    pub fn at_confirmed_lay(&self) -> Option<f64> {
+        self.far_lay?;
+        let law = self.law();
+        let draw = Draw {
+            far_lay: 1.0,
+            ..Draw::medians()
+        };
+        Some(law.loss(&draw) / law.loss(&Draw::medians()))
+    }
+
     /// The loss without tip relief and with the largest, relative to the run; `None` if the relief is stated.
     pub fn at_ends_of_relief(&self) -> Option<[f64; 2]> {
         self.relief.as_ref()?;
@@ -331,6 +347,22 @@ impl Predictive {
         };
         let x = 2.0 * draw.inner_boundary - 1.0;
         x * (at(slope) + x * at(bend))
+    }
+
+    /// The sliding loss of a lay beyond the records over the one at the lay of the case.
+    ///
+    /// ```text
+    /// 1 + u (S(1/6)/S − 1),  0 ≤ u ≤ 1                                              [Far-lay-draw]
+    /// ```
+    ///
+    /// Nothing judges the loss at such a lay: every value between that at the largest lay at which the contact of lines is
+    /// confirmed and that at the lay of the case is as likely as another.
+    fn by_far_lay(&self, draw: &Draw) -> f64 {
+        let Some(confirmed) = self.far_lay else {
+            return 1.0;
+        };
+        cite!("Far-lay-draw");
+        1.0 + draw.far_lay * (confirmed - 1.0)
     }
 
     /// Bias of the fast model over records, and its standard deviation.
@@ -442,6 +474,7 @@ impl DrawnLoss<'_> {
                     alone.of_flanks.model = of_flanks.model;
                 }
                 Component::InnerBoundary => alone.inner_boundary = draw.inner_boundary,
+                Component::FarLay => alone.far_lay = draw.far_lay,
                 Component::Rolling => alone.rolling = draw.rolling,
                 Component::FilmLaw => alone.film_law = draw.film_law,
                 Component::PressureLaw => alone.pressure_law = draw.pressure_law,
@@ -468,6 +501,7 @@ impl DrawnLoss<'_> {
             None => sliding * at(&of.sliding).exp(),
         };
         sheared *= of.by_inner_boundary(draw, z).exp();
+        sheared *= of.by_far_lay(draw);
         if let Some(law) = &of.film_law {
             sheared *= law.factor(draw.film_law);
         }

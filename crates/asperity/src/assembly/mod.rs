@@ -9,7 +9,9 @@ mod reversed;
 mod solved;
 mod warnings;
 
-pub(crate) use warnings::{gearbox as warnings_of_gearbox, of_case as warnings_of_case};
+pub(crate) use warnings::{
+    FAR_LAY, far_lay, gearbox as warnings_of_gearbox, of_case as warnings_of_case,
+};
 
 pub use reversed::Reversed;
 

@@ -50,6 +50,7 @@ pub(crate) fn warnings(
         ));
     }
     same_trace(loaded, &mut found);
+    found.extend(far_lay(loaded, None)?);
     no_sliding(
         loaded,
         positions.iter().map(|position| &position.at),
@@ -69,6 +70,7 @@ pub(crate) fn of_case(loaded: &LoadedCase, mesh: &Mesh) -> Result<Vec<Warning>, 
     let at = || mesh.positions.iter();
     notes(loaded, &mut found);
     same_trace(loaded, &mut found);
+    found.extend(far_lay(loaded, None)?);
     no_sliding(loaded, at(), &mut found);
     yielding(loaded, at(), &mut found)?;
     covered(loaded, at(), &mut found);
@@ -96,6 +98,32 @@ fn same_trace(loaded: &LoadedCase, found: &mut Vec<Warning>) {
             "both flanks use the same trace, so their roughness is correlated and S = sqrt(Rq1^2 + Rq2^2) is not exact",
         ));
     }
+}
+
+/// Code of the warning about a lay beyond the records.
+pub(crate) const FAR_LAY: &str = "W452";
+
+/// W452: a lay beyond the records of mixed lubrication, with the loss at a lay of 1/6 over that of the case where it was drawn.
+pub(crate) fn far_lay(
+    loaded: &LoadedCase,
+    confirmed: Option<f64>,
+) -> Result<Option<Warning>, PositionError> {
+    let Some(lay) = loaded.lay_beyond_records()? else {
+        return Ok(None);
+    };
+    let worth = confirmed.map_or(String::new(), |ratio| {
+        let side = if ratio < 1.0 { "lower" } else { "higher" };
+        let percent = 100.0 * (ratio - 1.0).abs();
+        format!("; at a lay of 1/6 the loss is {percent:.0} % {side}")
+    });
+    let text = format!(
+        "lay {:.2} of both flanks is above 1/3: no record of mixed lubrication has such flanks, and above 1/6 the contact of lines is not confirmed{worth}",
+        lay.gamma()
+    );
+    Ok(Some(Warning {
+        about: Some(Subject::Lay),
+        ..Warning::new(FAR_LAY, text)
+    }))
 }
 
 /// W443: the loss by film friction at pressures above those of the traction curves.

@@ -13,6 +13,7 @@ use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summa
 use crate::sampling::{means_of_pairs, pair_sampling, window_sampling, windows_of_traces};
 use asperity_case::case::{Formulation, FullFilmName, LoadShareName, LoadedCase, cholesky};
 use asperity_case::error::Error;
+use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_mixed_film::SpotSpeed;
 use asperity_tribo_friction::boundary::INNER_BOUNDARY_RANGE;
 use asperity_uncertainty::{
@@ -137,6 +138,7 @@ pub(super) fn count(loaded: &LoadedCase) -> usize {
                 } else {
                     0
                 }
+                + usize::from(matches!(loaded.lay_beyond_records(), Ok(Some(_))))
         }
     }
 }
@@ -178,6 +180,7 @@ pub(super) fn evaluate(
         film_law: film_law(loaded, nominal.summary),
         other_law: None,
         inner_boundary: None,
+        far_lay: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
         gap_law: loaded.case.model.gap_law,
         roughness_over_film: path.roughness_over_film,
@@ -253,6 +256,13 @@ pub(super) fn evaluate(
             predictive.surface_rms = (squares.sum::<f64>() / HELD_OUT as f64).sqrt();
             if draws_inner_boundary(loaded) {
                 predictive.inner_boundary = Some(inner_boundary(&base, &ratio)?);
+            }
+            if loaded.lay_beyond_records().map_err(whole)?.is_some() {
+                let mut confirmed = base.loaded.clone();
+                confirmed.case.model.lay = [Lay::CONFIRMED; 2];
+                let found = evaluated(&confirmed, Some(base.contacts))?;
+                (base.done)(1 + base.number.fetch_add(1, Ordering::Relaxed));
+                predictive.far_lay = Some(ratio(&found).exp());
             }
         }
     }

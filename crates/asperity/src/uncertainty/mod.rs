@@ -30,7 +30,7 @@ use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::Z_95;
 use asperity_core::provenance::Provenance;
 
-use crate::assembly::{equations_used, sources_used};
+use crate::assembly::{FAR_LAY, equations_used, far_lay, sources_used};
 use crate::contacts::Contacts;
 use crate::pipeline::{KeptFields, Progress, outcome};
 use crate::result::{
@@ -102,6 +102,16 @@ pub(crate) fn run_and_draw(
     if let Some((assumed, ends)) = of_relief.zip(predictive.at_ends_of_relief()) {
         let internal = loaded.case.gears.internal;
         warnings.insert(0, relief_warning(assumed, ends, internal));
+    }
+    if let Some(ratio) = predictive.at_confirmed_lay() {
+        let found = far_lay(&loaded, Some(ratio)).map_err(|error| Error::Whole(Box::new(error)))?;
+        for (warning, found) in warnings
+            .iter_mut()
+            .filter(|known| known.code == FAR_LAY)
+            .zip(found)
+        {
+            *warning = found;
+        }
     }
     if predictive.surface_rms > PRECISE {
         let percent = 100.0 * predictive.surface_rms;
@@ -319,6 +329,7 @@ fn parts(
             "boundary share of inner spots",
             RIG.to_owned(),
         ),
+        (Component::FarLay, "lay beyond the records", RIG.to_owned()),
         (
             Component::FilmLaw,
             "error of the film law",
@@ -350,6 +361,7 @@ fn parts(
                 Component::Sampling => Some(Subject::Sampling),
                 Component::Relief => Some(Subject::TipRelief),
                 Component::Model => Some(Subject::FastModel),
+                Component::FarLay => Some(Subject::Lay),
                 Component::Constant(k) => constant(k)
                     .filter(|kind| *kind == Constant::PressureViscosity)
                     .map(|_| Subject::PressureViscosity),
