@@ -440,14 +440,15 @@ fn film_law(loaded: &LoadedCase, summary: &Summary) -> Option<FilmLaw> {
 }
 
 /// Means over a path, weighted with the sliding loss.
-struct Path {
-    asperity_share: f64,
-    roughness_over_film: Option<f64>,
+pub(super) struct Path {
+    pub asperity_share: f64,
+    pub film_friction: f64,
+    pub roughness_over_film: Option<f64>,
     film_m: f64,
 }
 
 impl Path {
-    fn of(path: &[PositionRow]) -> Self {
+    pub fn of(path: &[PositionRow]) -> Self {
         let power = |row: &PositionRow| row.weight_m * row.sliding_w_per_m;
         let total: f64 = path.iter().map(power).sum();
         let mean = |of: &dyn Fn(&PositionRow) -> f64| match total > 0.0 {
@@ -457,6 +458,7 @@ impl Path {
         let is_known = path.iter().any(|row| row.roughness_over_film.is_some());
         Self {
             asperity_share: mean(&|row| 1.0 - row.film_share),
+            film_friction: mean(&|row| row.mu_film),
             roughness_over_film: is_known
                 .then(|| mean(&|row| row.roughness_over_film.unwrap_or(0.0))),
             film_m: mean(&|row| 1e-6 * row.film_central_um),

@@ -57,7 +57,7 @@ pub use difference::{
 pub use evaluations::{has_band, predictive};
 
 use evaluations::{Evaluated, Nominal, count, evaluate, evaluated, losses_of_positions, widest};
-use other_models::{OtherModel, other_models};
+use other_models::{OtherModel, by_formula, other_models};
 
 /// Error of ln loss by the interpolation of the draws that is worth a warning.
 const PRECISE: f64 = 0.02;
@@ -186,11 +186,8 @@ fn uncertainty(
             refuted_by: model.refuted_by.to_owned(),
         }
     };
-    let others = other_models(loaded)
-        .into_iter()
-        .zip(1..)
-        .map(of_model)
-        .collect();
+    let others = other_models(loaded).into_iter().zip(1..).map(of_model);
+    let others = others.chain(by_formula(loaded, &nominal)).collect();
     // A cancelled model is not one without solution.
     checkpoint()?;
     let draws_w = predictive.draws_w();
