@@ -502,7 +502,7 @@ fn shift(uncertainty: &Uncertainty) -> Option<String> {
     })
 }
 
-/// Losses by the admissible structures of the model, and by models that measurements refute.
+/// Losses over the boundary share that is drawn, and by models that records or measurements contradict.
 pub fn models(result: &RunResult) -> String {
     let Some(uncertainty) = &result.uncertainty else {
         return "no other models without an uncertainty\n".to_owned();
@@ -514,7 +514,7 @@ pub fn models(result: &RunResult) -> String {
         let line = format!("{:<52}  {loss:>8}  {}", row.name, row.standing());
         wrapped(&line, "    ") + "\n"
     });
-    std::iter::once("other models, and the measurements against them\n".to_owned())
+    std::iter::once("other models, and the evidence against them\n".to_owned())
         .chain(rows)
         .collect()
 }

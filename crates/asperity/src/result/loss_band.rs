@@ -28,8 +28,8 @@ pub struct Uncertainty {
     pub evaluations: usize,
     /// Root mean square error of the interpolation of ln loss, at evaluations that it was not fitted to.
     pub interpolation_error: f64,
-    /// Roughness that the contact leaves over the film, weighted with the sliding loss: beyond 2.1 (gap law
-    /// `power`: 2) the model loses more than records of mixed lubrication.
+    /// Roughness that the contact leaves over the film, weighted with the sliding loss: beyond 3 nothing judges the model, and its
+    /// error is wider (gap law `power`: beyond 2 it loses more than records of mixed lubrication).
     pub roughness_over_film: Option<f64>,
     /// Contribution of the sampling of the flanks.
     pub sampling: SamplingPart,
@@ -39,7 +39,7 @@ pub struct Uncertainty {
     pub boundary_w: Option<[f64; 2]>,
     /// The loss over the boundary share of inner spots, which is drawn.
     pub structures: Vec<AlternativeRow>,
-    /// The loss by models that measurements refute; none is drawn.
+    /// The loss by models that records or measurements contradict; none is drawn.
     pub other_models: Vec<AlternativeRow>,
     /// Trust in the result.
     pub trust: Trust,
@@ -248,17 +248,17 @@ pub struct AlternativeRow {
     pub name: String,
     /// All losses \[W\]; `None` if the model has no solution here.
     pub loss_w: Option<f64>,
-    /// The measurement that refutes it, and by how much; empty of an admissible model.
+    /// The records or measurements against it, and by how much; empty of a model that is drawn.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub refuted_by: String,
 }
 
 impl AlternativeRow {
-    /// The measurement that refutes the model, or that it is admissible.
+    /// The evidence against the model, or that it is drawn.
     #[must_use]
     pub fn standing(&self) -> &str {
         match self.refuted_by.is_empty() {
-            true => "not refuted: part of the interval",
+            true => "drawn: part of the interval",
             false => &self.refuted_by,
         }
     }
@@ -289,7 +289,7 @@ impl Uncertainty {
         }
     }
 
-    /// The loss by every model, the admissible structures first.
+    /// The loss by every model, those that are drawn first.
     pub fn models(&self) -> impl Iterator<Item = &AlternativeRow> {
         self.structures.iter().chain(&self.other_models)
     }

@@ -1,6 +1,6 @@
 //! Uncertainty of a loss: draws of its logarithm over constants, sampling of the flanks, tip relief that the case does
-//! not state, error of the model and its admissible structures. Models that measurements refute have a table of their
-//! own.
+//! not state, error of the model and the boundary share of spots that form inside the contact. Models that records or measurements
+//! contradict have a table of their own.
 //!
 //! The draws are the same for every case, so that two finishes differ by their flanks and not by the luck of the draw.
 //! A surface through some fifty evaluations gives the sliding loss of every draw; an evaluation costs film laws only, as

@@ -1,4 +1,4 @@
-//! Models that measurements refute: a table has their losses, no draw has them.
+//! Models that records or measurements contradict: a table has their losses, no draw has them.
 
 use asperity_core::cite;
 use asperity_mixed_film::{FilmPressure, SpotSpeed};
