@@ -315,7 +315,7 @@ pub struct RunArgs {
     /// Also print the published friction laws, each in place of the model
     #[arg(long)]
     pub laws: bool,
-    /// Also print the loss by other models, and the measurements against them
+    /// Also print the loss over the boundary share that is drawn, and by other models with the evidence against them
     #[arg(long)]
     pub models: bool,
     /// Also find the ridges of the traces that cost most, for the report; takes about six times the time of the contacts

@@ -692,14 +692,14 @@ fn tips_of_the_addendum_alone_are_noted_with_what_their_alteration_is_worth() {
     // By hand: k = (a - 54 mm)/3 mm - .96 with a = 56.4999 mm; tips of 45.6 and 80.16 mm less 2 * .38 mm.
     let noted = keys("model.offsets=2");
     for part in [
-        "W452 gears.tip_diameter: not stated",
+        "W453 gears.tip_diameter: not stated",
         "tips of 45.600 and 80.160 mm, a contact ratio of 1.348",
         "k = -0.127 of ISO 21771 gives tips of 44.840 and 79.400 mm, a contact ratio of 1.202 and H_V 0.217",
     ] {
         assert!(noted.contains(part), "{noted}");
     }
     let stated = keys("gears.tip_diameter=[\"44.84 mm\", \"79.4 mm\"]");
-    assert!(!stated.contains("W452"), "{stated}");
+    assert!(!stated.contains("W453"), "{stated}");
     let usual = bench.run(&["check", "case.toml"]).well().out;
-    assert!(!usual.contains("W452"), "{usual}");
+    assert!(!usual.contains("W453"), "{usual}");
 }

@@ -90,18 +90,54 @@ fn kept_contacts_give_the_losses_of_fresh_ones() {
 }
 
 #[test]
-fn the_draws_with_spots_fed_at_half_the_sliding_speed_are_runs_of_that_model() {
+fn the_draws_over_the_boundary_share_of_inner_spots_are_runs_with_that_share() {
     let (case, found) = e_drive();
-    let other = case
-        .with_key("model.spot_speed", "\"half-sliding\"")
-        .unwrap();
-    let run = asperity::losses(&other).unwrap().summary.loss_w;
-    let row = found
-        .structures
-        .iter()
-        .find(|row| row.name.contains("half the sliding"));
-    let drawn = row.unwrap().loss_w.unwrap();
-    assert!((drawn / run - 1.0).abs() < 0.03, "{drawn} {run}");
+    for share in ["0.6", "0.75", "0.9"] {
+        let other = case.with_key("model.inner_boundary", share).unwrap();
+        let run = asperity::losses(&other).unwrap().summary.loss_w;
+        let mut rows = found.structures.iter();
+        let row = rows.find(|row| row.name.ends_with(share));
+        let drawn = row.unwrap().loss_w.unwrap();
+        assert!((drawn / run - 1.0).abs() < 0.015, "{share}: {drawn} {run}");
+    }
+}
+
+#[test]
+fn a_lay_beyond_the_records_is_named_and_reaches_down_to_a_confirmed_lay() {
+    let with = |lay: &str| case("e-drive.toml").with_key("model.lay", lay).unwrap();
+    let found = |case: &LoadedCase| {
+        let outcome = Run::new(case).fields(&KEPT).band(true).execute();
+        outcome.unwrap().result
+    };
+    let is_far = |warnings: &[asperity::message::Warning]| {
+        warnings.iter().any(|warning| warning.code == "W452")
+    };
+    let far_part = |result: &RunResult| {
+        let parts = &result.uncertainty.as_ref().unwrap().loss.parts;
+        let mut parts = parts.iter();
+        parts
+            .find(|part| part.name == "lay beyond the records")
+            .cloned()
+    };
+    let recorded = found(&with("0.33"));
+    assert!(!is_far(&recorded.warnings) && far_part(&recorded).is_none());
+    let far = with("0.6");
+    assert!(is_far(&asperity::pipeline::check(&far).unwrap()));
+    let result = found(&far);
+    let shown = asperity_report::brief(&result, 80);
+    assert!(
+        shown.contains("W452") && shown.contains("(worth "),
+        "{shown}"
+    );
+    let confirmed = asperity::losses(&with("0.166666666666667")).unwrap();
+    let [low, high] = [&confirmed.summary, &result.summary].map(|summary| summary.loss_w);
+    let uncertainty = result.uncertainty.as_ref().unwrap();
+    // Scaled to the median of the draws: a twentieth of the way from either end.
+    let ends = far_part(&result).unwrap().quantiles_w;
+    for (end, part) in ends.into_iter().zip([0.05, 0.95]) {
+        let expected = uncertainty.scale() * (low + part * (high - low));
+        assert!((end / expected - 1.0).abs() < 5e-3, "{end} {expected}");
+    }
 }
 
 #[test]

@@ -391,11 +391,11 @@ fn losses_are_said_with_the_digits_of_their_band() {
     let drawn = result.loss_distribution.unwrap();
     let [low, high] = drawn.quantiles_w;
     let [loss, efficiency] = result.with_bands();
-    // The last place is a fortieth to a quarter of the interval, rounding half of it.
+    // The last place is a hundredth to a tenth of the interval, rounding half of it.
     let near = |what: &str, found: [f64; 3], expected: [f64; 3], width: f64| {
         for (found, expected) in found.into_iter().zip(expected) {
             assert!(
-                (found - expected).abs() < 0.126 * width,
+                (found - expected).abs() < 0.0501 * width,
                 "{what}: {found} {expected}"
             );
         }

@@ -8,6 +8,7 @@ use std::path::Path;
 
 use asperity::Run;
 use asperity::case::LoadedCase;
+use asperity::result::loss_band::Digits;
 use asperity::uncertainty::{Verdict, difference};
 
 use crate::band::{Banded, both};
@@ -117,15 +118,11 @@ fn saving(first: &Banded, other: &Banded) -> String {
     format!("{saved} | {verdict}")
 }
 
-/// Value and ends in steps of the power of ten below a quarter of the width.
+/// Value and ends as screens print them.
 fn rounded(value: f64, [low, high]: [f64; 2]) -> String {
-    let exponent = ((high - low) / 4.0).log10().floor() as i32;
-    let step = 10f64.powi(exponent);
-    let text = |value: f64| {
-        let decimals = (-exponent).max(0) as usize;
-        format!("{:.decimals$}", (value / step).round() * step)
-    };
-    format!("{} ({}..{})", text(value), text(low), text(high))
+    let digits = Digits::of_interval([low, high]);
+    let [value, low, high] = [value, low, high].map(|value| digits.rounded(value));
+    format!("{value} ({low}..{high})")
 }
 
 fn e_drive_row(k: usize) -> String {

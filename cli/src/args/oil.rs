@@ -43,7 +43,8 @@ pub enum OilCommand {
         after_help = "Examples:\n  asperity oil stribeck stribeck.csv --oil m100\n  \
         asperity oil stribeck new.txt rubbed.txt --rubbing \"0 s,2 h\" --oil case.toml\n\n\
         The files have the columns of a traction curve, and rubbing_s, the time for which the specimens\n\
-        have rubbed before. Points with a film of at most a fifth of the roughness count."
+        have rubbed before. Points with a film of at most a fifth of the roughness count. How much of the\n\
+        load of gears the layer carries does not follow from them: model.inner_boundary is drawn."
     )]
     Stribeck(OilStribeckArgs),
 }

@@ -5,9 +5,9 @@ use std::cell::RefCell;
 use asperity::core::numerics::{Z_95, Z_975, range, standard_normal_quantile, student_t_quantile};
 use asperity::ehl_regime::GapLaw;
 use asperity_uncertainty::{
-    AXES, Component, Draw, Expected, FilmLaw, Measured, Measurement, OtherLaw, Predictive,
-    QuadraticSurface, Quantiles, Ranged, SamplingError, State, Structure, StudentOfNormal,
-    UncertainParameter, flank_draws, latin_hypercube, model_deviation,
+    AXES, Component, Draw, Expected, FilmLaw, InnerBoundary, Measured, Measurement, OtherLaw,
+    Predictive, QuadraticSurface, Quantiles, Ranged, SamplingError, StudentOfNormal,
+    UncertainParameter, flank_draws, latin_hypercube,
 };
 
 /// A case of which nothing is uncertain but the error of the model and the rolling loss.
@@ -25,7 +25,8 @@ fn plain() -> Predictive {
         asperity_share: 0.2,
         film_law: None,
         other_law: None,
-        structure: None,
+        inner_boundary: None,
+        far_lay: None,
         relief: None,
         gap_law: GapLaw::Inlet,
         roughness_over_film: Some(1.0),
@@ -41,6 +42,9 @@ fn shared_draws(found: &Predictive) -> Vec<Draw> {
     drawn.into_inner()
 }
 
+/// Error of the model at s = 1: √(0.03² + 0.02²).
+const MODEL_ERROR: f64 = 0.036_055_512_754_639_89;
+
 fn constant(kind: UncertainParameter, [low, value, high]: [f64; 3]) -> Ranged {
     Ranged {
         kind,
@@ -55,8 +59,8 @@ fn constant(kind: UncertainParameter, [low, value, high]: [f64; 3]) -> Ranged {
 #[test]
 fn draws_have_the_spread_of_their_components() {
     let found = plain();
-    // Error of the model 0.05 on 90 W, of the rolling loss 0.12 on 10 W: ln P to first order.
-    let expected = (0.9_f64 * 0.05).hypot(0.1 * 0.12);
+    // Error of the model at s = 1 on 90 W, of the rolling loss 0.12 on 10 W: ln P to first order.
+    let expected = (0.9 * MODEL_ERROR).hypot(0.1 * 0.12);
     let drawn = found.quantiles();
     assert!((drawn.median_w / 100.0 - 1.0).abs() < 2e-3, "{drawn:?}");
     assert!(
@@ -108,11 +112,10 @@ fn quantiles_depend_little_on_the_seed() {
     let found = Predictive {
         constants: vec![friction],
         sliding: QuadraticSurface::fit(&points, &values),
-        structure: Some(Structure {
-            half_sliding: [0.15, 0.0, 0.0],
-            film_friction: 0.03,
-            loss_factor_w: 2000.0,
-            boundary_friction: 0.09,
+        inner_boundary: Some(InnerBoundary {
+            slope: [0.07, 0.0, 0.0],
+            bend: [0.0; 3],
+            boundary: [0.0; 2],
         }),
         roughness_over_film: Some(2.8),
         sampling: SamplingError {
@@ -130,7 +133,7 @@ fn quantiles_depend_little_on_the_seed() {
         let losses = losses.map(|(place, of_flanks)| {
             // Constants are drawn without the outermost 0.5 % of either side.
             let mut draw = Draw {
-                state: place[1],
+                inner_boundary: place[1],
                 weight: place[2],
                 rolling: standard_normal_quantile(place[3]),
                 of_flanks,
@@ -277,7 +280,7 @@ fn the_error_of_the_film_law_acts_on_the_film_friction() {
 
 #[test]
 fn losses_narrow_what_all_flanks_share() {
-    // μ_b alone is shared, 0.3 of ln loss; error of the model 0.05, of the measurement 0.04.
+    // μ_b alone is shared, 0.3 of ln loss; error of the model at s = 1, of the measurement 0.04.
     let friction = constant(UncertainParameter::BoundaryFriction, [0.066, 0.09, 0.123]);
     let points: Vec<Vec<f64>> = (-4..=4).map(|k| vec![0.5 * f64::from(k)]).collect();
     let values: Vec<f64> = points.iter().map(|z| 0.3 * z[0]).collect();
@@ -290,9 +293,9 @@ fn losses_narrow_what_all_flanks_share() {
     let after = |measurement| Expected::of(&[(&found, 1, 0)]).after(&[Some(measurement)]);
     let losses = Measurement::Losses { deviation: 0.04 };
     let left = after(losses).unwrap();
-    // Normal distributions: 1/(1/0.3² + 1/(0.04² + 0.05²)), and the error of the model of the own flanks.
-    let error = 0.04_f64.hypot(0.05);
-    let expected = (1.0 / (1.0 / 0.09 + 1.0 / error.powi(2)) + 0.05 * 0.05).sqrt();
+    // Normal distributions: 1/(1/0.3² + 1/(0.04² + e²)), and the error of the model of the own flanks.
+    let error = 0.04_f64.hypot(MODEL_ERROR);
+    let expected = (1.0 / (1.0 / 0.09 + 1.0 / error.powi(2)) + MODEL_ERROR * MODEL_ERROR).sqrt();
     assert!(
         (left.sd_ln / expected - 1.0).abs() < 0.05,
         "{left:?} {expected}"
@@ -306,7 +309,9 @@ fn losses_narrow_what_all_flanks_share() {
         deviation: sd / 3.0,
     };
     let left = after(third).unwrap();
-    assert!((left.sd_ln / 0.1_f64.hypot(0.05) - 1.0).abs() < 0.03);
+    // Constants are drawn without the outermost 0.5 % of either side, which leaves 0.9616 of their deviation.
+    let expected = (0.1 * 0.9616_f64).hypot(MODEL_ERROR);
+    assert!((left.sd_ln / expected - 1.0).abs() < 0.01);
     assert_eq!(after(Measurement::TipRelief), None);
     assert_eq!(after(Measurement::Lay), None);
     // Two such meshes: the constant is common, the errors of the model are independent unless the flanks are equal.
@@ -316,9 +321,9 @@ fn losses_narrow_what_all_flanks_share() {
             .unwrap()
             .sd_ln
     };
-    let independent = 0.05 * 0.25_f64.hypot(0.75);
+    let independent = MODEL_ERROR * 0.25_f64.hypot(0.75);
     let of_both = two(1, [Some(third); 2]);
-    let common = (left.sd_ln.powi(2) - 0.05 * 0.05).sqrt();
+    let common = (left.sd_ln.powi(2) - MODEL_ERROR * MODEL_ERROR).sqrt();
     let expected = common.hypot(independent);
     assert!(
         (of_both / expected - 1.0).abs() < 0.02,
@@ -343,26 +348,55 @@ fn losses_narrow_what_all_flanks_share() {
 }
 
 #[test]
-fn a_rule_with_a_step_adds_its_share() {
-    let structure = Structure {
-        half_sliding: [0.1, 0.0, 0.0],
-        film_friction: 0.04,
-        loss_factor_w: 1000.0,
-        boundary_friction: 0.09,
-    };
+fn the_boundary_share_of_inner_spots_is_drawn_evenly_about_the_run() {
     let found = Predictive {
-        structure: Some(structure),
+        inner_boundary: Some(InnerBoundary {
+            slope: [0.1, 0.02, 0.0],
+            bend: [0.01, 0.0, 0.0],
+            boundary: [0.2, 0.01],
+        }),
         ..plain()
     };
-    assert_eq!(found.in_state(State::Entrainment), Some(100.0));
-    // 0.27·0.2·(0.09 − 0.04)·1000 W.
-    assert!((found.in_state(State::StepRule).unwrap() - 102.7).abs() < 1e-9);
+    // The sliding loss of 90 W.
+    for (place, ln) in [(0.0, -0.09), (0.5, 0.0), (1.0, 0.11)] {
+        let expected = 90.0 * f64::exp(ln) + 10.0;
+        let at = found.at_inner_boundary(place).unwrap();
+        assert!((at - expected).abs() < 1e-9, "{place}: {at}");
+    }
+    let inner = found.inner_boundary.as_ref().unwrap();
+    for (place, expected) in [(0.0, 0.81), (0.5, 1.0), (1.0, 1.21)] {
+        assert!((inner.boundary_at(place) - expected).abs() < 1e-15);
+    }
+    let ends = [0.0, 0.5, 1.0].map(InnerBoundary::value);
     assert!(
-        (found.in_state(State::HalfSliding).unwrap() - (90.0 * 0.1_f64.exp() + 10.0)).abs() < 1e-9
+        ends.iter()
+            .zip([0.6, 0.75, 0.9])
+            .all(|(a, b)| (a - b).abs() < 1e-15)
     );
-    let drawn = found.quantiles();
-    assert!(drawn.median_w > 100.0, "{drawn:?}");
-    assert_eq!(plain().in_state(State::StepRule), None);
+    let drawn = found.alone(Component::InnerBoundary).unwrap();
+    assert!((drawn.median_w / 100.0 - 1.0).abs() < 1e-3, "{drawn:?}");
+    // An even distribution has its 5 and 95 % quantiles at 0.1 of its width from the ends.
+    for (found, x) in drawn.quantiles_w.into_iter().zip([-0.9, 0.9]) {
+        let expected = 90.0 * f64::exp(0.1 * x + 0.01 * x * x) + 10.0;
+        assert!((found - expected).abs() < 0.02, "{found} {expected}");
+    }
+    assert_eq!(plain().at_inner_boundary(0.5), None);
+}
+
+#[test]
+fn a_lay_beyond_the_records_is_drawn_from_the_loss_at_a_confirmed_lay_to_its_own() {
+    let found = Predictive {
+        far_lay: Some(0.7),
+        ..plain()
+    };
+    // The sliding loss of 90 W.
+    assert!((found.at_confirmed_lay().unwrap() - (0.7 * 90.0 + 10.0) / 100.0).abs() < 1e-12);
+    let drawn = found.alone(Component::FarLay).unwrap();
+    for (quantile, part) in drawn.quantiles_w.into_iter().zip([0.95, 0.05]) {
+        let expected = 90.0 * (1.0 - 0.3 * part) + 10.0;
+        assert!((quantile - expected).abs() < 0.02, "{quantile} {expected}");
+    }
+    assert_eq!(plain().alone(Component::FarLay), None);
 }
 
 #[test]
@@ -380,20 +414,16 @@ fn thin_films_are_corrected_downwards() {
         };
         -((found.law().loss(&all) - 10.0) / 90.0).ln()
     };
-    for (s, expected) in [(2.1, 0.0), (3.0, 0.144), (6.0, 0.28)] {
-        assert!(near(bias(&of(s)), expected), "{s}");
-        assert!(
-            near(model_deviation(GapLaw::Inlet, s, 0.2)[0], expected),
-            "{s}"
-        );
-    }
+    let rough = |s: f64| 0.03_f64.hypot(0.02 * s);
     for (s, error) in [
-        (0.5, 0.05),
-        (1.8, 0.07),
-        (2.4, 0.105),
-        (3.0, 0.185),
-        (6.0, 0.25),
+        (0.5, rough(0.5)),
+        (1.75, rough(1.75)),
+        (3.0, rough(3.0)),
+        (3.5, 0.5 * (rough(3.0) + 0.15)),
+        (4.0, 0.15),
+        (6.0, 0.15),
     ] {
+        assert_eq!(bias(&of(s)), 0.0, "{s}");
         assert!((of(s).model_error() - error).abs() < 1e-12, "{s}");
     }
     let power = |s: f64| Predictive {
@@ -402,7 +432,7 @@ fn thin_films_are_corrected_downwards() {
     };
     assert!(near(bias(&power(2.5)), 0.08) && near(bias(&power(6.0)), 0.2));
     assert_eq!(power(6.0).model_error(), 0.05);
-    assert!(of(6.0).quantiles().median_w < 95.0);
+    assert!(power(6.0).quantiles().median_w < 95.0);
     // The error of the rolling loss of 10 W.
     for (film_m, error) in [(0.4e-6, 0.12), (1.2e-6, 0.25)] {
         let found = Predictive { film_m, ..plain() };

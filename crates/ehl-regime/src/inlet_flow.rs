@@ -99,6 +99,10 @@ impl Lay {
     pub const GROUND: Self = Self(1.0 / 12.0);
     /// No lay, γ = 1.
     pub const ISOTROPIC: Self = Self(1.0);
+    /// Largest lay at which the contact of lines is confirmed, γ = 1/6.
+    pub const CONFIRMED: Self = Self(1.0 / 6.0);
+    /// Largest lay of a record of mixed lubrication, γ = 1/3.
+    pub const RECORDED: Self = Self(1.0 / 3.0);
 
     /// The lay of this γ.
     ///

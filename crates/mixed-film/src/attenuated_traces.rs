@@ -74,17 +74,18 @@ impl AttenuatedTraces {
         )
     }
 
-    /// Derivatives over the sums of the pressures and of the heights at each point of two windows, from those over the pressures and
-    /// heights of the parts of their ripple. `None` of a film that does not ripple.
+    /// Derivatives over the sums of the pressures and of the heights at each point of two windows, from those over lengths,
+    /// pressures and heights of the parts of their ripple. `None` of a film that does not ripple.
     #[must_use]
     pub fn ripple_gradient(
         &self,
         starts: [isize; 2],
         points: usize,
-        by_parts: &[[f64; 2]],
+        by_parts: &[[f64; 3]],
     ) -> Option<[Vec<f64>; 2]> {
         let pressures = mirrored_sums(self.pressures.as_ref()?, starts, points);
-        (!by_parts.is_empty()).then(|| part_gradient(&pressures, by_parts))
+        let heights = || mirrored_sums(&self.heights, starts, points);
+        (!by_parts.is_empty()).then(|| part_gradient(&heights(), &pressures, by_parts))
     }
 
     /// [`window`](Self::window) that may reach beyond the ends of the traces, where these are mirrored.

@@ -9,8 +9,10 @@
 //! | σ_d | standard deviation of the attenuated roughness in the window | m |
 //! | μ_f, μ_a, μ_b | coefficients of film, lubricated asperities and boundary layer | - |
 //!
-//! φ is where the gap of the contact, which falls with φ, equals the gap supplied. Touching asperities are lubricated: they
-//! shear the oil near its limiting stress, and only what of them is closer than the boundary layer rubs with μ_b.
+//! φ is where the gap of the contact, which falls with φ, equals the gap supplied. The film shears at the pressure of its share of
+//! the load, which ripples with the roughness. Touching asperities are lubricated: they shear the oil near its limiting stress, and
+//! only what of them is closer than the boundary layer rubs with μ_b. A spot keeps the film of the inlet until the flanks have slid
+//! past it; one that forms inside the contact has no film that flows.
 //!
 //! | step | type |
 //! |---|---|
@@ -25,8 +27,20 @@
 //! The table does not depend on oil, temperature or speed: changing these costs film laws only, no contact.
 //! Everything here is serial and pure, and needs no gear and no case file: two traces, a line contact and an oil.
 //!
+//! Mean, standard deviation and root mean square of ln friction over solutions of mixed lubrication (plane strain, full load, 64
+//! windows, the boundary friction whole below the solid film and fading above it), 85 of them with σ_d/h_c below 3 and 8 above:
+//!
+//! | film and spots | below 3 | above 3 |
+//! |---|---|---|
+//! | film at the pressure of the whole load, film of the inlet in every spot | -0.026, 0.065, 0.070 | +0.154 |
+//! | film at its own pressure | -0.118, 0.099, 0.154 | +0.037 |
+//! | its own pressure, film of half the sliding speed in every spot | -0.007, 0.076, 0.076 | +0.126 |
+//! | the default: rippled pressure, carried films, heights above the mean line | 0.000, 0.050, 0.050 | +0.069 |
+//!
+//! β_i and the heights that count were chosen on these solutions, which are no test of the default.
+//!
 //! The gap supplied has two laws ([`GapLaw`](asperity_ehl_regime::GapLaw)), compared with 57 solutions of mixed lubrication
-//! (plane strain; friction with the weight of the spots), mean and root mean square of the fast model over them:
+//! (plane strain; former films and spots, friction with the weight of the spots), mean and root mean square of the fast model:
 //!
 //! | gap law, σ_d/h_c | φ | ln gap | ln μ |
 //! |---|---|---|---|

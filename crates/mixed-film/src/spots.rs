@@ -15,7 +15,7 @@
 use std::f64::consts::PI;
 
 use asperity_core::cite;
-use asperity_core::quantity::{Length, Pressure, Speed, Temperature};
+use asperity_core::quantity::{Length, Temperature};
 use asperity_ehl_regime::FilmGroups;
 use asperity_ehl_regime::film_line::moes;
 use asperity_oil::{FilmOilState, FilmRheology};
@@ -60,8 +60,19 @@ pub(crate) enum Feed {
     },
 }
 
-/// Shear stresses of the films of a spot at a nearby state \[Pa\], if known.
-pub(crate) type SpotStresses = [Option<f64>; 2];
+/// Shear stresses of the films of a spot at a nearby state, if known.
+pub(crate) type SpotStresses = [Option<SpotStress>; 2];
+
+/// Shear stress of a film of a spot.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SpotStress {
+    /// Temperature of the walls \[K\].
+    wall: f64,
+    /// \[Pa\]
+    stress: f64,
+    /// Slope over the temperature of the walls \[Pa/K\].
+    slope: f64,
+}
 
 /// Slid distance over the largest width of two equal crests, during which they touch.
 const CROSSING: f64 = 2.0 * std::f64::consts::SQRT_2;
@@ -155,6 +166,8 @@ impl SpotConditions<'_> {
         stresses: &mut [SpotStresses],
     ) -> Result<SpotFriction, LoadShareError> {
         cite!("Spot-friction");
+        cite!("Limiting-shear");
+        cite!("Larsson-Andersson");
         let state = self.rheology.state(self.wall)?;
         let (mut total, mut sum) = (0.0, SpotFriction::default());
         for (spot, stress) in spots.iter().zip(stresses) {
@@ -236,16 +249,19 @@ impl SpotConditions<'_> {
             if at.part == 0.0 {
                 continue;
             }
-            let place = (
-                Pressure::from_si(pressure),
-                Speed::from_si(self.sliding),
-                Length::from_si(at.film.max(THINNEST)),
-            );
-            let sheared_film = self.rheology.shear_stress_from(place, self.wall, *stress)?;
-            *stress = Some(sheared_film.value);
+            let rheology = self.rheology;
+            let point = rheology.film_point(pressure, self.sliding, at.film.max(THINNEST));
+            let wall = self.wall.si();
+            let start = stress.map(|near| near.stress + near.slope * (wall - near.wall));
+            let (sheared, slope) = rheology.heated_stress(&point, wall, start)?;
+            *stress = Some(SpotStress {
+                wall,
+                stress: sheared.value,
+                slope,
+            });
             let of_film = SpotFriction {
                 boundary_share: at.boundary_share,
-                lubricated: (1.0 - at.boundary_share) * sheared_film.value / pressure,
+                lubricated: (1.0 - at.boundary_share) * sheared.value / pressure,
                 film: at.film,
             };
             sum.add(&of_film, at.part);
@@ -294,12 +310,16 @@ impl SpotConditions<'_> {
             return Ok([with_film(1.0, film)?, with_film(0.0, film)?]);
         };
         cite!("Carried-film");
-        let flowing = self.film(state, contact, half_sliding)?;
-        let layer = self.boundary_layer.si();
         // Without a boundary layer nothing is left of the share on it.
-        let held = match layer > 0.0 {
-            true => flowing.min(layer * (1.0 / inner_boundary - 1.0)),
-            false => flowing,
+        let held = match self.boundary_layer.si() {
+            layer if layer > 0.0 => layer * (1.0 / inner_boundary - 1.0),
+            _ => f64::INFINITY,
+        };
+        // A film rises with its speed, at most in proportion.
+        let least_flowing = film * (half_sliding / speed).min(1.0);
+        let held = match held < least_flowing {
+            true => held,
+            false => held.min(self.film(state, contact, half_sliding)?),
         };
         Ok([with_film(part, film)?, with_film(1.0 - part, held)?])
     }

@@ -5,8 +5,26 @@ use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::Attenuation;
 use serde::{Deserialize, Serialize};
 
-/// Parts of equal length into which a window is sorted by the pressure that flattens it.
+/// Parts into which a window is divided by the pressure that flattens it.
 const PARTS: usize = 24;
+/// Places of a window that are looked at at least, at even distances: twelve a part.
+const PLACES: usize = 12 * PARTS;
+
+/// The places of a window that are looked at: an odd number of points apart and as many points from both ends, so that the mirrored
+/// window has the same.
+fn places(points: usize) -> impl Iterator<Item = usize> + Clone {
+    let stride = match points / PLACES {
+        0 => 1,
+        stride => stride - (stride + 1) % 2,
+    };
+    let rest = points.saturating_sub(1) % stride;
+    let begin = match rest % 2 {
+        0 => rest / 2,
+        // One place fewer.
+        _ => (rest + stride) / 2,
+    };
+    (begin..points - begin).step_by(stride)
+}
 
 /// Heights that count in the gap that the inlet of rough flanks supplies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
@@ -14,9 +32,9 @@ const PARTS: usize = 24;
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum GapRoughness {
     /// Heights above the mean line: across the ridges the narrow places decide the flow.
+    #[default]
     Peaks,
     /// All heights.
-    #[default]
     Rms,
 }
 
@@ -26,11 +44,11 @@ pub enum GapRoughness {
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum FilmPressure {
     /// The pressure of the film's share of the load, higher where it flattens peaks and lower in valleys.
+    #[default]
     Rippled,
     /// The pressure of the film's share of the load.
     Own,
     /// The Hertz pressure of the whole load.
-    #[default]
     Hertz,
 }
 
@@ -72,7 +90,7 @@ pub struct RipplePart {
 pub struct WindowRoughness {
     /// σ_d
     pub deviation: Length,
-    /// Parts from the lowest pressure to the highest; none where the film does not ripple.
+    /// Parts from the lowest pressure to the highest; none where the film does not ripple or no pressure flattens the window.
     pub ripple: Vec<RipplePart>,
 }
 
@@ -156,48 +174,162 @@ pub(crate) fn deviation_gradient(heights: &[f64], weight: f64) -> Vec<f64> {
     heights.iter().map(of).collect()
 }
 
-/// Derivatives over pressure and height at each point, from those over the parts, which are means over their points without the mean
-/// of the window.
-pub(crate) fn part_gradient(pressures: &[f64], by_parts: &[[f64; 2]]) -> [Vec<f64>; 2] {
-    let n = pressures.len();
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_unstable_by(|&i, &j| pressures[i].total_cmp(&pressures[j]));
-    let filled = (0..PARTS).map(|k| &order[k * n / PARTS..(k + 1) * n / PARTS]);
-    let filled = filled.filter(|points| !points.is_empty());
-    let total = [0, 1].map(|of: usize| by_parts.iter().map(|by| by[of]).sum::<f64>() / n as f64);
-    let mut gradient = total.map(|mean| vec![-mean; n]);
-    for (points, by_part) in filled.zip(by_parts) {
-        for &point in points {
-            for (of, by) in gradient.iter_mut().zip(by_part) {
-                of[point] += by / points.len() as f64;
+/// Parts that share a place of a window, with its share in each and the slope of that over u.
+type Placed = [(usize, f64, f64); 3];
+
+/// Scale of the pressures of a window: mean and standard deviation of those at its places.
+#[derive(Clone, Copy)]
+struct Scale {
+    mean: f64,
+    deviation: f64,
+}
+
+impl Scale {
+    fn of(pressures: &[f64]) -> Self {
+        let values = || places(pressures.len()).map(|i| pressures[i]);
+        let n = values().count() as f64;
+        let mean = values().sum::<f64>() / n;
+        let squares = values().map(|p| (p - mean) * (p - mean)).sum::<f64>();
+        Self {
+            mean,
+            deviation: (squares / n).sqrt(),
+        }
+    }
+
+    fn u(self, pressure: f64) -> f64 {
+        (pressure - self.mean) / self.deviation
+    }
+
+    /// ```text
+    /// x = N (1/2 + u/(4 √(1 + u²/4))) − k − 1/2,  u = (p′ − mean p′)/sd p′
+    /// w_k = 3/4 − x² for |x| < 1/2, else (3/2 − |x|)²/2 for |x| < 3/2              [Ripple-parts]
+    /// ```
+    ///
+    /// A place counts in three of the N parts, by the quadratic B-spline about their middles: the parts change steadily with the
+    /// heights. What falls beyond the first or last part counts in it. At the mean a part is .17 standard deviations wide, at twice
+    /// the deviation .47.
+    fn placed(self, pressure: f64) -> Placed {
+        let u = self.u(pressure);
+        let root = (1.0 + 0.25 * u * u).sqrt();
+        let parts = PARTS as f64;
+        let place = parts * (0.5 + 0.25 * u / root);
+        let slope = 0.25 * parts / (root * root * root);
+        let middle = (place as usize).min(PARTS - 1);
+        let x = place - middle as f64 - 0.5;
+        let [below, above] = [0.5 - x, 0.5 + x];
+        [
+            (
+                middle.saturating_sub(1),
+                0.5 * below * below,
+                -below * slope,
+            ),
+            (middle, 0.75 - x * x, -2.0 * x * slope),
+            (
+                (middle + 1).min(PARTS - 1),
+                0.5 * above * above,
+                above * slope,
+            ),
+        ]
+    }
+}
+
+/// Number of places in each part, with the sums over them of pressure and height.
+fn sums(heights: &[f64], pressures: &[f64], scale: Scale) -> [[f64; 3]; PARTS] {
+    let mut sums = [[0.0; 3]; PARTS];
+    for i in places(pressures.len()) {
+        let (p, z) = (pressures[i], heights[i]);
+        for (part, weight, _) in scale.placed(p) {
+            for (sum, value) in sums[part].iter_mut().zip([1.0, p, z]) {
+                *sum += weight * value;
             }
         }
     }
-    gradient
+    sums
 }
 
-/// The parts of a window, sorted by pressure.
+/// The parts of a window that have places, in the order of their pressures.
 fn ripple(heights: &[f64], pressures: &[f64]) -> Vec<RipplePart> {
-    let means = [heights, pressures].map(mean);
-    let mut places: Vec<[f64; 2]> = (pressures.iter().zip(heights))
-        .map(|(p, z)| [p - means[1], z - means[0]])
-        .collect();
-    places.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
-    let n = places.len();
-    let part = |k: usize| {
-        let of_part = &places[k * n / PARTS..(k + 1) * n / PARTS];
-        let count = of_part.len() as f64;
-        let sum = |i: usize| of_part.iter().map(|place| place[i]).sum::<f64>();
-        RipplePart {
-            length: count / n as f64,
-            pressure: sum(0) / count,
-            height: sum(1) / count,
-        }
+    cite!("Ripple-parts");
+    let scale = Scale::of(pressures);
+    if scale.deviation == 0.0 {
+        return Vec::new();
+    }
+    let sums = sums(heights, pressures, scale);
+    let total = |of: usize| sums.iter().map(|part| part[of]).sum::<f64>();
+    let n = total(0);
+    let height = total(2) / n;
+    let filled = sums.iter().filter(|[places, ..]| *places > 0.0);
+    let part = |[places, pressure, z]: &[f64; 3]| RipplePart {
+        length: places / n,
+        pressure: pressure / places - scale.mean,
+        height: z / places - height,
     };
-    (0..PARTS)
-        .map(part)
-        .filter(|part| part.length > 0.0)
-        .collect()
+    filled.map(part).collect()
+}
+
+/// Derivatives over pressure and height at each point of a window, from those over length, pressure and height of its parts.
+///
+/// ```text
+/// g_i = Σ_k (dw_ik/du_i) c_ik,  c_ik = J_l/n + (J_p (p_i − p_k) + J_y (y_i − y_k))/n_k
+/// ∂J/∂p_i = q_i − mean q,  q_i = Σ_k w_ik J_p/n_k + (g_i − u_i mean(g u))/sd p′               [Ripple-gradient]
+/// ```
+///
+/// n_k, p_k, y_k are number of places, pressure and height of part k, J_l, J_p, J_y the derivatives over them, w_ik the share of
+/// place i in it.
+pub(crate) fn part_gradient(
+    heights: &[f64],
+    pressures: &[f64],
+    by_parts: &[[f64; 3]],
+) -> [Vec<f64>; 2] {
+    cite!("Ripple-gradient");
+    let mut gradient = [0, 1].map(|_| vec![0.0; pressures.len()]);
+    let scale = Scale::of(pressures);
+    if scale.deviation == 0.0 {
+        return gradient;
+    }
+    let sums = sums(heights, pressures, scale);
+    let n = sums.iter().map(|part| part[0]).sum::<f64>();
+    let mut of_parts = [[0.0; 3]; PARTS];
+    let filled = (0..PARTS).filter(|k| sums[*k][0] > 0.0);
+    for (k, by_part) in filled.zip(by_parts) {
+        of_parts[k] = *by_part;
+    }
+    let value = |part: usize, p: f64, z: f64| {
+        let [places, pressure, height] = sums[part];
+        let [by_length, by_pressure, by_height] = of_parts[part];
+        if places == 0.0 {
+            return 0.0;
+        }
+        let of_means = by_pressure * (p - pressure / places) + by_height * (z - height / places);
+        by_length / n + of_means / places
+    };
+    let all = places(pressures.len());
+    let mut by_scale = 0.0;
+    let [over_pressure, over_height] = &mut gradient;
+    for i in all.clone() {
+        let (p, z) = (pressures[i], heights[i]);
+        let mut moved = 0.0;
+        for (part, weight, slope) in scale.placed(p) {
+            if sums[part][0] > 0.0 {
+                let [_, by_pressure, by_height] = of_parts[part];
+                over_pressure[i] += weight * by_pressure / sums[part][0];
+                over_height[i] += weight * by_height / sums[part][0];
+            }
+            moved += slope * value(part, p, z);
+        }
+        over_pressure[i] += moved / scale.deviation;
+        by_scale += moved * scale.u(p);
+    }
+    for i in all.clone() {
+        over_pressure[i] -= scale.u(pressures[i]) * by_scale / (n * scale.deviation);
+    }
+    for of in &mut gradient {
+        let mean = all.clone().map(|i| of[i]).sum::<f64>() / n;
+        for i in all.clone() {
+            of[i] -= mean;
+        }
+    }
+    gradient
 }
 
 #[cfg(test)]
@@ -251,7 +383,6 @@ mod tests {
         let heights = wave(1003);
         let pressures: Vec<f64> = heights.iter().map(|z| 3.0 * z + 7.0).collect();
         let parts = ripple(&heights, &pressures);
-        assert_eq!(parts.len(), PARTS);
         let total = |of: &dyn Fn(&RipplePart) -> f64| parts.iter().map(of).sum::<f64>();
         assert!((total(&|part| part.length) - 1.0).abs() < 1e-12);
         assert!(total(&|part| part.length * part.pressure).abs() < 1e-12);
@@ -263,6 +394,72 @@ mod tests {
         for part in &parts {
             assert!((part.pressure - 3.0 * part.height).abs() < 1e-12);
         }
-        assert_eq!(ripple(&heights[..5], &pressures[..5]).len(), 5);
+        assert_eq!(ripple(&heights, &vec![7.0; heights.len()]), []);
+    }
+
+    #[test]
+    fn a_mirrored_window_has_the_same_places() {
+        for points in (1..2000).step_by(7).chain([1, 2, 3, 10_000, 10_001]) {
+            let found: Vec<usize> = places(points).collect();
+            let mirrored: Vec<usize> = found.iter().rev().map(|i| points - 1 - i).collect();
+            assert_eq!(found, mirrored);
+            assert!(
+                found.len() >= points.min(PLACES - 1),
+                "{points}: {}",
+                found.len()
+            );
+        }
+    }
+
+    #[test]
+    fn the_gradient_of_the_parts_is_their_central_difference() {
+        let heights: Vec<f64> = wave(600).iter().map(|z| z + 0.4 * z * z).collect();
+        let other = |i: usize| (0.7 * i as f64).sin();
+        let pressures: Vec<f64> = (heights.iter().enumerate())
+            .map(|(i, z)| 3.0 * z + other(i))
+            .collect();
+        // Any smooth number of the parts.
+        let number = |parts: &[RipplePart]| {
+            let of = |part: &RipplePart| {
+                part.length * (part.pressure.powi(2) + (part.height * part.pressure).sin())
+            };
+            parts.iter().map(of).sum::<f64>()
+        };
+        let by_parts: Vec<[f64; 3]> = (ripple(&heights, &pressures).iter())
+            .map(|part| {
+                let RipplePart {
+                    length: l,
+                    pressure: p,
+                    height: z,
+                } = part;
+                let (sin, cos) = (z * p).sin_cos();
+                [p * p + sin, l * (2.0 * p + z * cos), l * p * cos]
+            })
+            .collect();
+        let gradient = part_gradient(&heights, &pressures, &by_parts);
+        // A wide bump moves many places between the parts.
+        let bump = |i: usize| f64::exp(-((i as f64 - 200.0) / 60.0).powi(2));
+        for (which, gradient) in gradient.iter().enumerate() {
+            let at = |step: f64| {
+                let moved = |of: &[f64], is_moved: bool| -> Vec<f64> {
+                    let step = if is_moved { step } else { 0.0 };
+                    let moved = of
+                        .iter()
+                        .enumerate()
+                        .map(|(i, value)| value + step * bump(i));
+                    moved.collect()
+                };
+                number(&ripple(
+                    &moved(&heights, which == 1),
+                    &moved(&pressures, which == 0),
+                ))
+            };
+            let expected: f64 = gradient.iter().enumerate().map(|(i, g)| g * bump(i)).sum();
+            let quotient = (at(1e-5) - at(-1e-5)) / 2e-5;
+            assert!(
+                (expected / quotient - 1.0).abs() < 1e-4,
+                "{which}: {expected} {quotient}"
+            );
+        }
     }
 }

@@ -79,7 +79,9 @@ def test_a_notebook_shows_summary_and_chart(result):
 
 def test_the_uncertainty_goes_with_a_run(result):
     case = asperity.Case(CASES / "e-drive.toml", model={"positions": 4, "offsets": 4})
-    uncertainty = case.run().uncertainty
+    found = case.run()
+    uncertainty = found.uncertainty
+    assert f"loss {uncertainty.loss.median_w:.4g} (" in repr(found), "a drawn loss is its median with its quantiles"
     low, high = uncertainty.loss.quantiles_w
     assert low < uncertainty.loss.median_w < high and uncertainty.draws == 16_384
     parts = uncertainty.loss.parts

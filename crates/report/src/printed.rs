@@ -9,6 +9,10 @@ pub(crate) struct PrintedLoss {
     pub loss: String,
     /// Film, lubricated asperities, boundary layer and rolling; deformation and running-in where they matter.
     pub parts: Vec<PrintedPart>,
+    /// Lubricated asperities and boundary layer together.
+    pub asperities: String,
+    /// Boundary layer, with its interval if it is drawn.
+    pub boundary: String,
 }
 
 /// Part of a loss.
@@ -54,8 +58,19 @@ impl PrintedLoss {
         let places = in_sliding.iter().chain(&steps[1..]);
         let parts = PARTS.iter().zip(all.zip(places)).enumerate();
         let matters = |number: usize, watts: f64| number < ALWAYS || watts > NAMED * s.loss_w;
+        let boundary = powers.text(scale * s.boundary_w, in_sliding[2]);
+        let of_asperities = scale * (s.lubricated_asperity_w + s.boundary_w);
+        let interval = uncertainty.and_then(|uncertainty| uncertainty.boundary_w);
+        let interval = interval.map(|ends| ends.map(|watts| powers.digits.rounded(watts)));
         Self {
             loss: powers.text(median, loss),
+            asperities: powers.text(of_asperities, in_sliding[1] + in_sliding[2]),
+            boundary: match (interval, boundary.strip_suffix(" W")) {
+                (Some([low, high]), Some(number)) if low != high => {
+                    format!("{number} ({low}..{high}) W")
+                }
+                _ => boundary,
+            },
             parts: parts
                 .filter(|(number, (_, (watts, _)))| matters(*number, *watts))
                 .map(|(_, ((name, key), (watts, place)))| PrintedPart {
@@ -69,11 +84,14 @@ impl PrintedLoss {
     }
 }
 
+/// Names of the two parts of the friction of asperities.
+pub(crate) const LUBRICATED: &str = "lubricated asperities";
+pub(crate) const BOUNDARY: &str = "boundary layer";
 /// Names of the parts and their keys in `result.json`.
 const PARTS: [(&str, &str); 7] = [
     ("film", "summary.film_w"),
-    ("lubricated asperities", "summary.lubricated_asperity_w"),
-    ("boundary layer", "summary.boundary_w"),
+    (LUBRICATED, "summary.lubricated_asperity_w"),
+    (BOUNDARY, "summary.boundary_w"),
     ("rolling", "summary.rolling_w"),
     ("deformation of the pinion", "summary.deformation_w"),
     ("deformation of the wheel", "summary.deformation_w"),

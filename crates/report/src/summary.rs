@@ -2,12 +2,14 @@
 
 use std::fmt::Write as _;
 
-use crate::printed::{PrintedLoss, gearbox_with_interval, of_mesh, stated, stated_parts, watts};
+use crate::printed::{
+    BOUNDARY, LUBRICATED, PrintedLoss, gearbox_with_interval, of_mesh, stated, stated_parts, watts,
+};
 use crate::ridges;
 use crate::tables::BODIES;
 use crate::wrap::{COLUMNS, wrapped, wrapped_within};
 use asperity::message::{Subject, Warning};
-use asperity::result::loss_band::{Trust, Uncertainty, UncertaintyPart, rounded};
+use asperity::result::loss_band::{Digits, Trust, Uncertainty, UncertaintyPart, rounded};
 use asperity::result::{
     BulkReport, GearboxReport, MicropittingReport, PairSampling, PositionRow, PublishedOutcome,
     Regime, RunResult, Summary,
@@ -49,8 +51,8 @@ pub fn headline(result: &RunResult) -> String {
 
 /// Codes of warnings about inputs that make the result doubtful, the most important first.
 const DOUBTFUL: &[&str] = &[
-    "W451", "W201", "W402", "W426", "W412", "W405", "W441", "W322", "W117", "W124", "W327", "W128",
-    "W112", "W132", "W448", "W118", "W111", "W125",
+    "W451", "W201", "W402", "W426", "W412", "W452", "W405", "W441", "W322", "W117", "W124", "W327",
+    "W128", "W112", "W132", "W448", "W118", "W111", "W125",
 ];
 /// Component of the uncertainty that the warnings of a code are about.
 const SUBJECTS: &[(&str, Subject)] = &[
@@ -69,16 +71,25 @@ const SUBJECTS: &[(&str, Subject)] = &[
 pub(crate) fn weightiest(result: &RunResult) -> Option<Warning> {
     let doubt = |warning: &&Warning| DOUBTFUL.iter().position(|code| *code == warning.code);
     let doubtful = result.warnings.iter().filter(|w| doubt(w).is_some());
+    let digits = result.uncertainty.as_ref().map(Uncertainty::digits);
+    let with_worth = |warning: &Warning, watts: f64, digits: Digits| {
+        warning.with(&format!(" (worth {} W)", digits.rounded(watts)))
+    };
     if let Some(warning) = doubtful.min_by_key(doubt) {
-        return Some(warning.clone());
+        let known = worth(warning, result).zip(digits);
+        let known = known.filter(|(watts, digits)| digits.steps(*watts) > 0.0);
+        return Some(known.map_or_else(
+            || warning.clone(),
+            |(watts, digits)| with_worth(warning, watts, digits),
+        ));
     }
-    let digits = result.uncertainty.as_ref()?.digits();
+    let digits = digits?;
     let worth = result.warnings.iter().filter_map(|warning| {
         let watts = worth(warning, result)?;
         (digits.steps(watts) > 0.0).then_some((warning, watts))
     });
     let (warning, watts) = worth.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
-    Some(warning.with(&format!(" (worth {} W)", digits.rounded(watts))))
+    Some(with_worth(warning, watts, digits))
 }
 
 /// Change of the loss \[W\] that `warning` is about: half the range of its component of the uncertainty, or the contact of
@@ -129,11 +140,15 @@ fn verdict(result: &RunResult, columns: usize) -> String {
 
 /// The parts of a loss in a line.
 fn parts(printed: &PrintedLoss) -> String {
-    let parts = printed.parts.iter();
-    let parts: Vec<String> = parts
-        .map(|part| format!("{} {}", part.name, part.text))
-        .collect();
-    parts.join(", ")
+    let parts = printed.parts.iter().filter_map(|part| match part.name {
+        LUBRICATED => None,
+        BOUNDARY => Some(format!(
+            "asperities {}, of which {BOUNDARY} {}",
+            printed.asperities, printed.boundary
+        )),
+        name => Some(format!("{name} {}", part.text)),
+    });
+    parts.collect::<Vec<_>>().join(", ")
 }
 
 /// The regime with the load on the asperities.
@@ -395,7 +410,7 @@ fn run_in(result: &RunResult) -> Vec<String> {
 /// Largest parts of the uncertainty that the first screen names.
 const LARGEST_PARTS: usize = 3;
 /// Deviation of the median from the run that is worth a line.
-const NOTED_SHIFT: f64 = 0.03;
+const NOTED_SHIFT: f64 = 0.01;
 
 /// The largest parts of the interval, what narrows it in one line, and the trust in the flanks.
 fn composition(uncertainty: &Uncertainty, columns: usize) -> String {
@@ -460,7 +475,7 @@ fn shift(uncertainty: &Uncertainty) -> Option<String> {
     (shift.abs() > NOTED_SHIFT).then(|| {
         format!(
             "the run with every constant at its median loses {} W, the median of the draws is {:.0} % {}: \
-            the boundary rule, the feed of the spots and the bias of the model change the loss in one direction",
+            a tip relief or lay that is not stated, errors of more than a fifth, or the bias of the gap law `power` change the loss more in one direction than in the other",
             uncertainty.digits().rounded(uncertainty.at_medians_w),
             100.0 * shift.abs(),
             if shift > 0.0 { "higher" } else { "lower" },
@@ -468,7 +483,7 @@ fn shift(uncertainty: &Uncertainty) -> Option<String> {
     })
 }
 
-/// Losses by the admissible structures of the model, and by models that measurements refute.
+/// Losses over the boundary share that is drawn, and by models that records or measurements contradict.
 pub fn models(result: &RunResult) -> String {
     let Some(uncertainty) = &result.uncertainty else {
         return "no other models without an uncertainty\n".to_owned();
@@ -480,7 +495,7 @@ pub fn models(result: &RunResult) -> String {
         let line = format!("{:<52}  {loss:>8}  {}", row.name, row.standing());
         wrapped(&line, "    ") + "\n"
     });
-    std::iter::once("other models, and the measurements against them\n".to_owned())
+    std::iter::once("other models, and the evidence against them\n".to_owned())
         .chain(rows)
         .collect()
 }

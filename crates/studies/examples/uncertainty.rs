@@ -80,8 +80,8 @@ fn cells() {
                     found.loss.median_w,
                     found.scale().ln(),
                     held(loss(&former)),
-                    held(of("half")),
-                    held(of("step")),
+                    held(of("0.6")),
+                    held(of("0.9")),
                 );
             }
         }

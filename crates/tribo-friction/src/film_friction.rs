@@ -339,15 +339,16 @@ impl<'a> LoadedFilm<'a> {
         let rule = "must be positive";
         DomainError::require(areas > 0.0, "area of the film", areas, "-", rule)?;
         self.nodes.resize(self.few.len() * GROUPS, Node::EMPTY);
-        let mut nodes = self.nodes.iter_mut();
-        for [pressure, weight] in &self.few {
+        let places = self.nodes.chunks_exact_mut(GROUPS);
+        for ([pressure, weight], nodes) in self.few.iter().zip(places) {
             let mean = share * pressure;
-            for group in groups(mean, share * share, parts) {
-                let Some(node) = nodes.next() else { break };
+            let before = near_stresses(nodes);
+            for (node, group) in nodes.iter_mut().zip(groups(mean, share * share, parts)) {
                 let film = (group.log_film / group.load).exp();
                 let at = [group.square / group.load, self.sliding, film];
                 node.point = point(self.rheology, self.heat, at);
                 node.weight = weight / share * group.load / at[0] / areas;
+                node.stress = before.and_then(|before| guess(&before, at[0]));
             }
         }
         Ok(())
@@ -526,6 +527,33 @@ fn groups(mean: f64, scale: f64, parts: &[FilmRipple]) -> [Group; GROUPS] {
         }
     }
     groups
+}
+
+/// Pressure, and stress with its slope, of each group at a place of the film that was sheared last.
+type NearStresses = [[f64; 3]; GROUPS];
+
+/// What a place of the film that was sheared last knows; `None` of one that was not.
+fn near_stresses(nodes: &[Node]) -> Option<NearStresses> {
+    let mut known = [[0.0; 3]; GROUPS];
+    for (known, node) in known.iter_mut().zip(nodes) {
+        let [stress, slope] = node.stress?;
+        *known = [node.point.pressure(), stress, slope];
+    }
+    Some(known)
+}
+
+/// Start for the stress of a node at another pressure with its slope, on the line through two groups of the film sheared last;
+/// `None` where that is not above zero.
+fn guess(before: &NearStresses, pressure: f64) -> Option<[f64; 2]> {
+    let inner = before[1..GROUPS - 1].iter();
+    let k = inner.take_while(|[p, ..]| *p < pressure).count();
+    let ([p, stress, slope], [p_next, next, _]) = (before[k], before[k + 1]);
+    let by_pressure = match p_next > p {
+        true => (next - stress) / (p_next - p),
+        false => 0.0,
+    };
+    let found = stress + by_pressure * (pressure - p);
+    (found > 0.0).then_some([found, slope])
 }
 
 fn require_share(share: f64) -> Result<(), FrictionError> {

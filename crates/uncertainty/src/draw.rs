@@ -24,6 +24,7 @@ const FIRST: usize = 6;
 const SECOND: usize = 8;
 const FILM_LAW: usize = SECOND + FACTORS;
 const PRESSURE_LAW: usize = AXES.len() + FACTORS + 1;
+const FAR_LAY: usize = PRESSURE_LAW + 1;
 
 /// Place of the axis of constant `k` among the orders.
 const fn order(k: usize) -> usize {
@@ -39,8 +40,8 @@ const fn order(k: usize) -> usize {
 pub struct Draw {
     /// Constants by their axis.
     pub constants: [f64; AXES.len()],
-    /// State of the structure, 0 to 1.
-    pub state: f64,
+    /// β_i in its range, 0 to 1.
+    pub inner_boundary: f64,
     /// Weight of the bias of the model, 0 to 1.
     pub weight: f64,
     /// Rolling loss.
@@ -55,6 +56,8 @@ pub struct Draw {
     pub film_law: f64,
     /// Law of pressure where traction curves do not decide it, 0 to 1.
     pub pressure_law: f64,
+    /// Way from the loss at the lay of the case to that at the largest lay that is confirmed, 0 to 1.
+    pub far_lay: f64,
     /// Its part by the flanks.
     pub of_flanks: FlankDraw,
 }
@@ -77,7 +80,7 @@ impl Draw {
     pub const fn medians() -> Self {
         Self {
             constants: [0.0; AXES.len()],
-            state: 0.0,
+            inner_boundary: 0.5,
             weight: 0.0,
             rolling: 0.0,
             relief: 0.5,
@@ -85,6 +88,7 @@ impl Draw {
             power: 0.0,
             film_law: 0.0,
             pressure_law: 1.0,
+            far_lay: 0.0,
             of_flanks: FlankDraw {
                 model: 0.0,
                 sampling: 0.0,
@@ -104,7 +108,7 @@ pub fn shared_draws() -> impl Iterator<Item = Draw> {
 
 /// The strata of all draws on every axis.
 pub fn orders(seed: u64) -> Vec<Vec<usize>> {
-    permutations(DRAWS, PRESSURE_LAW + 1, seed)
+    permutations(DRAWS, FAR_LAY + 1, seed)
 }
 
 /// The draws with their strata in these orders.
@@ -114,7 +118,7 @@ pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
         let factor = |k: usize| orders[FIRST + k][j];
         Draw {
             constants: std::array::from_fn(|k| cut[orders[order(k)][j]]),
-            state: place(factor(0)),
+            inner_boundary: place(factor(0)),
             weight: place(factor(1)),
             rolling: normal[factor(2)],
             relief: place(factor(3)),
@@ -122,6 +126,7 @@ pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
             power: normal[factor(5)],
             film_law: normal[orders[FILM_LAW][j]],
             pressure_law: place(orders[PRESSURE_LAW][j]),
+            far_lay: place(orders[FAR_LAY][j]),
             ..Draw::medians()
         }
     })

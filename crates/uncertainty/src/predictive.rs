@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | P_j | loss of draw j | W |
 //! | S | sliding loss at the constants θ of the draw | W |
-//! | D | change by the step rule of the boundary layer | W |
+//! | β_i | least boundary share of spots that form inside the contact, 0.6 to 0.9 | - |
 //! | F | ratio of the loss factors with the drawn tip relief and in the run | - |
 //! | γ | power of F, 1.15 ± 0.08 (standard deviation) | - |
 //! | Q | rolling loss | W |
@@ -13,12 +13,13 @@
 //! | g | ln of the ratio of the losses by the fast model and by records of mixed lubrication, at its mean | - |
 //! | SE, ν | standard error of ln P by the sampling of the flanks, its degrees of freedom | - |
 //!
-//! The draws are the same for every case. All flanks share the constants, the structure, the tip relief and the rolling
+//! The draws are the same for every case. All flanks share the constants, β_i, the tip relief and the rolling
 //! loss of a draw; model error and sampling differ from flanks to other flanks.
 
 use asperity_core::cite;
 use asperity_core::numerics::interpolate;
 use asperity_ehl_regime::{FULL_FILM, GapLaw};
+use asperity_tribo_friction::boundary::INNER_BOUNDARY_RANGE;
 use serde::{Deserialize, Serialize};
 
 use crate::draw::{DRAWS, Draw, flank_draws, shared_draws};
@@ -29,16 +30,15 @@ use crate::relief::ReliefFactors;
 use crate::sampling_error::SamplingError;
 use crate::surface::QuadraticSurface;
 
-/// Probability of the exponential boundary rule with spots fed at the entrainment speed, and with the step rule added.
-const STATES: [f64; 2] = [0.65, 0.90];
-/// Slope of the change by the step rule: .24 to .44 of the share of the reference in 21 records.
-const STEP_RULE: f64 = 0.27;
 /// Mean and standard deviation of the power of the ratio of loss factors.
 const RELIEF_POWER: [f64; 2] = [1.15, 0.08];
-/// Standard deviation of ln of the fast model over records: of smooth films, and of rough ones between values of s. The values
-/// at s = 1.5 to 2.7 are fitted; the value of smooth films and the last are judged.
+/// Standard deviation of ln of the fast model over records: of smooth films, and what roughness adds in squares per s up to
+/// [`COMPARED`]. Judged with the scatter of 93 records in view: most of it is their own error and the choice of windows.
 const SMOOTH_ERROR: f64 = 0.03;
-const ROUGH_ERROR: [(f64, f64); 4] = [(1.5, 0.05), (2.1, 0.09), (2.7, 0.12), (3.3, 0.25)];
+const ERROR_PER_ROUGHNESS: f64 = 0.02;
+/// s up to which the records are a reference, and the s from which nothing is, with the standard deviation there.
+const COMPARED: f64 = 3.0;
+const UNKNOWN: (f64, f64) = (4.0, 0.15);
 /// The same of rough films by the gap law `power`.
 const POWER_ERROR: f64 = 0.05;
 
@@ -72,8 +72,12 @@ pub struct Predictive {
     /// The other law of pressure, where traction curves do not decide between two.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub other_law: Option<OtherLaw>,
-    /// Open choices of a solved contact; `None` if the share of the asperities follows from a formula.
-    pub structure: Option<Structure>,
+    /// The loss over β_i; `None` if no spot depends on it, or the case states it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inner_boundary: Option<InnerBoundary>,
+    /// Sliding loss at the largest lay that is confirmed, over that at the lay of the case; `None` of a lay among the records.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub far_lay: Option<f64>,
     /// Loss factors over tip reliefs; `None` if the case states its relief.
     pub relief: Option<ReliefFactors>,
     /// Law of the gap that the inlet supplies.
@@ -87,18 +91,36 @@ pub struct Predictive {
     pub sampling: SamplingError,
 }
 
-/// Structural choices of the solved share of the asperities.
+/// ln of the sliding loss over the one at the middle of β_i, a parabola.
+///
+/// ```text
+/// ln S(β_i)/S = a x + b x²,  x = (2 β_i − 0.6 − 0.9)/(0.9 − 0.6)                     [Inner-boundary-draw]
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Structure {
-    /// ln of the ratio of the sliding losses with spots fed at half the sliding speed and at the entrainment speed:
-    /// constant, and slopes over the standardised boundary friction and boundary layer.
-    pub half_sliding: [f64; 3],
-    /// Film friction weighted with the sliding loss.
-    pub film_friction: f64,
-    /// Loss factor times power into the mesh \[W\].
-    pub loss_factor_w: f64,
-    /// Boundary friction at the medians.
-    pub boundary_friction: f64,
+pub struct InnerBoundary {
+    /// a: constant, and slopes over the standardised boundary friction and boundary layer.
+    pub slope: [f64; 3],
+    /// b: the same.
+    pub bend: [f64; 3],
+    /// Slope and bend of the friction of the boundary layer, over that at the middle.
+    pub boundary: [f64; 2],
+}
+
+impl InnerBoundary {
+    /// β_i of a place in its range, 0 to 1.
+    #[must_use]
+    pub fn value(place: f64) -> f64 {
+        let [low, high] = INNER_BOUNDARY_RANGE;
+        low + place * (high - low)
+    }
+
+    /// Friction of the boundary layer at a place in the range of β_i, over that at the middle, at the medians.
+    #[must_use]
+    pub fn boundary_at(&self, place: f64) -> f64 {
+        let [slope, bend] = self.boundary;
+        let x = 2.0 * place - 1.0;
+        1.0 + x * (slope + x * bend)
+    }
 }
 
 /// Error of the law of film friction whose constants traction curves state.
@@ -137,49 +159,6 @@ impl FilmLaw {
     }
 }
 
-/// The state of the structure in a draw.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum State {
-    /// Spots fed at the entrainment speed.
-    Entrainment,
-    /// Step rule of the boundary layer.
-    StepRule,
-    /// Spots fed at half the sliding speed.
-    HalfSliding,
-}
-
-impl State {
-    /// All states, the likeliest first.
-    pub const ALL: [Self; 3] = [Self::Entrainment, Self::StepRule, Self::HalfSliding];
-
-    fn of(probability: f64) -> Self {
-        match probability {
-            p if p < STATES[0] => Self::Entrainment,
-            p if p < STATES[1] => Self::StepRule,
-            _ => Self::HalfSliding,
-        }
-    }
-
-    /// Its name.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Entrainment => "spots fed at the entrainment speed",
-            Self::StepRule => "step rule of the boundary layer",
-            Self::HalfSliding => "spots fed at half the sliding speed",
-        }
-    }
-
-    /// A probability that has this state.
-    const fn place(self) -> f64 {
-        match self {
-            Self::Entrainment => 0.0,
-            Self::StepRule => STATES[0],
-            Self::HalfSliding => STATES[1],
-        }
-    }
-}
-
 /// A component of the uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Component {
@@ -193,8 +172,10 @@ pub enum Component {
     Relief,
     /// Error of the fast model.
     Model,
-    /// Boundary rule and feed of the spots.
-    Structure,
+    /// β_i.
+    InnerBoundary,
+    /// Lay beyond the records of mixed lubrication.
+    FarLay,
     /// Rolling loss.
     Rolling,
     /// Error of the law of film friction.
@@ -207,7 +188,7 @@ impl Predictive {
     /// The losses of all draws \[W\].
     ///
     /// ```text
-    /// P_j = [S(θ_j, z_j) + D(z_j)] F(c_j, l_j)^γ exp(−w_j g + e_j) + Q exp(q n_j),  ln P_j += SE t_ν,j   [Predictive-draw]
+    /// P_j = S(θ_j, β_i,j) F(c_j, l_j)^γ exp(−w_j g + e_j) + Q exp(q n_j),  ln P_j += SE t_ν,j   [Predictive-draw]
     /// ```
     ///
     /// A draw above the power P_in into the mesh is set to it, and a draw below P₀²/P_in, as far below the loss P₀ at the medians,
@@ -280,14 +261,25 @@ impl Predictive {
         self.law().alone(component)
     }
 
-    /// Loss at the medians in a state of the structure \[W\]; `None` without a choice.
-    pub fn in_state(&self, state: State) -> Option<f64> {
-        self.structure.as_ref()?;
+    /// Loss at the medians with β_i at a place in its range, 0 to 1 \[W\]; `None` if it is not drawn.
+    pub fn at_inner_boundary(&self, place: f64) -> Option<f64> {
+        self.inner_boundary.as_ref()?;
         let draw = Draw {
-            state: state.place(),
+            inner_boundary: place,
             ..Draw::medians()
         };
         Some(self.law().loss(&draw))
+    }
+
+    /// The loss at the largest lay that is confirmed, relative to the run; `None` of a lay among the records.
+    pub fn at_confirmed_lay(&self) -> Option<f64> {
+        self.far_lay?;
+        let law = self.law();
+        let draw = Draw {
+            far_lay: 1.0,
+            ..Draw::medians()
+        };
+        Some(law.loss(&draw) / law.loss(&Draw::medians()))
     }
 
     /// The loss without tip relief and with the largest, relative to the run; `None` if the relief is stated.
@@ -334,35 +326,43 @@ impl Predictive {
         z
     }
 
-    fn half_sliding(&self, structure: &Structure, z: &[f64]) -> f64 {
-        let of = |kind| {
-            let place = self
-                .constants
-                .iter()
-                .position(|constant| constant.kind == kind);
-            place.map_or(0.0, |k| z[k])
+    /// ln of the sliding loss over the one at the middle of β_i.
+    fn by_inner_boundary(&self, draw: &Draw, z: &[f64]) -> f64 {
+        let Some(InnerBoundary { slope, bend, .. }) = &self.inner_boundary else {
+            return 0.0;
         };
-        let [constant, friction, layer] = structure.half_sliding;
-        constant
-            + friction * of(UncertainParameter::BoundaryFriction)
-            + layer * of(UncertainParameter::BoundaryLayer)
+        cite!("Inner-boundary-draw");
+        let of = |kind| {
+            let mut kinds = self.constants.iter();
+            kinds
+                .position(|constant| constant.kind == kind)
+                .map_or(0.0, |k| z[k])
+        };
+        let (friction, layer) = (
+            of(UncertainParameter::BoundaryFriction),
+            of(UncertainParameter::BoundaryLayer),
+        );
+        let at = |[constant, by_friction, by_layer]: &[f64; 3]| {
+            constant + by_friction * friction + by_layer * layer
+        };
+        let x = 2.0 * draw.inner_boundary - 1.0;
+        x * (at(slope) + x * at(bend))
     }
 
-    /// D: the whole boundary friction on all films below h_b, instead of a share that falls with the film.
+    /// The sliding loss of a lay beyond the records over the one at the lay of the case.
     ///
     /// ```text
-    /// D = 0.27 φ (μ_b − μ_film) H_V P_in ≥ 0                                       [Step-rule]
+    /// 1 + u (S(1/6)/S − 1),  0 ≤ u ≤ 1                                              [Far-lay-draw]
     /// ```
-    fn step_rule(&self, structure: &Structure, z: &[f64], change_of_share: f64) -> f64 {
-        cite!("Step-rule");
-        let boundary = self.constants.iter().zip(z);
-        let mut drawn =
-            boundary.filter(|(constant, _)| constant.kind == UncertainParameter::BoundaryFriction);
-        let friction = drawn
-            .next()
-            .map_or(structure.boundary_friction, |(constant, z)| constant.at(*z));
-        let share = (self.asperity_share + change_of_share).clamp(0.0, 1.0);
-        STEP_RULE * share * (friction - structure.film_friction).max(0.0) * structure.loss_factor_w
+    ///
+    /// Nothing judges the loss at such a lay: every value between that at the largest lay at which the contact of lines is
+    /// confirmed and that at the lay of the case is as likely as another.
+    fn by_far_lay(&self, draw: &Draw) -> f64 {
+        let Some(confirmed) = self.far_lay else {
+            return 1.0;
+        };
+        cite!("Far-lay-draw");
+        1.0 + draw.far_lay * (confirmed - 1.0)
     }
 
     /// Bias of the fast model over records, and its standard deviation.
@@ -473,7 +473,8 @@ impl DrawnLoss<'_> {
                     alone.weight = draw.weight;
                     alone.of_flanks.model = of_flanks.model;
                 }
-                Component::Structure => alone.state = draw.state,
+                Component::InnerBoundary => alone.inner_boundary = draw.inner_boundary,
+                Component::FarLay => alone.far_lay = draw.far_lay,
                 Component::Rolling => alone.rolling = draw.rolling,
                 Component::FilmLaw => alone.film_law = draw.film_law,
                 Component::PressureLaw => alone.pressure_law = draw.pressure_law,
@@ -491,10 +492,6 @@ impl DrawnLoss<'_> {
         let standardised = |correlations| of.standardised(draw, correlations);
         let z = &standardised(&of.correlations)[..of.constants.len()];
         let at = |surface: &Option<QuadraticSurface>| surface.as_ref().map_or(0.0, |s| s.at(z));
-        let state = of
-            .structure
-            .as_ref()
-            .map(|structure| (State::of(draw.state), structure));
         let law = of.other_law.as_ref();
         let mut sheared = match law.filter(|law| draw.pressure_law < law.probability) {
             Some(law) => {
@@ -503,13 +500,8 @@ impl DrawnLoss<'_> {
             }
             None => sliding * at(&of.sliding).exp(),
         };
-        match state {
-            Some((State::HalfSliding, structure)) => sheared *= of.half_sliding(structure, z).exp(),
-            Some((State::StepRule, structure)) => {
-                sheared += of.step_rule(structure, z, at(&of.share))
-            }
-            _ => {}
-        }
+        sheared *= of.by_inner_boundary(draw, z).exp();
+        sheared *= of.by_far_lay(draw);
         if let Some(law) = &of.film_law {
             sheared *= law.factor(draw.film_law);
         }
@@ -541,34 +533,35 @@ impl DrawnLoss<'_> {
 /// Bias g of ln of the losses by the fast model over those by records of mixed lubrication, and its standard deviation.
 ///
 /// ```text
-/// g = min(0.28, 0.16 max(0, s − 2.1)), gap law power: min(0.2, 0.16 max(0, s − 2))   [Model-bias]
+/// sd = √(0.03² + (0.02 s)²) up to s = 3, then a line to 0.15 at 4; gap law power: g = min(0.2, 0.16 max(0, s − 2)), 0.05   [Model-bias]
 /// ```
 ///
-/// s is the roughness that the contact leaves over the film. Fitted to 65 records with heat (`power`: 24 without); the bias is drawn
-/// with a weight of 0 to 1, as the records have errors of their own.
+/// s is the roughness that the contact leaves over the film. Compared with 93 records with heat (`power`: 24 without); the bias is
+/// drawn with a weight of 0 to 1, as the records have errors of their own.
 ///
 /// ```
 /// use asperity_uncertainty::model_deviation;
 /// use asperity_ehl_regime::GapLaw;
-/// assert_eq!(model_deviation(GapLaw::Inlet, 1.0, 0.2), [0.0, 0.05]);
+/// let [bias, error] = model_deviation(GapLaw::Inlet, 2.0, 0.2);
+/// assert!(bias == 0.0 && (error - 0.05).abs() < 1e-15);
 /// assert_eq!(model_deviation(GapLaw::Inlet, 1.0, 0.0), [0.0, 0.03]);
 /// ```
 #[must_use]
 pub fn model_deviation(law: GapLaw, roughness_over_film: f64, asperity_share: f64) -> [f64; 2] {
     cite!("Model-bias");
-    let [most, slope, from] = match law {
-        GapLaw::Inlet => [0.28, 0.16, 2.1],
-        GapLaw::Power => [0.2, 0.16, 2.0],
+    let s = roughness_over_film;
+    let bias = match law {
+        GapLaw::Inlet => 0.0,
+        GapLaw::Power => (0.16 * (s - 2.0).max(0.0)).min(0.2),
     };
+    let rough = |s: f64| SMOOTH_ERROR.hypot(ERROR_PER_ROUGHNESS * s);
     let error = match law {
         _ if asperity_share < FULL_FILM => SMOOTH_ERROR,
-        GapLaw::Inlet => interpolate(&ROUGH_ERROR, roughness_over_film),
+        GapLaw::Inlet if s <= COMPARED => rough(s),
+        GapLaw::Inlet => interpolate(&[(COMPARED, rough(COMPARED)), UNKNOWN], s),
         GapLaw::Power => POWER_ERROR,
     };
-    [
-        (slope * (roughness_over_film - from).max(0.0)).min(most),
-        error,
-    ]
+    [bias, error]
 }
 
 /// The gap law of draws that do not name one.

@@ -10,8 +10,7 @@ mod solved;
 mod warnings;
 
 pub(crate) use warnings::{
-    RELIEF_NOT_STATED, gearbox as warnings_of_gearbox, of_case as warnings_of_case,
-    relief as relief_warning,
+    far_lay, gearbox as warnings_of_gearbox, of_case as warnings_of_case, relief as relief_warning,
 };
 
 pub use reversed::Reversed;

@@ -27,8 +27,6 @@ use asperity_case::mesh_position::MeshPosition;
 use asperity_case::message::{Subject, Warning};
 use asperity_oil::GOLD_FIT;
 
-/// Code of the warning about a tip relief that is not stated.
-pub(crate) const RELIEF_NOT_STATED: &str = "W439";
 /// Least part of the loss at untested pressures that is worth a warning.
 const LEAST_SHARE: f64 = 0.005;
 
@@ -55,6 +53,7 @@ pub(crate) fn warnings(
         ));
     }
     same_trace(loaded, &mut found);
+    found.extend(far_lay(loaded, None)?);
     no_sliding(
         loaded,
         positions.iter().map(|position| &position.at),
@@ -91,6 +90,7 @@ pub(crate) fn of_case(
     short_traces(loaded, at(), &mut found);
     gearbox(&parts_of_case(&loaded.case)?, &mut found);
     micropitting(loaded, &mut found);
+    found.extend(far_lay(loaded, None)?);
     no_sliding(loaded, at(), &mut found);
     yielding(loaded, at(), &mut found)?;
     covered(loaded, at(), &mut found);
@@ -118,6 +118,29 @@ fn same_trace(loaded: &LoadedCase, found: &mut Vec<Warning>) {
             "both flanks use the same trace, so their roughness is correlated and S = sqrt(Rq1^2 + Rq2^2) is not exact",
         ));
     }
+}
+
+/// W452: a lay beyond the records of mixed lubrication, with the loss at a lay of 1/6 over that of the case where it was drawn.
+pub(crate) fn far_lay(
+    loaded: &LoadedCase,
+    confirmed: Option<f64>,
+) -> Result<Option<Warning>, PositionError> {
+    let Some(lay) = loaded.lay_beyond_records()? else {
+        return Ok(None);
+    };
+    let worth = confirmed.map_or(String::new(), |ratio| {
+        let side = if ratio < 1.0 { "lower" } else { "higher" };
+        let percent = 100.0 * (ratio - 1.0).abs();
+        format!("; at a lay of 1/6 the loss is {percent:.0} % {side}")
+    });
+    let text = format!(
+        "lay {:.2} of both flanks is above 1/3: no record of mixed lubrication has such flanks, and above 1/6 the contact of lines is not confirmed{worth}",
+        lay.gamma()
+    );
+    Ok(Some(Warning {
+        about: Some(Subject::Lay),
+        ..Warning::new("W452", text)
+    }))
 }
 
 /// W443: the loss by film friction at pressures above those of the traction curves.
@@ -216,7 +239,7 @@ pub(crate) fn relief(loaded: &LoadedCase, at_ends: Option<[f64; 2]>) -> Option<W
         format!(": none{edges} changes the loss by {none:+.0} %, {most:.0} um by {whole:+.0} %")
     });
     let text = format!("tip relief {gears} not stated, taken from 0 to {most:.0} um{worth}");
-    Some(Warning::new(RELIEF_NOT_STATED, text))
+    Some(Warning::new("W439", text))
 }
 
 /// W401: a part of the gearbox outside the range of its law.

@@ -28,14 +28,18 @@ pub struct Uncertainty {
     pub evaluations: usize,
     /// Root mean square error of the interpolation of ln loss, at evaluations that it was not fitted to.
     pub interpolation_error: f64,
-    /// Roughness that the contact leaves over the film, weighted with the sliding loss: beyond 2.1 (gap law
-    /// `power`: 2) the model loses more than records of mixed lubrication.
+    /// Roughness that the contact leaves over the film, weighted with the sliding loss: beyond 3 nothing judges the model, and its
+    /// error is wider (gap law `power`: beyond 2 it loses more than records of mixed lubrication).
     pub roughness_over_film: Option<f64>,
     /// Contribution of the sampling of the flanks.
     pub sampling: SamplingPart,
-    /// The loss by each admissible structure of the model, which the draws choose from.
+    /// Friction of the boundary layer at the 5 % and 95 % quantiles of the boundary share of inner spots \[W\]: how far the records of
+    /// mixed lubrication tell it from the friction of lubricated asperities. `None` if that share is not drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub boundary_w: Option<[f64; 2]>,
+    /// The loss over the boundary share of inner spots, which is drawn.
     pub structures: Vec<AlternativeRow>,
-    /// The loss by models that measurements refute; none is drawn.
+    /// The loss by models that records or measurements contradict; none is drawn.
     pub other_models: Vec<AlternativeRow>,
     /// Trust in the result.
     pub trust: Trust,
@@ -243,17 +247,17 @@ pub struct AlternativeRow {
     pub name: String,
     /// All losses \[W\]; `None` if the model has no solution here.
     pub loss_w: Option<f64>,
-    /// The measurement that refutes it, and by how much; empty of an admissible model.
+    /// The records or measurements against it, and by how much; empty of a model that is drawn.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub refuted_by: String,
 }
 
 impl AlternativeRow {
-    /// The measurement that refutes the model, or that it is admissible.
+    /// The evidence against the model, or that it is drawn.
     #[must_use]
     pub fn standing(&self) -> &str {
         match self.refuted_by.is_empty() {
-            true => "not refuted: part of the interval",
+            true => "drawn: part of the interval",
             false => &self.refuted_by,
         }
     }
@@ -284,7 +288,7 @@ impl Uncertainty {
         }
     }
 
-    /// The loss by every model, the admissible structures first.
+    /// The loss by every model, those that are drawn first.
     pub fn models(&self) -> impl Iterator<Item = &AlternativeRow> {
         self.structures.iter().chain(&self.other_models)
     }
@@ -397,12 +401,12 @@ impl Digits {
         Self { decimals }
     }
 
-    /// The last place that a quarter of the interval from `low` to `high` reaches, and four decimals at most.
+    /// The last place that a tenth of the interval from `low` to `high` reaches, and four decimals at most.
     ///
     /// ```
     /// use asperity::result::loss_band::Digits;
     /// assert_eq!(Digits::of_interval([520.0, 840.0]).last_place(), "10");
-    /// assert_eq!(Digits::of_interval([49.2, 50.1]).last_place(), "0.1");
+    /// assert_eq!(Digits::of_interval([49.2, 50.1]).last_place(), "0.01");
     /// ```
     #[must_use]
     pub fn of_interval([low, high]: [f64; 2]) -> Self {
@@ -415,7 +419,7 @@ impl Digits {
     /// ```
     /// use asperity::result::loss_band::Digits;
     /// let digits = |ends| Digits::of_difference(ends).last_place().to_owned();
-    /// assert_eq!([[3.0, 100.0], [20.0, 100.0], [-3.0, 100.0]].map(digits), ["1", "10", "10"]);
+    /// assert_eq!([[3.0, 110.0], [20.0, 130.0], [-3.0, 110.0]].map(digits), ["1", "10", "10"]);
     /// ```
     #[must_use]
     pub fn of_difference(ends: [f64; 2]) -> Self {
@@ -432,7 +436,7 @@ impl Digits {
     #[must_use]
     pub fn of_uncertainty(half_width: f64) -> Self {
         let decimals = match half_width.is_finite() && half_width > 0.0 {
-            true => (-(0.5 * half_width).log10().floor() as i32).min(Self::MOST),
+            true => (-(0.2 * half_width).log10().floor() as i32).min(Self::MOST),
             false => Self::MOST,
         };
         Self { decimals }

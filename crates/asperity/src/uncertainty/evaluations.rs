@@ -13,18 +13,20 @@ use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summa
 use crate::sampling::{means_of_pairs, pair_sampling, window_sampling, windows_of_traces};
 use asperity_case::case::{Formulation, FullFilmName, LoadShareName, LoadedCase, cholesky};
 use asperity_case::error::Error;
+use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_mixed_film::SpotSpeed;
+use asperity_tribo_friction::boundary::INNER_BOUNDARY_RANGE;
 use asperity_uncertainty::{
-    FilmLaw, OtherLaw, Predictive, QuadraticSurface, Ranged, ReliefFactors, SamplingError,
-    Structure, UncertainParameter, latin_hypercube, least_squares, parameters,
+    FilmLaw, InnerBoundary, OtherLaw, Predictive, QuadraticSurface, Ranged, ReliefFactors,
+    SamplingError, UncertainParameter, latin_hypercube, parameters,
 };
 
 /// Offsets of the evaluations: a ratio of losses, or of their changes, needs fewer than a loss.
 pub(super) const OFFSETS: usize = 16;
 /// Evaluations that the surface is not fitted to.
 const HELD_OUT: usize = 4;
-/// Evaluations with spots fed at half the sliding speed.
-const HALF_SLIDING: usize = 8;
+/// Evaluations over β_i: three at each of four places.
+const INNER_BOUNDARY: usize = 12;
 /// Standard deviations that the evaluations reach to either side.
 const REACH: f64 = 2.4;
 /// Seed of their places.
@@ -131,7 +133,12 @@ pub(super) fn count(loaded: &LoadedCase) -> usize {
             };
             laws * (1 + QuadraticSurface::evaluations(n))
                 + HELD_OUT
-                + if is_solved(loaded) { HALF_SLIDING } else { 0 }
+                + if draws_inner_boundary(loaded) {
+                    INNER_BOUNDARY
+                } else {
+                    0
+                }
+                + usize::from(matches!(loaded.lay_beyond_records(), Ok(Some(_))))
         }
     }
 }
@@ -172,7 +179,8 @@ pub(super) fn evaluate(
         asperity_share: path.asperity_share,
         film_law: film_law(loaded, nominal.summary),
         other_law: None,
-        structure: None,
+        inner_boundary: None,
+        far_lay: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
         gap_law: loaded.case.model.gap_law,
         roughness_over_film: path.roughness_over_film,
@@ -192,8 +200,8 @@ pub(super) fn evaluate(
         };
         let places = |count, seed| places(count, dimensions, seed);
         let fitted = places(QuadraticSurface::evaluations(dimensions), SEED);
-        let middle = base.at(&vec![0.0; dimensions], false)?;
-        let found = base.all(&fitted, false)?;
+        let middle = base.at(&vec![0.0; dimensions], None)?;
+        let found = base.all(&fitted, None)?;
         let ratio = |losses: &Losses| (losses.summary.sliding_w / middle.summary.sliding_w).ln();
         let share = |losses: &Losses| Path::of(&losses.path).asperity_share - path_share(&middle);
         let fit = |of: &dyn Fn(&Losses) -> f64| {
@@ -226,8 +234,8 @@ pub(super) fn evaluate(
                 number: AtomicUsize::new(base.number.load(Ordering::Relaxed)),
                 ..base
             };
-            let found = base.all(&fitted, false)?;
-            let at_medians = base.at(&vec![0.0; dimensions], false)?;
+            let found = base.all(&fitted, None)?;
+            let at_medians = base.at(&vec![0.0; dimensions], None)?;
             let shift = ratio(&at_medians);
             let changes: Vec<f64> = found.iter().map(|losses| ratio(losses) - shift).collect();
             let sliding = QuadraticSurface::fit(&fitted, &changes);
@@ -240,26 +248,21 @@ pub(super) fn evaluate(
         }
         if let Some(surface) = &predictive.sliding {
             let others = places(HELD_OUT, SEED + 1);
-            let found = base.all(&others, false)?;
+            let found = base.all(&others, None)?;
             let squares = others
                 .iter()
                 .zip(&found)
                 .map(|(z, losses)| (surface.at(z) - ratio(losses)).powi(2));
             predictive.surface_rms = (squares.sum::<f64>() / HELD_OUT as f64).sqrt();
-            if is_solved(loaded) {
-                let points = places(HALF_SLIDING, SEED + 2);
-                let found = base.all(&points, true)?;
-                let logs = points
-                    .iter()
-                    .zip(&found)
-                    .map(|(z, losses)| ratio(losses) - surface.at(z));
-                let half_sliding = plane(&predictive.constants, &points, &logs.collect::<Vec<_>>());
-                predictive.structure = Some(Structure {
-                    half_sliding,
-                    film_friction: path.film_friction,
-                    loss_factor_w: nominal.summary.loss_factor_local * nominal.summary.power_in_w,
-                    boundary_friction: loaded.case.model.boundary_friction,
-                });
+            if draws_inner_boundary(loaded) {
+                predictive.inner_boundary = Some(inner_boundary(&base, &ratio)?);
+            }
+            if loaded.lay_beyond_records().map_err(whole)?.is_some() {
+                let mut confirmed = base.loaded.clone();
+                confirmed.case.model.lay = [Lay::CONFIRMED; 2];
+                let found = evaluated(&confirmed, Some(base.contacts))?;
+                (base.done)(1 + base.number.fetch_add(1, Ordering::Relaxed));
+                predictive.far_lay = Some(ratio(&found).exp());
             }
         }
     }
@@ -309,11 +312,14 @@ fn path_share(losses: &Losses) -> f64 {
     Path::of(&losses.path).asperity_share
 }
 
-/// Whether the share of the asperities follows from solved contacts.
-fn is_solved(loaded: &LoadedCase) -> bool {
-    loaded.case.load_share().supply().is_some()
+/// Whether the loss depends on β_i, which the case does not state.
+fn draws_inner_boundary(loaded: &LoadedCase) -> bool {
+    let case = &loaded.case;
+    case.model.load_share == LoadShareName::Solved
+        && case.laws.load_share.is_none()
         && loaded.surfaces.are_measured()
-        && loaded.case.model.spot_speed == SpotSpeed::Entrainment
+        && case.model.spot_speed == SpotSpeed::Carried
+        && case.input.model.inner_boundary.is_none()
 }
 
 /// Common input of all evaluations.
@@ -326,25 +332,25 @@ struct Base<'a> {
 }
 
 impl Base<'_> {
-    /// The losses with the constants at `z`.
-    fn at(&self, z: &[f64], half_sliding: bool) -> Result<Losses, Error> {
+    /// The losses with the constants at `z`, and with another β_i.
+    fn at(&self, z: &[f64], inner_boundary: Option<f64>) -> Result<Losses, Error> {
         let mut drawn = self.loaded.clone();
         for (constant, z) in self.constants.iter().zip(z) {
             let value = constant.at(*z);
             constant.kind.set(&mut drawn, value)?;
         }
-        if half_sliding {
-            drawn.case.model.spot_speed = SpotSpeed::HalfSliding;
+        if let Some(share) = inner_boundary {
+            drawn.case.model.inner_boundary = share;
         }
         let found = evaluated(&drawn, Some(self.contacts))?;
         (self.done)(1 + self.number.fetch_add(1, Ordering::Relaxed));
         Ok(found)
     }
 
-    fn all(&self, points: &[Vec<f64>], half_sliding: bool) -> Result<Vec<Losses>, Error> {
+    fn all(&self, points: &[Vec<f64>], inner_boundary: Option<f64>) -> Result<Vec<Losses>, Error> {
         points
             .par_iter()
-            .map(|z| self.at(z, half_sliding))
+            .map(|z| self.at(z, inner_boundary))
             .collect()
     }
 }
@@ -358,23 +364,52 @@ fn places(count: usize, dimensions: usize, seed: u64) -> Vec<Vec<f64>> {
     points
 }
 
-/// Constant and slopes over boundary friction and boundary layer of the plane closest to `values` (least squares).
-fn plane(constants: &[Ranged], points: &[Vec<f64>], values: &[f64]) -> [f64; 3] {
-    let place = |kind| constants.iter().position(|constant| constant.kind == kind);
-    let axes = [
-        place(UncertainParameter::BoundaryFriction),
-        place(UncertainParameter::BoundaryLayer),
+/// ln of the sliding loss over β_i, `ratio` being ln of the sliding loss: at the medians, at either side of the boundary layer and
+/// at one of the boundary friction.
+fn inner_boundary(base: &Base<'_>, ratio: &dyn Fn(&Losses) -> f64) -> Result<InnerBoundary, Error> {
+    /// Standard deviations to the side: at the 5 and 95 % quantiles.
+    const SIDE: f64 = 1.645;
+    let kinds = [
+        UncertainParameter::BoundaryLayer,
+        UncertainParameter::BoundaryFriction,
     ];
-    let row = |z: &Vec<f64>| {
-        vec![
-            1.0,
-            axes[0].map_or(0.0, |k| z[k]),
-            axes[1].map_or(0.0, |k| z[k]),
-        ]
+    let beside = |kind: UncertainParameter, side: f64| {
+        let of = |constant: &Ranged| if constant.kind == kind { side } else { 0.0 };
+        base.constants.iter().map(of).collect::<Vec<f64>>()
     };
-    let rows: Vec<Vec<f64>> = points.iter().map(row).collect();
-    let found = least_squares(&rows, values);
-    found.map_or([0.0; 3], |found| [found[0], found[1], found[2]])
+    let [layer, friction] = kinds;
+    let places = [
+        beside(layer, 0.0),
+        beside(layer, SIDE),
+        beside(layer, -SIDE),
+        beside(friction, SIDE),
+    ];
+    let [low_end, high_end] = INNER_BOUNDARY_RANGE.map(|share| base.all(&places, Some(share)));
+    let (low, high) = (low_end?, high_end?);
+    let middle = base.all(&places, None)?;
+    let log = |k: usize| {
+        let [low, high] = [&low[k], &high[k]].map(|end| ratio(end) - ratio(&middle[k]));
+        [0.5 * (high - low), 0.5 * (high + low)]
+    };
+    let logs = [0, 1, 2, 3].map(log);
+    let [slope, bend] = [0, 1].map(|of: usize| {
+        let by_friction = (logs[3][of] - logs[0][of]) / SIDE;
+        let by_layer = (logs[1][of] - logs[2][of]) / (2.0 * SIDE);
+        [logs[0][of], by_friction, by_layer]
+    });
+    let of_boundary = |at: &[Losses]| at[0].summary.boundary_w;
+    let boundary = match of_boundary(&middle) {
+        0.0 => [0.0; 2],
+        at_middle => {
+            let [low, high] = [&low, &high].map(|end| of_boundary(end) / at_middle);
+            [0.5 * (high - low), 0.5 * (high + low) - 1.0]
+        }
+    };
+    Ok(InnerBoundary {
+        slope,
+        bend,
+        boundary,
+    })
 }
 
 /// Rows of the lower triangle of the correlations of the measured constants.
@@ -405,15 +440,15 @@ fn film_law(loaded: &LoadedCase, summary: &Summary) -> Option<FilmLaw> {
 }
 
 /// Means over a path, weighted with the sliding loss.
-struct Path {
-    asperity_share: f64,
-    film_friction: f64,
-    roughness_over_film: Option<f64>,
+pub(super) struct Path {
+    pub asperity_share: f64,
+    pub film_friction: f64,
+    pub roughness_over_film: Option<f64>,
     film_m: f64,
 }
 
 impl Path {
-    fn of(path: &[PositionRow]) -> Self {
+    pub fn of(path: &[PositionRow]) -> Self {
         let power = |row: &PositionRow| row.weight_m * row.sliding_w_per_m;
         let total: f64 = path.iter().map(power).sum();
         let mean = |of: &dyn Fn(&PositionRow) -> f64| match total > 0.0 {

@@ -1,6 +1,6 @@
 //! Uncertainty of a loss: draws of its logarithm over constants, sampling of the flanks, tip relief that the case does
-//! not state, error of the model and its admissible structures. Models that measurements refute have a table of their
-//! own.
+//! not state, error of the model and the boundary share of spots that form inside the contact. Models that records or measurements
+//! contradict have a table of their own.
 //!
 //! The draws are the same for every case, so that two finishes differ by their flanks and not by the luck of the draw.
 //! A surface through some fifty evaluations gives the sliding loss of every draw; an evaluation costs film laws only, as
@@ -30,8 +30,7 @@ use asperity_core::cancel::checkpoint;
 use asperity_core::numerics::Z_95;
 use asperity_core::provenance::Provenance;
 
-use crate::assembly::{RELIEF_NOT_STATED, relief_warning};
-use crate::assembly::{equations_used, sources_used};
+use crate::assembly::{equations_used, far_lay, relief_warning, sources_used};
 use crate::contacts::Contacts;
 use crate::pipeline::{KeptFields, Progress, outcome};
 use crate::result::{
@@ -43,7 +42,9 @@ use asperity_case::balance::Unbalanced;
 use asperity_case::case::LoadedCase;
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::{Subject, Warning};
-use asperity_uncertainty::{Component, Measured, Ranged, State, UncertainParameter as Constant};
+use asperity_uncertainty::{
+    Component, InnerBoundary, Measured, Ranged, UncertainParameter as Constant,
+};
 
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
 pub use asperity_uncertainty::{
@@ -56,7 +57,7 @@ pub use difference::{
 pub use evaluations::{has_band, predictive};
 
 use evaluations::{Evaluated, Nominal, count, evaluate, evaluated, losses_of_positions, widest};
-use other_models::{OtherModel, other_models};
+use other_models::{OtherModel, by_formula, other_models};
 
 /// Error of ln loss by the interpolation of the draws that is worth a warning.
 const PRECISE: f64 = 0.02;
@@ -96,10 +97,17 @@ pub(crate) fn run_and_draw(
     let found = used.collect(|| uncertainty(&loaded, &outcome, &contacts, &done));
     let (uncertainty, predictive) = found?;
     let warnings = &mut outcome.result.warnings;
-    let relief = relief_warning(&loaded, predictive.at_ends_of_relief());
-    let before = warnings.iter_mut();
-    for (before, with_worth) in before.filter(|w| w.code == RELIEF_NOT_STATED).zip(relief) {
-        *before = with_worth;
+    let of_lay = far_lay(&loaded, predictive.at_confirmed_lay());
+    let of_lay = of_lay.map_err(|error| Error::Whole(Box::new(error)))?;
+    let of_relief = relief_warning(&loaded, predictive.at_ends_of_relief());
+    // What was drawn states what the finding is worth.
+    for with_worth in of_relief.into_iter().chain(of_lay) {
+        let known = warnings
+            .iter_mut()
+            .find(|known| known.code == with_worth.code);
+        if let Some(known) = known {
+            *known = with_worth;
+        }
     }
     if predictive.surface_rms > PRECISE {
         let percent = 100.0 * predictive.surface_rms;
@@ -161,11 +169,8 @@ fn uncertainty(
             refuted_by: model.refuted_by.to_owned(),
         }
     };
-    let others = other_models(loaded)
-        .into_iter()
-        .zip(1..)
-        .map(of_model)
-        .collect();
+    let others = other_models(loaded).into_iter().zip(1..).map(of_model);
+    let others = others.chain(by_formula(loaded, &nominal)).collect();
     // A cancelled model is not one without solution.
     checkpoint()?;
     let draws_w = predictive.draws_w();
@@ -179,10 +184,11 @@ fn uncertainty(
         };
         return Err(Error::Whole(Box::new(PositionError::from(impossible))));
     }
-    let structures = State::ALL.into_iter().filter_map(|state| {
+    let structures = [0.0, 0.5, 1.0].into_iter().filter_map(|place| {
+        let share = InnerBoundary::value(place);
         Some(AlternativeRow {
-            name: state.name().to_owned(),
-            loss_w: Some(predictive.in_state(state)?),
+            name: format!("boundary share of inner spots {share}"),
+            loss_w: Some(predictive.at_inner_boundary(place)?),
             refuted_by: String::new(),
         })
     });
@@ -205,6 +211,10 @@ fn uncertainty(
         interpolation_error: predictive.surface_rms,
         roughness_over_film: predictive.roughness_over_film,
         sampling: sampling(loaded, &predictive, &nominal),
+        boundary_w: predictive.inner_boundary.as_ref().map(|inner| {
+            let of_run = nominal.summary.boundary_w * quantiles.median_w / predictive.at_medians_w;
+            [0.05, 0.95].map(|place| of_run * inner.boundary_at(place))
+        }),
         structures: structures.collect(),
         other_models: others,
         trust: trust(loaded),
@@ -295,10 +305,11 @@ fn parts(
         ),
         (Component::Model, "error of the fast model", RIG.to_owned()),
         (
-            Component::Structure,
-            "boundary rule and feed of the spots",
+            Component::InnerBoundary,
+            "boundary share of inner spots",
             RIG.to_owned(),
         ),
+        (Component::FarLay, "lay beyond the records", RIG.to_owned()),
         (
             Component::FilmLaw,
             "error of the film law",
@@ -330,6 +341,7 @@ fn parts(
                 Component::Sampling => Some(Subject::Sampling),
                 Component::Relief => Some(Subject::TipRelief),
                 Component::Model => Some(Subject::FastModel),
+                Component::FarLay => Some(Subject::Lay),
                 Component::Constant(k) => constant(k)
                     .filter(|kind| *kind == Constant::PressureViscosity)
                     .map(|_| Subject::PressureViscosity),

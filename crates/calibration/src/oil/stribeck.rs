@@ -3,7 +3,8 @@
 //! Where the film is at most a fifth of the roughness, the boundary layer carries all and the friction is that of boundary
 //! lubrication. Rubbing makes the layer of the additives: in a public record of a machine (120 °C, 50 N, pure sliding) the
 //! friction doubles within 7000 s, from 0.059 to 0.117. The error of the transfer from the machine to a gear is 10 %
-//! (judgement). The thickness of the layer does not follow from smooth specimens.
+//! (judgement). The thickness of the layer does not follow from smooth specimens, nor does the least share on it of asperities that
+//! come into contact past the inlet: their film is that of the roughness.
 
 use asperity::message::Warning;
 use asperity_core::numerics::{Z_95, Z_975};

@@ -28,12 +28,14 @@ use super::section::Section;
 use super::source::{MeshKeys, Source};
 use super::surrogates::solves_contact;
 use super::text::oil_file;
-use crate::error::Error;
+use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::flanks::flank_lay::FlankLay;
 use crate::flanks::surfaces::{FlankReport, Surfaces};
 use crate::flanks::trace_pairs::SampledFlanks;
 use crate::message::Warning;
+use asperity_ehl_regime::inlet_flow::Lay;
+use asperity_mixed_film::InletSupply;
 use asperity_oil::LubricantInput;
 
 /// A case with its traces, ready to run.
@@ -79,6 +81,19 @@ impl LoadedCase {
     /// Distributions of the lay of both flanks.
     pub fn flank_lays(&self) -> [FlankLay; 2] {
         self.lays.of_flanks
+    }
+
+    /// Lay of both flanks together, if the load share depends on it and it is above that of every record of mixed lubrication.
+    ///
+    /// # Errors
+    /// When the law of two lays refuses the roughness of the flanks.
+    pub fn lay_beyond_records(&self) -> Result<Option<Lay>, PositionError> {
+        let supply = self.case.load_share().supply();
+        if supply != Some(InletSupply::Rough) || !self.surfaces.are_measured() {
+            return Ok(None);
+        }
+        let lay = self.surfaces.lay(self.case.model.lay)?;
+        Ok((lay.gamma() > Lay::RECORDED.gamma()).then_some(lay))
     }
 
     /// Name of the case file without its folder.

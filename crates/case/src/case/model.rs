@@ -117,19 +117,20 @@ choices! {
     /// (`paper`: `mass-flow`).
     #[serde(skip_serializing_if = "Option::is_none")]
     lambda_film: CentralFilm = each(CentralFilm::Gap, CentralFilm::MassFlow);
-    /// Film that touching asperities carry with them: of the `entrainment` speed (default) or of half the sliding speed,
-    /// `half-sliding`, in all of them, or `carried`, of the inlet until the flanks have slid past.
+    /// Film that touching asperities carry with them: `carried` (default), of the inlet until the flanks have slid past, or in all
+    /// of them of the `entrainment` speed or of half the sliding speed, `half-sliding`.
     spot_speed: SpotSpeed = corrected(SpotSpeed::default());
-    /// Least share on the boundary layer of asperities that come into contact past the inlet, with `spot_speed = "carried"`; default 0.75.
+    /// Least share on the boundary layer of asperities that come into contact past the inlet, with `spot_speed = "carried"`; default
+    /// 0.75, drawn from 0.6 to 0.9.
     #[serde(skip_serializing_if = "Option::is_none")]
     inner_boundary: f64 = of_carried_spots(spot_speed) usual "" [0.05, 1.0],
         check("inner boundary", |b| (0.0..=1.0).contains(&b), "must be 0 to 1");
-    /// Pressure at which the film shears where asperities carry a share of the load: `hertz` (default), of the whole load,
-    /// `own`, of its own share, or `rippled`, which in addition rises over the peaks that it flattens.
+    /// Pressure at which the film shears where asperities carry a share of the load: `rippled` (default), of its own share and
+    /// higher over the peaks that it flattens, `own`, of its own share, or `hertz`, of the whole load.
     #[serde(skip_serializing_if = "Option::is_none")]
     film_pressure: FilmPressure = corrected(FilmPressure::default());
-    /// Heights that count in the mean gap that the inlet supplies to `load_share = "solved"`: `rms` (default), all, or `peaks`,
-    /// those above the mean line.
+    /// Heights that count in the mean gap that the inlet supplies to `load_share = "solved"`: `peaks` (default),
+    /// above the mean line, or `rms`, all.
     #[serde(skip_serializing_if = "Option::is_none")]
     gap_roughness: GapRoughness = corrected(GapRoughness::default());
     /// Factor on the solved asperity load share, for the band; default 1.

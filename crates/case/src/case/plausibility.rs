@@ -18,7 +18,7 @@ use crate::physical_limits::{HIGHEST_PRESSURE, HIGHEST_SPEED};
 /// Code of a division of the profile shifts.
 const DIVIDED: &str = "W445";
 /// Code of tips that leave little clearance.
-const CLEARANCE: &str = "W452";
+const CLEARANCE: &str = "W453";
 /// Code of the warning that names the keys of symbols.
 pub(super) const SYMBOLS: &str = "W202";
 /// Code of a key that is read by its former name.
@@ -182,7 +182,7 @@ pub(super) fn divided_shifts(
     })
 }
 
-/// W452: tips of the addendum alone that leave little clearance, and what the tip alteration of ISO 21771 is worth.
+/// W453: tips of the addendum alone that leave little clearance, and what the tip alteration of ISO 21771 is worth.
 pub(super) fn little_clearance(
     input: &GearsInput,
     gears: &GearPair,

@@ -8,7 +8,7 @@
 //! | h̄ | gap supplied | m |
 //! | B | friction of the asperities (1 − β) μ_a + β μ_b, between two rows of the table with weights w_r | - |
 //! | F | part of the film (1 − φ) μ_f in the friction, at the pressure of its share and of its ripple | - |
-//! | P_j, Y_j | pressure that flattens a part of the window, and its height in the contact | Pa, m |
+//! | L_j, P_j, Y_j | length of a part of the window, the pressure that flattens it, its height in the contact | -, Pa, m |
 //! | c | rise of the surface temperature per friction coefficient | K |
 //!
 //! The friction follows from the heights in three ways: through the rough contact, whose gaps decide the share and whose
@@ -16,7 +16,7 @@
 //!
 //! ```text
 //! dφ = (dh̄ − Σ (∂g/∂g_j) dg_j)/(g′(φ) − h̄′(φ))
-//! dμ = φ (1 + κ) Σ w_r dB_r + M dφ + (s + κ) [∂F/∂h̄ dh̄ + Σ_j (∂F/∂P_j dP_j + ∂F/∂Y_j dY_j)]
+//! dμ = φ (1 + κ) Σ w_r dB_r + M dφ + (s + κ) [∂F/∂h̄ dh̄ + Σ_j (∂F/∂L_j dL_j + ∂F/∂P_j dP_j + ∂F/∂Y_j dY_j)]
 //! M = (1 + κ) (B + φ Σ w_r′ B_r) + (s + κ) ∂F/∂φ
 //! κ = c [s ∂F/∂T + φ ∂B/∂T]/(1 − c [∂F/∂T + φ ∂B/∂T])
 //! dh̄/dσ_d = h̄ (Ψ² − 1)/(Ψ² σ_d)
@@ -47,7 +47,8 @@ const TEMPERATURE_STEP: f64 = 0.02;
 const SHARE_STEP: f64 = 1e-5;
 /// Step of the difference quotients of the film's part over its share of the load.
 const FILM_SHARE_STEP: f64 = 1e-4;
-/// Relative step of those over gap and heights, and over the pressure that flattens a part in Hertz pressures.
+/// Step of those over the length of a part in its length, over gap and heights in the gap, and over the pressure that flattens
+/// a part in Hertz pressures.
 const RIPPLE_STEP: f64 = 1e-4;
 
 /// Change of the mean gap that counts as next to a kink \[m\]: heights that move by 1 nm move it by 1 nm at most.
@@ -90,8 +91,8 @@ pub struct ShareGradient {
     pub by_height: Vec<f64>,
     /// Over σ_d of the window, through the supply \[1/m\].
     pub by_rms: f64,
-    /// Over pressure \[1/Pa\] and height \[1/m\] of each part of the window's ripple.
-    pub by_parts: Vec<[f64; 2]>,
+    /// Over length, pressure \[1/Pa\] and height \[1/m\] of each part of the window's ripple.
+    pub by_parts: Vec<[f64; 3]>,
 }
 
 /// Gradient of a number over both traces as the inlet flattens them.
@@ -345,14 +346,14 @@ impl PositionFilm<'_> {
         Ok(friction.map(|value| state.share * value))
     }
 
-    /// Slopes of `scale` times the part of the film over the mean gap \[1/m\], and over pressure and height of each part of the
-    /// ripple; zero of a film that does not ripple.
+    /// Slopes of `scale` times the part of the film over the mean gap \[1/m\], and over length, pressure and height of each part
+    /// of the ripple; zero of a film that does not ripple.
     fn ripple_slopes(
         &mut self,
         window: &WindowRoughness,
         state: FilmState,
         scale: f64,
-    ) -> Result<(f64, Vec<[f64; 2]>), LoadShareError> {
+    ) -> Result<(f64, Vec<[f64; 3]>), LoadShareError> {
         if self.settings.film_pressure != FilmPressure::Rippled || !window.is_rippled() {
             return Ok((0.0, Vec::new()));
         }
@@ -368,19 +369,20 @@ impl PositionFilm<'_> {
         let mut moved = window.clone();
         let mut by_parts = Vec::with_capacity(window.ripple.len());
         for part in 0..window.ripple.len() {
-            let mut slopes = [0.0; 2];
-            for (which, slope) in slopes.iter_mut().enumerate() {
+            let mut slopes = [0.0; 3];
+            let steps = [RIPPLE_STEP * window.ripple[part].length, steps[0], steps[1]];
+            for (which, (slope, step)) in slopes.iter_mut().zip(steps).enumerate() {
                 for side in [1.0, -1.0] {
-                    let step = side * steps[which];
                     let moved_part = &mut moved.ripple[part];
-                    match which {
-                        0 => moved_part.pressure += step,
-                        _ => moved_part.height += step,
-                    }
+                    *match which {
+                        0 => &mut moved_part.length,
+                        1 => &mut moved_part.pressure,
+                        _ => &mut moved_part.height,
+                    } += side * step;
                     *slope += side * self.film_part(&moved, state)?[0];
                     moved.ripple[part] = window.ripple[part];
                 }
-                *slope *= scale / (2.0 * steps[which]);
+                *slope *= scale / (2.0 * step);
             }
             by_parts.push(slopes);
         }

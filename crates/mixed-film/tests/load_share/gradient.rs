@@ -103,8 +103,7 @@ fn the_gradient_over_the_heights_is_the_central_difference() {
         film_pressure,
         ..settings
     };
-    // Largest errors of the middle and of the worst height, and of bumps. A wide bump moves heights from one part of the ripple to
-    // another, which the gradient holds.
+    // Largest errors of the middle and of the worst height, and of bumps.
     for (settings, limits) in [
         (
             with(former, GapLaw::Inlet, FilmPressure::Hertz),
@@ -120,11 +119,11 @@ fn the_gradient_over_the_heights_is_the_central_difference() {
         ),
         (
             with(carried, GapLaw::Inlet, FilmPressure::Rippled),
-            [1e-6, 0.02, 0.06],
+            [1e-6, 1e-3, 1e-3],
         ),
         (
             with(carried, GapLaw::Power, FilmPressure::Rippled),
-            [1e-6, 0.02, 0.06],
+            [1e-6, 1e-3, 1e-3],
         ),
     ] {
         let gradient = gradient(flanks, &settings);

@@ -573,12 +573,35 @@ fn friction_solves_its_equation_where_heat_raises_it() {
             boundary_friction: 0.08,
             lay: Lay::ACROSS,
             gap_law: GapLaw::Power,
-            ..LoadShareSettings::default()
+            ..former()
         },
     );
     assert!((hot.asperity_share - 0.76373).abs() < 0.002, "{hot:?}");
     assert!((hot.coefficient - 0.04309).abs() < 1e-4, "{hot:?}");
     assert!((hot.parts.total() / hot.coefficient - 1.0).abs() < 1e-10);
+}
+
+#[test]
+fn friction_does_not_depend_on_the_windows_before() {
+    let (contact, rheology) = (e_drive(), oil("e-fluid"));
+    let settings = LoadShareSettings::default();
+    let [first, second] = &ground().spectra;
+    let pair = PairSpectrum::of([first, second]);
+    let fresh = || PositionFilm::new(&rheology, &contact, celsius(90.0), &settings).unwrap();
+    let (mut film, mut largest) = (fresh(), 0.0_f64);
+    let traces = AttenuatedTraces::new([first, second], &film.flattening(&pair).unwrap());
+    for starts in [STARTS, [2867, 3377], [900, 2100], [1500, 300]] {
+        let table = table(&contact, ground(), starts, FLOW);
+        let window = traces.window(starts, points(&contact)).unwrap();
+        let coefficient = |film: &mut PositionFilm<'_>| {
+            let found = film.share(&table, &window).unwrap().value;
+            found.coefficient
+        };
+        let off = coefficient(&mut film) / coefficient(&mut fresh()) - 1.0;
+        largest = largest.max(off.abs());
+    }
+    println!("{largest:.1e}");
+    assert!(largest < 1e-7, "{largest:.1e}");
 }
 
 #[test]
@@ -626,11 +649,11 @@ fn structural_choices_move_the_friction_the_way_they_say() {
         ..base
     });
     assert_eq!(half.asperity_share, 0.5 * usual.asperity_share);
-    let carried = at(&LoadShareSettings {
-        spot_speed: SpotSpeed::HalfSliding,
-        ..base
-    });
-    assert!(carried.coefficient > usual.coefficient && carried.spot_film < usual.spot_film);
+    let fed = |spot_speed| at(&LoadShareSettings { spot_speed, ..base });
+    let [entrainment, half_sliding] = [SpotSpeed::Entrainment, SpotSpeed::HalfSliding].map(fed);
+    for [thin, thick] in [[&half_sliding, &entrainment], [&usual, &half_sliding]] {
+        assert!(thin.coefficient > thick.coefficient && thin.spot_film < thick.spot_film);
+    }
     let poon = at(&LoadShareSettings {
         supply: InletSupply::Smooth,
         ..base

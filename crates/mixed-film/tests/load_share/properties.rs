@@ -304,6 +304,8 @@ fn in_units(drawn: &Drawn, gap_law: GapLaw, units: &Units) -> LoadShareSolution 
     let settings = LoadShareSettings {
         boundary_layer: settings.boundary_layer * length,
         gap_law,
+        // The thinnest film of a spot whose shear rate is computed is a length that is no input: slow spots inside the contact reach it.
+        spot_speed: SpotSpeed::Entrainment,
         ..settings
     };
     let (starts, n) = (drawn.starts(), points(of));

@@ -115,13 +115,16 @@ class Comparison(Study):
         return xarray.Dataset(stacked, coords={"finish": self.names}, attrs={"title": str(self._values["title"])})
 
     def __repr__(self) -> str:
-        losses = ", ".join(f"{finish['name']} {finish['loss_w']:.4g} W" for finish in self._values["finishes"])
+        losses = ", ".join(f"{name} {loss}" for name, loss in self._losses())
         return f"<Comparison {self._values['title']!r}: {losses}>"
 
-    def _rows(self) -> list[tuple[str, str]]:
+    def _losses(self) -> list[tuple[str, str]]:
         finishes = self._values["finishes"]
         losses = [drawn({"loss": _loss(of)}) if _loss(of) else f"{of['loss_w']:.4g} W" for of in finishes]
-        return [*zip(self.names, losses), *(("", verdict) for verdict in self.verdicts)]
+        return [*zip(self.names, losses)]
+
+    def _rows(self) -> list[tuple[str, str]]:
+        return [*self._losses(), *(("", verdict) for verdict in self.verdicts)]
 
 
 def compare(

@@ -256,12 +256,18 @@ class RunResult(Values, ResultValues):
         return repr(self)
 
     def __repr__(self) -> str:
-        return f"<RunResult {self.title!r}: loss {self.loss_w:.6g} W, efficiency {100 * self.efficiency:.4f} %>"
+        uncertainty = self._values.get("uncertainty")
+        loss = drawn(uncertainty) if uncertainty else f"{self.loss_w:.6g} W"
+        return f"<RunResult {self.title!r}: loss {loss}, efficiency {self._printed_efficiency()}>"
+
+    def _printed_efficiency(self) -> str:
+        """The median of the draws, or the efficiency of a run without them."""
+        uncertainty = self._values.get("uncertainty")
+        return f"{100 * (uncertainty['efficiency_median'] if uncertainty else self.efficiency):.4f} %"
 
     def _repr_html_(self) -> str:
         of = self._summary()
         names = (
-            ("loss_w", "loss", "W"),
             ("sliding_w", "sliding", "W"),
             ("film_w", "in the film", "W"),
             ("lubricated_asperity_w", "in lubricated asperities", "W"),
@@ -270,9 +276,11 @@ class RunResult(Values, ResultValues):
             ("mu_equivalent", "equivalent friction coefficient", ""),
             ("mixed_share", "share of the path in mixed or boundary lubrication", ""),
         )
-        rows = [("efficiency", f"{100 * self.efficiency:.4f} %")]
+        rows = [("efficiency", self._printed_efficiency())]
         if uncertainty := self._values.get("uncertainty"):
             rows.append(("loss, median and 5 to 95 %", drawn(uncertainty)))
+        else:
+            rows.append(("loss", f"{self.loss_w:.4g} W"))
         rows += [(name, f"{of[key]:.4g} {unit}".strip()) for key, name, unit in names if key in of]
         rows += [("regime", str(of["regime"]))] if "regime" in of else []
         rows += [(str(warning.code), str(warning.text)) for warning in self.warnings]

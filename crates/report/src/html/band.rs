@@ -71,7 +71,7 @@ pub(super) fn section(uncertainty: &Uncertainty) -> Markup {
         @if !uncertainty.held.is_empty() {
             p { "Not varied, because the case states it: " (uncertainty.held.join(", ")) "." }
         }
-        h3 { "Other models, and the measurements against them" }
+        h3 { "Other models, and the evidence against them" }
         div.scroll { table {
             thead { tr { th { "model" } th.number { "loss" } th { "against it" } } }
             tbody { @for row in uncertainty.models() {

@@ -236,7 +236,7 @@ fn contributions(comparison: &Comparison) -> Markup {
                 tr { th scope="row" { (row.name) } @for (_, of) in &drawn { td.number { (part(of, &row.name)) } } }
             } }
         } }
-        h3 { "Other models, and the measurements against them" }
+        h3 { "Other models, and the evidence against them" }
         div.scroll { table {
             thead { tr { th { "model" } @for (finish, _) in &drawn { th.number { (finish.name) } } th { "against it" } } }
             tbody { @for row in first.models() {
