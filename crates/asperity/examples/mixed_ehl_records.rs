@@ -4,11 +4,14 @@
 //! cargo run --release -p asperity --example mixed_ehl_records > fixtures/records/gear_meshes.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- blind > fixtures/records/blind.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- second > fixtures/records/second_blind.csv
+//! cargo run --release -p asperity --example mixed_ehl_records -- part > fixtures/records/part_load.csv
+//! cargo run --release -p asperity --example mixed_ehl_records -- short > fixtures/records/short_waves.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- fzg_8.3 hb=2
 //! ```
 //!
 //! Prints the conditions whose names begin with a word, or all, as many at a time as there are threads: of the gear meshes, of
-//! the `blind` test or of the `second` one. A row is printed as soon as it is solved; one that is not solved has no numbers.
+//! the `blind` test or of the `second` one, at `part` load, or ten gear meshes with `short` waves. A row is printed as soon as it is
+//! solved; one that is not solved has no numbers.
 //! `list` prints slide-to-roll ratio, Hertz pressure in GPa and roughness over the film without a record. Keys: `hb` (contact film
 //! in nm), `cells`, `start` and `length` (travel in half-widths). Run it in the folder of the workspace.
 
@@ -205,6 +208,8 @@ pub struct Condition {
     case: &'static str,
     flanks: Flanks,
     keys: Vec<(&'static str, String)>,
+    /// Shortest wave in its traces, if another than that of the other records.
+    pub shortest_wave: Option<Length>,
 }
 
 impl Condition {
@@ -215,6 +220,7 @@ impl Condition {
             flanks: Flanks::OfCase,
             position,
             keys: vec![("operation.bulk_temperature", format!("{temperature} °C"))],
+            shortest_wave: None,
         }
     }
 
@@ -245,6 +251,7 @@ impl Condition {
                 "operation.speed",
                 format!("{} 1/min", pitch_line * FZG_TURNS),
             )],
+            shortest_wave: None,
         }
     }
 
@@ -255,6 +262,7 @@ impl Condition {
             eyring_stress: Some(EYRING_STRESS[usize::from(self.case == FZG)]),
             with_heat: true,
             beginning: 0,
+            shortest_wave: self.shortest_wave,
         }
     }
 
@@ -566,6 +574,7 @@ pub fn second_blind_conditions() -> Vec<Condition> {
                 ("operation.speed", format!("{speed} 1/min")),
                 ("operation.torque", format!("{torque} N m")),
             ],
+            shortest_wave: None,
         };
         match drive {
             EDrive => condition,
@@ -576,6 +585,55 @@ pub fn second_blind_conditions() -> Vec<Condition> {
         }
     };
     rows.map(condition).into_iter().collect()
+}
+
+/// Conditions at part load: the e-drive's flanks with their heights multiplied, by temperature \[°C\], place, speed \[1/min\] and
+/// torque \[N m\].
+pub fn part_load_conditions() -> Vec<Condition> {
+    let places = [
+        (90, 0.9, 2500, 40),
+        (100, 0.75, 2000, 50),
+        (90, 0.1, 9000, 145),
+        (90, 0.9, 9000, 40),
+        (90, 0.9, 9000, 20),
+    ];
+    let each = |(celsius, place, speed, torque): (u32, f64, u32, u32)| {
+        [0.005, 0.05, 0.1, 0.2, 0.4].map(|factor| {
+            let condition = Condition::e_drive("scaled", celsius, place).at_speed(speed);
+            let mut condition = condition.on(Flanks::Scaled(factor));
+            condition.name = format!("{}_{torque}_{factor}", condition.name);
+            condition.with("operation.torque", &format!("{torque} N m"))
+        })
+    };
+    places.into_iter().flat_map(each).collect()
+}
+
+/// Conditions of the gear meshes that are solved again with shorter waves.
+const SHORT_WAVES: [&str; 10] = [
+    "e-fine_150_0.9",
+    "e-fine_90_0.1",
+    "e-ground_150_0.1",
+    "e-ground_60_0.1",
+    "e-ground_90_0.1",
+    "e-ground_90_0.5",
+    "e-ground_90_0.9",
+    "e-half_150_0.9",
+    "fzg_2.5_0.8",
+    "fzg_8.3_0.15",
+];
+
+/// The conditions with shorter waves, of 4 and of 2.5 µm at least.
+pub fn short_wave_conditions() -> Vec<Condition> {
+    let of = |micrometres: f64| {
+        let mut all = conditions();
+        all.retain(|condition| SHORT_WAVES.contains(&&*condition.name));
+        for condition in &mut all {
+            condition.name = format!("{}_{micrometres}um", condition.name);
+            condition.shortest_wave = Some(Length::from_si(1e-6 * micrometres));
+        }
+        all
+    };
+    [4.0, 2.5].into_iter().flat_map(of).collect()
 }
 
 /// Settings of the records of a table: every step a frame, 14 half-widths.
@@ -713,6 +771,8 @@ pub fn main() -> Outcome<()> {
             Some((key, _)) => return Err(format!("unknown key {key}").into()),
             None if word == "blind" => table = blind_conditions,
             None if word == "second" => table = second_blind_conditions,
+            None if word == "part" => table = part_load_conditions,
+            None if word == "short" => table = short_wave_conditions,
             None if word == "list" => is_list = true,
             None => prefix = word,
         }
