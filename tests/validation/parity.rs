@@ -168,24 +168,21 @@ fn picture(gates: &[Gate]) -> String {
     document("curve-chart", title, [WIDTH, bottom + 46.0], &text)
 }
 
-/// A sentence with the number of measured gates of each verdict, and one line for the rows at an unknown temperature.
+/// The measured gates by verdict in words, and one line for the rows at an unknown temperature.
 pub fn count() -> String {
-    let of = |class| gates().iter().filter(move |gate| gate.class == class);
-    let number = |verdict| {
-        let gates = of(Class::Measured).filter(|gate| gate.verdict() == verdict);
-        gates.count()
+    let number = |class, verdict| {
+        let of_class = gates().iter().filter(|gate| gate.class == class);
+        of_class.filter(|gate| gate.verdict() == verdict).count()
     };
-    let unknown: Vec<Verdict> = of(Class::UnknownTemperature).map(Gate::verdict).collect();
-    let by_temperature = match unknown.iter().all(|verdict| *verdict == unknown[0]) {
-        true => "has the same verdict at all temperatures",
-        false => "passes or fails by the unknown temperature",
-    };
+    let verdicts = [Verdict::Pass, Verdict::Undecided, Verdict::Fail];
+    let of = |class| verdicts.map(|verdict| number(class, verdict));
+    let [pass, undecided, fail] = of(Class::Measured);
+    let [t3_pass, t3_undecided, t3_fail] = of(Class::UnknownTemperature);
     format!(
-        "Of {} measured gates with a rule, {} pass, {} are undecided within the sampling of the flanks, {} fail; one more measurement (T3) {by_temperature}.\n",
-        of(Class::Measured).count() - number(Verdict::Printed),
-        number(Verdict::Pass),
-        number(Verdict::Undecided),
-        number(Verdict::Fail)
+        "Measured gates: {}, of which pass {pass}, undecided within the sampling of the flanks {undecided}, fail {fail}. One more measurement (T3) is at an \
+         unknown temperature, by which it passes or fails: of {} temperatures pass {t3_pass}, undecided {t3_undecided}, fail {t3_fail}.\n",
+        pass + undecided + fail,
+        t3_pass + t3_undecided + t3_fail
     )
 }
 
