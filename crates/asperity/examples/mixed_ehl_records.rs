@@ -508,7 +508,7 @@ pub fn blind_conditions() -> Vec<Condition> {
 #[derive(Clone, Copy, PartialEq)]
 enum Drive {
     /// First stage of the e-drive.
-    EDrive,
+    FirstStage,
     /// The e-drive's gears with 13 and 80 teeth: near A the contact moves slowly over the pinion.
     FewTeeth,
     /// FZG gears type A.
@@ -519,31 +519,31 @@ enum Drive {
 /// torque \[N m\]. Finishes, seeds, places, temperatures and speeds that no record of the first two tables has; the last eight
 /// are at part load.
 pub fn second_blind_conditions() -> Vec<Condition> {
-    use Drive::{EDrive, FewTeeth, FzgA};
+    use Drive::{FewTeeth, FirstStage, FzgA};
     use Finish::{Coarse, Crossed, Ground, Lapped, Peaked, Peened, Plateaus, RunIn};
     let rows = [
-        (EDrive, Crossed, [201, 202], 75, 0.15, 8000, 145.0),
-        (EDrive, Crossed, [201, 202], 115, 0.85, 6000, 145.0),
-        (EDrive, Crossed, [203, 204], 95, 0.45, 8000, 145.0),
-        (EDrive, Plateaus, [211, 212], 75, 0.72, 7000, 145.0),
-        (EDrive, Plateaus, [211, 212], 115, 0.25, 8000, 145.0),
-        (EDrive, Plateaus, [213, 214], 95, 0.12, 5000, 145.0),
-        (EDrive, Peaked, [221, 222], 95, 0.28, 8000, 145.0),
-        (EDrive, Peaked, [221, 222], 115, 0.65, 8000, 145.0),
-        (EDrive, Peened, [231, 232], 95, 0.35, 10000, 145.0),
-        (EDrive, Peened, [233, 234], 75, 0.78, 1500, 145.0),
-        (EDrive, RunIn, [241, 242], 115, 0.18, 5000, 145.0),
-        (EDrive, Lapped, [251, 252], 95, 0.74, 3500, 145.0),
+        (FirstStage, Crossed, [201, 202], 75, 0.15, 8000, 145.0),
+        (FirstStage, Crossed, [201, 202], 115, 0.85, 6000, 145.0),
+        (FirstStage, Crossed, [203, 204], 95, 0.45, 8000, 145.0),
+        (FirstStage, Plateaus, [211, 212], 75, 0.72, 7000, 145.0),
+        (FirstStage, Plateaus, [211, 212], 115, 0.25, 8000, 145.0),
+        (FirstStage, Plateaus, [213, 214], 95, 0.12, 5000, 145.0),
+        (FirstStage, Peaked, [221, 222], 95, 0.28, 8000, 145.0),
+        (FirstStage, Peaked, [221, 222], 115, 0.65, 8000, 145.0),
+        (FirstStage, Peened, [231, 232], 95, 0.35, 10000, 145.0),
+        (FirstStage, Peened, [233, 234], 75, 0.78, 1500, 145.0),
+        (FirstStage, RunIn, [241, 242], 115, 0.18, 5000, 145.0),
+        (FirstStage, Lapped, [251, 252], 95, 0.74, 3500, 145.0),
         (FzgA, Crossed, [205, 206], 75, 0.9, 1000, 183.4),
         (FzgA, Plateaus, [215, 216], 95, 0.12, 1200, 183.4),
         (FzgA, RunIn, [243, 244], 115, 0.7, 2500, 183.4),
         (FewTeeth, Ground, [271, 272], 95, 0.007, 8000, 15.0),
-        (EDrive, Ground, [273, 274], 95, 0.25, 8000, 20.0),
-        (EDrive, Plateaus, [217, 218], 75, 0.85, 4500, 20.0),
-        (EDrive, Crossed, [207, 208], 115, 0.62, 6000, 50.0),
-        (EDrive, Peened, [235, 236], 95, 0.15, 8000, 50.0),
-        (EDrive, Lapped, [253, 254], 115, 0.32, 2200, 20.0),
-        (EDrive, RunIn, [245, 246], 75, 0.38, 1500, 50.0),
+        (FirstStage, Ground, [273, 274], 95, 0.25, 8000, 20.0),
+        (FirstStage, Plateaus, [217, 218], 75, 0.85, 4500, 20.0),
+        (FirstStage, Crossed, [207, 208], 115, 0.62, 6000, 50.0),
+        (FirstStage, Peened, [235, 236], 95, 0.15, 8000, 50.0),
+        (FirstStage, Lapped, [253, 254], 115, 0.32, 2200, 20.0),
+        (FirstStage, RunIn, [245, 246], 75, 0.38, 1500, 50.0),
         (FzgA, Peaked, [223, 224], 95, 0.82, 1500, 50.0),
         (FewTeeth, Coarse, [285, 286], 75, 0.06, 6000, 20.0),
     ];
@@ -557,7 +557,7 @@ pub fn second_blind_conditions() -> Vec<Condition> {
         f64,
     )| {
         let (name, case) = match drive {
-            EDrive => ("e", E_DRIVE),
+            FirstStage => ("e", E_DRIVE),
             FewTeeth => ("few", E_DRIVE),
             FzgA => ("fzg-a", FZG),
         };
@@ -577,7 +577,7 @@ pub fn second_blind_conditions() -> Vec<Condition> {
             shortest_wave: None,
         };
         match drive {
-            EDrive => condition,
+            FirstStage => condition,
             FewTeeth => condition
                 .with("gears.teeth", "[13, 80]")
                 .with("gears.profile_shift", "[0, 0]"),
