@@ -575,7 +575,7 @@ fn listed(rows: &[Row]) -> String {
     text
 }
 
-/// Ten records with shorter waves over those with waves of 8 µm at least.
+/// Ten records with waves of 8 µm at least on 1024 cells, and with shorter waves, over those on 512 cells.
 pub fn short_wave_table() -> String {
     let (long, short) = (rows(GEAR_MESHES), rows(SHORT_WAVES));
     let mut text = String::from(
@@ -585,7 +585,10 @@ pub fn short_wave_table() -> String {
         let (name, wave) = row.name.rsplit_once('_').unwrap();
         let base = long.iter().find(|row| row.name == name).unwrap();
         let [friction, load, gap, fast] = risen(row, base);
-        let wave = wave.trim_end_matches("um");
+        let wave = match wave.trim_end_matches("um") {
+            "8" => "8, 1024 cells",
+            wave => wave,
+        };
         let _ = writeln!(
             text,
             "| {name} | {wave} | {friction:+.1} % | {load:+.0} % | {gap:+.1} % | {fast:+.1} % |"

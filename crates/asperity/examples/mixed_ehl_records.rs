@@ -210,6 +210,8 @@ pub struct Condition {
     keys: Vec<(&'static str, String)>,
     /// Shortest wave in its traces, if another than that of the other records.
     pub shortest_wave: Option<Length>,
+    /// Cells of its grid at least.
+    least_cells: usize,
 }
 
 impl Condition {
@@ -221,6 +223,7 @@ impl Condition {
             position,
             keys: vec![("operation.bulk_temperature", format!("{temperature} °C"))],
             shortest_wave: None,
+            least_cells: 0,
         }
     }
 
@@ -252,13 +255,17 @@ impl Condition {
                 format!("{} 1/min", pitch_line * FZG_TURNS),
             )],
             shortest_wave: None,
+            least_cells: 0,
         }
     }
 
     /// The settings of its record, with heat.
     pub fn settings(&self, record: &RecordSettings) -> ReferenceSettings {
         ReferenceSettings {
-            record: record.clone(),
+            record: RecordSettings {
+                cells: record.cells.max(self.least_cells),
+                ..record.clone()
+            },
             eyring_stress: Some(EYRING_STRESS[usize::from(self.case == FZG)]),
             with_heat: true,
             beginning: 0,
@@ -575,6 +582,7 @@ pub fn second_blind_conditions() -> Vec<Condition> {
                 ("operation.torque", format!("{torque} N m")),
             ],
             shortest_wave: None,
+            least_cells: 0,
         };
         match drive {
             FirstStage => condition,
@@ -622,18 +630,20 @@ const SHORT_WAVES: [&str; 10] = [
     "fzg_8.3_0.15",
 ];
 
-/// The conditions with shorter waves, of 4 and of 2.5 µm at least.
+/// The conditions with waves of 8 µm at least on a finer grid, and with shorter waves, of 4 and of 2.5 µm at least.
 pub fn short_wave_conditions() -> Vec<Condition> {
-    let of = |micrometres: f64| {
+    let of = |(micrometres, least_cells): (f64, usize)| {
         let mut all = conditions();
         all.retain(|condition| SHORT_WAVES.contains(&&*condition.name));
         for condition in &mut all {
             condition.name = format!("{}_{micrometres}um", condition.name);
             condition.shortest_wave = Some(Length::from_si(1e-6 * micrometres));
+            condition.least_cells = least_cells;
         }
         all
     };
-    [4.0, 2.5].into_iter().flat_map(of).collect()
+    let finer = [(8.0, 1024), (4.0, 0), (2.5, 0)];
+    finer.into_iter().flat_map(of).collect()
 }
 
 /// Settings of the records of a table: every step a frame, 14 half-widths.

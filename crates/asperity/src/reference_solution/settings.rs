@@ -27,7 +27,7 @@ pub const LARGEST_ROUGHNESS: f64 = 3.0;
 /// Roelands' exponent of the film; one that follows from α and η₀ moves the shares by some 2 %.
 const ROELANDS: f64 = 0.6;
 /// Shortest wavelength in the traces unless one is stated. Ten records solved again with waves down to 2.5 µm have up to 4 %
-/// more friction (one 13 %) and up to 11 % more load below 20 nm (one 27 %).
+/// more friction (one 13 %) and up to 11 % more load below 20 nm (one 27 %), half of it by their finer grid.
 const SHORTEST_WAVE: Length = Length::from_si(8e-6);
 /// Cells that the shortest wave spans at least.
 const CELLS_A_WAVE: f64 = 8.0;
