@@ -6,8 +6,8 @@
 use std::path::Path;
 
 use crate::{
-    band, ehl_records, fluid_film, full_film_losses, gates, gear_tool, load_share, measured,
-    oil_file, paper_formulation, paper_statements, parity, petry_johnson, rough_contact,
+    band, ehl_records, film_records, fluid_film, full_film_losses, gates, gear_tool, load_share,
+    measured, oil_file, paper_formulation, paper_statements, parity, petry_johnson, rough_contact,
     share_laws, spot_values, steady_films, table_2,
 };
 
@@ -36,8 +36,14 @@ fn tables() -> Vec<(&'static str, String)> {
     tables.push(("petry-johnson-measured", petry_johnson::beside_measured()));
     tables.push(("gates", gates::gate_table()));
     tables.push(("ehl-laws", ehl_records::law_table()));
-    tables.push(("ehl-classes", ehl_records::class_table()));
-    tables.push(("ehl-blind", ehl_records::blind_table()));
+    tables.push(("ehl-classes", film_records::class_table()));
+    tables.push(("ehl-blind", film_records::blind_table()));
+    tables.push(("ehl-second-blind", film_records::second_blind_table()));
+    tables.push(("ehl-coverage", film_records::coverage_table()));
+    tables.push(("ehl-models", film_records::model_table()));
+    tables.push(("ehl-parts", film_records::part_table()));
+    tables.push(("ehl-short-waves", film_records::short_wave_table()));
+    tables.push(("ehl-part-load", film_records::part_load_table()));
     tables.push(("gap-laws", gates::gap_law_table()));
     tables.push(("load-share-reference", measured::reference_table()));
     tables.push(("load-share-laws", share_laws::share_table()));
@@ -71,7 +77,7 @@ fn the_documents_show_what_the_tests_compute() {
     let mut shown = 0;
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut files = vec![root.join("README.md")];
-    for folder in ["docs", "docs/records"] {
+    for folder in ["docs", "docs/model", "docs/records"] {
         let entries = std::fs::read_dir(root.join(folder)).unwrap();
         let paths = entries.map(|entry| entry.unwrap().path());
         files.extend(paths.filter(|path| path.extension().is_some_and(|e| e == "md")));

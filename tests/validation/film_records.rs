@@ -1,20 +1,34 @@
-//! Parts of the friction of film and spots in the same windows as an independent program and as our own records.
+//! Friction of film and spots over 64 windows: against an independent program, and against our own records by parts and by interval.
 //!
-//! Thermal reduction none, ridges across the face, constants of the records, with heat, 64 windows.
+//! Thermal reduction none, ridges across the face, constants of the records, with heat. The means over the windows of every
+//! record are stored in `fixtures/records/film_64_windows.csv`; `ASPERITY_WRITE=1 cargo test -p asperity-tests --test validation --
+//! --ignored the_windows_of_every_record` makes them anew in some minutes. Tests hold the sum of their inputs and twelve of their rows.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
+use asperity::fingerprint::sha256;
 use asperity::mixed_film::{
     FilmPressure, GapRoughness, LoadShareSettings, LoadShareSolution, SpotSpeed,
 };
+use asperity::reference_solution::LARGEST_ROUGHNESS;
+use asperity::uncertainty::model_deviation;
 use asperity_core::quantity::Length;
+use asperity_ehl_regime::GapLaw;
 use rayon::prelude::*;
 
-use crate::ehl_records::Windows;
-use crate::ehl_records::mixed_ehl_records::{Condition, blind_conditions, conditions};
+use crate::ehl_records::mixed_ehl_records::{
+    Condition, blind_conditions, conditions, part_load_conditions, second_blind_conditions,
+    short_wave_conditions,
+};
+use crate::ehl_records::{Record, Windows, mean_and_rms, records};
 
 /// Windows that the parts are averaged over.
 const WINDOWS: usize = 64;
+/// Windows that a record travels over, about.
+const WINDOWS_OF_A_RECORD: f64 = 12.0;
 /// Conditions with the means of another program over the same windows: friction, asperity share, the boundary layer's part of the
 /// friction, gap in µm. Its film has other nodes, and its inner spots are sheared at the film of half the sliding speed.
 const OF_ANOTHER_PROGRAM: [(&str, [f64; 4]); 12] = [
@@ -32,16 +46,64 @@ const OF_ANOTHER_PROGRAM: [(&str, [f64; 4]); 12] = [
     ("fzg-fine_90_0.6_1.5", [0.03877, 0.1245, 0.007632, 0.2282]),
 ];
 
-/// The carried spots, the rippled film and the heights above the mean line, with β_i.
-fn changed(settings: LoadShareSettings, inner_boundary: f64) -> LoadShareSettings {
-    LoadShareSettings {
-        spot_speed: SpotSpeed::Carried,
-        inner_boundary,
-        film_pressure: FilmPressure::Rippled,
-        gap_roughness: GapRoughness::Peaks,
-        ..settings
-    }
+/// A formulation of the fast model, of which `make` makes the settings.
+struct Model {
+    name: &'static str,
+    make: fn(LoadShareSettings) -> LoadShareSettings,
+    /// Whether the records at part load and with shorter waves are computed with it as well.
+    for_all: bool,
 }
+
+const DEFAULT: &str = "default";
+const FILM_ONLY: &str = "film only";
+const MODELS: [Model; 7] = [
+    Model {
+        name: DEFAULT,
+        make: |of| of,
+        for_all: true,
+    },
+    Model {
+        name: FILM_ONLY,
+        make: |of| film_only(of, FilmPressure::Rippled),
+        for_all: true,
+    },
+    Model {
+        name: "film only own",
+        make: |of| film_only(of, FilmPressure::Own),
+        for_all: true,
+    },
+    Model {
+        name: "film only hertz",
+        make: |of| film_only(of, FilmPressure::Hertz),
+        for_all: false,
+    },
+    Model {
+        name: "inner 0.6",
+        make: |of| LoadShareSettings {
+            inner_boundary: 0.6,
+            ..of
+        },
+        for_all: false,
+    },
+    Model {
+        name: "inner 0.9",
+        make: |of| LoadShareSettings {
+            inner_boundary: 0.9,
+            ..of
+        },
+        for_all: false,
+    },
+    Model {
+        name: "former",
+        make: |of| LoadShareSettings {
+            spot_speed: SpotSpeed::Entrainment,
+            film_pressure: FilmPressure::Hertz,
+            gap_roughness: GapRoughness::Rms,
+            ..of
+        },
+        for_all: false,
+    },
+];
 
 /// The film in every spot, without a boundary layer: friction that no rule of the boundary layer takes part in.
 fn film_only(settings: LoadShareSettings, film_pressure: FilmPressure) -> LoadShareSettings {
@@ -49,28 +111,597 @@ fn film_only(settings: LoadShareSettings, film_pressure: FilmPressure) -> LoadSh
         spot_speed: SpotSpeed::Entrainment,
         boundary_layer: Length::from_si(0.0),
         film_pressure,
-        gap_roughness: GapRoughness::Peaks,
         ..settings
     }
 }
 
-fn mean(solved: &[LoadShareSolution], of: fn(&LoadShareSolution) -> f64) -> f64 {
-    solved.iter().map(of).sum::<f64>() / solved.len() as f64
+/// Means over the windows of a condition.
+#[derive(Debug, Clone, Copy)]
+struct Windowed {
+    friction: f64,
+    /// Standard deviation of the friction over the windows.
+    deviation: f64,
+    asperity_share: f64,
+    boundary: f64,
+    /// s of the whole pair over the mass-flow film.
+    roughness_over_film: f64,
+    smooth_film_um: f64,
+    gap_um: f64,
 }
 
-/// Friction, share, parts of film, lubricated asperities and boundary layer, s, h_c and gap in µm.
-fn parts(solved: &[LoadShareSolution]) -> [f64; 8] {
-    let of: [fn(&LoadShareSolution) -> f64; 8] = [
-        |s| s.coefficient,
-        |s| s.asperity_share,
-        |s| s.parts.film,
-        |s| s.parts.lubricated_asperities,
-        |s| s.parts.boundary,
-        |s| s.roughness_over_film,
-        |s| s.smooth_film.si() * 1e6,
-        |s| s.mean_gap.si() * 1e6,
+/// Columns of the stored table after condition and model.
+const COLUMNS: [&str; 7] = [
+    "friction",
+    "deviation",
+    "asperity_share",
+    "boundary",
+    "roughness_over_film",
+    "smooth_film_um",
+    "gap_um",
+];
+
+impl Windowed {
+    fn of(solved: &[LoadShareSolution]) -> Self {
+        let n = solved.len() as f64;
+        let mean = |of: fn(&LoadShareSolution) -> f64| solved.iter().map(of).sum::<f64>() / n;
+        let friction = mean(|solved| solved.coefficient);
+        let squares = solved.iter().map(|of| (of.coefficient - friction).powi(2));
+        Self {
+            friction,
+            deviation: (squares.sum::<f64>() / (n - 1.0)).sqrt(),
+            asperity_share: mean(|solved| solved.asperity_share),
+            boundary: mean(|solved| solved.parts.boundary),
+            roughness_over_film: mean(|solved| solved.roughness_over_film),
+            smooth_film_um: mean(|solved| solved.smooth_film.si() * 1e6),
+            gap_um: mean(|solved| solved.mean_gap.si() * 1e6),
+        }
+    }
+
+    const fn numbers(&self) -> [f64; COLUMNS.len()] {
+        [
+            self.friction,
+            self.deviation,
+            self.asperity_share,
+            self.boundary,
+            self.roughness_over_film,
+            self.smooth_film_um,
+            self.gap_um,
+        ]
+    }
+
+    fn read(numbers: &[&str]) -> Self {
+        let numbers: Vec<f64> = numbers.iter().map(|text| text.parse().unwrap()).collect();
+        let number = |name: &str| {
+            let place = COLUMNS.iter().position(|column| *column == name);
+            numbers[place.unwrap()]
+        };
+        Self {
+            friction: number("friction"),
+            deviation: number("deviation"),
+            asperity_share: number("asperity_share"),
+            boundary: number("boundary"),
+            roughness_over_film: number("roughness_over_film"),
+            smooth_film_um: number("smooth_film_um"),
+            gap_um: number("gap_um"),
+        }
+    }
+}
+
+/// A table of records: its name, and its conditions.
+type Table = (&'static str, fn() -> Vec<Condition>);
+const GEAR_MESHES: &str = "gear_meshes";
+const BLIND: &str = "blind";
+const SECOND_BLIND: &str = "second_blind";
+const PART_LOAD: &str = "part_load";
+const SHORT_WAVES: &str = "short_waves";
+const TABLES: [Table; 5] = [
+    (GEAR_MESHES, conditions),
+    (BLIND, blind_conditions),
+    (SECOND_BLIND, second_blind_conditions),
+    (PART_LOAD, part_load_conditions),
+    (SHORT_WAVES, short_wave_conditions),
+];
+/// Conditions of the second blind test at full load, before those at part load.
+const FULL_LOAD: usize = 16;
+
+fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn stored_file() -> PathBuf {
+    workspace().join("fixtures/records/film_64_windows.csv")
+}
+
+/// SHA-256 of what the conditions of the records are made of: cases, traces, and the recipes of the example. A change of the fast
+/// model shows in the twelve rows that are computed anew.
+fn sum_of_inputs() -> String {
+    const INPUTS: [&str; 10] = [
+        "crates/asperity/examples/mixed_ehl_records.rs",
+        "fixtures/cases/e-drive.toml",
+        "fixtures/cases/e-drive-superfinished.toml",
+        "fixtures/cases/fzg-c.toml",
+        "fixtures/profiles/ground_pinion.csv",
+        "fixtures/profiles/ground_wheel.csv",
+        "fixtures/profiles/ground_fine_pinion.csv",
+        "fixtures/profiles/ground_fine_wheel.csv",
+        "fixtures/profiles/superfinished.csv",
+        "fixtures/profiles/superfinished_wheel.csv",
     ];
-    of.map(|of| mean(solved, of))
+    let sum = |name: &str| {
+        let text = std::fs::read_to_string(workspace().join(name)).unwrap();
+        // A checkout may end lines otherwise.
+        sha256(text.replace("\r\n", "\n").as_bytes())
+    };
+    sha256(INPUTS.map(sum).join("\n").as_bytes())
+}
+
+/// Means over the windows by condition and model.
+type Stored = BTreeMap<String, BTreeMap<String, Windowed>>;
+
+/// The stored means, with the sum of their inputs.
+fn stored() -> &'static (String, Stored) {
+    static STORED: OnceLock<(String, Stored)> = OnceLock::new();
+    STORED.get_or_init(|| {
+        let text = std::fs::read_to_string(stored_file()).unwrap();
+        let mut lines = text.lines();
+        let sum = lines.next().unwrap().strip_prefix("# inputs ").unwrap();
+        let head: Vec<&str> = lines.next().unwrap().split(',').collect();
+        assert_eq!(head[2..], COLUMNS);
+        let mut found = Stored::new();
+        for line in lines {
+            let cells: Vec<&str> = line.split(',').collect();
+            let by_model = found.entry(cells[0].to_owned()).or_default();
+            by_model.insert(cells[1].to_owned(), Windowed::read(&cells[2..]));
+        }
+        (sum.to_owned(), found)
+    })
+}
+
+/// A record beside the fast model.
+struct Row {
+    name: String,
+    record: Record,
+    by: &'static BTreeMap<String, Windowed>,
+}
+
+impl Row {
+    fn by(&self, model: &str) -> &Windowed {
+        &self.by[model]
+    }
+
+    fn fast(&self) -> &Windowed {
+        self.by(DEFAULT)
+    }
+
+    /// ln of the fast model's friction over the record's.
+    fn error_by(&self, model: &str) -> f64 {
+        (self.by(model).friction / self.record.friction).ln()
+    }
+
+    fn error(&self) -> f64 {
+        self.error_by(DEFAULT)
+    }
+
+    /// ln of the fast model's friction over the record's, both by the film alone.
+    fn film_error(&self, model: &str) -> f64 {
+        (self.by(model).friction / self.record.film_friction).ln()
+    }
+
+    fn is_within_reference(&self) -> bool {
+        self.fast().roughness_over_film < LARGEST_ROUGHNESS
+    }
+
+    /// Friction that the boundary layer adds to the film's: of the record, of the fast model.
+    fn boundary(&self) -> [f64; 2] {
+        [
+            self.record.friction - self.record.film_friction,
+            self.fast().friction - self.by(FILM_ONLY).friction,
+        ]
+    }
+
+    /// Standard deviation of the error as a run draws it, or with the sampling of record and windows.
+    fn deviation(&self, with_sampling: bool) -> f64 {
+        let fast = self.fast();
+        let [_, model] =
+            model_deviation(GapLaw::Inlet, fast.roughness_over_film, fast.asperity_share);
+        if !with_sampling {
+            return model;
+        }
+        let windows = (1.0 / WINDOWS_OF_A_RECORD + 1.0 / WINDOWS as f64).sqrt();
+        let of_windows = fast.deviation / fast.friction * windows;
+        let of_record = self.record.friction_error / self.record.friction;
+        model.hypot(of_windows).hypot(of_record)
+    }
+
+    fn is_covered(&self, with_sampling: bool) -> bool {
+        self.error().abs() < NINETY_PERCENT * self.deviation(with_sampling)
+    }
+}
+
+/// Standard deviations on each side that hold 90 %.
+const NINETY_PERCENT: f64 = 1.645;
+
+/// The records of a table in the order of its conditions.
+fn rows(table: &str) -> Vec<Row> {
+    let (_, conditions) = TABLES.iter().find(|(name, _)| *name == table).unwrap();
+    let mut records = records(table);
+    let solved = conditions().into_iter().filter_map(|condition| {
+        let record = records.remove(&condition.name)?;
+        Some(Row {
+            by: &stored().1[&condition.name],
+            name: condition.name,
+            record,
+        })
+    });
+    let solved = solved.collect();
+    assert!(records.is_empty());
+    solved
+}
+
+/// The records that the model was chosen on: gear meshes, and the first blind test.
+fn chosen_on() -> Vec<Row> {
+    let mut all = rows(GEAR_MESHES);
+    all.extend(rows(BLIND));
+    all
+}
+
+fn is_compared(row: &&Row) -> bool {
+    row.is_within_reference()
+}
+
+fn mean_and_deviation(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let values: Vec<f64> = values.collect();
+    let [mean, rms] = mean_and_rms(values.iter().copied());
+    let n = values.len() as f64;
+    [mean, ((rms * rms - mean * mean) * n / (n - 1.0)).sqrt()]
+}
+
+/// ln μ: mean, standard deviation and root mean square.
+fn of_friction<'a>(rows: impl Iterator<Item = &'a Row> + Clone, model: &str) -> [f64; 3] {
+    let [mean, rms] = mean_and_rms(rows.clone().map(|row| row.error_by(model)));
+    let [_, deviation] = mean_and_deviation(rows.map(|row| row.error_by(model)));
+    [mean, deviation, rms]
+}
+
+fn correlation(pairs: &[[f64; 2]]) -> f64 {
+    let of = |k: usize| mean_and_deviation(pairs.iter().map(|pair| pair[k]));
+    let [[x, x_sd], [y, y_sd]] = [of(0), of(1)];
+    let products = pairs.iter().map(|pair| (pair[0] - x) * (pair[1] - y));
+    products.sum::<f64>() / (pairs.len() as f64 - 1.0) / (x_sd * y_sd)
+}
+
+/// Sum over the records below a ratio of 3 that the boundary layer adds more than `LEAST_BOUNDARY` to, fast model over record, with
+/// their number and the standard deviation of the ratio of one.
+fn boundary_sum() -> (usize, f64, f64) {
+    let rows = chosen_on();
+    let adds = |row: &&Row| row.boundary()[0] / row.record.friction > LEAST_BOUNDARY;
+    let parts: Vec<[f64; 2]> = rows
+        .iter()
+        .filter(is_compared)
+        .filter(adds)
+        .map(Row::boundary)
+        .collect();
+    let sum = |k: usize| parts.iter().map(|part| part[k]).sum::<f64>();
+    let [_, scatter] = mean_and_deviation(parts.iter().map(|part| part[1] / part[0]));
+    (parts.len(), sum(1) / sum(0), scatter)
+}
+
+/// Part of the friction above which the boundary layer's part of a record is compared.
+const LEAST_BOUNDARY: f64 = 0.15;
+
+/// Formulations of the fast model against the 93 records.
+pub fn model_table() -> String {
+    let all = chosen_on();
+    let blind = rows(BLIND);
+    let mut text = String::from(
+        "| model | s < 3: mean, standard deviation, root mean square | first blind test, s < 3: mean, root mean square | s > 3: mean | correlation with φ |\n|---|---|---|---|---|\n",
+    );
+    for (model, name) in [
+        (
+            "former",
+            "film at Hertz's pressure, σ_d of all heights, spots fed at the entrainment speed",
+        ),
+        (DEFAULT, "**default**"),
+        ("inner 0.6", "default, β_i 0.6"),
+        ("inner 0.9", "default, β_i 0.9"),
+    ] {
+        let compared = all.iter().filter(is_compared);
+        let [mean, deviation, rms] = of_friction(compared.clone(), model);
+        let [blind_mean, _, blind_rms] = of_friction(blind.iter().filter(is_compared), model);
+        let above = all.iter().filter(|row| !row.is_within_reference());
+        let [high, ..] = of_friction(above, model);
+        let pairs = compared.map(|row| [row.by(model).asperity_share, row.error_by(model)]);
+        let pairs: Vec<[f64; 2]> = pairs.collect();
+        let correlation = correlation(&pairs);
+        let _ = writeln!(
+            text,
+            "| {name} | {mean:+.3}, {deviation:.3}, {rms:.3} | {blind_mean:+.3}, {blind_rms:.3} | {high:+.3} | {correlation:.2} |"
+        );
+    }
+    text
+}
+
+/// Ends of the classes of the central film \[µm\].
+const FILMS: [f64; 7] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.3, f64::INFINITY];
+
+/// The film and the boundary layer apart.
+pub fn part_table() -> String {
+    let all = chosen_on();
+    let mut text = String::from("| part | records | fast model and record |\n|---|---|---|\n");
+    for (model, name) in [
+        ("film only hertz", "film at Hertz's pressure"),
+        ("film only own", "film at its own pressure"),
+        (FILM_ONLY, "film at its own, rippled pressure"),
+    ] {
+        let compared = all.iter().filter(is_compared);
+        let [mean, rms] = mean_and_rms(compared.clone().map(|row| row.film_error(model)));
+        let count = compared.count();
+        let _ = writeln!(
+            text,
+            "| {name}, s < 3 | {count} | ln μ: mean {mean:+.3}, root mean square {rms:.3} |"
+        );
+    }
+    let (count, sum, scatter) = boundary_sum();
+    let _ = writeln!(
+        text,
+        "| boundary layer where it adds more than 15 %, s < 3 | {count} | ratio of the sums {sum:.2}, scatter of one record {scatter:.2} |"
+    );
+    let mut all = all;
+    all.extend(rows(SECOND_BLIND));
+    all.extend(rows(PART_LOAD));
+    for ends in FILMS.windows(2) {
+        let is_in = |row: &&Row| (ends[0]..ends[1]).contains(&row.fast().smooth_film_um);
+        let parts: Vec<[f64; 2]> = all.iter().filter(is_in).map(Row::boundary).collect();
+        let sum = |k: usize| parts.iter().map(|part| part[k]).sum::<f64>();
+        let name = match ends[1].is_finite() {
+            true => format!("{} to {} µm", ends[0], ends[1]),
+            false => format!("above {} µm", ends[0]),
+        };
+        let (count, ratio) = (parts.len(), sum(1) / sum(0));
+        let _ = writeln!(
+            text,
+            "| boundary layer, central film {name}, all records | {count} | ratio of the sums {ratio:.2} |"
+        );
+    }
+    text
+}
+
+/// Ends of the classes of s.
+const CLASSES: [f64; 7] = [0.0, 0.6, 1.2, 1.8, 2.3, 3.0, 6.0];
+
+/// Fast model minus the 93 records by classes of s, mean ± standard deviation.
+pub fn class_table() -> String {
+    let all = chosen_on();
+    let mut text = String::from(
+        "| s | records | φ | ln gap | ln μ | ln μ, film alone |\n|---|---|---|---|---|---|\n",
+    );
+    for ends in CLASSES.windows(2) {
+        let is_in = |row: &&Row| (ends[0]..ends[1]).contains(&row.fast().roughness_over_film);
+        let in_class = || all.iter().filter(is_in);
+        let share = |row: &Row| Some(row.fast().asperity_share - row.record.share()?);
+        let columns = [
+            mean_and_deviation(in_class().filter_map(share)),
+            mean_and_deviation(in_class().map(|row| row.record.gap_error(row.fast().gap_um))),
+            mean_and_deviation(in_class().map(Row::error)),
+            mean_and_deviation(in_class().map(|row| row.film_error(FILM_ONLY))),
+        ];
+        let cells = columns.map(|[mean, deviation]| format!("{mean:+.3} ± {deviation:.3}"));
+        let _ = writeln!(
+            text,
+            "| {} to {} | {} | {} |",
+            ends[0],
+            ends[1],
+            in_class().count(),
+            cells.join(" | ")
+        );
+    }
+    text
+}
+
+/// Records within the interval of 90 %.
+pub fn coverage_table() -> String {
+    let second = rows(SECOND_BLIND);
+    let (full, part) = second.split_at(FULL_LOAD.min(second.len()));
+    let mut text = String::from(
+        "| records | ln μ: mean, root mean square | within 90 % with the errors of sampling | by the error of the fast model only |\n|---|---|---|---|\n",
+    );
+    for (name, rows) in [
+        ("65 gear meshes", &*rows(GEAR_MESHES)),
+        ("28 of the first blind test", &*rows(BLIND)),
+        ("both", &*chosen_on()),
+        ("second blind test", &*second),
+        ("its full load", full),
+        ("its part load", part),
+    ] {
+        let [mean, rms] = mean_and_rms(rows.iter().map(Row::error));
+        let [with, without] = [true, false].map(|with| covered(rows, with));
+        let count = rows.len();
+        let _ = writeln!(
+            text,
+            "| {name} | {mean:+.3}, {rms:.3} | {with} of {count} | {without} |"
+        );
+    }
+    text
+}
+
+fn covered(rows: &[Row], with_sampling: bool) -> usize {
+    rows.iter()
+        .filter(|row| row.is_covered(with_sampling))
+        .count()
+}
+
+/// Every record of the first blind test.
+pub fn blind_table() -> String {
+    listed(&rows(BLIND))
+}
+
+/// Every record of the second blind test.
+pub fn second_blind_table() -> String {
+    listed(&rows(SECOND_BLIND))
+}
+
+/// A row for every record with its interval, then mean and root mean square.
+fn listed(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "| condition | s | φ: record, fast | gap µm: record × .975, fast | μ: record, fast, ln | film alone, ln | 90 % of ln | within |\n|---|---|---|---|---|---|---|---|\n",
+    );
+    for row in rows {
+        let (record, fast) = (&row.record, row.fast());
+        let [low, high] = record.below;
+        let undefined = match record.share() {
+            Some(_) => "",
+            None => " (undefined)",
+        };
+        let gap = fast.gap_um / record.gap_error(fast.gap_um).exp();
+        let _ = writeln!(
+            text,
+            "| {} | {:.2} | {:.3}, {:.3}{undefined} | {gap:.3}, {:.3} | {:.5}, {:.5}, {:+.3} | {:+.3} | ±{:.3} | {} |",
+            row.name,
+            fast.roughness_over_film,
+            0.5 * (low + high),
+            fast.asperity_share,
+            fast.gap_um,
+            record.friction,
+            fast.friction,
+            row.error(),
+            row.film_error(FILM_ONLY),
+            NINETY_PERCENT * row.deviation(true),
+            match row.is_covered(true) {
+                true => "yes",
+                false => "**no**",
+            },
+        );
+    }
+    text
+}
+
+/// Ten records with waves of 8 µm at least on 1024 cells, and with shorter waves, over those on 512 cells.
+pub fn short_wave_table() -> String {
+    let (long, short) = (rows(GEAR_MESHES), rows(SHORT_WAVES));
+    let mut text = String::from(
+        "| condition | shortest wave µm | μ of the record | load below 20 nm | gap | μ of the fast model |\n|---|---|---|---|---|---|\n",
+    );
+    for row in &short {
+        let (name, wave) = row.name.rsplit_once('_').unwrap();
+        let base = long.iter().find(|row| row.name == name).unwrap();
+        let [friction, load, gap, fast] = risen(row, base);
+        let wave = match wave.trim_end_matches("um") {
+            "8" => "8, 1024 cells",
+            wave => wave,
+        };
+        let _ = writeln!(
+            text,
+            "| {name} | {wave} | {friction:+.1} % | {load:+.0} % | {gap:+.1} % | {fast:+.1} % |"
+        );
+    }
+    text
+}
+
+/// Rises in per cent of friction, load below 20 nm and gap of the record, and of the fast model's friction.
+fn risen(row: &Row, base: &Row) -> [f64; 4] {
+    let of = |row: &Row| {
+        let record = &row.record;
+        [
+            record.friction,
+            record.below[0],
+            record.gap_um,
+            row.fast().friction,
+        ]
+    };
+    let (new, old) = (of(row), of(base));
+    [0, 1, 2, 3].map(|k: usize| 100.0 * (new[k] / old[k] - 1.0))
+}
+
+/// Records of scaled flanks at part load.
+pub fn part_load_table() -> String {
+    let mut text = String::from(
+        "| condition | s | φ: record, fast | film alone, own pressure, ln | rippled, ln | μ: record, fast, ln |\n|---|---|---|---|---|---|\n",
+    );
+    for row in rows(PART_LOAD) {
+        let (record, fast) = (&row.record, row.fast());
+        let [low, high] = record.below;
+        let _ = writeln!(
+            text,
+            "| {} | {:.2} | {:.3}, {:.3} | {:+.3} | {:+.3} | {:.5}, {:.5}, {:+.3} |",
+            row.name,
+            fast.roughness_over_film,
+            0.5 * (low + high),
+            fast.asperity_share,
+            row.film_error("film only own"),
+            row.film_error(FILM_ONLY),
+            record.friction,
+            fast.friction,
+            row.error(),
+        );
+    }
+    text
+}
+
+#[test]
+fn the_fast_model_follows_the_93_records() {
+    println!("{}\n{}\n{}", model_table(), part_table(), class_table());
+    let all = chosen_on();
+    assert_eq!(all.len(), 93);
+    // The row that the model was chosen with, by another program: means and root mean squares within .01.
+    let near = |found: f64, expected: f64| (found - expected).abs() < 0.01;
+    let [mean, deviation, rms] = of_friction(all.iter().filter(is_compared), DEFAULT);
+    assert!(
+        near(mean, 0.0) && near(deviation, 0.05) && near(rms, 0.05),
+        "{mean} {rms}"
+    );
+    let blind = rows(BLIND);
+    let [mean, _, rms] = of_friction(blind.iter().filter(is_compared), DEFAULT);
+    assert!(near(mean, 0.009) && near(rms, 0.07), "{mean} {rms}");
+    let above = all.iter().filter(|row| !row.is_within_reference());
+    let [mean, ..] = of_friction(above, DEFAULT);
+    assert!(near(mean, 0.069), "{mean}");
+    // Parts: the film alone, and what the boundary layer adds.
+    let film = |rows: &mut dyn Iterator<Item = &Row>| {
+        mean_and_rms(rows.map(|row| row.film_error(FILM_ONLY)))
+    };
+    let [mean, rms] = film(&mut all.iter().filter(is_compared));
+    assert!(mean.abs() < 0.02 && rms < 0.07, "{mean} {rms}");
+    let (count, sum, _) = boundary_sum();
+    assert!(count > 40 && (0.85..1.1).contains(&sum), "{count} {sum}");
+    // At .42 GPa and more; the last five are at .3 GPa.
+    let part = rows(PART_LOAD);
+    let [mean, rms] = film(&mut part[..20].iter());
+    assert!(mean.abs() < 0.02 && rms < 0.06, "{mean} {rms}");
+}
+
+#[test]
+fn the_interval_holds_the_records_that_it_was_judged_on() {
+    println!("{}", coverage_table());
+    let all = covered(&chosen_on(), true);
+    assert!(all >= 80, "{all} of 93");
+}
+
+#[test]
+fn the_second_blind_test_has_the_outcome_that_is_printed() {
+    println!("{}", second_blind_table());
+    let rows = rows(SECOND_BLIND);
+    assert_eq!(second_blind_conditions().len(), 24);
+    // One fewer than the test asks for; another number means that a record or the model has changed since.
+    assert_eq!((rows.len(), covered(&rows, true)), (24, 18));
+}
+
+#[test]
+fn shorter_waves_move_the_records_as_the_pages_say() {
+    println!("{}", short_wave_table());
+    let (long, short) = (rows(GEAR_MESHES), rows(SHORT_WAVES));
+    for row in short.iter().filter(|row| row.name.ends_with("_2.5um")) {
+        let name = row.name.trim_end_matches("_2.5um");
+        let base = long.iter().find(|row| row.name == name).unwrap();
+        let [friction, load, ..] = risen(row, base);
+        let most = match name {
+            "e-ground_90_0.5" => [15.0, 30.0],
+            _ => [4.5, 12.0],
+        };
+        assert!(
+            friction.abs() < most[0] && load.abs() < most[1],
+            "{name}: {friction} {load}"
+        );
+    }
 }
 
 #[test]
@@ -81,9 +712,13 @@ fn parts_of_friction_are_those_of_an_independent_program() {
     assert_eq!(all.len(), OF_ANOTHER_PROGRAM.len());
     all.into_par_iter().for_each(|condition| {
         let windows = Windows::of(&condition, WINDOWS);
-        let solved = windows.solutions(&changed(windows.settings(), 0.75), false);
-        let [friction, share, _, _, boundary, _, _, gap] = parts(&solved);
-        let found = [friction, share, boundary, gap];
+        let seen = Windowed::of(&windows.solutions(&windows.settings(), false));
+        let found = [
+            seen.friction,
+            seen.asperity_share,
+            seen.boundary,
+            seen.gap_um,
+        ];
         let row = OF_ANOTHER_PROGRAM
             .iter()
             .find(|(name, _)| *name == condition.name);
@@ -94,35 +729,69 @@ fn parts_of_friction_are_those_of_an_independent_program() {
                 "{name}: {found} {expected}"
             );
         }
+        // Transforms differ in their last digits by processor, and the stored numbers have six.
+        let stored = &stored().1[*name][DEFAULT];
+        for ((column, seen), stored) in COLUMNS.iter().zip(seen.numbers()).zip(stored.numbers()) {
+            assert!(
+                (seen - stored).abs() < 1e-3 * stored.abs() + 2e-6,
+                "{name}, {column}: {seen}, stored {stored}; see the top of this file"
+            );
+        }
     });
 }
 
 #[test]
-#[ignore = "some minutes; prints the parts of every record"]
-fn parts_of_every_record() {
-    let all = |set, conditions: Vec<Condition>| -> Vec<(&str, Condition)> {
-        conditions.into_iter().map(|one| (set, one)).collect()
-    };
-    let mut rows = all("gear_meshes", conditions());
-    rows.extend(all("blind", blind_conditions()));
-    println!("set,condition,model,mu,phi,film,lubricated,boundary,s,h_c_um,gap_um");
-    rows.into_par_iter().for_each(|(set, condition)| {
-        let windows = Windows::of(&condition, WINDOWS);
-        let base = windows.settings();
-        let models = [
-            ("today", base),
-            ("own film only", film_only(base, FilmPressure::Own)),
-            ("film only", film_only(base, FilmPressure::Rippled)),
-            ("inner 0.6", changed(base, 0.6)),
-            ("inner 0.75", changed(base, 0.75)),
-            ("inner 0.9", changed(base, 0.9)),
-        ];
-        let mut text = String::new();
-        for (name, settings) in models {
-            let found = parts(&windows.solutions(&settings, false));
-            let cells = found.map(|number| format!("{number:.6}"));
-            let _ = writeln!(text, "{set},{},{name},{}", condition.name, cells.join(","));
+fn the_stored_windows_have_the_inputs_of_today() {
+    let (sum, stored) = stored();
+    assert_eq!(*sum, sum_of_inputs(), "see the top of this file");
+    for (table, conditions) in TABLES {
+        for condition in conditions() {
+            assert!(
+                stored.contains_key(&condition.name),
+                "{table}: {}",
+                condition.name
+            );
         }
-        print!("{text}");
+    }
+}
+
+#[test]
+#[ignore = "some minutes; makes the stored windows anew"]
+fn the_windows_of_every_record() {
+    let mut all = Vec::new();
+    for (table, conditions) in TABLES {
+        let is_chosen_on = table == GEAR_MESHES || table == BLIND;
+        all.extend(conditions().into_iter().map(|one| (is_chosen_on, one)));
+    }
+    let parts = all.into_par_iter().map(|(every_model, condition)| {
+        let windows = Windows::of(&condition, WINDOWS);
+        let mut text = String::new();
+        for model in MODELS.iter().filter(|model| every_model || model.for_all) {
+            let settings = (model.make)(windows.settings());
+            let numbers = Windowed::of(&windows.solutions(&settings, false)).numbers();
+            let numbers = numbers.map(|number| format!("{number:.6}"));
+            let _ = writeln!(
+                text,
+                "{},{},{}",
+                condition.name,
+                model.name,
+                numbers.join(",")
+            );
+        }
+        text
     });
+    let text = format!(
+        "# inputs {}\ncondition,model,{}\n{}",
+        sum_of_inputs(),
+        COLUMNS.join(","),
+        parts.collect::<Vec<_>>().concat()
+    );
+    if std::env::var_os("ASPERITY_WRITE").is_some() {
+        std::fs::write(stored_file(), text).unwrap();
+        return;
+    }
+    assert!(
+        text == std::fs::read_to_string(stored_file()).unwrap(),
+        "other windows"
+    );
 }

@@ -74,9 +74,50 @@ pub fn judge(found: Estimate, rule: Option<[f64; 2]>) -> Verdict {
     }
 }
 
+/// What the reference of a gate is, and with it what the verdict is worth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Class {
+    /// A measurement that no constant was chosen on.
+    Measured,
+    /// One measurement at a temperature that is not known: rows at several temperatures count as one line.
+    UnknownTemperature,
+    /// A measurement that a constant was calibrated on or judged with.
+    CalibratedOn,
+    /// Holds by the form of the laws.
+    ByConstruction,
+    /// Computed by this project.
+    OwnReference,
+    /// Computed by the source, not measured.
+    ComputedBySource,
+}
+
+impl Class {
+    /// All classes; the measured ones first.
+    pub const ALL: [Self; 6] = [
+        Self::Measured,
+        Self::UnknownTemperature,
+        Self::CalibratedOn,
+        Self::ComputedBySource,
+        Self::ByConstruction,
+        Self::OwnReference,
+    ];
+
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Measured => "measured",
+            Self::UnknownTemperature => "measured, temperature unknown",
+            Self::CalibratedOn => "calibrated on",
+            Self::ByConstruction => "by construction",
+            Self::OwnReference => "own reference",
+            Self::ComputedBySource => "computed by the source",
+        }
+    }
+}
+
 /// A measurement, our value for it, and the rule that the value is judged by.
 #[derive(Clone)]
 pub struct Gate {
+    pub class: Class,
     /// Gate and condition; distinct, without numbers that are computed.
     pub name: String,
     /// What was measured.
@@ -96,6 +137,7 @@ pub struct Gate {
 impl Gate {
     /// A gate with its unit and the decimals of its value.
     pub fn new(
+        class: Class,
         name: impl Into<String>,
         measured: impl Into<String>,
         value: Estimate,
@@ -104,6 +146,7 @@ impl Gate {
     ) -> Self {
         let (name, measured, note) = (name.into(), measured.into(), String::new());
         Self {
+            class,
             name,
             measured,
             value,
@@ -208,14 +251,15 @@ impl Gate {
 /// The gates as Markdown.
 pub fn table(gates: &[Gate]) -> String {
     let mut text = String::from(
-        "| gate | measured | rule | unit | here | standard error | verdict |\n|---|---|---|---|---|---|---|\n",
+        "| gate | reference | class | rule | unit | here | standard error | verdict |\n|---|---|---|---|---|---|---|---|\n",
     );
     for gate in gates {
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {}{} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {}{} | {} | {} |",
             gate.name,
             gate.measured,
+            gate.class.text(),
             gate.rule_text(),
             gate.unit,
             gate.number_text(),
@@ -263,7 +307,16 @@ fn a_gate_is_undecided_where_an_end_of_its_rule_lies_within_1_65_standard_errors
 
 #[test]
 fn values_are_compared_with_the_middle_or_the_end_of_the_measured_range() {
-    let gate = |unit| Gate::new("", "", Estimate::exact(0.0), None, (unit, 0));
+    let gate = |unit| {
+        Gate::new(
+            Class::Measured,
+            "",
+            "",
+            Estimate::exact(0.0),
+            None,
+            (unit, 0),
+        )
+    };
     assert_eq!(gate("W").over_reference(150.0), None);
     // A fall by 44 % where 30 % was measured leaves 56 of 70.
     for (unit, range, value) in [

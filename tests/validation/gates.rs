@@ -15,14 +15,14 @@ use asperity_ehl_regime::GapLaw;
 
 use crate::britton::{Britton, britton};
 use crate::ehl_records::{Deviation, deviation};
-use crate::gate::{Estimate, Gate, Verdict, table};
-use crate::load_share::{FEW, losses, with};
+use crate::gate::{Class, Estimate, Gate, Verdict, table};
+use crate::load_share::{FEW, FORMER, losses, with};
 use crate::measured_cases::{FZG_SPEEDS, Kept, Sampled, kept, measured, turns};
 use crate::share_laws::erf;
 
 /// Gates that do not pass. A verdict that changes fails the test: change the list, and say why in the commit.
-const NOT_PASSED: [(&str, Verdict); 9] = [
-    ("T1 FZG C-mod, mean μ at 0.5 m/s", Verdict::Undecided),
+const NOT_PASSED: [(&str, Verdict); 11] = [
+    ("T1 FZG C-mod, mean μ at 0.5 m/s", Verdict::Fail),
     (
         "T1 loss over the source's law, coded anew, 0.5 m/s",
         Verdict::Undecided,
@@ -32,12 +32,20 @@ const NOT_PASSED: [(&str, Verdict); 9] = [
         Verdict::Undecided,
     ),
     (
+        "T1 loss over the source's law, coded anew, 2.5 m/s",
+        Verdict::Undecided,
+    ),
+    (
+        "T3 Britton, Ra 0.4 to 0.05 um, jet oil, 70 °C: change of μ",
+        Verdict::Undecided,
+    ),
+    (
         "T3 Britton, Ra 0.4 to 0.05 um, jet oil, 90 °C: change of μ",
         Verdict::Undecided,
     ),
     (
         "T3 Britton, Ra 0.4 to 0.05 um, jet oil, 110 °C: change of μ",
-        Verdict::Undecided,
+        Verdict::Fail,
     ),
     (
         "T6 μ of polyglycol over mineral oil, FZG at 2.5 m/s",
@@ -129,11 +137,12 @@ fn fzg_gates(law: GapLaw) -> Vec<Gate> {
         let found = kept.at(&[&[("operation.speed", &*slow)], keys].concat());
         found.friction()
     };
-    let friction = "at most 0.065 on ground flanks of Ra 0.2 um (here surrogates)";
+    let friction = "at most 0.065 on ground flanks of Ra 0.2 um (here surrogates); μ_b was judged with it in view";
     let nominal = kept.at(&[("operation.speed", &turns(8.3))]);
     let factor = Estimate::exact(nominal.losses.summary.loss_factor_local / 0.1680 - 1.0);
     let mut rows = vec![
         Gate::new(
+            Class::Measured,
             "T1 FZG C-mod, mean μ at 0.5 m/s",
             friction,
             at_slow(&[]),
@@ -142,6 +151,7 @@ fn fzg_gates(law: GapLaw) -> Vec<Gate> {
         )
         .against([f64::NEG_INFINITY, 0.065]),
         Gate::new(
+            Class::Measured,
             "T1 the same with boundary friction 0.07",
             "-",
             at_slow(&[("model.boundary_friction", "0.07")]),
@@ -149,6 +159,7 @@ fn fzg_gates(law: GapLaw) -> Vec<Gate> {
             FRICTION,
         ),
         Gate::new(
+            Class::ComputedBySource,
             "T1 H_VL, relief over the double contact",
             "0.1680 with 35 um relief, length not printed",
             factor.times(100.0),
@@ -157,6 +168,7 @@ fn fzg_gates(law: GapLaw) -> Vec<Gate> {
         )
         .against([0.0; 2]),
         Gate::new(
+            Class::ComputedBySource,
             "T1 gap at 8.3 m/s, mean over the path",
             "just below 0.2 um",
             Estimate::exact(mean_film(&nominal.losses)),
@@ -179,9 +191,14 @@ fn fzg_gates(law: GapLaw) -> Vec<Gate> {
         arana.case = arana.case.with_load_share(Arc::new(Arana));
         let arana = Estimate::exact(losses(&arana).summary.loss_w);
         let change = ours.mean(&|row| row.loss_w).change_to(arana);
+        let measured = match speed {
+            0.5 => "law within 5 % of the measured loss; μ_b was judged with it in view",
+            _ => "law within 5 % of the measured loss",
+        };
         Gate::new(
+            Class::Measured,
             format!("T1 loss over the source's law, coded anew, {speed} m/s"),
-            "law within 5 % of the measured loss",
+            measured,
             change.times(100.0),
             Some([-15.0, 15.0]),
             PERCENT,
@@ -276,6 +293,7 @@ fn petry_johnson_gates() -> Vec<Gate> {
         };
         let found = petry_johnson_by(GapLaw::default(), speed).mean(&|row| row.loss_w);
         Gate::new(
+            Class::CalibratedOn,
             format!("T2 Petry-Johnson, superfinished 40/40, {speed} 1/min"),
             format!("{low:.0} to {high:.0} W (grade C){also}"),
             found,
@@ -306,6 +324,7 @@ fn finish_gates(law: GapLaw) -> Vec<Gate> {
         let found = britton_at(law, celsius);
         let is_inside = (0.2..=0.5).contains(&found.film_ratio);
         Gate::new(
+            Class::UnknownTemperature,
             format!("T3 Britton, Ra 0.4 to 0.05 um, jet oil, {celsius} °C: change of μ"),
             "-30 %, temperature unknown",
             found.change.times(100.0),
@@ -317,6 +336,7 @@ fn finish_gates(law: GapLaw) -> Vec<Gate> {
     });
     let mut rows = Vec::from(britton);
     let null = Gate::new(
+        Class::Measured,
         "T4 superfinishing in thick films, FZG at 40 °C, 20 m/s: change of μ",
         "nothing measurable",
         null_pair(law).times(100.0),
@@ -335,6 +355,7 @@ fn limit_gates() -> Vec<Gate> {
         let path = kept.at(&[("lubricant.base_oil", oil)]).losses.path;
         let largest = path.iter().map(|row| row.mu_film).fold(0.0, f64::max);
         Gate::new(
+            Class::ByConstruction,
             format!("T5 largest film friction, e-drive superfinished, {oil}"),
             format!("limiting shear over pressure {limit}"),
             Estimate::exact(largest),
@@ -371,6 +392,7 @@ fn oil_gates(law: GapLaw) -> Vec<Gate> {
         let turns = turns(speed);
         let at = |oil: &str| kept.at(&[("lubricant.base_oil", oil), ("operation.speed", &turns)]);
         Gate::new(
+            Class::CalibratedOn,
             format!("T6 μ of {oil} over mineral oil, FZG at {speed} m/s"),
             measured,
             at(oil).friction_over(&at("mineral")),
@@ -406,12 +428,13 @@ fn running_in_gates(law: GapLaw) -> Vec<Gate> {
     let (fzg, rq) = run_in(&measured("fzg-c-ground", &law));
     let (drive, _) = run_in(&with("e-drive", &law));
     let (fine, _) = run_in(&with("e-drive-superfinished", &law));
-    let row = |name: &str, measured: &str, value, rule| {
-        Gate::new(name, measured, value, rule, ("point", 4))
+    let row = |class, name: &str, measured: &str, value, rule| {
+        Gate::new(class, name, measured, value, rule, ("point", 4))
     };
     let gain = "T7 gain of efficiency by running-in";
     vec![
         row(
+            Class::Measured,
             &format!("{gain}, FZG"),
             "about +0.1 point, Sq to -17 %",
             fzg,
@@ -419,8 +442,15 @@ fn running_in_gates(law: GapLaw) -> Vec<Gate> {
         )
         .against([0.1; 2])
         .noted(format!(" with Rq {rq:.0} %")),
-        row(&format!("{gain}, e-drive ground"), "-", drive, None),
         row(
+            Class::Measured,
+            &format!("{gain}, e-drive ground"),
+            "-",
+            drive,
+            None,
+        ),
+        row(
+            Class::ByConstruction,
             &format!("{gain}, e-drive superfinished"),
             "none",
             fine,
@@ -435,7 +465,15 @@ fn share_gates(law: GapLaw) -> Vec<Gate> {
     let row = |what: &str, found: &Deviation, rule| {
         let name = format!("T9 solved asperity share minus records, root mean square, {what}");
         let note = format!(" of {}, mean {:+.3}", found.records, found.mean);
-        Gate::new(name, own, found.root_mean_square, rule, RATIO).noted(note)
+        Gate::new(
+            Class::OwnReference,
+            name,
+            own,
+            found.root_mean_square,
+            rule,
+            RATIO,
+        )
+        .noted(note)
     };
     let largest = |end: f64| Some([f64::NEG_INFINITY, end]);
     vec![
@@ -457,9 +495,10 @@ fn share_gates(law: GapLaw) -> Vec<Gate> {
 fn film_gates() -> Vec<Gate> {
     let few = kept("../measured/fzg-c-ground", &FEW);
     let film = |speed: f64| mean_film(&few.at(&[("operation.speed", &turns(speed))]).losses);
-    let row = |what: &str, slow: f64, fast: f64, rule| {
+    let row = |class, what: &str, slow: f64, fast: f64, rule| {
         let power = (film(fast) / film(slow)).ln() / (fast / slow).ln();
         Gate::new(
+            class,
             format!("T10 power of the speed in the film, {what}"),
             "0.65 to 0.72 on a rig, oils not named",
             Estimate::exact(power),
@@ -469,8 +508,20 @@ fn film_gates() -> Vec<Gate> {
         .against([0.65, 0.72])
     };
     vec![
-        row("0.5 to 1 m/s", 0.5, 1.0, Some([0.65, 0.72])),
-        row("8.3 to 16.6 m/s, with its heat", 8.3, 16.6, None),
+        row(
+            Class::ByConstruction,
+            "0.5 to 1 m/s",
+            0.5,
+            1.0,
+            Some([0.65, 0.72]),
+        ),
+        row(
+            Class::Measured,
+            "8.3 to 16.6 m/s, with its heat",
+            8.3,
+            16.6,
+            None,
+        ),
     ]
 }
 
@@ -486,6 +537,7 @@ fn made_gap_law_table() -> String {
         rows.extend([2000, 4000, 6000, 8000, 10_000].map(|speed| {
             let [low, high] = measured_loss(speed);
             Gate::new(
+                Class::CalibratedOn,
                 format!("T2 Petry-Johnson, superfinished 40/40, {speed} 1/min"),
                 format!("{low:.0} to {high:.0} W (grade C)"),
                 petry_johnson_by(law, speed).mean(&|row| row.loss_w),
@@ -529,7 +581,7 @@ fn drive_losses(law: GapLaw) -> Vec<Gate> {
         });
         let row = |what: &str, measured: &str, value, unit| {
             let name = format!("e-drive, {celsius}, {what}");
-            Gate::new(name, measured, value, None, unit)
+            Gate::new(Class::OwnReference, name, measured, value, None, unit)
         };
         let change = fine.change_to(ground).times(100.0);
         let measured = match celsius {
@@ -547,7 +599,7 @@ fn drive_losses(law: GapLaw) -> Vec<Gate> {
 
 #[test]
 fn the_gap_law_power_keeps_its_losses() {
-    // Loss of the e-drive at the medians with 16 offsets, ground and superfinished. Before the width of spots followed from
+    // Loss of the e-drive at the medians with 16 offsets, ground and superfinished, with the former spots and film. Before the width of spots followed from
     // their pressures: 599.5 and 523.8, 622.7 and 448.5, 684.3 and 393.9 W; and before spots parted at the lowest pressure between
     // them: 600.9 and 523.8, 627.1 and 448.8, 692.1 and 395.0 W.
     let before = [
@@ -557,9 +609,13 @@ fn the_gap_law_power_keeps_its_losses() {
     ];
     let found = before.map(|(celsius, _)| {
         let keys = [
-            gap_law_key(GapLaw::Power),
-            ("operation.bulk_temperature", celsius),
-        ];
+            &FORMER[..],
+            &[
+                gap_law_key(GapLaw::Power),
+                ("operation.bulk_temperature", celsius),
+            ],
+        ]
+        .concat();
         drives().map(|kept| kept.at(&keys).losses.summary.loss_w)
     });
     let held = before.iter().flat_map(|(_, losses)| losses);
@@ -570,11 +626,29 @@ fn the_gap_law_power_keeps_its_losses() {
     );
 }
 
-/// The gates of measurement as Markdown.
+/// The gates as Markdown, and what those of boundary friction ask for.
 pub fn gate_table() -> String {
     format!(
-        "{}\nTest: `the_verdicts_of_the_gates_are_those_printed`.\n",
-        table(gates())
+        "{}\n{}\nTest: `the_verdicts_of_the_gates_are_those_printed`.\n",
+        table(gates()),
+        boundary_friction()
+    )
+}
+
+/// The opposite demands of T1 below 2 m/s and of T3.
+fn boundary_friction() -> String {
+    let of = |begin: &str| {
+        let rows = gates().iter().filter(|gate| gate.name.starts_with(begin));
+        rows.map(|gate| gate.value.value).collect::<Vec<f64>>()
+    };
+    let loss = of("T1 loss over");
+    let change = of("T3");
+    let (slow, hot) = (&loss[..2], change[change.len() - 1]);
+    assert!(slow.iter().all(|change| *change < 0.0) && hot < -30.0);
+    format!(
+        "Below 2 m/s T1 requires more boundary friction than the model gives (loss {:+.0} and {:+.0} %), T3 less (change of μ {hot:.0} % at 110 °C, \
+         measured -30 %).\n",
+        slow[0], slow[1]
     )
 }
 

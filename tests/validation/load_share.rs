@@ -48,8 +48,18 @@ pub fn summary(name: &str, keys: &[(&str, &str)]) -> Summary {
 /// Few offsets, as the reference computation took.
 pub const FEW: [(&str, &str); 2] = [("model.positions", "16"), ("model.offsets", "4")];
 
-/// Gap law, boundary friction, lay, tip relief and load distribution of the reference computation.
-pub const REFERENCE: [(&str, &str); 6] = [
+/// Spots, pressure of the film and heights in the gap of the model before spots were carried through the contact.
+pub const FORMER: [(&str, &str); 3] = [
+    ("model.spot_speed", "entrainment"),
+    ("model.film_pressure", "hertz"),
+    ("model.gap_roughness", "rms"),
+];
+
+/// Gap law, spots and film, boundary friction, lay, tip relief and load distribution of the reference computation.
+pub const REFERENCE: [(&str, &str); 9] = [
+    FORMER[0],
+    FORMER[1],
+    FORMER[2],
     ("model.gap_law", "power"),
     ("model.boundary_friction", "0.08"),
     ("model.lay", "0"),

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use asperity_tests::picture::{document, hold_picture};
 
-use crate::gate::{Gate, Verdict};
+use crate::gate::{Class, Gate, Verdict};
 use crate::gates::gates;
 
 /// Width of the drawing, and the left and right end of its axis.
@@ -85,12 +85,23 @@ fn row(text: &mut String, gate: &Gate, y: f64) {
     label(text, "letter", [WIDTH - 10.0, y + 4.0], "end", &number);
 }
 
+/// A line of the drawing.
+enum Shown<'a> {
+    Heading(Class),
+    Row(&'a Gate),
+}
+
 /// The drawing.
 fn picture(gates: &[Gate]) -> String {
-    let shown: Vec<&Gate> = gates
-        .iter()
-        .filter(|gate| gate.reference.is_some())
-        .collect();
+    let mut shown: Vec<Shown<'_>> = Vec::new();
+    for class in Class::ALL {
+        let of_class = |gate: &&Gate| gate.class == class && gate.reference.is_some();
+        let mut rows = gates.iter().filter(of_class).peekable();
+        if rows.peek().is_some() {
+            shown.push(Shown::Heading(class));
+            shown.extend(rows.map(Shown::Row));
+        }
+    }
     let bottom = TOP + ROW * shown.len() as f64;
     let mut text = String::new();
     let title = "Computed over measured, at the defaults of the program";
@@ -135,8 +146,15 @@ fn picture(gates: &[Gate]) -> String {
             &tick.to_string(),
         );
     }
-    for (k, gate) in shown.iter().enumerate() {
-        row(&mut text, gate, TOP + ROW * (k as f64 + 0.5));
+    for (k, shown) in shown.iter().enumerate() {
+        let y = TOP + ROW * (k as f64 + 0.5);
+        match shown {
+            Shown::Row(gate) => row(&mut text, gate, y),
+            Shown::Heading(class) => {
+                let place = [10.0, y + 4.0];
+                label(&mut text, "name", place, "start", class.text());
+            }
+        }
     }
     let middle = 0.5 * (ENDS[0] + ENDS[1]);
     let name = "computed over the middle, or over the stated limit, of the measured range";
@@ -150,20 +168,21 @@ fn picture(gates: &[Gate]) -> String {
     document("curve-chart", title, [WIDTH, bottom + 46.0], &text)
 }
 
-/// A sentence with the number of gates of each verdict.
+/// The measured gates by verdict in words, and one line for the rows at an unknown temperature.
 pub fn count() -> String {
-    let number = |verdict| {
-        gates()
-            .iter()
-            .filter(|gate| gate.verdict() == verdict)
-            .count()
+    let number = |class, verdict| {
+        let of_class = gates().iter().filter(|gate| gate.class == class);
+        of_class.filter(|gate| gate.verdict() == verdict).count()
     };
+    let verdicts = [Verdict::Pass, Verdict::Undecided, Verdict::Fail];
+    let of = |class| verdicts.map(|verdict| number(class, verdict));
+    let [pass, undecided, fail] = of(Class::Measured);
+    let [t3_pass, t3_undecided, t3_fail] = of(Class::UnknownTemperature);
     format!(
-        "Of {} gates with a rule, {} pass, {} are undecided within the sampling of the flanks, {} fail.\n",
-        gates().len() - number(Verdict::Printed),
-        number(Verdict::Pass),
-        number(Verdict::Undecided),
-        number(Verdict::Fail)
+        "Measured gates: {}, of which pass {pass}, undecided within the sampling of the flanks {undecided}, fail {fail}. One more measurement (T3) is at an \
+         unknown temperature, by which it passes or fails: of {} temperatures pass {t3_pass}, undecided {t3_undecided}, fail {t3_fail}.\n",
+        pass + undecided + fail,
+        t3_pass + t3_undecided + t3_fail
     )
 }
 

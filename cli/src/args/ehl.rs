@@ -40,6 +40,15 @@ pub struct EhlArgs {
     /// Number of cells along the contact, a multiple of 64; at least 8 per shortest wave of the profiles
     #[arg(long, default_value_t = 512)]
     pub cells: usize,
+    /// Shortest wave left in the profiles of the case, with at least the cells that it needs [default: 8 um, or 8 cells]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        requires = "case",
+        conflicts_with = "smooth",
+        allow_hyphen_values = true
+    )]
+    pub shortest_wave: Option<Length>,
     /// Travel recorded, in half-widths of the contact
     #[arg(
         long,

@@ -3,13 +3,19 @@
 //! ```text
 //! cargo run --release -p asperity --example mixed_ehl_records > fixtures/records/gear_meshes.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- blind > fixtures/records/blind.csv
+//! cargo run --release -p asperity --example mixed_ehl_records -- second > fixtures/records/second_blind.csv
+//! cargo run --release -p asperity --example mixed_ehl_records -- part > fixtures/records/part_load.csv
+//! cargo run --release -p asperity --example mixed_ehl_records -- short > fixtures/records/short_waves.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- fzg_8.3 hb=2
 //! ```
 //!
-//! Prints the conditions whose names begin with a word, or all, as many at a time as there are threads: of the gear meshes, or of
-//! the `blind` test. `list` prints their roughness over the film without a record. Keys: `hb` (contact film in nm), `cells`,
-//! `start` and `length` (travel in half-widths). Run it in the folder of the workspace.
+//! Prints the conditions whose names begin with a word, or all, as many at a time as there are threads: of the gear meshes, of
+//! the `blind` test or of the `second` one, at `part` load, or ten gear meshes with `short` waves. A row is printed as soon as it is
+//! solved; one that is not solved has no numbers.
+//! `list` prints slide-to-roll ratio, Hertz pressure in GPa and roughness over the film without a record. Keys: `hb` (contact film
+//! in nm), `cells`, `start` and `length` (travel in half-widths). Run it in the folder of the workspace.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -21,7 +27,7 @@ use asperity::quantity::Length;
 use asperity::quantity::Pressure;
 use asperity::reference_solution::{ReferenceContact, ReferenceSettings, record_warnings};
 use asperity::roughness::generate::{
-    Ground, HeightDistribution, NonGaussian, PlateauHoned, SelfAffine,
+    Ground, HeightDistribution, NonGaussian, PlateauHoned, SelfAffine, lower_envelope,
 };
 use asperity_core::Profile;
 use rayon::prelude::*;
@@ -52,7 +58,7 @@ enum Flanks {
     Generated(Finish, [u64; 2]),
 }
 
-/// Finishes of the blind test.
+/// Finishes of the blind tests.
 #[derive(Clone, Copy)]
 enum Finish {
     /// The recipe of the ground flanks of the fixtures.
@@ -71,6 +77,18 @@ enum Finish {
     Dales,
     /// Long waves.
     Long,
+    /// Tall plateaus between deep, wide dales.
+    Plateaus,
+    /// Crossed marks: the lower envelope of the grooves of two passes.
+    Crossed,
+    /// Heights with a tail of peaks.
+    Peaked,
+    /// Short, steep waves of peened flanks.
+    Peened,
+    /// Ground, with the peaks worn to a fine profile.
+    RunIn,
+    /// Low, short waves of lapped flanks.
+    Lapped,
 }
 
 impl Finish {
@@ -106,6 +124,25 @@ impl Finish {
         )?)
     }
 
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Ground => "ground",
+            Self::Coarse => "coarse",
+            Self::Fine => "fine",
+            Self::Superfinished => "superfinished",
+            Self::Polished => "polished",
+            Self::Honed => "honed",
+            Self::Dales => "dales",
+            Self::Long => "long",
+            Self::Plateaus => "plateaus",
+            Self::Crossed => "crossed",
+            Self::Peaked => "peaked",
+            Self::Peened => "peened",
+            Self::RunIn => "run-in",
+            Self::Lapped => "lapped",
+        }
+    }
+
     fn trace(self, seed: u64) -> Outcome<Profile> {
         let affine = Self::affine;
         Ok(match self {
@@ -130,6 +167,34 @@ impl Finish {
                 recipe.generate()?.profile
             }
             Self::Long => affine(0.25, 0.9, [200.0, 5.0], seed).generate()?,
+            Self::Plateaus => {
+                let recipe = PlateauHoned {
+                    coarse: affine(0.9, 0.8, [120.0, 5.0], seed),
+                    fine: affine(0.05, 0.7, [25.0, 5.0], seed + 500),
+                    depth: Length::from_si(0.1e-6),
+                };
+                recipe.generate()?
+            }
+            Self::Crossed => {
+                let first = Self::ground(0.22, 11.0, affine(0.1, 0.7, [50.0, 5.0], seed + 500))?;
+                let second = Self::ground(0.22, 16.0, affine(0.1, 0.7, [50.0, 5.0], seed + 800))?;
+                lower_envelope(&first, &second)?
+            }
+            Self::Peaked => {
+                let recipe = NonGaussian {
+                    spectrum: affine(0.2, 0.8, [45.0, 5.0], seed),
+                    heights: HeightDistribution::WeibullPeaks { shape: 2.0 },
+                };
+                recipe.generate()?.profile
+            }
+            Self::Peened => affine(0.3, 0.5, [25.0, 5.0], seed).generate()?,
+            Self::RunIn => {
+                let ground = Self::ground(0.15, 10.0, affine(0.3, 0.7, [70.0, 5.0], seed + 500))?;
+                let fine = affine(0.05, 0.8, [40.0, 5.0], seed + 800).generate()?;
+                let lowered = fine.heights().iter().map(|z| z + 0.15e-6).collect();
+                lower_envelope(&ground, &Profile::new(SPACING, lowered)?)?
+            }
+            Self::Lapped => affine(0.06, 0.7, [18.0, 4.0], seed).generate()?,
         })
     }
 }
@@ -143,6 +208,10 @@ pub struct Condition {
     case: &'static str,
     flanks: Flanks,
     keys: Vec<(&'static str, String)>,
+    /// Shortest wave in its traces, if another than that of the other records.
+    pub shortest_wave: Option<Length>,
+    /// Cells of its grid at least.
+    least_cells: usize,
 }
 
 impl Condition {
@@ -153,6 +222,8 @@ impl Condition {
             flanks: Flanks::OfCase,
             position,
             keys: vec![("operation.bulk_temperature", format!("{temperature} °C"))],
+            shortest_wave: None,
+            least_cells: 0,
         }
     }
 
@@ -183,16 +254,22 @@ impl Condition {
                 "operation.speed",
                 format!("{} 1/min", pitch_line * FZG_TURNS),
             )],
+            shortest_wave: None,
+            least_cells: 0,
         }
     }
 
     /// The settings of its record, with heat.
     pub fn settings(&self, record: &RecordSettings) -> ReferenceSettings {
         ReferenceSettings {
-            record: record.clone(),
+            record: RecordSettings {
+                cells: record.cells.max(self.least_cells),
+                ..record.clone()
+            },
             eyring_stress: Some(EYRING_STRESS[usize::from(self.case == FZG)]),
             with_heat: true,
             beginning: 0,
+            shortest_wave: self.shortest_wave,
         }
     }
 
@@ -421,27 +498,152 @@ pub fn blind_conditions() -> Vec<Condition> {
         (Dales, [133, 134], 70, 0.3, 6.0),
         (Long, [143, 144], 110, 0.3, 1.5),
     ];
-    let name = |finish: Finish| match finish {
-        Ground => "ground",
-        Coarse => "coarse",
-        Fine => "fine",
-        Superfinished => "superfinished",
-        Polished => "polished",
-        Honed => "honed",
-        Dales => "dales",
-        Long => "long",
-    };
     let e_drive = e_drive.map(|(finish, seeds, celsius, place, speed)| {
-        let condition = Condition::e_drive(name(finish), celsius, place);
+        let condition = Condition::e_drive(finish.name(), celsius, place);
         let condition = condition.on(Flanks::Generated(finish, seeds));
         condition.at_speed(speed)
     });
     let fzg = fzg.map(|(finish, seeds, celsius, place, speed)| {
         let mut condition = Condition::fzg(speed, place).on(Flanks::Generated(finish, seeds));
-        condition.name = format!("fzg-{}_{celsius}_{place}_{speed}", name(finish));
+        condition.name = format!("fzg-{}_{celsius}_{place}_{speed}", finish.name());
         condition.with("operation.bulk_temperature", &format!("{celsius} °C"))
     });
     e_drive.into_iter().chain(fzg).collect()
+}
+
+/// Gears of the second blind test.
+#[derive(Clone, Copy, PartialEq)]
+enum Drive {
+    /// First stage of the e-drive.
+    FirstStage,
+    /// The e-drive's gears with 13 and 80 teeth: near A the contact moves slowly over the pinion.
+    FewTeeth,
+    /// FZG gears type A.
+    FzgA,
+}
+
+/// The conditions of the second blind test: drive, finish, seeds of pinion and wheel, temperature \[°C\], place, speed \[1/min\],
+/// torque \[N m\]. Finishes, seeds, places, temperatures and speeds that no record of the first two tables has; the last eight
+/// are at part load.
+pub fn second_blind_conditions() -> Vec<Condition> {
+    use Drive::{FewTeeth, FirstStage, FzgA};
+    use Finish::{Coarse, Crossed, Ground, Lapped, Peaked, Peened, Plateaus, RunIn};
+    let rows = [
+        (FirstStage, Crossed, [201, 202], 75, 0.15, 8000, 145.0),
+        (FirstStage, Crossed, [201, 202], 115, 0.85, 6000, 145.0),
+        (FirstStage, Crossed, [203, 204], 95, 0.45, 8000, 145.0),
+        (FirstStage, Plateaus, [211, 212], 75, 0.72, 7000, 145.0),
+        (FirstStage, Plateaus, [211, 212], 115, 0.25, 8000, 145.0),
+        (FirstStage, Plateaus, [213, 214], 95, 0.12, 5000, 145.0),
+        (FirstStage, Peaked, [221, 222], 95, 0.28, 8000, 145.0),
+        (FirstStage, Peaked, [221, 222], 115, 0.65, 8000, 145.0),
+        (FirstStage, Peened, [231, 232], 95, 0.35, 10000, 145.0),
+        (FirstStage, Peened, [233, 234], 75, 0.78, 1500, 145.0),
+        (FirstStage, RunIn, [241, 242], 115, 0.18, 5000, 145.0),
+        (FirstStage, Lapped, [251, 252], 95, 0.74, 3500, 145.0),
+        (FzgA, Crossed, [205, 206], 75, 0.9, 1000, 183.4),
+        (FzgA, Plateaus, [215, 216], 95, 0.12, 1200, 183.4),
+        (FzgA, RunIn, [243, 244], 115, 0.7, 2500, 183.4),
+        (FewTeeth, Ground, [271, 272], 95, 0.007, 8000, 15.0),
+        (FirstStage, Ground, [273, 274], 95, 0.25, 8000, 20.0),
+        (FirstStage, Plateaus, [217, 218], 75, 0.85, 4500, 20.0),
+        (FirstStage, Crossed, [207, 208], 115, 0.62, 6000, 50.0),
+        (FirstStage, Peened, [235, 236], 95, 0.15, 8000, 50.0),
+        (FirstStage, Lapped, [253, 254], 115, 0.32, 2200, 20.0),
+        (FirstStage, RunIn, [245, 246], 75, 0.38, 1500, 50.0),
+        (FzgA, Peaked, [223, 224], 95, 0.82, 1500, 50.0),
+        (FewTeeth, Coarse, [285, 286], 75, 0.06, 6000, 20.0),
+    ];
+    let condition = |(drive, finish, seeds, celsius, place, speed, torque): (
+        Drive,
+        Finish,
+        [u64; 2],
+        u32,
+        f64,
+        u32,
+        f64,
+    )| {
+        let (name, case) = match drive {
+            FirstStage => ("e", E_DRIVE),
+            FewTeeth => ("few", E_DRIVE),
+            FzgA => ("fzg-a", FZG),
+        };
+        let condition = Condition {
+            name: format!(
+                "{name}-{}_{celsius}_{place}_{speed}_{torque}",
+                finish.name()
+            ),
+            position: place,
+            case,
+            flanks: Flanks::Generated(finish, seeds),
+            keys: vec![
+                ("operation.bulk_temperature", format!("{celsius} °C")),
+                ("operation.speed", format!("{speed} 1/min")),
+                ("operation.torque", format!("{torque} N m")),
+            ],
+            shortest_wave: None,
+            least_cells: 0,
+        };
+        match drive {
+            FirstStage => condition,
+            FewTeeth => condition
+                .with("gears.teeth", "[13, 80]")
+                .with("gears.profile_shift", "[0, 0]"),
+            FzgA => condition.with("gears.profile_shift", "[0.8635, -0.5]"),
+        }
+    };
+    rows.map(condition).into_iter().collect()
+}
+
+/// Conditions at part load: the e-drive's flanks with their heights multiplied, by temperature \[°C\], place, speed \[1/min\] and
+/// torque \[N m\].
+pub fn part_load_conditions() -> Vec<Condition> {
+    let places = [
+        (90, 0.9, 2500, 40),
+        (100, 0.75, 2000, 50),
+        (90, 0.1, 9000, 145),
+        (90, 0.9, 9000, 40),
+        (90, 0.9, 9000, 20),
+    ];
+    let each = |(celsius, place, speed, torque): (u32, f64, u32, u32)| {
+        [0.005, 0.05, 0.1, 0.2, 0.4].map(|factor| {
+            let condition = Condition::e_drive("scaled", celsius, place).at_speed(speed);
+            let mut condition = condition.on(Flanks::Scaled(factor));
+            condition.name = format!("{}_{torque}_{factor}", condition.name);
+            condition.with("operation.torque", &format!("{torque} N m"))
+        })
+    };
+    places.into_iter().flat_map(each).collect()
+}
+
+/// Conditions of the gear meshes that are solved again with shorter waves.
+const SHORT_WAVES: [&str; 10] = [
+    "e-fine_150_0.9",
+    "e-fine_90_0.1",
+    "e-ground_150_0.1",
+    "e-ground_60_0.1",
+    "e-ground_90_0.1",
+    "e-ground_90_0.5",
+    "e-ground_90_0.9",
+    "e-half_150_0.9",
+    "fzg_2.5_0.8",
+    "fzg_8.3_0.15",
+];
+
+/// The conditions with waves of 8 µm at least on a finer grid, and with shorter waves, of 4 and of 2.5 µm at least.
+pub fn short_wave_conditions() -> Vec<Condition> {
+    let of = |(micrometres, least_cells): (f64, usize)| {
+        let mut all = conditions();
+        all.retain(|condition| SHORT_WAVES.contains(&&*condition.name));
+        for condition in &mut all {
+            condition.name = format!("{}_{micrometres}um", condition.name);
+            condition.shortest_wave = Some(Length::from_si(1e-6 * micrometres));
+            condition.least_cells = least_cells;
+        }
+        all
+    };
+    let finer = [(8.0, 1024), (4.0, 0), (2.5, 0)];
+    finer.into_iter().flat_map(of).collect()
 }
 
 /// Settings of the records of a table: every step a frame, 14 half-widths.
@@ -551,6 +753,12 @@ fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
     ))
 }
 
+/// A row without numbers, of a condition that was not solved.
+fn unsolved_row(condition: &Condition) -> String {
+    let empty = ",".repeat(COLUMNS.len() - 2);
+    format!("{},{}{empty}", condition.name, condition.position)
+}
+
 /// Attenuated roughness over the isothermal central film of the formula.
 fn roughness_over_film(loaded: &LoadedCase, contact: &ReferenceContact) -> Outcome<f64> {
     let formula = formula_film(&loaded.case, &contact.position)?;
@@ -561,7 +769,7 @@ fn roughness_over_film(loaded: &LoadedCase, contact: &ReferenceContact) -> Outco
 /// Prints a row for each condition.
 pub fn main() -> Outcome<()> {
     let (mut prefix, mut settings) = (String::new(), record_settings());
-    let (mut is_blind, mut is_list) = (false, false);
+    let (mut table, mut is_list): (fn() -> Vec<Condition>, bool) = (conditions, false);
     for word in std::env::args().skip(1) {
         match word.split_once('=') {
             Some(("hb", value)) => {
@@ -571,15 +779,15 @@ pub fn main() -> Outcome<()> {
             Some(("start", value)) => settings.start = value.parse()?,
             Some(("length", value)) => settings.length = value.parse()?,
             Some((key, _)) => return Err(format!("unknown key {key}").into()),
-            None if word == "blind" => is_blind = true,
+            None if word == "blind" => table = blind_conditions,
+            None if word == "second" => table = second_blind_conditions,
+            None if word == "part" => table = part_load_conditions,
+            None if word == "short" => table = short_wave_conditions,
             None if word == "list" => is_list = true,
             None => prefix = word,
         }
     }
-    let conditions = match is_blind {
-        true => blind_conditions(),
-        false => conditions(),
-    };
+    let conditions = table();
     let chosen: Vec<&Condition> = conditions
         .iter()
         .filter(|condition| condition.name.starts_with(&prefix))
@@ -590,19 +798,26 @@ pub fn main() -> Outcome<()> {
             let contact =
                 ReferenceContact::of(&loaded, condition.position, &condition.settings(&settings))?;
             let ratio = roughness_over_film(&loaded, &contact)?;
-            println!("{},{ratio:.5}", condition.name);
+            let (slide, pressure) = (
+                contact.position.motion.slide_to_roll.abs(),
+                1e-9 * contact.position.hertz.max_pressure.si(),
+            );
+            println!("{},{slide:.2},{pressure:.2},{ratio:.5}", condition.name);
         }
         return Ok(());
     }
-    let rows = chosen.par_iter().map(|condition| {
-        let row = row(condition, &settings).map_err(|error| error.to_string());
-        eprintln!("{}", condition.name);
-        row
-    });
-    let rows: Vec<Result<String, String>> = rows.collect();
     println!("{}", COLUMNS.join(","));
-    for row in rows {
-        println!("{}", row?);
+    for at_a_time in chosen.chunks(rayon::current_num_threads()) {
+        let rows = at_a_time.par_iter().map(|condition| {
+            row(condition, &settings).unwrap_or_else(|error| {
+                eprintln!("{}: {error}", condition.name);
+                unsolved_row(condition)
+            })
+        });
+        for row in rows.collect::<Vec<String>>() {
+            println!("{row}");
+        }
+        std::io::stdout().flush()?;
     }
     Ok(())
 }

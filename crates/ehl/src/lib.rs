@@ -47,7 +47,7 @@ pub use heated_friction::RecordHeat;
 pub use moving_profile::MovingProfile;
 pub use newton::NodeState;
 pub use oil::Oil;
-pub use steady::{SteadyFilm, SteadySettings, Warning, Window};
+pub use steady::{CELL_MULTIPLE, SteadyFilm, SteadySettings, Warning, Window};
 pub use transient::{PlasticCeiling, Record, RecordSettings, RoughContact};
 
 /// The examples of the README are tests.

@@ -20,7 +20,7 @@ use crate::newton::{Effort, Limits, Newton, NodeState, Problem, Solution, Unknow
 use crate::oil::Oil;
 
 /// The number of cells must be a multiple of this, for the coarse level of the preconditioner and the grid sequence.
-pub(crate) const CELL_MULTIPLE: usize = 64;
+pub const CELL_MULTIPLE: usize = 64;
 /// Largest number of cells.
 const MOST_CELLS: usize = 1 << 16;
 /// Fewest cells of a grid in the sequence.

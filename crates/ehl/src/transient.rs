@@ -139,7 +139,7 @@ pub struct MeanFriction {
     pub film: Estimate,
     /// Boundary friction with the weight min(1, e^(−(h − H_b)/h_b)): the friction of the record.
     pub shifted: Estimate,
-    /// Boundary friction with the weight e^(−h/h_b), which a solved load share averages over its spots.
+    /// Boundary friction with the weight e^(−h/h_b), stored for comparison with older records only.
     pub graded: Estimate,
     /// Boundary friction below the solid film.
     pub stepped: Estimate,

@@ -54,6 +54,7 @@ pub fn ehl<'py>(
             eyring_stress: asked.eyring_stress.map(Pressure::from_si),
             with_heat: true,
             beginning: 0,
+            shortest_wave: None,
         };
         let contact = ReferenceContact::of(loaded, place, &settings)?;
         // Thousandths of a half-width, of all records together.

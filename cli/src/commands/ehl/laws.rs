@@ -9,9 +9,8 @@ pub fn text(comparison: &ShareComparison) -> String {
     };
     let mut text = format!(
         "  laws over {} windows of the same traces; reference, the transient solution: mean of the loads below 20 and 50 nm,\n  \
-         friction with heat and with the boundary weight e^(-h/h_b) of the laws, and shifted, whole on its contact nodes\n  \
-         {:<18} {:>11} {:>9} {:>12} {:>9}\n  {:<18} {:>11.4} {:>9} {:>12.4} {:>9}\n  \
-         {:<18} {:>11} {:>9} {:>12} {:>9}\n",
+         friction with heat\n  \
+         {:<18} {:>11} {:>9} {:>12} {:>9}\n  {:<18} {:>11.4} {:>9} {:>12.4} {:>9}\n",
         comparison.windows,
         "law",
         "solid share",
@@ -23,11 +22,6 @@ pub fn text(comparison: &ShareComparison) -> String {
         "",
         comparison.reference_mean_film_um,
         or_dash(comparison.reference_friction, 5),
-        "reference, shifted",
-        "",
-        "",
-        "",
-        or_dash(comparison.reference_friction_shifted, 5),
     );
     for law in &comparison.laws {
         let off = law

@@ -41,6 +41,7 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
         eyring_stress: args.eyring_stress,
         with_heat: true,
         beginning: 0,
+        shortest_wave: args.shortest_wave,
     };
     let about = |error| failed::of_reference(path, &error);
     let contact = ReferenceContact::of(&loaded, position, &settings).map_err(about)?;

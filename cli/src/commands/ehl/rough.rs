@@ -168,9 +168,8 @@ impl Recorded {
         ));
         let friction = |friction: &MeanFriction| {
             format!(
-                "{} (graded {:.5}, boundary below the solid film {:.5}, film alone {:.5})\n",
+                "{} (boundary below the solid film {:.5}, film alone {:.5})\n",
                 with_error(friction.shifted.mean, friction.shifted.standard_error),
-                friction.graded.mean,
                 friction.stepped.mean,
                 friction.film.mean
             )

@@ -49,11 +49,8 @@ pub struct ShareComparison {
     pub reference_share: f64,
     /// Mean film of the reference solution \[µm\].
     pub reference_mean_film_um: f64,
-    /// Friction of the reference solution with the heat of film and surfaces, as the laws have it, and with their weight e^(−h/h_b)
-    /// on its boundary friction.
+    /// Friction of the reference solution with the heat of film and surfaces, as the laws have it.
     pub reference_friction: Option<f64>,
-    /// Friction of the reference solution with heat and whole boundary friction on its contact nodes.
-    pub reference_friction_shifted: Option<f64>,
     /// Windows that the laws are averaged over.
     pub windows: usize,
     /// The laws.
@@ -110,8 +107,7 @@ pub fn shares(
     Ok(ShareComparison {
         reference_share,
         reference_mean_film_um: record.mean_film.mean * 1e6,
-        reference_friction: friction.map(|friction| friction.graded.mean),
-        reference_friction_shifted: friction.map(|friction| friction.shifted.mean),
+        reference_friction: friction.map(|friction| friction.shifted.mean),
         windows: windows.len(),
         laws: vec![
             by_contact("solved", &rough?),

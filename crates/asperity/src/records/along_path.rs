@@ -203,6 +203,7 @@ fn contacts(
                 eyring_stress: None,
                 with_heat: false,
                 beginning,
+                shortest_wave: None,
             };
             Ok(ReferenceContact::at(loaded, position.clone(), &settings)?)
         })

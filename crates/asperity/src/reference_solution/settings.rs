@@ -4,8 +4,8 @@ use asperity_contact::hertz_line::HertzLine;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_core::{DomainError, Profile};
 use asperity_ehl::{
-    FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordHeat, RecordSettings,
-    RoughContact,
+    CELL_MULTIPLE, FrictionLaw, LineContact, MovingProfile, Oil, PlasticCeiling, RecordHeat,
+    RecordSettings, RoughContact,
 };
 use asperity_ehl_regime::inlet_flow::CentralFilm;
 use asperity_ehl_regime::{
@@ -26,7 +26,8 @@ use asperity_case::flanks::Texture;
 pub const LARGEST_ROUGHNESS: f64 = 3.0;
 /// Roelands' exponent of the film; one that follows from α and η₀ moves the shares by some 2 %.
 const ROELANDS: f64 = 0.6;
-/// Shortest wavelength in the traces; shorter ones move the load below 20 nm by 2 %.
+/// Shortest wavelength in the traces unless one is stated. Ten records solved again with waves down to 2.5 µm have up to 4 %
+/// more friction (one 13 %) and up to 11 % more load below 20 nm (one 27 %), half of it by their finer grid.
 const SHORTEST_WAVE: Length = Length::from_si(8e-6);
 /// Cells that the shortest wave spans at least.
 const CELLS_A_WAVE: f64 = 8.0;
@@ -50,6 +51,9 @@ pub struct ReferenceSettings {
     pub with_heat: bool,
     /// Number of the pair of places on the traces at which the record begins, from 0.
     pub beginning: usize,
+    /// Shortest wavelength in the traces, with at least the cells that it needs; by default 8 µm, or longer if that spans fewer
+    /// than 8 cells.
+    pub shortest_wave: Option<Length>,
 }
 
 /// The lubricated contact of a case at one place, with what was measured of its roughness.
@@ -142,8 +146,13 @@ impl ReferenceContact {
             pressure: Pressure::from_si(pinion.min(wheel)),
         });
         let window = record.window.outlet - record.window.inlet;
-        let cell = position.hertz.half_width * (window / record.cells.max(1) as f64);
-        let shortest = Length::from_si(SHORTEST_WAVE.si().max(CELLS_A_WAVE * cell.si()));
+        let length = position.hertz.half_width * window;
+        if let Some(wave) = settings.shortest_wave {
+            record.cells = record.cells.max(cells_for(length, wave)?);
+        }
+        let cell = length.si() / record.cells.max(1) as f64;
+        let wave = settings.shortest_wave.unwrap_or(SHORTEST_WAVE);
+        let shortest = Length::from_si(wave.si().max(CELLS_A_WAVE * cell));
         let traces = [smoothed(first, shortest)?, smoothed(second, shortest)?];
         let begins = [0, 1].map(|surface| {
             let number = settings.beginning as f64;
@@ -165,6 +174,13 @@ impl ReferenceContact {
             attenuated_roughness,
         })
     }
+}
+
+/// Least number of cells over `length` of which a wave spans enough.
+fn cells_for(length: Length, wave: Length) -> Result<usize, DomainError> {
+    let wave = DomainError::positive("shortest wave", wave)?;
+    let cells = (CELLS_A_WAVE * length.si() / wave).ceil() as usize;
+    Ok(cells.next_multiple_of(CELL_MULTIPLE))
 }
 
 /// Bodies and Newtonian oil of a mesh position, without its surfaces.
