@@ -31,3 +31,24 @@ fn film_and_rolling_do_not_fall_as_the_oil_thickens_in_the_cold() {
         }
     }
 }
+
+#[test]
+fn the_interval_of_cold_oil_reaches_to_the_printed_thermal_reduction() {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/cases");
+    let case = load_with(&cases.join("e-drive-superfinished.toml"), &|input| {
+        (input.model.positions, input.model.offsets) = (Some(4), Some(2));
+    });
+    let case = case.unwrap();
+    let part = |celsius: &str| {
+        let case = case.with_key("operation.bulk_temperature", celsius);
+        let outcome = asperity::Run::new(&case.unwrap()).band(true).execute();
+        let uncertainty = outcome.unwrap().result.uncertainty.unwrap();
+        let name = "thermal reduction beyond its fit";
+        let mut parts = uncertainty.loss.parts.into_iter();
+        parts.find(|part| part.name == name)
+    };
+    assert!(part("40 °C").is_none());
+    let cold = part("-25 °C").unwrap();
+    let [low, high] = cold.quantiles_w;
+    assert!(low < 0.97 * high, "{low} {high}");
+}

@@ -852,7 +852,7 @@ mod tests {
             by_losses_nm: -16.6,
         };
         let [carried, torque, _] = train.shaft_with_digits(&shaft);
-        assert_eq!([carried, torque], ["1654.40", "-1654.40"]);
+        assert_eq!([carried, torque], ["1654.396", "-1654.396"]);
         let stated = ShaftRow {
             by_losses_nm: 0.0,
             torque_nm: 145.0,

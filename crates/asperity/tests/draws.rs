@@ -27,6 +27,7 @@ fn plain() -> Predictive {
         other_law: None,
         inner_boundary: None,
         far_lay: None,
+        held_thermal: None,
         relief: None,
         gap_law: GapLaw::Inlet,
         roughness_over_film: Some(1.0),
@@ -397,6 +398,21 @@ fn a_lay_beyond_the_records_is_drawn_from_the_loss_at_a_confirmed_lay_to_its_own
         assert!((quantile - expected).abs() < 0.02, "{quantile} {expected}");
     }
     assert_eq!(plain().alone(Component::FarLay), None);
+}
+
+#[test]
+fn a_held_thermal_reduction_is_drawn_to_the_printed_one() {
+    let found = Predictive {
+        held_thermal: Some([0.8, 0.4]),
+        ..plain()
+    };
+    // Sliding 90 W, rolling 10 W.
+    let drawn = found.alone(Component::HeldThermal).unwrap();
+    for (quantile, part) in drawn.quantiles_w.into_iter().zip([0.95, 0.05]) {
+        let expected = 90.0 * (1.0 - 0.2 * part) + 10.0 * (1.0 - 0.6 * part);
+        assert!((quantile - expected).abs() < 0.02, "{quantile} {expected}");
+    }
+    assert_eq!(plain().alone(Component::HeldThermal), None);
 }
 
 #[test]

@@ -52,6 +52,8 @@ pub struct Laws {
     /// Solve every rough contact to its exact sets: slower, and its error is round-off, so that differences of losses can be
     /// taken over small steps.
     pub exact_contacts: bool,
+    /// Gupta's thermal factor as printed, also at the loadings at which its steepness is held: for the interval of a loss.
+    pub printed_thermal: bool,
 }
 
 impl Laws {

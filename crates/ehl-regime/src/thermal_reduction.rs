@@ -35,8 +35,12 @@ const GUPTA_FALL: FittedRange = FittedRange::new(
     0.0,
     STEEPEST,
     "-",
-    "Gupta (steepness held)",
+    GUPTA_HELD,
 );
+/// Name of Gupta's factor in notes about loadings at which its steepness is held.
+pub const GUPTA_HELD: &str = "Gupta (steepness held)";
+/// Least numerator of Gupta's factor as printed.
+const LEAST_NUMERATOR: f64 = 0.01;
 
 /// Murch and Wilson's analysis has equal surface speeds (Wilson and Sheu 1983).
 const PURE_ROLLING: FittedRange =
@@ -177,14 +181,8 @@ pub fn gupta(
     slide_to_roll: f64,
 ) -> Result<Checked<f64>, RegimeError> {
     cite!("P10");
-    let p0 = DomainError::non_negative("maximum pressure", max_pressure)?;
-    let e = 2.0 * DomainError::positive("reduced modulus", reduced_modulus)?;
+    let form = Gupta::of(max_pressure, reduced_modulus, slide_to_roll)?;
     let l = checked_loading(loading)?;
-    let srr = checked_sliding(slide_to_roll)?;
-    let form = Gupta {
-        pressure: PRESSURE_TERM.0 * (p0 / e),
-        loading: LOADING_TERM.0 * (1.0 + SLIDING_TERM.0 * srr.powf(SLIDING_TERM.1)),
-    };
     let fall = form.fall(l);
     let mut outside = Vec::new();
     GUPTA_FALL.check_as(Treatment::Held, fall, &mut outside);
@@ -198,6 +196,31 @@ pub fn gupta(
     Ok(Checked { value, outside })
 }
 
+/// [`gupta`] as printed at every loading, its numerator at least a hundredth: how far the held steepness is from the printed form is
+/// a part of the interval of a loss.
+///
+/// # Errors
+/// As [`gupta`].
+///
+/// ```
+/// use asperity_core::quantity::Pressure;
+/// use asperity_ehl_regime::thermal_reduction::{gupta, gupta_as_printed};
+/// let (p0, modulus) = (Pressure::from_si(1e9), Pressure::from_si(113.5e9));
+/// assert_eq!(gupta_as_printed(p0, modulus, 1.0, 0.2)?, gupta(p0, modulus, 1.0, 0.2)?.value);
+/// assert!(gupta_as_printed(p0, modulus, 100.0, 0.2)? < 0.7 * gupta(p0, modulus, 100.0, 0.2)?.value);
+/// # Ok::<(), asperity_ehl_regime::RegimeError>(())
+/// ```
+pub fn gupta_as_printed(
+    max_pressure: Pressure,
+    reduced_modulus: Pressure,
+    loading: f64,
+    slide_to_roll: f64,
+) -> Result<f64, RegimeError> {
+    let form = Gupta::of(max_pressure, reduced_modulus, slide_to_roll)?;
+    let [pressure, of_loading] = form.terms(checked_loading(loading)?);
+    Ok((1.0 - pressure).max(LEAST_NUMERATOR) / (1.0 + of_loading))
+}
+
 /// Gupta's form at one pressure and slide-to-roll ratio.
 struct Gupta {
     /// 13.2 p₀/E′
@@ -207,6 +230,20 @@ struct Gupta {
 }
 
 impl Gupta {
+    fn of(
+        max_pressure: Pressure,
+        reduced_modulus: Pressure,
+        slide_to_roll: f64,
+    ) -> Result<Self, RegimeError> {
+        let p0 = DomainError::non_negative("maximum pressure", max_pressure)?;
+        let e = 2.0 * DomainError::positive("reduced modulus", reduced_modulus)?;
+        let srr = checked_sliding(slide_to_roll)?;
+        Ok(Self {
+            pressure: PRESSURE_TERM.0 * (p0 / e),
+            loading: LOADING_TERM.0 * (1.0 + SLIDING_TERM.0 * srr.powf(SLIDING_TERM.1)),
+        })
+    }
+
     fn terms(&self, l: f64) -> [f64; 2] {
         [
             self.pressure * l.powf(PRESSURE_TERM.1),
@@ -221,11 +258,10 @@ impl Gupta {
 
     /// −d ln φ/d ln L, which rises with L; 42 where the numerator is below a hundredth.
     fn fall(&self, l: f64) -> f64 {
-        const LEAST: f64 = 0.01;
         let [pressure, loading] = self.terms(l);
-        let of_numerator = match 1.0 - pressure > LEAST {
+        let of_numerator = match 1.0 - pressure > LEAST_NUMERATOR {
             true => pressure / (1.0 - pressure),
-            false => 1.0 / LEAST,
+            false => 1.0 / LEAST_NUMERATOR,
         };
         PRESSURE_TERM.1 * of_numerator + LOADING_TERM.1 * loading / (1.0 + loading)
     }

@@ -142,10 +142,11 @@ fn verdict(result: &RunResult, columns: usize) -> String {
 fn parts(printed: &PrintedLoss) -> String {
     let parts = printed.parts.iter().filter_map(|part| match part.name {
         LUBRICATED => None,
-        BOUNDARY => Some(format!(
+        BOUNDARY if part.watts > 0.0 => Some(format!(
             "asperities {}, of which {BOUNDARY} {}",
             printed.asperities, printed.boundary
         )),
+        BOUNDARY => Some(format!("asperities {}", printed.asperities)),
         name => Some(format!("{name} {}", part.text)),
     });
     parts.collect::<Vec<_>>().join(", ")

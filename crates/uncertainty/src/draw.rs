@@ -25,6 +25,7 @@ const SECOND: usize = 8;
 const FILM_LAW: usize = SECOND + FACTORS;
 const PRESSURE_LAW: usize = AXES.len() + FACTORS + 1;
 const FAR_LAY: usize = PRESSURE_LAW + 1;
+const HELD_THERMAL: usize = FAR_LAY + 1;
 
 /// Place of the axis of constant `k` among the orders.
 const fn order(k: usize) -> usize {
@@ -58,6 +59,8 @@ pub struct Draw {
     pub pressure_law: f64,
     /// Way from the loss at the lay of the case to that at the largest lay that is confirmed, 0 to 1.
     pub far_lay: f64,
+    /// Way from the held thermal reduction to the printed one, 0 to 1.
+    pub held_thermal: f64,
     /// Its part by the flanks.
     pub of_flanks: FlankDraw,
 }
@@ -89,6 +92,7 @@ impl Draw {
             film_law: 0.0,
             pressure_law: 1.0,
             far_lay: 0.0,
+            held_thermal: 0.0,
             of_flanks: FlankDraw {
                 model: 0.0,
                 sampling: 0.0,
@@ -108,7 +112,7 @@ pub fn shared_draws() -> impl Iterator<Item = Draw> {
 
 /// The strata of all draws on every axis.
 pub fn orders(seed: u64) -> Vec<Vec<usize>> {
-    permutations(DRAWS, FAR_LAY + 1, seed)
+    permutations(DRAWS, HELD_THERMAL + 1, seed)
 }
 
 /// The draws with their strata in these orders.
@@ -127,6 +131,7 @@ pub fn draws_in(orders: &[Vec<usize>]) -> impl Iterator<Item = Draw> {
             film_law: normal[orders[FILM_LAW][j]],
             pressure_law: place(orders[PRESSURE_LAW][j]),
             far_lay: place(orders[FAR_LAY][j]),
+            held_thermal: place(orders[HELD_THERMAL][j]),
             ..Draw::medians()
         }
     })

@@ -78,6 +78,10 @@ pub struct Predictive {
     /// Sliding loss at the largest lay that is confirmed, over that at the lay of the case; `None` of a lay among the records.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub far_lay: Option<f64>,
+    /// Sliding and rolling loss with the thermal reduction as printed, over those with its held steepness; `None` where nothing is
+    /// held.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub held_thermal: Option<[f64; 2]>,
     /// Loss factors over tip reliefs; `None` if the case states its relief.
     pub relief: Option<ReliefFactors>,
     /// Law of the gap that the inlet supplies.
@@ -176,6 +180,8 @@ pub enum Component {
     InnerBoundary,
     /// Lay beyond the records of mixed lubrication.
     FarLay,
+    /// Thermal reduction beyond its fit.
+    HeldThermal,
     /// Rolling loss.
     Rolling,
     /// Error of the law of film friction.
@@ -365,6 +371,21 @@ impl Predictive {
         1.0 + draw.far_lay * (confirmed - 1.0)
     }
 
+    /// Sliding and rolling loss over those with the held steepness of the thermal reduction.
+    ///
+    /// ```text
+    /// 1 + u (P_printed/P_held − 1),  0 ≤ u ≤ 1                                    [Held-thermal-draw]
+    /// ```
+    ///
+    /// Neither the printed form, whose film thins as the oil thickens, nor the held one was measured there.
+    fn by_held_thermal(&self, draw: &Draw) -> [f64; 2] {
+        let Some(printed) = self.held_thermal else {
+            return [1.0; 2];
+        };
+        cite!("Held-thermal-draw");
+        printed.map(|ratio| 1.0 + draw.held_thermal * (ratio - 1.0))
+    }
+
     /// Bias of the fast model over records, and its standard deviation.
     fn model_deviation(&self) -> [f64; 2] {
         let s = self.roughness_over_film.unwrap_or(0.0);
@@ -475,6 +496,7 @@ impl DrawnLoss<'_> {
                 }
                 Component::InnerBoundary => alone.inner_boundary = draw.inner_boundary,
                 Component::FarLay => alone.far_lay = draw.far_lay,
+                Component::HeldThermal => alone.held_thermal = draw.held_thermal,
                 Component::Rolling => alone.rolling = draw.rolling,
                 Component::FilmLaw => alone.film_law = draw.film_law,
                 Component::PressureLaw => alone.pressure_law = draw.pressure_law,
@@ -501,7 +523,7 @@ impl DrawnLoss<'_> {
             None => sliding * at(&of.sliding).exp(),
         };
         sheared *= of.by_inner_boundary(draw, z).exp();
-        sheared *= of.by_far_lay(draw);
+        sheared *= of.by_far_lay(draw) * of.by_held_thermal(draw)[0];
         if let Some(law) = &of.film_law {
             sheared *= law.factor(draw.film_law);
         }
@@ -526,7 +548,9 @@ impl DrawnLoss<'_> {
             .rolling
             .as_ref()
             .map_or(0.0, |surface| surface.at(z));
-        self.of.parts_w[1] * (of_constants + self.rolling_error * draw.rolling).exp()
+        let [_, of_thermal] = self.of.by_held_thermal(draw);
+        let of_error = (of_constants + self.rolling_error * draw.rolling).exp();
+        self.of.parts_w[1] * of_thermal * of_error
     }
 }
 

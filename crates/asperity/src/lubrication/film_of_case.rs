@@ -3,7 +3,8 @@
 use asperity_case::case::Case;
 use asperity_case::error::PositionError;
 use asperity_ehl_regime::starvation::starved;
-use asperity_ehl_regime::{FilmConditions, FilmThickness, thermal_loading};
+use asperity_ehl_regime::thermal_reduction::gupta_as_printed;
+use asperity_ehl_regime::{FilmConditions, FilmThickness, ThermalLaw, thermal_loading};
 
 use crate::mesh::MeshPosition;
 use asperity_case::formula_film::FormulaFilm;
@@ -31,10 +32,11 @@ pub fn formula_film(case: &Case, position: &MeshPosition) -> Result<FormulaFilm,
         case.oil.thermal_conductivity,
     )?;
     let max_pressure = position.hertz.max_pressure;
-    let reduction =
-        case.model
-            .thermal
-            .reduction(max_pressure, case.modulus, loading, motion.slide_to_roll)?;
+    let (thermal, slide_to_roll) = (case.model.thermal, motion.slide_to_roll);
+    let mut reduction = thermal.reduction(max_pressure, case.modulus, loading, slide_to_roll)?;
+    if thermal == ThermalLaw::Gupta && case.laws.printed_thermal {
+        reduction.value = gupta_as_printed(max_pressure, case.modulus, loading, slide_to_roll)?;
+    }
     let mut outside = smooth.outside;
     outside.extend(reduction.outside);
     let mut film = smooth.value.reduced(reduction.value);

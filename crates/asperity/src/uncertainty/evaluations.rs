@@ -14,6 +14,7 @@ use crate::sampling::{means_of_pairs, pair_sampling, window_sampling, windows_of
 use asperity_case::case::{Formulation, FullFilmName, LoadShareName, LoadedCase, cholesky};
 use asperity_case::error::Error;
 use asperity_ehl_regime::inlet_flow::Lay;
+use asperity_ehl_regime::thermal_reduction::GUPTA_HELD;
 use asperity_mixed_film::SpotSpeed;
 use asperity_tribo_friction::boundary::INNER_BOUNDARY_RANGE;
 use asperity_uncertainty::{
@@ -181,6 +182,7 @@ pub(super) fn evaluate(
         other_law: None,
         inner_boundary: None,
         far_lay: None,
+        held_thermal: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
         gap_law: loaded.case.model.gap_law,
         roughness_over_film: path.roughness_over_film,
@@ -256,6 +258,17 @@ pub(super) fn evaluate(
             predictive.surface_rms = (squares.sum::<f64>() / HELD_OUT as f64).sqrt();
             if draws_inner_boundary(loaded) {
                 predictive.inner_boundary = Some(inner_boundary(&base, &ratio)?);
+            }
+            let is_held = |note: &String| note.contains(GUPTA_HELD);
+            if middle.outside.iter().any(is_held) {
+                let mut printed = base.loaded.clone();
+                printed.case.laws.printed_thermal = true;
+                let found = evaluated(&printed, Some(base.contacts))?;
+                let rolling = match middle.summary.rolling_w > 0.0 {
+                    true => found.summary.rolling_w / middle.summary.rolling_w,
+                    false => 1.0,
+                };
+                predictive.held_thermal = Some([ratio(&found).exp(), rolling]);
             }
             if loaded.lay_beyond_records().map_err(whole)?.is_some() {
                 let mut confirmed = base.loaded.clone();

@@ -311,6 +311,11 @@ fn parts(
         ),
         (Component::FarLay, "lay beyond the records", RIG.to_owned()),
         (
+            Component::HeldThermal,
+            "thermal reduction beyond its fit",
+            "losses measured at this temperature".to_owned(),
+        ),
+        (
             Component::FilmLaw,
             "error of the film law",
             match loaded.case.oil_file.as_ref() {
