@@ -103,6 +103,23 @@ fn the_draws_over_the_boundary_share_of_inner_spots_are_runs_with_that_share() {
 }
 
 #[test]
+fn the_median_of_the_draws_is_the_run_with_stated_relief() {
+    let files = [
+        "e-drive.toml",
+        "e-drive-superfinished.toml",
+        "fzg-c.toml",
+        "table2.toml",
+    ];
+    for file in files {
+        let found = uncertainty(&case(file));
+        assert!(found.roughness_over_film.unwrap() < 3.0);
+        // 0.5 % at most with all positions and offsets.
+        let off = found.scale() - 1.0;
+        assert!(off.abs() < 0.01, "{file}: {off}");
+    }
+}
+
+#[test]
 fn a_lay_beyond_the_records_is_named_and_reaches_down_to_a_confirmed_lay() {
     let with = |lay: &str| case("e-drive.toml").with_key("model.lay", lay).unwrap();
     let found = |case: &LoadedCase| {

@@ -121,7 +121,7 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
     use UncertainParameter::{BoundaryFriction, Lay};
     let file = Path::new("../../fixtures/cases/e-drive.toml");
     let few = |input: &mut case::CaseInput| {
-        (input.model.positions, input.model.offsets) = (Some(4), Some(3));
+        (input.model.positions, input.model.offsets) = (Some(4), Some(8));
     };
     let case = case::load_with(file, &few).unwrap();
     let study = ridges(&case, &|_, _| {}).unwrap();
@@ -130,6 +130,7 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
     let exact = [&case, &changed[0], &changed[1]].map(|case| gradient(case).unwrap());
     let pressed_w = exact[2].losses.summary.loss_w;
     assert!((pressed_w / found.pressed_loss_w - 1.0).abs() < 1e-9);
+    // Constants and model add in squares to a sampling error of several times theirs: by 1.06 at least in 20 ridges.
     let wider = |[low, high]: [f64; 2], of_sampling: [f64; 2]| {
         low < high && high - low > 1.05 * (of_sampling[1] - of_sampling[0])
     };
@@ -164,7 +165,7 @@ fn the_interval_of_a_ridge_contains_its_watts_with_each_constant_at_its_ends() {
             let [low, high] = found.sampling_quantiles_w.unwrap();
             beyond_sampling += usize::from(!(low..high).contains(&(b - a)));
             for (row, [low, high]) in &of_rows {
-                let watts = by_window(row, &moved).iter().sum::<f64>() / 3.0;
+                let watts = by_window(row, &moved).iter().sum::<f64>() / 8.0;
                 assert!(
                     (*low..*high).contains(&watts),
                     "{kind:?} {end}: {watts} W of {row:?}"
