@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 
 /// Parts into which a window is divided by the pressure that flattens it.
 const PARTS: usize = 24;
-/// Places of a window that are looked at at least, at even distances: twelve a part.
-const PLACES: usize = 12 * PARTS;
+/// Places of a window that are looked at at least, at even distances: eight a part.
+const PLACES: usize = 8 * PARTS;
 
 /// The places of a window that are looked at: an odd number of points apart and as many points from both ends, so that the mirrored
 /// window has the same.

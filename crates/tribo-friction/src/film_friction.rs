@@ -339,11 +339,15 @@ impl<'a> LoadedFilm<'a> {
         let rule = "must be positive";
         DomainError::require(areas > 0.0, "area of the film", areas, "-", rule)?;
         self.nodes.resize(self.few.len() * GROUPS, Node::EMPTY);
+        let logs: Vec<f64> = parts.iter().map(|part| part.film.ln()).collect();
         let places = self.nodes.chunks_exact_mut(GROUPS);
         for ([pressure, weight], nodes) in self.few.iter().zip(places) {
             let mean = share * pressure;
             let before = near_stresses(nodes);
-            for (node, group) in nodes.iter_mut().zip(groups(mean, share * share, parts)) {
+            for (node, group) in nodes
+                .iter_mut()
+                .zip(groups(mean, share * share, (parts, &logs)))
+            {
                 let film = (group.log_film / group.load).exp();
                 let at = [group.square / group.load, self.sliding, film];
                 node.point = point(self.rheology, self.heat, at);
@@ -491,8 +495,9 @@ struct Group {
     log_film: f64,
 }
 
-/// Groups of equal load of the parts of a film at a place with a mean pressure, whose ripple is `scale` times their p′.
-fn groups(mean: f64, scale: f64, parts: &[FilmRipple]) -> [Group; GROUPS] {
+/// Groups of equal load of the parts of a film, with ln of their thickness, at a place with a mean pressure, whose ripple is `scale`
+/// times their p′.
+fn groups(mean: f64, scale: f64, (parts, logs): (&[FilmRipple], &[f64])) -> [Group; GROUPS] {
     let rippled = |part: &FilmRipple| mean + scale * part.pressure;
     let total: f64 = parts.iter().map(|part| part.area).sum();
     // From the highest pressure on, as many parts as are above zero with the pressure c that leaves them the whole load.
@@ -509,7 +514,7 @@ fn groups(mean: f64, scale: f64, parts: &[FilmRipple]) -> [Group; GROUPS] {
     let each = mean * total / GROUPS as f64;
     let mut groups = [Group::default(); GROUPS];
     let (mut k, mut room) = (0, each);
-    for part in &parts[first..] {
+    for (part, log_film) in parts.iter().zip(logs).skip(first) {
         let pressure = rippled(part) + offset;
         let mut rest = part.area * pressure;
         while rest > 0.0 {
@@ -517,7 +522,7 @@ fn groups(mean: f64, scale: f64, parts: &[FilmRipple]) -> [Group; GROUPS] {
             let taken = if is_last { rest } else { rest.min(room) };
             groups[k].load += taken;
             groups[k].square += taken * pressure;
-            groups[k].log_film += taken * part.film.ln();
+            groups[k].log_film += taken * log_film;
             rest -= taken;
             room -= taken;
             if room <= 0.0 && !is_last {

@@ -26,8 +26,8 @@ use asperity_uncertainty::{
 pub(super) const OFFSETS: usize = 16;
 /// Evaluations that the surface is not fitted to.
 const HELD_OUT: usize = 4;
-/// Evaluations over β_i: three at each of four places.
-const INNER_BOUNDARY: usize = 12;
+/// Evaluations over β_i: two at each of four places.
+const INNER_BOUNDARY: usize = 8;
 /// Standard deviations that the evaluations reach to either side.
 const REACH: f64 = 2.4;
 /// Seed of their places.
@@ -257,7 +257,8 @@ pub(super) fn evaluate(
                 .map(|(z, losses)| (surface.at(z) - ratio(losses)).powi(2));
             predictive.surface_rms = (squares.sum::<f64>() / HELD_OUT as f64).sqrt();
             if draws_inner_boundary(loaded) {
-                predictive.inner_boundary = Some(inner_boundary(&base, &ratio)?);
+                let run = (&ratio as &dyn Fn(&Losses) -> f64, middle.summary.boundary_w);
+                predictive.inner_boundary = Some(inner_boundary(&base, run, surface)?);
             }
             let is_held = |note: &String| note.contains(GUPTA_HELD);
             if middle.outside.iter().any(is_held) {
@@ -377,9 +378,15 @@ fn places(count: usize, dimensions: usize, seed: u64) -> Vec<Vec<f64>> {
     points
 }
 
-/// ln of the sliding loss over β_i, `ratio` being ln of the sliding loss: at the medians, at either side of the boundary layer and
-/// at one of the boundary friction.
-fn inner_boundary(base: &Base<'_>, ratio: &dyn Fn(&Losses) -> f64) -> Result<InnerBoundary, Error> {
+/// ln of the sliding loss over β_i, `ratio` being ln of the sliding loss over that at the medians: at the medians, at either side of
+/// the boundary layer and at one of the boundary friction. At the middle of β_i it is `surface`, whose error enters the slopes of the
+/// bend only;
+/// `boundary_w` is the friction of the boundary layer there.
+fn inner_boundary(
+    base: &Base<'_>,
+    (ratio, boundary_w): (&dyn Fn(&Losses) -> f64, f64),
+    surface: &QuadraticSurface,
+) -> Result<InnerBoundary, Error> {
     /// Standard deviations to the side: at the 5 and 95 % quantiles.
     const SIDE: f64 = 1.645;
     let kinds = [
@@ -399,9 +406,12 @@ fn inner_boundary(base: &Base<'_>, ratio: &dyn Fn(&Losses) -> f64) -> Result<Inn
     ];
     let [low_end, high_end] = INNER_BOUNDARY_RANGE.map(|share| base.all(&places, Some(share)));
     let (low, high) = (low_end?, high_end?);
-    let middle = base.all(&places, None)?;
     let log = |k: usize| {
-        let [low, high] = [&low[k], &high[k]].map(|end| ratio(end) - ratio(&middle[k]));
+        let middle = match k {
+            0 => 0.0,
+            _ => surface.at(&places[k]),
+        };
+        let [low, high] = [&low[k], &high[k]].map(|end| ratio(end) - middle);
         [0.5 * (high - low), 0.5 * (high + low)]
     };
     let logs = [0, 1, 2, 3].map(log);
@@ -410,13 +420,12 @@ fn inner_boundary(base: &Base<'_>, ratio: &dyn Fn(&Losses) -> f64) -> Result<Inn
         let by_layer = (logs[1][of] - logs[2][of]) / (2.0 * SIDE);
         [logs[0][of], by_friction, by_layer]
     });
-    let of_boundary = |at: &[Losses]| at[0].summary.boundary_w;
-    let boundary = match of_boundary(&middle) {
-        0.0 => [0.0; 2],
-        at_middle => {
-            let [low, high] = [&low, &high].map(|end| of_boundary(end) / at_middle);
+    let boundary = match boundary_w > 0.0 {
+        true => {
+            let [low, high] = [&low, &high].map(|end| end[0].summary.boundary_w / boundary_w);
             [0.5 * (high - low), 0.5 * (high + low) - 1.0]
         }
+        false => [0.0; 2],
     };
     Ok(InnerBoundary {
         slope,

@@ -1,7 +1,7 @@
 //! Models that records or measurements contradict: a table has their losses, no draw has them.
 
 use asperity_core::cite;
-use asperity_mixed_film::{FilmPressure, SpotSpeed};
+use asperity_mixed_film::SpotSpeed;
 use asperity_oil::PressureLaw;
 
 use super::evaluations::{Nominal, Path};
@@ -33,7 +33,7 @@ const DRY: [(&str, LoadShareName); 3] = [
 const DRY_REFUTED: &str = "superfinishing would save 50 to 57 %, measured pairs 15 to 35 % (gate T3 of VALIDATION.md); asperity share 0.07 to \
     0.25 above records of mixed lubrication";
 
-/// Films of the spots and of the ripple, by records of mixed lubrication.
+/// Films of the spots.
 const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
     (
         "spots with the film of the inlet",
@@ -46,19 +46,6 @@ const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
         "scatter of ln friction over 85 records of mixed lubrication 0.076, of the model 0.050",
     ),
 ];
-const PRESSURES: [(&str, FilmPressure, &str); 2] = [
-    (
-        "film at the pressure of the whole load",
-        FilmPressure::Hertz,
-        "film friction 0.12 above 85 records of mixed lubrication",
-    ),
-    (
-        "film at the mean pressure of its load",
-        FilmPressure::Own,
-        "film friction up to 0.45 below records at 0.4 to 0.5 GPa",
-    ),
-];
-
 /// Slope of the change by the step rule: .24 to .44 of the share of the reference in 21 records.
 const STEP_RULE: f64 = 0.27;
 
@@ -126,17 +113,6 @@ pub(super) fn other_models(loaded: &LoadedCase) -> Vec<OtherModel> {
             if case.model.spot_speed != spot_speed {
                 let mut other = loaded.clone();
                 other.case.model.spot_speed = spot_speed;
-                found.push(OtherModel {
-                    name,
-                    case: other,
-                    refuted_by,
-                });
-            }
-        }
-        for (name, film_pressure, refuted_by) in PRESSURES {
-            if case.model.film_pressure != film_pressure {
-                let mut other = loaded.clone();
-                other.case.model.film_pressure = film_pressure;
                 found.push(OtherModel {
                     name,
                     case: other,
