@@ -41,7 +41,7 @@ fn a_run_says_which_temperature_the_flanks_reach() {
 #[test]
 fn a_mesh_that_keeps_no_temperature_from_a_hot_start_is_warned_of() {
     let settings = [
-        "operation.oil_temperature=10 °C",
+        "operation.oil_temperature=0 °C",
         "operation.bulk={ law = \"network\", pinion_to_oil = \"0.3 W/K\", wheel_to_oil = \"0.3 W/K\" }",
     ];
     let said = run(&Bench::new(), &settings).well();
@@ -49,7 +49,7 @@ fn a_mesh_that_keeps_no_temperature_from_a_hot_start_is_warned_of() {
     let warned = text.lines().find(|line| line.starts_with("W426"));
     let warned = warned.unwrap_or_else(|| panic!("{text}"));
     assert!(
-        warned.contains("W426 bulk temperature") && warned.contains("started at 70 °C"),
+        warned.contains("W426 bulk temperature") && warned.contains("started at 60 °C"),
         "{warned}"
     );
 }

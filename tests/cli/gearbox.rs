@@ -179,7 +179,10 @@ fn a_table_is_read_between_its_nodes_and_nowhere_else() {
         ("speed_rpm,loss_torque_nm\n0,-1\n", "zero or more"),
         ("speed_rpm,loss_nm\n0,1\n", "loss_torque_nm"),
         ("speed_rpm,loss_torque_nm\n0,x\n", "other.csv"),
-        ("speed_rpm,loss_torque_nm\nnan,1\n", "must be finite"),
+        (
+            "speed_rpm,loss_torque_nm\nnan,1\n",
+            "other.csv:2: speed_rpm",
+        ),
         (
             "speed_rpm,loss_torque_nm,torque_nm\n0,1,5\n1,1,6\n",
             "a grid",

@@ -101,7 +101,7 @@ fn a_case_runs_on_rows_of_a_surface() {
         "E119 surface.x3p: the file holds 3 profiles",
         "Write row = 1 .. 3 in surface.pinion",
         &place,
-        "row, line in surface.pinion",
+        "row, rows in surface.pinion",
     ] {
         assert!(said.err.contains(part), "{part:?} is not in {}", said.err);
     }

@@ -244,7 +244,7 @@ fn curves_that_give_no_constants_are_refused() {
         .replace("load_n", "Max Hertz pressure (GPa)")
         .replace("mean_speed_m_s", "Rolling Speed (m/s)");
     let renamed = [
-        "max hertz pressure (gpa) is not known; write max_pressure_gpa",
+        "max_hertz_pressure_gpa is not known; write max_pressure_gpa",
         "write mean_speed_m_s",
     ];
     fit(&named, &[]).refused(2, "E317", &renamed);

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::prelude::Length;
 
-use crate::bench::{Bench, root};
+use crate::bench::{Bench, E_DRIVE, root};
 
 #[path = "../../crates/asperity/examples/case_without_files.rs"]
 #[allow(missing_docs, reason = "an example")]
@@ -44,4 +44,23 @@ fn the_program_has_at_most_forty_lines_and_runs() {
     let used = text.matches("asperity_").count();
     assert_eq!(used, 0, "one dependency is enough");
     case_without_files::main().unwrap();
+}
+
+#[test]
+fn a_lay_beyond_the_records_is_named_by_check_and_by_a_run_with_its_worth() {
+    let bench = Bench::new();
+    bench.write_flanks();
+    bench.write("case.toml", E_DRIVE);
+    let far = ["--set", "model.lay=0.6"];
+    let checked = bench.run(&[&["check", "case.toml"][..], &far].concat());
+    let says = "W452 lay 0.60 of both flanks is above 1/3";
+    assert!(checked.well().unwrapped().contains(says));
+    let run = ["run", "case.toml", "--no-output"];
+    let said = bench.run(&[&run[..], &far].concat()).well().unwrapped();
+    assert!(
+        said.contains(says) && said.contains("at a lay of 1/6 the loss is "),
+        "{said}"
+    );
+    let usual = bench.run(&run).well().out;
+    assert!(!usual.contains("W452"), "{usual}");
 }

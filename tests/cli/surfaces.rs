@@ -82,7 +82,7 @@ fn a_surface_gives_a_row_or_its_mean() {
     none.surveyed(&[
         "flank.sur: the file holds 3 profiles",
         "--row",
-        "--line mean",
+        "set surface.pinion.rows 3",
     ]);
     assert!(
         none.out.contains("Sq ") && none.out.contains("lay of traces along the rows"),

@@ -365,7 +365,7 @@ pub fn settled(loaded: &LoadedTrain) -> Result<LoadedTrain, Error> {
     Ok(with_oil(loaded)?.0)
 }
 
-/// The settled train, and how the temperature of its oil was found.
+/// The settled train, and the temperature of its oil with its law.
 fn with_oil(loaded: &LoadedTrain) -> Result<(LoadedTrain, Option<FoundOil>), Error> {
     let (warmed, oil) = train_heat::warmed(loaded)?;
     let settled = loaded_by_losses(warmed)?;

@@ -86,8 +86,9 @@ fn bands_of_five_rigs_hold_their_truth() {
         assert!(fit.is_settled && fit.rounds <= 3, "{} rounds", fit.rounds);
         for (k, count) in held.iter_mut().enumerate() {
             let [low, high] = fit.band(k).unwrap().ends;
-            // Narrower than the prior, and no guess: boundary friction and film within a tenth or two.
-            let widest = fit.scatter().widening() * [0.3, 1.6, 0.32, 0.4][k];
+            // Boundary friction within a tenth. A film that shears at its own pressure makes a quarter of the loss of these
+            // flanks, so that its constants are known to a quarter only: at most .14, 1.1, .55 and .50 over five rigs.
+            let widest = fit.scatter().widening() * [0.2, 1.4, 0.6, 0.55][k];
             assert!(high - low < widest, "{k}: {low} {high}");
             *count += u32::from((low..=high).contains(&truth[k]));
         }
@@ -138,7 +139,11 @@ fn a_calibration_tells_its_parameters_its_points_and_its_evidence() {
         "{:?}",
         found.evidence
     );
-    assert_eq!(found.stages.len(), 3);
+    assert!(
+        (2..=3).contains(&found.stages.len()),
+        "{}",
+        found.stages.len()
+    );
     for (i, row) in found.correlations.iter().enumerate() {
         assert!((row[i] - 1.0).abs() < 1e-12 && row.iter().all(|value| value.abs() <= 1.0));
     }
@@ -233,17 +238,15 @@ fn deviations(temperatures: &[f64]) -> Vec<f64> {
 fn three_temperatures_tell_the_film_constants_apart_and_one_does_not() {
     let (one, three) = (deviations(&[90.0]), deviations(&[40.0, 65.0, 90.0]));
     println!("one {one:?} three {three:?}");
-    // An independent computation on the same gears, six speeds, without nuisance terms: limiting shear 45 and 3.7 %,
-    // Eyring stress 30 and 4.6 %, boundary friction 9 and 4.8 %, boundary layer 89 and 25 %.
+    // An independent computation on the same gears, six speeds, without nuisance terms and with the film at the whole pressure:
+    // limiting shear 45 and 3.7 %, Eyring stress 30 and 4.6 %, boundary friction 9 and 4.8 %, boundary layer 89 and 25 %. At its
+    // own pressure the film shears less and identifies its constants less: 70 and 6.8 %, 17 and 9.4 %; boundary layer 62 and 46 %.
     let [boundary, layer, shear, eyring] = [0, 1, 2, 3].map(|k| [one[k], three[k]]);
-    assert!(shear[0] > 0.15 && shear[1] < 0.06, "{shear:?}");
-    assert!(
-        eyring[0] > 2.0 * eyring[1] && eyring[1] < 0.09,
-        "{eyring:?}"
-    );
+    assert!(shear[0] > 0.15 && shear[1] < 0.08, "{shear:?}");
+    assert!(eyring[0] > 1.5 * eyring[1] && eyring[1] < 0.1, "{eyring:?}");
     assert!(boundary[1] < 0.06, "{boundary:?}");
     assert!(
-        (0.15..0.45).contains(&layer[1]) && layer[0] > layer[1],
+        (0.15..0.5).contains(&layer[1]) && layer[0] > layer[1],
         "{layer:?}"
     );
 }

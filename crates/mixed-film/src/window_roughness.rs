@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 
 /// Parts into which a window is divided by the pressure that flattens it.
 const PARTS: usize = 24;
-/// Places of a window that are looked at at least, at even distances: eight a part.
+/// Least number of places that are evaluated in a window, at even distances: eight a part.
 const PLACES: usize = 8 * PARTS;
 
-/// The places of a window that are looked at: an odd number of points apart and as many points from both ends, so that the mirrored
+/// The evaluated places of a window: an odd number of points apart and as many points from both ends, so that the mirrored
 /// window has the same.
 fn places(points: usize) -> impl Iterator<Item = usize> + Clone {
     let stride = match points / PLACES {

@@ -143,7 +143,7 @@ fn parts(printed: &PrintedLoss) -> String {
     let parts = printed.parts.iter().filter_map(|part| match part.name {
         LUBRICATED => None,
         BOUNDARY if part.watts > 0.0 => Some(format!(
-            "asperities {}, of which {BOUNDARY} {}",
+            "asperities {} ({BOUNDARY} {})",
             printed.asperities, printed.boundary
         )),
         BOUNDARY => Some(format!("asperities {}", printed.asperities)),

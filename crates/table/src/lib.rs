@@ -233,24 +233,23 @@ fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     plain.parse::<f64>().ok().filter(|value| value.is_finite())
 }
 
-/// The name of a column: `Speed [km/h]` is `speed_km_h`.
+/// The name of a column: `Speed [km/h]` is `speed_km_h`, `Flank state` is `flank_state`.
 fn name(cell: &str) -> String {
     let lower = cell.to_lowercase();
     let Some((quantity, unit)) = lower.split_once(['[', '(']) else {
-        return lower;
+        return lower.replace(' ', "_");
     };
     let unit = unit.trim_end_matches([']', ')', ' ']);
     let unit = unit
         .replace('%', "percent")
         .replace("1/min", "rpm")
+        .replace("n m", "nm")
+        .replace("n·m", "nm")
         .replace('°', "");
     let words = format!("{quantity} {unit}");
-    let words = words
-        .split(|c: char| !c.is_alphanumeric())
-        .filter(|word| !word.is_empty());
-    let name: Vec<&str> = words.collect();
-    // "N m" is "nm".
-    name.join("_").replace("_n_m", "_nm")
+    let words = words.split(|c: char| !c.is_alphanumeric());
+    let name: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    name.join("_")
 }
 
 /// Byte offset and text of every line.

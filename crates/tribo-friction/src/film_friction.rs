@@ -537,7 +537,7 @@ fn groups(mean: f64, scale: f64, (parts, logs): (&[FilmRipple], &[f64])) -> [Gro
 /// Pressure, and stress with its slope, of each group at a place of the film that was sheared last.
 type NearStresses = [[f64; 3]; GROUPS];
 
-/// What a place of the film that was sheared last knows; `None` of one that was not.
+/// Stresses of `nodes` and their slopes; `None` before they are sheared.
 fn near_stresses(nodes: &[Node]) -> Option<NearStresses> {
     let mut known = [[0.0; 3]; GROUPS];
     for (known, node) in known.iter_mut().zip(nodes) {

@@ -69,8 +69,7 @@ pub(crate) fn warnings(
     Ok(found)
 }
 
-/// Warnings about a case on its mesh with its smooth films that need no solution of its contacts: those of a run that follow
-/// from the case alone.
+/// Warnings about a case on its mesh with its smooth films that need no solution of its contacts.
 pub(crate) fn of_case(
     loaded: &LoadedCase,
     mesh: &Mesh,
@@ -120,7 +119,7 @@ fn same_trace(loaded: &LoadedCase, found: &mut Vec<Warning>) {
     }
 }
 
-/// W452: a lay beyond the records of mixed lubrication, with the loss at a lay of 1/6 over that of the case where it was drawn.
+/// W452: a lay beyond the records of mixed lubrication, with the ratio of the loss at a lay of 1/6 to the loss of the case, where it was drawn.
 pub(crate) fn far_lay(
     loaded: &LoadedCase,
     confirmed: Option<f64>,
@@ -143,7 +142,7 @@ pub(crate) fn far_lay(
     }))
 }
 
-/// W443: the loss by film friction at pressures above those of the traction curves.
+/// W443: the loss by film friction at pressures above the tested ones.
 fn above_tested_pressure(
     case: &Case,
     positions: &[LubricatedPosition],

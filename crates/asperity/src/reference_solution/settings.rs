@@ -43,7 +43,7 @@ const OFFSET_STEPS: [f64; 2] = [0.618_033_988_749_894_9, 0.414_213_562_373_095];
 /// Choices of the reference solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReferenceSettings {
-    /// Grid, length and films of the record; its law of friction, heat and ceiling are those of the case.
+    /// Grid, length and films of the record; the case gives its law of friction, heat and ceiling.
     pub record: RecordSettings,
     /// Eyring stress that replaces the value of the base oil.
     pub eyring_stress: Option<Pressure>,

@@ -229,7 +229,7 @@ impl PairSampling {
         self.traces[0] * self.traces[1]
     }
 
-    /// What follows the standard error where a single tooth of a gear is sampled: that it is a lower bound.
+    /// Text behind the standard error where a single tooth of a gear is sampled: it is a lower bound.
     #[must_use]
     pub const fn bound(&self) -> &'static str {
         match self.traces {

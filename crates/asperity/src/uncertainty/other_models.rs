@@ -59,7 +59,7 @@ fn step_rule(share: f64, [boundary, film]: [f64; 2], loss_factor_w: f64) -> f64 
     STEP_RULE * share * (boundary - film).max(0.0) * loss_factor_w
 }
 
-/// Models whose loss follows from that of the run.
+/// Models whose loss follows from the run.
 pub(super) fn by_formula(loaded: &LoadedCase, nominal: &Nominal<'_>) -> Vec<AlternativeRow> {
     /// s from which losses by the model were taken to be too high, and the slope of their logarithm over it.
     const BIAS: [f64; 2] = [2.1, 0.16];
@@ -96,7 +96,7 @@ pub(super) fn by_formula(loaded: &LoadedCase, nominal: &Nominal<'_>) -> Vec<Alte
     found
 }
 
-/// Whether the share of the asperities is that of solved contacts.
+/// Whether solved contacts give the share of the asperities.
 fn is_solved(loaded: &LoadedCase) -> bool {
     loaded.case.laws.load_share.is_none()
         && loaded.case.model.load_share == LoadShareName::Solved

@@ -30,7 +30,7 @@ const POT: [&str; 2] = ["Pot RTD Temp", "Pot Temp"];
 const AIR: f64 = 15.0;
 /// Relative difference of two columns that state one quantity; what was rounded away in the printed digits comes on top.
 const SAME: f64 = 0.02;
-/// One reading in so many may contradict itself: more are no faults of single readings.
+/// Number of readings of which one may contradict itself; more point to a fault of the table.
 const ONE_IN: usize = 20;
 
 /// Probe whose temperature is taken.

@@ -31,7 +31,7 @@ pub struct Reading {
     pub sigma: Option<f64>,
     /// Measured film, if stated.
     pub film: Option<Length>,
-    /// Two columns of the reading that contradict each other, in words: no set point has it.
+    /// Two columns of the reading that contradict each other, in words; set points leave such a reading out.
     pub contradiction: Option<String>,
 }
 

@@ -49,12 +49,11 @@ const FILM: &str = "film_nm";
 /// Columns that a table needs.
 const NEEDED: usize = 5;
 /// Prefixes of column names, with the known column of the quantity.
-const STEMS: [(&str, &str); 13] = [
+const STEMS: [(&str, &str); 12] = [
     ("load", "load_n"),
-    ("ball load", "load_n"),
+    ("ball_load", "load_n"),
     ("mean_speed", "mean_speed_m_s"),
-    ("mean speed", "mean_speed_m_s"),
-    ("rolling speed", "mean_speed_m_s"),
+    ("rolling_speed", "mean_speed_m_s"),
     ("speed", "mean_speed_m_s"),
     ("slide", "slide_roll_percent"),
     ("srr", "slide_roll_percent"),

@@ -83,7 +83,7 @@ impl LoadedCase {
         self.lays.of_flanks
     }
 
-    /// Lay of both flanks together, if the load share depends on it and it is above that of every record of mixed lubrication.
+    /// Lay of both flanks together, if the load share depends on it and exceeds the lay of every record of mixed lubrication.
     ///
     /// # Errors
     /// When the law of two lays refuses the roughness of the flanks.

@@ -182,13 +182,13 @@ pub(super) fn divided_shifts(
     })
 }
 
-/// W453: tips of the addendum alone that leave little clearance, and what the tip alteration of ISO 21771 is worth.
+/// W453: tips without alteration that leave little clearance, and the worth of the tip alteration of ISO 21771.
 pub(super) fn little_clearance(
     input: &GearsInput,
     gears: &GearPair,
     source: &Source,
 ) -> Option<Warning> {
-    /// Alteration \[modules\] from which drawings have it: a fifth of the usual clearance of 0.25 modules.
+    /// Alteration \[modules\] from which it is noted: a fifth of the usual clearance of 0.25 modules.
     const WORTHWHILE: f64 = -0.05;
     let k = gears.tip_alteration();
     if gears.internal || input.tip_diameter.is_some() || k >= WORTHWHILE {

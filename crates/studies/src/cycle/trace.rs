@@ -287,7 +287,7 @@ fn limit(column: &str) -> f64 {
 }
 
 /// Names of the columns of a cycle in other programs, with what their numbers are multiplied by: km/h and grades in per cent of
-/// VECTO, metres per second and grades as fractions of FASTSim, whose names are those of its versions 2 and 3.
+/// VECTO, metres per second and grades as fractions of FASTSim, versions 2 and 3.
 const COLUMNS: [(&str, &[(&str, f64)]); 5] = [
     (
         "time_s",
