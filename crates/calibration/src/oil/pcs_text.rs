@@ -44,10 +44,11 @@ pub enum Probe {
     Pot,
 }
 
-/// Whether a text is an export of such a machine: a step starts in it.
+/// Whether a text is an export of such a machine: by its title, or a step that starts in it.
 #[must_use]
 pub fn is_pcs(text: &str) -> bool {
-    text.lines().any(starts_step)
+    let first = text.lines().next().unwrap_or_default();
+    first.contains("Test Data File") || text.lines().any(starts_step)
 }
 
 fn starts_step(line: &str) -> bool {
