@@ -132,7 +132,7 @@ impl CycleError {
 }
 
 /// Reads the cycle in `text`, a table with a header row ([`Table`]), whose columns may have the names that other programs give
-/// them ([`COLUMNS`]). The speed of a vehicle is converted to the
+/// them. The speed of a vehicle is converted to the
 /// pinion with `vehicle`.
 ///
 /// # Errors
