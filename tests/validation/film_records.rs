@@ -56,7 +56,7 @@ struct Model {
 
 const DEFAULT: &str = "default";
 const FILM_ONLY: &str = "film only";
-const MODELS: [Model; 7] = [
+const MODELS: [Model; 9] = [
     Model {
         name: DEFAULT,
         make: |of| of,
@@ -89,6 +89,22 @@ const MODELS: [Model; 7] = [
         name: "inner 0.9",
         make: |of| LoadShareSettings {
             inner_boundary: 0.9,
+            ..of
+        },
+        for_all: false,
+    },
+    Model {
+        name: "inlet spots",
+        make: |of| LoadShareSettings {
+            spot_speed: SpotSpeed::Entrainment,
+            ..of
+        },
+        for_all: false,
+    },
+    Model {
+        name: "half-sliding spots",
+        make: |of| LoadShareSettings {
+            spot_speed: SpotSpeed::HalfSliding,
             ..of
         },
         for_all: false,
@@ -404,6 +420,11 @@ pub fn model_table() -> String {
         (DEFAULT, "**default**"),
         ("inner 0.6", "default, β_i 0.6"),
         ("inner 0.9", "default, β_i 0.9"),
+        ("inlet spots", "default, spots with the film of the inlet"),
+        (
+            "half-sliding spots",
+            "default, spots with the film of half the sliding speed",
+        ),
     ] {
         let compared = all.iter().filter(is_compared);
         let [mean, deviation, rms] = of_friction(compared.clone(), model);

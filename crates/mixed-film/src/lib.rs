@@ -33,11 +33,11 @@
 //! | film and spots | below 3 | above 3 |
 //! |---|---|---|
 //! | film at the pressure of the whole load, film of the inlet in every spot | -0.026, 0.065, 0.070 | +0.154 |
-//! | film at its own pressure | -0.118, 0.099, 0.154 | +0.037 |
-//! | its own pressure, film of half the sliding speed in every spot | -0.007, 0.076, 0.076 | +0.126 |
-//! | the default: rippled pressure, carried films, heights above the mean line | 0.000, 0.050, 0.050 | +0.069 |
+//! | rippled pressure of its own, heights above the mean line, film of the inlet in every spot | -0.137, 0.086, 0.162 | -0.022 |
+//! | the same with the film of half the sliding speed in every spot | -0.030, 0.095, 0.099 | +0.067 |
+//! | the default: the same with carried films | -0.007, 0.052, 0.052 | +0.059 |
 //!
-//! β_i and the heights that count were chosen on these solutions, which are no test of the default.
+//! β_i and the heights that count were chosen on these solutions, which therefore do not test the default.
 //!
 //! The gap supplied has two laws ([`GapLaw`](asperity_ehl_regime::GapLaw)), compared with 57 solutions of mixed lubrication
 //! (plane strain; former films and spots, friction with the weight of the spots), mean and root mean square of the fast model:

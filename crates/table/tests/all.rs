@@ -74,13 +74,13 @@ fn every_row_has_its_line_and_all_faults_are_named() {
     );
     assert_eq!(table.rows().next().unwrap().optional("c"), Ok(None));
     let ragged = |text: &str| Table::read(text).unwrap_err();
-    let told = |line, cells| Ragged {
+    let expected = |line, cells| Ragged {
         line,
         cells,
         columns: 2,
     };
-    assert_eq!(ragged("a,b\n1,2\n1,2,3\n"), told(3, 3));
-    assert_eq!(ragged("a,b\n1\n"), told(2, 1));
+    assert_eq!(ragged("a,b\n1,2\n1,2,3\n"), expected(3, 3));
+    assert_eq!(ragged("a,b\n1\n"), expected(2, 1));
 }
 
 #[test]

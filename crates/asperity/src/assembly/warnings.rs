@@ -119,7 +119,8 @@ fn same_trace(loaded: &LoadedCase, found: &mut Vec<Warning>) {
     }
 }
 
-/// W452: a lay beyond the records of mixed lubrication, with the ratio of the loss at a lay of 1/6 to the loss of the case, where it was drawn.
+/// W452: a lay beyond the records of mixed lubrication; where it was drawn, with the ratio of the loss at a lay of 1/6 to the loss
+/// of the case.
 pub(crate) fn far_lay(
     loaded: &LoadedCase,
     confirmed: Option<f64>,

@@ -378,10 +378,10 @@ fn places(count: usize, dimensions: usize, seed: u64) -> Vec<Vec<f64>> {
     points
 }
 
-/// ln of the sliding loss over β_i, `ratio` being ln of the sliding loss over that at the medians: at the medians, at either side of
-/// the boundary layer and at one of the boundary friction. At the middle of β_i it is `surface`, whose error enters the slopes of the
-/// bend only;
-/// `boundary_w` is the friction of the boundary layer there.
+/// ln of the sliding loss over β_i: at the medians, at either side of the boundary layer, and at one side of the boundary friction.
+///
+/// `ratio` is ln of the sliding loss over the loss at the medians, and `boundary_w` the friction of the boundary layer there. At the
+/// middle of β_i the logarithm is `surface`, whose error enters the slopes of the bend only.
 fn inner_boundary(
     base: &Base<'_>,
     (ratio, boundary_w): (&dyn Fn(&Losses) -> f64, f64),
