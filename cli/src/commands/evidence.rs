@@ -22,8 +22,8 @@ pub fn evidence(args: &EvidenceArgs, common: &Common) -> Result<(), Failure> {
     let output = args.output.as_deref();
     let folder = study::folder::<EvidenceTable>(output, &name, "evidence", title)?;
     let Some(table) = EvidenceTable::of(&loaded, &efforts)? else {
-        let message = "the loss of this case has no interval: formulation = \"paper\", load_share = \"ehl\" and a solved \
-                       full film are computed without one";
+        let message = "the loss of this case has no interval: formulation = \"paper\" and a solved full film are computed \
+                       without one";
         return Err(Failure::new("E205", message));
     };
     study::finish(&table, (), &folder, Some(begin), common)

@@ -6,7 +6,7 @@ use asperity::core::numerics::{Z_95, Z_975, range, standard_normal_quantile, stu
 use asperity::ehl_regime::GapLaw;
 use asperity_uncertainty::{
     AXES, Component, Draw, Expected, FilmLaw, InnerBoundary, Measured, Measurement, OtherLaw,
-    Predictive, QuadraticSurface, Quantiles, Ranged, SamplingError, StudentOfNormal,
+    Predictive, QuadraticSurface, Quantiles, Ranged, RecordedRule, SamplingError, StudentOfNormal,
     UncertainParameter, flank_draws, latin_hypercube,
 };
 
@@ -26,6 +26,7 @@ fn plain() -> Predictive {
         film_law: None,
         other_law: None,
         inner_boundary: None,
+        recorded: None,
         far_lay: None,
         held_thermal: None,
         relief: None,
@@ -562,4 +563,44 @@ fn a_quadratic_function_is_found_again() {
     let other = [1.3, -0.7, 2.0];
     assert!((surface.at(&other) - function(&other)).abs() < 1e-12);
     assert_eq!(surface.at(&[0.0; 3]), 0.0);
+}
+
+#[test]
+fn records_have_their_own_error_and_half_of_the_draws_for_each_rule() {
+    let drawn = |stepped: f64| Predictive {
+        parts_w: [100.0, 0.0, 0.0],
+        roughness_over_film: Some(2.9),
+        recorded: Some(RecordedRule { stepped }),
+        ..plain()
+    };
+    let logs = |found: &Predictive| -> Vec<f64> {
+        let losses = found.draws_w();
+        losses.iter().map(|loss| (loss / 100.0).ln()).collect()
+    };
+    let moments = |logs: &[f64]| {
+        let mean = logs.iter().sum::<f64>() / logs.len() as f64;
+        let square = |log: &f64| (log - mean).powi(2);
+        let variance = logs.iter().map(square).sum::<f64>() / logs.len() as f64;
+        [mean, variance.sqrt()]
+    };
+    // Short waves 0.02 ± 0.02 and the records' own 0.03, whatever the roughness over the film.
+    let [mean, deviation] = moments(&logs(&drawn(1.0)));
+    assert!((mean - 0.02).abs() < 1e-4, "{mean}");
+    assert!(
+        (deviation / 0.0013_f64.sqrt() - 1.0).abs() < 0.01,
+        "{deviation}"
+    );
+    // Half of the draws rise by ln 1.1: its half on the mean, and its half as a further standard deviation.
+    let rise = 1.1_f64.ln();
+    let [mean, deviation] = moments(&logs(&drawn(1.1)));
+    assert!((mean - 0.02 - 0.5 * rise).abs() < 1e-4, "{mean}");
+    let expected = 0.0013_f64.sqrt().hypot(0.5 * rise);
+    assert!((deviation / expected - 1.0).abs() < 0.01, "{deviation}");
+    let found = drawn(1.1);
+    let ends = [0.0, 0.5, 1.0].map(|place| found.at_inner_boundary(place).unwrap());
+    assert!((ends[0] - 100.0).abs() < 1e-9 && ends[0] == ends[1]);
+    assert!((ends[2] - 110.0).abs() < 1e-9);
+    let alone = found.alone(Component::InnerBoundary).unwrap();
+    let [low, high] = alone.quantiles_w;
+    assert!((high / low - 1.1).abs() < 1e-12);
 }

@@ -82,6 +82,56 @@ fn shares_come_from_records_and_a_second_run_finds_them() {
 }
 
 #[test]
+fn a_loss_by_records_has_an_interval_and_no_draw_solves_a_record() {
+    let cache = tempfile::tempdir().unwrap();
+    let run = |keys: &[(&str, &str)]| {
+        let loaded = recorded(cache.path(), keys);
+        let run = asperity::Run::new(&loaded).band(true);
+        run.execute().unwrap().result
+    };
+    let stated = run(&[("model.lay", "0")]);
+    assert_eq!(files(cache.path()), 3);
+    let of = |result: &RunResult| result.uncertainty.clone().unwrap();
+    let found = of(&stated);
+    let [low, high] = found.loss.quantiles_w;
+    assert!(low < stated.summary.loss_w && stated.summary.loss_w < high);
+    let [falls, whole] = [0, 1].map(|k: usize| found.structures[k].loss_w.unwrap());
+    // Ridges across the face, as in the records: the run is one of the draws.
+    assert!((falls / stated.summary.loss_w - 1.0).abs() < 1e-12);
+    let ratios = stated
+        .records
+        .iter()
+        .map(|record| record.stepped_friction.unwrap() / record.friction);
+    let ratios: Vec<f64> = ratios.collect();
+    let largest = ratios.iter().fold(0.0, |a: f64, b| a.max(*b));
+    let rise = (whole - stated.summary.rolling_w) / (falls - stated.summary.rolling_w);
+    // Heat lowers the film friction, which makes the boundary friction a larger part.
+    assert!(1.0 < rise && rise < 1.1 * largest, "{rise} {ratios:?}");
+    let names: Vec<_> = found
+        .loss
+        .parts
+        .iter()
+        .map(|part| part.name.as_str())
+        .collect();
+    for name in [
+        "error of the records",
+        "boundary friction below 20 nm",
+        "boundary friction",
+    ] {
+        assert!(names.contains(&name), "{names:?}");
+    }
+    assert!(!names.contains(&"error of the fast model") && !names.contains(&"lay"));
+    // Ridges that leave the direction across the face leak, as the fast model says.
+    let usual = run(&[]);
+    assert_eq!(files(cache.path()), 3);
+    assert_eq!(usual.summary, stated.summary);
+    let found = of(&usual);
+    assert!(found.structures[0].loss_w.unwrap() > 1.001 * usual.summary.loss_w);
+    assert!(found.loss.parts.iter().any(|part| part.name == "lay"));
+    assert!((found.at_medians_w - usual.summary.loss_w).abs() < 1e-12);
+}
+
+#[test]
 fn the_heat_of_the_film_lowers_the_friction_of_its_records() {
     let cache = tempfile::tempdir().unwrap();
     let with = |conductivity: &str| {

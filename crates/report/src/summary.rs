@@ -476,7 +476,7 @@ fn shift(uncertainty: &Uncertainty) -> Option<String> {
     (shift.abs() > NOTED_SHIFT).then(|| {
         format!(
             "the run with every constant at its median loses {} W, the median of the draws is {:.0} % {}: \
-            a tip relief or lay that is not stated, errors of more than a fifth, or the bias of the gap law `power` change the loss more in one direction than in the other",
+            a tip relief or lay that is not stated, errors of more than a fifth, the bias of the gap law `power`, or of records their lay of 0 and the rule of their boundary friction change the loss more in one direction than in the other",
             uncertainty.digits().rounded(uncertainty.at_medians_w),
             100.0 * shift.abs(),
             if shift > 0.0 { "higher" } else { "lower" },

@@ -26,7 +26,8 @@ pub use expected::{Expected, Measurement, MeshDraws};
 pub use hypercube::{StudentOfNormal, latin_hypercube};
 pub use parameters::{AXES, Measured, Ranged, UncertainParameter, at_temperature, parameters};
 pub use predictive::{
-    Component, DrawnLoss, FilmLaw, InnerBoundary, OtherLaw, Predictive, model_deviation,
+    COMPARED, Component, DrawnLoss, FilmLaw, InnerBoundary, OtherLaw, Predictive, RecordedRule,
+    model_deviation,
 };
 pub use quantiles::{PROBABILITIES, Quantiles, sorted_quantiles};
 pub use relief::ReliefFactors;

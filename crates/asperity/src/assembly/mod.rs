@@ -278,9 +278,12 @@ impl Solved<'_> {
         let factors = [case.gears.ohlendorf_loss_factor(), self.map.loss_factor()];
         let mut summary = summary(positions, meshes, &operation(case), factors)?;
         if let Some(records) = self.records.filter(|_| case.load_share().needs_records()) {
-            let places = positions.iter().map(|position| &position.at);
-            let weighted = places.map(|at| (at.s, at.weight));
+            let places = || positions.iter().map(|position| &position.at);
+            let weighted = places().map(|at| (at.s, at.weight));
             summary.asperity_share_standard_error = Some(records.mean_share_error(weighted));
+            let powers = places().map(|at| (at.s, at.weight * at.mean_sliding() * at.load.si()));
+            summary.recorded_friction =
+                records.friction_error(case.model.boundary_friction, powers);
         }
         let swept = of_all_offsets(case, positions)?;
         summary.hysteresis_w = swept.hysteresis.si();
@@ -424,6 +427,7 @@ fn summary(
         elastic_cycling_w: 0.0,
         asperity_share: share_of(&|offset| 1.0 - offset.film_share),
         asperity_share_standard_error: None,
+        recorded_friction: None,
         boundary_share: share_of(&boundary_share),
         mu_equivalent: equivalent.value,
         loss_factor: ohlendorf,
@@ -567,6 +571,7 @@ fn record_rows(case: &Case, records: &PathRecords) -> Vec<RecordRow> {
             friction: record.friction.mean,
             friction_standard_error: record.friction.standard_error,
             graded_friction: Some(record.graded_friction.mean),
+            stepped_friction: Some(record.stepped_friction.mean),
             mean_p_max_mpa: record.mean_max_pressure.mean * 1e-6,
             p_max_mpa: record.max_pressure.si() * 1e-6,
             travel_half_widths: record.travel,

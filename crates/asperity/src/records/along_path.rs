@@ -13,9 +13,10 @@ use super::store::RecordStore;
 use crate::equations::find;
 use crate::mesh::{MeshPosition, Resolution};
 use crate::reference_solution::{ReferenceContact, ReferenceError, ReferenceSettings};
+use crate::result::RecordedFriction;
 use asperity_case::case::{Formulation, LoadedCase};
 use asperity_case::error::PositionError;
-use asperity_case::flanks::is_substituted;
+use asperity_case::flanks::{AVERAGING_WIDTH, is_substituted};
 use asperity_case::recorded_share::RecordedShare;
 
 /// A record at its place on the path.
@@ -147,19 +148,58 @@ impl PathRecords {
     /// Standard error of the weighted mean of the solid share over places with their weights: records are
     /// independent, places between the same two are not.
     pub(crate) fn mean_share_error(&self, weighted: impl Iterator<Item = (Length, f64)>) -> f64 {
-        let mut of_record = vec![0.0; self.places.len()];
-        let mut total = 0.0;
-        for (s, weight) in weighted {
-            let between = self.between(s);
-            of_record[between.low] += weight * (1.0 - between.part);
-            of_record[between.high] += weight * between.part;
-            total += weight;
-        }
+        let of_record = self.weights(weighted);
+        let total: f64 = of_record.iter().sum();
         let square = |(weight, place): (f64, &PlacedRecord)| {
             (weight / total * place.record.solid_share.standard_error).powi(2)
         };
         let squares = of_record.into_iter().zip(&self.places).map(square);
         squares.sum::<f64>().sqrt()
+    }
+
+    /// Error of the sliding loss by the records' friction, over places with the power \[W\] that a friction coefficient of one would
+    /// take there; records are independent, places between the same two are not. `None` without power.
+    pub(crate) fn friction_error(
+        &self,
+        boundary_friction: f64,
+        powers: impl Iterator<Item = (Length, f64)>,
+    ) -> Option<RecordedFriction> {
+        let of_record = self.weights(powers);
+        let sum = |of: &dyn Fn(&PlacedRecord) -> f64| -> f64 {
+            let weighted = of_record.iter().zip(&self.places);
+            weighted.map(|(weight, place)| weight * of(place)).sum()
+        };
+        let friction = sum(&|place| place.record.hot_friction(boundary_friction, place.heat));
+        let stepped = sum(&|place| {
+            place
+                .record
+                .hot_stepped_friction(boundary_friction, place.heat)
+        });
+        let squares = of_record.iter().zip(&self.places);
+        let squares = squares.map(|(weight, place)| {
+            (weight * place.heat * place.record.friction.standard_error).powi(2)
+        });
+        (friction > 0.0).then(|| RecordedFriction {
+            standard_error: squares.sum::<f64>().sqrt() / friction,
+            stepped: stepped / friction,
+            windows: self
+                .places
+                .iter()
+                .map(|place| place.record.travel)
+                .sum::<f64>()
+                / AVERAGING_WIDTH,
+        })
+    }
+
+    /// Weight of each record in a weighted sum over places.
+    fn weights(&self, weighted: impl Iterator<Item = (Length, f64)>) -> Vec<f64> {
+        let mut of_record = vec![0.0; self.places.len()];
+        for (s, weight) in weighted {
+            let between = self.between(s);
+            of_record[between.low] += weight * (1.0 - between.part);
+            of_record[between.high] += weight * between.part;
+        }
+        of_record
     }
 
     fn between(&self, s: Length) -> NodeInterval {

@@ -38,6 +38,8 @@ pub struct PathRecord {
     pub friction: Estimate,
     /// Friction with the weight e^(−h/h_b), isothermal: the weight of the solved load share.
     pub graded_friction: Estimate,
+    /// Friction with the whole boundary friction below the solid film, isothermal.
+    pub stepped_friction: Estimate,
     /// Film friction of the load above the solid film, isothermal.
     pub film_friction: f64,
     /// Film friction of the load below it, isothermal.
@@ -102,6 +104,7 @@ impl PathRecord {
             smooth_film: record.smooth_film,
             friction: friction.shifted,
             graded_friction: friction.graded,
+            stepped_friction: friction.stepped,
             film_friction: mu_f,
             lubricated_friction: mu_l,
             smooth_friction: smooth_friction(contact, law, record.smooth_film),
@@ -134,6 +137,18 @@ impl PathRecord {
         } else {
             0.0
         }
+    }
+
+    /// Friction with its film part times `heat`.
+    pub(super) fn hot_friction(&self, boundary_friction: f64, heat: f64) -> f64 {
+        let boundary = self.boundary_part() * self.solid_share.mean * boundary_friction;
+        boundary + heat * (self.friction.mean - boundary)
+    }
+
+    /// The same with the whole boundary friction below the solid film.
+    pub(super) fn hot_stepped_friction(&self, boundary_friction: f64, heat: f64) -> f64 {
+        let boundary = self.solid_share.mean * boundary_friction;
+        boundary + heat * (self.stepped_friction.mean - boundary)
     }
 
     /// Film friction of the record relative to the smooth film.

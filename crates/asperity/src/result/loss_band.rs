@@ -268,7 +268,7 @@ impl AlternativeRow {
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Trust {
-    /// Both flanks were measured and their contact was solved.
+    /// Both flanks were measured and their contact was solved, with or without its film.
     SolvedContact,
     /// A formula shares the load between film and asperities.
     ShareFormula,

@@ -184,6 +184,9 @@ pub struct Summary {
     /// Its standard error, where it is recorded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub asperity_share_standard_error: Option<f64>,
+    /// What the records leave uncertain of the sliding loss, where they give the friction.
+    #[serde(skip)]
+    pub recorded_friction: Option<RecordedFriction>,
     /// Share of the load on their boundary layer, mean over mesh time.
     pub boundary_share: f64,
     /// Friction coefficient that explains the loss with the local loss factor.
@@ -425,6 +428,9 @@ pub struct RecordRow {
     /// friction; absent in results of older versions, whose `friction` has this weight.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub graded_friction: Option<f64>,
+    /// Isothermal friction coefficient with the whole boundary friction on films below 20 nm; absent in results of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stepped_friction: Option<f64>,
     /// Mean of the largest pressure \[MPa\].
     pub mean_p_max_mpa: f64,
     /// Largest pressure of all times \[MPa\].
@@ -439,6 +445,18 @@ pub struct RecordRow {
     pub loose_steps: usize,
     /// Largest load error of a step.
     pub load_error: f64,
+}
+
+/// What records of mixed lubrication leave uncertain of a sliding loss.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct RecordedFriction {
+    /// Standard error of ln of the sliding loss by the finite travel of the records.
+    pub standard_error: f64,
+    /// Sliding loss with the whole boundary friction on films below 20 nm, over the loss of the run.
+    pub stepped: f64,
+    /// Windows that pass through the contacts of all records together, each as wide as a contact averages over.
+    pub windows: f64,
 }
 
 /// Plastic work of the first engagement, which decays as the flanks run in.

@@ -133,10 +133,33 @@ pub fn window_sampling(
 ) -> WindowSampling {
     cite!("Sampling-error");
     let scatter = Scatter::of(positions.iter().copied());
-    let k = offsets as f64;
-    let effective = k.min(windows);
+    let numerical = (scatter.squares / offsets as f64).sqrt();
+    sampling(
+        (offsets, COMMON * scatter.sum, numerical),
+        windows,
+        asperity_share,
+    )
+}
+
+/// Sampling error of a mean over `passed` independent windows that has the standard error `numerical_error` for traces that never
+/// end, on traces with `windows` windows.
+pub(crate) fn travel_sampling(
+    (passed, numerical_error): (usize, f64),
+    windows: f64,
+    asperity_share: f64,
+) -> WindowSampling {
+    let own = numerical_error * (passed as f64).sqrt();
+    sampling((passed, own, numerical_error), windows, asperity_share)
+}
+
+/// The sampling error where windows scatter by `own`, of which the prior is a part.
+fn sampling(
+    (offsets, own, numerical_error): (usize, f64, f64),
+    windows: f64,
+    asperity_share: f64,
+) -> WindowSampling {
+    let effective = (offsets as f64).min(windows);
     let [prior, weight] = [PRIOR[0] * asperity_share, PRIOR[1]];
-    let own = COMMON * scatter.sum;
     let freedom = weight - 1.0 + effective;
     let variance = (weight * prior * prior + (effective - 1.0) * own * own) / freedom;
     WindowSampling {
@@ -144,7 +167,7 @@ pub fn window_sampling(
         effective_windows: effective,
         standard_error: (variance / effective).sqrt(),
         freedom,
-        numerical_error: (scatter.squares / k).sqrt(),
+        numerical_error,
     }
 }
 

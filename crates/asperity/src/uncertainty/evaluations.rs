@@ -7,6 +7,7 @@ use asperity_core::numerics::deviation;
 use asperity_core::quantity::Length;
 use rayon::prelude::*;
 
+use super::recorded;
 use crate::contacts::Contacts;
 use crate::pipeline::{contacts as contacts_of, losses, losses_with, settled};
 use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summary};
@@ -33,13 +34,14 @@ const REACH: f64 = 2.4;
 /// Seed of their places.
 const SEED: u64 = 1;
 
-/// Whether a case has an uncertainty: the paper's formulation takes everything as printed, and records of mixed
-/// lubrication take minutes an evaluation.
+/// Whether a case has an uncertainty: the paper's formulation takes everything as printed, and a solved full film takes seconds an
+/// evaluation.
 #[must_use]
 pub fn has_band(loaded: &LoadedCase) -> bool {
     let model = &loaded.case.model;
+    let has_records = model.load_share == LoadShareName::Ehl;
     loaded.case.formulation == Formulation::Corrected
-        && model.load_share != LoadShareName::Ehl
+        && (!has_records || loaded.surfaces.are_measured())
         && model.full_film == FullFilmName::Formulas
 }
 
@@ -151,6 +153,19 @@ pub(super) fn evaluate(
     contacts: &Contacts,
     done: &(dyn Fn(usize) + Sync),
 ) -> Result<Evaluated, Error> {
+    match nominal.summary.recorded_friction {
+        Some(friction) => recorded::evaluate(loaded, nominal, friction, done),
+        None => by_contacts(loaded, nominal, contacts, done),
+    }
+}
+
+/// Evaluates a case whose losses follow from its contacts.
+pub(super) fn by_contacts(
+    loaded: &LoadedCase,
+    nominal: &Nominal<'_>,
+    contacts: &Contacts,
+    done: &(dyn Fn(usize) + Sync),
+) -> Result<Evaluated, Error> {
     let whole = |error| Error::Whole(Box::new(error));
     let (constants, held) = parameters(loaded).map_err(whole)?;
     let base_case = few_offsets(loaded);
@@ -181,6 +196,7 @@ pub(super) fn evaluate(
         film_law: film_law(loaded, nominal.summary),
         other_law: None,
         inner_boundary: None,
+        recorded: None,
         far_lay: None,
         held_thermal: None,
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
@@ -509,6 +525,13 @@ fn sampling_error(
     nominal: &Nominal<'_>,
     asperity_share: f64,
 ) -> Result<SamplingError, Error> {
+    if let Some(found) = recorded::sampling(loaded, nominal, asperity_share) {
+        return Ok(SamplingError {
+            standard_error: found.standard_error,
+            freedom: found.freedom,
+            ..SamplingError::NONE
+        });
+    }
     let surfaces = &loaded.surfaces;
     let shifts = misplaced(loaded, nominal.summary.loss_w)?;
     let losses: Vec<f64> = nominal.offsets.iter().map(|row| row.loss_w).collect();

@@ -22,6 +22,7 @@ mod change;
 mod difference;
 mod evaluations;
 mod other_models;
+mod recorded;
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -43,7 +44,7 @@ use asperity_case::case::LoadedCase;
 use asperity_case::error::{Error, PositionError};
 use asperity_case::message::{Subject, Warning};
 use asperity_uncertainty::{
-    Component, InnerBoundary, Measured, Ranged, UncertainParameter as Constant,
+    Component, Draw, InnerBoundary, Measured, Ranged, UncertainParameter as Constant,
 };
 
 pub use crate::sampling::{independent_windows, pair_sampling, window_sampling};
@@ -184,11 +185,21 @@ fn uncertainty(
         };
         return Err(Error::Whole(Box::new(PositionError::from(impossible))));
     }
-    let structures = [0.0, 0.5, 1.0].into_iter().filter_map(|place| {
-        let share = InnerBoundary::value(place);
+    let places: &[f64] = match predictive.recorded {
+        Some(_) => &[0.0, 1.0],
+        None => &[0.0, 0.5, 1.0],
+    };
+    let structures = places.iter().filter_map(|place| {
         Some(AlternativeRow {
-            name: format!("boundary share of inner spots {share}"),
-            loss_w: Some(predictive.at_inner_boundary(place)?),
+            name: match predictive.recorded {
+                Some(_) if *place > 0.5 => "whole boundary friction below 20 nm".to_owned(),
+                Some(_) => "boundary friction that falls with the film".to_owned(),
+                None => format!(
+                    "boundary share of inner spots {}",
+                    InnerBoundary::value(*place)
+                ),
+            },
+            loss_w: Some(predictive.at_inner_boundary(*place)?),
             refuted_by: String::new(),
         })
     });
@@ -248,6 +259,8 @@ fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
 const TRACTION: &str = "a traction curve of the oil";
 /// What narrows the constants of the boundary layer.
 const RIG: &str = "losses measured on a rig (asperity calibrate)";
+/// What is more certain than the fast model and takes minutes.
+const RECORDS: &str = "records of mixed lubrication: model.load_share = \"ehl\"";
 
 /// Every component, drawn with all others at their medians and scaled to the median of the loss, the largest first.
 fn parts(
@@ -256,8 +269,10 @@ fn parts(
     nominal: &Nominal<'_>,
     median_w: f64,
 ) -> Vec<UncertaintyPart> {
-    let scale = match predictive.at_medians_w > 0.0 {
-        true => median_w / predictive.at_medians_w,
+    let law = predictive.law();
+    let at_medians = law.loss(&Draw::medians());
+    let scale = match at_medians > 0.0 {
+        true => median_w / at_medians,
         false => 1.0,
     };
     let constants = predictive.constants.iter().enumerate();
@@ -296,6 +311,14 @@ fn parts(
         }
         false => "traces of more teeth".to_owned(),
     };
+    let [of_model, of_boundary] = match predictive.recorded {
+        Some(_) => ["error of the records", "boundary friction below 20 nm"],
+        None => ["error of the fast model", "boundary share of inner spots"],
+    };
+    let better = match recorded::would_narrow(loaded, predictive, nominal) {
+        true => RECORDS,
+        false => RIG,
+    };
     let factors = [
         (Component::Sampling, "sampling of the flanks", longer),
         (
@@ -303,12 +326,8 @@ fn parts(
             "tip relief not stated",
             "gears.pinion.tip_relief and gears.wheel.tip_relief".to_owned(),
         ),
-        (Component::Model, "error of the fast model", RIG.to_owned()),
-        (
-            Component::InnerBoundary,
-            "boundary share of inner spots",
-            RIG.to_owned(),
-        ),
+        (Component::Model, of_model, better.to_owned()),
+        (Component::InnerBoundary, of_boundary, better.to_owned()),
         (Component::FarLay, "lay beyond the records", RIG.to_owned()),
         (
             Component::HeldThermal,
@@ -336,7 +355,6 @@ fn parts(
             "a spin-loss measurement".to_owned(),
         ),
     ];
-    let law = predictive.law();
     let alone = constants
         .chain(factors)
         .filter_map(|(component, name, remedy)| {
@@ -345,7 +363,7 @@ fn parts(
             let about = match component {
                 Component::Sampling => Some(Subject::Sampling),
                 Component::Relief => Some(Subject::TipRelief),
-                Component::Model => Some(Subject::FastModel),
+                Component::Model if predictive.recorded.is_none() => Some(Subject::FastModel),
                 Component::FarLay => Some(Subject::Lay),
                 Component::Constant(k) => constant(k)
                     .filter(|kind| *kind == Constant::PressureViscosity)
@@ -372,8 +390,8 @@ fn trust(loaded: &LoadedCase) -> Trust {
     }
     match (loaded.surfaces.are_measured(), law.supply()) {
         (false, _) => Trust::RoughnessValues,
-        (true, Some(_)) => Trust::SolvedContact,
-        (true, None) => Trust::ShareFormula,
+        (true, None) if !law.needs_records() => Trust::ShareFormula,
+        (true, _) => Trust::SolvedContact,
     }
 }
 
@@ -388,6 +406,9 @@ fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>)
         return SamplingPart::None(format!(
             "{pairs} pairs of surrogate flanks, no trace was measured"
         ));
+    }
+    if let Some(of_records) = recorded::sampling(loaded, nominal, predictive.asperity_share) {
+        return SamplingPart::Windows(of_records);
     }
     if let Some(found) = nominal.pairs {
         return SamplingPart::Pairs(PairSampling {

@@ -30,15 +30,14 @@ const DRY: [(&str, LoadShareName); 3] = [
         LoadShareName::MasjediKhonsari,
     ),
 ];
-const DRY_REFUTED: &str = "superfinishing would save 50 to 57 %, measured pairs 15 to 35 % (gate T3 of VALIDATION.md); asperity share 0.07 to \
-    0.25 above records of mixed lubrication";
+const DRY_REFUTED: &str = "superfinishing would save 47 to 53 % of the shipped drive, measured pairs 15 to 35 % (gate T3 of VALIDATION.md)";
 
 /// Films of the spots, with their numbers in docs/records/ehl-friction-parts.md.
 const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
     (
         "spots with the film of the inlet",
         SpotSpeed::Entrainment,
-        "ln friction 0.14 below 85 records of mixed lubrication, by the model 0.01",
+        "ln friction 0.14 below 85 records of mixed lubrication, of the model 0.01",
     ),
     (
         "spots with the film of half the sliding speed",
@@ -46,35 +45,43 @@ const SPEEDS: [(&str, SpotSpeed, &str); 2] = [
         "scatter of ln friction over 85 records of mixed lubrication 0.095, of the model 0.052",
     ),
 ];
-/// Slope of the change by the step rule: .24 to .44 of the share of the reference in 21 records.
-const STEP_RULE: f64 = 0.27;
+const HALVED: &str =
+    "asperity share 0.09 below 74 records of mixed lubrication, of the model 0.01 above";
+/// Slope of the change by the step rule: the sum of the changes over the sum of φ (μ_b − μ_film), of records with s below 3 and a
+/// share φ above 2 %; 0.08 to 0.20 in eight of ten.
+const STEP_RULE: f64 = 0.12;
+const STEP_EVIDENCE: &str = "records of mixed lubrication do not exclude it: by it their own friction is 4 % higher in the mean";
 
-/// Change of the loss \[W\] by the whole boundary friction on all films below h_b, instead of a share that falls with the film.
+/// Change of the loss \[W\] by the whole boundary friction on all films below 20 nm, instead of a share that falls with the film.
 ///
 /// ```text
-/// D = 0.27 φ (μ_b − μ_film) H_V P_in ≥ 0                                       [Step-rule]
+/// D = 0.12 φ (μ_b − μ_film) H_V P_in ≥ 0                                       [Step-rule]
 /// ```
 fn step_rule(share: f64, [boundary, film]: [f64; 2], loss_factor_w: f64) -> f64 {
     cite!("Step-rule");
     STEP_RULE * share * (boundary - film).max(0.0) * loss_factor_w
 }
 
+/// Change of the loss of a run by the step rule \[W\].
+pub(super) fn step_rule_of(loaded: &LoadedCase, nominal: &Nominal<'_>) -> f64 {
+    let (path, s) = (Path::of(nominal.path), nominal.summary);
+    let friction = [loaded.case.model.boundary_friction, path.film_friction];
+    step_rule(
+        path.asperity_share,
+        friction,
+        s.loss_factor_local * s.power_in_w,
+    )
+}
+
 /// Models whose loss follows from the run.
 pub(super) fn by_formula(loaded: &LoadedCase, nominal: &Nominal<'_>) -> Vec<AlternativeRow> {
     /// s from which losses by the model were taken to be too high, and the slope of their logarithm over it.
     const BIAS: [f64; 2] = [2.1, 0.16];
-    let case = &loaded.case;
     let (path, s) = (Path::of(nominal.path), nominal.summary);
     let rough = path.roughness_over_film.filter(|_| is_solved(loaded));
     let Some(over_film) = rough.filter(|_| path.asperity_share > 0.0) else {
         return Vec::new();
     };
-    let friction = [case.model.boundary_friction, path.film_friction];
-    let step = step_rule(
-        path.asperity_share,
-        friction,
-        s.loss_factor_local * s.power_in_w,
-    );
     let row = |name: &str, loss_w: f64, refuted_by: &str| AlternativeRow {
         name: name.to_owned(),
         loss_w: Some(loss_w),
@@ -82,8 +89,8 @@ pub(super) fn by_formula(loaded: &LoadedCase, nominal: &Nominal<'_>) -> Vec<Alte
     };
     let mut found = vec![row(
         "step rule of the boundary layer",
-        s.loss_w + step,
-        "boundary part of 52 records of mixed lubrication 1.09 of that of the model without it",
+        s.loss_w + step_rule_of(loaded, nominal),
+        STEP_EVIDENCE,
     )];
     let bias = BIAS[1] * (over_film - BIAS[0]).max(0.0);
     if bias > 0.0 {
@@ -108,6 +115,10 @@ pub(super) fn other_models(loaded: &LoadedCase) -> Vec<OtherModel> {
     let case = &loaded.case;
     let own = &case.laws;
     let mut found = Vec::new();
+    // Another model of the film would be another set of records.
+    if case.load_share().needs_records() {
+        return found;
+    }
     if is_solved(loaded) {
         for (name, spot_speed, refuted_by) in SPEEDS {
             if case.model.spot_speed != spot_speed {
@@ -125,7 +136,7 @@ pub(super) fn other_models(loaded: &LoadedCase) -> Vec<OtherModel> {
         found.push(OtherModel {
             name: "asperity share halved",
             case: half,
-            refuted_by: "asperity share 0.14 below records of mixed lubrication",
+            refuted_by: HALVED,
         });
         for (name, law) in DRY {
             let mut dry = loaded.clone();
@@ -157,12 +168,137 @@ pub(super) fn other_models(loaded: &LoadedCase) -> Vec<OtherModel> {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+    use std::path::Path;
+
     use super::*;
+    use crate::pipeline::losses;
+    use asperity_case::case::load;
+
+    /// Rows of a table of records by their condition and model, each a number by its column.
+    fn rows(table: &str) -> BTreeMap<[String; 2], BTreeMap<String, f64>> {
+        let file = Path::new("../../fixtures/records").join(table);
+        let text = std::fs::read_to_string(file).unwrap();
+        let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+        let head: Vec<&str> = lines.next().unwrap().split(',').collect();
+        let row = |line: &str| {
+            let cells: BTreeMap<&str, &str> = head.iter().copied().zip(line.split(',')).collect();
+            let name = |column: &str| (*cells.get(column).unwrap_or(&"")).to_owned();
+            let number =
+                |(column, cell): (&&str, &&str)| Some(((*column).to_owned(), cell.parse().ok()?));
+            let numbers = cells.iter().filter_map(number).collect();
+            ([name("condition"), name("model")], numbers)
+        };
+        lines.map(row).collect()
+    }
+
+    /// The 93 records.
+    fn records() -> BTreeMap<String, BTreeMap<String, f64>> {
+        let both = [rows("gear_meshes.csv"), rows("blind.csv")];
+        let named = both.into_iter().flatten();
+        named.map(|([name, _], row)| (name, row)).collect()
+    }
+
+    fn mean_and_deviation(values: &[f64]) -> [f64; 2] {
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        let squares = values.iter().map(|value| (value - mean).powi(2));
+        [
+            mean,
+            (squares.sum::<f64>() / (values.len() - 1) as f64).sqrt(),
+        ]
+    }
 
     #[test]
     fn a_rule_with_a_step_adds_its_share() {
-        // 0.27·0.2·(0.09 − 0.04)·1000 W.
-        assert!((step_rule(0.2, [0.09, 0.04], 1000.0) - 2.7).abs() < 1e-12);
+        // 0.12·0.2·(0.09 − 0.04)·1000 W.
+        assert!((step_rule(0.2, [0.09, 0.04], 1000.0) - 1.2).abs() < 1e-12);
         assert_eq!(step_rule(0.2, [0.03, 0.04], 1000.0), 0.0);
+    }
+
+    #[test]
+    fn the_slope_of_the_step_rule_is_that_of_the_records() {
+        const BOUNDARY_FRICTION: f64 = 0.08;
+        let judged = |row: &&BTreeMap<String, f64>| {
+            row["below_20_nm"] > 0.02 && row["roughness_over_film"] < 3.0
+        };
+        let (mut changes, mut shares, mut rises) = (0.0, 0.0, Vec::new());
+        for row in records().values().filter(judged) {
+            changes += row["stepped"] - row["friction"];
+            shares += row["below_20_nm"] * (BOUNDARY_FRICTION - row["film_friction"]);
+            rises.push(row["stepped"] / row["friction"] - 1.0);
+        }
+        assert_eq!(
+            format!("{:.2}", changes / shares),
+            format!("{STEP_RULE:.2}")
+        );
+        let [mean, _] = mean_and_deviation(&rises);
+        assert!(STEP_EVIDENCE.contains(&format!(" {:.0} % higher", 100.0 * mean)));
+    }
+
+    #[test]
+    fn the_evidence_against_a_model_is_that_of_the_records() {
+        let (records, windows) = (records(), rows("film_64_windows.csv"));
+        let of = |name: &str, model: &str| windows.get(&[name.to_owned(), model.to_owned()]);
+        let is_judged =
+            |name: &str| of(name, "default").is_some_and(|row| row["roughness_over_film"] < 3.0);
+        let friction = |model: &str| {
+            let judged = records.iter().filter(|(name, _)| is_judged(name));
+            let errors = judged.filter_map(|(name, row)| {
+                Some((of(name, model)?["friction"] / row["hot_friction"]).ln())
+            });
+            let errors: Vec<f64> = errors.collect();
+            (errors.len(), mean_and_deviation(&errors))
+        };
+        let (count, [default, scatter]) = friction("default");
+        let (_, [inlet, _]) = friction("inlet spots");
+        let (_, [_, half_sliding]) = friction("half-sliding spots");
+        let expected = [
+            format!(
+                "ln friction {:.2} below {count} records of mixed lubrication, of the model {:.2}",
+                -inlet, -default
+            ),
+            format!(
+                "scatter of ln friction over {count} records of mixed lubrication {half_sliding:.3}, of the model {scatter:.3}"
+            ),
+        ];
+        assert_eq!(SPEEDS.map(|(_, _, evidence)| evidence.to_owned()), expected);
+        let shares = records.iter().filter(|(name, _)| is_judged(name));
+        let shares = shares.filter_map(|(name, row)| {
+            let [low, high] = ["below_20_nm", "below_50_nm"].map(|column| row[column]);
+            let share = of(name, "default")?["asperity_share"];
+            (high - low <= 0.15).then_some([share, 0.5 * (low + high)])
+        });
+        let shares: Vec<[f64; 2]> = shares.collect();
+        let over = |factor: f64| {
+            let errors = shares.iter().map(|[fast, record]| factor * fast - record);
+            mean_and_deviation(&errors.collect::<Vec<_>>())[0]
+        };
+        let expected = format!(
+            "asperity share {:.2} below {} records of mixed lubrication, of the model {:.2} above",
+            -over(0.5),
+            shares.len(),
+            over(1.0)
+        );
+        assert_eq!(HALVED, expected);
+    }
+
+    #[test]
+    fn dry_laws_save_more_than_was_measured() {
+        let saving = |law: LoadShareName| {
+            let loss = |case: &str| {
+                let file = Path::new("../../fixtures/cases").join(case);
+                let mut loaded = load(&file, None).unwrap();
+                loaded.case.model.load_share = law;
+                losses(&loaded).unwrap().summary.loss_w
+            };
+            100.0 * (1.0 - loss("e-drive-superfinished.toml") / loss("e-drive.toml"))
+        };
+        let savings = DRY.map(|(_, law)| saving(law));
+        let least = savings.iter().fold(f64::INFINITY, |a, b| a.min(*b));
+        let most = savings.iter().fold(0.0, |a: f64, b| a.max(*b));
+        assert!(
+            DRY_REFUTED.contains(&format!("{least:.0} to {most:.0} %")),
+            "{savings:?}"
+        );
     }
 }
