@@ -17,7 +17,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &["asperity-fourier"]),
     ("crates/oil", &["asperity-core"]),
     ("crates/storage", &[]),
-    ("crates/table", &[]),
+    ("crates/table", &["asperity-storage"]),
     ("crates/rexs", &[]),
     ("crates/profile-io", &["asperity-core", "asperity-storage"]),
     ("crates/roughness", &["asperity-core"]),
@@ -95,6 +95,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     (
         "crates/report",
         &[
+            "asperity-table",
             "asperity-storage",
             "asperity",
             "asperity-core",

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use asperity_roughness::RoughnessError;
 use asperity_storage::{NotFinite, StorageError};
+use asperity_table::own::{OwnFault, Unwritten};
 
 /// Error of writing or reading a result. No incomplete result is left behind.
 #[derive(Debug, thiserror::Error)]
@@ -50,7 +51,7 @@ pub enum ReportError {
         /// The file.
         path: PathBuf,
         /// The reason.
-        reason: TableFault,
+        reason: OwnFault,
     },
     /// A model choice is neither among the inputs nor among the defaults.
     #[error("result.json: {key} is neither among the inputs nor among the defaults")]
@@ -86,31 +87,8 @@ pub enum ReportError {
         /// The file.
         path: PathBuf,
         /// Reason given by the writer.
-        source: csv::Error,
+        source: Box<Unwritten>,
     },
-}
-
-/// Fault of a table.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum TableFault {
-    /// The file cannot be opened or a row cannot be read.
-    #[error("{0}")]
-    Unreadable(#[from] csv::Error),
-    /// The table has no rows.
-    #[error("it has no rows")]
-    Empty,
-    /// A cell is not a finite number.
-    #[error("row {row}: {column} is not a finite number")]
-    NotFinite {
-        /// Row, from 1 below the header.
-        row: usize,
-        /// Name of the column.
-        column: String,
-    },
-    /// The rows do not form a rectangular field, or the columns differ in length.
-    #[error("its rows do not form a field of equally long rows")]
-    NotAField,
 }
 
 impl ReportError {
@@ -141,11 +119,14 @@ impl ReportError {
     }
 
     /// Error of a table at `path`.
-    pub(crate) fn csv(path: &Path) -> impl Fn(csv::Error) -> Self {
+    pub(crate) fn unwritten(path: &Path) -> impl Fn(Unwritten) -> Self {
         let path = path.to_owned();
-        move |source| Self::Csv {
-            path: path.clone(),
-            source,
+        move |reason| match reason {
+            Unwritten::NotFinite(source) => Self::not_finite(&path)(source),
+            reason => Self::Csv {
+                path: path.clone(),
+                source: Box::new(reason),
+            },
         }
     }
 

@@ -4,7 +4,9 @@ use asperity::result::ContactView;
 use asperity::result::{Outcome, PositionRow, RunResult};
 use serde::{Deserialize, Serialize};
 
-use crate::error::{ReportError, TableFault};
+use asperity_table::own::OwnFault;
+
+use crate::error::ReportError;
 use crate::tables::{ContactTables, FlankTables, LoadMapRow, check_field, load_map, thinned_views};
 
 /// Tables of both flanks, of the load map and of one mesh position. Tables that are read back are checked: fields are
@@ -37,9 +39,9 @@ struct Stored {
 }
 
 impl TryFrom<Stored> for PageTables {
-    type Error = TableFault;
+    type Error = OwnFault;
 
-    fn try_from(stored: Stored) -> Result<Self, TableFault> {
+    fn try_from(stored: Stored) -> Result<Self, OwnFault> {
         check_field(&stored.load_map, |row| [row.s_mm, row.y_mm])?;
         if let Some(contact) = &stored.contact {
             contact.check_subsurface()?;
@@ -52,7 +54,7 @@ impl TryFrom<Stored> for PageTables {
                 views: stored.views,
                 file: stored.file,
             }),
-            false => Err(TableFault::NotAField),
+            false => Err(OwnFault::NotAField),
         }
     }
 }

@@ -1,5 +1,7 @@
 #![doc = include_str!("../README.md")]
 
+pub mod own;
+
 use std::borrow::Cow;
 
 /// A row that is not valid.

@@ -11,7 +11,7 @@
 //! | φ | share of the load on the asperities, weighted with the sliding loss | - |
 //! | s | roughness σ_d that the contact leaves over the film, weighted with the sliding loss | - |
 //! | g | ln of the ratio of the losses by the fast model and by records of mixed lubrication, at its mean; of records, by their short waves | - |
-//! | ρ | sliding loss by records of mixed lubrication with the whole boundary friction on thin films, over that of the run | - |
+//! | ρ | sliding loss by records of mixed lubrication with the whole boundary friction on thin films, over the sliding loss of the run | - |
 //! | SE, ν | standard error of ln P by the sampling of the flanks, its degrees of freedom | - |
 //!
 //! The draws are the same for every case. All flanks share the constants, β_i, the tip relief and the rolling
@@ -89,7 +89,8 @@ pub struct Predictive {
     /// held.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub held_thermal: Option<[f64; 2]>,
-    /// What the draws have in place of β_i and the error of the fast model where records of mixed lubrication give the friction.
+    /// Rules of the boundary friction of records of mixed lubrication, where these give the friction: in place of β_i, and with the
+    /// error of the records.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub recorded: Option<RecordedRule>,
     /// Loss factors over tip reliefs; `None` if the case states its relief.

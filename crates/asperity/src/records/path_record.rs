@@ -145,7 +145,7 @@ impl PathRecord {
         boundary + heat * (self.friction.mean - boundary)
     }
 
-    /// The same with the whole boundary friction below the solid film.
+    /// Friction with its film part times `heat` and the whole boundary friction below the solid film.
     pub(super) fn hot_stepped_friction(&self, boundary_friction: f64, heat: f64) -> f64 {
         let boundary = self.solid_share.mean * boundary_friction;
         boundary + heat * (self.stepped_friction.mean - boundary)

@@ -10,7 +10,8 @@
 use asperity_core::cite;
 use asperity_core::numerics::{deviation, interpolate, mean, student_t_quantile};
 
-use super::evaluations::{OFFSETS, predictive, widest};
+use super::evaluations::{OFFSETS, widest};
+use super::recorded::predictive;
 use crate::contacts::Contacts;
 use crate::pipeline::losses_with;
 use crate::result::Losses;

@@ -7,11 +7,13 @@ use asperity_core::numerics::deviation;
 use asperity_core::quantity::Length;
 use rayon::prelude::*;
 
-use super::recorded;
 use crate::contacts::Contacts;
-use crate::pipeline::{contacts as contacts_of, losses, losses_with, settled};
+use crate::pipeline::{losses, losses_with};
+use crate::result::loss_band::WindowSampling;
 use crate::result::{Losses, OffsetRow, Outcome, PairSampling, PositionRow, Summary};
-use crate::sampling::{means_of_pairs, pair_sampling, window_sampling, windows_of_traces};
+use crate::sampling::{
+    means_of_pairs, pair_sampling, travel_sampling, window_sampling, windows_of_traces,
+};
 use asperity_case::case::{Formulation, FullFilmName, LoadShareName, LoadedCase, cholesky};
 use asperity_case::error::Error;
 use asperity_ehl_regime::inlet_flow::Lay;
@@ -43,32 +45,6 @@ pub fn has_band(loaded: &LoadedCase) -> bool {
     loaded.case.formulation == Formulation::Corrected
         && (!has_records || loaded.surfaces.are_measured())
         && model.full_film == FullFilmName::Formulas
-}
-
-/// The draws of a loss that is known already, with contacts made before, if any; `None` if the case has no
-/// uncertainty.
-///
-/// # Errors
-/// As [`losses`](crate::losses).
-pub fn predictive(
-    loaded: &LoadedCase,
-    nominal: &Losses,
-    contacts: Option<&Contacts>,
-) -> Result<Option<Predictive>, Error> {
-    if !has_band(loaded) {
-        return Ok(None);
-    }
-    let computed;
-    let contacts = match contacts {
-        Some(contacts) => contacts,
-        None => {
-            computed = contacts_of(loaded)?;
-            &computed
-        }
-    };
-    let found = settled(loaded, Some(contacts))?;
-    let evaluated = evaluate(found.as_ref(), &Nominal::of(nominal), contacts, &|_| {})?;
-    Ok(Some(evaluated.predictive))
 }
 
 /// Losses of the flanks of `loaded` as measured, with its stored contacts if there are any.
@@ -146,20 +122,8 @@ pub(super) fn count(loaded: &LoadedCase) -> usize {
     }
 }
 
-/// Evaluates a case around `nominal`, its losses at the medians; `done` is called after each evaluation.
-pub(super) fn evaluate(
-    loaded: &LoadedCase,
-    nominal: &Nominal<'_>,
-    contacts: &Contacts,
-    done: &(dyn Fn(usize) + Sync),
-) -> Result<Evaluated, Error> {
-    match nominal.summary.recorded_friction {
-        Some(friction) => recorded::evaluate(loaded, nominal, friction, done),
-        None => by_contacts(loaded, nominal, contacts, done),
-    }
-}
-
-/// Evaluates a case whose losses follow from its contacts.
+/// Evaluates a case whose losses follow from its contacts around `nominal`, its losses at the medians; `done` is called after each
+/// evaluation.
 pub(super) fn by_contacts(
     loaded: &LoadedCase,
     nominal: &Nominal<'_>,
@@ -525,7 +489,7 @@ fn sampling_error(
     nominal: &Nominal<'_>,
     asperity_share: f64,
 ) -> Result<SamplingError, Error> {
-    if let Some(found) = recorded::sampling(loaded, nominal, asperity_share) {
+    if let Some(found) = travelled(loaded, nominal, asperity_share) {
         return Ok(SamplingError {
             standard_error: found.standard_error,
             freedom: found.freedom,
@@ -573,6 +537,30 @@ fn sampling_error(
         freedom: found.freedom,
         ..SamplingError::NONE
     })
+}
+
+/// Sampling error of a loss by records: of the windows that passed through their contacts, and of no more than the traces have;
+/// `None` without records.
+pub(super) fn travelled(
+    loaded: &LoadedCase,
+    nominal: &Nominal<'_>,
+    asperity_share: f64,
+) -> Option<WindowSampling> {
+    let friction = nominal.summary.recorded_friction?;
+    let of_traces = windows_of_traces(
+        &loaded.surfaces,
+        loaded.case.model.window,
+        widest(nominal.path),
+    )?;
+    let travel = match friction.standard_error.is_finite() {
+        true => (
+            friction.windows.round().max(1.0) as usize,
+            friction.standard_error,
+        ),
+        // A travel of one block says nothing of its scatter.
+        false => (1, 0.0),
+    };
+    Some(travel_sampling(travel, of_traces, asperity_share))
 }
 
 /// The error of flanks that are known by roughness values: the scatter of the pairs of surrogates, and their form.

@@ -55,9 +55,10 @@ pub use change::{ChangeDraws, few_offsets_of, sampling_interval};
 pub use difference::{
     DrawnMesh, PairedDifference, Verdict, difference, difference_of_meshes, losses_of_meshes,
 };
-pub use evaluations::{has_band, predictive};
+pub use evaluations::has_band;
+pub use recorded::predictive;
 
-use evaluations::{Evaluated, Nominal, count, evaluate, evaluated, losses_of_positions, widest};
+use evaluations::{Evaluated, Nominal, count, evaluated, losses_of_positions, travelled, widest};
 use other_models::{OtherModel, by_formula, other_models};
 
 /// Error of ln loss by the interpolation of the draws that is worth a warning.
@@ -159,7 +160,7 @@ fn uncertainty(
         of_positions,
         held,
         evaluations,
-    } = evaluate(loaded, &nominal, contacts, done)?;
+    } = recorded::evaluate(loaded, &nominal, contacts, done)?;
     let of_model = |(model, number): (OtherModel, usize)| {
         // A model without solution here is no error of the case.
         let found = evaluated(&model.case, Some(contacts)).ok();
@@ -257,9 +258,9 @@ fn drawn_constant(ranged: &Ranged) -> DrawnConstant {
 
 /// Measurement that narrows the constants of the film friction.
 const TRACTION: &str = "a traction curve of the oil";
-/// What narrows the constants of the boundary layer.
+/// Measurement that narrows the constants of the boundary layer.
 const RIG: &str = "losses measured on a rig (asperity calibrate)";
-/// What is more certain than the fast model and takes minutes.
+/// Solution that is more certain than the fast model, and takes minutes.
 const RECORDS: &str = "records of mixed lubrication: model.load_share = \"ehl\"";
 
 /// Every component, drawn with all others at their medians and scaled to the median of the loss, the largest first.
@@ -407,7 +408,7 @@ fn sampling(loaded: &LoadedCase, predictive: &Predictive, nominal: &Nominal<'_>)
             "{pairs} pairs of surrogate flanks, no trace was measured"
         ));
     }
-    if let Some(of_records) = recorded::sampling(loaded, nominal, predictive.asperity_share) {
+    if let Some(of_records) = travelled(loaded, nominal, predictive.asperity_share) {
         return SamplingPart::Windows(of_records);
     }
     if let Some(found) = nominal.pairs {

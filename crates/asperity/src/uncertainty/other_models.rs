@@ -178,7 +178,7 @@ mod tests {
     /// Rows of a table of records by their condition and model, each a number by its column.
     fn rows(table: &str) -> BTreeMap<[String; 2], BTreeMap<String, f64>> {
         let file = Path::new("../../fixtures/records").join(table);
-        let text = std::fs::read_to_string(file).unwrap();
+        let text = asperity_storage::whole_text(&file, 1_000_000).unwrap();
         let mut lines = text.lines().filter(|line| !line.starts_with('#'));
         let head: Vec<&str> = lines.next().unwrap().split(',').collect();
         let row = |line: &str| {

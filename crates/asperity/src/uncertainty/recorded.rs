@@ -1,4 +1,4 @@
-//! Draws of a loss whose friction comes from records of mixed lubrication.
+//! Draws of a loss, from contacts or from records of mixed lubrication.
 //!
 //! A record takes minutes, so that none is solved for a draw: over the constants and the lay the loss changes as by the fast model,
 //! which agrees with records within some percent. Its own error and β_i give way to the errors of the records, and to the two rules
@@ -7,12 +7,12 @@
 use asperity_ehl_regime::inlet_flow::Lay;
 use asperity_uncertainty::{COMPARED, Predictive, RecordedRule, SamplingError};
 
-use super::evaluations::{Evaluated, Nominal, by_contacts, evaluated, widest};
+use super::evaluations::{Evaluated, Nominal, by_contacts, evaluated, has_band, travelled, widest};
 use super::other_models::step_rule_of;
-use crate::pipeline::contacts;
-use crate::result::RecordedFriction;
-use crate::result::loss_band::WindowSampling;
-use crate::sampling::{travel_sampling, windows_of_traces};
+use crate::contacts::Contacts;
+use crate::pipeline::{contacts as contacts_of, settled};
+use crate::result::{Losses, RecordedFriction};
+use crate::sampling::windows_of_traces;
 use asperity_case::case::{LoadShareName, LoadedCase};
 use asperity_case::error::Error;
 use asperity_case::flanks::AVERAGING_WIDTH;
@@ -26,12 +26,51 @@ fn by_solved_contacts(loaded: &LoadedCase) -> LoadedCase {
     fast
 }
 
+/// The draws of a loss that is known already, with contacts made before, if any; `None` if the case has no
+/// uncertainty.
+///
+/// # Errors
+/// As [`losses`](crate::losses).
+pub fn predictive(
+    loaded: &LoadedCase,
+    nominal: &Losses,
+    contacts: Option<&Contacts>,
+) -> Result<Option<Predictive>, Error> {
+    if !has_band(loaded) {
+        return Ok(None);
+    }
+    let computed;
+    let contacts = match contacts {
+        Some(contacts) => contacts,
+        None => {
+            computed = contacts_of(loaded)?;
+            &computed
+        }
+    };
+    let found = settled(loaded, Some(contacts))?;
+    let evaluated = evaluate(found.as_ref(), &Nominal::of(nominal), contacts, &|_| {})?;
+    Ok(Some(evaluated.predictive))
+}
+
+/// Evaluates a case around `nominal`, its losses at the medians; `done` is called after each evaluation.
+pub(super) fn evaluate(
+    loaded: &LoadedCase,
+    nominal: &Nominal<'_>,
+    contacts: &Contacts,
+    done: &(dyn Fn(usize) + Sync),
+) -> Result<Evaluated, Error> {
+    match nominal.summary.recorded_friction {
+        Some(friction) => by_records(loaded, nominal, friction, done),
+        None => by_contacts(loaded, nominal, contacts, done),
+    }
+}
+
 /// Evaluates a case around `nominal`, its losses by records with the friction `friction`.
 ///
 /// ```text
 /// S(θ) = S_records S_fast(θ)/S_fast(θ₀, lay 0)                                     [Record-draw]
 /// ```
-pub(super) fn evaluate(
+fn by_records(
     loaded: &LoadedCase,
     nominal: &Nominal<'_>,
     friction: RecordedFriction,
@@ -39,7 +78,7 @@ pub(super) fn evaluate(
 ) -> Result<Evaluated, Error> {
     asperity_core::cite!("Record-draw");
     let fast = by_solved_contacts(loaded);
-    let contacts = contacts(&fast)?;
+    let contacts = contacts_of(&fast)?;
     let losses = evaluated(&fast, Some(&contacts))?;
     let mut found = by_contacts(&fast, &Nominal::of(&losses), &contacts, done)?;
     let mut across = fast;
@@ -61,42 +100,18 @@ pub(super) fn evaluate(
     predictive.recorded = Some(RecordedRule {
         stepped: friction.stepped,
     });
-    if let Some(of_records) = sampling(loaded, nominal, summary.asperity_share) {
+    if let Some(of_records) = travelled(loaded, nominal, summary.asperity_share) {
         predictive.sampling.standard_error = of_records.standard_error;
         predictive.sampling.freedom = of_records.freedom;
     }
     Ok(found)
 }
 
-/// Sampling error of a loss by records: of the windows that passed through their contacts, and of no more than the traces have;
-/// `None` without records.
-pub(super) fn sampling(
-    loaded: &LoadedCase,
-    nominal: &Nominal<'_>,
-    asperity_share: f64,
-) -> Option<WindowSampling> {
-    let friction = nominal.summary.recorded_friction?;
-    let of_traces = windows_of_traces(
-        &loaded.surfaces,
-        loaded.case.model.window,
-        widest(nominal.path),
-    )?;
-    let travel = match friction.standard_error.is_finite() {
-        true => (
-            friction.windows.round().max(1.0) as usize,
-            friction.standard_error,
-        ),
-        // A travel of one block says nothing of its scatter.
-        false => (1, 0.0),
-    };
-    Some(travel_sampling(travel, of_traces, asperity_share))
-}
-
 /// Whether records would narrow the interval of a case that the fast model has solved: up to the roughness over film that the records
 /// are a reference for, and where their own errors are smaller.
 ///
 /// Expected of records are their error, the rule of their boundary friction with the mean effect that it has in records, and the
-/// sampling of the traces by the travel that the case asks for.
+/// sampling of the traces by the travel that the case requires.
 pub(super) fn would_narrow(
     loaded: &LoadedCase,
     predictive: &Predictive,

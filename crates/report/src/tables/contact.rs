@@ -6,8 +6,10 @@ use asperity::result::{PositionFields, PositionRow, SubsurfaceFields};
 use asperity_core::numerics::range;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::csv_table::{check_field, finite, read};
-use crate::error::{ReportError, TableFault};
+use asperity_table::own::{OwnFault, finite};
+
+use super::csv_table::{check_field, read};
+use crate::error::ReportError;
 use crate::thin::{BINS, thin};
 use crate::units::{MEGA, MICRO};
 
@@ -182,7 +184,7 @@ impl ContactTables {
     }
 
     /// Whether the stress below the surface is a field of finite numbers.
-    pub(crate) fn check_subsurface(&self) -> Result<(), TableFault> {
+    pub(crate) fn check_subsurface(&self) -> Result<(), OwnFault> {
         finite(&self.subsurface)?;
         check_field(&self.subsurface, |row| [row.x_um, row.depth_um])
     }

@@ -12,7 +12,7 @@ pub use contact::{
     ContactTables, ConvergenceRow, SubsurfaceRow, SurfaceRow, convergence, folder_of,
 };
 pub(crate) use csv_table::check_field;
-pub use csv_table::{cells_of_text, read, text, text_of_cells, write};
+pub use csv_table::{read, text, text_of_cells, write};
 pub use flanks::{BODIES, FlankTables, MaterialRatioRow, SpectrumRow, TraceRow, files_of};
 pub use load::{LoadMapRow, LoadPointRow, load_map, load_points};
 pub use losses::{FrictionLawRow, LossRow, friction_laws, losses};

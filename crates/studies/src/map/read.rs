@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity_storage::{check_finite, check_written, whole_file};
+use asperity_storage::{check_written, whole_file};
+use asperity_table::own::{self, OwnFault};
 
 use super::axes::Axes;
 use super::draws::DrawnNodes;
@@ -38,7 +39,7 @@ pub enum MapError {
         /// The file.
         path: PathBuf,
         /// Reason given by the reader.
-        source: csv::Error,
+        source: OwnFault,
     },
     /// `map.json` is inconsistent.
     #[error("{path}: not a map: {reason}")]
@@ -85,53 +86,43 @@ pub fn read(folder: &Path) -> Result<Map, MapError> {
         reason,
     })?;
     let path = folder.join("map.csv");
-    let refused = |source| MapError::Csv {
+    let misplaced = |row| MapError::Row {
+        path: path.clone(),
+        row,
+    };
+    let table = whole_file(&path, LARGEST).map_err(|source| MapError::Open {
         path: path.clone(),
         source,
-    };
-    let table = whole_file(&path, LARGEST).map_err(|error| refused(error.into()))?;
-    let mut reader = csv::Reader::from_reader(table.as_slice());
-    let mut rows = reader.deserialize::<PointRow<'_>>().enumerate();
+    })?;
+    let rows = own::rows::<PointRow<'_>>(&table).map_err(|fault| match fault {
+        OwnFault::NotFinite { row, .. } => misplaced(row),
+        source => MapError::Csv {
+            path: path.clone(),
+            source,
+        },
+    })?;
     let count = map.axes.points();
+    let expected = count * map.finishes.len();
+    if rows.len() != expected {
+        return Err(misplaced(rows.len().min(expected) + 1));
+    }
+    let (speeds, torques) = (map.axes.speed_rpm.len(), map.axes.torque_nm.len());
+    let mut rows = rows.into_iter().enumerate();
     for finish in &mut map.finishes {
-        let mut points = Vec::with_capacity(count.min(1_000_000));
-        for index in 0..count {
-            let (number, row) = rows.next().ok_or(MapError::Row {
-                path: path.clone(),
-                row: points.len() + 1,
-            })?;
-            let row = row.map_err(refused)?;
-            let point = match check_finite(&row) {
-                Ok(()) => row.point(),
-                Err(_) => None,
-            };
-            let is_there = |point: &Point| {
-                let axes = &map.axes;
-                let (speeds, torques) = (axes.speed_rpm.len(), axes.torque_nm.len());
-                let place = [
-                    axes.torque_nm[index / speeds % torques],
-                    axes.speed_rpm[index % speeds],
-                    axes.temperature_c[index / speeds / torques],
-                ];
-                place == [point.torque_nm, point.speed_rpm, point.temperature_c]
-            };
-            match point.filter(is_there) {
-                Some(point) => points.push(point),
-                None => {
-                    return Err(MapError::Row {
-                        path: path.clone(),
-                        row: number + 1,
-                    });
-                }
-            }
+        let mut points = Vec::with_capacity(count);
+        for (number, row) in rows.by_ref().take(count) {
+            let index = points.len();
+            let place = [
+                map.axes.torque_nm[index / speeds % torques],
+                map.axes.speed_rpm[index % speeds],
+                map.axes.temperature_c[index / speeds / torques],
+            ];
+            let is_there =
+                |point: &Point| place == [point.torque_nm, point.speed_rpm, point.temperature_c];
+            let point = row.point().filter(is_there);
+            points.push(point.ok_or_else(|| misplaced(number + 1))?);
         }
         finish.points = points;
-    }
-    if let Some((number, _)) = rows.next() {
-        return Err(MapError::Row {
-            path,
-            row: number + 1,
-        });
     }
     for (file, name) in [(file, "map.json"), (path, "map.csv")] {
         if check_written(folder, &[name]).is_err() {

@@ -243,7 +243,7 @@ fn read_part(
             "it is damaged: its table has another SHA-256 than it states".to_owned(),
         ));
     }
-    let lines = tables::cells_of_text(table).map_err(|source| refused(source.to_string()))?;
+    let lines = asperity_table::own::cells(table).map_err(|source| refused(source.to_string()))?;
     let mut lines = lines.into_iter();
     if lines.next().as_ref() != Some(expected) {
         return Err(refused("it has other columns".to_owned()));
