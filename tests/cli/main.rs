@@ -16,6 +16,7 @@ mod case_commands;
 mod case_messages;
 mod codes;
 mod contact;
+mod dialects;
 mod doubtful_traces;
 mod ehl;
 mod evidence;

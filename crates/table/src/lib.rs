@@ -268,10 +268,15 @@ impl<'a> Lines<'a> {
         Self(text.split_inclusive('\n').map(line).collect())
     }
 
-    /// Line number of a row whose reader position is `byte`, possibly at a blank line before the row.
+    /// Line number of a row whose reader position is `byte`, possibly at the end of the line before the row or at blank lines.
     fn of(&self, byte: usize) -> usize {
         let before = self.0.partition_point(|(begin, _)| *begin <= byte);
         let first = before.saturating_sub(1);
+        let is_ended = |(begin, line): &(usize, &str)| {
+            let rest = line.get(byte - begin..);
+            rest.is_some_and(|rest| rest.trim().is_empty())
+        };
+        let first = first + usize::from(self.0.get(first).is_some_and(is_ended));
         let is_row = |(_, line): &&(usize, &str)| !line.trim().is_empty() && !line.starts_with('#');
         let skipped = self.0[first..].iter().take_while(|line| !is_row(line));
         1 + first + skipped.count()

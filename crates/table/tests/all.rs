@@ -119,3 +119,13 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn rows_have_their_lines_after_line_ends_of_windows_and_quoted_cells() {
+    let text = "\u{feff}# made up\r\n\"speed\";\"loss\"\r\n\r\n\"1,5\";\"2\"\r\n\"2,5\";\"x\"\r\n";
+    let table = Table::read(text).unwrap();
+    let lines: Vec<usize> = table.rows().map(|row| row.line).collect();
+    assert_eq!(lines, [4, 5]);
+    let faults = table.all(|row| row.number("loss")).unwrap_err();
+    assert_eq!(faults[0].line, 5);
+}
