@@ -80,6 +80,7 @@ pub(super) fn read(
     };
     let parsed = Parsed {
         name,
+        has_pixels: points.is_some_and(|(points, _)| points.are_pixels()),
         header,
         values,
         first,
@@ -145,6 +146,8 @@ fn root_mean_square_step(z: &[f64]) -> f64 {
 /// A parsed table, to be converted to a [`Trace`].
 struct Parsed<'a> {
     name: &'a str,
+    /// Whether the positions are numbers of pixels.
+    has_pixels: bool,
     header: &'a [Line<'a>],
     /// Values that the header states.
     values: HeaderValues,
@@ -393,7 +396,7 @@ impl Parsed<'_> {
         };
         let x_stated = self.unit(Axis::Trace, x_column)?;
         warnings.extend(self.unit_overridden(Axis::Trace, x_column, None));
-        if x_stated.is_none() && grid::counts_points(x) {
+        if x_stated.is_none() && (self.has_pixels || grid::counts_points(x)) {
             return no_spacing(SpacingHint::XCounts);
         }
         let extent = extent(column.mean);

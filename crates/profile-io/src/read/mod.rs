@@ -23,6 +23,7 @@ mod delimited;
 mod dialect;
 mod encoding;
 mod error;
+mod file_dialect;
 mod first_look;
 mod format;
 mod found;
