@@ -129,6 +129,12 @@ pub enum ReadFault {
         /// The format.
         format: Format,
     },
+    /// A file in place of a table as text.
+    #[error("the file ({format}) is not a table as text")]
+    NotTable {
+        /// Its format.
+        format: Format,
+    },
     /// The points are not on an even grid.
     #[error(
         "uneven spacing, x = {x} (unit of the file) is {off} spacings away from an even grid of {spacing:.4}", x = number(*x), off = decimals(*off, 3))]
@@ -365,6 +371,15 @@ impl ReadFault {
                 .or_set(Setting::Row, Value::Any)
                 .because("to another trace of a surface"),
             Self::FormatNotRead { format, .. } => Remedy::act(format.remedy()),
+            Self::NotTable { format } => Remedy::act(match format {
+                Format::Excel | Format::ExcelBinary => {
+                    "save the sheet of the table as CSV, or as text with tabs"
+                }
+                Format::Matlab => {
+                    "write the columns with their names as CSV, in MATLAB with writetable"
+                }
+                _ => "export the table as CSV, or as text with tabs",
+            }),
             Self::UnevenSpacing { .. } => {
                 Remedy::set(Setting::Uneven, Value::This("resample".into()))
                     .because("to interpolate linearly onto an even grid")
@@ -440,7 +455,7 @@ impl ReadFault {
             Self::NotMonotone { .. } | Self::RepeatedPoint { .. } => "E105",
             Self::TooFewPoints { .. } => "E106",
             Self::MissingPoints { .. } => "E107",
-            Self::FormatNotRead { .. } => "E108",
+            Self::FormatNotRead { .. } | Self::NotTable { .. } => "E108",
             Self::UnevenSpacing { .. } => "E109",
             Self::NoSpacing { .. } => "E110",
             Self::RaggedRow { .. } => "E111",
