@@ -80,6 +80,10 @@ pub(super) fn read(
     };
     let parsed = Parsed {
         name,
+        mean_of: points
+            .as_ref()
+            .map(|(points, _)| points.lines())
+            .filter(|lines| options.line.is_mean() && *lines > 1),
         has_pixels: points.is_some_and(|(points, _)| points.are_pixels()),
         header,
         values,
@@ -146,6 +150,8 @@ fn root_mean_square_step(z: &[f64]) -> f64 {
 /// A parsed table, to be converted to a [`Trace`].
 struct Parsed<'a> {
     name: &'a str,
+    /// Number of lines of points of which the trace is the mean.
+    mean_of: Option<usize>,
     /// Whether the positions are numbers of pixels.
     has_pixels: bool,
     header: &'a [Line<'a>],
@@ -175,7 +181,7 @@ struct Measured {
 impl Parsed<'_> {
     fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Trace, ReadFault> {
         let name = self.name;
-        let mut warnings = Vec::new();
+        let mut warnings = Vec::from_iter(self.mean_of.map(|lines| Warning::MeanLine { lines }));
         let Rows {
             mut x,
             mut z,
