@@ -132,8 +132,11 @@ impl Points {
         };
         let lines = || along.chunks(line).zip(across.chunks(line));
         let across: Vec<f64> = across.iter().step_by(line).copied().collect();
-        let repeats = across.windows(2).any(|pair| pair[0] == pair[1]);
-        (step != 0.0 && !repeats && lines().all(is_line)).then(|| Self {
+        // A line that goes back begins another scan.
+        let mut steps = across.windows(2).map(|pair| pair[1] - pair[0]);
+        let is_rising = across.first() < across.last();
+        let goes_on = steps.all(|step| step != 0.0 && (step > 0.0) == is_rising);
+        (step != 0.0 && goes_on && lines().all(is_line)).then(|| Self {
             along: points.to_vec(),
             across,
             heights: z.to_vec(),

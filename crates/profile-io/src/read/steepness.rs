@@ -318,7 +318,11 @@ fn edge(profile: &Profile) -> Option<Suspicion> {
     let part = z
         .get(begin..=end)
         .filter(|part| part.len() >= FEWEST_POINTS)?;
-    let is_plausible = to > from && Slopes::of(part.iter().copied(), dx).are_plausible();
+    // Beyond an edge the trace does not return to the flank.
+    let [low, high] = range(part.iter().copied());
+    let outermost = if begin == 0 { z[z.len() - 1] } else { z[0] };
+    let is_off = outermost < low - (high - low) || outermost > high + (high - low);
+    let is_plausible = is_off && to > from && Slopes::of(part.iter().copied(), dx).are_plausible();
     is_plausible.then(|| Suspicion::Edge {
         from: Length::from_si(from),
         to: Length::from_si(to),
@@ -506,7 +510,7 @@ mod tests {
             let rough = 0.2e-6 * (0.3 * i as f64).sin();
             match i {
                 0..1600 => rough,
-                1600..1640 => rough - 1.5e-6 * (i - 1599) as f64,
+                1600..1620 => rough - 3e-6 * (i - 1599) as f64,
                 _ => -60e-6,
             }
         };

@@ -720,6 +720,123 @@ mod tests {
                 assert!((a.speed_rpm - b.speed_rpm).abs() < 1e-9, "{text}");
             }
         }
+        // Speeds of the vehicle 0, 3, 3, 0 m/s and a grade of 1 %, as other programs and people write them.
+        for (names, rows, head) in [
+            (
+                None,
+                "0,0,0\n10,10.8,1\n20.5,10.8,1\n30,0,0\n",
+                "t [s],v [km/h],grade [%]\n",
+            ),
+            (
+                None,
+                "0;0;0\n10;10,8;1\n20,5;10,8;1\n30;0;0\n",
+                "Temps [s];Vitesse [km/h];Pente [%]\n",
+            ),
+            (
+                None,
+                "0;0;0\n10;10,8;1\n20,5;10,8;1\n30;0;0\n",
+                "Tiempo (s);Velocidad (km/h);Pendiente (%)\n",
+            ),
+            (
+                None,
+                "0;0;0\n10;10,8;1\n20,5;10,8;1\n30;0;0\n",
+                "Tempo [s];Velocità [km/h];Pendenza [%]\n",
+            ),
+            (
+                None,
+                "0,0,0\n10,0,1\n20.5,0,1\n30,0,0\n",
+                "time_s,speed_mph,slope_pct\n",
+            ),
+            (
+                None,
+                "0,0,0\n1,10,10.8\n1,20.5,10.8\n0,30,0\n",
+                "Road grade (%),Elapsed time (s),Vehicle speed (km/h)\n",
+            ),
+            (
+                None,
+                "0,0,0\n10,3,0.01\n20.5,3,0.01\n30,0,0\n",
+                "time_s,mps,grade\n",
+            ),
+            (
+                None,
+                "0,0,0\n10,3,0.57293869768\n20.5,3,0.57293869768\n30,0,0\n",
+                "time_s,v_mps,grade_deg\n",
+            ),
+            (
+                None,
+                "0,0,0\n10,10.8,1\n20.5,10.8,1\n30,0,0\n",
+                "Trip 7\ntime,speed,grade\ns,km/h,%\n",
+            ),
+            (
+                None,
+                "0  0  0\n10  10.8  1\n20.5  10.8  1\n30  0  0\n",
+                "time_s speed_km_h grade_percent\n",
+            ),
+            (
+                None,
+                "2026-01-31 23:59:50,0,0\n2026-02-01 00:00:00,10.8,1\n2026-02-01 00:00:10.5,10.8,1\n2026-02-01 00:00:20,0,0\n",
+                "timestamp,speed_kph,grade_percent\n",
+            ),
+            (
+                None,
+                "12:00:00;0;0\n12:00:10;10,8;1\n12:00:20,5;10,8;1\n12:00:30;0;0\n",
+                "Zeitstempel;Geschwindigkeit [km/h];Steigung [%]\n",
+            ),
+            (
+                Some("time_s,speed_km_h,grade_percent"),
+                "0 0 0\n10 10.8 1\n20.5 10.8 1\n30 0 0\n",
+                "",
+            ),
+            (
+                Some("-,time_s,speed_m_s,grade"),
+                "1\t0\t0\t0\n2\t10\t3\t.01\n3\t20.5\t3\t.01\n4\t30\t0\t0\n",
+                "a\tb\tc\td\n",
+            ),
+        ] {
+            let names = names.map(|names| names.split(',').map(str::to_owned).collect::<Vec<_>>());
+            let rows = match head.contains("mph") {
+                true => rows.replace(",0,1", &format!(",{},1", 10.8 / MILE)),
+                false => rows.to_owned(),
+            };
+            let rows = match head.contains("Zeitstempel") {
+                true => rows.replace("20,5;", "20.5;").replace("10,8", "10.8"),
+                false => rows,
+            };
+            let found = named_cycle(
+                &(head.to_owned() + &rows),
+                names.as_deref(),
+                Some(&vehicle()),
+            );
+            let found = found.unwrap_or_else(|error| panic!("{head}: {error}"));
+            assert_eq!(found.warnings, [], "{head}");
+            assert_eq!(found.points.len(), own.points.len());
+            for (a, b) in found.points.iter().zip(&own.points) {
+                assert_eq!(a.time_s, b.time_s, "{head}");
+                assert!((a.torque_nm - b.torque_nm).abs() < 1e-7, "{head}");
+                assert!((a.speed_rpm - b.speed_rpm).abs() < 1e-9, "{head}");
+            }
+        }
+        // Torque and speed of the pinion.
+        for text in [
+            "Zeit [s];Drehmoment [Nm];Drehzahl [1/min]\n0;10;60\n1;20;60\n",
+            "time_s,torque [N m],pinion speed (rad/s)\n0,10,6.283185307179586\n1,20,6.283185307179586\n",
+            "Temps [s];Couple [Nm];Vitesse [tr/min]\n0;10;60\n1;20;60\n",
+        ] {
+            let found = cycle(text, None).unwrap_or_else(|error| panic!("{text}: {error}"));
+            assert!((found.points[1].torque_nm - 20.0).abs() < 1e-12);
+            assert!((found.points[1].speed_rpm - 60.0).abs() < 1e-9, "{text}");
+        }
+        let unread = cycle(
+            "time_s,torque_nm,speed_rpm,gear,remark\n0,1,1,2,a\n1,1,1,2,b\n",
+            None,
+        );
+        let [warning] = &unread.unwrap().warnings[..] else {
+            panic!("one warning names all columns that are not read");
+        };
+        assert_eq!(
+            warning.to_string(),
+            "W454 columns of the cycle that are not read: gear, remark"
+        );
         // A grade in per cent in the column of a fraction.
         let steep = "time_seconds,speed_meters_per_second,grade\n0,0,0\n10,3,4\n20,3,0\n";
         let error = cycle(steep, Some(&vehicle())).unwrap_err().to_string();
@@ -735,6 +852,11 @@ mod tests {
         let twice = of("time_s,speed_km_h,v [m/s]\n0,1,1\n1,1,1\n");
         assert!(twice.starts_with("columns speed_km_h and v_m_s"), "{twice}");
         assert!(of("t,torque\n0,1\n").contains("t, torque"));
+        assert!(of("0,1\n2,3\n").starts_with("no line of names above the first row 0, 1"));
+        let back = of("time,torque_nm,speed_rpm\n12:00,1,1\n12:01,1,1\n11:59,1,1\n");
+        assert!(back.starts_with("columns time, torque_nm"), "{back}");
+        let back = of("timestamp,torque_nm,speed_rpm\n12:00,1,1\n12:01,1,1\n11:59,1,1\n");
+        assert!(back.contains("if another recording begins here"), "{back}");
         let bad = VehicleInput {
             ratio: 0.0,
             ..vehicle()
