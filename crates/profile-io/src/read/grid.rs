@@ -235,7 +235,7 @@ pub(super) fn unmark(heights: &mut [f64]) {
     const SMALLEST: f64 = i32::MIN as f64;
     // The division of one exact number by another is the number that the digits are read as.
     let moved: [f64; 9] = std::array::from_fn(|k| SMALLEST / 10_f64.powi(k as i32 + 1));
-    let is_marked = |z: &f64| z.abs() >= LARGEST || *z < 0.0 && moved.contains(z);
+    let is_marked = |z: &f64| z.abs() >= LARGEST || *z <= moved[8] && moved.contains(z);
     let marked = heights.iter_mut().filter(|z| is_marked(z));
     marked.for_each(|z| *z = f64::NAN);
 }
