@@ -55,24 +55,19 @@ fn short_note(warning: &Warning, columns: usize) -> String {
     if is_short(text) {
         return shown(text);
     }
-    // Up to the last full stop or semicolon that fits, else up to the last word.
-    let ends = |sign: &str| -> Vec<usize> { text.match_indices(sign).map(|(at, _)| at).collect() };
-    let mut stops = [ends(". "), ends("; ")].concat();
-    stops.sort_unstable();
-    let kept = |ends: &[usize]| {
-        ends.iter()
-            .rev()
-            .find(|at| is_short(&text[..**at]))
-            .copied()
+    // Up to the last full stop or semicolon that fits, else colon or comma, else word.
+    let last = |signs: &[&str]| {
+        let ends = signs.iter().flat_map(|sign| text.match_indices(sign));
+        let fits = ends.map(|(at, _)| at).filter(|at| is_short(&text[..*at]));
+        fits.max()
     };
-    let code = &warning.code;
-    let cut = |at: usize| format!("{}… (explain {code})", &text[..at]);
-    match kept(&stops) {
+    match last(&[". ", "; "]).or_else(|| last(&[": ", ", "])) {
         Some(at) => shown(&text[..at]),
         None => {
-            let words = ends(" ");
-            let at = words.iter().rev().find(|at| is_short(&cut(**at)));
-            at.map_or_else(|| shown(text), |at| shown(&cut(*at)))
+            let cut = |at: usize| format!("{}… (explain {})", &text[..at], warning.code);
+            let words = text.match_indices(' ').map(|(at, _)| at);
+            let at = words.filter(|at| is_short(&cut(*at))).max();
+            at.map_or_else(|| shown(text), |at| shown(&cut(at)))
         }
     }
 }

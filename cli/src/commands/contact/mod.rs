@@ -9,7 +9,6 @@ use std::path::Path;
 
 use asperity::contacts::dry_contact::{DryContact, dry_contact};
 use asperity_contact::problem::MAX_TOLERANCE;
-use asperity_core::number;
 use asperity_core::quantity::Length;
 
 use super::{load_case, on_the_path};
@@ -56,22 +55,14 @@ fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
     if tolerance > MAX_TOLERANCE {
         return Err(Failure::new(
             "E211",
-            format!(
-                "--tolerance {}: must be at most {}",
-                number(tolerance),
-                number(MAX_TOLERANCE)
-            ),
+            format!("--tolerance {tolerance:e}: must be at most {MAX_TOLERANCE:e}"),
         )
         .advising("Pass --tolerance 1e-4 or less; 1e-8 is the default."));
     }
     if tolerance.is_nan() || tolerance <= 0.0 {
         return Err(Failure::new(
             "E209",
-            format!(
-                "--tolerance {}: must be above 0 and at most {}",
-                number(tolerance),
-                number(MAX_TOLERANCE)
-            ),
+            format!("--tolerance {tolerance:e}: must be above 0 and at most {MAX_TOLERANCE:e}"),
         ));
     }
     Ok(())
