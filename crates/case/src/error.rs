@@ -144,7 +144,7 @@ pub enum PositionError {
     /// A state that is beyond physical sense.
     #[error(
         "{name} of {value:.3e} {unit} is beyond physical sense ({rule}{})",
-        limit.map(|limit| format!(" {} {unit}", number(limit))).unwrap_or_default()
+        limit.map(|limit| format!(" {limit:e} {unit}")).unwrap_or_default()
     )]
     Impossible {
         /// Name of the quantity.
