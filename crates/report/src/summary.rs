@@ -44,9 +44,11 @@ pub fn brief(result: &RunResult, columns: usize) -> String {
 }
 
 /// The warning in two lines: its sentences as far as they fit, with its worth. The explanation of its code has the rest.
-fn short_note(warning: &Warning, columns: usize) -> String {
+pub(crate) fn short_note(warning: &Warning, columns: usize) -> String {
     let text = one_line(&warning.to_string()).into_owned();
-    let (text, worth) = match text.rfind(WORTH).filter(|_| text.ends_with(')')) {
+    // Behind the text its worth, and the mesh of a train in brackets.
+    let of_mesh = || text.rfind(" [").filter(|_| text.ends_with(']'));
+    let (text, worth) = match text.rfind(WORTH).or_else(of_mesh) {
         Some(at) => text.split_at(at),
         None => (text.as_str(), ""),
     };
