@@ -1,5 +1,7 @@
 //! Kinds of exports in other languages, separators, orders and marks: each variant has the heights of its kind.
 
+#![allow(clippy::unwrap_used, clippy::panic)]
+
 use asperity_profile_io::read::{Gaps, ReadOptions, Reading, read_bytes, read_surface_bytes};
 
 const POINTS: usize = 130;
