@@ -110,7 +110,7 @@ pub enum Command {
     Steels(PresetArgs),
     /// List the gears of the library, of which demo --gears NAME writes a case
     #[command(after_help = "Examples:\n  asperity gears\n  asperity gears fzg-c\n  \
-        asperity demo --gears vw-id3-1\n\n\
+        asperity demo --gears vw-id3-1\n  asperity demo --gears vw-id3\n\n\
         Certainty: A read in the source, B quoted by others, C derived, assumed: not known of these gears.")]
     Gears(PresetArgs),
     /// Ask ten questions, and write a commented case with the answers

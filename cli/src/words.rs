@@ -38,7 +38,8 @@ pub fn with_options(message: &str, remedy: &Remedy) -> String {
     ended(message, &remedy.sentence(in_options))
 }
 
-fn in_options(action: &Action) -> String {
+/// An action in options of the command line.
+pub fn in_options(action: &Action) -> String {
     match action {
         Action::Do { what } => what.to_string(),
         Action::Omit { setting } => format!("leave {} out", option(*setting)),

@@ -17,7 +17,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("crates/core", &["asperity-fourier"]),
     ("crates/oil", &["asperity-core"]),
     ("crates/storage", &[]),
-    ("crates/table", &["asperity-storage"]),
+    ("crates/table", &["asperity-core", "asperity-storage"]),
     ("crates/rexs", &[]),
     ("crates/profile-io", &["asperity-core", "asperity-storage"]),
     ("crates/roughness", &["asperity-core"]),

@@ -97,7 +97,7 @@ const DOMAINS: &[Bad] = &[
     bad("bulk_temperature", "oil_temperature = \"80 °C\"\nbulk_temperature = \"90 °C\"", "E205", &["operation.oil_temperature", "leave one of the two out"]),
     bad("bulk_temperature", "temperature = \"80 °C\"\nbulk_temperature = \"90 °C\"", "E205", &["operation.temperature", "former name of operation.bulk_temperature", "leave it out"]),
     bad("bulk_temperature", "bulk = { law = \"iso\", lubrication = \"jet\" }\nbulk_temperature = \"90 °C\"", "E205", &["operation.bulk", "state operation.oil_temperature instead"]),
-    bad("bulk_temperature", "oil_temperature = \"90 °C\"", "E205", &["operation.oil_temperature", "needs operation.bulk.law", "\"network\"", "\"iso\"", "unconfirmed"]),
+    bad("bulk_temperature", "oil_temperature = \"90 °C\"", "E205", &["operation.oil_temperature", "needs a law by which", "bulk = { law = \"iso\", lubrication = \"dip\" }", "\"network\"", "unconfirmed"]),
     about_table("depths", "film_friction = \"constant\"", "E205", &["model.constant_friction", "is missing", "constant_friction = 0.05"], "[model]"),
     bad("depths", "constant_friction = 0.05", "E205", &["model.constant_friction", "film_friction = \"constant\" only"]),
     about_table("helix", "profile_shift = [5, 5]", "E206", &["tooth of the pinion is pointed"], "[gears]"),

@@ -185,7 +185,7 @@ fn a_table_is_read_between_its_nodes_and_nowhere_else() {
         ),
         (
             "speed_rpm,loss_torque_nm,torque_nm\n0,1,5\n1,1,6\n",
-            "a grid",
+            "no row at 5 N m, 1 1/min",
         ),
         ("", "a grid"),
     ] {

@@ -35,6 +35,7 @@ mod new_case;
 mod odd_files;
 mod oil;
 mod oil_file;
+mod other_programs;
 mod outside;
 mod pages;
 mod presets;

@@ -123,6 +123,14 @@ pub struct CycleArgs {
     /// Temperature of the flanks in °C, one of the map [default: the first]
     #[arg(long, value_name = "°C", allow_hyphen_values = true)]
     pub temperature: Option<f64>,
+    /// Names of the columns of a cycle without names, or in place of its own, e.g. time_s,speed_km_h; - leaves one out
+    #[arg(
+        long,
+        value_name = "NAMES",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    pub columns: Option<Vec<String>>,
     /// Permit more than 5 % of the energy of the cycle outside of the map, where the ratio of loss to torque is
     /// constant
     #[arg(long)]

@@ -4,13 +4,14 @@ use asperity_core::number;
 use std::path::Path;
 
 use asperity::case::VehicleInput;
-use asperity_storage::whole_text;
+use asperity::profile_io::read::read_table;
 use asperity_studies::cycle::{self, Cycle, CycleError, CycleResult, EnergyError};
 use asperity_studies::map::{self, Map, MapError};
 
 use super::{keys, study};
 use crate::args::{Common, CycleArgs};
 use crate::failure::Failure;
+use crate::words::in_options;
 
 /// Largest size of a cycle or a loss table in bytes.
 pub const LARGEST_TABLE: u64 = 100_000_000;
@@ -23,7 +24,7 @@ pub fn cycle(args: &CycleArgs, common: &Common) -> Result<(), Failure> {
         set.map_err(|error| Failure::of(&error))?;
     }
     let temperature = temperature(args, &map)?;
-    let trace = read_cycle(&args.trace, map.input.vehicle())?;
+    let trace = read_cycle(&args.trace, args.columns.as_deref(), map.input.vehicle())?;
     let name = stem(&args.trace);
     let energies = cycle::evaluate(&map, temperature, (&trace, &name), args.allow_outside);
     let energies = energies.map_err(|error| refused(args, &error))?;
@@ -65,16 +66,33 @@ pub fn read_map(folder: &Path) -> Result<Map, Failure> {
     })
 }
 
-/// Reads the cycle in a file.
-pub fn read_cycle(file: &Path, vehicle: Option<&VehicleInput>) -> Result<Cycle, Failure> {
+/// Reads the text of a table in a file.
+pub fn table_in(file: &Path) -> Result<String, Failure> {
+    read_table(file, LARGEST_TABLE).map_err(|error| {
+        let remedy = error.remedy().sentence(in_options);
+        Failure::new(error.code(), error.to_string()).advising(format!("{remedy}."))
+    })
+}
+
+/// Reads the cycle in a file, whose columns may have other names.
+pub fn read_cycle(
+    file: &Path,
+    names: Option<&[String]>,
+    vehicle: Option<&VehicleInput>,
+) -> Result<Cycle, Failure> {
     let name = file.display();
-    let text = whole_text(file, LARGEST_TABLE)
-        .map_err(|error| Failure::new("E103", format!("{name}: {error}")))?;
-    cycle::cycle(&text, vehicle).map_err(|error| match error {
-        CycleError::Impossible(error) => Failure::of(&error),
-        error => Failure::new(error.code(), format!("{name}: {error}")).advising(
-            "A cycle is a table with time_s and torque_nm, speed_rpm at the pinion, or speed_km_h with [vehicle] in the case.",
-        ),
+    let text = table_in(file)?;
+    cycle::named_cycle(&text, names, vehicle).map_err(|error| {
+        let advice = match &error {
+            CycleError::Impossible(error) => return Failure::of(error),
+            CycleError::Columns { .. } | CycleError::Twice(..) => {
+                "Write these names above the rows, or pass them in the order of the columns: --columns time_s,-,speed_km_h, where - leaves a column out."
+            }
+            _ => {
+                "A cycle is a table with time_s and torque_nm, speed_rpm at the pinion, or speed_km_h with [vehicle] in the case; --columns names its columns."
+            }
+        };
+        Failure::new(error.code(), format!("{name}: {error}")).advising(advice)
     })
 }
 

@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use asperity_core::presets;
 use asperity_fixtures::TextFile;
-use asperity_fixtures::worked::{Worked, WorkedError};
+use asperity_fixtures::worked::{Worked, WorkedError, WorkedGears};
 use asperity_report::library::LibraryError;
 use asperity_storage::new_folder_of;
 use serde_json::json;
@@ -31,10 +30,10 @@ pub fn demo(folder: Option<&Path>, worked: Worked<'_>, common: &Common) -> Resul
         }
         Worked::Paper => "case.toml and a damaged flank (synthetic)".to_owned(),
         Worked::Gears(name) => {
-            let gears = presets::gear(name).map_err(LibraryError::from)?;
+            let gears = WorkedGears::named(name).map_err(LibraryError::from)?;
             format!(
                 "{}, two pairs of flanks (synthetic), a README; case.toml states the source of every number",
-                gears.title
+                gears.title()
             )
         }
     };

@@ -1,8 +1,8 @@
 //! `asperity gears`: the gears of the library.
 
-use asperity_core::presets::GearPreset;
+use asperity_core::presets::{GearPreset, planetary_sets, trains};
 use asperity_core::quantity::Length;
-use asperity_report::library::{gears_named, listed_gears, pair_of};
+use asperity_report::library::{LibraryError, gears_named, listed_gears, pair_of};
 use asperity_report::wrapped;
 
 use super::presets::{LETTERS, figures, keys, least, print_listed};
@@ -54,9 +54,17 @@ fn table(gears: &[GearPreset]) -> Result<String, Failure> {
         "least: the lowest certainty of the geometry. The centre distance follows from the profile shifts.",
         "",
     ));
-    Ok(format!(
-        "{text}\n{LETTERS}\nasperity gears NAME shows every number; asperity demo --gears NAME writes a\ncase.\n"
-    ))
+    let trains = trains().map_err(LibraryError::from)?.into_iter();
+    let trains: Vec<String> = trains.map(|(name, _)| name).collect();
+    let sets = planetary_sets().map_err(LibraryError::from)?.into_iter();
+    let sets: Vec<String> = sets.map(|set| set.name).collect();
+    let more = format!(
+        "asperity gears NAME shows every number; asperity demo --gears NAME writes a case, also of the trains {} and of the \
+         planetary set {}.",
+        trains.join(", "),
+        sets.join(", ")
+    );
+    Ok(format!("{text}\n{LETTERS}\n{}\n", wrapped(&more, "")))
 }
 
 fn whole(preset: &GearPreset) -> Result<String, Failure> {

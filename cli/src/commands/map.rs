@@ -6,13 +6,12 @@ use std::time::Instant;
 use asperity::case::gear_train::LoadedTrain;
 use asperity::message::explain;
 use asperity::pipeline::KeptFields;
-use asperity_storage::whole_text;
 use asperity_studies::compare::Finish;
 use asperity_studies::cycle::CyclePoint;
 use asperity_studies::export::{self, AddedLoss, ExportError, With};
 use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 
-use super::cycle::{LARGEST_TABLE, read_cycle};
+use super::cycle::{read_cycle, table_in};
 use super::finish::{self, check_names};
 use super::work::check_work_of_train;
 use super::{load_changed_train, result_name, source, stem, study};
@@ -36,7 +35,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     }
     let axes = axes(args, &first.case)?;
     let cycle = match &args.cycle {
-        Some(file) => Some(read_cycle(file, first.case.input.vehicle())?),
+        Some(file) => Some(read_cycle(file, None, first.case.input.vehicle())?),
         None => None,
     };
     if args.export.contains(&ExportArg::Fastsim) && cycle.is_none() {
@@ -101,13 +100,11 @@ fn not_exported(format: ExportArg, error: &ExportError) -> Failure {
 }
 
 fn added_loss(file: &Path) -> Result<AddedLoss, Failure> {
-    let name = file.display();
-    let text = whole_text(file, LARGEST_TABLE)
-        .map_err(|error| Failure::new("E103", format!("{name}: {error}")))?;
+    let text = table_in(file)?;
     let short = file.file_name().unwrap_or_default().to_string_lossy();
     AddedLoss::read(&short, &text).map_err(|error| {
         Failure::new("E101", format!("--add-loss {error}")).advising(
-            "The table has the columns speed_rpm, loss_torque_nm or loss_w and, where the loss depends on them, torque_nm and temperature_c, as a grid.",
+            "The table has the columns speed_rpm, loss_torque_nm or loss_w and, where the loss depends on them, torque_nm and temperature_c, as a grid; a loss map of VECTO (vtlm) is one.",
         )
     })
 }

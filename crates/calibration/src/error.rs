@@ -1,5 +1,7 @@
 //! Errors of a calibration, each with a code.
 
+use asperity::key_words::ended;
+use asperity::profile_io::read::ReadError;
 use asperity_core::{decimals, number};
 use asperity_table::{Ragged, RowFault};
 
@@ -15,14 +17,9 @@ pub enum CalibrationError {
         /// Its line and numbers.
         source: Ragged,
     },
-    /// The table cannot be opened.
-    #[error("{file}: cannot be opened: {reason}")]
-    Open {
-        /// Name of the table.
-        file: String,
-        /// Cause.
-        reason: std::io::Error,
-    },
+    /// The table cannot be opened, or is no text.
+    #[error("{}", ended(&.0.to_string(), &.0.remedy().to_string()))]
+    Open(ReadError),
     /// A column is missing, or has another unit.
     #[error("{file}:1: {rule}")]
     Column {
@@ -132,7 +129,7 @@ impl CalibrationError {
             Self::Ragged { .. } | Self::Column { .. } | Self::Rows { .. } | Self::NoCase { .. } => {
                 "E134"
             }
-            Self::Open { .. } => "E103",
+            Self::Open(error) => error.code(),
             Self::Outliers { .. } => "E135",
             Self::Share { .. } => "E310",
             Self::Unexplained { .. } => "E315",

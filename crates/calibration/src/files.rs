@@ -4,7 +4,7 @@ use std::path::Path;
 
 use asperity::LoadedCase;
 use asperity::case::CalibratedName;
-use asperity_storage::whole_text;
+use asperity::profile_io::read::read_table;
 
 use crate::calibrate::{Watch, calibrate};
 use crate::error::CalibrationError;
@@ -82,8 +82,5 @@ impl RigFiles {
 /// # Errors
 /// When it cannot be read, is larger than 10 MB or is not text.
 pub fn table_text(file: &Path) -> Result<String, CalibrationError> {
-    whole_text(file, LARGEST_TABLE).map_err(|reason| CalibrationError::Open {
-        file: file.display().to_string(),
-        reason,
-    })
+    read_table(file, LARGEST_TABLE).map_err(CalibrationError::Open)
 }

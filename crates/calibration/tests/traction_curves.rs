@@ -273,7 +273,13 @@ fn an_export_of_a_machine_gives_the_constants_of_its_table() {
             .len(),
         120
     );
-    for printed in ["-0.01", "0.00"] {
+    let titled = text.as_str();
+    let variants = [titled, untitled.as_str()].into_iter().flat_map(|text| {
+        let with_mark = format!("\u{feff}{text}");
+        let unix = text.replace("\r\n", "\n");
+        [text.to_owned(), with_mark, unix]
+    });
+    for (text, printed) in variants.flat_map(|text| [(text.clone(), "-0.01"), (text, "0.00")]) {
         let slow = format!(
             "1\t-0.0002\t\t40.0\t40.0\t30.000\t25.00\t{printed}\t-0.020\t-0.0068\t-0.0002\r\n"
         );

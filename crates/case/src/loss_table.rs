@@ -34,17 +34,34 @@ pub enum LossTableError {
     },
 }
 
+/// Names of the columns in VECTO's transmission loss maps.
+const NAMES: [(&str, &str); 3] = [
+    ("speed_rpm", "input_speed_rpm"),
+    ("torque_nm", "input_torque_nm"),
+    ("loss_torque_nm", "torque_loss_nm"),
+];
+
+/// The number of a column, under its name or that of [`NAMES`].
+fn optional(row: Row<'_>, column: &str) -> Result<Option<f64>, RowFault> {
+    let other = NAMES.iter().find(|(name, _)| *name == column);
+    match other {
+        Some((_, other)) if !row.has(column) => row.optional(other),
+        _ => row.optional(column),
+    }
+}
+
 /// A node of the table. Its loss torque \[N m\] is NaN, which no table has, unless one of torque and power is stated, at a speed
 /// above 0.
 fn node(row: Row<'_>) -> Result<LossRow, RowFault> {
-    let speed_rpm = row.number("speed_rpm")?;
-    let loss_torque_nm = match (row.optional("loss_torque_nm")?, row.optional("loss_w")?) {
+    let speed_rpm = optional(row, "speed_rpm")?;
+    let speed_rpm = speed_rpm.ok_or_else(|| row.fault("speed_rpm", "is missing"))?;
+    let loss_torque_nm = match (optional(row, "loss_torque_nm")?, row.optional("loss_w")?) {
         (Some(torque), None) => torque,
         (None, Some(power)) if speed_rpm > 0.0 => power / (speed_rpm * std::f64::consts::PI / 30.0),
         _ => f64::NAN,
     };
     Ok(LossRow {
-        torque_nm: row.optional("torque_nm")?,
+        torque_nm: optional(row, "torque_nm")?,
         speed_rpm,
         temperature_c: row.optional("temperature_c")?,
         loss_torque_nm,
@@ -52,7 +69,7 @@ fn node(row: Row<'_>) -> Result<LossRow, RowFault> {
 }
 
 /// Reads a table with the columns `speed_rpm`, `loss_torque_nm` or `loss_w` (with speeds above 0) and, where the loss depends
-/// on them, `torque_nm` and `temperature_c`: a grid of nodes, in any order.
+/// on them, `torque_nm` and `temperature_c`: a grid of nodes, in any order. A transmission loss map of VECTO is such a table.
 ///
 /// # Errors
 /// When the text is no such table, or its rows form no grid.
@@ -69,7 +86,7 @@ pub fn read(name: &str, text: &str) -> Result<LossTable, LossTableError> {
         name: name.to_owned(),
         source,
     })?;
-    let rows = table.rows().map(node).collect::<Result<Vec<_>, _>>();
+    let rows = table.values(node);
     let rows = rows.map_err(|source| LossTableError::Cell {
         name: name.to_owned(),
         source,

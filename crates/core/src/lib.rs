@@ -19,6 +19,7 @@ pub mod profile;
 pub mod provenance;
 pub mod quantity;
 pub mod remedy;
+mod repeated_fault;
 mod unique;
 mod unit_text;
 
@@ -28,6 +29,7 @@ pub use message_number::{decimals, number, number_with_unit};
 pub use profile::Profile;
 pub use quantity::Quantity;
 pub use remedy::{Action, Remedy, Setting};
+pub use repeated_fault::RepeatedFault;
 pub use unique::unique;
 
 /// The examples of the README are tests.

@@ -61,6 +61,17 @@ pub enum EfficiencyError {
         /// Number of distinct speeds.
         speeds: usize,
     },
+    /// A loss table has no row at a torque that lies beyond the torques of its speed.
+    #[error(
+        "no row at {torque_nm} N m, {speed_rpm} 1/min, where rows at other speeds have this torque, and nothing is extrapolated; add it, or leave this torque or this speed out",
+        torque_nm = number(*torque_nm), speed_rpm = number(*speed_rpm)
+    )]
+    HoleInTable {
+        /// Torque \[N m\].
+        torque_nm: f64,
+        /// Speed \[1/min\].
+        speed_rpm: f64,
+    },
     /// A row of a loss table has an invalid number.
     #[error("{rule}, and is {value} in a row", value = number(*value))]
     TableRow {

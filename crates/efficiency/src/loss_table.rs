@@ -1,7 +1,8 @@
 //! Loss torque from a user's table, over torque, speed and temperature.
 //!
 //! A table is one grid of nodes, or one grid per temperature. The loss torque is interpolated linearly along each axis and
-//! not extrapolated.
+//! not extrapolated. The rows of a speed may have torques of their own, as in loss maps of VECTO: between them the loss is
+//! linear as well.
 
 use asperity_core::cite;
 use asperity_core::numerics::{NodeInterval, distinct};
@@ -139,6 +140,7 @@ impl Grid {
         let speeds = distinct(rows.iter().map(|row| row.speed_rpm));
         let nodes = torques.len().max(1) * speeds.len();
         let mut values = vec![f64::NAN; nodes];
+        let mut is_single = true;
         for row in rows {
             let i = match row.torque_nm {
                 Some(torque) => torques.iter().position(|node| *node == torque),
@@ -146,17 +148,28 @@ impl Grid {
             };
             let j = speeds.iter().position(|node| *node == row.speed_rpm);
             if let (Some(i), Some(j)) = (i, j) {
-                values[i * speeds.len() + j] = row.loss_torque_nm;
+                let value = &mut values[i * speeds.len() + j];
+                is_single &= value.is_nan() || *value == row.loss_torque_nm;
+                *value = row.loss_torque_nm;
             }
         }
-        let is_whole = nodes > 0 && rows.len() == nodes && values.iter().all(|v| v.is_finite());
-        match is_whole {
-            true => Ok(Self {
+        let has_torques = torques.is_empty() || rows.iter().all(|row| row.torque_nm.is_some());
+        for j in 0..speeds.len() {
+            fill(&mut values, (&torques, speeds.len(), j));
+        }
+        let is_whole = nodes > 0 && is_single && has_torques;
+        let missing = values.iter().position(|value| !value.is_finite());
+        match missing {
+            None if is_whole => Ok(Self {
                 torques,
                 speeds,
                 values,
             }),
-            false => Err(no_grid(rows, &torques, &speeds)),
+            Some(at) if is_whole && !torques.is_empty() => Err(EfficiencyError::HoleInTable {
+                torque_nm: torques[at / speeds.len()],
+                speed_rpm: speeds[at % speeds.len()],
+            }),
+            _ => Err(no_grid(rows, &torques, &speeds)),
         }
     }
 
@@ -167,6 +180,25 @@ impl Grid {
             return Some(along(0));
         }
         Some(interval(&self.torques, torque_nm)?.mean(along))
+    }
+}
+
+/// Fills nodes without a row at speed `j` of `speeds`, linearly between their neighbours at that speed.
+fn fill(values: &mut [f64], (torques, speeds, j): (&[f64], usize, usize)) {
+    let stated: Vec<(f64, f64)> = torques
+        .iter()
+        .enumerate()
+        .map(|(i, torque)| (*torque, values[i * speeds + j]))
+        .filter(|(_, value)| value.is_finite())
+        .collect();
+    let own: Vec<f64> = stated.iter().map(|(torque, _)| *torque).collect();
+    for (i, torque) in torques.iter().enumerate() {
+        let value = &mut values[i * speeds + j];
+        if value.is_nan()
+            && let Some(between) = interval(&own, *torque)
+        {
+            *value = between.mean(|k| stated[k].1);
+        }
     }
 }
 
@@ -226,6 +258,35 @@ mod tests {
     }
 
     #[test]
+    fn rows_of_a_speed_may_have_torques_of_their_own() {
+        let row = |torque, speed, loss| LossRow {
+            temperature_c: None,
+            ..row(torque, speed, 0.0, loss)
+        };
+        // As in a loss map of VECTO: a kink at another torque for each speed, and a row twice.
+        let rows = [
+            row(-100.0, 0.0, 10.0),
+            row(-20.0, 0.0, 2.0),
+            row(100.0, 0.0, 14.0),
+            row(-100.0, 50.0, 12.0),
+            row(40.0, 50.0, 5.0),
+            row(100.0, 50.0, 11.0),
+            row(100.0, 50.0, 11.0),
+        ];
+        let table = LossTable::new(&rows).unwrap();
+        for (torque, speed, expected) in [
+            (-60.0, 0.0, 6.0),
+            (40.0, 0.0, 8.0),
+            (-20.0, 50.0, 8.0),
+            (70.0, 50.0, 8.0),
+            (40.0, 25.0, 6.5),
+        ] {
+            let found = table.loss_torque(torque, speed, 90.0).unwrap();
+            assert!((found - expected).abs() < 1e-12, "{torque} {speed} {found}");
+        }
+    }
+
+    #[test]
     fn nothing_is_told_beyond_the_nodes_of_any_axis() {
         let table = LossTable::new(&linear()).unwrap();
         for (torque, speed, temperature) in [
@@ -249,12 +310,18 @@ mod tests {
         let mut holed = linear();
         holed.pop();
         let mut double = linear();
-        double.push(double[0]);
+        double.push(LossRow {
+            loss_torque_nm: 9.0,
+            ..double[0]
+        });
         let mut mixed = linear();
         mixed[0].temperature_c = None;
         let mut without_torque = linear();
         without_torque[0].torque_nm = None;
-        for rows in [holed, double, mixed, without_torque, Vec::new()] {
+        let error = LossTable::new(&holed).unwrap_err();
+        let expected = "no row at 50 N m, 0 1/min, where rows at other speeds have this torque";
+        assert!(error.to_string().starts_with(expected), "{error}");
+        for rows in [double, mixed, without_torque, Vec::new()] {
             let error = LossTable::new(&rows).unwrap_err();
             assert!(matches!(error, EfficiencyError::NoGrid { .. }), "{error}");
         }

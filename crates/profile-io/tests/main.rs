@@ -8,3 +8,4 @@ mod properties;
 mod streaming;
 mod trust;
 mod uneven;
+mod variants;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use asperity::case::gear_train::LoadedTrain;
 use asperity::core::quantity::Power;
 use asperity_report::StudyResult;
-use asperity_storage::whole_text;
+use asperity::profile_io::read::read_table;
 use asperity_studies::callout::{self as limits, CallOutError, CallOutSettings};
 use asperity_studies::compare::{self as comparing, Finish};
 use asperity_studies::cycle::{self as driving, EnergyError};
@@ -339,7 +339,6 @@ impl Map {
 const LARGEST_TABLE: u64 = 100_000_000;
 
 fn text(file: &Path) -> Result<String, Failure> {
-    let name = file.display().to_string();
-    whole_text(file, LARGEST_TABLE)
-        .map_err(|error| Failure::new("E103", error.to_string()).about(&name))
+    read_table(file, LARGEST_TABLE)
+        .map_err(|error| Failure::new(error.code(), error.to_string()).advising(error.remedy()))
 }

@@ -19,7 +19,7 @@ use crate::html::overview::warnings;
 use crate::html::page;
 use crate::printed::stated;
 use crate::ridges;
-use crate::summary::{besides_the_mesh, note, weightiest};
+use crate::summary::{besides_the_mesh, note, short_note, weightiest};
 use crate::tables;
 use crate::tiles::{Tile, TileKind};
 use crate::wrap::{COLUMNS, wrapped};
@@ -124,14 +124,14 @@ pub fn summary_of_train(outcome: &TrainOutcome) -> String {
 pub fn brief_of_train(outcome: &TrainOutcome) -> String {
     let mut text = tables_of_train(&outcome.result);
     let of_train = outcome.result.warnings.iter();
-    text.extend(of_train.map(|warning| note(warning, COLUMNS)));
+    text.extend(of_train.map(|warning| short_note(warning, COLUMNS)));
     for (mesh, row) in outcome.meshes.iter().zip(&outcome.result.meshes) {
         if let Some(ridges) = ridges::line(&mesh.result) {
             let line = format!("{}: {ridges}", row.mesh);
             text.push_str(&format!("{}\n", wrapped(&line, "  ")));
         }
         let warning = weightiest(&mesh.result);
-        text.extend(warning.map(|warning| note(&of_mesh(&warning, row), COLUMNS)));
+        text.extend(warning.map(|warning| short_note(&of_mesh(&warning, row), COLUMNS)));
     }
     text
 }

@@ -39,8 +39,39 @@ pub fn summary_within(result: &RunResult, columns: usize) -> String {
 /// else the one that is worth most watts.
 pub fn brief(result: &RunResult, columns: usize) -> String {
     let mut text = verdict(result, columns);
-    text.extend(weightiest(result).map(|warning| note(&warning, columns)));
+    text.extend(weightiest(result).map(|warning| short_note(&warning, columns)));
     text
+}
+
+/// The warning in two lines: its sentences as far as they fit, with its worth. The explanation of its code has the rest.
+pub(crate) fn short_note(warning: &Warning, columns: usize) -> String {
+    let text = one_line(&warning.to_string()).into_owned();
+    // Behind the text its worth, and the mesh of a train in brackets.
+    let of_mesh = || text.rfind(" [").filter(|_| text.ends_with(']'));
+    let (text, worth) = match text.rfind(WORTH).or_else(of_mesh) {
+        Some(at) => text.split_at(at),
+        None => (text.as_str(), ""),
+    };
+    let shown = |kept: &str| line(&format!("{kept}{worth}"), MESSAGE, columns);
+    let is_short = |kept: &str| shown(kept).lines().count() <= 2;
+    if is_short(text) {
+        return shown(text);
+    }
+    // Up to the last full stop or semicolon that fits, else colon or comma, else word.
+    let last = |signs: &[&str]| {
+        let ends = signs.iter().flat_map(|sign| text.match_indices(sign));
+        let fits = ends.map(|(at, _)| at).filter(|at| is_short(&text[..*at]));
+        fits.max()
+    };
+    match last(&[". ", "; "]).or_else(|| last(&[": ", ", "])) {
+        Some(at) => shown(&text[..at]),
+        None => {
+            let cut = |at: usize| format!("{}… (explain {})", &text[..at], warning.code);
+            let words = text.match_indices(' ').map(|(at, _)| at);
+            let at = words.filter(|at| is_short(&cut(*at))).max();
+            at.map_or_else(|| shown(text), |at| shown(&cut(at)))
+        }
+    }
 }
 
 /// The line with efficiency and loss, as in [`brief`] and [`summary`].
@@ -67,13 +98,16 @@ const SUBJECTS: &[(&str, Subject)] = &[
     ("W450", Subject::Sampling),
 ];
 
+/// Beginning of the worth of a warning.
+const WORTH: &str = " (worth ";
+
 /// The warning of the first screen, with its worth in words.
 pub(crate) fn weightiest(result: &RunResult) -> Option<Warning> {
     let doubt = |warning: &&Warning| DOUBTFUL.iter().position(|code| *code == warning.code);
     let doubtful = result.warnings.iter().filter(|w| doubt(w).is_some());
     let digits = result.uncertainty.as_ref().map(Uncertainty::digits);
     let with_worth = |warning: &Warning, watts: f64, digits: Digits| {
-        warning.with(&format!(" (worth {} W)", digits.rounded(watts)))
+        warning.with(&format!("{WORTH}{} W)", digits.rounded(watts)))
     };
     if let Some(warning) = doubtful.min_by_key(doubt) {
         let known = worth(warning, result).zip(digits);

@@ -84,7 +84,10 @@ pub enum RexsError {
         what: String,
     },
     /// The stage does not exist.
-    #[error("there is no stage {wanted}; the file has {count}")]
+    #[error("{}", match count {
+        0 => "the file has no stage of gears; export the gear unit with its stages, and parts of other files in it".to_owned(),
+        _ => format!("there is no stage {wanted}; the file has {count}"),
+    })]
     NoStage {
         /// Requested stage.
         wanted: usize,

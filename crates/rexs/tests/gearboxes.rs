@@ -49,7 +49,14 @@ fn is_chain(bytes: &[u8]) {
 #[test]
 fn what_a_spectrum_sums_up_is_no_second_component() {
     let id = chain().components.keys().next().unwrap().clone();
-    for aside in ["accumulation", "vendor_data"] {
+    for aside in [
+        "accumulation",
+        "vendor_data",
+        "results",
+        "custom",
+        "history",
+        "components_of_before",
+    ] {
         let sums = format!(
             r#"<{aside}><component id="{id}" type="x"><attribute id="operating_time" unit="h">5000</attribute></component></{aside}>"#
         );

@@ -4,6 +4,8 @@ pub mod own;
 
 use std::borrow::Cow;
 
+use asperity_core::RepeatedFault;
+
 /// A row that is not valid.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{line}: {column}: {rule}")]
@@ -18,7 +20,10 @@ pub struct RowFault {
 
 /// A row with another number of cells than the header.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("line {line} has {cells} cells, the header {columns}")]
+#[error(
+    "line {line} has {cells} cells, the header {columns}{}",
+    like.as_ref().map_or(String::new(), |like| format!("; {like}; the file seems to hold another table, or its names are not in one line"))
+)]
 pub struct Ragged {
     /// Its line, from 1.
     pub line: usize,
@@ -26,6 +31,8 @@ pub struct Ragged {
     pub cells: usize,
     /// The number of columns.
     pub columns: usize,
+    /// Rows with the same number of cells, if there are so many that the file is no such table.
+    pub like: Option<RepeatedFault>,
 }
 
 /// A table with a header.
@@ -42,65 +49,90 @@ pub struct Table {
 impl Table {
     /// Reads the table in `text`.
     ///
+    /// Columns are separated by semicolons, tabs, commas or blanks. A title above the names is left out, and units in a line
+    /// below the names belong to them.
+    ///
     /// # Errors
-    /// When a row has another number of cells than the header. Empty cells at the end of a row may be left out, and may be more.
+    /// When a row has another number of cells than the header. Empty cells at the end of a row may be left out, in all rows
+    /// or with their separators, and may be more.
     pub fn read(text: &str) -> Result<Self, Ragged> {
+        Self::named(text, None)
+    }
+
+    /// Reads the table in `text`, whose columns have these `names`: in place of its own, or if it has none. A column named
+    /// `-` is left out.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn named(text: &str, names: Option<&[String]>) -> Result<Self, Ragged> {
         let text = text.trim_start_matches('\u{feff}');
-        let is_row = |line: &&str| !line.starts_with('#') && !line.trim().is_empty();
-        let header = text.lines().find(is_row).unwrap_or_default();
-        let separator = [';', '\t', ',']
-            .into_iter()
-            .find(|sign| header.contains(*sign))
-            .unwrap_or(',');
-        let mut reader = csv::ReaderBuilder::new()
-            .comment(Some(b'#'))
-            .delimiter(separator as u8)
-            .trim(csv::Trim::All)
-            .flexible(true)
-            .has_headers(false)
-            .from_reader(text.as_bytes());
-        let begins = Lines::new(text);
-        // A text can always be split into cells: it is valid UTF-8, and its rows may have any length.
-        let records = reader.records().filter_map(Result::ok);
-        let is_filled = |record: &csv::StringRecord| record.iter().any(|cell| !cell.is_empty());
-        let mut records = records.filter(is_filled).map(|record| {
-            let begin = record.position().map_or(0, |place| place.byte() as usize);
-            (begins.of(begin), record)
-        });
-        let header = records.next();
-        let names = header
-            .iter()
-            .flat_map(|(_, record)| record.iter().map(name));
-        let mut names: Vec<String> = names.collect();
-        let filled = |cells: &mut dyn Iterator<Item = &str>| {
-            let last = cells
-                .enumerate()
-                .filter(|(_, cell)| !cell.is_empty())
-                .last();
-            last.map_or(0, |(at, _)| at + 1)
-        };
-        let columns = filled(&mut names.iter().map(String::as_str));
-        names.truncate(columns);
-        let rows: Vec<(usize, csv::StringRecord)> = records.collect();
-        for (line, record) in &rows {
-            let cells = filled(&mut record.iter());
-            // A row that is cut off has lost cells; one with all its separators may end with empty cells.
-            if cells > columns || record.len() < columns {
-                return Err(Ragged {
-                    line: *line,
-                    cells: cells.max(record.len().min(columns)),
-                    columns,
-                });
-            }
+        let separator = separator(text);
+        let mut rows = records(text, separator);
+        let is_names = |row: &csv::StringRecord| !is_numbers(row);
+        if names.is_none()
+            && let [(_, title), (_, header), ..] = rows.as_slice()
+            && filled(title) == 1
+            && filled(header) > 1
+            && is_names(title)
+            && header.iter().all(|cell| !is_number(cell))
+        {
+            rows.remove(0);
         }
+        let header = match rows.first() {
+            Some((_, first)) if names.is_none() || is_names(first) => Some(rows.remove(0).1),
+            _ => None,
+        };
+        let mut heads = match names {
+            Some(names) => csv::StringRecord::from(names.to_vec()),
+            None => header.unwrap_or_default(),
+        };
+        if let [(_, units), (_, values), ..] = rows.as_slice()
+            && filled(units) > 0
+            && !units.iter().any(is_number)
+            && values.iter().any(is_number)
+            && units.iter().all(is_unit)
+        {
+            if names.is_none() {
+                heads = with_units(&heads, units);
+            }
+            rows.remove(0);
+        }
+        let columns = filled(&heads);
+        // All of several rows may lack the cells of the last columns, and their separators.
+        let widest = rows.iter().map(|(_, row)| row.len()).max();
+        let widest = widest.filter(|_| rows.len() > 1).unwrap_or(columns);
+        let cells = |row: &csv::StringRecord| filled(row).max(row.len().min(columns));
+        let is_ragged =
+            |row: &csv::StringRecord| filled(row) > columns || row.len() < columns.min(widest);
+        if let Some((line, row)) = rows.iter().find(|(_, row)| is_ragged(row)) {
+            let mut like = RepeatedFault::default();
+            let same = |other: &csv::StringRecord| is_ragged(other) && cells(other) == cells(row);
+            for (line, other) in rows.iter().filter(|(_, other)| same(other)) {
+                like.add(*line, &Vec::from_iter(other).join(" "));
+            }
+            return Err(Ragged {
+                line: *line,
+                cells: cells(row),
+                columns,
+                like: Some(like).filter(RepeatedFault::is_dialect),
+            });
+        }
+        let mut names: Vec<String> = heads.iter().map(name).collect();
+        names.truncate(columns);
         let cells = || rows.iter().flat_map(|(_, record)| record);
         let has_point = cells().any(|cell| cell.contains('.') && number(cell, false).is_some());
         Ok(Self {
-            heads: header.map(|(_, record)| record).unwrap_or_default(),
+            heads,
             names,
             rows,
-            has_decimal_comma: separator != ',' && !has_point,
+            has_decimal_comma: separator != Some(',') && !has_point,
         })
+    }
+
+    /// Whether the first line has names: it is not a row of numbers.
+    #[must_use]
+    pub fn has_names(&self) -> bool {
+        !is_numbers(&self.heads)
     }
 
     /// The names of the columns as they are written.
@@ -146,9 +178,143 @@ impl Table {
         }
         match faults.is_empty() {
             true => Ok(values),
-            false => Err(faults),
+            false => Err(self.together(faults)),
         }
     }
+
+    /// A value of every row.
+    ///
+    /// # Errors
+    /// The fault of the first row that has none.
+    pub fn values<T>(
+        &self,
+        value: impl Fn(Row<'_>) -> Result<T, RowFault>,
+    ) -> Result<Vec<T>, RowFault> {
+        self.all(value).map_err(|mut faults| faults.swap_remove(0))
+    }
+
+    /// The faults, those of a column that repeat as one.
+    fn together(&self, faults: Vec<RowFault>) -> Vec<RowFault> {
+        let mut found: Vec<(RowFault, RepeatedFault)> = Vec::new();
+        let mut single = Vec::new();
+        for fault in faults {
+            let known = found
+                .iter()
+                .position(|(first, _)| first.column == fault.column);
+            let at = known.unwrap_or_else(|| {
+                found.push((fault.clone(), RepeatedFault::default()));
+                found.len() - 1
+            });
+            let row = self
+                .rows
+                .binary_search_by_key(&fault.line, |(line, _)| *line);
+            let text = row.map_or(String::new(), |row| {
+                Vec::from_iter(&self.rows[row].1).join(" ")
+            });
+            found[at].1.add(fault.line, &text);
+            single.push((at, fault));
+        }
+        let is_of_file = |at: usize| found[at].1.is_dialect();
+        let mut faults: Vec<RowFault> = single
+            .into_iter()
+            .filter(|(at, _)| !is_of_file(*at))
+            .map(|(_, fault)| fault)
+            .collect();
+        let of_file = found.iter().filter(|(_, like)| like.is_dialect());
+        faults.extend(of_file.map(|(first, like)| RowFault {
+            rule: format!(
+                "{}; {like}; the column seems to hold something else",
+                first.rule
+            ),
+            ..first.clone()
+        }));
+        faults.sort_by_key(|fault| fault.line);
+        faults
+    }
+}
+
+/// The sign between the columns of the table in `text`; `None` for blanks.
+fn separator(text: &str) -> Option<char> {
+    /// Lines that are looked at: a title, names, units, and rows.
+    const LINES: usize = 6;
+    let is_row = |line: &&str| !line.starts_with('#') && !line.trim().is_empty();
+    let lines: Vec<&str> = text.lines().filter(is_row).take(LINES).collect();
+    let last = lines.last().copied().unwrap_or_default();
+    let sign = [';', '\t', ',']
+        .into_iter()
+        .find(|sign| last.contains(*sign));
+    let words = last.split_whitespace();
+    let is_blank = words.clone().count() > 1 && words.clone().all(is_number);
+    match (sign, is_blank) {
+        (Some(','), true) if !words.clone().any(|word| word.ends_with(',')) => None,
+        (None, true) => None,
+        (sign, _) => Some(sign.unwrap_or(',')),
+    }
+}
+
+/// The rows of the table in `text` that are not empty, with their lines.
+fn records(text: &str, separator: Option<char>) -> Vec<(usize, csv::StringRecord)> {
+    let Some(separator) = separator else {
+        let is_row = |(_, line): &(usize, &str)| !line.starts_with('#') && !line.trim().is_empty();
+        let lines = text.lines().enumerate().filter(is_row);
+        let record = |(at, line): (usize, &str)| (at + 1, line.split_whitespace().collect());
+        return lines.map(record).collect();
+    };
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .delimiter(separator as u8)
+        .trim(csv::Trim::All)
+        .flexible(true)
+        .has_headers(false)
+        .from_reader(text.as_bytes());
+    let begins = Lines::new(text);
+    // A text can always be split into cells: it is valid UTF-8, and its rows may have any length.
+    let records = reader.records().filter_map(Result::ok);
+    let records = records.filter(|record| filled(record) > 0).map(|record| {
+        let begin = record.position().map_or(0, |place| place.byte() as usize);
+        (begins.of(begin), record)
+    });
+    records.collect()
+}
+
+/// Number of cells up to the last that is not empty.
+fn filled(row: &csv::StringRecord) -> usize {
+    let filled = row.iter().enumerate().filter(|(_, cell)| !cell.is_empty());
+    filled.last().map_or(0, |(at, _)| at + 1)
+}
+
+/// Whether `cell` is a number, with a decimal point or comma.
+fn is_number(cell: &str) -> bool {
+    number(cell, true).is_some()
+}
+
+/// Whether all cells of a row are numbers.
+fn is_numbers(row: &csv::StringRecord) -> bool {
+    filled(row) > 0 && row.iter().take(filled(row)).all(is_number)
+}
+
+/// Whether `cell` is a unit, in brackets or not, or empty.
+fn is_unit(cell: &str) -> bool {
+    /// Units of measured quantities, in lower case.
+    const UNITS: [&str; 36] = [
+        "", "-", "%", "s", "sec", "ms", "min", "h", "rpm", "1/min", "u/min", "min-1", "rad/s",
+        "nm", "n m", "n*m", "n·m", "n", "kn", "w", "kw", "km/h", "m/s", "mm/s", "mph", "m", "mm",
+        "um", "µm", "g", "c", "°c", "degc", "deg", "bar", "gpa",
+    ];
+    let bare = cell.trim_matches(['[', ']', '(', ')']).to_lowercase();
+    UNITS.contains(&bare.as_str()) || cell.starts_with(['[', '('])
+}
+
+/// The names with the units below them in brackets, those that have none.
+fn with_units(heads: &csv::StringRecord, units: &csv::StringRecord) -> csv::StringRecord {
+    let unit = |at: usize| units.get(at).filter(|unit| !unit.is_empty());
+    let head = |(at, head): (usize, &str)| match unit(at) {
+        Some(unit) if !head.contains(['[', '(']) => {
+            format!("{head} [{}]", unit.trim_matches(['[', ']', '(', ')']))
+        }
+        _ => head.to_owned(),
+    };
+    heads.iter().enumerate().map(head).collect()
 }
 
 /// Row of a table.

@@ -78,9 +78,60 @@ fn every_row_has_its_line_and_all_faults_are_named() {
         line,
         cells,
         columns: 2,
+        like: None,
     };
     assert_eq!(ragged("a,b\n1,2\n1,2,3\n"), expected(3, 3));
     assert_eq!(ragged("a,b\n1\n"), expected(2, 1));
+}
+
+#[test]
+fn titles_units_and_names_are_where_other_programs_write_them() {
+    for text in [
+        "My test rig\ntime,speed\ns,km/h\n0,1\n2,3\n",
+        "time;speed\n[s];[km/h]\n0;1\n2;3\n",
+        "Test no. 4;;\ntime [s];speed [km/h];\n0;1;\n2;3;\n",
+        "time_s speed_km_h\n0   1\n2   3\n",
+        "time [s],speed [km/h],remark\n0,1\n2,3\n",
+    ] {
+        assert_eq!(numbers(text, "time_s"), [0.0, 2.0], "{text:?}");
+        assert_eq!(numbers(text, "speed_km_h"), [1.0, 3.0], "{text:?}");
+    }
+    // Names stated for a table without names, or in place of its own.
+    let names = ["time_s", "-", "v"].map(str::to_owned);
+    for text in [
+        "0,9,1\n2,9,3\n",
+        "a,b,c\n0,9,1\n2,9,3\n",
+        "0 9  1\n2 9  3",
+        "0,0 9 1,5\n2,0 9 3",
+    ] {
+        let table = Table::named(text, Some(&names)).unwrap();
+        let time = table.values(|row| row.number("time_s")).unwrap();
+        assert_eq!(time, [0.0, 2.0], "{text:?}");
+        assert!(table.has("v") && table.has_names());
+    }
+    assert!(!Table::read("0,1\n2,3\n").unwrap().has_names());
+    // A row of missing values is none of units.
+    let table = Table::read("a,b\nx,y\n1,2\n").unwrap();
+    assert_eq!(table.rows().len(), 2);
+}
+
+#[test]
+fn a_fault_that_repeats_is_one_of_the_file() {
+    let rows = |row: &str, count: usize| format!("a,b\n1,2\n{}", format!("{row}\n").repeat(count));
+    let faults = |text: &str| {
+        let table = Table::read(text).unwrap();
+        table.all(|row| row.number("b")).unwrap_err()
+    };
+    assert_eq!(faults(&rows("1,x", 9)).len(), 9);
+    let [fault] = &faults(&rows("1,x", 10))[..] else {
+        panic!("ten faults are one of the file");
+    };
+    let expected =
+        "3: b: \"x\" is not a finite number; 10 lines are like it: line 3 \"1 x\", line 4 \"1 x\"";
+    assert!(fault.to_string().starts_with(expected), "{fault}");
+    let ragged = |count| Table::read(&rows("1,2,3", count)).unwrap_err().to_string();
+    assert!(!ragged(9).contains("are like it"));
+    assert!(ragged(10).contains("10 lines are like it: line 3 \"1 2 3\""));
 }
 
 #[test]

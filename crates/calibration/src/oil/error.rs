@@ -181,7 +181,7 @@ impl OilError {
             Self::Oil { .. } | Self::OneViscosity { .. } => "E208",
             Self::NoShearLaw { .. } => "E205",
             Self::Contact(_) => "E209",
-            Self::Table(CalibrationError::Open { .. }) => "E103",
+            Self::Table(CalibrationError::Open(error)) => error.code(),
             Self::Table(_) | Self::NoTable { .. } | Self::Row { .. } | Self::Air { .. } => "E317",
             Self::FewPoints { .. } | Self::LowPressure { .. } => "E318",
             Self::Unexplained { .. }

@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use asperity_core::remedy::{Remedy, Setting};
+use asperity_core::quantity::Length;
+use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{DomainError, number_with_unit};
 use asperity_profile_io::read::ReadError;
 
@@ -222,6 +223,21 @@ pub enum CaseError {
         /// The reason.
         source: Box<ReadError>,
     },
+    /// The mean of a surface, whose roughness is averaged out.
+    #[error(
+        "{file}: the mean of the surface has Rq {mean:.3}, single lines {lines:.3}: roughness that does not run across the whole surface is averaged out{}",
+        named(place, None)
+    )]
+    AveragedOut {
+        /// Place at which the surface is named.
+        place: Place,
+        /// Name of the file.
+        file: String,
+        /// Rq of the mean.
+        mean: Length,
+        /// Rq of single lines.
+        lines: Length,
+    },
     /// A profile that cannot be prepared.
     #[error("{file}: {source}")]
     Preparation {
@@ -310,6 +326,7 @@ impl CaseError {
             Self::NoRecipe { .. } => "E223",
             Self::Profile { source, .. } => source.code(),
             Self::Preparation { .. } => "E120",
+            Self::AveragedOut { .. } => "E141",
         }
     }
 
@@ -326,6 +343,9 @@ impl CaseError {
                 ..
             } => Remedy::act(format!("write {nearest}")),
             Self::Profile { source, .. } => source.remedy(),
+            Self::AveragedOut { .. } => {
+                Remedy::set(Setting::Rows, Value::This("8".into())).because("in place of line")
+            }
             Self::Preparation { source, .. } => {
                 let cutoff = match source.is_of_noise_cutoff() {
                     true => Setting::NoiseCutoff,
@@ -356,7 +376,8 @@ impl CaseError {
             | Self::LossTable { place, .. }
             | Self::GearboxPart { place, .. }
             | Self::NoRecipe { place, .. }
-            | Self::Profile { place, .. } => Some(place),
+            | Self::Profile { place, .. }
+            | Self::AveragedOut { place, .. } => Some(place),
             Self::Open { .. }
             | Self::Folder { .. }
             | Self::FileChanged { .. }

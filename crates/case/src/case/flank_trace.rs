@@ -10,11 +10,12 @@ use asperity_gear::Gear;
 use asperity_profile_io::Warning as ReadWarning;
 use asperity_profile_io::read::steepness::implausible;
 use asperity_profile_io::read::{
-    LengthUnit, ReadFault, ReadOptions, Reading, TraceCut, read_surface_bytes, read_with_conditions,
+    LengthUnit, ReadFault, ReadOptions, Reading, TraceCut, TraceLine, read_surface_bytes,
+    read_with_conditions,
 };
 use asperity_roughness::height_parameters::Mode;
 use asperity_roughness::outliers::{OutlierRecord, Outliers, replace};
-use asperity_roughness::preparation::{RoughnessFilter, prepare, profiles};
+use asperity_roughness::preparation::{Preparation, RoughnessFilter, prepare, profiles};
 use asperity_roughness::{Parameters, Warning as RoughnessWarning};
 
 use super::defaults::DefaultUsed;
@@ -265,6 +266,12 @@ fn trace(
     let lambda_c = preparation.lambda_c;
     let section = lambda_c.unwrap_or_else(|| prepared.profile.length() / 5.0);
     let parameters = Parameters::of(&prepared.profile, Mode::Iso4287, section).map_err(refused)?;
+    check_mean(
+        (input, keys, context),
+        (file, &short),
+        preparation,
+        (section, parameters.heights.rq),
+    )?;
     // A wheel without a trace has the keys of the pinion.
     let table = keys
         .file
@@ -320,6 +327,49 @@ fn trace(
         assumed: filters.stated,
         placed,
     })
+}
+
+/// Rejects the mean of a surface whose Rq is far below that of single lines.
+fn check_mean(
+    (input, keys, context): (&FlankInput, &Keys, Context<'_>),
+    (file, name): (&Path, &str),
+    preparation: &Preparation,
+    (section, mean): (Length, Length),
+) -> Result<(), CaseError> {
+    /// Smallest Rq of a mean, as a share of the Rq of its lines.
+    const LEAST: f64 = 0.9;
+    /// Lines that are compared.
+    const LINES: usize = 8;
+    let single = match input.line {
+        Some(TraceLine::Mean) => TraceLine::Row,
+        Some(TraceLine::MeanColumn) => TraceLine::Column,
+        _ => return Ok(()),
+    };
+    let of_line = |row: usize| {
+        let line = FlankInput {
+            line: Some(single),
+            row: Some(row),
+            ..input.clone()
+        };
+        // A line with missing points has no parameters, but the mean may.
+        let line = read_trace(&line, file, keys, context).ok()?;
+        let line = prepare(&line.profile, preparation).ok()?.profile;
+        let parameters = Parameters::of(&line, Mode::Iso4287, section).ok()?;
+        Some(parameters.heights.rq.si().powi(2))
+    };
+    let across = lines_across(input, file, keys, context, single)?;
+    let rows = (0..LINES).map(|k| (2 * k + 1) * across / (2 * LINES) + 1);
+    let squares: Vec<f64> = rows.filter_map(of_line).collect();
+    let lines = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
+    match mean.si() < LEAST * lines {
+        true => Err(CaseError::AveragedOut {
+            place: context.source.place_of(&keys.file),
+            file: name.to_owned(),
+            mean,
+            lines: Length::from_si(lines),
+        }),
+        false => Ok(()),
+    }
 }
 
 /// The gear of a table of the flanks.
@@ -417,7 +467,8 @@ fn read_trace(
                 Some((cleaned, record)) => (cleaned, Some(record)),
                 None => (profile, None),
             };
-            if let Some(steepness) = implausible(&profile, LengthUnit::Metre) {
+            if let Some(mut steepness) = implausible(&profile, LengthUnit::Metre) {
+                steepness.suspicion = steepness.suspicion.on_trace(start);
                 let fault = ReadFault::ImplausibleHeights { steepness };
                 return Err(refused(fault.in_file(&name)));
             }
@@ -478,6 +529,17 @@ fn surface_rows(
     keys: &Keys,
     context: Context<'_>,
 ) -> Result<usize, CaseError> {
+    lines_across(input, file, keys, context, TraceLine::Row)
+}
+
+/// Number of rows or columns of the surface in `file`.
+fn lines_across(
+    input: &FlankInput,
+    file: &Path,
+    keys: &Keys,
+    context: Context<'_>,
+    line: TraceLine,
+) -> Result<usize, CaseError> {
     let source = context.source;
     let (content, _) = context.files.open(file, source, keys.file.clone())?;
     let Content::Bytes(bytes) = content else {
@@ -489,7 +551,11 @@ fn surface_rows(
         place: source.place_of(&keys.file),
         source: Box::new(error),
     };
-    Ok(surface.map_err(refused)?.rows)
+    let surface = surface.map_err(refused)?;
+    Ok(match line {
+        TraceLine::Row | TraceLine::Mean => surface.rows,
+        _ => surface.columns,
+    })
 }
 
 /// Options of the reader from the keys of a flank.

@@ -414,7 +414,7 @@ fn operating_temperature(
         return Err(section.conflict_of_key("bulk", rule));
     }
     if oil_temperature.is_some() && bulk.is_none() {
-        let rule = "needs operation.bulk.law, by which the loss heats the flanks above the oil: \"network\" with the conductances of your gearbox, or \"iso\" with the lubrication, whose constants are unconfirmed; or state operation.bulk_temperature instead";
+        let rule = "needs a law by which the loss heats the flanks above the oil, e.g. the line bulk = { law = \"iso\", lubrication = \"dip\" } under [operation], whose constants are unconfirmed, or \"network\" with the conductances of your gearbox; or state operation.bulk_temperature instead";
         return Err(section.conflict_of_key("oil_temperature", rule));
     }
     operation

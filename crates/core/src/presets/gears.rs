@@ -60,7 +60,7 @@ pub struct OperationFigures {
     pub temperature: Figure<Temperature>,
 }
 
-fn quoted<Q: Quantity>(value: &Q) -> String {
+pub(super) fn quoted<Q: Quantity>(value: &Q) -> String {
     format!("\"{value}\"")
 }
 
@@ -94,15 +94,7 @@ impl GearPreset {
 
     /// The numbers of the operating point and the oil, as a case file has them.
     pub fn operation_rows(&self) -> Vec<FigureRow<'_>> {
-        let operation = &self.operation;
-        vec![
-            operation.torque.row("operation.torque", quoted),
-            operation.speed.row("operation.speed", quoted),
-            operation
-                .temperature
-                .row("operation.bulk_temperature", quoted),
-            self.oil.row("lubricant.oil", |oil| format!("\"{oil}\"")),
-        ]
+        operation_rows(&self.operation, &self.oil)
     }
 
     /// Every number.
@@ -111,6 +103,21 @@ impl GearPreset {
         rows.extend(self.operation_rows());
         rows
     }
+}
+
+/// The numbers of an operating point and an oil, as a case file has them.
+pub(super) fn operation_rows<'a>(
+    operation: &'a OperationFigures,
+    oil: &'a Figure<String>,
+) -> Vec<FigureRow<'a>> {
+    vec![
+        operation.torque.row("operation.torque", quoted),
+        operation.speed.row("operation.speed", quoted),
+        operation
+            .temperature
+            .row("operation.bulk_temperature", quoted),
+        oil.row("lubricant.oil", |oil| format!("\"{oil}\"")),
+    ]
 }
 
 /// The gears in `text`, whose numbers all have a source in `sources`.
@@ -157,4 +164,36 @@ pub fn gear(name: &str) -> Result<GearPreset, PresetError> {
             name: name.to_owned(),
             known: gears.into_iter().map(|gears| gears.name).collect(),
         })
+}
+
+/// The gear trains: names of gears without their number, and the gears `name-1`, `name-2` and so on, from input to output.
+///
+/// # Errors
+/// When a data file cannot be read.
+///
+/// ```
+/// let trains = asperity_core::presets::trains()?;
+/// let (name, stages) = trains.iter().find(|(name, _)| name == "vw-id3").unwrap();
+/// assert_eq!((name.as_str(), stages.len()), ("vw-id3", 2));
+/// # Ok::<(), asperity_core::presets::PresetError>(())
+/// ```
+pub fn trains() -> Result<Vec<(String, Vec<GearPreset>)>, PresetError> {
+    let mut trains: Vec<(String, Vec<GearPreset>)> = Vec::new();
+    for stage in gears()? {
+        let Some((name, number)) = stage.name.rsplit_once('-') else {
+            continue;
+        };
+        let name = name.to_owned();
+        match (number, trains.last_mut()) {
+            ("1", _) => trains.push((name, vec![stage])),
+            (number, Some((last, stages)))
+                if *last == name && number == (stages.len() + 1).to_string() =>
+            {
+                stages.push(stage);
+            }
+            _ => {}
+        }
+    }
+    trains.retain(|(_, stages)| stages.len() > 1);
+    Ok(trains)
 }

@@ -80,6 +80,11 @@ pub(super) fn read(
     };
     let parsed = Parsed {
         name,
+        mean_of: points
+            .as_ref()
+            .map(|(points, _)| points.lines())
+            .filter(|lines| options.line.is_mean() && *lines > 1),
+        has_pixels: points.is_some_and(|(points, _)| points.are_pixels()),
         header,
         values,
         first,
@@ -145,6 +150,10 @@ fn root_mean_square_step(z: &[f64]) -> f64 {
 /// A parsed table, to be converted to a [`Trace`].
 struct Parsed<'a> {
     name: &'a str,
+    /// Number of lines of points of which the trace is the mean.
+    mean_of: Option<usize>,
+    /// Whether the positions are numbers of pixels.
+    has_pixels: bool,
     header: &'a [Line<'a>],
     /// Values that the header states.
     values: HeaderValues,
@@ -172,7 +181,7 @@ struct Measured {
 impl Parsed<'_> {
     fn assemble(self, text: &mut Text<'_>, rows: Rows) -> Result<Trace, ReadFault> {
         let name = self.name;
-        let mut warnings = Vec::new();
+        let mut warnings = Vec::from_iter(self.mean_of.map(|lines| Warning::MeanLine { lines }));
         let Rows {
             mut x,
             mut z,
@@ -393,7 +402,7 @@ impl Parsed<'_> {
         };
         let x_stated = self.unit(Axis::Trace, x_column)?;
         warnings.extend(self.unit_overridden(Axis::Trace, x_column, None));
-        if x_stated.is_none() && grid::counts_points(x) {
+        if x_stated.is_none() && (self.has_pixels || grid::counts_points(x)) {
             return no_spacing(SpacingHint::XCounts);
         }
         let extent = extent(column.mean);

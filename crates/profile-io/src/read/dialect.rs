@@ -95,12 +95,22 @@ pub(super) enum Cell {
 impl Dialect {
     /// The trimmed cells of a line, including empty ones at its end, which may be missing heights.
     pub(super) fn cells(self, line: &str) -> impl Iterator<Item = &str> {
-        let blank = self.separator == Separator::Blank;
-        let sign = sign(self.separator);
-        let parts = line.split(move |c: char| Some(c) == sign || blank && c.is_whitespace());
-        parts
-            .filter(move |part| !(blank && part.is_empty()))
-            .map(trim_cell)
+        let mut rest = Some(line);
+        std::iter::from_fn(move || {
+            let text = rest?;
+            if self.separator == Separator::Blank {
+                let text = text.trim_start();
+                let end = match text {
+                    "" => return None,
+                    _ => end_of_word(text),
+                };
+                rest = Some(&text[end..]);
+                return Some(trim_cell(&text[..end]));
+            }
+            let cut = sign(self.separator).and_then(|sign| text.split_once(sign));
+            rest = cut.map(|(_, after)| after);
+            Some(trim_cell(cut.map_or(text, |(cell, _)| cell)))
+        })
     }
 
     /// Content of `cell`; a number must be written in digits with this dialect's decimal sign.
@@ -157,6 +167,28 @@ impl Dialect {
         })?;
         (numbers > 0).then_some(filled)
     }
+}
+
+/// End of the cell at the start of `text`, between blanks: a word, or a mark for a missing height of several words.
+fn end_of_word(text: &str) -> usize {
+    let word = text.find(char::is_whitespace).unwrap_or(text.len());
+    // Nearly all cells are numbers.
+    if !text.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return word;
+    }
+    let words = MISSING.iter().filter(|mark| mark.contains(' '));
+    let is_there = |mark: &&&str| {
+        let start = text.get(..mark.len());
+        start.is_some_and(|start| start.eq_ignore_ascii_case(mark))
+            && text[mark.len()..]
+                .chars()
+                .next()
+                .is_none_or(char::is_whitespace)
+    };
+    words
+        .copied()
+        .find(|mark| is_there(&mark))
+        .map_or(word, str::len)
 }
 
 /// The sign between two cells, if it is one.

@@ -17,6 +17,22 @@ impl Encoding {
     }
 }
 
+impl Encoding {
+    /// The characters of a whole file.
+    pub(super) fn text(self, bytes: &[u8]) -> String {
+        let mut text = String::new();
+        let mut decoder = self.decoder();
+        text.reserve(
+            decoder
+                .max_utf8_buffer_length(bytes.len())
+                .unwrap_or(bytes.len()),
+        );
+        // The reserved length holds all characters.
+        let _ = decoder.decode_to_string(bytes, &mut text, true);
+        text
+    }
+}
+
 /// Encoding according to a byte order mark.
 pub(super) fn by_mark(head: &[u8]) -> Option<Encoding> {
     match head {

@@ -2,8 +2,9 @@
 
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
-use asperity_core::{decimals, number};
+use asperity_core::{RepeatedFault, decimals, number};
 
+use super::file_dialect::FileDialect;
 use super::format::Format;
 use super::layout::Dialect;
 use super::options::{Abscissa, Axis, DecimalSign, LengthUnit, Separator, TraceRange};
@@ -126,6 +127,12 @@ pub enum ReadFault {
     #[error("{format} is not read by this version")]
     FormatNotRead {
         /// The format.
+        format: Format,
+    },
+    /// A file in place of a table as text.
+    #[error("the file ({format}) is not a table as text")]
+    NotTable {
+        /// Its format.
         format: Format,
     },
     /// The points are not on an even grid.
@@ -268,6 +275,26 @@ pub enum ReadFault {
         /// Slopes with their likely cause.
         steepness: Steepness,
     },
+    /// A fault of many rows, which belongs to the file.
+    #[error("{first}; {faults}; {seems}")]
+    OfFile {
+        /// The first of the faults.
+        first: Box<ReadFault>,
+        /// Their number and lines.
+        faults: RepeatedFault,
+        /// What the file seems to be.
+        seems: FileDialect,
+    },
+    /// Points x, y, z of which one place occurs twice.
+    #[error("the point x = {x}, y = {y} occurs a second time: another scan seems to begin here", x = number(*x), y = number(*y))]
+    RepeatedPoint {
+        /// Line, from 1, of the second of them.
+        line: usize,
+        /// Its x.
+        x: f64,
+        /// Its y.
+        y: f64,
+    },
     /// An impossible value, for example of a length or spacing.
     #[error("{what} is {value} {unit}, which no profile has", value = number(*value))]
     Impossible {
@@ -307,7 +334,9 @@ impl ReadFault {
             | Self::MissingPoints { line, .. }
             | Self::UnevenSpacing { line, .. }
             | Self::RaggedRow { line, .. }
+            | Self::RepeatedPoint { line, .. }
             | Self::AmbiguousComma { line, .. } => Some(*line),
+            Self::OfFile { first, .. } => first.line(),
             _ => None,
         }
     }
@@ -342,6 +371,15 @@ impl ReadFault {
                 .or_set(Setting::Row, Value::Any)
                 .because("to another trace of a surface"),
             Self::FormatNotRead { format, .. } => Remedy::act(format.remedy()),
+            Self::NotTable { format } => Remedy::act(match format {
+                Format::Excel | Format::ExcelBinary => {
+                    "save the sheet of the table as CSV, or as text with tabs"
+                }
+                Format::Matlab => {
+                    "write the columns with their names as CSV, in MATLAB with writetable"
+                }
+                _ => "export the table as CSV, or as text with tabs",
+            }),
             Self::UnevenSpacing { .. } => {
                 Remedy::set(Setting::Uneven, Value::This("resample".into()))
                     .because("to interpolate linearly onto an even grid")
@@ -400,6 +438,10 @@ impl ReadFault {
                     .or_do("check the unit of the positions")
             }
             Self::Impossible { .. } => Remedy::act("check the unit and the columns"),
+            Self::OfFile { first, seems, .. } => seems.remedy(first.remedy()),
+            Self::RepeatedPoint { .. } => Remedy::act("export one scan to a file")
+                .or_set(Setting::Columns, Value::Like("1,3".into()))
+                .because("if the three columns are no x, y and z"),
         }
     }
 
@@ -410,10 +452,10 @@ impl ReadFault {
             Self::NoData { .. } => "E102",
             Self::NotReadable { .. } => "E103",
             Self::NoUnit { .. } => "E104",
-            Self::NotMonotone { .. } => "E105",
+            Self::NotMonotone { .. } | Self::RepeatedPoint { .. } => "E105",
             Self::TooFewPoints { .. } => "E106",
             Self::MissingPoints { .. } => "E107",
-            Self::FormatNotRead { .. } => "E108",
+            Self::FormatNotRead { .. } | Self::NotTable { .. } => "E108",
             Self::UnevenSpacing { .. } => "E109",
             Self::NoSpacing { .. } => "E110",
             Self::RaggedRow { .. } => "E111",
@@ -431,6 +473,7 @@ impl ReadFault {
             Self::NotHeights { .. } => "E320",
             Self::SeveralArrays { .. } => "E321",
             Self::ImplausibleHeights { .. } => "E131",
+            Self::OfFile { first, .. } => first.code(),
         }
     }
 }

@@ -228,10 +228,15 @@ fn resolution(x: &[f64]) -> f64 {
     0.0
 }
 
-/// Replaces marks for missing heights by NaN: the ends of the range of 32-bit integers, which no height reaches.
+/// Replaces marks for missing heights by NaN: the ends of the range of 32-bit integers, which no height reaches, and the
+/// smallest of them with its decimal point moved, such as -2147.483648, whose ten digits no height has by chance.
 pub(super) fn unmark(heights: &mut [f64]) {
     const LARGEST: f64 = i32::MAX as f64;
-    let marked = heights.iter_mut().filter(|z| z.abs() >= LARGEST);
+    const SMALLEST: f64 = i32::MIN as f64;
+    // The division of one exact number by another is the number that the digits are read as.
+    let moved: [f64; 9] = std::array::from_fn(|k| SMALLEST / 10_f64.powi(k as i32 + 1));
+    let is_marked = |z: &f64| z.abs() >= LARGEST || *z <= moved[8] && moved.contains(z);
+    let marked = heights.iter_mut().filter(|z| is_marked(z));
     marked.for_each(|z| *z = f64::NAN);
 }
 

@@ -103,8 +103,9 @@ impl HeaderValues {
                 .trim_start_matches(['#', '%', '/', '*', '!', '\\', ' ', '"']);
             if let Some((key, value)) = text.split_once(['=', ':', '\t', ';', ',']) {
                 // Number and unit may be cells of their own.
+                let has_commas = text[key.len()..].starts_with(',');
                 let cells = value
-                    .split(['\t', ';', '"'])
+                    .split(|c: char| "\t;\"".contains(c) || has_commas && c == ',')
                     .map(|cell| cell.trim_matches([' ', ',']));
                 let cells: Vec<&str> = cells.filter(|cell| !cell.is_empty()).collect();
                 values.take(key, &cells.join(" "));

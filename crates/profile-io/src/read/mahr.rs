@@ -1,7 +1,7 @@
 //! Mahr text profiles: sections in brackets, heights under `[PROFILE_VALUES]`.
 //!
-//! A point is `index=X Y Z C Lock`, all in millimetres; a locked point has no height. X and Z carry the
-//! offset of the machine. The layout is known from files, not from a definition.
+//! A point is `index=X Y Z C Lock`, or `index=X Z Lock` of the MarSurf PS 10, lengths in millimetres; a locked point has no
+//! height. X and Z carry the offset of the machine. The layout is known from files, not from a definition.
 
 use super::damage::{damaged, miscounted};
 use super::decimal;
@@ -127,19 +127,22 @@ fn plain_point(bytes: &[u8]) -> Option<(f64, f64, &[u8])> {
     (x.is_finite() && z.is_finite()).then_some((x, z, rest))
 }
 
-/// X and Z of "index=X Y Z C Lock"; Z is NaN for a locked point.
+/// X and Z of "index=X Y Z C Lock" or "index=X Z Lock"; Z is NaN for a locked point.
 fn point(line: &str) -> Result<(f64, f64), ReadFault> {
     if let Some((x, z, [])) = plain_point(line.as_bytes()) {
         return Ok((x, z));
     }
     let broken = || damaged(FORMAT, "a point cannot be read", line);
     let (_, values) = line.split_once('=').ok_or_else(broken)?;
-    let mut fields = values.split_whitespace();
-    let x = fields.next().and_then(number).ok_or_else(broken)?;
-    let z = fields.nth(1).ok_or_else(broken)?;
-    let locked = fields
-        .nth(1)
-        .is_some_and(|lock| number(lock).is_some_and(|lock| lock != 0.0));
+    let fields: Vec<&str> = values.split_whitespace().collect();
+    let (x, z, lock) = match *fields {
+        // A lock is a whole number, a height has decimals.
+        [x, z, lock @ ("0" | "1")] => (x, z, Some(lock)),
+        [x, _, z, ..] => (x, z, fields.get(4).copied()),
+        _ => return Err(broken()),
+    };
+    let x = number(x).ok_or_else(broken)?;
+    let locked = lock.is_some_and(|lock| number(lock).is_some_and(|lock| lock != 0.0));
     let z = match (locked, number(z)) {
         (true, _) => f64::NAN,
         (false, Some(z)) => z,
@@ -172,6 +175,10 @@ mod tests {
         for other in ["[7=12.5 0.0 1 0.0 0", "//7=1 0.0 1 0.0 0", "7\n=1 0 1 0 0"] {
             assert_eq!(plain(other), None, "{other}");
         }
+        // Three values: a height and its lock, or X, Y and Z.
+        assert_eq!(point("7=12.5 -0.93 0").unwrap(), (12.5, -0.93));
+        assert!(point("7=12.5 -0.93 1").unwrap().1.is_nan());
+        assert_eq!(point("7=12.5 0.0 -0.93").unwrap(), (12.5, -0.93));
         let locked = point("7=12.5 0.0 -0.93 0.0 1").unwrap();
         assert!(locked.0 == 12.5 && locked.1.is_nan());
         for broken in ["", "=", "7=", "7=1", "7=1 ", "7=1 2", "7=1 2 x 3 0"] {

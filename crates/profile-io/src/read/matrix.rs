@@ -3,6 +3,7 @@
 use super::areal::trace::{Areal, HeightUnit, Heights};
 use super::dialect::{Cell, Sniffed};
 use super::error::ReadFault;
+use super::file_dialect::of_file;
 use super::format::Format;
 use super::found::Found;
 use super::grid::SpacingSource;
@@ -38,7 +39,13 @@ pub(super) fn surface(
     let mut lines = text.lines()?;
     while let Some(line) = lines.next()? {
         if line.number >= first && !line.is_blank() {
-            values.extend(cells(head, sniffed, &line)?);
+            match cells(head, sniffed, &line) {
+                Ok(heights) => values.extend(heights),
+                Err(fault) => {
+                    let (number, text) = (line.number, line.text.to_owned());
+                    return Err(of_file(fault, (number, &text), &mut lines, sniffed)?);
+                }
+            }
         }
     }
     grid::unmark(&mut values);
@@ -97,7 +104,14 @@ pub(super) fn read(
         if options.row != Some(rows) {
             continue;
         }
-        chosen = Some((line.number, cells(head, sniffed, &line)?));
+        let number = line.number;
+        chosen = match cells(head, sniffed, &line) {
+            Ok(heights) => Some((number, heights)),
+            Err(fault) => {
+                let text = line.text.to_owned();
+                return Err(of_file(fault, (number, &text), &mut lines, sniffed)?);
+            }
+        };
     }
     let Some((first_line, mut heights)) = chosen else {
         return Err(ReadFault::SeveralProfiles {

@@ -23,6 +23,7 @@ mod delimited;
 mod dialect;
 mod encoding;
 mod error;
+mod file_dialect;
 mod first_look;
 mod format;
 mod found;
@@ -298,6 +299,41 @@ pub fn read_with_conditions(
     options: &ReadOptions,
 ) -> Result<Reading, ReadError> {
     trace_in(name, &mut Cursor::new(bytes), conditions, options)?.reading(options.uneven)
+}
+
+/// The text of a table in `bytes`, in the encoding of its mark, in UTF-16, UTF-8 or Windows-1252.
+///
+/// # Errors
+/// When it is a workbook, a MATLAB file, or another file that is not text.
+///
+/// ```
+/// use asperity_profile_io::read::table_text;
+/// assert_eq!(table_text("a.csv", b"T [\xb0C]\n1\n")?, "T [\u{b0}C]\n1\n");
+/// let workbook = table_text("a.xlsx", b"PK\x03\x04\0\0").unwrap_err();
+/// assert_eq!(workbook.code(), "E108");
+/// # Ok::<(), asperity_profile_io::read::ReadError>(())
+/// ```
+pub fn table_text(name: &str, bytes: &[u8]) -> Result<String, ReadError> {
+    let known = encoding::by_mark(bytes);
+    let encoding = known.unwrap_or_else(|| encoding::guess(bytes, true));
+    let text = encoding.text(bytes);
+    if encoding::is_text(&text) {
+        return Ok(text);
+    }
+    let named = || Format::named(name).unwrap_or(Format::UnknownBinary);
+    let format = recognise::by_magic(name, bytes).unwrap_or_else(named);
+    Err(ReadFault::NotTable { format }.in_file(name))
+}
+
+/// The text of the table in the file at `path` of at most `most` bytes, as [`table_text`].
+///
+/// # Errors
+/// When it cannot be read, is larger, or is no text.
+pub fn read_table(path: &Path, most: u64) -> Result<String, ReadError> {
+    let name = path.display().to_string();
+    let bytes = asperity_storage::whole_file(path, most);
+    let bytes = bytes.map_err(|source| ReadFault::from(source).in_file(&name))?;
+    table_text(&name, &bytes)
 }
 
 fn trace_in(

@@ -16,7 +16,7 @@ const SAME: f64 = 0.25;
 
 /// The columns of x, y and z of a table of three columns, counted from 0: as labelled, or in this order.
 pub(super) fn columns(labels: &[Label], options: &ReadOptions) -> Option<[usize; 3]> {
-    if labels.len() != 3 || options.columns.is_some() || options.dx.is_some() {
+    if labels.len() != 3 || options.columns.is_some() {
         return None;
     }
     let with = |role| labels.iter().position(|label| label.role == Some(role));
@@ -67,7 +67,17 @@ pub(super) fn read(
         return Ok(None);
     }
     let complete = Points::of(&x, &y, &z, true).or_else(|| Points::of(&y, &x, &z, false));
-    Ok(complete.or_else(|| Points::with_holes(&x, &y, &z)))
+    if complete.is_some() {
+        return Ok(complete);
+    }
+    match Points::with_holes(&x, &y, &z) {
+        Ok(points) => Ok(points),
+        Err(row) => Err(ReadFault::RepeatedPoint {
+            line: rows::place(text, first, row)?.0,
+            x: x[row],
+            y: y[row],
+        }),
+    }
 }
 
 /// Nodes of a coordinate: `count` of them, `step` apart.
@@ -122,8 +132,11 @@ impl Points {
         };
         let lines = || along.chunks(line).zip(across.chunks(line));
         let across: Vec<f64> = across.iter().step_by(line).copied().collect();
-        let repeats = across.windows(2).any(|pair| pair[0] == pair[1]);
-        (step != 0.0 && !repeats && lines().all(is_line)).then(|| Self {
+        // A line that goes back begins another scan.
+        let mut steps = across.windows(2).map(|pair| pair[1] - pair[0]);
+        let is_rising = across.first() < across.last();
+        let goes_on = steps.all(|step| step != 0.0 && (step > 0.0) == is_rising);
+        (step != 0.0 && goes_on && lines().all(is_line)).then(|| Self {
             along: points.to_vec(),
             across,
             heights: z.to_vec(),
@@ -132,29 +145,42 @@ impl Points {
     }
 
     /// The grid of points of which some are left out, by rounding of their coordinates: fewer than half of its nodes may lack
-    /// a point, and none has two.
-    fn with_holes(x: &[f64], y: &[f64], z: &[f64]) -> Option<Self> {
-        let [columns, rows] = [Nodes::of(x)?, Nodes::of(y)?];
-        let count = columns.count.checked_mul(rows.count)?;
+    /// a point. A second point on a node is returned as an error.
+    fn with_holes(x: &[f64], y: &[f64], z: &[f64]) -> Result<Option<Self>, usize> {
+        let Some((columns, rows)) = Nodes::of(x).zip(Nodes::of(y)) else {
+            return Ok(None);
+        };
+        let count = columns.count.saturating_mul(rows.count);
         if rows.count < 2 || columns.count < 2 || count > 2 * x.len() {
-            return None;
+            return Ok(None);
         }
         let mut heights = vec![f64::NAN; count];
         let mut is_taken = vec![false; count];
-        for ((x, y), z) in x.iter().zip(y).zip(z) {
+        for (row, ((x, y), z)) in x.iter().zip(y).zip(z).enumerate() {
             let node = rows.nearest(*y) * columns.count + columns.nearest(*x);
             if std::mem::replace(&mut is_taken[node], true) {
-                return None;
+                return Err(row);
             }
             heights[node] = *z;
         }
         let along = |nodes: &Nodes| (0..nodes.count).map(|node| nodes.at(node)).collect();
-        Some(Self {
+        Ok(Some(Self {
             along: along(&columns),
             across: along(&rows),
             heights,
             along_x: true,
-        })
+        }))
+    }
+
+    /// Whether the coordinates are numbers of pixels: whole, and both in steps of one.
+    pub(super) fn are_pixels(&self) -> bool {
+        let counts = |values: &[f64]| {
+            values.iter().all(|value| value.fract() == 0.0)
+                && values
+                    .windows(2)
+                    .all(|pair| (pair[1] - pair[0]).abs() == 1.0)
+        };
+        self.lines() > 1 && counts(&self.along) && counts(&self.across)
     }
 
     /// Number of lines.
@@ -268,7 +294,7 @@ mod tests {
             })
             .collect();
         let [x, y, z] = [0, 1, 2].map(|k| points.iter().map(|p| p[k]).collect::<Vec<_>>());
-        let found = Points::with_holes(&x, &y, &z).unwrap();
+        let found = Points::with_holes(&x, &y, &z).unwrap().unwrap();
         assert_eq!((found.along.len(), found.lines()), (6, 4));
         assert_eq!((found.height(2, 2), found.height(4, 3)), (22.0, 34.0));
         for (column, row) in [(0, 0), (3, 2), (5, 2), (5, 3)] {
@@ -286,9 +312,10 @@ mod tests {
         );
         // Twice a point, or scattered points: no grid.
         let twice = |values: &[f64]| [values, &values[..1]].concat();
-        assert!(Points::with_holes(&twice(&x), &twice(&y), &twice(&z)).is_none());
+        let second = Points::with_holes(&twice(&x), &twice(&y), &twice(&z));
+        assert_eq!(second.err(), Some(x.len()));
         let scattered: Vec<f64> = x.iter().map(|x| x + 0.1 * (7.0 * x).sin()).collect();
-        assert!(Points::with_holes(&scattered, &y, &z).is_none());
+        assert!(matches!(Points::with_holes(&scattered, &y, &z), Ok(None)));
     }
 
     #[test]

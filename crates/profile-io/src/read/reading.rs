@@ -128,6 +128,8 @@ impl Reading {
             self.record.warnings.push(Warning::EqualHeights);
         }
         if let Some(mut steepness) = implausible(&self.profile, self.z_unit) {
+            let start = self.cut.as_ref().map_or(Length::default(), |cut| cut.start);
+            steepness.suspicion = steepness.suspicion.on_trace(start);
             if self.is_scaled {
                 steepness.suspicion = steepness.suspicion.of_scaled();
             }

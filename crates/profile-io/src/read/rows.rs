@@ -5,6 +5,7 @@
 
 use super::dialect::{Cell, Sniffed};
 use super::error::{ReadFault, shortened};
+use super::file_dialect::of_file;
 use super::layout::Dialect;
 use super::plain_row::Plain;
 use super::table::{self, Chosen};
@@ -39,7 +40,13 @@ pub(super) fn read(
         if line.number < first || line.is_blank() {
             continue;
         }
-        let (x, z) = row(head, &line, sniffed.dialect, chosen)?;
+        let (x, z) = match row(head, &line, sniffed.dialect, chosen) {
+            Ok(row) => row,
+            Err(fault) => {
+                let (number, text) = (line.number, line.text.to_owned());
+                return Err(of_file(fault, (number, &text), &mut lines, sniffed)?);
+            }
+        };
         match chosen.x.is_some() && x.is_nan() {
             true => rows.empty += 1,
             false => rows.push(x, z),

@@ -1,8 +1,11 @@
 //! SDF as text (ISO 25178-71, EUNA 15178, "BCR").
 //!
 //! A header of `name = value` lines, `*`, the heights in any number per line, `*`, a trailer. A height is value ·
-//! Zscale metres; `BAD` marks a missing height. Of several rows the requested one is read.
+//! Zscale metres; `BAD`, or in the proposal BCR the largest number of the type, marks a missing height. Of several rows the
+//! requested one is read.
 
+use super::areal::raw::Missing;
+use super::areal::sdf_binary::mark;
 use super::areal::trace::{Areal, Heights};
 use super::damage::{damaged, height_or_gap, miscounted};
 use super::error::ReadFault;
@@ -24,12 +27,15 @@ struct Header {
     y_scale: Option<f64>,
     z_scale: Option<f64>,
     compressed: bool,
+    is_proposal: bool,
+    kind: Option<usize>,
     metadata: Metadata,
 }
 
 impl Header {
     fn take(&mut self, line: &str) {
         let Some((key, value)) = line.split_once('=') else {
+            self.is_proposal |= line.starts_with("aBCR");
             return;
         };
         let value = value.trim();
@@ -41,6 +47,7 @@ impl Header {
             "xscale" => self.x_scale = number(value).filter(|scale| *scale > 0.0),
             "yscale" => self.y_scale = number(value).filter(|scale| *scale > 0.0),
             "zscale" => self.z_scale = number(value).filter(|scale| *scale != 0.0),
+            "datatype" => self.kind = value.parse().ok(),
             "compression" => self.compressed = number(value).is_some_and(|kind| kind != 0.0),
             _ => {}
         }
@@ -122,6 +129,13 @@ fn matrix(
     if heights.len() as u64 != wanted {
         return Err(miscounted(FORMAT, heights.len(), wanted));
     }
-    heights.iter_mut().for_each(|z| *z *= z_scale);
+    let marked = header.kind.filter(|_| header.is_proposal);
+    let mark = marked.map_or(Missing::None, |kind| mark(kind, true));
+    heights.iter_mut().for_each(|z| {
+        *z = match mark.holds(*z) {
+            true => f64::NAN,
+            false => *z * z_scale,
+        }
+    });
     Ok((header, first_line, heights))
 }

@@ -14,13 +14,14 @@
 
 use std::fmt;
 
-use asperity_core::Profile;
 use asperity_core::numerics::{median, range};
 use asperity_core::profile::WIDEST_SPIKE;
 use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
+use asperity_core::{Profile, number};
 use serde::{Deserialize, Serialize};
 
+use super::grid::FEWEST_POINTS;
 use super::options::LengthUnit;
 
 /// Maximum plausible Rdq.
@@ -82,6 +83,13 @@ pub enum Suspicion {
         /// Number of points with the value.
         points: usize,
     },
+    /// The steep steps are all at one end, as where a trace runs over the edge of a flank.
+    Edge {
+        /// Start of the part that is plausible, from the first point.
+        from: Length,
+        /// Its end.
+        to: Length,
+    },
     /// A few outlying points of an otherwise plausible profile, due to dust or lost light.
     Spikes {
         /// Number of spikes.
@@ -96,6 +104,18 @@ pub enum Suspicion {
 }
 
 impl Suspicion {
+    /// The cause on a trace of which the profile is a part that begins at `start`.
+    #[must_use]
+    pub fn on_trace(self, start: Length) -> Self {
+        match self {
+            Self::Edge { from, to } => Self::Edge {
+                from: from + start,
+                to: to + start,
+            },
+            other => other,
+        }
+    }
+
     /// The cause for a file with its own scale of heights, to which a stated unit does not apply.
     pub(super) fn of_scaled(self) -> Self {
         match self {
@@ -114,6 +134,11 @@ impl Suspicion {
             }
             Self::Scale { .. } => Remedy::act("export the heights anew, as text with their unit"),
             Self::Sentinel { .. } => Remedy::act("write NaN for the missing points"),
+            Self::Edge { from, to } => {
+                let range = format!("{:.2} mm .. {:.2} mm", 1e3 * from.si(), 1e3 * to.si());
+                Remedy::set(Setting::Range, Value::This(range.into()))
+                    .because("to use the part before it")
+            }
             Self::Spikes { .. } => {
                 Remedy::set(Setting::Outliers, Value::This(USUAL_OUTLIERS.into()))
                     .because("to replace them by straight lines")
@@ -146,7 +171,8 @@ impl fmt::Display for Steepness {
             ),
             Suspicion::Scale { factor } => write!(
                 f,
-                "; they were scaled as the header says and would be plausible times {factor:e}"
+                "; they were scaled as the header says and would be plausible times {}",
+                number(factor)
             ),
             Suspicion::Sentinel {
                 value,
@@ -154,7 +180,13 @@ impl fmt::Display for Steepness {
                 points,
             } => write!(
                 f,
-                "; {points} of them read {value:e} {unit}, which seems to mark missing points"
+                "; {points} of them read {} {unit}, which seems to mark missing points",
+                number(value)
+            ),
+            Suspicion::Edge { from, .. } => write!(
+                f,
+                "; all steep steps are at the {} of the trace, as where it runs over the edge of the flank",
+                if from.si() > 0.0 { "start" } else { "end" }
             ),
             Suspicion::Spikes {
                 spikes,
@@ -171,13 +203,9 @@ impl fmt::Display for Steepness {
     }
 }
 
-/// A slope with three digits, with an exponent only beyond usual sizes.
+/// A slope with three digits.
 fn three_digits(slope: f64) -> String {
-    let rounded: f64 = format!("{slope:.2e}").parse().unwrap_or(slope);
-    match (1e-3..1e4).contains(&rounded) {
-        true => rounded.to_string(),
-        false => format!("{rounded:e}"),
-    }
+    number(format!("{slope:.2e}").parse().unwrap_or(slope))
 }
 
 fn plural(count: usize) -> &'static str {
@@ -202,7 +230,8 @@ pub fn implausible(profile: &Profile, unit: LengthUnit) -> Option<Steepness> {
     if slopes.are_plausible() {
         return None;
     }
-    let suspicion = sentinel(profile, unit)
+    let suspicion = edge(profile)
+        .or_else(|| sentinel(profile, unit))
         .or_else(|| spikes(profile, slopes.bulk))
         .or_else(|| other_unit(slopes.bulk, unit))
         .unwrap_or(Suspicion::Unknown);
@@ -260,6 +289,44 @@ impl Slopes {
         let too_smooth = self.rdq > 0.0 && self.rdq < SMALLEST_RDQ;
         self.rdq <= LARGEST_RDQ && self.steepest <= STEEPEST_STEP && !too_smooth
     }
+}
+
+/// The part of the profile without one of its ends, if all steep steps are there and the part is plausible.
+fn edge(profile: &Profile) -> Option<Suspicion> {
+    /// Largest part of the trace that is cut off.
+    const LARGEST_END: f64 = 0.3;
+    /// Part of the trace between the first steep step and the part that is kept, where the edge is rounded.
+    const ROUNDED: f64 = 0.01;
+    /// Hundredths of a millimetre, in which the part is stated.
+    const DIGIT: f64 = 1e-5;
+    let (z, dx) = (profile.heights(), profile.spacing().si());
+    let is_steep = |i: &usize| (z[i + 1] - z[*i]).abs() > LARGEST_RDQ * dx;
+    let steps = z.len().saturating_sub(1);
+    let first = (0..steps).find(is_steep)?;
+    let last = (0..steps).rfind(is_steep)?;
+    let margin = (ROUNDED * z.len() as f64).ceil() as usize;
+    let far = (LARGEST_END * z.len() as f64) as usize;
+    let (begin, end) = if first >= z.len() - far {
+        (0, first.saturating_sub(margin))
+    } else if last < far {
+        (last + 1 + margin, z.len() - 1)
+    } else {
+        return None;
+    };
+    let from = (begin as f64 * dx / DIGIT).ceil() * DIGIT;
+    let to = (end as f64 * dx / DIGIT).floor() * DIGIT;
+    let part = z
+        .get(begin..=end)
+        .filter(|part| part.len() >= FEWEST_POINTS)?;
+    // Beyond an edge the trace does not return to the flank.
+    let [low, high] = range(part.iter().copied());
+    let outermost = if begin == 0 { z[z.len() - 1] } else { z[0] };
+    let is_off = outermost < low - (high - low) || outermost > high + (high - low);
+    let is_plausible = is_off && to > from && Slopes::of(part.iter().copied(), dx).are_plausible();
+    is_plausible.then(|| Suspicion::Edge {
+        from: Length::from_si(from),
+        to: Length::from_si(to),
+    })
 }
 
 /// The value farthest from the others, if the profile is plausible without it.
@@ -428,11 +495,68 @@ mod tests {
     #[test]
     fn one_step_of_a_chip_is_refused_from_a_slope_of_five() {
         let step = |slope: f64| {
-            let z = |i: i32| if i < 50 { 0.0 } else { slope * 0.5e-6 };
+            let z = |i: i32| if i < 100 { 0.0 } else { slope * 0.5e-6 };
             Profile::new(Length::from_si(0.5e-6), (0..200).map(z).collect()).unwrap()
         };
         assert_eq!(implausible(&step(4.9), LengthUnit::Micrometre), None);
         let found = implausible(&step(5.1), LengthUnit::Micrometre).unwrap();
-        assert_eq!((found.at, found.suspicion), (49, Suspicion::Unknown));
+        assert_eq!((found.at, found.suspicion), (99, Suspicion::Unknown));
+    }
+
+    #[test]
+    fn a_fall_at_one_end_leaves_the_range_before_it() {
+        // 1 mm of a flank, then the edge: a fall of 60 um, and the lower end of the range of the instrument.
+        let z = |i: usize| {
+            let rough = 0.2e-6 * (0.3 * i as f64).sin();
+            match i {
+                0..1600 => rough,
+                1600..1620 => rough - 3e-6 * (i - 1599) as f64,
+                _ => -60e-6,
+            }
+        };
+        let heights: Vec<f64> = (0..2000).map(z).collect();
+        let of = |heights: Vec<f64>| {
+            let profile = Profile::new(Length::from_si(0.5e-6), heights).unwrap();
+            implausible(&profile, LengthUnit::Micrometre).unwrap()
+        };
+        let found = of(heights.clone());
+        assert_eq!(
+            found.suspicion.remedy().to_string(),
+            "Set range to 0.00 mm .. 0.78 mm to use the part before it"
+        );
+        assert!(
+            found
+                .to_string()
+                .ends_with("at the end of the trace, as where it runs over the edge of the flank")
+        );
+        let turned = of(heights.into_iter().rev().collect());
+        let range = turned
+            .suspicion
+            .on_trace(Length::from_si(1e-3))
+            .remedy()
+            .to_string();
+        assert!(
+            range.starts_with("Set range to 1.22 mm .. 1.99 mm"),
+            "{range}"
+        );
+        // What is left is a profile.
+        let part = Profile::new(Length::from_si(0.5e-6), (0..1560).map(z).collect()).unwrap();
+        assert_eq!(implausible(&part, LengthUnit::Micrometre), None);
+    }
+
+    #[test]
+    fn numbers_have_no_noise_of_floating_point() {
+        let mut heights = rough(0.2e-6).into_heights();
+        for at in [100, 101, 900] {
+            heights[at] = 1e-6 * -60.000_000_000_000_01;
+        }
+        let profile = Profile::new(Length::from_si(0.5e-6), heights).unwrap();
+        let said = implausible(&profile, LengthUnit::Micrometre)
+            .unwrap()
+            .to_string();
+        assert!(
+            said.ends_with("; 3 of them read -60 um, which seems to mark missing points"),
+            "{said}"
+        );
     }
 }

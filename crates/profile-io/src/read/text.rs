@@ -43,8 +43,11 @@ impl<'a> Line<'a> {
         }
     }
 
+    /// Whether the line is blank, or a mark for the end of the data: signs of a comment without text.
     pub(super) fn is_blank(&self) -> bool {
-        self.text.trim_start().is_empty()
+        self.text
+            .trim_start_matches(|c: char| c == '#' || c.is_whitespace())
+            .is_empty()
     }
 }
 

@@ -26,4 +26,4 @@ mod write;
 
 pub use coverage::{Coverage, Uncovered};
 pub use energy::{CycleFinish, CycleResult, EnergyError, evaluate};
-pub use trace::{Cycle, CycleError, CyclePoint, cycle};
+pub use trace::{Cycle, CycleError, CyclePoint, cycle, named_cycle};

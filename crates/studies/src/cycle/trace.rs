@@ -64,14 +64,17 @@ pub enum CycleError {
     Ragged(#[from] Ragged),
     /// Columns are missing.
     #[error(
-        "columns {found}; required are time_s with torque_nm and speed_rpm, or time_s with speed_km_h or speed_m_s"
+        "{}; required are a time with torque and speed of the pinion, or a time with the speed of a vehicle, in columns like time_s, torque_nm, speed_rpm, speed_km_h, speed_mph, grade_percent",
+        match has_names { true => format!("columns {found}"), false => format!("no line of names above the first row {found}") }
     )]
     Columns {
-        /// Columns of the table.
+        /// Columns of the table, or its first row.
         found: String,
+        /// Whether the table has names.
+        has_names: bool,
     },
     /// A quantity is stated in two columns.
-    #[error("columns {0} and {1} state one quantity; leave one of them out")]
+    #[error("columns {0} and {1} state one quantity")]
     Twice(String, String),
     /// A cell is not a finite number.
     #[error("line {0}")]
@@ -90,7 +93,7 @@ pub enum CycleError {
         limit: f64,
     },
     /// Time does not increase.
-    #[error("line {line}: time_s = {time_s} does not rise from {before} before it", time_s = number(*time_s), before = number(*before))]
+    #[error("line {line}: time_s = {time_s} does not rise from {before} before it; if another recording begins here, take one of them", time_s = number(*time_s), before = number(*before))]
     Time {
         /// Line of the file, counted from 1.
         line: usize,
@@ -103,7 +106,7 @@ pub enum CycleError {
     #[error("a cycle needs two points at least")]
     Short,
     /// The table has the speed of a vehicle, but no vehicle is given.
-    #[error("speed_km_h needs the table [vehicle] in the case of the map")]
+    #[error("the speed of a vehicle needs the table [vehicle] in the case of the map")]
     NoVehicle,
     /// A number of the vehicle that no vehicle has.
     #[error(transparent)]
@@ -146,8 +149,29 @@ impl CycleError {
 /// # Ok::<(), asperity_studies::cycle::CycleError>(())
 /// ```
 pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleError> {
-    let table = Columns(Table::read(text)?);
-    let time = table.column("time_s")?.ok_or_else(|| table.lacking())?;
+    named_cycle(text, None, vehicle)
+}
+
+/// As [`cycle`], of a table whose columns have these `names`: in place of its own, or if it has none. A column named `-` is
+/// left out.
+///
+/// # Errors
+/// As [`cycle`].
+///
+/// ```
+/// use asperity_studies::cycle::named_cycle;
+/// let names = ["time_s", "-", "torque_nm", "speed_rpm"].map(str::to_owned);
+/// let found = named_cycle("0\t7\t10\t1000\n1\t7\t20\t1000\n", Some(&names), None)?;
+/// assert_eq!(found.points[1].torque_nm, 20.0);
+/// # Ok::<(), asperity_studies::cycle::CycleError>(())
+/// ```
+pub fn named_cycle(
+    text: &str,
+    names: Option<&[String]>,
+    vehicle: Option<&VehicleInput>,
+) -> Result<Cycle, CycleError> {
+    let table = Columns(Table::named(text, names)?);
+    let time = table.time()?;
     if time.len() < 2 {
         return Err(CycleError::Short);
     }
@@ -160,7 +184,7 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
     }
     let vehicle = vehicle.map(checked).transpose()?;
     let warnings = vehicle.map(VehicleInput::unusual).transpose();
-    let warnings = warnings.map_err(Box::new)?.unwrap_or_default();
+    let mut warnings = warnings.map_err(Box::new)?.unwrap_or_default();
     let operating = (table.column("torque_nm")?, table.column("speed_rpm")?);
     let (torque, speed, way) = match (operating, table.column("speed_km_h")?) {
         ((Some(torque), Some(speed)), _) => {
@@ -170,9 +194,11 @@ pub fn cycle(text: &str, vehicle: Option<&VehicleInput>) -> Result<Cycle, CycleE
                     .map(|omega| omega * vehicle.wheel_radius.si() / vehicle.ratio)
                     .collect()
             });
+            warnings.extend(table.unread(&["time_s", "torque_nm", "speed_rpm"]));
             (torque, speed, way)
         }
         (_, Some(speed)) => {
+            warnings.extend(table.unread(&["time_s", "speed_km_h", "grade_percent"]));
             let vehicle = vehicle.ok_or(CycleError::NoVehicle)?;
             let grade = table.column("grade_percent")?;
             let speeds: Vec<f64> = speed.iter().map(|speed| speed / 3.6).collect();
@@ -286,47 +312,235 @@ fn limit(column: &str) -> f64 {
     }
 }
 
-/// Names of the columns of a cycle in other programs, with what their numbers are multiplied by: km/h and grades in per cent of
-/// VECTO, metres per second and grades as fractions of FASTSim, versions 2 and 3.
-const COLUMNS: [(&str, &[(&str, f64)]); 5] = [
-    (
-        "time_s",
-        &[
-            ("time_seconds", 1.0),
+/// A quantity of a cycle: its column, the words that name it in other programs, and their units, with what a number in this
+/// unit is multiplied by.
+struct Quantity {
+    column: &'static str,
+    words: &'static [&'static str],
+    units: &'static [(&'static str, f64)],
+    /// Whole names without a unit.
+    names: &'static [(&'static str, f64)],
+}
+
+/// Marks a grade in degrees, of which the tangent is taken.
+const DEGREES: f64 = f64::NAN;
+
+/// Columns of a cycle in other programs: VECTO (km/h, grades in per cent), FASTSim 2 and 3 (m/s, grades as fractions),
+/// exports and recorded trips in several languages.
+const QUANTITIES: [Quantity; 5] = [
+    Quantity {
+        column: "time_s",
+        words: &[
+            "time",
+            "t",
+            "elapsed",
+            "cycle",
+            "cyc",
+            "cumulative",
+            "test",
+            "zeit",
+            "temps",
+            "tiempo",
+            "tempo",
+            "tid",
+            "tijd",
+        ],
+        units: &[
+            ("s", 1.0),
+            ("sec", 1.0),
+            ("secs", 1.0),
+            ("second", 1.0),
+            ("seconds", 1.0),
+            ("sek", 1.0),
+            ("ms", 1e-3),
+            ("min", 60.0),
+            ("h", 3600.0),
+        ],
+        names: &[
             ("<t>", 1.0),
             ("cycsecs", 1.0),
-            ("t_s", 1.0),
-            ("zeit_s", 1.0),
+            ("seconds", 1.0),
+            ("secs", 1.0),
+            ("sec", 1.0),
         ],
-    ),
-    ("torque_nm", &[("drehmoment_nm", 1.0), ("moment_nm", 1.0)]),
-    ("speed_rpm", &[("drehzahl_rpm", 1.0), ("speed_1_min", 1.0)]),
-    (
-        "speed_km_h",
-        &[
-            ("speed_kmh", 1.0),
-            ("speed_kph", 1.0),
+    },
+    Quantity {
+        column: "torque_nm",
+        words: &[
+            "torque",
+            "trq",
+            "pinion",
+            "input",
+            "shaft",
+            "drehmoment",
+            "moment",
+            "ritzel",
+            "couple",
+            "par",
+            "coppia",
+        ],
+        units: &[("nm", 1.0), ("n_m", 1.0), ("knm", 1e3)],
+        names: &[],
+    },
+    Quantity {
+        column: "speed_rpm",
+        words: &[
+            "speed",
+            "n",
+            "rotational",
+            "pinion",
+            "input",
+            "shaft",
+            "drehzahl",
+            "ritzel",
+            "vitesse",
+            "velocidad",
+            "giri",
+        ],
+        units: &[
+            ("rpm", 1.0),
+            ("1_min", 1.0),
+            ("min_1", 1.0),
+            ("u_min", 1.0),
+            ("rev_min", 1.0),
+            ("tr_min", 1.0),
+            ("rad_s", 30.0 / PI),
+        ],
+        names: &[],
+    },
+    Quantity {
+        column: "speed_km_h",
+        words: &[
+            "speed",
+            "spd",
+            "v",
+            "vel",
+            "velocity",
+            "vehicle",
+            "veh",
+            "target",
+            "cycle",
+            "cyc",
+            "dyno",
+            "geschwindigkeit",
+            "fahrzeuggeschwindigkeit",
+            "vitesse",
+            "velocidad",
+            "velocità",
+            "velocita",
+            "snelheid",
+            "hastighet",
+        ],
+        units: &[
+            ("km_h", 1.0),
+            ("kmh", 1.0),
+            ("kph", 1.0),
+            ("kmph", 1.0),
+            ("km_hr", 1.0),
+            ("m_s", 3.6),
+            ("mps", 3.6),
+            ("m_sec", 3.6),
+            ("meters_per_second", 3.6),
+            ("mph", MILE),
+            ("mi_h", MILE),
+            ("miles_per_hour", MILE),
+        ],
+        names: &[
             ("<v>", 1.0),
-            ("v_km_h", 1.0),
-            ("geschwindigkeit_km_h", 1.0),
-            ("speed_m_s", 3.6),
-            ("speed_meters_per_second", 3.6),
-            ("speed_mps", 3.6),
             ("cycmps", 3.6),
-            ("v_m_s", 3.6),
+            ("mps", 3.6),
+            ("mph", MILE),
+            ("kph", 1.0),
+            ("kmh", 1.0),
+            ("km_h", 1.0),
         ],
-    ),
-    (
-        "grade_percent",
-        &[
-            ("<grad>", 1.0),
-            ("slope_percent", 1.0),
-            ("steigung_percent", 1.0),
-            ("grade", 100.0),
-            ("cycgrade", 100.0),
+    },
+    Quantity {
+        column: "grade_percent",
+        words: &[
+            "grade",
+            "grad",
+            "road",
+            "slope",
+            "gradient",
+            "steigung",
+            "pente",
+            "pendiente",
+            "pendenza",
         ],
-    ),
+        units: &[
+            ("percent", 1.0),
+            ("pct", 1.0),
+            ("deg", DEGREES),
+            ("degrees", DEGREES),
+        ],
+        names: &[("<grad>", 1.0), ("grade", 100.0), ("cycgrade", 100.0)],
+    },
 ];
+
+/// Kilometres in a mile.
+const MILE: f64 = 1.609_344;
+
+/// Names of a column of dates or times of day, which is read as the time if there is no other.
+const CLOCKS: [&str; 7] = [
+    "datetime",
+    "date_time",
+    "timestamp",
+    "time_stamp",
+    "date",
+    "zeitstempel",
+    "datum",
+];
+
+impl Quantity {
+    /// What a number of the column `name` is multiplied by; `None` if the name is of another quantity.
+    fn factor(&self, name: &str) -> Option<f64> {
+        if name == self.column {
+            return Some(1.0);
+        }
+        if let Some((_, factor)) = self.names.iter().find(|(known, _)| *known == name) {
+            return Some(*factor);
+        }
+        let of_unit = |(unit, factor): &(&str, f64)| {
+            let words = name.strip_suffix(unit)?.strip_suffix('_')?;
+            let is_word = |word: &str| self.words.contains(&word);
+            words.split('_').all(is_word).then_some(*factor)
+        };
+        self.units.iter().find_map(of_unit)
+    }
+}
+
+/// Seconds of a date with a time of day, such as `2007-08-25 11:07:21.5`, since the first day of a calendar.
+fn seconds(text: &str) -> Option<f64> {
+    let (date, clock) = match text.split_once([' ', 'T']) {
+        Some((date, clock)) => (date, clock.trim_end_matches('Z')),
+        None => ("0-1-1", text),
+    };
+    let mut date = date.split(['-', '/']).map(str::parse::<i64>);
+    let (Some(Ok(year)), Some(Ok(month @ 1..=12)), Some(Ok(day @ 1..=31)), None) =
+        (date.next(), date.next(), date.next(), date.next())
+    else {
+        return None;
+    };
+    let mut clock = clock.split(':').map(str::parse::<f64>);
+    let (Some(Ok(hour)), Some(Ok(minute)), second, None) =
+        (clock.next(), clock.next(), clock.next(), clock.next())
+    else {
+        return None;
+    };
+    let second = second.map_or(Some(0.0), Result::ok)?;
+    // Days since 1 March of the year 0 in the Gregorian calendar, whose years begin in March.
+    let (year, month) = if month < 3 {
+        (year - 1, month + 9)
+    } else {
+        (year, month - 3)
+    };
+    let days = 365 * year + year.div_euclid(4) - year.div_euclid(100)
+        + year.div_euclid(400)
+        + (153 * month + 2) / 5
+        + day;
+    Some(86_400.0 * days as f64 + 3600.0 * hour + 60.0 * minute + second)
+}
 
 /// A cycle as a table.
 struct Columns(Table);
@@ -335,25 +549,74 @@ impl Columns {
     fn lacking(&self) -> CycleError {
         CycleError::Columns {
             found: Vec::from_iter(self.0.heads()).join(", "),
+            has_names: self.0.has_names(),
         }
     }
 
-    /// The numbers of a column of [`COLUMNS`]; `None` if the table has none of its names.
+    /// The times \[s\]: a column of them, or of dates, from the first.
+    fn time(&self) -> Result<Vec<f64>, CycleError> {
+        if let Some(time) = self.column("time_s")? {
+            return Ok(time);
+        }
+        let clock = CLOCKS.into_iter().find(|name| self.0.has(name));
+        let clock = clock.ok_or_else(|| self.lacking())?;
+        let time = self.0.values(|row| {
+            let text = row.text(clock).unwrap_or_default();
+            let fault = || {
+                row.fault(
+                    clock,
+                    format!("{text:?} is not a date and time, 2026-01-31 12:30:00"),
+                )
+            };
+            seconds(text).ok_or_else(fault)
+        })?;
+        Ok(time.iter().map(|at| at - time[0]).collect())
+    }
+
+    /// The numbers of a column of [`QUANTITIES`]; `None` if the table has none of its names.
     fn column(&self, column: &'static str) -> Result<Option<Vec<f64>>, CycleError> {
-        let known = COLUMNS.iter().find(|(name, _)| *name == column);
-        let others = known.map_or(&[][..], |(_, others)| *others);
-        let names = std::iter::once((column, 1.0)).chain(others.iter().copied());
-        let mut there = names.filter(|(name, _)| self.0.has(name));
+        let known = QUANTITIES.iter().find(|quantity| quantity.column == column);
+        let names = self.0.names().iter().map(String::as_str);
+        let mut there = names.filter_map(|name| Some((name, known?.factor(name)?)));
         let Some((name, factor)) = there.next() else {
             return Ok(None);
         };
         if let Some((other, _)) = there.next() {
             return Err(CycleError::Twice(name.to_owned(), other.to_owned()));
         }
-        let numbers = self.0.rows().map(|row| Ok(factor * row.number(name)?));
-        let numbers: Vec<f64> = numbers.collect::<Result<_, RowFault>>()?;
+        let converted = |value: f64| match factor.is_nan() {
+            true => 100.0 * value.to_radians().tan(),
+            false => factor * value,
+        };
+        let numbers = self.0.values(|row| Ok(converted(row.number(name)?)))?;
         self.check(column, &numbers)?;
         Ok(Some(numbers))
+    }
+
+    /// Warning that names the columns that are not read.
+    fn unread(&self, used: &[&str]) -> Option<Warning> {
+        let is_used = |name: &str| {
+            name == "-"
+                || CLOCKS.contains(&name)
+                || used.iter().any(|column| {
+                    let known = QUANTITIES
+                        .iter()
+                        .find(|quantity| quantity.column == *column);
+                    known.is_some_and(|quantity| quantity.factor(name).is_some())
+                })
+        };
+        let heads = self.0.heads().zip(self.0.names());
+        let unread: Vec<&str> = heads
+            .filter(|(_, name)| !is_used(name))
+            .map(|(head, _)| head)
+            .collect();
+        let text = || {
+            format!(
+                "columns of the cycle that are not read: {}",
+                unread.join(", ")
+            )
+        };
+        (!unread.is_empty()).then(|| Warning::new("W454", text()))
     }
 
     /// Rejects impossible numbers of a column.
@@ -457,6 +720,123 @@ mod tests {
                 assert!((a.speed_rpm - b.speed_rpm).abs() < 1e-9, "{text}");
             }
         }
+        // Speeds of the vehicle 0, 3, 3, 0 m/s and a grade of 1 %, as other programs and people write them.
+        for (names, rows, head) in [
+            (
+                None,
+                "0,0,0\n10,10.8,1\n20.5,10.8,1\n30,0,0\n",
+                "t [s],v [km/h],grade [%]\n",
+            ),
+            (
+                None,
+                "0;0;0\n10;10,8;1\n20,5;10,8;1\n30;0;0\n",
+                "Temps [s];Vitesse [km/h];Pente [%]\n",
+            ),
+            (
+                None,
+                "0;0;0\n10;10,8;1\n20,5;10,8;1\n30;0;0\n",
+                "Tiempo (s);Velocidad (km/h);Pendiente (%)\n",
+            ),
+            (
+                None,
+                "0;0;0\n10;10,8;1\n20,5;10,8;1\n30;0;0\n",
+                "Tempo [s];Velocità [km/h];Pendenza [%]\n",
+            ),
+            (
+                None,
+                "0,0,0\n10,0,1\n20.5,0,1\n30,0,0\n",
+                "time_s,speed_mph,slope_pct\n",
+            ),
+            (
+                None,
+                "0,0,0\n1,10,10.8\n1,20.5,10.8\n0,30,0\n",
+                "Road grade (%),Elapsed time (s),Vehicle speed (km/h)\n",
+            ),
+            (
+                None,
+                "0,0,0\n10,3,0.01\n20.5,3,0.01\n30,0,0\n",
+                "time_s,mps,grade\n",
+            ),
+            (
+                None,
+                "0,0,0\n10,3,0.57293869768\n20.5,3,0.57293869768\n30,0,0\n",
+                "time_s,v_mps,grade_deg\n",
+            ),
+            (
+                None,
+                "0,0,0\n10,10.8,1\n20.5,10.8,1\n30,0,0\n",
+                "Trip 7\ntime,speed,grade\ns,km/h,%\n",
+            ),
+            (
+                None,
+                "0  0  0\n10  10.8  1\n20.5  10.8  1\n30  0  0\n",
+                "time_s speed_km_h grade_percent\n",
+            ),
+            (
+                None,
+                "2026-01-31 23:59:50,0,0\n2026-02-01 00:00:00,10.8,1\n2026-02-01 00:00:10.5,10.8,1\n2026-02-01 00:00:20,0,0\n",
+                "timestamp,speed_kph,grade_percent\n",
+            ),
+            (
+                None,
+                "12:00:00;0;0\n12:00:10;10,8;1\n12:00:20,5;10,8;1\n12:00:30;0;0\n",
+                "Zeitstempel;Geschwindigkeit [km/h];Steigung [%]\n",
+            ),
+            (
+                Some("time_s,speed_km_h,grade_percent"),
+                "0 0 0\n10 10.8 1\n20.5 10.8 1\n30 0 0\n",
+                "",
+            ),
+            (
+                Some("-,time_s,speed_m_s,grade"),
+                "1\t0\t0\t0\n2\t10\t3\t.01\n3\t20.5\t3\t.01\n4\t30\t0\t0\n",
+                "a\tb\tc\td\n",
+            ),
+        ] {
+            let names = names.map(|names| names.split(',').map(str::to_owned).collect::<Vec<_>>());
+            let rows = match head.contains("mph") {
+                true => rows.replace(",0,1", &format!(",{},1", 10.8 / MILE)),
+                false => rows.to_owned(),
+            };
+            let rows = match head.contains("Zeitstempel") {
+                true => rows.replace("20,5;", "20.5;").replace("10,8", "10.8"),
+                false => rows,
+            };
+            let found = named_cycle(
+                &(head.to_owned() + &rows),
+                names.as_deref(),
+                Some(&vehicle()),
+            );
+            let found = found.unwrap_or_else(|error| panic!("{head}: {error}"));
+            assert_eq!(found.warnings, [], "{head}");
+            assert_eq!(found.points.len(), own.points.len());
+            for (a, b) in found.points.iter().zip(&own.points) {
+                assert_eq!(a.time_s, b.time_s, "{head}");
+                assert!((a.torque_nm - b.torque_nm).abs() < 1e-7, "{head}");
+                assert!((a.speed_rpm - b.speed_rpm).abs() < 1e-9, "{head}");
+            }
+        }
+        // Torque and speed of the pinion.
+        for text in [
+            "Zeit [s];Drehmoment [Nm];Drehzahl [1/min]\n0;10;60\n1;20;60\n",
+            "time_s,torque [N m],pinion speed (rad/s)\n0,10,6.283185307179586\n1,20,6.283185307179586\n",
+            "Temps [s];Couple [Nm];Vitesse [tr/min]\n0;10;60\n1;20;60\n",
+        ] {
+            let found = cycle(text, None).unwrap_or_else(|error| panic!("{text}: {error}"));
+            assert!((found.points[1].torque_nm - 20.0).abs() < 1e-12);
+            assert!((found.points[1].speed_rpm - 60.0).abs() < 1e-9, "{text}");
+        }
+        let unread = cycle(
+            "time_s,torque_nm,speed_rpm,gear,remark\n0,1,1,2,a\n1,1,1,2,b\n",
+            None,
+        );
+        let [warning] = &unread.unwrap().warnings[..] else {
+            panic!("one warning names all columns that are not read");
+        };
+        assert_eq!(
+            warning.to_string(),
+            "W454 columns of the cycle that are not read: gear, remark"
+        );
         // A grade in per cent in the column of a fraction.
         let steep = "time_seconds,speed_meters_per_second,grade\n0,0,0\n10,3,4\n20,3,0\n";
         let error = cycle(steep, Some(&vehicle())).unwrap_err().to_string();
@@ -472,6 +852,11 @@ mod tests {
         let twice = of("time_s,speed_km_h,v [m/s]\n0,1,1\n1,1,1\n");
         assert!(twice.starts_with("columns speed_km_h and v_m_s"), "{twice}");
         assert!(of("t,torque\n0,1\n").contains("t, torque"));
+        assert!(of("0,1\n2,3\n").starts_with("no line of names above the first row 0, 1"));
+        let back = of("time,torque_nm,speed_rpm\n12:00,1,1\n12:01,1,1\n11:59,1,1\n");
+        assert!(back.starts_with("columns time, torque_nm"), "{back}");
+        let back = of("timestamp,torque_nm,speed_rpm\n12:00,1,1\n12:01,1,1\n11:59,1,1\n");
+        assert!(back.contains("if another recording begins here"), "{back}");
         let bad = VehicleInput {
             ratio: 0.0,
             ..vehicle()

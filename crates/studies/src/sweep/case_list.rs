@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use asperity::case::gear_train::LoadedTrain;
 use asperity::case::nearest_name;
+use asperity::profile_io::read::table_text;
 use asperity_core::numerics::standard_normal_quantile;
 use asperity_table::Table;
 use toml::Value;
@@ -336,8 +337,9 @@ fn list(study: &Study) -> Result<Sample, SweepError> {
     let table = study.table.as_deref();
     let table = table.ok_or_else(|| SweepError::key("sample.file", "a list needs its table"))?;
     let refused = |rule: String| SweepError::key("sample.file", rule);
-    let table = std::str::from_utf8(table).map_err(|_| refused("is not UTF-8".to_owned()))?;
-    let table = Table::read(table).map_err(|error| refused(error.to_string()))?;
+    let text =
+        table_text("sample.file", table).map_err(|error| refused(error.fault.to_string()))?;
+    let table = Table::read(&text).map_err(|error| refused(error.to_string()))?;
     let keys: Vec<(String, String)> = table
         .heads()
         .map(|head| match head.split_once('[') {
@@ -348,8 +350,7 @@ fn list(study: &Study) -> Result<Sample, SweepError> {
             None => (head.to_owned(), String::new()),
         })
         .collect();
-    let rows = table.rows().map(|row| row.numbers());
-    let rows = rows.collect::<Result<Vec<Vec<f64>>, _>>();
+    let rows = table.values(|row| row.numbers());
     let rows = rows.map_err(|fault| refused(fault.to_string()))?;
     match rows.is_empty() {
         true => Err(SweepError::key("sample.file", "the table has no rows")),

@@ -21,7 +21,7 @@ mod opdx;
 mod opdx_items;
 mod plu;
 pub(crate) mod raw;
-mod sdf_binary;
+pub(super) mod sdf_binary;
 mod sur;
 pub(crate) mod trace;
 mod vk;

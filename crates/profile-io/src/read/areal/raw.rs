@@ -58,14 +58,17 @@ pub(crate) enum Missing {
     None,
     Equal(f64),
     AtLeast(f64),
+    /// Up to the first number, and from the second.
+    Outside(f64, f64),
 }
 
 impl Missing {
-    fn holds(self, value: f64) -> bool {
+    pub(crate) fn holds(self, value: f64) -> bool {
         match self {
             Self::None => false,
             Self::Equal(mark) => value == mark,
             Self::AtLeast(mark) => value >= mark,
+            Self::Outside(low, high) => value <= low || value >= high,
         }
     }
 }

@@ -1,0 +1,203 @@
+//! Faults of rows that belong to the file: told apart from a single wrong line by the rows that follow.
+
+use asperity_core::RepeatedFault;
+use asperity_core::remedy::{Remedy, Setting, Value};
+
+use super::dialect::{Cell, Sniffed};
+use super::error::{CellRemedy, ReadFault};
+use super::layout::Dialect;
+use super::text::Lines;
+
+/// What a file seems to be whose rows have like faults.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum FileDialect {
+    /// Missing heights have this mark.
+    Mark(String),
+    /// Numbers are followed by this unit.
+    Unit(String),
+    /// A column, from 1, has text; these two have numbers, if there are two.
+    Text {
+        /// The column with text.
+        column: usize,
+        /// Columns with numbers.
+        numbers: Option<[usize; 2]>,
+    },
+    /// Another table begins.
+    Tables,
+    /// Rows have different numbers of cells.
+    Ragged,
+    /// The rows have another decimal sign or separator; the remedy of the first says which.
+    Sign,
+}
+
+impl std::fmt::Display for FileDialect {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Mark(mark) => write!(f, "the file seems to mark missing points with \"{mark}\""),
+            Self::Unit(unit) => write!(f, "the numbers seem to be followed by the unit \"{unit}\""),
+            Self::Text { column, .. } => write!(f, "column {column} seems to hold text"),
+            Self::Tables => write!(f, "another table seems to begin here"),
+            Self::Ragged => write!(f, "the file seems to have cells with its separator in them"),
+            Self::Sign => write!(f, "the rows seem to have another decimal sign or separator"),
+        }
+    }
+}
+
+impl FileDialect {
+    /// The remedy; `single` is the remedy of a single fault.
+    pub(super) fn remedy(&self, single: Remedy) -> Remedy {
+        match self {
+            Self::Mark(_) => Remedy::act("write NaN or nothing in place of the mark"),
+            Self::Unit(unit) => Remedy::act(format!(
+                "remove \"{unit}\" from all rows and write it in the line of names, as z [{unit}]"
+            )),
+            Self::Text { numbers, .. } => match numbers {
+                Some([x, z]) => {
+                    Remedy::set(Setting::Columns, Value::Like(format!("{x},{z}").into()))
+                }
+                None => Remedy::act("export the position and the height as numbers"),
+            },
+            Self::Tables => Remedy::act("export one table to a file, or delete the others"),
+            Self::Ragged => Remedy::act("export with ';' or a tab between the columns"),
+            Self::Sign => single,
+        }
+    }
+}
+
+/// A faulty row, as its fault is compared with others.
+#[derive(PartialEq)]
+enum Kind {
+    /// The cell of this column is not a number.
+    Cell(usize),
+    /// The row has this number of cells.
+    Width(usize),
+}
+
+/// The fault at the line `number` with `text`, together with the like faults of the `lines` after it: from ten on, or where
+/// several lines in a row are no rows of the table, it is a fault of the file.
+pub(super) fn of_file(
+    fault: ReadFault,
+    (number, text): (usize, &str),
+    lines: &mut Lines<'_, '_>,
+    sniffed: &Sniffed,
+) -> Result<ReadFault, ReadFault> {
+    let dialect = sniffed.dialect;
+    let Some((kind, cell)) = kind(&fault, text, sniffed) else {
+        return Ok(fault);
+    };
+    let mut faults = RepeatedFault::default();
+    faults.add(number, text);
+    let mut marks = Marks::of(cell);
+    // Lines at the fault that are no rows, and whether rows follow them.
+    let (mut block, mut follows) = (1, false);
+    while let Some(line) = lines.next()? {
+        if line.is_blank() {
+            continue;
+        }
+        let cells: Vec<&str> = dialect.cells(line.text).collect();
+        let is_row = cells.len() == sniffed.columns
+            && cells.iter().all(|cell| dialect.cell(cell) != Cell::Other);
+        match is_row {
+            true => follows = true,
+            false if !follows => block += 1,
+            false => {}
+        }
+        let like = match kind {
+            Kind::Cell(at) => cells
+                .get(at)
+                .filter(|cell| dialect.cell(cell) == Cell::Other),
+            Kind::Width(width) => cells.first().filter(|_| cells.len() == width),
+        };
+        if let Some(cell) = like {
+            faults.add(line.number, line.text);
+            marks.add(cell);
+        }
+    }
+    /// Lines of a header between two tables.
+    const HEADER: usize = 2;
+    let seems = match (&kind, &fault) {
+        (Kind::Width(_), _) if follows && block >= HEADER => FileDialect::Tables,
+        _ if !faults.is_dialect() => return Ok(fault),
+        (Kind::Width(_), _) if !follows => FileDialect::Tables,
+        (Kind::Width(_), _) => FileDialect::Ragged,
+        (
+            _,
+            ReadFault::UnreadableNumber {
+                remedy: CellRemedy::Decimal(_) | CellRemedy::Separator,
+                ..
+            },
+        ) => FileDialect::Sign,
+        (Kind::Cell(at), _) => marks.seem(*at, text, dialect),
+    };
+    Ok(ReadFault::OfFile {
+        first: Box::new(fault),
+        faults,
+        seems,
+    })
+}
+
+/// The kind of a fault of a row with `text`, and its cell; `None` for other faults.
+fn kind<'t>(fault: &ReadFault, text: &'t str, sniffed: &Sniffed) -> Option<(Kind, &'t str)> {
+    match fault {
+        ReadFault::UnreadableNumber { .. } => {
+            let is_text = |cell: &str| sniffed.dialect.cell(cell) == Cell::Other;
+            let mut cells = sniffed.dialect.cells(text).enumerate();
+            let (at, cell) = cells.find(|(_, cell)| is_text(cell))?;
+            Some((Kind::Cell(at), cell))
+        }
+        ReadFault::RaggedRow { found, .. } => Some((Kind::Width(*found), "")),
+        _ => None,
+    }
+}
+
+/// What faulty cells have in common.
+struct Marks {
+    /// The text of all of them.
+    same: Option<String>,
+    /// The letters after the number of all of them.
+    unit: Option<String>,
+}
+
+impl Marks {
+    fn of(cell: &str) -> Self {
+        Self {
+            same: Some(cell.to_owned()),
+            unit: unit_after(cell).map(str::to_owned),
+        }
+    }
+
+    fn add(&mut self, cell: &str) {
+        self.same = self.same.take().filter(|text| text == cell);
+        let unit = self.unit.take();
+        self.unit = unit.filter(|unit| unit_after(cell) == Some(unit));
+    }
+
+    /// What column `at`, from 0, seems to have.
+    fn seem(&self, at: usize, text: &str, dialect: Dialect) -> FileDialect {
+        if let Some(unit) = &self.unit {
+            return FileDialect::Unit(unit.clone());
+        }
+        if let Some(mark) = &self.same {
+            return FileDialect::Mark(mark.clone());
+        }
+        let is_number = |cell: &str| matches!(dialect.cell(cell), Cell::Number(_));
+        let cells = dialect.cells(text).enumerate();
+        let mut numbers = cells
+            .filter(|(_, cell)| is_number(cell))
+            .map(|(at, _)| at + 1);
+        FileDialect::Text {
+            column: at + 1,
+            numbers: numbers.next().zip(numbers.next()).map(|(x, z)| [x, z]),
+        }
+    }
+}
+
+/// The letters after the number at the start of `cell`.
+fn unit_after(cell: &str) -> Option<&str> {
+    let number = |c: char| c.is_ascii_digit() || "+-.,eE ".contains(c);
+    let unit = cell.trim_start_matches(number);
+    let has_digit = cell[..cell.len() - unit.len()].contains(|c: char| c.is_ascii_digit());
+    (has_digit && !unit.is_empty() && unit.chars().all(|c| c.is_alphabetic() || c == '°'))
+        .then_some(unit)
+}
