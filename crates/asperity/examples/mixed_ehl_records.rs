@@ -24,7 +24,7 @@ use std::time::Instant;
 
 use asperity::LoadedCase;
 use asperity::case::load_with;
-use asperity::ehl::{RecordSettings, transient};
+use asperity::ehl::{CELL_MULTIPLE, RecordSettings, Window, transient};
 use asperity::lubrication::formula_film;
 use asperity::quantity::Length;
 use asperity::quantity::Pressure;
@@ -46,6 +46,9 @@ const FZG_TURNS: f64 = 2166.0 / 8.3;
 pub const EYRING_STRESS: [Pressure; 2] = [Pressure::from_si(4e6), Pressure::from_si(5e6)];
 /// Boundary friction of the records.
 pub const BOUNDARY_FRICTION: f64 = 0.08;
+/// Inlet of flooded records over that of the tabulated window, whose film is flooded to 0.2 %. At .3 GPa and 9000 1/min, where the
+/// window of the other records shears a smooth film 70 % harder, this one shears it 1 % harder.
+const FLOODED: f64 = 0.65;
 /// Spacing of the synthetic traces.
 const SPACING: Length = Length::from_si(0.5e-6);
 
@@ -229,6 +232,8 @@ pub struct Condition {
     pub shortest_wave: Option<Length>,
     /// Cells of its grid at least.
     least_cells: usize,
+    /// Whether its window begins where the inlet is flooded, with cells as wide as in the window of the other records.
+    is_flooded: bool,
 }
 
 impl Condition {
@@ -241,6 +246,7 @@ impl Condition {
             keys: vec![("operation.bulk_temperature", format!("{temperature} °C"))],
             shortest_wave: None,
             least_cells: 0,
+            is_flooded: false,
         }
     }
 
@@ -282,6 +288,7 @@ impl Condition {
             ],
             shortest_wave: None,
             least_cells: 0,
+            is_flooded: false,
         };
         match drive {
             Drive::FirstStage => condition,
@@ -305,6 +312,7 @@ impl Condition {
             )],
             shortest_wave: None,
             least_cells: 0,
+            is_flooded: false,
         }
     }
 
@@ -320,6 +328,31 @@ impl Condition {
             beginning: 0,
             shortest_wave: self.shortest_wave,
         }
+    }
+
+    /// Its contact, as it is recorded.
+    pub fn contact(
+        &self,
+        loaded: &LoadedCase,
+        record: &RecordSettings,
+    ) -> Outcome<ReferenceContact> {
+        let mut settings = self.settings(record);
+        let contact = ReferenceContact::of(loaded, self.position, &settings)?;
+        if !self.is_flooded {
+            return Ok(contact);
+        }
+        let rough = &contact.rough;
+        let Window { inlet, outlet } = Window::tabulated(&rough.contact.scales(&rough.oil)?);
+        let flooded = Window {
+            inlet: (FLOODED * inlet).min(settings.record.window.inlet),
+            outlet,
+        };
+        let record = &mut settings.record;
+        let length = |window: &Window| window.outlet - window.inlet;
+        let cells = record.cells as f64 * length(&flooded) / length(&record.window);
+        record.cells = (cells.ceil() as usize).next_multiple_of(CELL_MULTIPLE);
+        record.window = flooded;
+        Ok(ReferenceContact::of(loaded, self.position, &settings)?)
     }
 
     /// Loads the case from the folder of the workspace.
@@ -609,6 +642,19 @@ pub fn second_blind_conditions() -> Vec<Condition> {
     rows.map(Condition::generated).into_iter().collect()
 }
 
+/// The conditions of the second blind test in windows with a flooded inlet.
+pub fn flooded_second_blind_conditions() -> Vec<Condition> {
+    flooded(second_blind_conditions())
+}
+
+fn flooded(conditions: Vec<Condition>) -> Vec<Condition> {
+    let flood = |condition| Condition {
+        is_flooded: true,
+        ..condition
+    };
+    conditions.into_iter().map(flood).collect()
+}
+
 /// Conditions at part load: the e-drive's flanks with their heights multiplied, by temperature \[°C\], place, speed \[1/min\] and
 /// torque \[N m\].
 pub fn part_load_conditions() -> Vec<Condition> {
@@ -624,6 +670,7 @@ pub fn part_load_conditions() -> Vec<Condition> {
             let condition = Condition::e_drive("scaled", celsius, place).at_speed(speed);
             let mut condition = condition.on(Flanks::Scaled(factor));
             condition.name = format!("{}_{torque}_{factor}", condition.name);
+            condition.is_flooded = true;
             condition.with("operation.torque", &format!("{torque} N m"))
         })
     };
@@ -681,7 +728,7 @@ pub fn chosen_conditions() -> Vec<Condition> {
         (FirstStage, RunIn, [1145, 1146], 130, 0.12, 3000, 14.0),
         (FirstStage, Lapped, [1155, 1156], 105, 0.40, 1400, 27.0),
     ];
-    rows.map(Condition::generated).into_iter().collect()
+    flooded(rows.map(Condition::generated).into_iter().collect())
 }
 
 /// Conditions at part load that are not looked at before the model is fixed, drawn as the chosen ones.
@@ -725,7 +772,7 @@ pub fn unseen_conditions() -> Vec<Condition> {
         (FzgA, RunIn, [2145, 2146], 45, 0.83, 4500, 20.0),
         (FirstStage, Lapped, [2155, 2156], 55, 0.61, 5500, 12.0),
     ];
-    rows.map(Condition::generated).into_iter().collect()
+    flooded(rows.map(Condition::generated).into_iter().collect())
 }
 
 /// Conditions of the gear meshes that are solved again with shorter waves.
@@ -807,7 +854,7 @@ pub const COLUMNS: [&str; 33] = [
 /// A row of the table.
 fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
     let loaded = condition.load(Path::new("."))?;
-    let contact = ReferenceContact::of(&loaded, condition.position, &condition.settings(settings))?;
+    let contact = condition.contact(&loaded, settings)?;
     let begin = Instant::now();
     let solved = transient::record(&contact.rough, &contact.record)?;
     let seconds = begin.elapsed().as_secs_f64();
@@ -893,6 +940,7 @@ pub fn main() -> Outcome<()> {
             Some((key, _)) => return Err(format!("unknown key {key}").into()),
             None if word == "blind" => table = blind_conditions,
             None if word == "second" => table = second_blind_conditions,
+            None if word == "flooded" => table = flooded_second_blind_conditions,
             None if word == "part" => table = part_load_conditions,
             None if word == "chosen" => table = chosen_conditions,
             None if word == "unseen" => table = unseen_conditions,
@@ -909,8 +957,7 @@ pub fn main() -> Outcome<()> {
     if is_list {
         for condition in chosen {
             let loaded = condition.load(Path::new("."))?;
-            let contact =
-                ReferenceContact::of(&loaded, condition.position, &condition.settings(&settings))?;
+            let contact = condition.contact(&loaded, &settings)?;
             let ratio = roughness_over_film(&loaded, &contact)?;
             let (slide, pressure) = (
                 contact.position.motion.slide_to_roll.abs(),

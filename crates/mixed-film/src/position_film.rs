@@ -10,6 +10,7 @@ use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 use asperity_ehl_regime::inlet_flow::{
     CentralFilm, LARGEST_SHARE, Lay, inlet_factor, supplied_gap,
 };
+use asperity_ehl_regime::light_load::LightLoad;
 use asperity_ehl_regime::{
     Attenuation, FilmConditions, FilmLaw, GapLaw, MoesNumbers, PairSpectrum, RoughInlet,
     ThermalLaw, thermal_loading,
@@ -103,7 +104,7 @@ pub struct LoadShareSettings {
     pub film_law: FilmLaw,
     /// Thermal reduction of the film.
     pub thermal: ThermalLaw,
-    /// Reading of the central film in film friction; with the gap law `power` also in the supply.
+    /// Reading of the central film in film friction at Hertz's pressure, and in the supply by the gap law `power`.
     pub central_film: CentralFilm,
     /// Inlet supply.
     pub supply: InletSupply,
@@ -260,19 +261,23 @@ impl<'a> PositionFilm<'a> {
         DomainError::require(fits, "boundary share of inner spots", inner, "-", rule)?;
         let conditions = conditions(rheology, contact, bulk)?;
         let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)?;
-        let central = settings
-            .central_film
-            .thickness(smooth.central, hertz.max_pressure)?;
+        let reading = match settings.film_pressure {
+            FilmPressure::Hertz => settings.central_film,
+            // The pressures of the film at light load belong to its gap.
+            FilmPressure::Rippled | FilmPressure::Own => CentralFilm::Gap,
+        };
+        let read = |reading: CentralFilm| reading.thickness(smooth.central, hertz.max_pressure);
+        let central = read(reading)?;
         let gap_law = match settings.supply {
             InletSupply::Rough => settings.gap_law,
             InletSupply::Smooth => GapLaw::Power,
         };
         let supplied = match gap_law {
-            GapLaw::Inlet => CentralFilm::Gap.thickness(smooth.central, hertz.max_pressure)?,
-            GapLaw::Power => central,
+            GapLaw::Inlet => read(CentralFilm::Gap)?,
+            GapLaw::Power => read(settings.central_film)?,
         };
         let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
-        let film = LoadedFilm::new(
+        let mut film = LoadedFilm::new(
             rheology,
             &FilmLineContact {
                 line: *contact,
@@ -281,6 +286,10 @@ impl<'a> PositionFilm<'a> {
             },
             settings.film,
         )?;
+        if settings.film_pressure != FilmPressure::Hertz {
+            let LightLoad { excess, inlet } = LightLoad::of(&numbers);
+            film.reach_beyond(&excess, inlet)?;
+        }
         let outside = film.outside().to_vec();
         Ok(Self {
             rheology,
