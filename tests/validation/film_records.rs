@@ -15,7 +15,7 @@ use asperity::mixed_film::{
 };
 use asperity::reference_solution::LARGEST_ROUGHNESS;
 use asperity::uncertainty::model_deviation;
-use asperity_core::quantity::Length;
+use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::GapLaw;
 use rayon::prelude::*;
 
@@ -336,8 +336,12 @@ impl Row {
     /// Standard deviation of the error as a run draws it, or with the sampling of record and windows.
     fn deviation(&self, with_sampling: bool) -> f64 {
         let fast = self.fast();
-        let [_, model] =
-            model_deviation(GapLaw::Inlet, fast.roughness_over_film, fast.asperity_share);
+        let [_, model] = model_deviation(
+            GapLaw::Inlet,
+            fast.roughness_over_film,
+            fast.asperity_share,
+            Some(Pressure::from_si(1e9 * fast.hertz_pressure_gpa)),
+        );
         if !with_sampling {
             return model;
         }
