@@ -266,6 +266,13 @@ impl Condition {
         self
     }
 
+    /// The e-drive's ground flanks at 90 °C and a fifth of the path, at any torque \[N m\] and speed \[1/min\].
+    pub fn at_operation(torque: f64, speed: f64) -> Self {
+        Self::e_drive("ground", 90, 0.2)
+            .with("operation.torque", &format!("{torque} N m"))
+            .with("operation.speed", &format!("{speed} 1/min"))
+    }
+
     /// Generated flanks on the gears of a drive.
     fn generated((drive, finish, seeds, celsius, place, speed, torque): Generated) -> Self {
         let (name, case) = match drive {
