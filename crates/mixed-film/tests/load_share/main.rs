@@ -405,7 +405,7 @@ fn smooth_flanks_have_the_film_friction_alone() {
     let even = WindowRoughness::even(Length::from_si(0.0));
     let by_table = film.share(&table, &even).unwrap().value;
     let (direct, state) = film.share_by_direct_solves(&mut smooth, &even).unwrap();
-    let alone = film_alone(&rheology, &contact, celsius(90.0), film.smooth_film());
+    let alone = film_alone(&rheology, &contact, celsius(90.0), film.sheared_film());
     assert!(state.is_none());
     for solution in [by_table, direct.value] {
         assert_eq!(solution.asperity_share, 0.0);

@@ -135,7 +135,7 @@ proptest! {
         let mut film = PositionFilm::new(&rheology, contact, bulk, &LoadShareSettings::default()).unwrap();
         let even = WindowRoughness::even(Length::from_si(0.0));
         let found = film.share(&table, &even).unwrap().value;
-        let alone = film_alone(&rheology, contact, bulk, film.smooth_film());
+        let alone = film_alone(&rheology, contact, bulk, film.sheared_film());
         prop_assert_eq!((found.asperity_share, found.inlet_factor), (0.0, 1.0));
         prop_assert_eq!(found.coefficient.to_bits(), alone.coefficient.to_bits());
     }
