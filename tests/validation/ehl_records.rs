@@ -17,7 +17,7 @@ use asperity::mixed_film::{
 };
 use asperity::reference_solution::{LARGEST_ROUGHNESS, ReferenceContact, ReferenceSettings};
 use asperity_core::Profile;
-use asperity_core::quantity::Length;
+use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::inlet_flow::inlet_factor;
 use asperity_ehl_regime::{Attenuation, GapLaw, PairSpectrum, TraceSpectrum};
 
@@ -210,6 +210,11 @@ impl Windows {
             windows,
             spectra,
         }
+    }
+
+    /// Largest Hertz pressure.
+    pub fn max_pressure(&self) -> Pressure {
+        self.contact.position.hertz.max_pressure
     }
 
     /// The choices of the case, with heat.

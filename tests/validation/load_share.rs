@@ -268,14 +268,13 @@ fn every_assumed_constant_is_told_with_its_band_and_how_sure_it_is() {
 }
 
 /// One key changed on the shipped drive, ground flanks.
-const CHANGES: [(&str, &str); 20] = [
+const CHANGES: [(&str, &str); 19] = [
     ("model.boundary_friction", "0.065"),
     ("model.boundary_friction", "0.12"),
     ("model.boundary_layer", "5 nm"),
     ("model.boundary_layer", "20 nm"),
     ("model.lay", "0.16666666666666666"),
     ("model.lay", "isotropic"),
-    ("model.central_film", "gap"),
     ("model.spot_speed", "half-sliding"),
     ("model.asperity_share_factor", "0.5"),
     ("material.pinion.flow_pressure", "2.5 GPa"),

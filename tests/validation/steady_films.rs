@@ -7,7 +7,8 @@ use asperity::ehl::{LineContact, Oil, SteadySettings, steady};
 use asperity::lubrication::formula_film;
 use asperity::mesh::{Mesh, MeshPosition};
 use asperity::oil::{DensityLaw, PressureViscosityLaw, ShearLaw};
-use asperity_ehl_regime::FilmLaw;
+use asperity_ehl_regime::light_load::LightLoad;
+use asperity_ehl_regime::{FilmLaw, MoesNumbers};
 use asperity_tribo_friction::rolling_force;
 
 use crate::comparison::{Comparison, Table};
@@ -101,4 +102,69 @@ pub fn films() -> Table {
 #[test]
 fn film_and_rolling_formulas_are_near_the_steady_solution() {
     films().hold();
+}
+
+#[test]
+fn a_film_at_light_load_shears_as_the_steady_solution() {
+    // Force of a Newtonian film over that of the central film at ambient pressure on the width 2a: of the solution with its own
+    // film, and of the pressures and the inlet of the table. Conditions of gears at part load, away from the tabulated ones.
+    let (radius, modulus) = ("12 mm".parse().unwrap(), "115.4 GPa".parse().unwrap());
+    for (pressure, speed, viscosity, alpha) in [
+        ("0.3 GPa", "11 m/s", "9 mPa s", "11 1/GPa"),
+        ("0.42 GPa", "11 m/s", "9 mPa s", "11 1/GPa"),
+        ("0.42 GPa", "3 m/s", "9 mPa s", "11 1/GPa"),
+        ("0.25 GPa", "5 m/s", "20 mPa s", "13 1/GPa"),
+        ("0.6 GPa", "5 m/s", "6 mPa s", "10 1/GPa"),
+        ("0.8 GPa", "20 m/s", "9 mPa s", "11 1/GPa"),
+    ] {
+        let contact = LineContact::at_pressure(
+            radius,
+            modulus,
+            pressure.parse().unwrap(),
+            speed.parse().unwrap(),
+            0.0,
+        );
+        let contact = contact.unwrap();
+        let oil = Oil {
+            viscosity: viscosity.parse().unwrap(),
+            pressure_viscosity: alpha.parse().unwrap(),
+            viscosity_law: PressureViscosityLaw::Roelands { exponent: 0.6 },
+            density_law: DensityLaw::DowsonHigginson,
+            shear_law: ShearLaw::Newtonian,
+        };
+        let film = steady::solve(&contact, &oil, &SteadySettings::default());
+        let film = film.unwrap().value;
+        let steep = film.scales.max_pressure.si() * oil.pressure_viscosity.si();
+        let central = film.central_film / film.scales.film_length(1.0);
+        let mut solved = 0.0;
+        for k in 1..film.x.len() {
+            let mean = |of: &[f64]| 0.5 * (of[k] + of[k - 1]);
+            let (p, h) = (mean(&film.pressure), mean(&film.film));
+            if p > 0.0 {
+                solved += 0.5 * (film.x[k] - film.x[k - 1]) * (steep * p).exp() * central / h;
+            }
+        }
+        let light = LightLoad::of(&MoesNumbers {
+            load: film.scales.moes_load,
+            material: film.scales.moes_lubricant,
+        });
+        let n = 2000;
+        let stress = |k: u32| {
+            let u = (f64::from(k) + 0.5) / f64::from(n);
+            let excess = light.excess.iter().rev();
+            let excess = excess.fold(0.0, |sum, c| sum * u * u + c);
+            (steep * ((1.0 - u * u).sqrt() + excess)).exp()
+        };
+        let found = light.inlet + (0..n).map(stress).sum::<f64>() / f64::from(n);
+        let hertz = LightLoad {
+            excess: [0.0; 4],
+            inlet: 0.0,
+        };
+        assert_ne!(light, hertz);
+        println!("{pressure} {speed}: {solved:.3} {found:.3}");
+        assert!(
+            (found / solved - 1.0).abs() < 0.02,
+            "{pressure} {speed}: {found} {solved}"
+        );
+    }
 }

@@ -5,12 +5,15 @@
 //! cargo run --release -p asperity --example mixed_ehl_records -- blind > fixtures/records/blind.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- second > fixtures/records/second_blind.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- part > fixtures/records/part_load.csv
+//! cargo run --release -p asperity --example mixed_ehl_records -- chosen > fixtures/records/part_load_chosen.csv
+//! cargo run --release -p asperity --example mixed_ehl_records -- unseen > fixtures/records/part_load_unseen.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- short > fixtures/records/short_waves.csv
 //! cargo run --release -p asperity --example mixed_ehl_records -- fzg_8.3 hb=2
 //! ```
 //!
 //! Prints the conditions whose names begin with a word, or all, as many at a time as there are threads: of the gear meshes, of
-//! the `blind` test or of the `second` one, at `part` load, or ten gear meshes with `short` waves. A row is printed as soon as it is
+//! the `blind` test or of the `second` one, at `part` load of scaled flanks or of other finishes (`chosen`, on which the model may
+//! be chosen, and `unseen`), or ten gear meshes with `short` waves. A row is printed as soon as it is
 //! solved; one that is not solved has no numbers.
 //! `list` prints slide-to-roll ratio, Hertz pressure in GPa and roughness over the film without a record. Keys: `hb` (contact film
 //! in nm), `cells`, `start` and `length` (travel in half-widths). Run it in the folder of the workspace.
@@ -21,7 +24,7 @@ use std::time::Instant;
 
 use asperity::LoadedCase;
 use asperity::case::load_with;
-use asperity::ehl::{RecordSettings, transient};
+use asperity::ehl::{CELL_MULTIPLE, RecordSettings, Window, transient};
 use asperity::lubrication::formula_film;
 use asperity::quantity::Length;
 use asperity::quantity::Pressure;
@@ -43,6 +46,9 @@ const FZG_TURNS: f64 = 2166.0 / 8.3;
 pub const EYRING_STRESS: [Pressure; 2] = [Pressure::from_si(4e6), Pressure::from_si(5e6)];
 /// Boundary friction of the records.
 pub const BOUNDARY_FRICTION: f64 = 0.08;
+/// Inlet of flooded records over that of the tabulated window, whose film is flooded to 0.2 %. At .3 GPa and 9000 1/min, where the
+/// window of the other records shears a smooth film 70 % harder, this one shears it 1 % harder.
+const FLOODED: f64 = 0.65;
 /// Spacing of the synthetic traces.
 const SPACING: Length = Length::from_si(0.5e-6);
 
@@ -89,6 +95,10 @@ enum Finish {
     RunIn,
     /// Low, short waves of lapped flanks.
     Lapped,
+    /// Ground, with the heights halved.
+    Half,
+    /// Ground, with a quarter of the heights.
+    Quarter,
 }
 
 impl Finish {
@@ -140,6 +150,8 @@ impl Finish {
             Self::Peened => "peened",
             Self::RunIn => "run-in",
             Self::Lapped => "lapped",
+            Self::Half => "half",
+            Self::Quarter => "quarter",
         }
     }
 
@@ -195,8 +207,16 @@ impl Finish {
                 lower_envelope(&ground, &Profile::new(SPACING, lowered)?)?
             }
             Self::Lapped => affine(0.06, 0.7, [18.0, 4.0], seed).generate()?,
+            Self::Half => times(0.5, &Self::Ground.trace(seed)?)?,
+            Self::Quarter => times(0.25, &Self::Ground.trace(seed)?)?,
         })
     }
+}
+
+/// A trace with its heights multiplied.
+fn times(factor: f64, trace: &Profile) -> Outcome<Profile> {
+    let heights = trace.heights().iter().map(|z| factor * z).collect();
+    Ok(Profile::new(trace.spacing(), heights)?)
 }
 
 /// A contact to record.
@@ -212,6 +232,8 @@ pub struct Condition {
     pub shortest_wave: Option<Length>,
     /// Cells of its grid at least.
     least_cells: usize,
+    /// Whether its window begins where the inlet is flooded, with cells as wide as in the window of the other records.
+    is_flooded: bool,
 }
 
 impl Condition {
@@ -224,6 +246,7 @@ impl Condition {
             keys: vec![("operation.bulk_temperature", format!("{temperature} °C"))],
             shortest_wave: None,
             least_cells: 0,
+            is_flooded: false,
         }
     }
 
@@ -243,6 +266,46 @@ impl Condition {
         self
     }
 
+    /// The e-drive's ground flanks at 90 °C and a fifth of the path, at any torque \[N m\] and speed \[1/min\].
+    pub fn at_operation(torque: f64, speed: f64) -> Self {
+        Self::e_drive("ground", 90, 0.2)
+            .with("operation.torque", &format!("{torque} N m"))
+            .with("operation.speed", &format!("{speed} 1/min"))
+    }
+
+    /// Generated flanks on the gears of a drive.
+    fn generated((drive, finish, seeds, celsius, place, speed, torque): Generated) -> Self {
+        let (name, case) = match drive {
+            Drive::FirstStage => ("e", E_DRIVE),
+            Drive::FewTeeth => ("few", E_DRIVE),
+            Drive::FzgA => ("fzg-a", FZG),
+        };
+        let condition = Self {
+            name: format!(
+                "{name}-{}_{celsius}_{place}_{speed}_{torque}",
+                finish.name()
+            ),
+            position: place,
+            case,
+            flanks: Flanks::Generated(finish, seeds),
+            keys: vec![
+                ("operation.bulk_temperature", format!("{celsius} °C")),
+                ("operation.speed", format!("{speed} 1/min")),
+                ("operation.torque", format!("{torque} N m")),
+            ],
+            shortest_wave: None,
+            least_cells: 0,
+            is_flooded: false,
+        };
+        match drive {
+            Drive::FirstStage => condition,
+            Drive::FewTeeth => condition
+                .with("gears.teeth", "[13, 80]")
+                .with("gears.profile_shift", "[0, 0]"),
+            Drive::FzgA => condition.with("gears.profile_shift", "[0.8635, -0.5]"),
+        }
+    }
+
     /// FZG gears at a speed of the pitch line \[m/s\].
     fn fzg(pitch_line: f64, position: f64) -> Self {
         Self {
@@ -256,6 +319,7 @@ impl Condition {
             )],
             shortest_wave: None,
             least_cells: 0,
+            is_flooded: false,
         }
     }
 
@@ -271,6 +335,31 @@ impl Condition {
             beginning: 0,
             shortest_wave: self.shortest_wave,
         }
+    }
+
+    /// Its contact, as it is recorded.
+    pub fn contact(
+        &self,
+        loaded: &LoadedCase,
+        record: &RecordSettings,
+    ) -> Outcome<ReferenceContact> {
+        let mut settings = self.settings(record);
+        let contact = ReferenceContact::of(loaded, self.position, &settings)?;
+        if !self.is_flooded {
+            return Ok(contact);
+        }
+        let rough = &contact.rough;
+        let Window { inlet, outlet } = Window::tabulated(&rough.contact.scales(&rough.oil)?);
+        let flooded = Window {
+            inlet: (FLOODED * inlet).min(settings.record.window.inlet),
+            outlet,
+        };
+        let record = &mut settings.record;
+        let length = |window: &Window| window.outlet - window.inlet;
+        let cells = record.cells as f64 * length(&flooded) / length(&record.window);
+        record.cells = (cells.ceil() as usize).next_multiple_of(CELL_MULTIPLE);
+        record.window = flooded;
+        Ok(ReferenceContact::of(loaded, self.position, &settings)?)
     }
 
     /// Loads the case from the folder of the workspace.
@@ -511,7 +600,7 @@ pub fn blind_conditions() -> Vec<Condition> {
     e_drive.into_iter().chain(fzg).collect()
 }
 
-/// Gears of the second blind test.
+/// Gears of the second blind test and of the other finishes at part load.
 #[derive(Clone, Copy, PartialEq)]
 enum Drive {
     /// First stage of the e-drive.
@@ -522,8 +611,11 @@ enum Drive {
     FzgA,
 }
 
-/// The conditions of the second blind test: drive, finish, seeds of pinion and wheel, temperature \[°C\], place, speed \[1/min\],
-/// torque \[N m\]. Finishes, seeds, places, temperatures and speeds that no record of the first two tables has; the last eight
+/// A condition on generated flanks: drive, finish, seeds of pinion and wheel, temperature \[°C\], place, speed \[1/min\],
+/// torque \[N m\].
+type Generated = (Drive, Finish, [u64; 2], u32, f64, u32, f64);
+
+/// The conditions of the second blind test. Finishes, seeds, places, temperatures and speeds that no record of the first two tables has; the last eight
 /// are at part load.
 pub fn second_blind_conditions() -> Vec<Condition> {
     use Drive::{FewTeeth, FirstStage, FzgA};
@@ -554,45 +646,20 @@ pub fn second_blind_conditions() -> Vec<Condition> {
         (FzgA, Peaked, [223, 224], 95, 0.82, 1500, 50.0),
         (FewTeeth, Coarse, [285, 286], 75, 0.06, 6000, 20.0),
     ];
-    let condition = |(drive, finish, seeds, celsius, place, speed, torque): (
-        Drive,
-        Finish,
-        [u64; 2],
-        u32,
-        f64,
-        u32,
-        f64,
-    )| {
-        let (name, case) = match drive {
-            FirstStage => ("e", E_DRIVE),
-            FewTeeth => ("few", E_DRIVE),
-            FzgA => ("fzg-a", FZG),
-        };
-        let condition = Condition {
-            name: format!(
-                "{name}-{}_{celsius}_{place}_{speed}_{torque}",
-                finish.name()
-            ),
-            position: place,
-            case,
-            flanks: Flanks::Generated(finish, seeds),
-            keys: vec![
-                ("operation.bulk_temperature", format!("{celsius} °C")),
-                ("operation.speed", format!("{speed} 1/min")),
-                ("operation.torque", format!("{torque} N m")),
-            ],
-            shortest_wave: None,
-            least_cells: 0,
-        };
-        match drive {
-            FirstStage => condition,
-            FewTeeth => condition
-                .with("gears.teeth", "[13, 80]")
-                .with("gears.profile_shift", "[0, 0]"),
-            FzgA => condition.with("gears.profile_shift", "[0.8635, -0.5]"),
-        }
+    rows.map(Condition::generated).into_iter().collect()
+}
+
+/// The conditions of the second blind test in windows with a flooded inlet.
+pub fn flooded_second_blind_conditions() -> Vec<Condition> {
+    flooded(second_blind_conditions())
+}
+
+fn flooded(conditions: Vec<Condition>) -> Vec<Condition> {
+    let flood = |condition| Condition {
+        is_flooded: true,
+        ..condition
     };
-    rows.map(condition).into_iter().collect()
+    conditions.into_iter().map(flood).collect()
 }
 
 /// Conditions at part load: the e-drive's flanks with their heights multiplied, by temperature \[°C\], place, speed \[1/min\] and
@@ -610,10 +677,109 @@ pub fn part_load_conditions() -> Vec<Condition> {
             let condition = Condition::e_drive("scaled", celsius, place).at_speed(speed);
             let mut condition = condition.on(Flanks::Scaled(factor));
             condition.name = format!("{}_{torque}_{factor}", condition.name);
+            condition.is_flooded = true;
             condition.with("operation.torque", &format!("{torque} N m"))
         })
     };
     places.into_iter().flat_map(each).collect()
+}
+
+/// Conditions at part load on which the model may be chosen: sixteen finishes, each twice, on seeds that no other record has. Torque,
+/// speed, temperature and place were drawn over 10 to 60 N m, 500 to 12 000 1/min, 40 to 130 °C and .08 to .92 of the path, away
+/// from the pitch point; where σ_d/h_c was above 3, beyond which no record is a reference, a higher speed replaced the one drawn.
+pub fn chosen_conditions() -> Vec<Condition> {
+    use Drive::{FirstStage, FzgA};
+    use Finish::{
+        Coarse, Crossed, Dales, Fine, Ground, Half, Honed, Lapped, Long, Peaked, Peened, Plateaus,
+        Polished, Quarter, RunIn, Superfinished,
+    };
+    let rows = [
+        (FzgA, Ground, [1001, 1002], 70, 0.67, 4800, 33.0),
+        (FirstStage, Half, [1011, 1012], 90, 0.80, 3600, 16.0),
+        (FirstStage, Quarter, [1021, 1022], 50, 0.47, 1200, 35.0),
+        (FzgA, Coarse, [1031, 1032], 90, 0.37, 1000, 21.0),
+        (FirstStage, Fine, [1041, 1042], 50, 0.72, 4400, 20.0),
+        (FirstStage, Honed, [1051, 1052], 50, 0.43, 10100, 25.0),
+        (FzgA, Dales, [1061, 1062], 110, 0.66, 950, 11.0),
+        (FirstStage, Long, [1071, 1072], 70, 0.68, 4700, 18.0),
+        (FirstStage, Polished, [1081, 1082], 65, 0.16, 3300, 12.0),
+        (FzgA, Superfinished, [1091, 1092], 80, 0.63, 5400, 17.0),
+        (FirstStage, Plateaus, [1101, 1102], 85, 0.91, 2000, 52.0),
+        (FirstStage, Crossed, [1111, 1112], 95, 0.29, 2500, 58.0),
+        (FzgA, Peaked, [1121, 1122], 125, 0.16, 2100, 47.0),
+        (FirstStage, Peened, [1131, 1132], 105, 0.74, 9200, 51.0),
+        (FirstStage, RunIn, [1141, 1142], 75, 0.85, 6000, 24.0),
+        (FzgA, Lapped, [1151, 1152], 120, 0.35, 650, 23.0),
+        (FzgA, Ground, [1005, 1006], 60, 0.77, 1200, 19.0),
+        (FirstStage, Half, [1015, 1016], 125, 0.08, 1400, 12.0),
+        (FzgA, Quarter, [1025, 1026], 115, 0.70, 500, 31.0),
+        (FirstStage, Coarse, [1035, 1036], 80, 0.33, 8000, 15.0),
+        (FirstStage, Fine, [1045, 1046], 40, 0.39, 750, 13.0),
+        (FzgA, Honed, [1055, 1056], 100, 0.41, 1500, 44.0),
+        (FzgA, Dales, [1065, 1066], 90, 0.82, 2400, 55.0),
+        (FzgA, Long, [1075, 1076], 55, 0.52, 1800, 40.0),
+        (FirstStage, Polished, [1085, 1086], 115, 0.29, 11700, 41.0),
+        (
+            FirstStage,
+            Superfinished,
+            [1095, 1096],
+            45,
+            0.23,
+            1800,
+            28.0,
+        ),
+        (FirstStage, Plateaus, [1105, 1106], 110, 0.71, 5400, 11.0),
+        (FzgA, Crossed, [1115, 1116], 65, 0.87, 550, 38.0),
+        (FzgA, Peaked, [1125, 1126], 100, 0.28, 4700, 29.0),
+        (FirstStage, Peened, [1135, 1136], 60, 0.20, 7200, 14.0),
+        (FirstStage, RunIn, [1145, 1146], 130, 0.12, 3000, 14.0),
+        (FirstStage, Lapped, [1155, 1156], 105, 0.40, 1400, 27.0),
+    ];
+    flooded(rows.map(Condition::generated).into_iter().collect())
+}
+
+/// Conditions at part load that are not looked at before the model is fixed, drawn as the chosen ones.
+pub fn unseen_conditions() -> Vec<Condition> {
+    use Drive::{FirstStage, FzgA};
+    use Finish::{
+        Coarse, Crossed, Dales, Fine, Ground, Half, Honed, Lapped, Long, Peaked, Peened, Plateaus,
+        Polished, Quarter, RunIn, Superfinished,
+    };
+    let rows = [
+        (FirstStage, Ground, [2001, 2002], 55, 0.71, 3600, 13.0),
+        (FirstStage, Half, [2011, 2012], 90, 0.90, 1500, 10.0),
+        (FzgA, Quarter, [2021, 2022], 110, 0.65, 5400, 11.0),
+        (FirstStage, Coarse, [2031, 2032], 105, 0.17, 4200, 30.0),
+        (FirstStage, Fine, [2041, 2042], 100, 0.20, 9800, 43.0),
+        (FzgA, Honed, [2051, 2052], 100, 0.89, 5000, 38.0),
+        (FirstStage, Dales, [2061, 2062], 95, 0.66, 2200, 13.0),
+        (FirstStage, Long, [2071, 2072], 70, 0.46, 3800, 36.0),
+        (FzgA, Polished, [2081, 2082], 70, 0.45, 2600, 28.0),
+        (FirstStage, Superfinished, [2091, 2092], 55, 0.41, 700, 46.0),
+        (FirstStage, Plateaus, [2101, 2102], 120, 0.69, 5900, 16.0),
+        (FzgA, Crossed, [2111, 2112], 130, 0.33, 5700, 39.0),
+        (FirstStage, Peaked, [2121, 2122], 85, 0.12, 1200, 31.0),
+        (FirstStage, Peened, [2131, 2132], 105, 0.76, 3100, 33.0),
+        (FzgA, RunIn, [2141, 2142], 85, 0.79, 2300, 23.0),
+        (FirstStage, Lapped, [2151, 2152], 90, 0.66, 800, 17.0),
+        (FirstStage, Ground, [2005, 2006], 125, 0.81, 4300, 52.0),
+        (FzgA, Half, [2015, 2016], 75, 0.12, 1800, 23.0),
+        (FzgA, Quarter, [2025, 2026], 125, 0.61, 850, 15.0),
+        (FirstStage, Coarse, [2035, 2036], 45, 0.29, 11600, 12.0),
+        (FzgA, Fine, [2045, 2046], 80, 0.39, 2100, 54.0),
+        (FirstStage, Honed, [2055, 2056], 110, 0.69, 1900, 26.0),
+        (FirstStage, Dales, [2065, 2066], 65, 0.35, 1100, 25.0),
+        (FzgA, Long, [2075, 2076], 120, 0.35, 2700, 22.0),
+        (FzgA, Polished, [2085, 2086], 60, 0.53, 4700, 19.0),
+        (FzgA, Superfinished, [2095, 2096], 50, 0.49, 4900, 15.0),
+        (FirstStage, Plateaus, [2105, 2106], 75, 0.14, 2200, 18.0),
+        (FirstStage, Crossed, [2115, 2116], 65, 0.85, 1600, 41.0),
+        (FirstStage, Peaked, [2125, 2126], 115, 0.24, 1600, 50.0),
+        (FzgA, Peened, [2135, 2136], 40, 0.25, 5200, 59.0),
+        (FzgA, RunIn, [2145, 2146], 45, 0.83, 4500, 20.0),
+        (FirstStage, Lapped, [2155, 2156], 55, 0.61, 5500, 12.0),
+    ];
+    flooded(rows.map(Condition::generated).into_iter().collect())
 }
 
 /// Conditions of the gear meshes that are solved again with shorter waves.
@@ -695,7 +861,7 @@ pub const COLUMNS: [&str; 33] = [
 /// A row of the table.
 fn row(condition: &Condition, settings: &RecordSettings) -> Outcome<String> {
     let loaded = condition.load(Path::new("."))?;
-    let contact = ReferenceContact::of(&loaded, condition.position, &condition.settings(settings))?;
+    let contact = condition.contact(&loaded, settings)?;
     let begin = Instant::now();
     let solved = transient::record(&contact.rough, &contact.record)?;
     let seconds = begin.elapsed().as_secs_f64();
@@ -781,7 +947,10 @@ pub fn main() -> Outcome<()> {
             Some((key, _)) => return Err(format!("unknown key {key}").into()),
             None if word == "blind" => table = blind_conditions,
             None if word == "second" => table = second_blind_conditions,
+            None if word == "flooded" => table = flooded_second_blind_conditions,
             None if word == "part" => table = part_load_conditions,
+            None if word == "chosen" => table = chosen_conditions,
+            None if word == "unseen" => table = unseen_conditions,
             None if word == "short" => table = short_wave_conditions,
             None if word == "list" => is_list = true,
             None => prefix = word,
@@ -795,8 +964,7 @@ pub fn main() -> Outcome<()> {
     if is_list {
         for condition in chosen {
             let loaded = condition.load(Path::new("."))?;
-            let contact =
-                ReferenceContact::of(&loaded, condition.position, &condition.settings(&settings))?;
+            let contact = condition.contact(&loaded, &settings)?;
             let ratio = roughness_over_film(&loaded, &contact)?;
             let (slide, pressure) = (
                 contact.position.motion.slide_to_roll.abs(),

@@ -32,6 +32,7 @@ fn plain() -> Predictive {
         relief: None,
         gap_law: GapLaw::Inlet,
         roughness_over_film: Some(1.0),
+        max_pressure_pa: None,
         film_m: 0.3e-6,
         sampling: SamplingError::NONE,
     }

@@ -32,6 +32,7 @@ pub mod film_thickness_law;
 pub mod gap_law;
 pub mod inlet_flow;
 pub mod lambda_star;
+pub mod light_load;
 pub mod micropitting;
 pub mod published_shares;
 pub mod regime;

@@ -10,6 +10,7 @@ use asperity_core::{Checked, DomainError, FittedRange, OutOfRange, cite};
 use asperity_ehl_regime::inlet_flow::{
     CentralFilm, LARGEST_SHARE, Lay, inlet_factor, supplied_gap,
 };
+use asperity_ehl_regime::light_load::LightLoad;
 use asperity_ehl_regime::{
     Attenuation, FilmConditions, FilmLaw, GapLaw, MoesNumbers, PairSpectrum, RoughInlet,
     ThermalLaw, thermal_loading,
@@ -103,7 +104,7 @@ pub struct LoadShareSettings {
     pub film_law: FilmLaw,
     /// Thermal reduction of the film.
     pub thermal: ThermalLaw,
-    /// Reading of the central film in film friction; with the gap law `power` also in the supply.
+    /// Reading of the central film in film friction at Hertz's pressure, and in the supply by the gap law `power`.
     pub central_film: CentralFilm,
     /// Inlet supply.
     pub supply: InletSupply,
@@ -170,6 +171,8 @@ pub struct PositionFilm<'a> {
     contact: LineContact,
     bulk: f64,
     central: Length,
+    /// Smooth film in the friction.
+    sheared: Length,
     /// Smooth film in the supply.
     supplied: Length,
     /// Smooth film as a mass flow.
@@ -260,27 +263,35 @@ impl<'a> PositionFilm<'a> {
         DomainError::require(fits, "boundary share of inner spots", inner, "-", rule)?;
         let conditions = conditions(rheology, contact, bulk)?;
         let hertz = HertzLine::new(contact.load, contact.radius, contact.modulus)?;
-        let central = settings
-            .central_film
-            .thickness(smooth.central, hertz.max_pressure)?;
+        let read = |reading: CentralFilm| reading.thickness(smooth.central, hertz.max_pressure);
+        let central = read(settings.central_film)?;
+        let sheared = match settings.film_pressure {
+            FilmPressure::Hertz => central,
+            // The pressures of the film at light load belong to its gap.
+            FilmPressure::Rippled | FilmPressure::Own => read(CentralFilm::Gap)?,
+        };
         let gap_law = match settings.supply {
             InletSupply::Rough => settings.gap_law,
             InletSupply::Smooth => GapLaw::Power,
         };
         let supplied = match gap_law {
-            GapLaw::Inlet => CentralFilm::Gap.thickness(smooth.central, hertz.max_pressure)?,
+            GapLaw::Inlet => read(CentralFilm::Gap)?,
             GapLaw::Power => central,
         };
         let numbers = MoesNumbers::of(&conditions.line_groups()?)?;
-        let film = LoadedFilm::new(
+        let mut film = LoadedFilm::new(
             rheology,
             &FilmLineContact {
                 line: *contact,
-                film: central,
+                film: sheared,
                 temperature: bulk,
             },
             settings.film,
         )?;
+        if settings.film_pressure != FilmPressure::Hertz {
+            let LightLoad { excess, inlet } = LightLoad::of(&numbers);
+            film.reach_beyond(&excess, inlet)?;
+        }
         let outside = film.outside().to_vec();
         Ok(Self {
             rheology,
@@ -288,6 +299,7 @@ impl<'a> PositionFilm<'a> {
             contact: *contact,
             bulk: bulk.si(),
             central,
+            sheared,
             supplied,
             mass_flow: smooth.central,
             thermal_factor: smooth.thermal_factor,
@@ -345,10 +357,16 @@ impl<'a> PositionFilm<'a> {
         Ok(RoughInlet::of(traces, self.nabla, self.supplied, lay)?)
     }
 
-    /// Central film of smooth flanks h_c, as it enters the friction.
+    /// Central film of smooth flanks h_c.
     #[must_use]
     pub fn smooth_film(&self) -> Length {
         self.central
+    }
+
+    /// Film of smooth flanks that shears: the gap, or h_c at Hertz's pressure.
+    #[must_use]
+    pub fn sheared_film(&self) -> Length {
+        self.sheared
     }
 
     /// Solves the missing rows of a window's table that [`share`](Self::share) needs; `contact` gives the window if any is
@@ -531,7 +549,7 @@ impl<'a> PositionFilm<'a> {
     /// Lets the film carry its share of the load in a window with a mean gap.
     ///
     /// ```text
-    /// h = max(0.2, (g − y_d)/h_g) h_c                                       [Ripple-film]
+    /// h = max(0.2, (g − y_d)/h_g) h_s                                       [Ripple-film]
     /// ```
     ///
     /// y_d is the height of a part of the window over its mean line, g the mean gap, h_g the gap of smooth flanks.
@@ -545,7 +563,7 @@ impl<'a> PositionFilm<'a> {
             FilmPressure::Hertz => {}
             FilmPressure::Rippled if window.is_rippled() => {
                 cite!("Ripple-film");
-                let [central, smooth] = [self.central.si(), self.supplied.si()];
+                let [central, smooth] = [self.sheared.si(), self.supplied.si()];
                 let of_parts = window.ripple.iter().map(|part| FilmRipple {
                     area: part.length,
                     pressure: part.pressure,

@@ -56,7 +56,7 @@ pub struct LoadShareSolution {
     pub parts: FrictionParts,
     /// The parts of the sliding loss.
     pub losses: LineLosses,
-    /// Central film h_c of smooth flanks, as it enters the friction.
+    /// Central film h_c of smooth flanks.
     pub smooth_film: Length,
     /// Thermal factor in it.
     pub thermal_factor: f64,

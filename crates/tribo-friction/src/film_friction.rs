@@ -50,6 +50,8 @@ const TEMPERATURE_TOLERANCE: f64 = 1e-9;
 /// parts, .1 % in the mean.
 pub(crate) const PLACES: NonZeroUsize = NonZeroUsize::MIN.saturating_add(5);
 const GROUPS: usize = 4;
+/// Pressure over the largest Hertz pressure where a film at light load would have none.
+const LEAST_PRESSURE: f64 = 0.005;
 
 /// Range in which the law was compared with measured gears.
 const RANGES: [FittedRange; 4] = [
@@ -166,6 +168,8 @@ pub struct LoadedFilm<'a> {
     sliding: f64,
     /// Thickness of the smooth film \[m\].
     film: f64,
+    /// Friction coefficient of the whole load per stress of the film at ambient pressure, before and behind the contact \[1/Pa\].
+    inlet: f64,
 }
 
 /// A part of a film between rough flanks.
@@ -293,6 +297,45 @@ impl<'a> LoadedFilm<'a> {
             few: area.few,
             sliding,
             film: area.film,
+            inlet: 0.0,
+        })
+    }
+
+    /// Lets the pressure of the smooth film differ from Hertz's, as at light load: by `excess` over the largest Hertz pressure, whose
+    /// coefficients belong to even powers of the place in the contact, and with the stress `inlet` before and behind the
+    /// contact, as a mean over its width and over that of the film at ambient pressure.
+    ///
+    /// ```text
+    /// p = p₀ (y + √(y² + 4 · 0.005²))/2,  y = cos t + Σ c_k sin^(2k) t
+    /// μ_f += (2a/w) I τ(p = 0)                                                     [Light-film]
+    /// ```
+    ///
+    /// The root keeps the pressure above zero and changes it by less than 3e-4 p₀ above p₀/10.
+    ///
+    /// # Errors
+    /// When the inlet is negative or not finite.
+    pub fn reach_beyond(&mut self, excess: &[f64], inlet: f64) -> Result<(), FrictionError> {
+        cite!("Light-film");
+        let rule = "must be finite and not negative";
+        let fits = inlet.is_finite() && inlet >= 0.0;
+        DomainError::require(fits, "stress before the contact", inlet, "-", rule)?;
+        for [pressure, _] in self.hertz.iter_mut().chain(&mut self.few) {
+            let cos = *pressure / self.max_pressure;
+            let square = 1.0 - cos * cos;
+            let excess = excess.iter().rev().fold(0.0, |sum, c| sum * square + c);
+            let sum = cos + excess;
+            *pressure = self.max_pressure * 0.5 * (sum + sum.hypot(2.0 * LEAST_PRESSURE));
+        }
+        self.inlet = inlet * self.area / self.load;
+        self.carry(1.0)
+    }
+
+    /// The node of the film before and behind the contact, of a film that carries `share` of the load.
+    fn inlet_node(&self, share: f64) -> Option<Node> {
+        (self.inlet > 0.0).then(|| Node {
+            point: point(self.rheology, self.heat, [0.0, self.sliding, self.film]),
+            weight: self.inlet / share,
+            stress: None,
         })
     }
 
@@ -317,6 +360,7 @@ impl<'a> LoadedFilm<'a> {
             node.point = point(self.rheology, self.heat, at);
             node.weight = weight / share;
         }
+        self.nodes.extend(self.inlet_node(share));
         Ok(())
     }
 
@@ -355,6 +399,7 @@ impl<'a> LoadedFilm<'a> {
                 node.stress = before.and_then(|before| guess(&before, at[0]));
             }
         }
+        self.nodes.extend(self.inlet_node(share));
         Ok(())
     }
 

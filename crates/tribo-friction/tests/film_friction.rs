@@ -847,3 +847,50 @@ proptest! {
         prop_assert!(loss(more * slide_to_roll) >= loss(slide_to_roll) * (1.0 - 1e-12));
     }
 }
+
+#[test]
+fn a_film_at_light_load_shears_at_its_pressures_and_before_the_contact() {
+    let (rheology, contact) = (oil("M100"), e_drive(0.3));
+    let film = |excess: &[f64], inlet: f64| {
+        let mut film = LoadedFilm::new(&rheology, &contact, FilmSettings::default()).unwrap();
+        film.reach_beyond(excess, inlet).unwrap();
+        film
+    };
+    let rise = 3.0;
+    let mut hertz = LoadedFilm::new(&rheology, &contact, FilmSettings::default()).unwrap();
+    let [whole, _] = hertz.friction_at(rise).unwrap();
+    // Without excess only the floor of the pressure acts.
+    let [even, _] = film(&[0.0; 4], 0.0).friction_at(rise).unwrap();
+    assert!((even / whole - 1.0).abs() < 3e-4, "{even} {whole}");
+    // c₀ (1 - sin²t) + c₁ sin²t with both the same is a pressure that is higher everywhere: so is the sum of its powers.
+    let [raised, _] = film(&[0.1, 0.0, 0.0, 0.0], 0.0).friction_at(rise).unwrap();
+    let [lowered, _] = film(&[-0.1, 0.1, 0.0, 0.0], 0.0).friction_at(rise).unwrap();
+    assert!(
+        raised > 1.01 * whole && lowered < 0.99 * whole,
+        "{raised} {lowered}"
+    );
+    // Before the contact the film shears at ambient pressure: (2a/w) I τ(0).
+    let inlet = 1.7;
+    let [more, _] = film(&[0.0; 4], inlet).friction_at(rise).unwrap();
+    let line = contact.line;
+    let [w, r] = [line.load.si(), line.radius.si()];
+    let half_width = (4.0 * w * r / (std::f64::consts::PI * line.modulus.si())).sqrt();
+    let sliding = (line.speeds[0].si() - line.speeds[1].si()).abs();
+    let point = rheology.film_point(0.0, sliding, contact.film.si());
+    let wall = contact.temperature.si() + rise;
+    let (stress, _) = rheology.heated_stress(&point, wall, None).unwrap();
+    let expected = 2.0 * half_width / w * inlet * stress.value;
+    assert!(
+        ((more - even) / expected - 1.0).abs() < 1e-9,
+        "{more} {even} {expected}"
+    );
+    // A film that carries a part of the load has less pressure, and the same inlet.
+    let mut part = film(&[0.0; 4], inlet);
+    part.carry(0.5).unwrap();
+    let mut without = film(&[0.0; 4], 0.0);
+    without.carry(0.5).unwrap();
+    let [part, without] = [part, without].map(|mut film| film.friction_at(rise).unwrap()[0]);
+    assert!((0.5 * (part - without) / expected - 1.0).abs() < 1e-9);
+    assert!(hertz.reach_beyond(&[0.0; 4], -1.0).is_err());
+    assert!(hertz.reach_beyond(&[0.0; 4], f64::NAN).is_err());
+}

@@ -166,6 +166,7 @@ pub(super) fn by_contacts(
         relief: ReliefFactors::of(&loaded.case).map_err(whole)?,
         gap_law: loaded.case.model.gap_law,
         roughness_over_film: path.roughness_over_film,
+        max_pressure_pa: path.max_pressure_pa,
         film_m: path.film_m,
         sampling: sampling_error(loaded, nominal, path.asperity_share)?,
         constants,
@@ -446,6 +447,7 @@ pub(super) struct Path {
     pub asperity_share: f64,
     pub film_friction: f64,
     pub roughness_over_film: Option<f64>,
+    max_pressure_pa: Option<f64>,
     film_m: f64,
 }
 
@@ -463,6 +465,7 @@ impl Path {
             film_friction: mean(&|row| row.mu_film),
             roughness_over_film: is_known
                 .then(|| mean(&|row| row.roughness_over_film.unwrap_or(0.0))),
+            max_pressure_pa: (total > 0.0).then(|| mean(&|row| 1e6 * row.hertz_pressure_mpa)),
             film_m: mean(&|row| 1e-6 * row.film_central_um),
         }
     }

@@ -111,7 +111,8 @@ choices! {
     /// the gap, or `power`, whose film thickens as the asperities take load off it.
     #[serde(skip_serializing_if = "Option::is_none")]
     gap_law: GapLaw = corrected(GapLaw::default());
-    /// Reading of the central film in film friction, and in the gap law `power`: `mass-flow` (default) or `gap`.
+    /// Reading of the central film in film friction at Hertz's pressure, and in the gap law `power`: `mass-flow` (default) or `gap`;
+    /// at its own pressure the film is the gap.
     central_film: CentralFilm = corrected(CentralFilm::MassFlow);
     /// Reading of the central film in Λ* and in printed film thicknesses: `gap` (default) or `mass-flow`
     /// (`paper`: `mass-flow`).

@@ -135,12 +135,7 @@ proptest! {
         let mut film = PositionFilm::new(&rheology, contact, bulk, &LoadShareSettings::default()).unwrap();
         let even = WindowRoughness::even(Length::from_si(0.0));
         let found = film.share(&table, &even).unwrap().value;
-        let alone = FilmLineContact {
-            line: *contact,
-            film: film.smooth_film(),
-            temperature: bulk,
-        };
-        let alone = film_friction::solve(&rheology, &alone, FilmSettings::default()).unwrap().value;
+        let alone = film_alone(&rheology, contact, bulk, film.sheared_film());
         prop_assert_eq!((found.asperity_share, found.inlet_factor), (0.0, 1.0));
         prop_assert_eq!(found.coefficient.to_bits(), alone.coefficient.to_bits());
     }
@@ -228,7 +223,7 @@ proptest! {
     ) {
         let power = |of: i32| 2f64.powi(of);
         let any = Units { length: power(length), time: power(time), mass: power(mass) };
-        // The density of the gap law `inlet` has constants in pascals.
+        // The density of the gap law `inlet`, and of the gap in which the film shears at its own pressure, has constants in pascals.
         let same_pressure = Units { mass: power(length + 2 * time), ..any };
         for (law, units) in [(GapLaw::Power, any), (GapLaw::Inlet, same_pressure)] {
             let one = in_units(&drawn, law, &Units { length: 1.0, time: 1.0, mass: 1.0 });
@@ -306,6 +301,10 @@ fn in_units(drawn: &Drawn, gap_law: GapLaw, units: &Units) -> LoadShareSolution 
         gap_law,
         // The thinnest film of a spot whose shear rate is computed is a length that is no input: slow spots inside the contact reach it.
         spot_speed: SpotSpeed::Entrainment,
+        film_pressure: match gap_law {
+            GapLaw::Power => FilmPressure::Hertz,
+            GapLaw::Inlet => settings.film_pressure,
+        },
         ..settings
     };
     let (starts, n) = (drawn.starts(), points(of));
