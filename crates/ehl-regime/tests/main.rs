@@ -1,6 +1,7 @@
 //! The tests of this crate as one program, which is linked only once.
 
 mod examples;
+mod light_load;
 mod limits;
 mod properties;
 mod reference_case;
