@@ -17,7 +17,7 @@ pub enum CalibrationError {
         /// Its line and numbers.
         source: Ragged,
     },
-    /// The table cannot be opened, or is no text.
+    /// The table cannot be opened, or is not text.
     #[error("{}", ended(&.0.to_string(), &.0.remedy().to_string()))]
     Open(ReadError),
     /// A column is missing, or has another unit.

@@ -41,7 +41,7 @@ const NAMES: [(&str, &str); 3] = [
     ("loss_torque_nm", "torque_loss_nm"),
 ];
 
-/// The number of a column, under its name or that of [`NAMES`].
+/// The number of a column, under its own name or its name in [`NAMES`].
 fn optional(row: Row<'_>, column: &str) -> Result<Option<f64>, RowFault> {
     let other = NAMES.iter().find(|(name, _)| *name == column);
     match other {

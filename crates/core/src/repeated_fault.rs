@@ -36,7 +36,7 @@ impl RepeatedFault {
         }
     }
 
-    /// Whether there are so many faults that they belong to the file.
+    /// Whether there are enough faults for a dialect of the file.
     pub fn is_dialect(&self) -> bool {
         self.count >= DIALECT
     }

@@ -5,7 +5,8 @@
 use std::collections::BTreeSet;
 
 use asperity_core::presets::{
-    Certainty, FigureRow, PresetError, gears, read_gears, read_steels, sources, steel, steels,
+    Certainty, FigureRow, PresetError, gears, planetary_sets, read_gears, read_steels, sources,
+    steel, steels,
 };
 
 /// Every number of every preset, with the name of its preset.
@@ -41,6 +42,12 @@ fn every_number_of_every_preset_has_a_source_and_no_source_is_idle() {
     assert!(numbers > 150, "{numbers}");
     // That of the heat capacity of a sintered steel is named in a note.
     used.insert("ternero_2021".to_owned());
+    for set in planetary_sets().unwrap() {
+        for row in set.gear_rows().iter().chain(&set.operation_rows()) {
+            assert!(listed.contains(row.source), "{}: {}", set.name, row.key);
+            used.insert(row.source.to_owned());
+        }
+    }
     assert_eq!(used, listed);
     for source in sources().unwrap() {
         assert!(source.text.len() > 20, "{}", source.key);

@@ -31,7 +31,7 @@ pub struct Ragged {
     pub cells: usize,
     /// The number of columns.
     pub columns: usize,
-    /// Rows with the same number of cells, if there are so many that the file is no such table.
+    /// Rows with the same number of cells, if ten or more.
     pub like: Option<RepeatedFault>,
 }
 
@@ -193,7 +193,7 @@ impl Table {
         self.all(value).map_err(|mut faults| faults.swap_remove(0))
     }
 
-    /// The faults, those of a column that repeat as one.
+    /// The faults; ten or more of one column are a single fault.
     fn together(&self, faults: Vec<RowFault>) -> Vec<RowFault> {
         let mut found: Vec<(RowFault, RepeatedFault)> = Vec::new();
         let mut single = Vec::new();
@@ -235,7 +235,7 @@ impl Table {
 
 /// The sign between the columns of the table in `text`; `None` for blanks.
 fn separator(text: &str) -> Option<char> {
-    /// Lines that are looked at: a title, names, units, and rows.
+    /// Lines that are examined: a title, names, units, and rows.
     const LINES: usize = 6;
     let is_row = |line: &&str| !line.starts_with('#') && !line.trim().is_empty();
     let lines: Vec<&str> = text.lines().filter(is_row).take(LINES).collect();

@@ -329,7 +329,7 @@ fn trace(
     })
 }
 
-/// Rejects the mean of a surface whose Rq is far below that of single lines.
+/// Rejects the mean of a surface whose Rq is far below the Rq of single lines.
 fn check_mean(
     (input, keys, context): (&FlankInput, &Keys, Context<'_>),
     (file, name): (&Path, &str),

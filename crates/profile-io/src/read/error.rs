@@ -4,10 +4,10 @@ use asperity_core::quantity::Length;
 use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{RepeatedFault, decimals, number};
 
-use super::file_dialect::FileDialect;
 use super::format::Format;
 use super::layout::Dialect;
 use super::options::{Abscissa, Axis, DecimalSign, LengthUnit, Separator, TraceRange};
+use super::seems::FileDialect;
 use super::steepness::Steepness;
 
 /// Error of reading a file. The text states file, line, and the actual and expected content; [`code`](Self::code) is
@@ -282,7 +282,7 @@ pub enum ReadFault {
         first: Box<ReadFault>,
         /// Their number and lines.
         faults: RepeatedFault,
-        /// What the file seems to be.
+        /// Dialect that the file seems to have.
         seems: FileDialect,
     },
     /// Points x, y, z of which one place occurs twice.

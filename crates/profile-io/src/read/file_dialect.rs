@@ -1,69 +1,12 @@
-//! Faults of rows that belong to the file: told apart from a single wrong line by the rows that follow.
+//! Faults of rows that belong to the file, distinguished from a single wrong line by the following rows.
 
 use asperity_core::RepeatedFault;
-use asperity_core::remedy::{Remedy, Setting, Value};
 
 use super::dialect::{Cell, Sniffed};
 use super::error::{CellRemedy, ReadFault};
 use super::layout::Dialect;
+use super::seems::FileDialect;
 use super::text::Lines;
-
-/// What a file seems to be whose rows have like faults.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum FileDialect {
-    /// Missing heights have this mark.
-    Mark(String),
-    /// Numbers are followed by this unit.
-    Unit(String),
-    /// A column, from 1, has text; these two have numbers, if there are two.
-    Text {
-        /// The column with text.
-        column: usize,
-        /// Columns with numbers.
-        numbers: Option<[usize; 2]>,
-    },
-    /// Another table begins.
-    Tables,
-    /// Rows have different numbers of cells.
-    Ragged,
-    /// The rows have another decimal sign or separator; the remedy of the first says which.
-    Sign,
-}
-
-impl std::fmt::Display for FileDialect {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Mark(mark) => write!(f, "the file seems to mark missing points with \"{mark}\""),
-            Self::Unit(unit) => write!(f, "the numbers seem to be followed by the unit \"{unit}\""),
-            Self::Text { column, .. } => write!(f, "column {column} seems to hold text"),
-            Self::Tables => write!(f, "another table seems to begin here"),
-            Self::Ragged => write!(f, "the file seems to have cells with its separator in them"),
-            Self::Sign => write!(f, "the rows seem to have another decimal sign or separator"),
-        }
-    }
-}
-
-impl FileDialect {
-    /// The remedy; `single` is the remedy of a single fault.
-    pub(super) fn remedy(&self, single: Remedy) -> Remedy {
-        match self {
-            Self::Mark(_) => Remedy::act("write NaN or nothing in place of the mark"),
-            Self::Unit(unit) => Remedy::act(format!(
-                "remove \"{unit}\" from all rows and write it in the line of names, as z [{unit}]"
-            )),
-            Self::Text { numbers, .. } => match numbers {
-                Some([x, z]) => {
-                    Remedy::set(Setting::Columns, Value::Like(format!("{x},{z}").into()))
-                }
-                None => Remedy::act("export the position and the height as numbers"),
-            },
-            Self::Tables => Remedy::act("export one table to a file, or delete the others"),
-            Self::Ragged => Remedy::act("export with ';' or a tab between the columns"),
-            Self::Sign => single,
-        }
-    }
-}
 
 /// A faulty row, as its fault is compared with others.
 #[derive(PartialEq)]
@@ -74,8 +17,8 @@ enum Kind {
     Width(usize),
 }
 
-/// The fault at the line `number` with `text`, together with the like faults of the `lines` after it: from ten on, or where
-/// several lines in a row are no rows of the table, it is a fault of the file.
+/// The fault at the line `number` with `text`, together with the like faults of the `lines` after it: ten or more, or several
+/// lines in a row without a row of the table, are a fault of the file.
 pub(super) fn of_file(
     fault: ReadFault,
     (number, text): (usize, &str),
@@ -151,7 +94,7 @@ fn kind<'t>(fault: &ReadFault, text: &'t str, sniffed: &Sniffed) -> Option<(Kind
     }
 }
 
-/// What faulty cells have in common.
+/// Common text and unit of faulty cells.
 struct Marks {
     /// The text of all of them.
     same: Option<String>,
@@ -173,7 +116,7 @@ impl Marks {
         self.unit = unit.filter(|unit| unit_after(cell) == Some(unit));
     }
 
-    /// What column `at`, from 0, seems to have.
+    /// The content that column `at`, from 0, seems to have.
     fn seem(&self, at: usize, text: &str, dialect: Dialect) -> FileDialect {
         if let Some(unit) = &self.unit {
             return FileDialect::Unit(unit.clone());

@@ -6,11 +6,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::error::ReadFault;
+use super::options::FEWEST_POINTS;
 use super::options::Gaps;
 use crate::warning::Warning;
-
-/// Minimum number of points of a profile for meaningful roughness parameters.
-pub(super) const FEWEST_POINTS: usize = 100;
 
 /// Maximum fraction of missing points that may be interpolated.
 const MOST_MISSING: f64 = 0.1;

@@ -21,7 +21,7 @@ const FORMAT: Format = Format::TextMatrix;
 /// Whether a table with these labels is a matrix: as its header says, or with at least as many columns as a profile has
 /// points, without names and not requested by `options`.
 pub(super) fn is_matrix(labels: &[Label], values: &HeaderValues, options: &ReadOptions) -> bool {
-    (labels.len() >= grid::FEWEST_POINTS || (labels.len() > 2 && values.is_of_matrix()))
+    (labels.len() >= options::FEWEST_POINTS || (labels.len() > 2 && values.is_of_matrix()))
         && options.columns.is_none()
         && labels.iter().all(|label| label.role.is_none())
 }

@@ -47,6 +47,8 @@ mod resample;
 mod roll_length;
 mod rows;
 mod sdf;
+mod sdf_mark;
+mod seems;
 mod sigmasurf;
 mod single_column;
 mod smd;
@@ -328,7 +330,7 @@ pub fn table_text(name: &str, bytes: &[u8]) -> Result<String, ReadError> {
 /// The text of the table in the file at `path` of at most `most` bytes, as [`table_text`].
 ///
 /// # Errors
-/// When it cannot be read, is larger, or is no text.
+/// When it cannot be read, is larger, or is not text.
 pub fn read_table(path: &Path, most: u64) -> Result<String, ReadError> {
     let name = path.display().to_string();
     let bytes = asperity_storage::whole_file(path, most);

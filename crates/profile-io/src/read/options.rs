@@ -7,6 +7,9 @@ use asperity_core::quantity::Length;
 use asperity_core::remedy::Setting;
 use serde::{Deserialize, Serialize};
 
+/// Minimum number of points of a profile for meaningful roughness parameters.
+pub(super) const FEWEST_POINTS: usize = 100;
+
 /// Explicit statements about a file. The default states nothing and refuses gaps.
 ///
 /// ```

@@ -4,8 +4,6 @@
 //! Zscale metres; `BAD`, or in the proposal BCR the largest number of the type, marks a missing height. Of several rows the
 //! requested one is read.
 
-use super::areal::raw::Missing;
-use super::areal::sdf_binary::mark;
 use super::areal::trace::{Areal, Heights};
 use super::damage::{damaged, height_or_gap, miscounted};
 use super::error::ReadFault;
@@ -15,6 +13,7 @@ use super::grid::{SpacingSource, chosen_row};
 use super::metadata::{Metadata, number, short};
 use super::options::ReadOptions;
 use super::plain_row::take_numbers;
+use super::sdf_mark;
 use super::text::Text;
 
 const FORMAT: Format = Format::SdfAscii;
@@ -130,11 +129,11 @@ fn matrix(
         return Err(miscounted(FORMAT, heights.len(), wanted));
     }
     let marked = header.kind.filter(|_| header.is_proposal);
-    let mark = marked.map_or(Missing::None, |kind| mark(kind, true));
+    let between = marked.map(|kind| sdf_mark::between(kind, true));
     heights.iter_mut().for_each(|z| {
-        *z = match mark.holds(*z) {
-            true => f64::NAN,
-            false => *z * z_scale,
+        *z = match between {
+            Some([below, above]) if *z <= below || *z >= above => f64::NAN,
+            _ => *z * z_scale,
         }
     });
     Ok((header, first_line, heights))

@@ -9,8 +9,7 @@ use asperity_core::numerics::extremes;
 use super::damage::damaged;
 use super::error::{ReadFault, SpacingHint};
 use super::format::Format;
-use super::grid;
-use super::options::{LengthUnit, ReadOptions};
+use super::options::{FEWEST_POINTS, LengthUnit, ReadOptions};
 use super::text::Text;
 use crate::warning::Warning;
 
@@ -44,7 +43,7 @@ pub(super) fn interpret(
     warnings: &mut Vec<Warning>,
 ) -> Result<Special, ReadFault> {
     let no_spacing = |hint| ReadFault::NoSpacing { hint };
-    if heights.len() < grid::FEWEST_POINTS {
+    if heights.len() < FEWEST_POINTS {
         return Ok(Special::delimited());
     }
     let header_number = match first_is_written_unlike_the_rest(text, first)? {

@@ -21,8 +21,7 @@ use asperity_core::remedy::{Remedy, Setting, Value};
 use asperity_core::{Profile, number};
 use serde::{Deserialize, Serialize};
 
-use super::grid::FEWEST_POINTS;
-use super::options::LengthUnit;
+use super::options::{FEWEST_POINTS, LengthUnit};
 
 /// Maximum plausible Rdq.
 const LARGEST_RDQ: f64 = 2.0;
@@ -295,7 +294,7 @@ impl Slopes {
 fn edge(profile: &Profile) -> Option<Suspicion> {
     /// Largest part of the trace that is cut off.
     const LARGEST_END: f64 = 0.3;
-    /// Part of the trace between the first steep step and the part that is kept, where the edge is rounded.
+    /// Part of the trace between the first steep step and the remaining part, where the edge is rounded.
     const ROUNDED: f64 = 0.01;
     /// Hundredths of a millimetre, in which the part is stated.
     const DIGIT: f64 = 1e-5;
@@ -536,7 +535,7 @@ mod tests {
             .remedy()
             .to_string();
         assert!(
-            range.starts_with("Set range to 1.22 mm .. 1.99 mm"),
+            range.starts_with("Set range to 1.21 mm .. 1.99 mm"),
             "{range}"
         );
         // What is left is a profile.

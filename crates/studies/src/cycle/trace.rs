@@ -493,7 +493,7 @@ const CLOCKS: [&str; 7] = [
 ];
 
 impl Quantity {
-    /// What a number of the column `name` is multiplied by; `None` if the name is of another quantity.
+    /// Factor of the numbers of the column `name`; `None` if the name is of another quantity.
     fn factor(&self, name: &str) -> Option<f64> {
         if name == self.column {
             return Some(1.0);

@@ -21,7 +21,7 @@ mod opdx;
 mod opdx_items;
 mod plu;
 pub(crate) mod raw;
-pub(super) mod sdf_binary;
+mod sdf_binary;
 mod sur;
 pub(crate) mod trace;
 mod vk;

@@ -63,7 +63,7 @@ pub(crate) enum Missing {
 }
 
 impl Missing {
-    pub(crate) fn holds(self, value: f64) -> bool {
+    fn holds(self, value: f64) -> bool {
         match self {
             Self::None => false,
             Self::Equal(mark) => value == mark,

@@ -11,6 +11,7 @@ use crate::read::damage::damaged;
 use crate::read::error::ReadFault;
 use crate::read::format::Format;
 use crate::read::metadata::short;
+use crate::read::sdf_mark;
 
 const FORMAT: Format = Format::SdfBinary;
 /// Magic number of the version with counts of 32 bits.
@@ -18,34 +19,17 @@ const WIDE: &[u8] = b"bISO-2.0";
 /// Start of the magic number of the proposal before the standard.
 const PROPOSAL: &[u8] = b"bBCR";
 
-/// Storage by the number of the type, and its smallest and largest number.
-const TYPES: [(Number, [f64; 2]); 8] = [
-    (Number::U8, [0.0, u8::MAX as f64]),
-    (Number::U16, [0.0, u16::MAX as f64]),
-    (Number::U32, [0.0, u32::MAX as f64]),
-    (Number::F32, [f32::MIN as f64, 3.4e38]),
-    (Number::I8, [i8::MIN as f64, i8::MAX as f64]),
-    (Number::I16, [i16::MIN as f64, i16::MAX as f64]),
-    (Number::I32, [i32::MIN as f64, i32::MAX as f64]),
-    (Number::F64, [f64::MIN, 1.7e308]),
+/// Storage by the number of the type.
+const TYPES: [Number; 8] = [
+    Number::U8,
+    Number::U16,
+    Number::U32,
+    Number::F32,
+    Number::I8,
+    Number::I16,
+    Number::I32,
+    Number::F64,
 ];
-
-/// Mark of a missing height for a type: its smallest number in ISO 25178-71, its largest in the proposal BCR before the
-/// standard, which has unsigned types. No instrument measures the smallest number of a signed type.
-pub(in crate::read) fn mark(kind: usize, is_proposal: bool) -> Missing {
-    let Some((_, [smallest, largest])) = TYPES.get(kind) else {
-        return Missing::None;
-    };
-    let below = match *smallest < 0.0 {
-        true => *smallest,
-        false => f64::NEG_INFINITY,
-    };
-    let above = match is_proposal {
-        true => *largest,
-        false => f64::INFINITY,
-    };
-    Missing::Outside(below, above)
-}
 
 /// Reads the surface or profile.
 pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
@@ -66,7 +50,7 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
             &compression.to_string(),
         ));
     }
-    let Some(&(number, _)) = TYPES.get(usize::from(kind)) else {
+    let Some(&number) = TYPES.get(usize::from(kind)) else {
         return Err(fault(
             "the type of its numbers is not known",
             &kind.to_string(),
@@ -74,7 +58,8 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Areal, ReadFault> {
     };
     let raw = Raw::new(bytes, number, Layout::packed(first, columns, rows, number));
     let mut raw = raw.ok_or_else(|| fault("fewer heights than the header says", ""))?;
-    (raw.scale, raw.missing) = (scales[2], mark(usize::from(kind), is_proposal));
+    let [below, above] = sdf_mark::between(usize::from(kind), is_proposal);
+    (raw.scale, raw.missing) = (scales[2], Missing::Outside(below, above));
     let mut found = Areal::new(FORMAT, Heights::Raw(raw)).spaced(scales[0], scales[1]);
     found.metadata.instrument = instrument.as_deref().and_then(short);
     found.metadata.date = date.as_deref().and_then(short);

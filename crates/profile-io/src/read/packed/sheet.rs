@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use crate::read::grid::FEWEST_POINTS;
 use crate::read::metadata;
+use crate::read::options::FEWEST_POINTS;
 
 /// Maximum number of columns of a sheet that are read.
 pub(super) const MOST_COLUMNS: usize = 2000;
