@@ -209,6 +209,12 @@ fn rows(
     for mesh in meshes {
         let mut measurements = of_case(mesh.0);
         match OilBase::of_case(&mesh.0.case, ConstantsOf::Family) {
+            _ if mesh.0.case.load_share().needs_records() => {
+                no_curves = Some(
+                    "other constants of the film need other records of mixed lubrication"
+                        .to_owned(),
+                );
+            }
             Ok(oil) => measurements.extend(of_film(*mesh, &oil)?),
             Err(error) => no_curves = Some(error.to_string()),
         }
