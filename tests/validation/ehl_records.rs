@@ -15,7 +15,7 @@ use asperity::lubrication::{ComparedWindow, WINDOWS, compared_windows, share_set
 use asperity::mixed_film::{
     AttenuatedTraces, GapRoughness, LoadShareSettings, LoadShareSolution, PositionFilm,
 };
-use asperity::reference_solution::{LARGEST_ROUGHNESS, ReferenceContact, ReferenceSettings};
+use asperity::reference_solution::{Inlet, LARGEST_ROUGHNESS, ReferenceContact, ReferenceSettings};
 use asperity_core::Profile;
 use asperity_core::quantity::{Length, Pressure};
 use asperity_ehl_regime::inlet_flow::inlet_factor;
@@ -199,6 +199,7 @@ impl Windows {
             with_heat: false,
             beginning: 0,
             shortest_wave: condition.shortest_wave,
+            inlet: Inlet::Stated,
         };
         let contact = ReferenceContact::of(&loaded, condition.position, &settings).unwrap();
         let windows = compared_windows(&loaded, &contact, count).unwrap();

@@ -24,11 +24,11 @@ use std::time::Instant;
 
 use asperity::LoadedCase;
 use asperity::case::load_with;
-use asperity::ehl::{CELL_MULTIPLE, RecordSettings, Window, transient};
+use asperity::ehl::{RecordSettings, transient};
 use asperity::lubrication::formula_film;
 use asperity::quantity::Length;
 use asperity::quantity::Pressure;
-use asperity::reference_solution::{ReferenceContact, ReferenceSettings, record_warnings};
+use asperity::reference_solution::{Inlet, ReferenceContact, ReferenceSettings, record_warnings};
 use asperity::roughness::generate::{
     Ground, HeightDistribution, NonGaussian, PlateauHoned, SelfAffine, lower_envelope,
 };
@@ -46,9 +46,6 @@ const FZG_TURNS: f64 = 2166.0 / 8.3;
 pub const EYRING_STRESS: [Pressure; 2] = [Pressure::from_si(4e6), Pressure::from_si(5e6)];
 /// Boundary friction of the records.
 pub const BOUNDARY_FRICTION: f64 = 0.08;
-/// Inlet of flooded records over that of the tabulated window, whose film is flooded to 0.2 %. At .3 GPa and 9000 1/min, where the
-/// window of the other records shears a smooth film 70 % harder, this one shears it 1 % harder.
-const FLOODED: f64 = 0.65;
 /// Spacing of the synthetic traces.
 const SPACING: Length = Length::from_si(0.5e-6);
 
@@ -334,6 +331,10 @@ impl Condition {
             with_heat: true,
             beginning: 0,
             shortest_wave: self.shortest_wave,
+            inlet: match self.is_flooded {
+                true => Inlet::Flooded,
+                false => Inlet::Stated,
+            },
         }
     }
 
@@ -343,22 +344,7 @@ impl Condition {
         loaded: &LoadedCase,
         record: &RecordSettings,
     ) -> Outcome<ReferenceContact> {
-        let mut settings = self.settings(record);
-        let contact = ReferenceContact::of(loaded, self.position, &settings)?;
-        if !self.is_flooded {
-            return Ok(contact);
-        }
-        let rough = &contact.rough;
-        let Window { inlet, outlet } = Window::tabulated(&rough.contact.scales(&rough.oil)?);
-        let flooded = Window {
-            inlet: (FLOODED * inlet).min(settings.record.window.inlet),
-            outlet,
-        };
-        let record = &mut settings.record;
-        let length = |window: &Window| window.outlet - window.inlet;
-        let cells = record.cells as f64 * length(&flooded) / length(&record.window);
-        record.cells = (cells.ceil() as usize).next_multiple_of(CELL_MULTIPLE);
-        record.window = flooded;
+        let settings = self.settings(record);
         Ok(ReferenceContact::of(loaded, self.position, &settings)?)
     }
 

@@ -132,6 +132,37 @@ fn a_loss_by_records_has_an_interval_and_no_draw_solves_a_record() {
 }
 
 #[test]
+fn a_record_at_light_load_begins_where_its_inlet_is_flooded() {
+    use asperity::ehl::RecordSettings;
+    use asperity::reference_solution::{Inlet, ReferenceContact, ReferenceSettings};
+    let record = |torque: &str, inlet: Inlet| {
+        let loaded = case("e-drive.toml", &[("operation.torque", torque)]).unwrap();
+        let settings = ReferenceSettings {
+            record: RecordSettings::default(),
+            eyring_stress: None,
+            with_heat: false,
+            beginning: 0,
+            shortest_wave: None,
+            inlet,
+        };
+        ReferenceContact::of(&loaded, 0.9, &settings)
+            .unwrap()
+            .record
+    };
+    let stated = RecordSettings::default();
+    let full = record("145 N m", Inlet::ByLoad);
+    assert_eq!((full.window, full.cells), (stated.window, stated.cells));
+    let light = record("20 N m", Inlet::ByLoad);
+    assert!(light.window.inlet < -5.0, "{:?}", light.window);
+    let cell = |settings: &RecordSettings| {
+        (settings.window.outlet - settings.window.inlet) / settings.cells as f64
+    };
+    assert!(cell(&light) <= cell(&stated) && cell(&light) > 0.9 * cell(&stated));
+    assert_eq!(light.window, record("20 N m", Inlet::Flooded).window);
+    assert_eq!(record("20 N m", Inlet::Stated).window, stated.window);
+}
+
+#[test]
 fn the_heat_of_the_film_lowers_the_friction_of_its_records() {
     let cache = tempfile::tempdir().unwrap();
     let with = |conductivity: &str| {

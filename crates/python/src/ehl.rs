@@ -7,7 +7,7 @@ use asperity::ehl::several_records::{mean_of, record_several};
 use asperity::lubrication::{HIGHEST_PRESSURE, shares};
 use asperity::quantity::Pressure;
 use asperity::reference_solution::{
-    ReferenceContact, ReferenceSettings, record_json, record_warnings,
+    ReferenceContact, ReferenceSettings, Inlet, record_json, record_warnings,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -55,6 +55,7 @@ pub fn ehl<'py>(
             with_heat: true,
             beginning: 0,
             shortest_wave: None,
+            inlet: Inlet::ByLoad,
         };
         let contact = ReferenceContact::of(loaded, place, &settings)?;
         // Thousandths of a half-width, of all records together.

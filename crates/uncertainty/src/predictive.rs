@@ -50,7 +50,7 @@ const RECORD_ERROR: f64 = 0.03;
 /// rose by 0.024 ± 0.036, without one near the pitch point, where little is lost, by 0.014 ± 0.015.
 const SHORT_WAVES: [f64; 2] = [0.02, 0.02];
 /// Largest Hertz pressure below which light load adds an error \[Pa\], its standard deviation over ln of that pressure over the
-/// contact's, on smooth films and what touching asperities add, and φ at half of what they add. Fitted by likelihood to 60 records
+/// contact's, on smooth films and what touching asperities add, and φ at half of what they add. Fitted by likelihood to 55 records
 /// at part load.
 const LIGHT_BELOW: f64 = 0.8e9;
 const LIGHT_ERROR: f64 = 0.12;
@@ -617,7 +617,7 @@ impl DrawnLoss<'_> {
 /// ```
 ///
 /// s is the roughness that the contact leaves over the film, p_H its largest Hertz pressure. e was compared with 93 records with heat
-/// at full load (`power`: 24 without); l was fitted to 60 at part load, where too much load is on the asperities and the film's
+/// at full load (`power`: 24 without); l was fitted to 55 at part load, where too much load is on the asperities and the film's
 /// pressure ripples too much. e is 0.03 where φ is below 0.02. The bias is drawn with a weight of 0 to 1, as the records
 /// have errors of their own. Pressures above 0.8 GPa, or not known, add nothing.
 ///

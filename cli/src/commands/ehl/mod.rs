@@ -13,7 +13,7 @@ use asperity::ehl::RecordSettings;
 use asperity::ehl::traction::Heat;
 use asperity::lubrication::shares;
 use asperity::pipeline;
-use asperity::reference_solution::{ReferenceContact, ReferenceSettings};
+use asperity::reference_solution::{Inlet, ReferenceContact, ReferenceSettings};
 
 use super::{load_case, on_the_path};
 use crate::args::{Common, EhlArgs};
@@ -42,6 +42,7 @@ fn of_case(path: &Path, args: &EhlArgs, common: &Common) -> Result<(), Failure> 
         with_heat: true,
         beginning: 0,
         shortest_wave: args.shortest_wave,
+        inlet: Inlet::ByLoad,
     };
     let about = |error| failed::of_reference(path, &error);
     let contact = ReferenceContact::of(&loaded, position, &settings).map_err(about)?;
@@ -86,11 +87,14 @@ fn of_numbers(args: &EhlArgs, common: &Common) -> Result<(), Failure> {
         report(args, || film.page(&bare.rough))?;
         return print_result(args, common, &film.json(), &film.text(), &|| film.points());
     }
-    let settings = RecordSettings {
+    let mut settings = RecordSettings {
         friction: Some(bare.friction),
         ceiling: bare.ceiling,
         ..record_settings(args)
     };
+    let scales = bare.rough.contact.scales(&bare.rough.oil);
+    let scales = scales.map_err(|error| failed::of_contact(&bare.title, &error))?;
+    Inlet::ByLoad.apply(&mut settings, &scales);
     let mut record = rough::solve(bare.title, &bare.rough, &settings, args, common)?;
     record.attenuated_roughness = Some(bare.attenuated_roughness);
     report(args, || record.page(&bare.rough))?;

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use asperity_core::numerics::NodeInterval;
+use asperity_core::numerics::{NodeInterval, interpolate};
 use asperity_core::provenance::{Provenance, note};
 use asperity_core::quantity::Length;
 use asperity_ehl::{Estimate, RecordSettings, transient};
@@ -12,7 +12,7 @@ use super::path_record::PathRecord;
 use super::store::RecordStore;
 use crate::equations::find;
 use crate::mesh::{MeshPosition, Resolution};
-use crate::reference_solution::{ReferenceContact, ReferenceError, ReferenceSettings};
+use crate::reference_solution::{Inlet, ReferenceContact, ReferenceError, ReferenceSettings};
 use crate::result::RecordedFriction;
 use asperity_case::case::{Formulation, LoadedCase};
 use asperity_case::error::PositionError;
@@ -134,14 +134,21 @@ impl PathRecords {
     pub(crate) fn profile(&self, s: Length) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let between = self.between(s);
         let [low, high] = [between.low, between.high].map(|k| &self.places[k].record);
-        let mixed = |a: &[f64], b: &[f64]| {
-            let pairs = a.iter().zip(b);
+        // Windows differ where one is at light load; nodes of the narrower one lie in both.
+        let inlet = |record: &PathRecord| record.x.first().copied().unwrap_or(0.0);
+        let x = match inlet(low) > inlet(high) {
+            true => &low.x,
+            false => &high.x,
+        };
+        let mixed = |of: fn(&PathRecord) -> &Vec<f64>| {
+            let [a, b] = [low, high].map(|record| on_nodes(x, &record.x, of(record)));
+            let pairs = a.iter().zip(&b);
             pairs.map(|(a, b)| a + between.part * (b - a)).collect()
         };
         (
-            low.x.clone(),
-            mixed(&low.pressure, &high.pressure),
-            mixed(&low.film, &high.film),
+            x.clone(),
+            mixed(|record| &record.pressure),
+            mixed(|record| &record.film),
         )
     }
 
@@ -208,6 +215,15 @@ impl PathRecords {
     }
 }
 
+/// The values at nodes `of` on nodes `x`, linear between nodes.
+fn on_nodes(x: &[f64], of: &[f64], values: &[f64]) -> Vec<f64> {
+    if x == of {
+        return values.to_vec();
+    }
+    let line: Vec<(f64, f64)> = of.iter().copied().zip(values.iter().copied()).collect();
+    x.iter().map(|x| interpolate(&line, *x)).collect()
+}
+
 /// MeshPositions of the records: evenly among those whose contact the traces resolve and that carry the loss.
 fn chosen(loaded: &LoadedCase, positions: &[MeshPosition]) -> Vec<MeshPosition> {
     let carries = |position: &&MeshPosition| {
@@ -244,6 +260,7 @@ fn contacts(
                 with_heat: false,
                 beginning,
                 shortest_wave: None,
+                inlet: Inlet::ByLoad,
             };
             Ok(ReferenceContact::at(loaded, position.clone(), &settings)?)
         })

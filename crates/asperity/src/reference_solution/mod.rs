@@ -14,7 +14,8 @@ mod yielding;
 pub use error::ReferenceError;
 pub use record_json::{estimate_json, nanometres, record_json};
 pub use settings::{
-    LARGEST_ROUGHNESS, ReferenceContact, ReferenceSettings, attenuated_roughness, formula_film,
+    Inlet, LARGEST_ROUGHNESS, ReferenceContact, ReferenceSettings, attenuated_roughness,
+    formula_film,
 };
 pub(crate) use settings::{rheology, smooth_contact};
 pub use yielding::{elastic_above_flow, record_warnings};
