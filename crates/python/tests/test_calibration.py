@@ -93,7 +93,7 @@ def test_what_a_table_lacks_is_named(rig, columns, tmp_path):
             asperity.calibrate(*given, **more)
         assert error.value.code == code and error.value.help
 
-    refused("E103", "cannot be opened", tmp_path / "no.csv", CASE)
+    refused("E103", "cannot be read", tmp_path / "no.csv", CASE)
     refused("E134", "names no case", rig[0])
     refused("E134", "sigma_w", {name: values for name, values in columns.items() if name != "sigma_w"}, CASE)
     refused("E134", "differ in length", {**columns, "run": ["1"]}, CASE)
