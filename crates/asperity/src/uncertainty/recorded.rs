@@ -11,7 +11,7 @@ use super::evaluations::{Evaluated, Nominal, by_contacts, evaluated, has_band, t
 use super::other_models::step_rule_of;
 use crate::contacts::Contacts;
 use crate::pipeline::{contacts as contacts_of, settled};
-use crate::result::{Losses, RecordedFriction};
+use crate::result::{Losses, PositionRow, RecordedFriction};
 use crate::sampling::windows_of_traces;
 use asperity_case::case::{LoadShareName, LoadedCase};
 use asperity_case::error::Error;
@@ -118,12 +118,11 @@ pub(super) fn would_narrow(
     nominal: &Nominal<'_>,
 ) -> bool {
     let summary = nominal.summary;
-    let over_film = nominal.path.iter().map(|row| row.roughness_over_film);
-    let is_judged = |over_film: Option<f64>| over_film.is_none_or(|s| s <= COMPARED);
+    let is_judged = |row: &PositionRow| row.roughness_over_film.is_none_or(|s| s <= COMPARED);
     if predictive.inner_boundary.is_none()
         || predictive.far_lay.is_some()
         || loaded.surfaces.several_teeth().is_some()
-        || !over_film.into_iter().all(is_judged)
+        || !nominal.path.iter().all(is_judged)
     {
         return false;
     }

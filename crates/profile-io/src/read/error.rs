@@ -441,7 +441,7 @@ impl ReadFault {
             Self::OfFile { first, seems, .. } => seems.remedy(first.remedy()),
             Self::RepeatedPoint { .. } => Remedy::act("export one scan to a file")
                 .or_set(Setting::Columns, Value::Like("1,3".into()))
-                .because("if the three columns are no x, y and z"),
+                .because("if the three columns are not x, y and z"),
         }
     }
 
