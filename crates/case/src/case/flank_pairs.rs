@@ -1,7 +1,9 @@
 //! The traces of both flanks: their common spacing, their places, and every pair of teeth in contact.
 
 use std::collections::BTreeMap;
+use std::f64::consts::PI;
 
+use asperity_core::cite;
 use asperity_core::profile::common_spacing;
 use asperity_core::quantity::Length;
 use asperity_gear::{FlankPoint, Gear};
@@ -10,9 +12,11 @@ use asperity_roughness::composite::spaced;
 use super::error::CaseError;
 use super::flank_sample::{self, Listed};
 use super::flank_trace::Flank;
+use super::plausibility::at_pitch;
 use super::resolve::Case;
+use crate::flanks::LEAST_POINTS_PER_HALF_WIDTH;
 use crate::flanks::placement::{FULL_COVERAGE, Placement};
-use crate::flanks::surfaces::{PairsOfTeeth, Surfaces, Texture};
+use crate::flanks::surfaces::{FlankReport, PairsOfTeeth, Surfaces, Texture};
 use crate::message::Warning;
 
 /// The traces of both flanks, read and prepared once, from which pairs are formed.
@@ -145,8 +149,51 @@ pub(super) fn longer_than_active(
     })
 }
 
-/// Resamples all traces to the finest spacing, unless their spacings count as equal.
+/// Spacing of the points of a prepared trace over the cut-off λs of its filter, if the trace was measured with a finer one.
+///
+/// Of the shortest wave that points a fifth of λs apart hold, the filter leaves 1.3 %.
+const SHARE_OF_NOISE_CUTOFF: f64 = 0.2;
+/// Relative rounding of a spacing.
+const ROUNDING: f64 = 1e-5;
+/// Half-width at the pitch point, with the whole load on one pair of teeth, over the narrowest on the path: more than gears have.
+const NARROWER_ON_THE_PATH: f64 = 4.0;
+
+/// Common spacing of prepared traces over the finest one: as large as the shortest λs and the narrowest contact of the case admit.
+///
+/// ```text
+/// k = max(1, ⌊min(λs/5, a_min/20)/dx_min⌋)                                    [Common-spacing]
+/// ```
+///
+/// 1 if a trace has no λs.
+pub(super) fn common_multiple<'a>(
+    case: &Case,
+    traces: impl Iterator<Item = &'a FlankReport>,
+) -> f64 {
+    cite!("Common-spacing");
+    let (load, radius) = at_pitch(&case.gears, case.torque);
+    let half_width = (4.0 * load * radius / (PI * case.modulus.si())).sqrt();
+    let of_contacts = half_width / (NARROWER_ON_THE_PATH * LEAST_POINTS_PER_HALF_WIDTH);
+    let prepared = traces.filter_map(|trace| trace.preparation.as_ref());
+    let [largest, finest] = prepared.fold([of_contacts, f64::INFINITY], |[largest, finest], of| {
+        let cutoff = of.recipe.lambda_s.unwrap_or_default().si();
+        [
+            largest.min(SHARE_OF_NOISE_CUTOFF * cutoff),
+            finest.min(of.spacing.si()),
+        ]
+    });
+    multiple(largest, finest)
+}
+
+/// Largest whole multiple of a spacing that is not above another one; 1 if the spacing itself is.
+fn multiple(largest: f64, spacing: f64) -> f64 {
+    (largest / spacing * (1.0 + ROUNDING)).floor().max(1.0)
+}
+
+/// Puts all traces on one spacing: the finest of them, or a multiple of it that loses nothing.
+///
+/// Traces with the finest spacing keep every k-th point; others are interpolated by straight lines.
 pub(super) fn on_common_spacing(
+    case: &Case,
     flanks: &mut [Vec<Flank>; 2],
     warnings: &mut Vec<Warning>,
 ) -> Result<(), CaseError> {
@@ -159,26 +206,32 @@ pub(super) fn on_common_spacing(
     let (Some(a), Some(b)) = (pinion.or(wheel), wheel.or(pinion)) else {
         return Ok(());
     };
-    let all = flanks.iter().flatten().filter_map(spacing);
-    let finest = all.fold(a, |finest, next| if next < finest { next } else { finest });
-    let mut is_resampled = false;
+    let all = flanks.iter().flatten();
+    let finest = (all.clone().filter_map(spacing)).fold(a, |finest, next| match next < finest {
+        true => next,
+        false => finest,
+    });
+    let common = finest * common_multiple(case, all.map(|flank| &flank.report));
+    let mut is_interpolated = false;
     for flank in flanks.iter_mut().flatten() {
         if let Texture::Trace(profile) = &flank.texture {
-            is_resampled |= common_spacing(profile.spacing(), finest).is_none();
-            let finer = spaced(profile, finest).map_err(|source| CaseError::Preparation {
+            let own = profile.spacing();
+            let whole = own * multiple(common.si(), own.si());
+            is_interpolated |= common_spacing(whole, common).is_none();
+            let changed = spaced(profile, common).map_err(|source| CaseError::Preparation {
                 file: flank.report.file.clone().unwrap_or_default(),
                 source: source.into(),
             })?;
-            flank.texture = Texture::Trace(finer);
+            flank.texture = Texture::Trace(changed);
         }
     }
-    if is_resampled {
+    if is_interpolated {
         let text = match [flanks[0].len(), flanks[1].len()] {
             [1, 1] => format!(
-                "the flanks are spaced {a:.5} and {b:.5}; the coarser was resampled linearly to {finest:.5}"
+                "the flanks are spaced {a:.5} and {b:.5}; the coarser was resampled linearly to {common:.5}"
             ),
             _ => format!(
-                "the traces have different spacings; the coarser ones were resampled linearly to {finest:.5}"
+                "the traces have different spacings; the coarser ones were resampled linearly to {common:.5}"
             ),
         };
         warnings.push(Warning::new("W119", text));

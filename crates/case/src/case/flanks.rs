@@ -113,7 +113,7 @@ fn both(case: &Case, source: &Source, files: &Reader<'_>) -> Result<Flanks, Case
             flanks[body].push(flank(trace, &keys[body], context, &mut warnings)?);
         }
     }
-    on_common_spacing(&mut flanks, &mut warnings)?;
+    on_common_spacing(case, &mut flanks, &mut warnings)?;
     let inputs = [0, 1].map(|body: usize| (&lists[body][0].input, &keys[body]));
     let surrogates = surrogates(context, inputs, &flanks, &mut warnings)?;
     let mut assumed: Vec<DefaultUsed> = Vec::new();

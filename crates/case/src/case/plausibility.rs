@@ -64,10 +64,7 @@ pub(super) fn at_pitch_point(
     torque: Torque,
     speed: AngularSpeed,
 ) -> [AtPitchPoint; 2] {
-    let path = gears.path();
-    let (c, whole) = (path.c.si(), path.t1t2.si());
-    let radius = c * (whole - c) / whole / gears.base_helix.si().cos();
-    let load = torque.si().abs() / (gears.base_radius[0].si() * gears.face_width.si());
+    let (load, radius) = at_pitch(gears, torque);
     [
         AtPitchPoint {
             value: 1e-9 * (load * modulus.si() / (PI * radius)).sqrt(),
@@ -86,6 +83,15 @@ pub(super) fn at_pitch_point(
             name: "pitch-line speed (by speed, teeth, module)",
         },
     ]
+}
+
+/// Load per length w \[N/m\] on one pair of teeth, and radius of curvature R \[m\], at the pitch point.
+pub(super) fn at_pitch(gears: &GearPair, torque: Torque) -> (f64, f64) {
+    let path = gears.path();
+    let (c, whole) = (path.c.si(), path.t1t2.si());
+    let radius = c * (whole - c) / whole / gears.base_helix.si().cos();
+    let load = torque.si().abs() / (gears.base_radius[0].si() * gears.face_width.si());
+    (load, radius)
 }
 
 impl AtPitchPoint {
