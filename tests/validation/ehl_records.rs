@@ -10,8 +10,10 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use asperity::LoadedCase;
-use asperity::ehl::RecordSettings;
-use asperity::lubrication::{ComparedWindow, WINDOWS, compared_windows, share_settings};
+use asperity::ehl::{MovingProfile, RecordSettings};
+use asperity::lubrication::{
+    ComparedWindow, WINDOWS, compared_windows, points_of_window, share_settings, windows_at,
+};
 use asperity::mixed_film::{
     AttenuatedTraces, GapRoughness, LoadShareSettings, LoadShareSolution, PositionFilm,
 };
@@ -211,6 +213,51 @@ impl Windows {
             windows,
             spectra,
         }
+    }
+
+    /// `count` windows that a record of the condition passes, at even distances of its travel. A surface that repeats stands twice
+    /// in a row, so that every window is a run of its points.
+    pub fn passed(condition: &mixed_ehl_records::Condition, count: usize) -> Self {
+        let mut all = Self::of(condition, 1);
+        let contact = &mut all.contact;
+        let [u1, u2] = [contact.position.motion.u1, contact.position.motion.u2];
+        let mean = 0.5 * (u1 + u2).si();
+        let middle = points_of_window(contact) / 2;
+        let settings = mixed_ehl_records::record_settings();
+        let travel = |k: usize| {
+            let travelled = settings.start + settings.length * (k as f64 + 0.5) / count as f64;
+            travelled * contact.position.hertz.half_width.si()
+        };
+        let begins = |surface: &MovingProfile, trace: &Profile, speed: f64| -> Vec<usize> {
+            let (heights, start) = surface.repeated().unwrap();
+            let begin = |k: usize| {
+                let place = (start.si() - speed / mean * travel(k)) / trace.spacing().si();
+                let place = place.rem_euclid(heights.len() as f64).round() as usize;
+                (place + heights.len() - middle) % heights.len()
+            };
+            (0..count).map(begin).collect()
+        };
+        let rough = &contact.rough;
+        let [first, second] = &contact.traces;
+        let begins = [
+            begins(&rough.surface_1, first, u1.si()),
+            begins(&rough.surface_2, second, u2.si()),
+        ];
+        let twice = |surface: &MovingProfile, trace: &Profile| {
+            let heights = surface.repeated().unwrap().0.repeat(2);
+            Profile::new(trace.spacing(), heights).unwrap()
+        };
+        let traces = [
+            twice(&rough.surface_1, first),
+            twice(&rough.surface_2, second),
+        ];
+        contact.traces = traces;
+        let [first, second] = begins;
+        let starts: Vec<[usize; 2]> = first.into_iter().zip(second).map(<[_; 2]>::from).collect();
+        all.windows = windows_at(&all.loaded, &all.contact, &starts).unwrap();
+        let spectrum = |z: &Profile| TraceSpectrum::new(z.heights(), z.spacing()).unwrap();
+        all.spectra = all.contact.traces.each_ref().map(spectrum);
+        all
     }
 
     /// Largest Hertz pressure.

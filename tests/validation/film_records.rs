@@ -27,6 +27,8 @@ use crate::ehl_records::{Record, Windows, mean_and_rms, records};
 
 /// Windows that the parts are averaged over.
 const WINDOWS: usize = 64;
+/// Windows along the travel of a record: four a half-width.
+const PASSED_WINDOWS: usize = 56;
 /// Windows that a record travels over, about.
 const WINDOWS_OF_A_RECORD: f64 = 12.0;
 /// Conditions with the means of another program over the same windows: friction, asperity share, the boundary layer's part of the
@@ -55,6 +57,8 @@ struct Model {
 }
 
 const DEFAULT: &str = "default";
+/// The default over the windows that the record passes.
+const PASSED: &str = "passed";
 const FILM_ONLY: &str = "film only";
 const MODELS: [Model; 9] = [
     Model {
@@ -321,6 +325,11 @@ impl Row {
         (self.by(model).friction / self.record.film_friction).ln()
     }
 
+    /// ln of the fast model's friction over the record's, in the windows that the record passes.
+    fn passed_error(&self) -> f64 {
+        self.error_by(PASSED)
+    }
+
     fn is_within_reference(&self) -> bool {
         self.fast().roughness_over_film < LARGEST_ROUGHNESS
     }
@@ -353,6 +362,11 @@ impl Row {
 
     fn is_covered(&self, with_sampling: bool) -> bool {
         self.error().abs() < NINETY_PERCENT * self.deviation(with_sampling)
+    }
+
+    /// Whether the error in the windows that the record passes is within the interval without any error of sampling.
+    fn is_covered_where_passed(&self) -> bool {
+        self.passed_error().abs() < NINETY_PERCENT * self.deviation(false)
     }
 }
 
@@ -546,7 +560,7 @@ pub fn coverage_table() -> String {
     let second = rows(SECOND_BLIND);
     let (full, part) = second.split_at(FULL_LOAD.min(second.len()));
     let mut text = String::from(
-        "| records | ln μ: mean, root mean square | within 90 % with the errors of sampling | by the error of the fast model only |\n|---|---|---|---|\n",
+        "| records | ln μ: mean, root mean square | within 90 % with the errors of sampling | by the error of the fast model only | ln μ in the windows of the record: mean, root mean square | within 90 % by the error of the fast model only |\n|---|---|---|---|---|---|\n",
     );
     for (name, rows) in [
         ("65 gear meshes", &*rows(GEAR_MESHES)),
@@ -562,10 +576,12 @@ pub fn coverage_table() -> String {
     ] {
         let [mean, rms] = mean_and_rms(rows.iter().map(Row::error));
         let [with, without] = [true, false].map(|with| covered(rows, with));
+        let [passed_mean, passed_rms] = mean_and_rms(rows.iter().map(Row::passed_error));
+        let passed = covered_where_passed(rows);
         let count = rows.len();
         let _ = writeln!(
             text,
-            "| {name} | {mean:+.3}, {rms:.3} | {with} of {count} | {without} |"
+            "| {name} | {mean:+.3}, {rms:.3} | {with} of {count} | {without} | {passed_mean:+.3}, {passed_rms:.3} | {passed} |"
         );
     }
     text
@@ -574,6 +590,12 @@ pub fn coverage_table() -> String {
 fn covered(rows: &[Row], with_sampling: bool) -> usize {
     rows.iter()
         .filter(|row| row.is_covered(with_sampling))
+        .count()
+}
+
+fn covered_where_passed(rows: &[Row]) -> usize {
+    rows.iter()
+        .filter(|row| row.is_covered_where_passed())
         .count()
 }
 
@@ -749,14 +771,22 @@ fn the_interval_holds_the_unseen_half_at_part_load() {
     ] {
         assert_eq!((conditions.len(), rows.len()), (32, 32));
     }
-    // 85 to 95 % of 32.
-    let within = covered(&unseen, true);
-    assert!((28..=30).contains(&within), "{within}");
-    // Friction is too high where the share is: no rule was found that halves this.
-    for rows in [&chosen, &unseen] {
+    // 85 to 95 % of 32: with the errors of sampling, and without them in the windows that the record passes.
+    let within = [covered(&unseen, true), covered_where_passed(&unseen)];
+    assert!(
+        within.iter().all(|within| (28..=30).contains(within)),
+        "{within:?}"
+    );
+    // Friction is too high where the share is: no rule was found that is better by .1.
+    for (rows, most) in [(&chosen, 0.25), (&unseen, 0.2)] {
         let [mean, rms] = mean_and_rms(rows.iter().map(Row::error));
         assert!(mean.abs() < 0.15 && rms < 0.32, "{mean} {rms}");
+        let [mean, rms] = mean_and_rms(rows.iter().map(Row::passed_error));
+        assert!(mean.abs() < 0.15 && rms < most, "{mean} {rms}");
     }
+    // Scaled flanks: 64 windows of the traces have .2.
+    let [_, rms] = mean_and_rms(rows(PART_LOAD).iter().map(Row::passed_error));
+    assert!(rms < 0.13, "{rms}");
 }
 
 /// Largest second differences of ln μ, and of ln of it over that by Hertz's pressures, over even steps of ln torque from 5 to
@@ -891,6 +921,11 @@ fn the_stored_windows_have_the_inputs_of_today() {
     }
 }
 
+fn stored_row(condition: &Condition, model: &str, windowed: &Windowed) -> String {
+    let numbers = windowed.numbers().map(|number| format!("{number:.6}"));
+    format!("{},{model},{}\n", condition.name, numbers.join(","))
+}
+
 #[test]
 #[ignore = "some minutes; makes the stored windows anew"]
 fn the_windows_of_every_record() {
@@ -905,17 +940,14 @@ fn the_windows_of_every_record() {
         let mut text = String::new();
         for model in MODELS.iter().filter(|model| every_model || model.for_all) {
             let settings = (model.make)(windows.settings());
-            let numbers = Windowed::of(&windows, &settings).numbers();
-            let numbers = numbers.map(|number| format!("{number:.6}"));
-            let _ = writeln!(
-                text,
-                "{},{},{}",
-                condition.name,
-                model.name,
-                numbers.join(",")
-            );
+            text += &stored_row(&condition, model.name, &Windowed::of(&windows, &settings));
         }
-        text
+        let passed = Windows::passed(&condition, PASSED_WINDOWS);
+        text + &stored_row(
+            &condition,
+            PASSED,
+            &Windowed::of(&passed, &passed.settings()),
+        )
     });
     let text = format!(
         "# inputs {}\ncondition,model,{}\n{}",

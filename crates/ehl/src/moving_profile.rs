@@ -124,6 +124,15 @@ impl MovingProfile {
         }
     }
 
+    /// Heights \[m\] of a surface that repeats, at neighbouring points, and the coordinate that it starts with; none of one that
+    /// passes once.
+    pub fn repeated(&self) -> Option<(&[f64], Length)> {
+        match self.ends {
+            Ends::Periodic => Some((&self.heights, Length::from_si(self.offset))),
+            Ends::Smooth { .. } => None,
+        }
+    }
+
     /// Length of a surface that does not repeat.
     pub fn length(&self) -> Option<Length> {
         match self.ends {

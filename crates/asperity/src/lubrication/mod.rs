@@ -29,6 +29,7 @@ pub(crate) use position::{ContactNumbers, LubricatedPosition, LubricatedWindow};
 pub(crate) use records::records_of;
 pub(crate) use rolling::{rolling, rolling_surfaces};
 pub use share_comparison::{
-    ComparedWindow, LawShare, ShareComparison, WINDOWS, compared_windows, share_settings, shares,
+    ComparedWindow, LawShare, ShareComparison, WINDOWS, compared_windows, points_of_window,
+    share_settings, shares, windows_at,
 };
 pub(crate) use solve::{Lubrication, doubts};

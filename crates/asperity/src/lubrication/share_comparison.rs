@@ -16,8 +16,8 @@ use crate::reference_solution::{ReferenceContact, ReferenceError, rheology};
 use asperity_case::case::LoadedCase;
 use asperity_case::flanks::{Roughness, Surfaces, Texture};
 use asperity_mixed_film::{
-    AttenuatedTraces, ContactTable, InletSupply, LoadShareSettings, LoadShareSolution,
-    PositionFilm, RoughContact, RoughWindow, SmoothFilm,
+    AttenuatedTraces, ContactTable, InletSupply, LoadShareError, LoadShareSettings,
+    LoadShareSolution, PositionFilm, RoughContact, RoughWindow, SmoothFilm,
 };
 
 /// Windows of the traces that the laws are averaged over.
@@ -203,31 +203,57 @@ pub fn compared_windows(
     contact: &ReferenceContact,
     count: usize,
 ) -> Result<Vec<ComparedWindow>, ReferenceError> {
+    let [first, second] = &contact.traces;
+    let points = points_of_window(contact);
+    let place =
+        |part: f64, length: usize| (part * length.saturating_sub(points) as f64).round() as usize;
+    let starts = |k: usize| {
+        [
+            place((k as f64 + 0.5) / count as f64, first.len()),
+            place((0.5 + k as f64 * GOLDEN_SECTION).fract(), second.len()),
+        ]
+    };
+    windows_at(loaded, contact, &(0..count).map(starts).collect::<Vec<_>>())
+}
+
+/// Points of a window of the traces of `contact`, an odd number.
+#[must_use]
+pub fn points_of_window(contact: &ReferenceContact) -> usize {
+    let spacing = contact.traces[0].spacing();
+    2 * (HALF_WINDOW * (contact.position.hertz.half_width / spacing)).ceil() as usize + 1
+}
+
+/// Windows of the traces of `contact` that begin at points, with their rough contacts.
+///
+/// # Errors
+/// When a window leaves its trace or a rough contact does not converge.
+pub fn windows_at(
+    loaded: &LoadedCase,
+    contact: &ReferenceContact,
+    starts: &[[usize; 2]],
+) -> Result<Vec<ComparedWindow>, ReferenceError> {
     let case = &loaded.case;
     let line = contact.position.line_contact(case.modulus, case.materials);
     let [pinion, wheel] = case.flow_pressure.map(Pressure::si);
-    let [first, second] = &contact.traces;
-    let spacing = first.spacing();
-    let reach = (HALF_WINDOW * (contact.position.hertz.half_width / spacing)).ceil() as usize;
-    let points = 2 * reach + 1;
+    let spacing = contact.traces[0].spacing();
+    let points = points_of_window(contact);
     let surfaces = Surfaces::new(
         contact.traces.clone().map(Texture::Trace),
         case.preparation.lambda_s,
         loaded.surfaces.same_trace,
     );
-    (0..count)
-        .into_par_iter()
-        .map(|k| {
-            let place = |part: f64, length: usize| {
-                (part * length.saturating_sub(points) as f64).round() as usize
-            };
-            let starts = [
-                place((k as f64 + 0.5) / count as f64, first.len()),
-                place((0.5 + k as f64 * GOLDEN_SECTION).fract(), second.len()),
-            ];
+    starts
+        .par_iter()
+        .map(|&starts| {
             let cut = |k: usize| {
-                let heights = &contact.traces[k].heights()[starts[k]..starts[k] + points];
-                Profile::new(spacing, heights.to_vec())
+                let trace = &contact.traces[k];
+                let heights = trace.heights().get(starts[k]..starts[k] + points);
+                let heights = heights.ok_or(LoadShareError::WindowBeyondTrace {
+                    start: starts[k],
+                    points,
+                    available: trace.len(),
+                });
+                Ok::<_, ReferenceError>(Profile::new(spacing, heights?.to_vec())?)
             };
             let flanks = [cut(0)?, cut(1)?];
             let sum = flanks[0].heights().iter().zip(flanks[1].heights());
