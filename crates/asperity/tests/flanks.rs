@@ -1,10 +1,18 @@
-//! Windows of a contact on the traces, and the lay of the flanks.
+//! Windows of a contact on the traces, their spacing, and the lay of the flanks.
 
+#![allow(clippy::unwrap_used, reason = "helpers of tests fail as tests do")]
+
+use std::f64::consts::TAU;
+use std::path::{Path, PathBuf};
+
+use asperity::case::{CaseInput, LoadedCase, load_with};
+use asperity::core::Profile;
 use asperity::core::numerics::Z_975;
 use asperity::ehl_regime::Lay;
 use asperity::flanks::flank_lay::{FlankLay, mean_at, two_digits, with_mean};
 use asperity::flanks::placement::PlacedTrace;
 use asperity::flanks::window_places as places;
+use asperity::losses;
 use asperity::quantity::Length;
 
 #[test]
@@ -35,6 +43,85 @@ fn places_nest_shift_along_the_path_and_fill_both_traces() {
         (0..16).for_each(|k| met[(8.0 * places(k, 16, 5)[body]) as usize] += 1);
         assert!(met.iter().all(|count| (1..=3).contains(count)), "{met:?}");
     }
+}
+
+/// A flank of waves from 3 to 240 µm, in points `spacing` µm apart.
+fn flank(spacing: f64, seed: f64) -> Profile {
+    let points = (3000.0 / spacing) as usize + 1;
+    let height = |i: usize| {
+        let x = i as f64 * spacing;
+        let waves = (0..90).map(|k| {
+            let length = 3.0 * 1.05_f64.powi(k);
+            let phase = seed * f64::from(k * k + 1);
+            0.02e-6 * (length / 20.0).sqrt() * (TAU * x / length + phase).sin()
+        });
+        waves.sum()
+    };
+    let spacing = Length::from_si(1e-6 * spacing);
+    Profile::new(spacing, (0..points).map(height).collect()).unwrap()
+}
+
+#[test]
+fn a_finer_trace_of_the_same_flank_loses_the_same() {
+    let few = |input: &mut CaseInput| {
+        input.set("model.positions", "4").unwrap();
+        input.set("model.offsets", "4").unwrap();
+    };
+    let case = load_with(Path::new("../../fixtures/cases/e-drive.toml"), &few).unwrap();
+    let measured = |spacings: [f64; 2], keys: &[(&str, &str)]| {
+        let names = ["pinion.csv", "wheel.csv"].map(PathBuf::from);
+        let seeds = [0.37, 0.71];
+        let traces = [0, 1].map(|k: usize| (names[k].clone(), flank(spacings[k], seeds[k])));
+        let changed = case.holding(&traces).with(|input| {
+            input.set("surface.pinion.file", "\"pinion.csv\"").unwrap();
+            input.set("surface.wheel.file", "\"wheel.csv\"").unwrap();
+            for (key, value) in keys {
+                input.set(key, value).unwrap();
+            }
+        });
+        let changed = changed.unwrap();
+        let spacing = changed.surfaces.traces().unwrap()[0].spacing();
+        (changed, 1e6 * spacing.si())
+    };
+    let loss = |case: &LoadedCase| losses(case).unwrap().summary.loss_w;
+    let near = |a: f64, b: f64, part: f64| (a / b - 1.0).abs() < part;
+    let (usual, spacing) = measured([0.5; 2], &[]);
+    assert!(near(spacing, 0.5, 1e-9), "{spacing}");
+    let usual = loss(&usual);
+    // A multiple of the finest spacing, at most a fifth of λs; the filter is a sum over other points.
+    for (spacings, common) in [
+        ([0.25; 2], 0.5),
+        ([0.0625; 2], 0.5),
+        ([0.125, 0.5], 0.5),
+        ([0.125, 0.25], 0.5),
+    ] {
+        let (finer, spacing) = measured(spacings, &[]);
+        assert!(near(spacing, common, 1e-9), "{spacings:?}: {spacing}");
+        let warned = finer.warnings.iter().any(|warning| warning.code == "W119");
+        assert!(!warned, "{spacings:?}");
+        let finer = loss(&finer);
+        assert!(near(finer, usual, 1e-3), "{spacings:?}: {finer} {usual}");
+    }
+    let (between, spacing) = measured([0.2, 0.3], &[]);
+    assert!(near(spacing, 0.4, 1e-9), "{spacing}");
+    assert!(
+        between
+            .warnings
+            .iter()
+            .any(|warning| warning.code == "W119")
+    );
+    // A longer λs, none, and a contact so narrow that it needs the points.
+    for (cutoff, common) in [("\"8 um\"", 1.5), ("\"0 um\"", 0.25)] {
+        let keys = [("surface.noise_cutoff", cutoff)];
+        assert!(near(measured([0.25; 2], &keys).1, common, 1e-9));
+    }
+    let small = [("operation.torque", "\"4 N m\"")];
+    let (narrow, spacing) = measured([0.0625; 2], &small);
+    assert!(spacing < 0.3, "{spacing}");
+    // The points follow a change of the torque.
+    let wide = narrow.with_key("operation.torque", "145 N m").unwrap();
+    let spacing = wide.surfaces.traces().unwrap()[0].spacing();
+    assert!(near(1e6 * spacing.si(), 0.5, 1e-9));
 }
 
 #[test]
