@@ -215,6 +215,22 @@ impl Windows {
         }
     }
 
+    /// Windows about points of both traces.
+    pub fn about(condition: &mixed_ehl_records::Condition, middles: &[[usize; 2]]) -> Self {
+        let mut all = Self::of(condition, 1);
+        let half = points_of_window(&all.contact) / 2;
+        let starts = middles.iter().map(|middles| middles.map(|at| at - half));
+        let starts: Vec<[usize; 2]> = starts.collect();
+        all.windows = windows_at(&all.loaded, &all.contact, &starts).unwrap();
+        all
+    }
+
+    /// Points of both traces in the middle of each window.
+    pub fn middles(&self) -> Vec<[usize; 2]> {
+        let middle = |window: &ComparedWindow| window.starts.map(|start| start + window.points / 2);
+        self.windows.iter().map(middle).collect()
+    }
+
     /// `count` windows that a record of the condition passes, at even distances of its travel. A surface that repeats stands twice
     /// in a row, so that every window is a run of its points.
     pub fn passed(condition: &mixed_ehl_records::Condition, count: usize) -> Self {

@@ -789,56 +789,44 @@ fn the_interval_holds_the_unseen_half_at_part_load() {
     assert!(rms < 0.13, "{rms}");
 }
 
-/// Largest second differences of ln μ, and of ln of it over that by Hertz's pressures, over even steps of ln torque from 5 to
-/// 300 N m at 9000 1/min and of ln speed from 5 to 30 000 1/min at 30 N m.
-fn largest_bends(windows: usize, steps: [u32; 2]) -> [[f64; 2]; 2] {
+/// Largest second differences of ln μ over even steps of ln torque from 5 to 300 N m at 9000 1/min and of ln speed from 5 to
+/// 30 000 1/min at 30 N m, in windows whose middles stay where they are.
+fn largest_bends(windows: usize, steps: [u32; 2]) -> [f64; 2] {
     let spread = |[low, high]: [f64; 2], steps: u32| {
         (0..=steps).map(move |k| low * (high / low).powf(f64::from(k) / f64::from(steps)))
     };
     let torques = spread([5.0, 300.0], steps[0]).map(|torque| [torque, 9000.0]);
     let speeds = spread([5.0, 30_000.0], steps[1]).map(|speed| [30.0, speed]);
-    let bends = |operations: Vec<[f64; 2]>| {
+    let middles = Windows::of(&Condition::at_operation(300.0, 9000.0), windows).middles();
+    let bend = |operations: Vec<[f64; 2]>| {
         let friction = |[torque, speed]: [f64; 2]| {
-            let condition = Condition::at_operation(torque, speed);
-            let windows = Windows::of(&condition, windows);
-            let [own, hertz] = [FilmPressure::Rippled, FilmPressure::Hertz].map(|film_pressure| {
-                let settings = LoadShareSettings {
-                    film_pressure,
-                    ..windows.settings()
-                };
-                Windowed::of(&windows, &settings).friction.ln()
-            });
-            [own, own - hertz]
+            let windows = Windows::about(&Condition::at_operation(torque, speed), &middles);
+            Windowed::of(&windows, &windows.settings()).friction.ln()
         };
-        let logs: Vec<[f64; 2]> = operations.into_par_iter().map(friction).collect();
+        let logs: Vec<f64> = operations.into_par_iter().map(friction).collect();
         let bends = logs
             .windows(3)
-            .map(|of| [0, 1].map(|k: usize| (of[0][k] - 2.0 * of[1][k] + of[2][k]).abs()));
-        bends.fold([0.0_f64; 2], |most, one| {
-            [0, 1].map(|k: usize| most[k].max(one[k]))
-        })
+            .map(|of| (of[0] - 2.0 * of[1] + of[2]).abs());
+        bends.fold(0.0, f64::max)
     };
-    let found = [torques.collect(), speeds.collect()].map(bends);
+    let found = [torques.collect(), speeds.collect()].map(bend);
     println!("{windows} windows, over torque and speed: {found:.5?}");
     found
 }
 
 #[test]
 fn friction_has_no_kink_over_torque_and_speed() {
-    // Few windows, which move with the width of the contact, leave the kinks of their own spots.
-    let [[_, by_torque], by_speed] = largest_bends(4, [20, 30]);
-    assert!(by_torque < 0.2 && by_speed[0] < 0.05 && by_speed[1] < 0.05);
+    // Few windows leave the kinks of their own spots.
+    let found = largest_bends(4, [20, 30]);
+    assert!(found[0] < 0.3 && found[1] < 0.05, "{found:?}");
 }
 
 #[test]
 #[ignore = "some three minutes"]
 fn friction_has_no_kink_over_torque_and_speed_in_fine_steps() {
-    // Over torque the windows move with the width of the contact: what they leave is in both films.
-    let [[_, by_torque], by_speed] = largest_bends(256, [60, 120]);
-    assert!(
-        by_torque < 0.006 && by_speed[0] < 0.006,
-        "{by_torque} {by_speed:?}"
-    );
+    let found = largest_bends(256, [60, 120]);
+    // .0062 over torque: the middle of the contact, over which the gap is averaged, grows by whole cells.
+    assert!(found[0] < 0.0065 && found[1] < 0.006, "{found:?}");
 }
 
 #[test]
