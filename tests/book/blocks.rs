@@ -3,7 +3,7 @@
 use std::fs;
 
 use asperity::Error;
-use asperity::case::gear_train::{self, is_train};
+use asperity::case::train::{self, is_train};
 use asperity::case::{self, Source};
 use asperity_cli::fuzzing::arguments;
 use asperity_tests::markdown::{blocks, pages, prose, root, shell_words, without_code};
@@ -58,7 +58,7 @@ fn wrong(text: &str) -> Vec<String> {
         false => source,
     };
     match is_train(&source) {
-        true => faults(&gear_train::check(source, folder, &[]).errors),
+        true => faults(&train::check(source, folder, &[]).errors),
         false => faults(&case::check(source, folder, &[]).errors),
     }
 }

@@ -5,9 +5,9 @@ use std::sync::OnceLock;
 
 use asperity::Run;
 use asperity::case::{CaseInput, Formulation, LoadedCase, load_with};
-use asperity::gear_train::run_train;
 use asperity::pipeline::KeptFields;
 use asperity::result::Outcome;
+use asperity::train;
 use asperity_report::{Fields, write_folder, write_train};
 use asperity_studies::ridges::add_ridges;
 use asperity_tests::planetary_set;
@@ -114,7 +114,7 @@ fn reports(bench: &Bench) -> Vec<Page> {
             page(&format!("report, {name}"), &folder.join("report.html"))
         })
         .collect();
-    let set = run_train(&planetary_set(), &KeptFields::All, true, &|_, _| {}).unwrap();
+    let set = train::run(&planetary_set(), &KeptFields::All, true, &|_, _| {}).unwrap();
     let folder = bench.path("set");
     write_train(&set, &folder, &Fields::Page).unwrap();
     for (name, file) in [("set", "report.html"), ("mesh", "planet_ring/report.html")] {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::case::gear_train::{LoadedTrain, load};
+use asperity::case::train::{Train, load};
 
 const SET: &str = r#"
 title = "small set"
@@ -31,7 +31,7 @@ depths = 0
 ///
 /// # Panics
 /// When it is refused.
-pub fn planetary_set() -> LoadedTrain {
+pub fn planetary_set() -> Train {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("set.toml");
     std::fs::write(&file, SET).unwrap();

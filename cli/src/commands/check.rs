@@ -1,7 +1,7 @@
 //! `asperity check`: checks of a case without running it.
 
 use asperity::Error;
-use asperity::case::gear_train::{self, LoadedTrain};
+use asperity::case::train::{self, Train};
 use asperity::case::{self, DefaultUsed, LoadedCase};
 use asperity::message::Warning;
 use asperity::pipeline;
@@ -22,9 +22,9 @@ pub fn check(args: &CheckArgs, common: &Common) -> Result<(), Failure> {
     let reading = Progress::of(common.quiet, READING);
     let (source, folder) = source(&args.case)?;
     let name = source.name().to_owned();
-    let (errors, valid) = match gear_train::is_train(&source) {
+    let (errors, valid) = match train::is_train(&source) {
         true => {
-            let findings = gear_train::check(source, folder, &keys(&args.set));
+            let findings = train::check(source, folder, &keys(&args.set));
             (findings.errors, findings.case.map(of_train))
         }
         false => {
@@ -119,9 +119,9 @@ fn of_pair(loaded: LoadedCase) -> Result<ValidCase, Error> {
     })
 }
 
-fn of_train(train: LoadedTrain) -> Result<ValidCase, Error> {
+fn of_train(train: Train) -> Result<ValidCase, Error> {
     let cases = || train.meshes().map(|mesh| &mesh.case);
-    let warnings = asperity::gear_train::check(&train)?;
+    let warnings = asperity::train::check(&train)?;
     let fields = KeptFields::Highest;
     let work = estimate_of_train(&train, &fields, measured)
         .or_else(|_| estimate_of_train(&train, &fields, estimate))?;

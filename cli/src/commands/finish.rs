@@ -4,7 +4,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use asperity::case::CaseInput;
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity_storage::regular_file;
 use asperity_studies::compare::Finish;
 
@@ -34,7 +34,7 @@ pub fn finishes(
     set: &SetArgs,
     stated: &[FinishArg],
     change: &dyn Fn(&mut CaseInput),
-) -> Result<Vec<Finish<LoadedTrain>>, Failure> {
+) -> Result<Vec<Finish<Train>>, Failure> {
     check_names(stated)?;
     // Read once for all finishes, since standard input can be read only once.
     let (text, folder) = source(case)?;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::message::explain;
 use asperity::pipeline::KeptFields;
 use asperity_studies::compare::Finish;
@@ -50,7 +50,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     let (name, title) = (result_name(&args.case), &first.case.title);
     let folder = study::folder::<Map>(args.output.as_deref(), &name, "map", title)?;
     let added = args.add_loss.as_deref().map(added_loss).transpose()?;
-    let torques = match first.case.train.passes_losses {
+    let torques = match first.case.shafting.passes_losses {
         true => 2 * axes.torque_nm.len(),
         false => axes.torque_nm.len().div_ceil(2),
     };
@@ -116,7 +116,7 @@ fn name_of_value(format: ExportArg) -> String {
 }
 
 /// The case with the traces of each finish, or with its own traces.
-fn finishes(args: &MapArgs) -> Result<Vec<Finish<LoadedTrain>>, Failure> {
+fn finishes(args: &MapArgs) -> Result<Vec<Finish<Train>>, Failure> {
     if !args.finishes.is_empty() {
         return finish::finishes(&args.case, &args.set, &args.finishes, &|_| {});
     }
@@ -126,9 +126,8 @@ fn finishes(args: &MapArgs) -> Result<Vec<Finish<LoadedTrain>>, Failure> {
     Ok(vec![Finish { name, case }])
 }
 
-fn axes(args: &MapArgs, case: &LoadedTrain) -> Result<Axes, Failure> {
-    let of = |option: &str, text: &Option<String>, default: fn(&LoadedTrain) -> Vec<f64>| match text
-    {
+fn axes(args: &MapArgs, case: &Train) -> Result<Axes, Failure> {
+    let of = |option: &str, text: &Option<String>, default: fn(&Train) -> Vec<f64>| match text {
         None => Ok(default(case)),
         Some(text) => map::axis(text).map_err(|error| refused(option, &error)),
     };

@@ -40,7 +40,7 @@ use std::ffi::{OsStr, OsString};
 use std::io::Read as _;
 use std::path::Path;
 
-use asperity::case::gear_train::{self, LoadedTrain};
+use asperity::case::train::{self, Train};
 use asperity::case::{self, CaseInput, Formulation, LoadedCase, PathPoint, Source};
 
 use crate::args::{FormulationArg, SetArgs};
@@ -96,13 +96,13 @@ fn load_pair(
     let failed = |error: asperity::Error| Failure::of(&error);
     let name = source.name().to_owned();
     let refused = |rest: String| Failure::new("E205", format!("{name}: {rest}"));
-    if !gear_train::is_train(&source) {
+    if !train::is_train(&source) {
         return match &set.mesh {
             None => case::load_set(source, folder, &keys(set), change).map_err(failed),
             Some(_) => Err(refused("has a single mesh; leave --mesh out".to_owned())),
         };
     }
-    let train = gear_train::load_set(source, folder, &keys(set), None).map_err(failed)?;
+    let train = train::load_set(source, folder, &keys(set), None).map_err(failed)?;
     let Some(mesh) = &set.mesh else {
         let meshes = train.names();
         return Err(refused(format!(
@@ -125,11 +125,11 @@ fn load_changed_train(
     folder: &Path,
     set: &SetArgs,
     change: &dyn Fn(&mut CaseInput),
-) -> Result<LoadedTrain, Failure> {
-    if set.mesh.is_some() || !gear_train::is_train(&source) {
-        return load_pair(source, folder, set, change).map(LoadedTrain::from);
+) -> Result<Train, Failure> {
+    if set.mesh.is_some() || !train::is_train(&source) {
+        return load_pair(source, folder, set, change).map(Train::from);
     }
-    let train = gear_train::load_set(source, folder, &keys(set), None);
+    let train = train::load_set(source, folder, &keys(set), None);
     let changed = train.and_then(|train| train.with(change));
     changed.map_err(|error| Failure::of(&error))
 }
@@ -191,7 +191,7 @@ pub enum AnyCase {
     /// Pair of gears.
     Pair(Box<LoadedCase>),
     /// Several meshes: a gear train or a planetary set.
-    Train(Box<LoadedTrain>),
+    Train(Box<Train>),
 }
 
 /// Reads a case of either kind with its traces.
@@ -211,8 +211,8 @@ fn load_any(
         let mesh = load_pair(source, folder, set, &change)?;
         return Ok(AnyCase::Pair(Box::new(mesh)));
     }
-    let loaded = match gear_train::is_train(&source) {
-        true => gear_train::load_set(source, folder, &keys(set), formulation)
+    let loaded = match train::is_train(&source) {
+        true => train::load_set(source, folder, &keys(set), formulation)
             .map(|train| AnyCase::Train(Box::new(train))),
         false => case::load_set(source, folder, &keys(set), &change)
             .map(|pair| AnyCase::Pair(Box::new(pair))),

@@ -1,7 +1,7 @@
 //! `asperity regime`: film thickness, load share and regime along the path, without friction.
 
 use asperity::case::LoadedCase;
-use asperity::case::gear_train::LoadedMesh;
+use asperity::case::train::LoadedMesh;
 use asperity::pipeline::{RegimeRow, survey};
 use asperity::result::Regime;
 use serde_json::json;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::result::RunResult;
 use asperity::{Error, Run};
 use asperity_calibration::evidence::{execute, execute_train};
@@ -72,7 +72,7 @@ pub fn run(args: &RunArgs, common: &Common) -> Result<(), Failure> {
 
 /// Runs all meshes of a gear train.
 fn run_meshes(
-    train: &LoadedTrain,
+    train: &Train,
     args: &RunArgs,
     common: &Common,
     fields: &Fields,

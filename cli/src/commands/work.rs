@@ -1,7 +1,7 @@
 //! Limits of the estimated time and memory.
 
 use asperity::case::LoadedCase;
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::pipeline::KeptFields;
 use asperity_studies::estimate::{Estimate, estimate, estimate_of_train};
 
@@ -25,7 +25,7 @@ pub fn check_work(
 /// Rejects `runs` runs of a gear train with an estimated time or memory above the limits.
 pub fn check_work_of_train(
     limits: &WorkArgs,
-    train: &LoadedTrain,
+    train: &Train,
     fields: &KeptFields,
     runs: usize,
 ) -> Result<(), Failure> {

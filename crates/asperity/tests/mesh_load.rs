@@ -4,11 +4,11 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::{CaseInput, LoadedCase, gear_train, load};
-use asperity::gear_train::run_train;
+use asperity::case::{CaseInput, LoadedCase, load};
 use asperity::pipeline::KeptFields;
 use asperity::result::gear_report::gear_report;
 use asperity::result::{Losses, RunResult};
+use asperity::train;
 
 fn fixtures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
@@ -267,8 +267,8 @@ fn a_planetary_set_is_the_run_of_its_two_meshes() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("set.toml");
     std::fs::write(&file, SET).unwrap();
-    let set = gear_train::load(&file).unwrap().unwrap();
-    let outcome = run_train(&set, &KeptFields::All, false, &|_, _| {}).unwrap();
+    let set = asperity::case::train::load(&file).unwrap().unwrap();
+    let outcome = train::run(&set, &KeptFields::All, false, &|_, _| {}).unwrap();
     let result = &outcome.result;
     let [sun, ring] = &result.meshes[..] else {
         panic!("{} meshes", result.meshes.len())
@@ -292,7 +292,7 @@ fn a_planetary_set_is_the_run_of_its_two_meshes() {
     );
     assert!(result.efficiency > sun.efficiency * ring.efficiency);
     assert!(
-        gear_train::load(&fixtures().join("cases/fzg-c.toml"))
+        asperity::case::train::load(&fixtures().join("cases/fzg-c.toml"))
             .unwrap()
             .is_none()
     );
@@ -304,7 +304,7 @@ fn a_planetary_set_that_does_not_fit_is_refused_with_its_reason() {
     let refusal = |from: &str, to: &str| {
         let file = folder.path().join("set.toml");
         std::fs::write(&file, SET.replace(from, to)).unwrap();
-        gear_train::load(&file).unwrap_err()
+        asperity::case::train::load(&file).unwrap_err()
     };
     let error = refusal("planets = 3", "planets = 12");
     assert!(
@@ -322,7 +322,7 @@ fn a_mesh_of_a_planetary_set_names_the_keys_of_the_set_also_after_a_change() {
     let file = folder.path().join("set.toml");
     let rough = r#"sun = { rq = "30 um" }"#;
     std::fs::write(&file, SET.replace(r#"sun = { rq = "0.3 um" }"#, rough)).unwrap();
-    let set = gear_train::load(&file).unwrap().unwrap();
+    let set = asperity::case::train::load(&file).unwrap().unwrap();
     let mesh = &set.mesh("sun and planet").unwrap().case;
     let changed = mesh.with(|input| input.model.offsets = Some(2)).unwrap();
     for case in [mesh, &changed] {

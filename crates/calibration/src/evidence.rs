@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use asperity::case::gear_train::LoadedTrain;
-use asperity::gear_train::{TrainOutcome, run_train};
+use asperity::case::train::Train;
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::loss_band::EvidenceRow;
 use asperity::result::{Outcome, with_interval};
+use asperity::train::{self, Outcomes};
 use asperity::uncertainty::{Expected, Measurement, MeshDraws, Quantiles, has_band};
 use asperity::{Contacts, LoadedCase, Run};
 use asperity_report::html::page;
@@ -103,7 +103,7 @@ impl EvidenceTable {
     ///
     /// # Errors
     /// When the case has no loss or no interval.
-    pub fn of(train: &LoadedTrain, efforts: &[Effort]) -> Result<Option<Self>, OilError> {
+    pub fn of(train: &Train, efforts: &[Effort]) -> Result<Option<Self>, OilError> {
         if !train.meshes().all(|mesh| has_band(&mesh.case)) {
             return Ok(None);
         }
@@ -113,7 +113,7 @@ impl EvidenceTable {
                 source: Box::new(source),
             })
         };
-        let outcome = run_train(train, &KeptFields::Highest, true, &|_, _| {}).map_err(named)?;
+        let outcome = train::run(train, &KeptFields::Highest, true, &|_, _| {}).map_err(named)?;
         let (Some(loss), Some((rows, no_curves))) = (
             outcome.result.loss_distribution,
             rows_of_train(&outcome, efforts)?,
@@ -137,18 +137,18 @@ impl EvidenceTable {
     }
 }
 
-/// Runs a gear train as [`run_train`]; if its loss has an interval, its result has the measurements that would narrow it, with
+/// Runs a gear train as [`train::run`]; if its loss has an interval, its result has the measurements that would narrow it, with
 /// their usual hours.
 ///
 /// # Errors
-/// As [`run_train`].
+/// As [`train::run`].
 pub fn execute_train(
-    train: &LoadedTrain,
+    train: &Train,
     kept: &KeptFields,
     band: bool,
     progress: Progress<'_>,
-) -> Result<TrainOutcome, asperity::Error> {
-    let mut outcome = run_train(train, kept, band, progress)?;
+) -> Result<Outcomes, asperity::Error> {
+    let mut outcome = train::run(train, kept, band, progress)?;
     // Curves without a plan, as of an oil with one viscosity, leave the other rows.
     let rows = rows_of_train(&outcome, &Effort::usual()).ok().flatten();
     outcome.result.evidence = rows.map(|(rows, _)| rows).unwrap_or_default();
@@ -156,7 +156,7 @@ pub fn execute_train(
 }
 
 /// Rows of a gear train, and why none is of traction curves; `None` without draws.
-fn rows_of_train(outcome: &TrainOutcome, efforts: &[Effort]) -> Result<Option<Rows>, OilError> {
+fn rows_of_train(outcome: &Outcomes, efforts: &[Effort]) -> Result<Option<Rows>, OilError> {
     let Some(drawn) = &outcome.drawn else {
         return Ok(None);
     };

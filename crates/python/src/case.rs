@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use asperity::Run;
-use asperity::case::gear_train::{self, LoadedMesh, LoadedTrain};
+use asperity::case::train::{self, LoadedMesh, Train};
 use asperity::case::{
     self, Content, FileContents, Formulation, LoadedCase, Source, from_contents, load_holding,
     open_source,
@@ -42,7 +42,7 @@ fn profiles(traces: &Traces<'_>) -> Vec<(PathBuf, Profile)> {
 /// A gear train or planetary set with the text that it is made from, which is read again with other keys.
 #[derive(Clone)]
 pub struct Train {
-    loaded: Arc<LoadedTrain>,
+    loaded: Arc<Train>,
     source: Source,
     folder: PathBuf,
     keys: Vec<(String, String)>,
@@ -109,7 +109,7 @@ pub struct Case {
 #[pyfunction]
 pub fn schema(kind: &str) -> PyResult<String> {
     let schema = match kind {
-        "planetary" | "mesh" => gear_train::schema(),
+        "planetary" | "mesh" => train::schema(),
         _ => case::schema(),
     };
     Ok(failure::json(&schema)?)
@@ -140,7 +140,7 @@ fn traces_of_train() -> Failure {
 impl Train {
     /// The train read again, files in memory before those in `folder`.
     fn read(self, folder: Option<&Path>) -> Result<Self, Failure> {
-        let loaded = gear_train::load_holding(
+        let loaded = train::load_holding(
             self.source.clone(),
             folder,
             self.held.clone(),
@@ -168,11 +168,11 @@ impl Case {
         keys: Vec<(String, String)>,
         formulation: Option<Formulation>,
     ) -> Result<Self, Failure> {
-        if gear_train::is_train(&source) {
+        if train::is_train(&source) {
             if !traces.is_empty() {
                 return Err(traces_of_train());
             }
-            let loaded = gear_train::load_set(source.clone(), folder, &keys, formulation)?;
+            let loaded = train::load_set(source.clone(), folder, &keys, formulation)?;
             let train = Train {
                 loaded: loaded.into(),
                 source,
@@ -216,9 +216,9 @@ impl Case {
     }
 
     /// The case as a gear train, also of a single mesh.
-    pub fn train(&self) -> LoadedTrain {
+    pub fn train(&self) -> Train {
         match &self.kind {
-            Kind::Pair(loaded) => LoadedTrain::from(loaded.as_ref().clone()),
+            Kind::Pair(loaded) => Train::from(loaded.as_ref().clone()),
             Kind::Train(train) => train.loaded.as_ref().clone(),
         }
     }
@@ -332,7 +332,7 @@ impl Case {
                 Some(keys) => {
                     let source =
                         Source::new(&content.name, &content.text).map_err(asperity::Error::from)?;
-                    let loaded = gear_train::load_holding(
+                    let loaded = train::load_holding(
                         source.clone(),
                         None,
                         held.clone(),

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::gear_train::TrainOutcome;
+use asperity::train::Outcomes;
 use asperity::result::{Losses, Outcome as Whole, PositionFields};
 use asperity_report::{Fields, write_folder, write_train};
 use pyo3::prelude::*;
@@ -20,7 +20,7 @@ pub enum Found {
     /// A pair of gears.
     Whole(Box<Whole>),
     /// A gear train or planetary set.
-    Train(Box<TrainOutcome>),
+    Train(Box<Outcomes>),
 }
 
 /// Losses with what they are of.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::core::quantity::Power;
 use asperity_report::StudyResult;
 use asperity::profile_io::read::read_table;
@@ -26,7 +26,7 @@ use crate::work::{alone, in_parallel};
 
 type Named<'py> = Vec<(String, PyRef<'py, Case>)>;
 
-fn finishes(named: Named<'_>) -> Vec<Finish<LoadedTrain>> {
+fn finishes(named: Named<'_>) -> Vec<Finish<Train>> {
     let finish = |(name, case): (String, PyRef<'_, Case>)| Finish {
         name,
         case: case.train(),

@@ -14,7 +14,6 @@
 pub mod chart;
 mod error;
 mod folder;
-mod gear_train;
 pub mod html;
 pub mod library;
 mod page_tables;
@@ -26,6 +25,7 @@ mod summary;
 pub mod tables;
 mod thin;
 mod tiles;
+mod train;
 pub mod units;
 mod wrap;
 
@@ -33,10 +33,6 @@ pub use error::ReportError;
 pub use folder::{
     Fields, FileText, PAGE, check_place, make_folder, parse_result, read_result, redraw, texts,
     title_of, write_bytes, write_folder, write_json, write_load_points, write_text, write_unsolved,
-};
-pub use gear_train::{
-    brief_of_train, check_train_place, summary_of_train, tables_of_train, texts_of_train,
-    tiles_of_train, write_load_points_of_train, write_train,
 };
 pub use page_tables::PageTables;
 pub use printed::{stated, stated_parts};
@@ -46,4 +42,8 @@ pub use summary::{
 };
 pub use thin::thin;
 pub use tiles::{Tile, TileKind, tiles};
+pub use train::{
+    brief_of_train, check_train_place, summary_of_train, tables_of_train, texts_of_train,
+    tiles_of_train, write_load_points_of_train, write_train,
+};
 pub use wrap::{COLUMNS, wrapped, wrapped_within};

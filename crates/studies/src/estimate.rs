@@ -7,7 +7,7 @@
 
 use std::time::Instant;
 
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::case::{Formulation, FullFilmName, LoadShareName, LoadedCase};
 use asperity::flanks::Texture;
 use asperity::mesh::Mesh;
@@ -105,7 +105,7 @@ pub fn estimate(loaded: &LoadedCase, kept: &KeptFields) -> Result<Estimate, Erro
 /// # Errors
 /// As `estimate`.
 pub fn estimate_of_train(
-    loaded: &LoadedTrain,
+    loaded: &Train,
     kept: &KeptFields,
     estimate: fn(&LoadedCase, &KeptFields) -> Result<Estimate, Error>,
 ) -> Result<Estimate, Error> {

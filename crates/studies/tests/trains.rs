@@ -5,9 +5,9 @@
 use std::path::Path;
 
 use asperity::case::Source;
-use asperity::case::gear_train::{LoadedTrain, load_set};
-use asperity::gear_train::{TrainResult, run_train};
+use asperity::case::train::{Train, load_set};
 use asperity::pipeline::KeptFields;
+use asperity::train::{self, Whole};
 use asperity::uncertainty::Verdict;
 use asperity_report::StudyResult as _;
 use asperity_storage::whole_text;
@@ -38,7 +38,7 @@ surface = { pinion.file = "ground_pinion.csv", wheel = { file = "ground_wheel.cs
 model = { positions = 4, offsets = 1, depths = 0 }
 "#;
 
-fn train(text: &str, keys: &[(&str, &str)]) -> LoadedTrain {
+fn train(text: &str, keys: &[(&str, &str)]) -> Train {
     let text = format!("{text}{COMMON}");
     let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
     let keys = keys
@@ -49,7 +49,7 @@ fn train(text: &str, keys: &[(&str, &str)]) -> LoadedTrain {
 }
 
 /// With a band at one temperature, for time.
-fn map_of(case: LoadedTrain, torques: &[f64], band: MapBand) -> Map {
+fn map_of(case: Train, torques: &[f64], band: MapBand) -> Map {
     let temperatures: &[f64] = match band {
         MapBand::None => &[60.0, 90.0],
         _ => &[90.0],
@@ -67,8 +67,8 @@ fn at(map: &Map, torque: f64) -> &Point {
     points.find(is_there).unwrap()
 }
 
-fn run(case: &LoadedTrain, band: bool) -> TrainResult {
-    let found = run_train(case, &KeptFields::Highest, band, &|_, _| {});
+fn run(case: &Train, band: bool) -> Whole {
+    let found = train::run(case, &KeptFields::Highest, band, &|_, _| {});
     found.unwrap().result
 }
 
@@ -160,7 +160,7 @@ fn a_set_whose_ring_turns_has_the_loss_and_the_efficiency_of_its_run() {
 }
 
 /// The train with other flanks of the mesh `on`, or of all meshes.
-fn superfinished(case: &LoadedTrain, on: Option<&str>) -> Finish<LoadedTrain> {
+fn superfinished(case: &Train, on: Option<&str>) -> Finish<Train> {
     let file = |name: &str| Path::new(name).to_owned();
     let (pinion, wheel) = (file("superfinished.csv"), file("superfinished_wheel.csv"));
     let changed = case.with_each(&|_, mesh, input| {

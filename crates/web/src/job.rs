@@ -1,8 +1,8 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
-use asperity::case::gear_train::{self, LoadedTrain, TrainCaseInput};
+use asperity::case::train::{self, Train, TrainCaseInput};
 use asperity::case::{self, AnyInput, CaseInput, DefaultUsed, Source};
-use asperity::gear_train::{TrainOutcome, run_train};
+use asperity::train::{self, Outcomes};
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::result::RunResult;
 use asperity_report::{
@@ -20,9 +20,9 @@ const MOST_BYTES: f64 = 2e9;
 #[derive(Debug, Clone)]
 pub struct Finished {
     /// The case: a pair of gears or a gear train.
-    pub train: LoadedTrain,
+    pub train: Train,
     /// Its run.
-    pub outcome: TrainOutcome,
+    pub outcome: Outcomes,
     /// The files of the result folder.
     pub files: Vec<(String, Vec<u8>)>,
 }
@@ -74,7 +74,7 @@ pub fn run(
 ) -> Result<Finished, Failure> {
     let train = load(name, text, files)?;
     check_memory(&train)?;
-    let outcome = run_train(&train, &KeptFields::Highest, true, progress)
+    let outcome = train::run(&train, &KeptFields::Highest, true, progress)
         .map_err(|error| Failure::of_run(name, &error))?;
     let files = match (train.pair(), &outcome.meshes[..]) {
         (Some(_), [run]) => {
@@ -90,11 +90,11 @@ pub fn run(
     })
 }
 
-fn load(name: &str, text: &str, files: &Files) -> Result<LoadedTrain, Failure> {
+fn load(name: &str, text: &str, files: &Files) -> Result<Train, Failure> {
     let find = |file: &str| Ok(files.find(file)?.to_vec());
-    let loaded = match gear_train::is_train(&read(name, text)?) {
-        true => gear_train::from_text(name, text, &find),
-        false => case::from_text(name, text, &find).map(LoadedTrain::from),
+    let loaded = match train::is_train(&read(name, text)?) {
+        true => train::from_text(name, text, &find),
+        false => case::from_text(name, text, &find).map(Train::from),
     };
     loaded.map_err(|error| Failure::from(&error))
 }
@@ -104,7 +104,7 @@ fn read(name: &str, text: &str) -> Result<Source, Failure> {
         .map_err(|error| Failure::from(&asperity::Error::from(error)))
 }
 
-fn check_memory(train: &LoadedTrain) -> Result<(), Failure> {
+fn check_memory(train: &Train) -> Result<(), Failure> {
     // A case that has no estimate has no run, which says why.
     let Ok(work) = estimate_of_train(train, &KeptFields::Highest, estimate) else {
         return Ok(());
@@ -128,7 +128,7 @@ fn check_memory(train: &LoadedTrain) -> Result<(), Failure> {
 /// When the text is no case.
 pub fn keys(name: &str, text: &str) -> Result<String, Failure> {
     let source = read(name, text)?;
-    let input = match gear_train::is_train(&source) {
+    let input = match train::is_train(&source) {
         true => {
             let input = source.read::<TrainCaseInput>();
             input.map(|input| AnyInput::Train(input.into()))

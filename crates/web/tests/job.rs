@@ -8,8 +8,8 @@ use std::path::PathBuf;
 
 use asperity::Run;
 use asperity::case;
-use asperity::case::gear_train;
-use asperity::gear_train::run_train;
+use asperity::case::train;
+use asperity::train;
 use asperity::pipeline::KeptFields;
 use asperity_report::{summary_of_train, texts, texts_of_train};
 use asperity_web::{Files, gearbox_stage, keys, library, run, versus};
@@ -205,10 +205,10 @@ fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
     }
     fs::write(folder.join("idle.csv"), IDLE).unwrap();
     fs::write(folder.join("train.toml"), TRAIN).unwrap();
-    let train = gear_train::load(&folder.join("train.toml"))
+    let train = train::load(&folder.join("train.toml"))
         .unwrap()
         .unwrap();
-    let outcome = run_train(&train, &KeptFields::Highest, true, &told()).unwrap();
+    let outcome = train::run(&train, &KeptFields::Highest, true, &told()).unwrap();
     assert_eq!(found.outcome.result, outcome.result);
     assert_eq!(found.summary(), summary_of_train(&outcome));
     // Each mesh names its case by the place of the file.

@@ -37,6 +37,34 @@ table! {
 }
 
 table! {
+    /// Seals, bearings, jets and tables of a gear train; only the losses stated here are added to the losses of the meshes.
+    #[derive(Default)]
+    TrainGearboxInput;
+
+    /// Temperature of the oil at bearings and jets and in the tables; default that of the operation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    temperature: Option<Temperature> = "°C" usual [-40.0, 160.0] possible [-100.0, 400.0];
+    /// Radial shaft seals, each a table `[[gearbox.seals]]` with the name of its `shaft`, `diameter` and, if wanted, `name`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    seals: Vec<SealInput<String>> => table;
+    /// Rolling bearings, two on a shaft, each a table `[[gearbox.bearings]]` with the name of its `shaft`, its place `at`
+    /// along the shaft, and type and constants as for a pair of gears. Their loads follow from the teeth by statics, with
+    /// `at`, `angle` and `hand` of each mesh on the shaft; the bearing with `locating = true` carries the axial force. The
+    /// bearings of the planets of a set have the shaft `NAME planet` (`planet` in a case `[planetary]`), no place, and, if
+    /// wanted, `planet_mass` and `per_planet`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    bearings: Vec<BearingInput<String>> => table;
+    /// Oil jets onto pairs of gears, each a table `[[gearbox.jets]]` with the name of its `mesh`, `flow`, `speed` and, if
+    /// wanted, `name`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    jets: Vec<MeshJetInput> => table;
+    /// Measured losses, as of gears that run idle and of clutches, each a table `[[gearbox.tables]]` with the name of its
+    /// `shaft`, `file` and, if wanted, `name`; a clutch names its other shaft `against` which it turns.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    tables: Vec<TableInput>;
+}
+
+table! {
     /// A radial shaft seal.
     SealInput<S = Shaft>;
 
@@ -185,6 +213,22 @@ pub enum Shaft {
     Pinion,
     /// That of the wheel.
     Wheel,
+}
+
+impl Shaft {
+    /// Name of the shaft of a pair of gears.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Pinion => "pinion",
+            Self::Wheel => "wheel",
+        }
+    }
+}
+
+impl AsRef<str> for Shaft {
+    fn as_ref(&self) -> &str {
+        self.name()
+    }
 }
 
 impl BearingKind {

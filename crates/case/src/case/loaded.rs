@@ -14,7 +14,7 @@ use super::error::CaseError;
 use super::files::{Content, FileContents, FileSums, Files, Reader, XU_COEFFICIENTS};
 use super::flank_form::shortest_form;
 use super::flanks::{Flanks, flanks};
-use super::gearbox::gearbox;
+use super::gearbox::{MeshPlace, Stated};
 use super::gears::check_load;
 use super::input::CaseInput;
 use super::law_names::{FullFilmName, LoadShareName};
@@ -25,6 +25,7 @@ use super::plausibility::{
 };
 use super::resolve::{Case, resolve_checked};
 use super::section::Section;
+use super::shafting::Shafting;
 use super::source::{MeshKeys, Source};
 use super::surrogates::solves_contact;
 use super::text::oil_file;
@@ -336,7 +337,9 @@ pub(super) fn complete(
         }
         (_, Some(stated)) => {
             let reader = Reader::of(&files);
-            let parts = gearbox(stated, source, &reader)?;
+            let train = Shafting::of_pair(&case).shafts;
+            let places = vec![MeshPlace::default()];
+            let parts = Stated::from(stated).gearbox(places, &train, (source, &reader))?;
             (Some(parts), reader.into_sums().into())
         }
         (_, None) => (None, Arc::default()),

@@ -7,13 +7,13 @@ use asperity_core::quantity::Power;
 use super::any_input::AnyInput;
 use super::defaults::DefaultUsed;
 use super::files::{FileContents, FileSums};
+use super::gearbox::Gearbox;
 use super::input::CaseInput;
 use super::loaded::LoadedCase;
 use super::resolve::Case;
+use super::shafting::{Shafting, StageKind};
 use super::source::MeshKeys;
 use super::text::is_key_of_train;
-use super::train_flow::{StageKind, Train};
-use super::train_gearbox::TrainGearbox;
 use super::train_heat_input::HeatInput;
 use super::train_input::TrainCaseInput;
 use super::train_parts::{MeshParts, TrainParts};
@@ -25,17 +25,17 @@ use crate::message::Warning;
 /// A gear train, ready to run.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
-pub struct LoadedTrain {
+pub struct Train {
     /// Title.
     pub title: String,
     /// Shafts and stages with the operating point.
-    pub train: Train,
+    pub shafting: Shafting,
     /// Meshes of each stage, in the order of the power.
     pub stages: Vec<LoadedStage>,
     /// Heat balance, if the case states one.
     pub heat: Option<HeatInput>,
     /// Seals and bearings, if the case states some.
-    pub gearbox: Option<TrainGearbox>,
+    pub gearbox: Option<Gearbox>,
     /// The case as read.
     pub input: AnyInput,
     /// Every default in use, by the keys of the train.
@@ -66,14 +66,14 @@ pub struct LoadedMesh {
     pub case: LoadedCase,
 }
 
-impl From<LoadedCase> for LoadedTrain {
+impl From<LoadedCase> for Train {
     /// A train of one mesh.
     fn from(case: LoadedCase) -> Self {
         Self {
             title: case.case.title.clone(),
-            train: Train::of_pair(&case.case),
+            shafting: Shafting::of_pair(&case.case),
             heat: None,
-            gearbox: None,
+            gearbox: case.case.gearbox.clone(),
             input: case.case.input.clone().into(),
             defaults: case.case.defaults.clone(),
             warnings: Vec::new(),
@@ -89,7 +89,7 @@ impl From<LoadedCase> for LoadedTrain {
     }
 }
 
-impl LoadedTrain {
+impl Train {
     /// The train of `parts` with the loaded case of each mesh, as `input` states it.
     pub(super) fn of(parts: TrainParts, cases: Vec<LoadedCase>, input: TrainCaseInput) -> Self {
         let mut defaults: Vec<DefaultUsed> = Vec::new();
@@ -114,7 +114,7 @@ impl LoadedTrain {
             gearbox: parts.gearbox,
             sums: parts.sums,
             title: parts.title,
-            train: parts.train,
+            shafting: parts.train,
             stages: stages.collect(),
             input: input.into(),
             defaults,
@@ -280,12 +280,12 @@ impl LoadedTrain {
         if let Some(pair) = self.pair() {
             return Some(pair.case.gears.ratio);
         }
-        let shafts = &self.train.shafts;
+        let shafts = &self.shafting.shafts;
         let speeds = shafts.speeds().ok()?;
         let ends = shafts.shafts.iter().zip(&speeds);
         let mut outputs = ends.filter(|(shaft, speed)| shaft.torque.is_none() && speed.si() != 0.0);
         let (_, output) = outputs.next()?;
-        let ratio = (speeds[Train::INPUT].si() / output.si()).abs();
+        let ratio = (speeds[Shafting::INPUT].si() / output.si()).abs();
         outputs.next().is_none().then_some(ratio)
     }
 
@@ -299,16 +299,13 @@ impl LoadedTrain {
     /// Loss of the train with the loss of one of the equal meshes of each kind.
     #[must_use]
     pub fn loss(&self, of_meshes: &[Power]) -> Power {
-        let stages = self.train.kinds.iter().zip(self.by_stage(of_meshes));
-        stages.fold(Power::from_si(0.0), |sum, (kind, losses)| {
-            sum + kind.loss(&losses)
-        })
+        self.shafting.loss(&self.by_stage(of_meshes))
     }
 
     /// Number of equal meshes of each mesh.
     #[must_use]
     pub fn counts(&self) -> Vec<u32> {
-        let stages = self.stages.iter().zip(&self.train.kinds);
+        let stages = self.stages.iter().zip(&self.shafting.kinds);
         let of_stage =
             |(stage, kind): (&LoadedStage, &StageKind)| vec![kind.count(); stage.meshes.len()];
         stages.flat_map(of_stage).collect()
@@ -343,7 +340,7 @@ impl LoadedTrain {
     /// The planetary set of a case `[planetary]`, which is the whole train.
     #[must_use]
     pub fn only_set(&self) -> Option<&StageKind> {
-        match (&self.stages[..], &self.train.kinds[..]) {
+        match (&self.stages[..], &self.shafting.kinds[..]) {
             ([LoadedStage { name: None, .. }], [kind]) => Some(kind),
             _ => None,
         }

@@ -11,7 +11,7 @@
 //! | a value | [`LoadedCase::try_from`] a [`CaseInput`] |
 //! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
 //!
-//! [`gear_train`] reads cases of several meshes.
+//! [`train`] reads cases of several meshes.
 
 mod any_input;
 mod assumed_relief;
@@ -31,7 +31,6 @@ mod flank_sample;
 mod flank_trace;
 mod flanks;
 mod gear_input;
-pub mod gear_train;
 mod gearbox;
 mod gearbox_input;
 mod gears;
@@ -56,6 +55,7 @@ mod ranges;
 mod resolve;
 mod rows;
 mod section;
+mod shafting;
 mod source;
 mod steel;
 mod surrogates;
@@ -64,8 +64,7 @@ mod text;
 mod trace;
 mod trace_filters;
 mod trace_list;
-mod train_flow;
-mod train_gearbox;
+pub mod train;
 mod train_heat_input;
 mod train_input;
 mod train_parts;
@@ -85,9 +84,10 @@ pub use flank_place::{FlankPlaceInput, TraceStart};
 pub use gear_input::{
     EndReliefInput, GearFlankInput, NoRelief, ReliefInput, ReliefSource, TipRelief,
 };
-pub use gearbox::{Gearbox, Part, PartKind};
+pub use gearbox::{BearingLoads, Gearbox, Hand, MeshPlace, Part, PartKind};
 pub use gearbox_input::{
     BearingInput, BearingKind, GearboxInput, JetInput, MeshJetInput, SealInput, Shaft, TableInput,
+    TrainGearboxInput,
 };
 pub use gears::gear_pair;
 pub use input::{
@@ -110,6 +110,7 @@ pub use path_point::{NamedPoint, PathPoint};
 pub use place::Place;
 pub use resolve::{Case, resolve};
 pub use rows::Limits;
+pub use shafting::{Flow, MeshLoad, Shafting, StageKind};
 pub use source::Source;
 pub use steel::STEEL_FLOW_PRESSURE;
 #[cfg(feature = "case-files")]
@@ -119,7 +120,3 @@ pub use text::{
 };
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};
-pub use train_flow::{MeshLoad, StageKind, Train, TrainFlow};
-pub use train_gearbox::{
-    Hand, MeshPlace, TrainGearbox, TrainGearboxInput, TrainPart, TrainPartKind,
-};

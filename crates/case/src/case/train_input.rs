@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity_core::quantity::{Angle, AngularSpeed, Length, Torque};
-use asperity_gear::gear_train::{GearTrain, TrainShaft, TrainStage};
+use asperity_gear::gear_train::{GearTrain, Shaft, Stage};
 use asperity_oil::LubricantInput;
 use asperity_roughness::form::Form;
 use asperity_roughness::gaussian_filter::Ends;
@@ -17,6 +17,8 @@ use super::defaults::DefaultUsed;
 use super::error::CaseError;
 use super::files::Reader;
 use super::finish::FinishName;
+use super::gearbox::{Hand, MeshPlace, Stated};
+use super::gearbox_input::TrainGearboxInput;
 use super::input::{
     BodyInput, CaseInput, CoastInput, FlankInput, GearsInput, MapInput, MaterialInput,
     OperationInput, SurfaceInput, VehicleInput,
@@ -26,9 +28,8 @@ use super::planetary::{self, PlanetaryInput, SetOfCase};
 use super::ranges::{Judged, refuse_impossible, unusual};
 use super::rows::{Judge, KeyPath, Ranged, limits};
 use super::section::domain;
+use super::shafting::StageKind;
 use super::source::{MeshKeys, Source};
-use super::train_flow::StageKind;
-use super::train_gearbox::{Hand, MeshPlace, TrainGearboxInput, train_gearbox};
 use super::train_heat_input::HeatInput;
 use super::train_parts::{MeshParts, StageParts, TrainParts, conflict, mesh_folder, refused};
 use crate::message::Warning;
@@ -272,7 +273,7 @@ impl TrainCaseInput {
         let places: Vec<MeshPlace> = places.collect();
         let gearbox = self.gearbox.as_ref();
         let gearbox =
-            gearbox.map(|stated| train_gearbox(stated, places, &shafts, (source, &files)));
+            gearbox.map(|stated| Stated::from(stated).gearbox(places, &shafts, (source, &files)));
         let gearbox = gearbox.transpose()?;
         let [meshes, set] = Self::TABLES;
         let table = if self.planetary.is_some() {
@@ -403,7 +404,7 @@ impl TrainCaseInput {
         for shaft in &shafts {
             let is_input = *shaft == input;
             let zero = Torque::from_si(0.0);
-            train.shafts.push(TrainShaft {
+            train.shafts.push(Shaft {
                 name: (*shaft).to_owned(),
                 speed: match is_held(shaft) {
                     true => Some(AngularSpeed::from_si(0.0)),
@@ -437,7 +438,7 @@ impl TrainCaseInput {
                 [sun, carrier] if matches!(stage.kind, StageKind::Planetary { .. }) => {
                     let set = self.mesh[*name].planetary.as_ref();
                     let ring_speed = set.and_then(|set| set.ring_speed);
-                    train.shafts.push(TrainShaft {
+                    train.shafts.push(Shaft {
                         name: format!("{name} ring"),
                         speed: Some(ring_speed.unwrap_or(AngularSpeed::from_si(0.0))),
                         torque: None,
@@ -448,7 +449,7 @@ impl TrainCaseInput {
                 [pinion, wheel] => ([pinion, wheel], None),
                 _ => continue,
             };
-            train.stages.push(TrainStage {
+            train.stages.push(Stage {
                 gears,
                 carrier,
                 teeth: stage.teeth,

@@ -1,11 +1,11 @@
 //! Computation of a sensitivity study.
 
 use asperity::case::LoadedCase;
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
-use asperity::gear_train::settled;
 use asperity::pipeline::{Progress, contacts, losses, losses_with};
 use asperity::result::{Losses, Summary};
+use asperity::train::settled;
 use asperity::uncertainty::sampling_interval;
 use asperity::{Contacts, Error, PositionError};
 use asperity_core::quantity::Power;
@@ -138,10 +138,7 @@ pub fn sensitivity(case: &LoadedCase, progress: Progress<'_>) -> Result<Sensitiv
 ///
 /// # Errors
 /// As [`sensitivity`], and when a shaft has no speed or torque.
-pub fn sensitivity_of_train(
-    train: &LoadedTrain,
-    progress: Progress<'_>,
-) -> Result<Sensitivity, Error> {
+pub fn sensitivity_of_train(train: &Train, progress: Progress<'_>) -> Result<Sensitivity, Error> {
     if let Some(pair) = train.pair() {
         return sensitivity(pair, progress);
     }
@@ -157,7 +154,7 @@ pub fn sensitivity_of_train(
     let losses = of_meshes.iter().map(|mesh| Power::from_si(mesh.loss_w));
     let losses: Vec<Power> = losses.collect();
     let loss_w = train.loss(&losses).si();
-    let power_in = train.train.power_in(&train.by_stage(&losses));
+    let power_in = train.shafting.power_in(&train.by_stage(&losses));
     let power_in = power_in.map_err(|error| Box::new(PositionError::Gear(error)))?;
     let mut rows: Vec<SensitivityRow> = Vec::new();
     for (mesh, study) in train.meshes().zip(&of_meshes) {

@@ -7,12 +7,12 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use asperity::case::LoadedCase;
-use asperity::case::gear_train::LoadedTrain;
+use asperity::case::train::Train;
 use asperity::core::cancel::checkpoint;
-use asperity::gear_train::{run_train, train_losses};
 use asperity::message::{Warning, outside_codes};
 use asperity::pipeline::{KeptFields, losses, losses_with};
 use asperity::result::{Losses, Summary};
+use asperity::train;
 use asperity::uncertainty::{Predictive, Quantiles, predictive};
 use asperity::{ContactStore, Error, Run};
 use rayon::prelude::*;
@@ -189,14 +189,14 @@ pub(super) fn rows_of(
 
 /// Whether the meshes of a case run with the contacts that are stored for it: torques that follow from losses are not known
 /// before.
-fn uses_store(study: &Study, train: &LoadedTrain) -> bool {
-    !train.train.passes_losses && study.input.detail.unwrap_or_default() != Detail::Contacts
+fn uses_store(study: &Study, train: &Train) -> bool {
+    !train.shafting.passes_losses && study.input.detail.unwrap_or_default() != Detail::Contacts
 }
 
 /// The row of a case, or its code where it cannot be resolved.
 fn row(
     study: &Study,
-    (number, inputs, case): (usize, CaseInputs, Result<(LoadedTrain, String), String>),
+    (number, inputs, case): (usize, CaseInputs, Result<(Train, String), String>),
     names: &[String],
     store: &ContactStore,
 ) -> Vec<String> {
@@ -236,7 +236,7 @@ struct Found {
 
 fn result(
     study: &Study,
-    case: &LoadedTrain,
+    case: &Train,
     store: &ContactStore,
     with_draws: bool,
 ) -> Result<Found, Error> {
@@ -252,7 +252,7 @@ fn result(
     let Some(pair) = case.pair() else {
         let (found, mut outside) = match with_contacts {
             true => {
-                let found = run_train(case, &KeptFields::Highest, with_draws, &|_, _| {})?;
+                let found = train::run(case, &KeptFields::Highest, with_draws, &|_, _| {})?;
                 let meshes = found.meshes.iter();
                 let outside = meshes.flat_map(|mesh| codes(&mesh.result.warnings));
                 (found.result, outside.collect())
@@ -264,7 +264,7 @@ fn result(
                     outside.borrow_mut().extend(codes(&losses.warnings));
                     Ok((losses, draws))
                 };
-                let found = train_losses(case, &noted)?;
+                let found = train::losses(case, &noted)?;
                 (found, outside.into_inner())
             }
         };

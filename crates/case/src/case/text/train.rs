@@ -11,7 +11,7 @@ use crate::case::error::CaseError;
 use crate::case::files::{FileContents, Files, Reader};
 use crate::case::input::CaseInput;
 use crate::case::loaded::complete;
-use crate::case::loaded_train::LoadedTrain;
+use crate::case::loaded_train::Train;
 use crate::case::model::Formulation;
 use crate::case::ranges::impossible;
 use crate::case::source::Source;
@@ -29,7 +29,7 @@ pub fn is_train(source: &Source) -> bool {
 ///
 /// # Errors
 /// When a file cannot be read or holds impossible values.
-pub fn load(path: &Path) -> Result<Option<LoadedTrain>, Error> {
+pub fn load(path: &Path) -> Result<Option<Train>, Error> {
     // The loader of ordinary cases reports files that cannot be read.
     let Ok(source) = open_source(path) else {
         return Ok(None);
@@ -50,7 +50,7 @@ pub fn load_set(
     folder: &Path,
     keys: &[(String, String)],
     formulation: Option<Formulation>,
-) -> Result<LoadedTrain, Error> {
+) -> Result<Train, Error> {
     load_holding(source, Some(folder), FileContents::new(), keys, formulation)
 }
 
@@ -65,7 +65,7 @@ pub fn load_holding(
     contents: FileContents,
     keys: &[(String, String)],
     formulation: Option<Formulation>,
-) -> Result<LoadedTrain, Error> {
+) -> Result<Train, Error> {
     let mut source = source;
     let files = Files::holding(folder, contents);
     let loaded = read(&mut source, Origin::Files(files), keys, formulation);
@@ -76,7 +76,7 @@ pub fn load_holding(
 ///
 /// # Errors
 /// As for [`load`].
-pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<LoadedTrain, Error> {
+pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Train, Error> {
     let mut source = Source::from_bytes(name, text.as_bytes())?;
     let loaded = read(&mut source, Origin::Memory(resolver), &[], None);
     loaded.map_err(|error| Error::in_text(error, source))
@@ -93,7 +93,7 @@ fn read(
     from: Origin<'_>,
     keys: &[(String, String)],
     formulation: Option<Formulation>,
-) -> Result<LoadedTrain, CaseError> {
+) -> Result<Train, CaseError> {
     let mut input = TrainCaseInput::read(source)?;
     for (key, value) in keys {
         input.set_in(source, key, value)?;
@@ -122,7 +122,7 @@ fn read(
         let source = source.of_mesh(&mesh.keys);
         cases.push(complete(case, &source, Arc::clone(&files), None)?);
     }
-    Ok(LoadedTrain::of(parts, cases, input))
+    Ok(Train::of(parts, cases, input))
 }
 
 /// The errors of a gear train, or the train.
@@ -132,7 +132,7 @@ pub struct TrainFindings {
     /// Every error, in the order of the checks; empty if the case can be run.
     pub errors: Vec<Error>,
     /// The case with its traces; `None` after an error.
-    pub case: Option<LoadedTrain>,
+    pub case: Option<Train>,
 }
 
 /// Reads the gear train in `source` as [`load_set`] does, and goes on after an error.
@@ -152,7 +152,7 @@ fn all(
     folder: &Path,
     keys: &[(String, String)],
     errors: &mut Vec<CaseError>,
-) -> Option<LoadedTrain> {
+) -> Option<Train> {
     let (input, mending) = readable::<TrainCaseInput>(source, keys, errors)?;
     errors.extend(impossible(&input, source));
     let files = Files::in_folder(folder);
@@ -189,7 +189,7 @@ fn all(
         errors.extend(of_mesh.into_iter().filter(is_new));
     }
     let is_whole = cases.len() == parts.meshes().count();
-    is_whole.then(|| LoadedTrain::of(parts, cases, input))
+    is_whole.then(|| Train::of(parts, cases, input))
 }
 
 /// Identity of an error: its code with its line, or with its text if it has no line.

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use asperity::case::gear_train::mesh_folder;
-use asperity::gear_train::{MeshRow, TrainOutcome, TrainResult};
+use asperity::case::train::mesh_folder;
 use asperity::message::Warning;
+use asperity::train::{MeshRow, Outcomes, Whole};
 use asperity_storage::{check_folder, replace_folder, write_among};
 use maud::{Markup, html};
 
@@ -40,11 +40,7 @@ pub fn check_train_place(target: &Path) -> Result<(), ReportError> {
 ///
 /// # Errors
 /// When a file cannot be written, or `target` holds something else.
-pub fn write_train(
-    outcome: &TrainOutcome,
-    target: &Path,
-    fields: &Fields,
-) -> Result<(), ReportError> {
+pub fn write_train(outcome: &Outcomes, target: &Path, fields: &Fields) -> Result<(), ReportError> {
     for mesh in &outcome.meshes {
         check_fields(mesh, fields)?;
     }
@@ -65,7 +61,7 @@ pub fn write_train(
 ///
 /// # Errors
 /// When a number is not finite.
-pub fn texts_of_train(outcome: &TrainOutcome) -> Result<Vec<(String, Vec<u8>)>, ReportError> {
+pub fn texts_of_train(outcome: &Outcomes) -> Result<Vec<(String, Vec<u8>)>, ReportError> {
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     let whole = texts_of_whole(outcome)?.into_iter();
     files.extend(whole.map(|(name, text)| (name.to_owned(), text)));
@@ -78,7 +74,7 @@ pub fn texts_of_train(outcome: &TrainOutcome) -> Result<Vec<(String, Vec<u8>)>, 
 }
 
 /// The files of the train without the folders of its meshes.
-fn texts_of_whole(outcome: &TrainOutcome) -> Result<Vec<FileText>, ReportError> {
+fn texts_of_whole(outcome: &Outcomes) -> Result<Vec<FileText>, ReportError> {
     let result = &outcome.result;
     let mark = match result.set {
         Some(_) => PLANETARY_MARK,
@@ -98,10 +94,7 @@ fn texts_of_whole(outcome: &TrainOutcome) -> Result<Vec<FileText>, ReportError> 
 ///
 /// # Errors
 /// When a file cannot be written.
-pub fn write_load_points_of_train(
-    outcome: &TrainOutcome,
-    target: &Path,
-) -> Result<(), ReportError> {
+pub fn write_load_points_of_train(outcome: &Outcomes, target: &Path) -> Result<(), ReportError> {
     let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
     let files = meshes.map(|(mesh, row)| {
         let (name, text) = load_points(mesh)?;
@@ -113,7 +106,7 @@ pub fn write_load_points_of_train(
 
 /// The result of a gear train for the terminal, with all warnings of its meshes.
 #[must_use]
-pub fn summary_of_train(outcome: &TrainOutcome) -> String {
+pub fn summary_of_train(outcome: &Outcomes) -> String {
     let notes = warnings_of(outcome);
     let notes = notes.iter().map(|warning| note(warning, COLUMNS));
     tables_of_train(&outcome.result) + &notes.collect::<String>()
@@ -121,7 +114,7 @@ pub fn summary_of_train(outcome: &TrainOutcome) -> String {
 
 /// The result of a gear train for the terminal, with its own warnings, the ridges and at most one warning of each mesh, as [`crate::brief`].
 #[must_use]
-pub fn brief_of_train(outcome: &TrainOutcome) -> String {
+pub fn brief_of_train(outcome: &Outcomes) -> String {
     let mut text = tables_of_train(&outcome.result);
     let of_train = outcome.result.warnings.iter();
     text.extend(of_train.map(|warning| short_note(warning, COLUMNS)));
@@ -142,7 +135,7 @@ fn of_mesh(warning: &Warning, mesh: &MeshRow) -> Warning {
 }
 
 /// All warnings, with the names of the meshes.
-fn warnings_of(outcome: &TrainOutcome) -> Vec<Warning> {
+fn warnings_of(outcome: &Outcomes) -> Vec<Warning> {
     let meshes = outcome.meshes.iter().zip(&outcome.result.meshes);
     let warnings = meshes.flat_map(|(mesh, row)| {
         let warnings = mesh.result.warnings.iter();
@@ -154,7 +147,7 @@ fn warnings_of(outcome: &TrainOutcome) -> Vec<Warning> {
 
 /// Losses, meshes and shafts of a gear train for the terminal.
 #[must_use]
-pub fn tables_of_train(result: &TrainResult) -> String {
+pub fn tables_of_train(result: &Whole) -> String {
     let [loss, efficiency] = result.with_bands();
     let mut text = format!(
         "{}\nefficiency (meshes only)  {efficiency}   loss {loss}\n  power in {:.2} kW\n",
@@ -243,7 +236,7 @@ fn rpm(speed: f64) -> String {
 const LOSS: usize = 1;
 
 /// Names and values of the headline.
-fn headline(result: &TrainResult) -> Vec<[String; 2]> {
+fn headline(result: &Whole) -> Vec<[String; 2]> {
     let [loss, efficiency] = result.with_bands();
     let row = |name: &str, value: String| [name.to_owned(), value];
     let mut rows = vec![
@@ -273,7 +266,7 @@ fn headline(result: &TrainResult) -> Vec<[String; 2]> {
 
 /// The headline of a gear train: loss and efficiency, then the losses of meshes, other parts, and their kinds.
 #[must_use]
-pub fn tiles_of_train(result: &TrainResult) -> Vec<Tile> {
+pub fn tiles_of_train(result: &Whole) -> Vec<Tile> {
     let mut tiles: Vec<Tile> = headline(result).into_iter().map(Tile::of).collect();
     tiles[LOSS].kind = TileKind::Loss;
     if result.loss_distribution.is_some() {
@@ -302,7 +295,7 @@ pub fn tiles_of_train(result: &TrainResult) -> Vec<Tile> {
     tiles
 }
 
-fn summary_page(outcome: &TrainOutcome) -> String {
+fn summary_page(outcome: &Outcomes) -> String {
     let result = &outcome.result;
     let summary = html! {
         dl.tiles { @for [name, value] in headline(result) { div { dt { (name) } dd { (value) } } } }
@@ -323,7 +316,7 @@ fn summary_page(outcome: &TrainOutcome) -> String {
     )
 }
 
-fn meshes(result: &TrainResult) -> Markup {
+fn meshes(result: &Whole) -> Markup {
     html! {
         div.scroll { table {
             thead { tr {
@@ -357,7 +350,7 @@ fn meshes(result: &TrainResult) -> Markup {
     }
 }
 
-fn kinds(result: &TrainResult) -> Markup {
+fn kinds(result: &Whole) -> Markup {
     html! {
         div.scroll { table {
             thead { tr { th { "loss of all meshes" } th.number { "[W]" } th.number { "share [%]" } } }
@@ -370,7 +363,7 @@ fn kinds(result: &TrainResult) -> Markup {
     }
 }
 
-fn shafts(result: &TrainResult) -> Markup {
+fn shafts(result: &Whole) -> Markup {
     let [power_in, power_out] = result.powers_with_digits();
     html! {
         div.scroll { table {

@@ -3,7 +3,7 @@
 //! A case with `[mesh.NAME]` tables has several meshes; a case with `[planetary]` is a train of one planetary set. Oil,
 //! operating point and model are common to all meshes. Torque and speed of the operation are those of the input shaft.
 
-pub use super::loaded_train::{LoadedMesh, LoadedStage, LoadedTrain};
+pub use super::loaded_train::{LoadedMesh, LoadedStage, Train};
 #[cfg(feature = "case-files")]
 pub use super::text::train::{
     TrainFindings, check, from_text, is_train, load, load_holding, load_set,
