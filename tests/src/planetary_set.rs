@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::case::train::{Train, load};
+use asperity::case::Train;
 
 const SET: &str = r#"
 title = "small set"
@@ -39,5 +39,5 @@ pub fn planetary_set() -> Train {
         let profiles = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/profiles");
         std::fs::copy(profiles.join(flank), folder.path().join(flank)).unwrap();
     }
-    load(&file).unwrap().unwrap()
+    Train::load(&file).unwrap()
 }

@@ -8,7 +8,7 @@ use asperity::case::train::Train;
 use asperity_storage::regular_file;
 use asperity_studies::compare::Finish;
 
-use super::{load_changed_train, source};
+use super::{load_text, source};
 use crate::args::{FinishArg, SetArgs};
 use crate::failure::Failure;
 
@@ -54,7 +54,7 @@ pub fn finishes(
             }
             change(input);
         };
-        let train = load_changed_train(text.clone(), folder, set, &of_all)?;
+        let train = load_text(text.clone(), folder, set, &of_all)?;
         let is_of =
             |stated: &str, stage: Option<&str>, mesh: &str| stated == mesh || Some(stated) == stage;
         let named = || {
@@ -74,7 +74,7 @@ pub fn finishes(
                 .any(|(stage, mesh)| is_of(stated, stage, &mesh.name))
         };
         if let Some((mesh, _)) = named().find(|(mesh, _)| !all(mesh)) {
-            let known = match train.pair() {
+            let known = match train.only() {
                 Some(_) => "the case has a single mesh".to_owned(),
                 None => format!("there is no mesh \"{mesh}\", only {}", train.names()),
             };

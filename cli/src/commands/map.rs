@@ -13,8 +13,8 @@ use asperity_studies::map::{self, Axes, AxisError, Map, MapExtras};
 
 use super::cycle::{read_cycle, table_in};
 use super::finish::{self, check_names};
-use super::work::check_work_of_train;
-use super::{load_changed_train, result_name, source, stem, study};
+use super::work::check_work;
+use super::{load_train, result_name, stem, study};
 use crate::args::{Common, ExportArg, MapArgs};
 use crate::failure::Failure;
 use crate::output::{Progress, READING, WRITING};
@@ -55,7 +55,12 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
         false => axes.torque_nm.len().div_ceil(2),
     };
     let torques = torques * finishes.len();
-    check_work_of_train(&args.work, &first.case, &KeptFields::Highest, torques)?;
+    check_work(
+        &args.work,
+        first.case.cases(),
+        &KeptFields::Highest,
+        torques,
+    )?;
     progress.begin("points");
     let watch = |done, total| progress.at(done, total);
     let map = map::map(&finishes, &axes, args.band.points(), &watch)
@@ -120,8 +125,7 @@ fn finishes(args: &MapArgs) -> Result<Vec<Finish<Train>>, Failure> {
     if !args.finishes.is_empty() {
         return finish::finishes(&args.case, &args.set, &args.finishes, &|_| {});
     }
-    let (text, folder) = source(&args.case)?;
-    let case = load_changed_train(text, folder, &args.set, &|_| {})?;
+    let case = load_train(&args.case, &args.set, None)?;
     let name = stem(&args.case).to_string_lossy().into_owned();
     Ok(vec![Finish { name, case }])
 }

@@ -8,6 +8,7 @@ use std::borrow::Cow;
 
 use asperity_core::OutOfRange;
 use asperity_core::quantity::{AngularSpeed, Force, Power, Speed, Temperature, Torque, VolumeFlow};
+use asperity_efficiency::EfficiencyError;
 use asperity_efficiency::loss_table::LossTable;
 use asperity_efficiency::oil_jet::jet_power;
 use asperity_efficiency::shaft_seal::seal_torque;
@@ -177,10 +178,16 @@ impl<'a> Gears<'a> {
                 drags[*shaft] = drags[*shaft] + Torque::from_si(sign * part.torque_nm);
             }
         }
+        let input = flow.power_in();
         let flow = shafting.with_drags(&drags).flow(losses)?;
         let parts: Vec<GearboxPart> = found.into_iter().map(|(_, part)| part).collect();
         let parts_w: f64 = parts.iter().map(|part| part.loss_w).sum();
         let loss_w = shafting.loss(losses).si() + parts_w;
+        // Losses above the power in enter through the output as well, and none is left.
+        if flow.power_out().si() == 0.0 {
+            let loss = Power::from_si(loss_w);
+            return Err(EfficiencyError::LossExceedsInput { loss, input }.into());
+        }
         let power_in_w = flow.power_in().si();
         let report = GearboxReport {
             efficiency: 1.0 - loss_w / power_in_w,

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use asperity::case::Source;
-use asperity::case::train::{Train, load_set};
+use asperity::case::Train;
 use asperity::pipeline::KeptFields;
 use asperity::train::{self, Whole};
 use asperity::uncertainty::Verdict;
@@ -45,7 +45,7 @@ fn train(text: &str, keys: &[(&str, &str)]) -> Train {
         .iter()
         .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()));
     let folder = Path::new("../../fixtures/profiles");
-    load_set(source, folder, &keys.collect::<Vec<_>>(), None).unwrap()
+    Train::load_set(source, folder, &keys.collect::<Vec<_>>(), &|_| {}).unwrap()
 }
 
 /// With a band at one temperature, for time.
@@ -68,8 +68,8 @@ fn at(map: &Map, torque: f64) -> &Point {
 }
 
 fn run(case: &Train, band: bool) -> Whole {
-    let found = train::run(case, &KeptFields::Highest, band, &|_, _| {});
-    found.unwrap().result
+    let found = train::run(case, Some(&KeptFields::Highest), band, &|_, _| {});
+    found.unwrap().whole
 }
 
 #[test]

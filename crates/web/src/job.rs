@@ -74,7 +74,7 @@ pub fn run(
 ) -> Result<Finished, Failure> {
     let train = load(name, text, files)?;
     check_memory(&train)?;
-    let outcome = train::run(&train, &KeptFields::Highest, true, progress)
+    let outcome = train::run(&train, Some(&KeptFields::Highest), true, progress)
         .map_err(|error| Failure::of_run(name, &error))?;
     let files = match (train.pair(), &outcome.meshes[..]) {
         (Some(_), [run]) => {

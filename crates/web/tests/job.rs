@@ -208,7 +208,7 @@ fn a_gear_train_runs_on_files_in_memory_as_on_disk() {
     let train = train::load(&folder.join("train.toml"))
         .unwrap()
         .unwrap();
-    let outcome = train::run(&train, &KeptFields::Highest, true, &told()).unwrap();
+    let outcome = train::run(&train, Some(&KeptFields::Highest), true, &told()).unwrap();
     assert_eq!(found.outcome.result, outcome.result);
     assert_eq!(found.summary(), summary_of_train(&outcome));
     // Each mesh names its case by the place of the file.

@@ -9,7 +9,7 @@ use asperity_core::quantity::Power;
 use asperity_core::unique;
 use asperity_gear::gear_train::{Shaft, Torques};
 use asperity_gear::planetary::{PlanetaryOperation, PlanetarySpeeds};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::assembly::warnings_of_gearbox;
 use crate::contacts::Contacts;
@@ -219,12 +219,12 @@ fn one() -> u32 {
     1
 }
 
-/// A run of a gear train.
+/// A run of a case: of a gear train, or of its only mesh. Its JSON is the result of the case.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Outcomes {
     /// Loss of the train, its shafts, and a row of each kind of mesh.
-    pub result: Whole,
+    pub whole: Whole,
     /// Every mesh, in the order of its row.
     pub meshes: Vec<Outcome>,
     /// Draws of each mesh; `None` of a formulation without uncertainty.
@@ -236,6 +236,28 @@ pub struct Outcomes {
 }
 
 impl Outcomes {
+    /// The only mesh of a case, which has no name: its result is that of the case.
+    #[must_use]
+    pub fn only(&self) -> Option<&Outcome> {
+        match (&self.whole.meshes[..], &self.meshes[..]) {
+            ([row], [only]) if row.mesh.is_empty() => Some(only),
+            _ => None,
+        }
+    }
+
+    /// States the measurements that would narrow the interval of the loss.
+    pub fn put_evidence(&mut self, evidence: Vec<EvidenceRow>) {
+        let is_only = self.only().is_some();
+        match self.meshes.first_mut() {
+            Some(only) if is_only => {
+                if let Some(found) = &mut only.result.uncertainty {
+                    found.evidence = evidence;
+                }
+            }
+            _ => self.whole.evidence = evidence,
+        }
+    }
+
     /// The drawn losses of the meshes, whose flanks have the numbers `flanks`; `None` without draws.
     #[must_use]
     pub fn drawn_meshes(&self, flanks: &[usize]) -> Option<Vec<DrawnMesh<'_>>> {
@@ -244,11 +266,21 @@ impl Outcomes {
             Some(DrawnMesh {
                 predictive: drawn.get(k)?,
                 uncertainty: self.meshes[k].result.uncertainty.as_ref()?,
-                count: self.result.meshes.get(k)?.count,
+                count: self.whole.meshes.get(k)?.count,
                 flanks: *flanks.get(k)?,
             })
         };
         (0..self.meshes.len()).map(mesh).collect()
+    }
+}
+
+/// The result of the only mesh, or of the train as a whole.
+impl Serialize for Outcomes {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self.only() {
+            Some(only) => only.result.serialize(to),
+            None => self.whole.serialize(to),
+        }
     }
 }
 
@@ -318,7 +350,7 @@ pub fn losses(loaded: &Train, of_mesh: LossesOfMesh<'_>) -> Result<Whole, Error>
 /// When a mesh has no solution, or losses that are passed on do not settle.
 pub fn run(
     loaded: &Train,
-    kept: &KeptFields,
+    kept: Option<&KeptFields>,
     band: bool,
     progress: Progress<'_>,
 ) -> Result<Outcomes, Error> {
@@ -329,7 +361,7 @@ pub fn run(
     let mut drawn = Vec::new();
     for mesh in loaded.meshes() {
         let (outcome, predictive) =
-            run_and_draw(&mesh.case, (Some(kept), band), &mut contacts, progress)?;
+            run_and_draw(&mesh.case, (kept, band), &mut contacts, progress)?;
         meshes.push(outcome);
         drawn.push(predictive);
     }
@@ -346,7 +378,7 @@ pub fn run(
         HeatReport::of(&oil, heat, result.losses(), runs)
     });
     let mut outcome = Outcomes {
-        result,
+        whole: result,
         meshes,
         drawn: drawn.into_iter().collect(),
         settled: settled.clone(),
@@ -356,7 +388,7 @@ pub fn run(
     let total = outcome
         .drawn_meshes(&loaded.first_with_flanks())
         .map(|drawn| losses_of_meshes(&drawn));
-    outcome.result.loss_distribution = total.map(|total| Quantiles::of(&total));
+    outcome.whole.loss_distribution = total.map(|total| Quantiles::of(&total));
     Ok(outcome)
 }
 

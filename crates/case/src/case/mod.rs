@@ -11,7 +11,7 @@
 //! | a value | [`LoadedCase::try_from`] a [`CaseInput`] |
 //! | another case | [`LoadedCase::with`], [`LoadedCase::with_key`] |
 //!
-//! [`train`] reads cases of several meshes.
+//! [`Train`] is a case of any number of meshes, [`LoadedCase`] that of one.
 
 mod any_input;
 mod assumed_relief;
@@ -40,7 +40,6 @@ mod law_names;
 mod lay;
 mod load_inputs;
 mod loaded;
-mod loaded_train;
 mod micropitting_input;
 mod model;
 mod nearest_name;
@@ -115,8 +114,9 @@ pub use source::Source;
 pub use steel::STEEL_FLOW_PRESSURE;
 #[cfg(feature = "case-files")]
 pub use text::{
-    Findings, Resolver, check, from_contents, from_text, load, load_holding, load_set, load_with,
-    markdown, open_source, schema,
+    Change, Findings, Resolver, check, from_contents, from_text, load, load_holding, load_set,
+    load_with, markdown, open_source, schema,
 };
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};
+pub use train::Train;

@@ -100,9 +100,19 @@ impl Flow {
     /// Power into the train through all shafts.
     #[must_use]
     pub fn power_in(&self) -> Power {
-        let powers = self.torques.shafts.iter().zip(&self.speeds);
-        let power_in = powers.map(|(torque, speed)| (torque.si() * speed.si()).max(0.0));
-        Power::from_si(power_in.sum())
+        Power::from_si(self.powers().map(|power| power.max(0.0)).sum())
+    }
+
+    /// Power out of the train through all shafts.
+    #[must_use]
+    pub fn power_out(&self) -> Power {
+        Power::from_si(self.powers().map(|power| (-power).max(0.0)).sum())
+    }
+
+    /// Power into the train at each shaft \[W\].
+    fn powers(&self) -> impl Iterator<Item = f64> {
+        let shafts = self.torques.shafts.iter().zip(&self.speeds);
+        shafts.map(|(torque, speed)| torque.si() * speed.si())
     }
 }
 

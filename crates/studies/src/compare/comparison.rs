@@ -178,7 +178,7 @@ pub fn compare<C: Clone + Into<Train>>(
     finishes: &[Finish<C>],
     progress: Progress<'_>,
 ) -> Result<Comparison, Error> {
-    let run = |case: &Train| train::run(case, &KeptFields::Highest, true, &|_, _| {});
+    let run = |case: &Train| train::run(case, Some(&KeptFields::Highest), true, &|_, _| {});
     let mut runs = Vec::with_capacity(finishes.len());
     for finish in finishes {
         let case: Train = finish.case.clone().into();
@@ -249,7 +249,7 @@ fn finish_result(
     let difference = compared
         .as_ref()
         .map(|[first, own]| difference_of_meshes(first, own));
-    let result = &outcome.result;
+    let result = &outcome.whole;
     let mut finish = FinishResult {
         name: name.to_owned(),
         files: unique(case.meshes().flat_map(|mesh| files(&mesh.case))),
@@ -268,10 +268,7 @@ fn finish_result(
         offsets: Vec::new(),
         pair: None,
     };
-    let Some((loaded, [run])) = case
-        .pair()
-        .zip(<&[Outcome; 1]>::try_from(&outcome.meshes[..]).ok())
-    else {
+    let Some((loaded, run)) = case.only().zip(outcome.only()) else {
         let meshes = result.meshes.iter().zip(&outcome.meshes).enumerate();
         finish.meshes = meshes
             .map(|(k, (row, run))| {
@@ -320,7 +317,7 @@ fn finish_result(
 
 /// Loss of all meshes with their flanks run in \[W\]; `None` unless every mesh was run in.
 fn run_in_loss(outcome: &Outcomes) -> Option<f64> {
-    let meshes = outcome.result.meshes.iter().zip(&outcome.meshes);
+    let meshes = outcome.whole.meshes.iter().zip(&outcome.meshes);
     let of_mesh = |(row, run): (&MeshRow, &Outcome)| {
         let run_in = run.result.run_in.as_ref()?;
         Some(f64::from(row.count) * run_in.summary.loss_w)
@@ -338,7 +335,7 @@ fn warnings(outcome: &Outcomes) -> Vec<String> {
             .collect()
     };
     let all: Vec<Vec<String>> = outcome.meshes.iter().map(of).collect();
-    let texts = outcome.result.meshes.iter().zip(&all);
+    let texts = outcome.whole.meshes.iter().zip(&all);
     unique(texts.flat_map(|(row, warnings)| {
         warnings.iter().map(
             |warning| match all.iter().all(|other| other.contains(warning)) {

@@ -456,7 +456,6 @@ mod tests {
     use std::path::Path;
 
     use asperity::case::Source;
-    use asperity::case::train::load_set;
 
     use super::*;
 
@@ -485,7 +484,7 @@ mod tests {
         );
         let source = Source::from_bytes("train.toml", text.as_bytes()).unwrap();
         let folder = Path::new("../../fixtures/profiles");
-        let train = load_set(source, folder, &[], None).unwrap();
+        let train = Train::load_set(source, folder, &[], &|_| {}).unwrap();
         let prepared = Prepared::of(&train, Torque::from_si(80.0), &[1500.0]).unwrap();
         prepared.at((0, 1500.0), 90.0, false).unwrap();
         let meshes = prepared.meshes.iter().flat_map(BTreeMap::values);

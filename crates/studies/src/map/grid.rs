@@ -78,7 +78,7 @@ pub fn map<C: Clone + Into<Train>>(
         schema_version: SCHEMA_VERSION,
         program: concat!("asperity ", env!("CARGO_PKG_VERSION")).to_owned(),
         title: case.title.clone(),
-        scope: match case.pair() {
+        scope: match case.only() {
             Some(_) => "mesh".to_owned(),
             None => "meshes".to_owned(),
         },
@@ -213,7 +213,7 @@ fn of_finish(
         has_flanks_of_first: false,
         resolved_from_nm: sides.from,
         draws: draws(train, &computed, drawn, sides.differ, (axes, speeds)),
-        meshes: match train.pair() {
+        meshes: match train.only() {
             Some(_) => Vec::new(),
             None => of_meshes(train, &parts),
         },
@@ -350,7 +350,7 @@ fn point(
     };
     let of_meshes: Vec<Numbers> = evaluated.meshes.iter().map(of_mesh).collect();
     let found = match &of_meshes[..] {
-        [only] if train.pair().is_some() => Ok((*only, pinion_w(only, evaluated.omega, torque_nm))),
+        [only] if train.only().is_some() => Ok((*only, pinion_w(only, evaluated.omega, torque_nm))),
         _ => together(train, &of_meshes, evaluated.omega, torque_nm),
     };
     let checked = found.and_then(|(numbers, power_in_w)| {
@@ -373,7 +373,7 @@ fn outside(train: &Train, evaluated: &Evaluated) -> Vec<String> {
     let meshes = train.meshes().zip(&evaluated.meshes);
     let of_mesh = |(mesh, evaluated): (&LoadedMesh, &EvaluatedMesh)| {
         let marks = evaluated.losses.outside.iter();
-        match train.pair() {
+        match train.only() {
             Some(_) => marks.cloned().collect::<Vec<String>>(),
             None => marks
                 .map(|mark| format!("{mark} ({})", mesh.name))

@@ -203,9 +203,9 @@ impl Map {
 
     /// Shafts at which power enters and leaves, in words.
     pub(crate) fn shafts(&self) -> [&'static str; 2] {
-        match self.input {
-            AnyInput::Mesh(_) => ["pinion", "wheel"],
-            _ => ["input shaft", "output"],
+        match self.finishes.iter().all(|finish| finish.meshes.is_empty()) {
+            true => ["pinion", "wheel"],
+            false => ["input shaft", "output"],
         }
     }
 }

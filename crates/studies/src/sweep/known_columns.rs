@@ -52,7 +52,7 @@ pub(super) fn numbers_of(result: &Whole) -> Value {
 
 /// Names of all numbers that a case of the study can have in its row.
 pub(super) fn known_columns(case: &Train) -> Vec<String> {
-    let numbers = match case.pair() {
+    let numbers = match case.only() {
         Some(_) => {
             let mut summary = Summary::default();
             summary.gearbox_efficiency = Some(0.0);

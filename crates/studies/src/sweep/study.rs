@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::case::train::{self, Train};
-use asperity::case::{self, FileSums};
+use asperity::case::{FileSums, Train};
 use asperity::fingerprint::Fingerprint;
 use asperity_storage::{whole_file, whole_text};
 
@@ -118,28 +117,12 @@ impl Study {
     }
 }
 
-/// The case in `file`, or the mesh called `mesh` of the gear train in it.
+/// The case in `file`, or its mesh called `mesh`.
 fn case_of(file: &Path, mesh: Option<&str>) -> Result<Train, SweepError> {
-    let refused = |message: String| SweepError::Study {
-        path: file.to_owned(),
-        message,
-    };
-    let (train, mesh) = match (train::load(file)?, mesh) {
-        (None, None) => return Ok(case::load(file, None)?.into()),
-        (None, Some(_)) => {
-            return Err(refused(
-                "has a single mesh; leave `mesh` out of the study".to_owned(),
-            ));
-        }
-        (Some(train), None) => return Ok(train),
-        (Some(train), Some(mesh)) => (train, mesh),
-    };
-    let found = train.mesh(mesh).map(|mesh| mesh.case.clone().into());
-    found.ok_or_else(|| {
-        let names = train.names();
-        refused(format!(
-            "`mesh` of the study must name one of the meshes {names}"
-        ))
+    let train = Train::load(file)?;
+    Ok(match mesh {
+        None => train,
+        Some(mesh) => train.of_mesh(mesh)?,
     })
 }
 

@@ -4,13 +4,27 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::case_file::CaseFile;
+use super::load::names_meshes;
 use super::set::{of_json, train_of_json};
 use crate::case::any_input::AnyInput;
+use crate::case::input::CaseInput;
 use crate::case::source::Source;
 use crate::case::train_input::TrainCaseInput;
 use crate::error::Error;
 
 impl AnyInput {
+    /// The case as the text states it.
+    ///
+    /// # Errors
+    /// When a key is not known, or a value is missing or of the wrong kind, with its place.
+    pub fn read(source: &Source) -> Result<Self, Error> {
+        let input = match names_meshes(source) {
+            true => TrainCaseInput::read(source).map(Self::from),
+            false => CaseInput::read(source).map(Self::from),
+        };
+        input.map_err(|error| Error::in_text(error, source.clone()))
+    }
+
     /// Sets the key at `path`, as [`CaseInput::set`](crate::case::CaseInput::set) does.
     ///
     /// # Errors

@@ -13,15 +13,18 @@ use toml::{Table, Value};
 
 use super::case_file::{CaseFile, Checked, remove_replaced};
 use super::known_keys::first_unknown;
+use super::load::names_meshes;
 use super::parsed::from_table;
 use super::plain_words::plain;
 use super::written;
 use crate::case::error::CaseError;
-use crate::case::files::Files;
+use crate::case::files::{Files, Reader};
 use crate::case::input::{CaseInput, TEMPERATURE_KEYS};
 use crate::case::loaded::{LoadedCase, complete};
 use crate::case::ranges::impossible;
 use crate::case::source::{MeshKeys, Source};
+use crate::case::train::Train;
+use crate::case::train_input::TrainCaseInput;
 use crate::error::Error;
 
 /// No case has more errors than keys.
@@ -34,7 +37,7 @@ pub struct Findings {
     /// Every error, in the order of the checks; empty if the case can be run.
     pub errors: Vec<Error>,
     /// The case with its traces; `None` after an error.
-    pub case: Option<LoadedCase>,
+    pub case: Option<Train>,
 }
 
 /// Reads the case in `source` and the traces it names relative to `folder`, with keys set by their paths.
@@ -50,7 +53,7 @@ pub fn check(source: Source, folder: &Path, set: &[(String, String)]) -> Finding
 }
 
 /// The errors with the text that they share.
-pub(super) fn in_text(errors: Vec<CaseError>, text: Source) -> Vec<Error> {
+fn in_text(errors: Vec<CaseError>, text: Source) -> Vec<Error> {
     let text = Arc::new(text);
     let errors = errors.into_iter();
     errors
@@ -63,13 +66,59 @@ fn all(
     folder: &Path,
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,
-) -> Option<LoadedCase> {
-    let (input, mending) = readable::<CaseInput>(source, set, errors)?;
-    completed(input, source, folder, mending, errors)
+) -> Option<Train> {
+    if !names_meshes(source) {
+        let (input, mending) = readable::<CaseInput>(source, set, errors)?;
+        return completed(input, source, folder, mending, errors).map(Train::from);
+    }
+    let (input, mending) = readable::<TrainCaseInput>(source, set, errors)?;
+    errors.extend(impossible(&input, source));
+    let files = Files::in_folder(folder);
+    let parts = match input.parts(source, Reader::of(&files)) {
+        Ok(parts) => parts,
+        Err(error) => {
+            let is_blamed = TrainCaseInput::TABLES
+                .iter()
+                .any(|table| mending.is_known(table));
+            let is_known = errors
+                .iter()
+                .any(|known| identity(known) == identity(&error));
+            if !is_blamed && !is_known {
+                errors.push(error);
+            }
+            return None;
+        }
+    };
+    let mut cases = Vec::new();
+    for mesh in parts.meshes() {
+        let source = source.of_mesh(&mesh.keys);
+        let mending = mending.of_mesh(&mesh.keys)?;
+        let mut of_mesh = Vec::new();
+        cases.extend(completed(
+            mesh.case.clone(),
+            &source,
+            folder,
+            mending,
+            &mut of_mesh,
+        ));
+        // Errors of shared keys occur in all meshes.
+        let known: BTreeSet<_> = errors.iter().map(identity).collect();
+        let is_new = |error: &CaseError| !known.contains(&identity(error));
+        errors.extend(of_mesh.into_iter().filter(is_new));
+    }
+    let is_whole = cases.len() == parts.meshes().count();
+    is_whole.then(|| Train::of(parts, cases, input))
+}
+
+/// Identity of an error: its code with its line, or with its text if it has no line.
+fn identity(error: &CaseError) -> (&'static str, Option<usize>, String) {
+    let line = error.place().and_then(|place| place.line);
+    let text = line.map_or_else(|| error.to_string(), |_| String::new());
+    (error.code(), line, text)
 }
 
 /// The case in `source` with keys set by their paths; values that cannot be read are recorded and replaced by valid ones.
-pub(super) fn readable<T: Checked>(
+fn readable<T: Checked>(
     source: &mut Source,
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,
@@ -99,7 +148,7 @@ pub(super) fn readable<T: Checked>(
 }
 
 /// The case with its traces; every error of its completion is recorded.
-pub(super) fn completed(
+fn completed(
     mut input: CaseInput,
     source: &Source,
     folder: &Path,
@@ -131,7 +180,7 @@ pub(super) fn completed(
 }
 
 /// Parts with errors, and parts replaced so far.
-pub(super) struct Mending {
+struct Mending {
     /// A valid case.
     right: Table,
     /// Schema of the case.
@@ -144,7 +193,7 @@ pub(super) struct Mending {
 
 impl Mending {
     /// The parts of a mesh of a gear train.
-    pub(super) fn of_mesh(&self, mesh: &MeshKeys) -> Option<Self> {
+    fn of_mesh(&self, mesh: &MeshKeys) -> Option<Self> {
         let blamed = self.blamed.iter().chain(&self.replaced);
         let in_mesh = blamed.map(|part| mesh.in_mesh(part).unwrap_or_else(|| part.clone()));
         Some(Self {
@@ -156,7 +205,7 @@ impl Mending {
     }
 
     /// Whether `part` has an error, or was replaced.
-    pub(super) fn is_known(&self, part: &str) -> bool {
+    fn is_known(&self, part: &str) -> bool {
         self.blamed.contains(part) || self.replaced.contains(part)
     }
 

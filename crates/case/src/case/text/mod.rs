@@ -17,7 +17,6 @@ mod parsed;
 mod plain_words;
 mod set;
 mod symbols;
-pub(super) mod train;
 pub(super) mod train_keys;
 mod written;
 
@@ -25,7 +24,8 @@ pub use case_file::schema;
 pub use check::{Findings, check};
 pub(super) use key_names::{key_of, missing_key};
 pub use load::{
-    Resolver, from_contents, from_text, load, load_holding, load_set, load_with, open_source,
+    Change, Resolver, from_contents, from_text, load, load_holding, load_set, load_with,
+    open_source,
 };
 pub(super) use oil_file::oil_file;
 pub use page::markdown;
