@@ -1,14 +1,10 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
-use asperity::case::train::{self, Train, TrainCaseInput};
-use asperity::case::{self, AnyInput, CaseInput, DefaultUsed, Source};
-use asperity::train::{self, Outcomes};
+use asperity::case::{AnyInput, DefaultUsed, Source, Train};
 use asperity::pipeline::{KeptFields, Progress};
-use asperity::result::RunResult;
-use asperity_report::{
-    Tile, summary, summary_of_train, texts, texts_of_train, tiles, tiles_of_train,
-};
-use asperity_studies::estimate::{estimate, estimate_of_train};
+use asperity::train::{self, Outcomes};
+use asperity_report::{COLUMNS, Results, Tile, texts};
+use asperity_studies::estimate::estimate;
 
 use crate::failure::Failure;
 use crate::files::Files;
@@ -28,25 +24,16 @@ pub struct Finished {
 }
 
 impl Finished {
-    /// The result of a pair of gears; `None` of a gear train.
-    #[must_use]
-    pub fn pair(&self) -> Option<&RunResult> {
-        let run = self.outcome.meshes.first()?;
-        self.train.pair().and(Some(&run.result))
-    }
-
     /// The summary as the command prints it, with all notes.
     #[must_use]
     pub fn summary(&self) -> String {
-        let of_train = || summary_of_train(&self.outcome);
-        self.pair().map_or_else(of_train, summary)
+        Results::from(&self.outcome).summary(COLUMNS)
     }
 
     /// The headline of the result.
     #[must_use]
     pub fn tiles(&self) -> Vec<Tile> {
-        let of_train = || tiles_of_train(&self.outcome.result);
-        self.pair().map_or_else(of_train, tiles)
+        Results::from(&self.outcome).tiles()
     }
 
     /// The keys of the case.
@@ -57,8 +44,8 @@ impl Finished {
 
     /// The defaults in use.
     pub(crate) fn defaults(&self) -> &[DefaultUsed] {
-        let of_train = &self.train.defaults;
-        self.pair().map_or(of_train, |pair| &pair.defaults)
+        let only = self.outcome.only();
+        only.map_or(&self.train.defaults, |only| &only.result.defaults)
     }
 }
 
@@ -76,13 +63,7 @@ pub fn run(
     check_memory(&train)?;
     let outcome = train::run(&train, Some(&KeptFields::Highest), true, progress)
         .map_err(|error| Failure::of_run(name, &error))?;
-    let files = match (train.pair(), &outcome.meshes[..]) {
-        (Some(_), [run]) => {
-            let files = texts(run)?.into_iter();
-            files.map(|(name, text)| (name.to_owned(), text)).collect()
-        }
-        _ => texts_of_train(&outcome)?,
-    };
+    let files = texts(&outcome)?;
     Ok(Finished {
         train,
         outcome,
@@ -92,21 +73,12 @@ pub fn run(
 
 fn load(name: &str, text: &str, files: &Files) -> Result<Train, Failure> {
     let find = |file: &str| Ok(files.find(file)?.to_vec());
-    let loaded = match train::is_train(&read(name, text)?) {
-        true => train::from_text(name, text, &find),
-        false => case::from_text(name, text, &find).map(Train::from),
-    };
-    loaded.map_err(|error| Failure::from(&error))
-}
-
-fn read(name: &str, text: &str) -> Result<Source, Failure> {
-    Source::from_bytes(name, text.as_bytes())
-        .map_err(|error| Failure::from(&asperity::Error::from(error)))
+    Train::from_text(name, text, &find).map_err(|error| Failure::from(&error))
 }
 
 fn check_memory(train: &Train) -> Result<(), Failure> {
     // A case that has no estimate has no run, which says why.
-    let Ok(work) = estimate_of_train(train, &KeptFields::Highest, estimate) else {
+    let Ok(work) = estimate(train.cases(), &KeptFields::Highest) else {
         return Ok(());
     };
     if work.bytes <= MOST_BYTES {
@@ -127,17 +99,8 @@ fn check_memory(train: &Train) -> Result<(), Failure> {
 /// # Errors
 /// When the text is no case.
 pub fn keys(name: &str, text: &str) -> Result<String, Failure> {
-    let source = read(name, text)?;
-    let input = match train::is_train(&source) {
-        true => {
-            let input = source.read::<TrainCaseInput>();
-            input.map(|input| AnyInput::Train(input.into()))
-        }
-        false => {
-            let input = source.read::<CaseInput>();
-            input.map(|input| AnyInput::Mesh(input.into()))
-        }
-    };
-    let input = input.map_err(|error| Failure::from(&asperity::Error::from(error)))?;
+    let source = Source::from_bytes(name, text.as_bytes()).map_err(asperity::Error::from);
+    let input = source.and_then(|source| AnyInput::read(&source));
+    let input = input.map_err(|error| Failure::from(&error))?;
     Ok(serde_json::to_string(&input)?)
 }

@@ -4,8 +4,9 @@
 //! with `[planetary]` is a train of one planetary set. Oil, operating point and model are common to all meshes. Torque and
 //! speed of the operation are those of the input shaft.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use asperity_core::Profile;
 use asperity_core::quantity::Power;
 
 use super::any_input::AnyInput;
@@ -296,6 +297,15 @@ impl Train {
         self
     }
 
+    /// The train with further traces in memory, under names that a change can state as files.
+    #[must_use]
+    pub fn holding(mut self, traces: &[(PathBuf, Profile)]) -> Self {
+        for mesh in self.stages.iter_mut().flat_map(|stage| &mut stage.meshes) {
+            mesh.case = mesh.case.holding(traces);
+        }
+        self
+    }
+
     /// SHA-256 of everything that determines the result, as [`LoadedCase::fingerprint`].
     #[must_use]
     pub fn fingerprint(&self) -> String {
@@ -326,6 +336,13 @@ impl Train {
         self.defaults.retain(|row| !is_replaced(row));
         self.defaults.extend(named);
         self
+    }
+
+    /// Warnings about the train as a whole and about its files.
+    #[must_use]
+    pub fn all_warnings(&self) -> Vec<&Warning> {
+        let of_meshes = self.cases().flat_map(|case| &case.warnings);
+        self.warnings.iter().chain(of_meshes).collect()
     }
 
     /// Turns of the input shaft for one turn of the output shaft, the only one that turns and whose torque follows.

@@ -38,6 +38,30 @@ impl AnyInput {
     }
 }
 
+impl AnyInput {
+    /// Removes the key at `path`, as [`CaseInput::unset`] does.
+    ///
+    /// # Errors
+    /// When the key is not known or has no default; the case is then unchanged.
+    pub fn unset(&mut self, path: &str) -> Result<(), Error> {
+        Ok(match self {
+            Self::Mesh(input) => input.unset_at(path),
+            Self::Train(input) => input.unset_at(path),
+        }?)
+    }
+
+    /// The case as the text of a case file, which reads back to the same case.
+    ///
+    /// # Errors
+    /// When a value cannot be written as text, such as a path that is not Unicode.
+    pub fn to_toml(&self) -> Result<String, Error> {
+        Ok(match self {
+            Self::Mesh(input) => input.text(),
+            Self::Train(input) => input.text(),
+        }?)
+    }
+}
+
 impl Serialize for AnyInput {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         match self {

@@ -59,6 +59,33 @@ pub(super) trait CaseFile: Serialize + DeserializeOwned {
         Ok(())
     }
 
+    /// Removes the key at `path`, so that its default applies; an error leaves the case unchanged.
+    fn unset_at(&mut self, path: &str) -> Result<(), CaseError> {
+        let path = &*with_keys(path);
+        let place = Source::in_memory().place_of(path);
+        Self::refuse_unknown(std::iter::once(path), |_| place.clone())?;
+        let mut root = table_of(self, &place)?;
+        let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
+        let mut table = Some(&mut root);
+        for part in above.split('.').filter(|part| !part.is_empty()) {
+            table = table.and_then(|table| table.get_mut(part)?.as_table_mut());
+        }
+        if let Some(table) = table {
+            table.remove(last);
+        }
+        *self = read_table(root, |_| place.clone())?;
+        Ok(())
+    }
+
+    /// The text of a case file, which reads back to the same case.
+    fn text(&self) -> Result<String, CaseError> {
+        written::long_file(self).map_err(|error| CaseError::Value {
+            place: Source::in_memory().place_of(""),
+            key: None,
+            message: error.to_string(),
+        })
+    }
+
     /// Sets a key and records it in the source.
     fn set_in(&mut self, source: &mut Source, key: &str, value: &str) -> Result<(), CaseError> {
         let key = with_keys(key);

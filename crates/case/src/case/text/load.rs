@@ -66,6 +66,17 @@ impl Train {
         loaded.map_err(|error| Error::in_text(error, source))
     }
 
+    /// Reads a case from the TOML `text` of its keys and the content of its files; no file on disk is read. Messages use `name`.
+    ///
+    /// # Errors
+    /// As for [`load`](Self::load).
+    pub fn from_contents(name: &str, text: &str, contents: FileContents) -> Result<Self, Error> {
+        let mut source = Source::new("case.toml", text)?;
+        // The text is TOML, whatever the name ends in.
+        name.clone_into(&mut source.name);
+        Self::load_holding(source, None, contents, &[], &|_| {})
+    }
+
     /// Reads a case from its `text`; the files it names come from `resolver`, so that no file system is needed.
     /// Messages use `name`; the text is JSON if it ends in `.json`, TOML otherwise.
     ///
@@ -243,10 +254,7 @@ pub fn from_text(name: &str, text: &str, resolver: Resolver<'_>) -> Result<Loade
 /// # Errors
 /// As for [`load`].
 pub fn from_contents(name: &str, text: &str, contents: FileContents) -> Result<LoadedCase, Error> {
-    let mut source = Source::new("case.toml", text)?;
-    // The text is TOML, whatever the name ends in.
-    name.clone_into(&mut source.name);
-    Train::load_holding(source, None, contents, &[], &|_| {})?.into_only_mesh()
+    Train::from_contents(name, text, contents)?.into_only_mesh()
 }
 
 impl LoadedCase {

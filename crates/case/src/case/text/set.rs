@@ -4,12 +4,9 @@ use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer, Serializer};
 use toml::Value;
 
-use super::case_file::{CaseFile, read_table, table_of};
+use super::case_file::CaseFile;
 use super::parsed::{from_table, stated};
-use super::symbols::with_keys;
-use super::written;
 use crate::case::builder::CaseBuilder;
-use crate::case::error::CaseError;
 use crate::case::input::CaseInput;
 use crate::case::source::Source;
 use crate::case::train_input::TrainCaseInput;
@@ -46,20 +43,7 @@ impl CaseInput {
     /// # Errors
     /// When the key is not known or has no default; the case is then unchanged.
     pub fn unset(&mut self, path: &str) -> Result<(), Error> {
-        let path = &*with_keys(path);
-        let place = Source::in_memory().place_of(path);
-        Self::refuse_unknown(std::iter::once(path), |_| place.clone())?;
-        let mut root = table_of(self, &place)?;
-        let (above, last) = path.rsplit_once('.').unwrap_or(("", path));
-        let mut table = Some(&mut root);
-        for part in above.split('.').filter(|part| !part.is_empty()) {
-            table = table.and_then(|table| table.get_mut(part)?.as_table_mut());
-        }
-        if let Some(table) = table {
-            table.remove(last);
-        }
-        *self = read_table(root, |_| place.clone())?;
-        Ok(())
+        Ok(self.unset_at(path)?)
     }
 
     /// Reads the case in a stored result: for `#[serde(deserialize_with)]`, so that the code that reads every key is compiled
@@ -84,14 +68,7 @@ impl CaseInput {
     /// # Errors
     /// When a value cannot be written as text, such as a path that is not Unicode.
     pub fn to_toml(&self) -> Result<String, Error> {
-        let place = Source::in_memory().place_of("");
-        let unwritten = |message: String| CaseError::Value {
-            place: place.clone(),
-            key: None,
-            message,
-        };
-        let text = written::long_file(self).map_err(|error| unwritten(error.to_string()))?;
-        Ok(text)
+        Ok(self.text()?)
     }
 }
 
