@@ -120,9 +120,10 @@ impl Study {
 /// The case in `file`, or its mesh called `mesh`.
 fn case_of(file: &Path, mesh: Option<&str>) -> Result<Train, SweepError> {
     let train = Train::load(file)?;
-    Ok(match mesh {
-        None => train,
-        Some(mesh) => train.of_mesh(mesh)?,
+    let Some(mesh) = mesh else { return Ok(train) };
+    train.of_mesh(mesh).map_err(|error| SweepError::Study {
+        path: file.to_owned(),
+        message: format!("`mesh` of the study must name one of the meshes: {error}"),
     })
 }
 
