@@ -35,7 +35,7 @@ pub fn map(args: &MapArgs, common: &Common) -> Result<(), Failure> {
     }
     let axes = axes(args, &first.case)?;
     let cycle = match &args.cycle {
-        Some(file) => Some(read_cycle(file, None, first.case.input.vehicle())?),
+        Some(file) => Some(read_cycle(file, None, first.case.input.vehicle.as_ref())?),
         None => None,
     };
     if args.export.contains(&ExportArg::Fastsim) && cycle.is_none() {

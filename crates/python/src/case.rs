@@ -81,7 +81,7 @@ pub struct Case(Arc<Train>);
 #[pyfunction]
 pub fn schema(kind: &str) -> PyResult<String> {
     let schema = match kind {
-        "planetary" | "mesh" => case::train::schema(),
+        "planetary" | "mesh" => case::schema_of_named_meshes(),
         _ => case::schema(),
     };
     Ok(failure::json(&schema)?)
@@ -296,9 +296,10 @@ impl Case {
     /// Title, inputs, defaults and warnings as JSON.
     #[getter]
     fn about(&self) -> PyResult<String> {
+        let inputs = self.0.input.store(serde_json::value::Serializer);
         let about = json!({
             "title": self.0.title,
-            "inputs": self.0.input,
+            "inputs": inputs.map_err(|error| Failure::new("E501", error.to_string()))?,
             "defaults": self.0.defaults,
             "warnings": self.0.all_warnings(),
         });

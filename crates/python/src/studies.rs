@@ -183,7 +183,7 @@ pub fn cycle(
         }
         let file = Path::new(&name);
         let table = table.map_or_else(|| text(file), Ok)?;
-        let trace = driving::cycle(&table, map.input.vehicle());
+        let trace = driving::cycle(&table, map.input.vehicle.as_ref());
         let trace =
             trace.map_err(|error| Failure::new(error.code(), error.to_string()).about(&name))?;
         let stem = file.file_stem().unwrap_or_default().to_string_lossy();
@@ -313,7 +313,7 @@ impl Map {
             };
             let cycle = match &drive {
                 Some(file) => {
-                    let found = driving::cycle(&text(file)?, self.0.input.vehicle());
+                    let found = driving::cycle(&text(file)?, self.0.input.vehicle.as_ref());
                     let name = file.display().to_string();
                     Some(found.map_err(|error| {
                         Failure::new(error.code(), error.to_string()).about(&name)

@@ -436,7 +436,7 @@ fn a_cycle_on_the_map_of_a_train_loses_its_loss_times_the_time() {
     // A vehicle is a table of the train, too.
     let driven = cycle(
         "time_s,speed_km_h\n0,0\n10,20\n20,20\n",
-        found.input.vehicle(),
+        found.input.vehicle.as_ref(),
     )
     .unwrap();
     assert!(

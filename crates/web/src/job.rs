@@ -1,6 +1,6 @@
 //! The job of the page: what `asperity run` does, without a file system.
 
-use asperity::case::{AnyInput, DefaultUsed, Source, Train};
+use asperity::case::{CaseInput, DefaultUsed, Source, Train};
 use asperity::pipeline::{KeptFields, Progress};
 use asperity::train::{self, Outcomes};
 use asperity_report::{COLUMNS, Results, Tile, texts};
@@ -38,7 +38,7 @@ impl Finished {
 
     /// The keys of the case.
     #[must_use]
-    pub fn inputs(&self) -> &AnyInput {
+    pub fn inputs(&self) -> &CaseInput {
         &self.train.input
     }
 
@@ -100,7 +100,7 @@ fn check_memory(train: &Train) -> Result<(), Failure> {
 /// When the text is no case.
 pub fn keys(name: &str, text: &str) -> Result<String, Failure> {
     let source = Source::from_bytes(name, text.as_bytes()).map_err(asperity::Error::from);
-    let input = source.and_then(|source| AnyInput::read(&source));
+    let input = source.and_then(|source| CaseInput::of_source(&source));
     let input = input.map_err(|error| Failure::from(&error))?;
-    Ok(serde_json::to_string(&input)?)
+    Ok(input.store(serde_json::value::Serializer)?.to_string())
 }

@@ -16,10 +16,9 @@ use serde::{Deserialize, Serialize};
 
 use super::error::CaseError;
 use super::files::{Content, Reader};
-use super::gearbox_input::{
-    BearingInput, BearingKind, GearboxInput, JetInput, SealInput, Shaft, TrainGearboxInput,
-};
+use super::gearbox_input::{BearingInput, BearingKind, GearboxInput};
 use super::section::Section;
+use super::shafting::Shafting;
 use super::source::Source;
 use crate::loss_table::read;
 
@@ -142,118 +141,23 @@ pub enum BearingLoads {
     },
 }
 
-/// The keys of a gearbox, of a pair of gears or a gear train.
-pub(super) struct Stated<'a, S> {
-    temperature: Option<Temperature>,
-    seals: &'a [SealInput<S>],
-    bearings: &'a [BearingInput<S>],
-    jets: Vec<StatedJet<'a>>,
-    tables: Vec<StatedTable<'a>>,
-    /// Keys of jets and tables.
-    keys: [&'static str; 2],
-    /// Rule of a gearbox without parts.
-    empty: &'static str,
-}
-
-struct StatedJet<'a> {
-    name: String,
-    mesh: &'a str,
-    flow: VolumeFlow,
-    speed: Speed,
-}
-
-struct StatedTable<'a> {
-    name: Option<&'a String>,
-    shaft: &'a str,
-    against: Option<&'a String>,
-    file: &'a Path,
-}
-
-impl<'a> From<&'a GearboxInput> for Stated<'a, Shaft> {
-    /// The parts of a pair: the jet is onto its mesh, and the table over the speed of its pinion.
-    fn from(stated: &'a GearboxInput) -> Self {
-        let GearboxInput {
-            temperature,
-            loss_table,
-            seals,
-            bearings,
-            jet,
-        } = stated;
-        Self {
-            temperature: *temperature,
-            seals,
-            bearings,
-            jets: { jet.iter() }
-                .map(|&JetInput { flow, speed }| StatedJet {
-                    name: "oil jet".to_owned(),
-                    mesh: "",
-                    flow,
-                    speed,
-                })
-                .collect(),
-            tables: { loss_table.iter() }
-                .map(|file| StatedTable {
-                    name: None,
-                    shaft: Shaft::Pinion.name(),
-                    against: None,
-                    file,
-                })
-                .collect(),
-            keys: ["jet", "loss_table"],
-            empty: "names nothing that loses; give seals, bearings, jet or loss_table, or leave it out",
-        }
-    }
-}
-
-impl<'a> From<&'a TrainGearboxInput> for Stated<'a, String> {
-    fn from(stated: &'a TrainGearboxInput) -> Self {
-        let TrainGearboxInput {
-            temperature,
-            seals,
-            bearings,
-            jets,
-            tables,
-        } = stated;
-        let jets = jets.iter().enumerate().map(|(number, jet)| StatedJet {
-            name: named(jet.name.as_deref(), "jet", number),
-            mesh: &jet.mesh,
-            flow: jet.flow,
-            speed: jet.speed,
-        });
-        let tables = tables.iter().map(|table| StatedTable {
-            name: table.name.as_ref(),
-            shaft: &table.shaft,
-            against: table.against.as_ref(),
-            file: &table.file,
-        });
-        Self {
-            temperature: *temperature,
-            seals,
-            bearings,
-            jets: jets.collect(),
-            tables: tables.collect(),
-            keys: ["jets", "tables"],
-            empty: "names nothing that loses; give seals, bearings, jets or tables, or leave it out",
-        }
-    }
-}
-
-impl<S: AsRef<str>> Stated<'_, S> {
-    /// The parts on the shafts of `train`, whose stages have the `places`, with their tables read.
+impl GearboxInput {
+    /// The parts on the shafts of `train`, whose stages have the `places`, with their tables read. The shafts of a pair of gears
+    /// are `pinion` and `wheel`; its jet is onto its mesh, and its table over the speed of the pinion.
     pub(super) fn gearbox(
-        self,
+        &self,
         places: Vec<MeshPlace>,
         train: &GearTrain,
         (source, files): (&Source, &Reader<'_>),
     ) -> Result<Gearbox, CaseError> {
         let section = Section::of(source, "gearbox");
-        let shaft_of = |key, name: &str| shaft_of(train, section, key, name);
+        let shaft_of = |key, name: &str| shaft_of((train, &places), section, key, name);
         let mut parts = Vec::new();
         for (number, seal) in self.seals.iter().enumerate() {
             let name = named(seal.name.as_deref(), "seal", number);
             seal_torque(seal.diameter).map_err(refused(section, "seals", &name))?;
             parts.push(Part {
-                shaft: shaft_of("seals", seal.shaft.as_ref())?,
+                shaft: shaft_of("seals", &seal.shaft)?,
                 kind: PartKind::Seal(seal.diameter),
                 name,
             });
@@ -263,18 +167,19 @@ impl<S: AsRef<str>> Stated<'_, S> {
             let (shaft, kind) = self.bearing((number, &name), train, (&places, section))?;
             parts.push(Part { name, shaft, kind });
         }
-        let [jets, tables] = self.keys;
-        for StatedJet {
-            name,
-            mesh,
-            flow,
-            speed,
-        } in self.jets
-        {
-            check_jet(flow, speed).map_err(refused(section, jets, &name))?;
+        let jet = self
+            .jet
+            .iter()
+            .map(|jet| ("jet", "oil jet".to_owned(), "", (jet.flow, jet.speed)));
+        let jets = self.jets.iter().enumerate().map(|(number, jet)| {
+            let name = named(jet.name.as_deref(), "jet", number);
+            ("jets", name, jet.mesh.as_str(), (jet.flow, jet.speed))
+        });
+        for (key, name, mesh, (flow, speed)) in jet.chain(jets) {
+            check_jet(flow, speed).map_err(refused(section, key, &name))?;
             let is_pair = |place: &MeshPlace| !place.is_set && place.name == mesh;
             let Some(stage) = places.iter().position(is_pair) else {
-                return Err(section.conflict(jets, "must name a pair of gears: mesh"));
+                return Err(section.conflict(key, "must name a pair of gears: mesh"));
             };
             parts.push(Part {
                 shaft: train.stages[stage].gears[0],
@@ -282,22 +187,36 @@ impl<S: AsRef<str>> Stated<'_, S> {
                 name,
             });
         }
-        for stated in self.tables {
-            let (file, table) = table(stated.file, (section, tables), files)?;
-            let shaft = shaft_of(tables, stated.shaft)?;
-            let against = stated.against.map(|name| shaft_of(tables, name));
-            let against = against.transpose()?;
+        if let Some(file) = &self.loss_table {
+            let (name, table) = table(file, (section, "loss_table"), files)?;
+            let (shaft, against) = (Shafting::INPUT, None);
+            let kind = PartKind::Table { table, against };
+            parts.push(Part { name, shaft, kind });
+        }
+        for stated in &self.tables {
+            let (file, table) = table(&stated.file, (section, "tables"), files)?;
+            let shaft = shaft_of("tables", &stated.shaft)?;
+            let against = stated.against.as_ref();
+            let against = against.map(|name| shaft_of("tables", name)).transpose()?;
             if against == Some(shaft) {
-                return Err(section.conflict(tables, "must name two shafts of a clutch"));
+                return Err(section.conflict("tables", "must name two shafts of a clutch"));
             }
             parts.push(Part {
-                name: stated.name.cloned().unwrap_or(file),
+                name: stated.name.clone().unwrap_or(file),
                 shaft,
                 kind: PartKind::Table { table, against },
             });
         }
         if parts.is_empty() {
-            return Err(section.conflict_of_key("", self.empty));
+            let rule = match is_only(&places) {
+                true => {
+                    "names nothing that loses; give seals, bearings, jet or loss_table, or leave it out"
+                }
+                false => {
+                    "names nothing that loses; give seals, bearings, jets or tables, or leave it out"
+                }
+            };
+            return Err(section.conflict_of_key("", rule));
         }
         Ok(Gearbox {
             temperature: self.temperature,
@@ -314,7 +233,7 @@ impl<S: AsRef<str>> Stated<'_, S> {
         (places, section): (&[MeshPlace], Section<'_>),
     ) -> Result<(usize, PartKind), CaseError> {
         let stated = &self.bearings[number];
-        let on = stated.shaft.as_ref();
+        let on = stated.shaft.as_str();
         let refused = refused(section, "bearings", name);
         let is_own = |place: &MeshPlace| place.is_set && place.planet() == on;
         if let Some(stage) = places.iter().position(is_own) {
@@ -329,7 +248,7 @@ impl<S: AsRef<str>> Stated<'_, S> {
             }
         };
         let bearing = rolling_bearing(stated).map_err(&refused)?;
-        let shaft = shaft_of(train, section, "bearings", on)?;
+        let shaft = shaft_of((train, places), section, "bearings", on)?;
         let load = match load {
             Some(load) => load,
             None => self.of_teeth(number, (shaft, train), (places, section), refused)?,
@@ -352,7 +271,7 @@ impl<S: AsRef<str>> Stated<'_, S> {
         ];
         unneeded(planet, "is of the bearings of planets").map_err(&refused)?;
         let all = self.bearings.iter().enumerate();
-        let on_shaft = all.filter(|(_, other)| other.shaft.as_ref() == bearing.shaft.as_ref());
+        let on_shaft = all.filter(|(_, other)| other.shaft == bearing.shaft);
         let [(_, one), (second, other)] = on_shaft.collect::<Vec<_>>()[..] else {
             let rule = "must be two on each shaft that has bearings: the loads of others do not follow from statics";
             return Err(section.conflict("bearings", rule));
@@ -390,13 +309,19 @@ fn is_only(places: &[MeshPlace]) -> bool {
 
 /// The shaft called `name`, which the key names.
 fn shaft_of(
-    train: &GearTrain,
+    (train, places): (&GearTrain, &[MeshPlace]),
     section: Section<'_>,
     key: &'static str,
     name: &str,
 ) -> Result<usize, CaseError> {
     let known = train.shafts.iter().position(|shaft| shaft.name == name);
-    known.ok_or_else(|| section.conflict(key, "names a shaft that no mesh of the train has"))
+    known.ok_or_else(|| match is_only(places) {
+        true => section.value(
+            key,
+            format!("unknown choice \"{name}\", expected pinion or wheel"),
+        ),
+        false => section.conflict(key, "names a shaft that no mesh of the train has"),
+    })
 }
 
 fn named(stated: Option<&str>, kind: &str, number: usize) -> String {
@@ -428,7 +353,7 @@ fn unneeded<const N: usize>(
 }
 
 /// The stated load of a bearing of a pair of gears.
-fn stated_load<S>(stated: &BearingInput<S>) -> Result<BearingLoads, EfficiencyError> {
+fn stated_load(stated: &BearingInput) -> Result<BearingLoads, EfficiencyError> {
     let of_train = [
         stated.at.map(|_| "at"),
         stated.locating.map(|_| "locating"),
@@ -453,7 +378,7 @@ fn stated_load<S>(stated: &BearingInput<S>) -> Result<BearingLoads, EfficiencyEr
 }
 
 /// Bearings of the planets of a set.
-fn of_planet<S>(stated: &BearingInput<S>, stage: usize) -> Result<PartKind, EfficiencyError> {
+fn of_planet(stated: &BearingInput, stage: usize) -> Result<PartKind, EfficiencyError> {
     without_load(stated)?;
     let bearing = rolling_bearing(stated)?;
     let of_shaft = [stated.at.map(|_| "at"), stated.locating.map(|_| "locating")];
@@ -472,7 +397,7 @@ fn of_planet<S>(stated: &BearingInput<S>, stage: usize) -> Result<PartKind, Effi
 }
 
 /// Refuses loads of a bearing, which follow from the teeth.
-fn without_load<S>(stated: &BearingInput<S>) -> Result<(), EfficiencyError> {
+fn without_load(stated: &BearingInput) -> Result<(), EfficiencyError> {
     let rule = "follows from the teeth in a gear train; leave it out";
     let loads = [("radial", stated.radial), ("axial", stated.axial)];
     for (name, load) in loads {
@@ -515,7 +440,7 @@ fn check_places(
 }
 
 /// A rolling bearing with the constants that its kind needs.
-fn rolling_bearing<S>(stated: &BearingInput<S>) -> Result<RollingBearing, EfficiencyError> {
+fn rolling_bearing(stated: &BearingInput) -> Result<RollingBearing, EfficiencyError> {
     let &BearingInput {
         name: _,
         shaft: _,

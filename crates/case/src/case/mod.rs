@@ -13,7 +13,6 @@
 //!
 //! [`Train`] is a case of any number of meshes, [`LoadedCase`] that of one.
 
-mod any_input;
 mod assumed_relief;
 mod builder;
 mod bulk;
@@ -68,7 +67,6 @@ mod train_heat_input;
 mod train_input;
 mod train_parts;
 
-pub use any_input::AnyInput;
 pub use assumed_relief::AssumedRelief;
 pub use builder::CaseBuilder;
 pub use bulk::{BulkModel, BulkReport, FoundBulk};
@@ -85,8 +83,7 @@ pub use gear_input::{
 };
 pub use gearbox::{BearingLoads, Gearbox, Hand, MeshPlace, Part, PartKind};
 pub use gearbox_input::{
-    BearingInput, BearingKind, GearboxInput, JetInput, MeshJetInput, SealInput, Shaft, TableInput,
-    TrainGearboxInput,
+    BearingInput, BearingKind, GearboxInput, JetInput, MeshJetInput, SealInput, TableInput,
 };
 pub use gears::gear_pair;
 pub use input::{
@@ -115,7 +112,7 @@ pub use steel::STEEL_FLOW_PRESSURE;
 #[cfg(feature = "case-files")]
 pub use text::{
     Change, Findings, Resolver, check, from_contents, from_text, load, load_holding, load_set,
-    load_with, markdown, open_source, schema,
+    load_with, markdown, open_source, schema, schema_of_named_meshes,
 };
 pub use trace::{Flank, Trace};
 pub use trace_list::{TraceEntry, TraceInput, TraceList};

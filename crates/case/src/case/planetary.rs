@@ -258,6 +258,7 @@ fn mesh_case(input: &SetOfCase<'_>, mesh: &Mesh) -> CaseInput {
             pinion: steel(i),
             // The steel of the sun by default, which may differ from the planet's.
             wheel: Some(steel(j)),
+            ..MaterialInput::default()
         },
         ..input.common.clone()
     };

@@ -9,29 +9,24 @@ use std::path::{Path, PathBuf};
 use asperity_core::Profile;
 use asperity_core::quantity::Power;
 
-use super::any_input::AnyInput;
 use super::defaults::DefaultUsed;
 use super::error::CaseError;
-use super::files::{FileContents, FileSums};
+use super::files::{FileContents, FileSums, Reader};
 use super::gearbox::Gearbox;
 use super::input::CaseInput;
 use super::loaded::LoadedCase;
 use super::resolve::Case;
 use super::shafting::{Shafting, StageKind};
-use super::source::MeshKeys;
-use super::text::is_key_of_train;
+use super::source::{MeshKeys, Source};
+use super::text::is_key_of_named_meshes;
 use super::train_parts::{MeshParts, TrainParts};
 use crate::error::{Error, PositionError};
 use crate::fingerprint::Fingerprint;
 use crate::flanks::Surfaces;
 use crate::message::Warning;
 
-#[cfg(feature = "case-files")]
-pub use super::text::train_keys::schema;
 pub use super::train_heat_input::HeatInput;
-pub use super::train_input::{
-    MeshInput, PassedLosses, TrainCaseInput, TrainInput, TrainMaterialInput, TrainSurfaceInput,
-};
+pub use super::train_input::{MeshInput, PassedLosses, ShaftsInput};
 pub use super::train_parts::mesh_folder;
 
 /// A case, ready to run: one or several meshes on shafts.
@@ -49,7 +44,7 @@ pub struct Train {
     /// Seals and bearings, if the case states some.
     pub gearbox: Option<Gearbox>,
     /// The case as read.
-    pub input: AnyInput,
+    pub input: CaseInput,
     /// Every default in use, by the keys of the train.
     pub defaults: Vec<DefaultUsed>,
     /// Warnings about the train as a whole.
@@ -86,7 +81,7 @@ impl From<LoadedCase> for Train {
             shafting: Shafting::of_pair(&case.case),
             heat: None,
             gearbox: case.case.gearbox.clone(),
-            input: case.case.input.clone().into(),
+            input: case.case.input.clone(),
             defaults: case.case.defaults.clone(),
             warnings: Vec::new(),
             sums: FileSums::new(),
@@ -103,7 +98,7 @@ impl From<LoadedCase> for Train {
 
 impl Train {
     /// The train of `parts` with the loaded case of each mesh, as `input` states it.
-    pub(super) fn of(parts: TrainParts, cases: Vec<LoadedCase>, input: TrainCaseInput) -> Self {
+    pub(super) fn of(parts: TrainParts, cases: Vec<LoadedCase>, input: CaseInput) -> Self {
         let mut defaults: Vec<DefaultUsed> = Vec::new();
         for stage in &parts.stages {
             defaults.extend(stage.defaults.iter().cloned());
@@ -128,7 +123,7 @@ impl Train {
             title: parts.title,
             shafting: parts.train,
             stages: stages.collect(),
-            input: input.into(),
+            input,
             defaults,
             warnings: parts.warnings,
         }
@@ -213,48 +208,50 @@ impl Train {
         Ok(other)
     }
 
+    /// The train of the meshes that `input` states, each completed by `case`, which takes the case of the mesh, and the mesh if it
+    /// has a name.
+    pub(super) fn made_of(
+        input: CaseInput,
+        source: &Source,
+        files: Reader<'_>,
+        case: &dyn Fn(&CaseInput, Option<&MeshParts>) -> Result<LoadedCase, CaseError>,
+    ) -> Result<Self, CaseError> {
+        if !input.names_meshes() {
+            return case(&input, None).map(Self::from);
+        }
+        let parts = input.parts(source, files)?;
+        let cases = parts.meshes().map(|mesh| case(&mesh.case, Some(mesh)));
+        let cases = cases.collect::<Result<_, _>>()?;
+        Ok(Self::of(parts, cases, input))
+    }
+
     /// The train with another input, checked again; traces are read again only if the input affects them.
     ///
     /// # Errors
     /// When the changed train cannot be run.
-    pub fn with_input(&self, input: AnyInput) -> Result<Self, Error> {
-        let Some(first) = self.meshes().next() else {
+    pub fn with_input(&self, input: CaseInput) -> Result<Self, Error> {
+        let Some(first) = self.cases().next() else {
             return Err(Error::Whole(Box::new(PositionError::NoProfile)));
         };
-        match input {
-            AnyInput::Mesh(input) => first.case.with(|now| *now = *input).map(Self::from),
-            AnyInput::Train(input) => {
-                let source = first.case.source();
-                let parts = input.parts(&source, first.case.reader())?;
-                let case = |mesh: &MeshParts| {
-                    let before = self.mesh(&mesh.name).unwrap_or(first);
-                    before.case.changed_to(mesh.case.clone(), Some(&mesh.keys))
-                };
-                let cases = parts.meshes().map(case).collect::<Result<_, _>>()?;
-                Ok(Self::of(parts, cases, *input))
-            }
-        }
+        let changed = Self::made_of(input, &first.source(), first.reader(), &|case, mesh| {
+            let before = mesh.and_then(|mesh| self.mesh(&mesh.name));
+            let before = before.map_or(first, |before| &before.case);
+            before.changed_to(case.clone(), mesh.map(|mesh| &mesh.keys))
+        });
+        Ok(changed?)
     }
 
     /// The inputs of the meshes that `input` states; none if it cannot be completed.
-    fn inputs_of(&self, input: &AnyInput) -> Vec<CaseInput> {
-        match input {
-            AnyInput::Mesh(input) => vec![CaseInput::clone(input)],
-            AnyInput::Train(input) => {
-                let first = self.meshes().next();
-                let parts = first.and_then(|first| {
-                    let case = &first.case;
-                    input.parts(&case.source(), case.reader()).ok()
-                });
-                let meshes = parts.iter().flat_map(TrainParts::meshes);
-                meshes.map(|mesh| mesh.case.clone()).collect()
-            }
-        }
+    fn inputs_of(&self, input: &CaseInput) -> Vec<CaseInput> {
+        let first = self.cases().next();
+        let cases = first.and_then(|first| input.of_meshes(&first.source(), first.reader()).ok());
+        let cases = cases.into_iter().flatten();
+        cases.map(|(case, _)| case).collect()
     }
 
     /// Files that the train would read with any of `inputs`, and their SHA-256; unreadable files are left out.
     #[must_use]
-    pub fn files_of(&self, inputs: &[AnyInput]) -> FileSums {
+    pub fn files_of(&self, inputs: &[CaseInput]) -> FileSums {
         let Some(first) = self.meshes().next() else {
             return FileSums::new();
         };
@@ -263,7 +260,7 @@ impl Train {
         sums.extend(
             first
                 .case
-                .sums_of_files(inputs.iter().flat_map(AnyInput::own_files)),
+                .sums_of_files(inputs.iter().flat_map(CaseInput::own_tables)),
         );
         sums
     }
@@ -422,7 +419,7 @@ fn add_defaults(defaults: &mut Vec<DefaultUsed>, mesh: &LoadedCase, keys: &MeshK
             Some(in_train) => in_train.into(),
             None => default.key.clone(),
         };
-        if is_key_of_train(&key) && defaults.iter().all(|before| before.key != key) {
+        if is_key_of_named_meshes(&key) && defaults.iter().all(|before| before.key != key) {
             defaults.push(DefaultUsed {
                 key,
                 ..default.clone()

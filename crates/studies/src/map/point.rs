@@ -1,6 +1,6 @@
 //! Data of a map.
 
-use asperity::case::{AnyInput, DefaultUsed};
+use asperity::case::{CaseInput, DefaultUsed};
 use asperity::result::Regime;
 use serde::{Deserialize, Serialize};
 
@@ -35,7 +35,11 @@ pub struct Map {
     /// Warnings with their points.
     pub warnings: Vec<MapWarning>,
     /// The case as read; each finish has its own traces.
-    pub input: AnyInput,
+    #[serde(
+        serialize_with = "CaseInput::store",
+        deserialize_with = "CaseInput::stored"
+    )]
+    pub input: CaseInput,
     /// All defaults used.
     pub defaults: Vec<DefaultUsed>,
 }

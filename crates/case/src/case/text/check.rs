@@ -7,14 +7,13 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
-use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 use toml::{Table, Value};
 
-use super::case_file::{CaseFile, Checked, remove_replaced};
+use super::case_file::{
+    CaseFile, VALID, VALID_OF_NAMED, names_meshes, remove_replaced, schema_with,
+};
 use super::known_keys::first_unknown;
-use super::load::names_meshes;
-use super::parsed::from_table;
 use super::plain_words::plain;
 use super::written;
 use crate::case::error::CaseError;
@@ -24,7 +23,7 @@ use crate::case::loaded::{LoadedCase, complete};
 use crate::case::ranges::impossible;
 use crate::case::source::{MeshKeys, Source};
 use crate::case::train::Train;
-use crate::case::train_input::TrainCaseInput;
+use crate::case::train_input::OfAllMeshes;
 use crate::error::Error;
 
 /// No case has more errors than keys.
@@ -67,19 +66,16 @@ fn all(
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,
 ) -> Option<Train> {
-    if !names_meshes(source) {
-        let (input, mending) = readable::<CaseInput>(source, set, errors)?;
+    let (input, mending) = readable(source, set, errors)?;
+    if !input.names_meshes() {
         return completed(input, source, folder, mending, errors).map(Train::from);
     }
-    let (input, mending) = readable::<TrainCaseInput>(source, set, errors)?;
-    errors.extend(impossible(&input, source));
+    errors.extend(impossible(&OfAllMeshes(&input), source));
     let files = Files::in_folder(folder);
     let parts = match input.parts(source, Reader::of(&files)) {
         Ok(parts) => parts,
         Err(error) => {
-            let is_blamed = TrainCaseInput::TABLES
-                .iter()
-                .any(|table| mending.is_known(table));
+            let is_blamed = CaseInput::NAMED.iter().any(|table| mending.is_known(table));
             let is_known = errors
                 .iter()
                 .any(|known| identity(known) == identity(&error));
@@ -118,14 +114,18 @@ fn identity(error: &CaseError) -> (&'static str, Option<usize>, String) {
 }
 
 /// The case in `source` with keys set by their paths; values that cannot be read are recorded and replaced by valid ones.
-fn readable<T: Checked>(
+fn readable(
     source: &mut Source,
     set: &[(String, String)],
     errors: &mut Vec<CaseError>,
-) -> Option<(T, Mending)> {
+) -> Option<(CaseInput, Mending)> {
+    let right = match names_meshes(source) {
+        true => VALID_OF_NAMED,
+        false => VALID,
+    };
     let mut mending = Mending {
-        right: T::VALID.parse().ok()?,
-        schema: T::schema(),
+        right: right.parse().ok()?,
+        schema: CaseInput::schema_of(source),
         blamed: BTreeSet::new(),
         replaced: BTreeSet::new(),
     };
@@ -137,7 +137,7 @@ fn readable<T: Checked>(
         }
     };
     remove_unknown(&mut table, source, &mut mending, errors);
-    let mut input: T = mending.read(table, source, errors)?;
+    let mut input = mending.read(table, source, errors)?;
     for (key, value) in set {
         if let Err(error) = input.set_in(source, key, value) {
             mending.blamed.insert(part_of(key).to_owned());
@@ -197,8 +197,8 @@ impl Mending {
         let blamed = self.blamed.iter().chain(&self.replaced);
         let in_mesh = blamed.map(|part| mesh.in_mesh(part).unwrap_or_else(|| part.clone()));
         Some(Self {
-            right: CaseInput::VALID.parse().ok()?,
-            schema: CaseInput::schema(),
+            right: VALID.parse().ok()?,
+            schema: schema_with(false),
             blamed: in_mesh.map(|part| part_of(&part).to_owned()).collect(),
             replaced: BTreeSet::new(),
         })
@@ -215,14 +215,14 @@ impl Mending {
     }
 
     /// The case, with valid values in place of those that cannot be read.
-    fn read<T: DeserializeOwned>(
+    fn read(
         &mut self,
         mut table: Table,
         source: &Source,
         errors: &mut Vec<CaseError>,
-    ) -> Option<T> {
+    ) -> Option<CaseInput> {
         for _ in 0..MAX_ERRORS {
-            let (key, message) = match from_table(table.clone()) {
+            let (key, message) = match CaseInput::from_keys(table.clone()) {
                 Ok(input) => return Some(input),
                 Err(error) => error,
             };
@@ -345,7 +345,7 @@ fn put_right(input: &mut CaseInput, part: &str, right: &Table) -> Option<()> {
     if let Some(Value::Table(inner)) = table.get_mut(of_part) {
         remove_replaced(inner, part);
     }
-    *input = from_table(table).ok()?;
+    *input = CaseInput::from_keys(table).ok()?;
     Some(())
 }
 

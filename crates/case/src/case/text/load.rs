@@ -12,9 +12,8 @@ use crate::case::files::{Content, FileContents, Files, Reader};
 use crate::case::input::CaseInput;
 use crate::case::loaded::{LoadedCase, complete, keep_oil};
 use crate::case::model::Formulation;
-use crate::case::source::Source;
+use crate::case::source::{MeshKeys, Source};
 use crate::case::train::Train;
-use crate::case::train_input::TrainCaseInput;
 use crate::error::Error;
 
 /// Resolver of the files that a case text names: from the name in the text to the bytes.
@@ -90,12 +89,6 @@ impl Train {
     }
 }
 
-/// Whether the text has tables `[mesh.NAME]` or `[planetary]`, whose meshes have names.
-pub(super) fn names_meshes(source: &Source) -> bool {
-    let mut keys = source.key_paths();
-    keys.any(|key| TrainCaseInput::TABLES.contains(&key))
-}
-
 /// The case in `source` with keys set past the text and a change of every mesh; `resolver` gives files that are not held.
 fn read(
     source: &mut Source,
@@ -103,45 +96,34 @@ fn read(
     set: &[(String, String)],
     change: Change<'_>,
 ) -> Result<Train, CaseError> {
-    let changed = |stated: &CaseInput, mut input: CaseInput| {
-        change(&mut input);
-        keep_oil(stated, &mut input);
-        input
-    };
-    if !names_meshes(source) {
-        let stated = CaseInput::read(source)?;
-        let mut input = stated.clone();
-        for (key, value) in set {
-            input.set_in(source, key, value)?;
-        }
-        let input = changed(&stated, input);
-        if let Some(resolver) = resolver {
-            files.gather(&input, source, resolver)?;
-        }
-        return complete(input, source, files.into(), None).map(Train::from);
-    }
-    let mut input = TrainCaseInput::read(source)?;
+    let stated = CaseInput::read(source)?;
+    let mut input = stated.clone();
     for (key, value) in set {
         input.set_in(source, key, value)?;
     }
+    keep_oil(&stated, &mut input);
+    let in_mesh = |mesh: Option<&Arc<MeshKeys>>| match mesh {
+        Some(mesh) => source.of_mesh(mesh),
+        None => source.clone(),
+    };
     if let Some(resolver) = resolver {
-        let tables = input.gearbox.iter().flat_map(|gearbox| &gearbox.tables);
-        files.gather_tables(tables.map(|table| table.file.as_path()), source, resolver)?;
-    }
-    let parts = input.parts(source, Reader::of(&files))?;
-    if let Some(resolver) = resolver {
-        for mesh in parts.meshes() {
-            files.gather(&mesh.case, &source.of_mesh(&mesh.keys), resolver)?;
+        files.gather_tables(input.own_tables(), source, resolver)?;
+        for (case, mesh) in input.of_meshes(source, Reader::of(&files))? {
+            files.gather(&case, &in_mesh(mesh.as_ref()), resolver)?;
         }
     }
     let files = Arc::new(files);
-    let mut cases = Vec::new();
-    for mesh in parts.meshes() {
-        let case = changed(&mesh.case, mesh.case.clone());
-        let source = source.of_mesh(&mesh.keys);
-        cases.push(complete(case, &source, Arc::clone(&files), None)?);
-    }
-    Ok(Train::of(parts, cases, input))
+    Train::made_of(input, source, Reader::of(&files), &|stated, mesh| {
+        let mut case = stated.clone();
+        change(&mut case);
+        keep_oil(stated, &mut case);
+        complete(
+            case,
+            &in_mesh(mesh.map(|mesh| &mesh.keys)),
+            Arc::clone(&files),
+            None,
+        )
+    })
 }
 
 /// Reads the case of a single mesh in the file `path`, and the traces it names; `formulation` takes precedence over that of the
@@ -265,7 +247,7 @@ impl LoadedCase {
     pub fn with_key(&self, path: &str, value: &str) -> Result<Self, Error> {
         let mut input = self.case.input.clone();
         input.set(path, value)?;
-        self.changed_to(input, None)
+        Ok(self.changed_to(input, None)?)
     }
 }
 
